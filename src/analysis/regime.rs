@@ -1,0 +1,138 @@
+//! What a trajectory settles on, and the record that says so.
+
+use serde::{Deserialize, Serialize};
+
+/// What a cell's trajectory settles on.
+///
+/// The discriminants are the codes of the data files and of the GPU, which gets them generated from here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[repr(u8)]
+pub enum Regime {
+    /// None of the others could be established in the periods given.
+    Unresolved = 0,
+    /// No impact and no contact in the observed window.
+    NoImpact = 1,
+    /// N-p-q periodic motion, free of sticking.
+    Periodic = 2,
+    /// Periodic motion with sticking (after complete chatter, or at once where r = 0).
+    PeriodicSticking = 3,
+    /// No period, largest Lyapunov exponent statistically zero.
+    QuasiPeriodic = 4,
+    /// Largest Lyapunov exponent significantly above zero.
+    Chaotic = 5,
+    /// No period up to the largest looked for, with sticking.
+    AperiodicSticking = 6,
+    /// Non-finite state or an iteration cap: must not happen, and is counted.
+    Failed = 7,
+}
+
+impl Regime {
+    /// Every regime, in the order of the codes.
+    pub const ALL: [Regime; 8] = [
+        Regime::Unresolved,
+        Regime::NoImpact,
+        Regime::Periodic,
+        Regime::PeriodicSticking,
+        Regime::QuasiPeriodic,
+        Regime::Chaotic,
+        Regime::AperiodicSticking,
+        Regime::Failed,
+    ];
+
+    /// The code written to data files.
+    pub fn code(self) -> u8 {
+        self as u8
+    }
+
+    /// The regime of a code, if it is one.
+    pub fn from_code(code: u8) -> Option<Self> {
+        Regime::ALL.get(usize::from(code)).copied()
+    }
+
+    /// The name used in JSON, in legends and on the terminal.
+    pub fn name(self) -> &'static str {
+        match self {
+            Regime::Unresolved => "unresolved",
+            Regime::NoImpact => "no impact",
+            Regime::Periodic => "periodic",
+            Regime::PeriodicSticking => "periodic with sticking",
+            Regime::QuasiPeriodic => "quasi-periodic",
+            Regime::Chaotic => "chaotic",
+            Regime::AperiodicSticking => "aperiodic with sticking",
+            Regime::Failed => "failed",
+        }
+    }
+
+    /// Whether motions of this regime carry an N-p-q label.
+    pub fn is_periodic(self) -> bool {
+        matches!(self, Regime::Periodic | Regime::PeriodicSticking)
+    }
+}
+
+/// The impact count that stands for infinitely many impacts (complete chatter).
+pub const INFINITELY_MANY: u16 = u16::MAX;
+
+/// What became of one trajectory.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// What the trajectory settled on.
+    pub regime: Regime,
+    /// N, the forcing periods in one period of the motion; 0 where the regime is not periodic.
+    pub n: u16,
+    /// p, the impacts at stop Ā (x1 = −δ) in one period of the motion; [`INFINITELY_MANY`] with complete chatter.
+    pub p: u16,
+    /// q, the impacts at stop A (x1 = +δ) in one period of the motion; [`INFINITELY_MANY`] with complete chatter.
+    pub q: u16,
+    /// Whether x(t + Nπ/ω) = −x(t).
+    pub symmetric: bool,
+    /// Largest Lyapunov exponent per forcing period (natural logarithm).
+    pub lyapunov: f32,
+    /// (x1, x2, v1, v2) at the end, at forcing phase 0; non-dimensional.
+    pub state: [f64; 4],
+    /// Impacts in the observed window.
+    pub impacts: u32,
+    /// Impacts over the whole trajectory, transient included (a measure of work, not written to files).
+    pub impacts_total: u64,
+    /// Largest |v1−| of the observed window; non-dimensional.
+    pub peak_impact_velocity: f32,
+    /// Forcing periods simulated.
+    pub periods: u32,
+}
+
+impl Verdict {
+    /// "N-p-q" where periodic (∞ for infinitely many impacts), the regime's name elsewhere.
+    pub fn label(&self) -> String {
+        if self.regime.is_periodic() {
+            format!("{}-{}-{}", self.n, Count(self.p), Count(self.q))
+        } else {
+            self.regime.name().to_owned()
+        }
+    }
+}
+
+/// An impact count as it is printed: a number, or ∞.
+struct Count(u16);
+
+impl std::fmt::Display for Count {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.0 {
+            INFINITELY_MANY => f.write_str("∞"),
+            count => write!(f, "{count}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_follow_the_order_and_round_trip() {
+        for (i, regime) in Regime::ALL.into_iter().enumerate() {
+            assert_eq!(usize::from(regime.code()), i);
+            assert_eq!(Regime::from_code(regime.code()), Some(regime));
+        }
+        assert_eq!(Regime::from_code(8), None);
+    }
+}

@@ -1,0 +1,71 @@
+//! Back ends: one trait, the CPU's f64 reference and the GPU's f32 kernel behind it.
+
+use std::fmt::Debug;
+
+use thiserror::Error;
+
+use crate::analysis::{Schedule, Verdict};
+use crate::model::System;
+
+/// One trajectory to follow: a system and its start at forcing phase 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Job {
+    /// The system.
+    pub system: System,
+    /// (x1, x2, v1, v2) at forcing phase 0; non-dimensional, |x1| ≤ δ.
+    pub start: [f64; 4],
+}
+
+/// Hears how a run goes on, and may end it.
+pub trait Watch: Sync {
+    /// `cells` more trajectories are finished.
+    fn finished(&self, cells: u64);
+    /// Whether the run should stop at the next chance.
+    fn cancelled(&self) -> bool;
+}
+
+/// A watch that hears nothing and lets everything run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unwatched;
+
+impl Watch for Unwatched {
+    fn finished(&self, _cells: u64) {}
+    fn cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// Something that follows trajectories and classifies them.
+///
+/// The verdicts depend on the jobs and the schedule alone: not on how jobs are split into calls, on the number
+/// of threads, or on what ran before.
+pub trait Backend: Debug + Sync {
+    /// "cpu" or "gpu".
+    fn name(&self) -> &'static str;
+
+    /// What computes: the adapter's name and driver, or the processor path.
+    fn adapter(&self) -> String;
+
+    /// How many jobs a call should hold to keep this back end busy within bounded memory.
+    fn tile(&self) -> usize;
+
+    /// Follows every job and gives one verdict per job, in order.
+    ///
+    /// # Errors
+    /// [`BackendError::Cancelled`] when the watch asked for it, otherwise what the machine could not do.
+    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>, BackendError>;
+}
+
+/// Why a back end gave no verdicts.
+#[derive(Debug, Error)]
+pub enum BackendError {
+    /// The watch asked to stop.
+    #[error("interrupted")]
+    Cancelled,
+    /// No adapter is there, or none that matches.
+    #[error("{0}")]
+    NoAdapter(String),
+    /// The device failed: lost, out of memory, or a refused shader.
+    #[error("the GPU could not finish: {0}")]
+    Device(String),
+}

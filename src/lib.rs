@@ -1,0 +1,6 @@
+//! Impact Atlas: parameter planes of vibro-impact systems, explored on the GPU.
+
+pub mod analysis;
+pub mod backend;
+pub mod model;
+pub mod plane;

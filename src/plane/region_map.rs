@@ -1,0 +1,53 @@
+//! A computed plane: one verdict per cell, and where it came from.
+
+use serde::{Deserialize, Serialize};
+
+use super::spec::Plane;
+use crate::analysis::{Regime, Verdict};
+
+/// What computed a result.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Provenance {
+    /// The version of this crate.
+    pub version: String,
+    /// "cpu" or "gpu".
+    pub backend: String,
+    /// The adapter's or the processor path's description.
+    pub adapter: String,
+}
+
+/// A computed plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RegionMap {
+    /// What was asked.
+    pub plane: Plane,
+    /// What computed it.
+    pub provenance: Provenance,
+    /// One verdict per cell, row by row, first row = first y value.
+    pub verdicts: Vec<Verdict>,
+}
+
+impl RegionMap {
+    /// The verdict of the cell in column `column` of row `row`.
+    pub fn at(&self, column: u32, row: u32) -> &Verdict {
+        &self.verdicts[row as usize * self.plane.x.count as usize + column as usize]
+    }
+
+    /// How many cells are in each regime, in the order of [`Regime::ALL`].
+    pub fn census(&self) -> [(Regime, u64); 8] {
+        Regime::ALL.map(|regime| (regime, self.verdicts.iter().filter(|v| v.regime == regime).count() as u64))
+    }
+
+    /// The configuration text that files carry: the plane and its provenance, as JSON.
+    pub fn config(&self) -> String {
+        #[derive(Serialize)]
+        struct Config<'a> {
+            #[serde(flatten)]
+            provenance: &'a Provenance,
+            #[serde(flatten)]
+            plane: &'a Plane,
+        }
+        serde_json::to_string(&Config { provenance: &self.provenance, plane: &self.plane })
+            .expect("a plane and its provenance are plain data")
+    }
+}
