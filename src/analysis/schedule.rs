@@ -44,12 +44,12 @@ impl Schedule {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum ScheduleError {
     /// The transient is too long.
-    #[error("a transient of {0} forcing periods is too long: at most {} are accepted", Schedule::LONGEST)]
+    #[error("a transient of {0} forcing periods is too long: at most {longest} are accepted", longest = Schedule::LONGEST)]
     Transient(u32),
     /// The observation is empty or too long.
-    #[error("an observation of {0} forcing periods cannot be used: give 1 to {}", Schedule::LONGEST)]
+    #[error("an observation of {0} forcing periods cannot be used: give 1 to {longest}", longest = Schedule::LONGEST)]
     Observe(u32),
     /// The largest period is 0 or too large.
-    #[error("a largest period of {0} cannot be used: give 1 to {}", Schedule::LARGEST_PERIOD)]
+    #[error("a largest period of {0} cannot be used: give 1 to {largest}", largest = Schedule::LARGEST_PERIOD)]
     MaxPeriod(u32),
 }
