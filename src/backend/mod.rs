@@ -1,5 +1,9 @@
 //! Back ends: one trait, the CPU's f64 reference and the GPU's f32 kernel behind it.
 
+mod cpu;
+
+pub use cpu::{Cpu, follow};
+
 use std::fmt::Debug;
 
 use thiserror::Error;
@@ -53,7 +57,8 @@ pub trait Backend: Debug + Sync {
     ///
     /// # Errors
     /// [`BackendError::Cancelled`] when the watch asked for it, otherwise what the machine could not do.
-    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>, BackendError>;
+    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch)
+    -> Result<Vec<Verdict>, BackendError>;
 }
 
 /// Why a back end gave no verdicts.
