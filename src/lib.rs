@@ -4,3 +4,4 @@ pub mod analysis;
 pub mod backend;
 pub mod model;
 pub mod plane;
+pub mod store;
