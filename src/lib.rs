@@ -4,4 +4,5 @@ pub mod analysis;
 pub mod backend;
 pub mod model;
 pub mod plane;
+pub mod render;
 pub mod store;
