@@ -2,6 +2,8 @@
 
 mod regime;
 mod schedule;
+mod symmetric;
 
 pub use regime::{INFINITELY_MANY, Regime, Verdict};
 pub use schedule::{Schedule, ScheduleError};
+pub use symmetric::symmetric_start;

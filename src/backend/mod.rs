@@ -1,11 +1,15 @@
 //! Back ends: one trait, the CPU's f64 reference and the GPU's f32 kernel behind it.
 
+mod select;
+
 use std::fmt::Debug;
 
 use thiserror::Error;
 
 use crate::analysis::{Schedule, Verdict};
 use crate::model::System;
+
+pub use select::{AdapterReport, Choice, adapters, open};
 
 /// One trajectory to follow: a system and its start at forcing phase 0.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +57,8 @@ pub trait Backend: Debug + Sync {
     ///
     /// # Errors
     /// [`BackendError::Cancelled`] when the watch asked for it, otherwise what the machine could not do.
-    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>, BackendError>;
+    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch)
+    -> Result<Vec<Verdict>, BackendError>;
 }
 
 /// Why a back end gave no verdicts.

@@ -1,0 +1,5 @@
+//! Placeholder of the dynamics.
+
+mod recording;
+
+pub use recording::{ImpactEvent, Recording, Sample, Stop, record};
