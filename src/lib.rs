@@ -5,3 +5,4 @@ pub mod backend;
 pub mod dynamics;
 pub mod model;
 pub mod plane;
+pub mod sweep;
