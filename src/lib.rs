@@ -6,3 +6,4 @@ pub mod dynamics;
 pub mod model;
 pub mod plane;
 pub mod sweep;
+pub mod validate;
