@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Backend, BackendError};
+use super::{Backend, BackendError, Cpu};
 
 /// Which back end is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,9 +28,15 @@ pub struct AdapterReport {
 /// Opens a back end.
 ///
 /// # Errors
-/// There is none yet.
-pub fn open(_choice: Choice, _adapter: Option<&str>) -> Result<Box<dyn Backend>, BackendError> {
-    Err(BackendError::NoAdapter("no back end is there yet".to_owned()))
+/// No adapter is there.
+pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, BackendError> {
+    match (choice, adapter) {
+        (Choice::Gpu, None) => Err(BackendError::NoAdapter("no adapter was found".to_owned())),
+        (_, Some(text)) => {
+            Err(BackendError::NoAdapter(format!("no adapter matches `{text}`; there is none")))
+        }
+        _ => Ok(Box::new(Cpu)),
+    }
 }
 
 /// Lists the adapters.
