@@ -5,5 +5,7 @@ pub mod backend;
 pub mod dynamics;
 pub mod model;
 pub mod plane;
+pub mod render;
+pub mod store;
 pub mod sweep;
 pub mod validate;
