@@ -17,6 +17,7 @@ use crate::plane::{Plane, PlaneError, Provenance, RegionMap};
 /// watch ended.
 pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<RegionMap, SweepError> {
     plane.check()?;
+    check_border(plane)?;
     let cells = plane.cells();
     let tile = backend.tile().max(1);
     let mut verdicts = Vec::with_capacity(cells as usize);
@@ -37,6 +38,16 @@ pub fn provenance(backend: &dyn Backend) -> Provenance {
         backend: backend.name().to_owned(),
         adapter: backend.adapter(),
     }
+}
+
+/// Refuses time scales that are too far apart before anything is computed: they are so on the border first.
+fn check_border(plane: &Plane) -> Result<(), SystemError> {
+    let (columns, rows) = (plane.x.count, plane.y.count);
+    let horizontal = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
+    let vertical = (0..rows).flat_map(|row| [(0, row), (columns - 1, row)]);
+    horizontal
+        .chain(vertical)
+        .try_for_each(|(column, row)| System::new(plane.parameters_at(column, row)).map(drop))
 }
 
 fn jobs(plane: &Plane, cells: std::ops::Range<u64>) -> Result<Vec<Job>, SystemError> {
@@ -158,6 +169,18 @@ mod tests {
     fn a_plane_that_cannot_be_used_is_refused() {
         let same = plane("omega=1:3:5", "omega=1:3:5", Start::Rest);
         assert!(matches!(sweep(&same, &Echo { tile: 4 }, &Unwatched), Err(SweepError::Plane(_))));
+    }
+
+    #[test]
+    fn systems_that_cannot_be_followed_are_refused_before_anything_runs() {
+        let too_slow = plane("delta=0.1:0.4:4", "omega=1e-12:3:4", Start::Rest);
+        let watch = Limit { limit: u64::MAX, finished: AtomicU64::new(0) };
+        assert!(matches!(sweep(&too_slow, &Echo { tile: 1 }, &watch), Err(SweepError::System(_))));
+        assert_eq!(watch.finished.into_inner(), 0);
+        let last_row = plane("omega=1:3:4", "zeta=0:1e9:4", Start::Rest);
+        let watch = Limit { limit: u64::MAX, finished: AtomicU64::new(0) };
+        assert!(matches!(sweep(&last_row, &Echo { tile: 1 }, &watch), Err(SweepError::System(_))));
+        assert_eq!(watch.finished.into_inner(), 0);
     }
 
     /// Asks to stop once `limit` cells are finished.

@@ -28,7 +28,8 @@ pub struct Agreement {
     pub continued: u64,
     /// Cells that failed.
     pub failed: FailedCells,
-    /// The worst cells, a few of each kind.
+    /// The worst cells, a few of each kind; not part of the serialised figures.
+    #[serde(skip)]
     pub worst: Vec<WorstCell>,
 }
 
@@ -57,8 +58,7 @@ pub struct FailedCells {
 }
 
 /// What is wrong with a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
     /// A back end failed on it.
     Failed,
@@ -86,7 +86,7 @@ impl Fault {
 }
 
 /// One of the worst cells.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct WorstCell {
     /// Its column.
     pub column: u32,
