@@ -71,7 +71,7 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let plane = args.plane.plane()?;
     let png = picture_path(&args.out)?;
     let npz = args.data.clone().unwrap_or_else(|| png.with_extension("npz"));
-    let [Some(data), Some(picture)] = files::prepare([Some(npz.as_path()), Some(png)])? else {
+    let [Some(picture), Some(data)] = files::prepare([Some(png), Some(npz.as_path())])? else {
         unreachable!("two paths give two outputs")
     };
     let backend = args.backend.open()?;
