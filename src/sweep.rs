@@ -20,7 +20,8 @@ pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<
     check_border(plane)?;
     let cells = plane.cells();
     let tile = backend.tile().max(1);
-    let mut verdicts = Vec::with_capacity(cells as usize);
+    let mut verdicts = Vec::new();
+    verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory { cells })?;
     for first in (0..cells).step_by(tile) {
         if watch.cancelled() {
             return Err(BackendError::Cancelled.into());
@@ -69,6 +70,12 @@ pub enum SweepError {
     /// A cell's system cannot be used.
     #[error(transparent)]
     System(#[from] SystemError),
+    /// The verdicts do not fit into memory.
+    #[error("the results of {cells} cells do not fit into this machine's memory: compute fewer")]
+    Memory {
+        /// The cells of the plane.
+        cells: u64,
+    },
     /// The back end gave no verdicts.
     #[error(transparent)]
     Backend(#[from] BackendError),

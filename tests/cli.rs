@@ -238,6 +238,16 @@ fn classify_without_json_says_it_in_words() {
 }
 
 #[test]
+fn a_symmetric_start_that_is_not_there_is_told() {
+    let start = |delta: &str| {
+        let output = run(&["classify", "--backend", "cpu", "--start", "symmetric", "--set", delta, "--json"]);
+        (json(&output)["label"].clone(), stderr(&output).contains("starting from rest"))
+    };
+    assert_eq!(start("delta=5"), ("no impact".into(), true));
+    assert_eq!(start("delta=0.1"), ("1-1-1".into(), false));
+}
+
+#[test]
 fn map_writes_a_picture_and_data_beside_it() {
     let folder = tempdir().unwrap();
     let output = run_in(folder.path(), &small_map(&["--out", "plane.png", "--json"]));

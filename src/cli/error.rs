@@ -63,7 +63,8 @@ impl From<SweepError> for CliError {
     fn from(error: SweepError) -> Self {
         match error {
             SweepError::Backend(error) => error.into(),
-            error => CliError::input(error),
+            SweepError::Memory { .. } => CliError::machine(error),
+            SweepError::Plane(_) | SweepError::System(_) => CliError::input(error),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use anyhow::anyhow;
 use clap::{Args, ValueEnum};
-use impact_atlas::analysis::Schedule;
+use impact_atlas::analysis::{Schedule, symmetric_start};
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::{Axis, Plane, Quantity, Start};
@@ -46,6 +46,9 @@ impl SystemArgs {
     pub fn system_and_start(&self, start: Start) -> Result<(System, [f64; 4]), CliError> {
         let system = System::new(self.parameters(&[])?).map_err(CliError::input)?;
         start.check(system.parameters().delta).map_err(CliError::input)?;
+        if start == Start::Symmetric && symmetric_start(&system).is_none() {
+            note("there is no physical symmetric 1-1-1 motion here: starting from rest");
+        }
         Ok((system, start.state(&system)))
     }
 }

@@ -10,8 +10,11 @@ static FIRST: Mutex<Option<String>> = Mutex::new(None);
 
 /// Runs something, a panic of which becomes [`CliError::Bug`].
 pub fn shielded(action: impl FnOnce() -> Result<(), CliError>) -> Result<(), CliError> {
+    let usual = panic::take_hook();
     panic::set_hook(Box::new(remember));
-    panic::catch_unwind(AssertUnwindSafe(action)).unwrap_or_else(|_| Err(CliError::Bug(first())))
+    let result = panic::catch_unwind(AssertUnwindSafe(action));
+    panic::set_hook(usual);
+    result.unwrap_or_else(|_| Err(CliError::Bug(first())))
 }
 
 fn remember(panic: &PanicHookInfo) {
@@ -27,4 +30,21 @@ fn remember(panic: &PanicHookInfo) {
 fn first() -> String {
     let first = FIRST.lock().ok().and_then(|mut first| first.take());
     first.unwrap_or_else(|| "unknown".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::interrupt;
+
+    #[test]
+    fn a_panic_anywhere_becomes_a_request_to_report_it() {
+        let here = shielded(|| panic!("out of {}", "range"));
+        let elsewhere = shielded(|| interrupt::abandonable(|| panic!("on another thread")));
+        for (result, what) in [(here, "out of range"), (elsewhere, "on another thread")] {
+            let message = result.unwrap_err().to_string();
+            assert!(message.contains(what) && message.contains("panics.rs"), "{message}");
+            assert!(message.contains("please report it"), "{message}");
+        }
+    }
 }
