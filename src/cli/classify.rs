@@ -3,14 +3,15 @@
 use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Backend, Job, Unwatched};
+use impact_atlas::backend::{Backend, Job};
 use impact_atlas::plane::Start;
 use serde::Serialize;
 
+use super::interrupt::{Interruptible, abandonable};
 use super::options::{BackendArgs, SystemArgs};
 use super::terminal::{print, print_json};
 use super::values::parse;
-use super::{CliError, defaults, interrupt};
+use super::{CliError, defaults};
 
 /// Follows one trajectory and says what it settles on
 #[derive(Debug, Args)]
@@ -80,9 +81,9 @@ pub fn run(args: &ClassifyArgs) -> Result<(), CliError> {
     schedule.check().map_err(CliError::input)?;
     let (system, start) = args.system.system_and_start(args.start)?;
     let options = args.backend.clone();
-    let classification = interrupt::abandonable(move || -> Result<_, CliError> {
+    let classification = abandonable(move || -> Result<_, CliError> {
         let backend = options.open()?;
-        let verdicts = backend.run(&[Job { system, start }], &schedule, &Unwatched)?;
+        let verdicts = backend.run(&[Job { system, start }], &schedule, &Interruptible)?;
         let verdict = verdicts.first().ok_or_else(|| anyhow!("the back end gave no verdict"));
         Ok(Classification::new(verdict.map_err(CliError::Machine)?, &*backend))
     })??;

@@ -42,10 +42,11 @@ fn place(path: &Path) -> PathBuf {
 
 /// Writes a map's data and its picture; neither unless both could be made.
 pub fn write_map(map: &RegionMap, size: Size, data: &Output, picture: &Output) -> Result<(), CliError> {
-    let drawn = render::region_map(map, size);
+    let mut png = Vec::new();
+    render::region_map(map, size).write_png(&mut png).map_err(CliError::machine)?;
     interrupt::check()?;
     write(data, |file| store::write_map(map, file))?;
-    write(picture, |file| file.write_all(&drawn))
+    write(picture, |file| file.write_all(&png))
 }
 
 /// Writes a table.
