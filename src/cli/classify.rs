@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use super::interrupt::{Interruptible, abandonable};
 use super::options::{BackendArgs, SystemArgs};
+use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::parse;
 use super::{CliError, defaults};
@@ -81,12 +82,14 @@ pub fn run(args: &ClassifyArgs) -> Result<(), CliError> {
     schedule.check().map_err(CliError::input)?;
     let (system, start) = args.system.system_and_start(args.start)?;
     let options = args.backend.clone();
+    let progress = Progress::of_trajectory();
     let classification = abandonable(move || -> Result<_, CliError> {
         let backend = options.open()?;
         let verdicts = backend.run(&[Job { system, start }], &schedule, &Interruptible)?;
         let verdict = verdicts.first().ok_or_else(|| anyhow!("the back end gave no verdict"));
         Ok(Classification::new(verdict.map_err(CliError::Machine)?, &*backend))
     })??;
+    drop(progress);
     if args.json { print_json(&classification) } else { print(&classification.text()) }
 }
 

@@ -76,7 +76,7 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     };
     let backend = args.backend.open()?;
     let began = Instant::now();
-    let map = sweep(&plane, &*backend, &Progress::new("computing", plane.cells()))?;
+    let map = sweep(&plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
     let summary = Summary::new(&map, began.elapsed().as_secs_f64());
     files::write_map(&map, args.size, &data, &picture)?;
     note(&format!("written: {} and {}", picture.path().display(), data.path().display()));

@@ -9,6 +9,7 @@ use impact_atlas::dynamics::{self, Recording, Stop};
 use impact_atlas::plane::Start;
 
 use super::options::SystemArgs;
+use super::progress::Progress;
 use super::terminal::print;
 use super::values::parse;
 use super::{CliError, defaults, files, interrupt};
@@ -75,8 +76,10 @@ pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
     let impacts = args.impacts.as_deref();
     let trajectory = args.trajectory.as_deref();
     let [impacts, trajectory] = files::prepare([impacts, trajectory])?;
+    let progress = Progress::of_trajectory();
     let recording =
         interrupt::abandonable(move || dynamics::record(&system, start, transient, periods, samples))?;
+    drop(progress);
     if let Some(output) = impacts {
         let rows = recording.impacts.iter().map(|impact| {
             (

@@ -15,7 +15,10 @@ const DELAY: Duration = Duration::from_secs(1);
 
 const REDRAW: Duration = Duration::from_millis(250);
 
-const TEMPLATE: &str = "{msg} {bar:30} {percent:>3} % of {human_len} cells, {eta} left";
+const CELLS: &str = "{msg} {bar:30} {percent:>3} % of {human_len} cells, {eta} left";
+
+/// A single trajectory may settle at any time, so that nobody knows how long it takes.
+const TRAJECTORY: &str = "{spinner} following the trajectory, {elapsed}";
 
 /// A bar on standard error that goes away when it is dropped; it also hands on Ctrl-C.
 #[derive(Debug)]
@@ -26,9 +29,18 @@ pub struct Progress {
 
 impl Progress {
     /// The progress of so many cells.
-    pub fn new(message: &str, cells: u64) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(cells), ProgressDrawTarget::hidden())
-            .with_style(ProgressStyle::with_template(TEMPLATE).expect("the template is valid"))
+    pub fn of_cells(message: &str, cells: u64) -> Self {
+        Progress::new(Some(cells), CELLS, message)
+    }
+
+    /// A sign of life while one trajectory is followed.
+    pub fn of_trajectory() -> Self {
+        Progress::new(None, TRAJECTORY, "")
+    }
+
+    fn new(length: Option<u64>, template: &str, message: &str) -> Self {
+        let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::hidden())
+            .with_style(ProgressStyle::with_template(template).expect("the template is valid"))
             .with_message(message.to_owned());
         let reveal = io::stderr().is_terminal().then(|| Reveal::start(bar.clone()));
         Progress { bar, reveal }

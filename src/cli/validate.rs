@@ -46,10 +46,10 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
     let reference = backend::open(Choice::Cpu, None)?;
     note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
 
-    let theirs = sweep(&plane, &*candidate, &Progress::new("candidate", plane.cells()))?;
-    let ours = sweep(&plane, &*reference, &Progress::new("reference", plane.cells()))?;
+    let theirs = sweep(&plane, &*candidate, &Progress::of_cells("candidate", plane.cells()))?;
+    let ours = sweep(&plane, &*reference, &Progress::of_cells("reference", plane.cells()))?;
     let strays = impact_atlas::validate::strays(&ours, &theirs).len() as u64;
-    let continued = continue_strays(&ours, &theirs, &*reference, &Progress::new("continuing", strays))?;
+    let continued = continue_strays(&ours, &theirs, &*reference, &Progress::of_cells("continuing", strays))?;
     let agreement = compare_continued(&ours, &theirs, &continued);
 
     let report =
