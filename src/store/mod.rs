@@ -1,17 +1,7 @@
-//! Placeholder of the result files.
+//! Result files: NumPy archives of whole maps, and output files that appear complete or not at all.
 
+mod npz;
 mod output;
 
-use std::io::{self, Seek, Write};
-
-use crate::plane::RegionMap;
-
+pub use npz::{ReadError, read_map, write_map};
 pub use output::{Output, OutputError};
-
-/// Writes a map.
-///
-/// # Errors
-/// What the writer reports.
-pub fn write_map(map: &RegionMap, mut to: impl Write + Seek) -> io::Result<()> {
-    writeln!(to, "{}", map.config())
-}
