@@ -6,6 +6,8 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use impact_atlas::plane::Start;
+use impact_atlas::store::read_map;
 use serde_json::Value;
 use tempfile::tempdir;
 
@@ -250,9 +252,20 @@ fn a_symmetric_start_that_is_not_there_is_told() {
 #[test]
 fn map_writes_a_picture_and_data_beside_it() {
     let folder = tempdir().unwrap();
-    let output = run_in(folder.path(), &small_map(&["--out", "plane.png", "--json"]));
+    let output = run_in(folder.path(), &small_map(&["--out", "plane.png", "--size", "400x300", "--json"]));
     let result = json(&output);
     assert_eq!(names(folder.path()), ["plane.npz", "plane.png"]);
+    let map = read_map(fs::File::open(folder.path().join("plane.npz")).unwrap()).unwrap();
+    assert_eq!((map.plane.x.count, map.plane.y.count, map.verdicts.len()), (6, 4, 24));
+    assert_eq!(map.plane.start, Start::Symmetric);
+    assert_eq!(map.at(5, 0).label(), "1-1-1");
+    let png = fs::read(folder.path().join("plane.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG"));
+    assert_eq!(
+        [&png[16..20], &png[20..24]],
+        [400u32.to_be_bytes(), 300u32.to_be_bytes()],
+        "the size asked for"
+    );
     let expected = ["adapter", "backend", "cells", "impacts", "impacts_per_second", "regimes", "seconds"];
     assert_eq!(keys(&result), expected);
     assert_eq!(result["cells"], 24);
@@ -291,6 +304,8 @@ fn basins_start_from_rest_where_no_start_is_given() {
     let folder = tempdir().unwrap();
     let output = run_in(folder.path(), &[&basin[..], &["10"]].concat());
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let map = read_map(fs::File::open(folder.path().join("map.npz")).unwrap()).unwrap();
+    assert_eq!(map.plane.start, Start::Rest);
 }
 
 #[test]
