@@ -53,7 +53,8 @@ pub trait Backend: Debug + Sync {
     ///
     /// # Errors
     /// [`BackendError::Cancelled`] when the watch asked for it, otherwise what the machine could not do.
-    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>, BackendError>;
+    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch)
+    -> Result<Vec<Verdict>, BackendError>;
 }
 
 /// Why a back end gave no verdicts.

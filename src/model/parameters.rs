@@ -108,11 +108,7 @@ impl Parameter {
     /// # Errors
     /// [`ParameterError::OutOfRange`] names the parameter, the value and the range.
     pub fn check(self, value: f64) -> Result<(), ParameterError> {
-        if self.admits(value) {
-            Ok(())
-        } else {
-            Err(ParameterError::OutOfRange { parameter: self, value })
-        }
+        if self.admits(value) { Ok(()) } else { Err(ParameterError::OutOfRange { parameter: self, value }) }
     }
 }
 
@@ -175,16 +171,7 @@ pub struct Parameters {
 
 impl Default for Parameters {
     fn default() -> Self {
-        Parameters {
-            omega: 3.7,
-            delta: 0.1,
-            zeta: 0.1,
-            r: 0.8,
-            mu_m: 0.5,
-            mu_k: 0.5,
-            mu_c: 0.5,
-            f20: 0.0,
-        }
+        Parameters { omega: 3.7, delta: 0.1, zeta: 0.1, r: 0.8, mu_m: 0.5, mu_k: 0.5, mu_c: 0.5, f20: 0.0 }
     }
 }
 
