@@ -2,5 +2,6 @@
 
 pub mod analysis;
 pub mod backend;
+pub mod dynamics;
 pub mod model;
 pub mod plane;

@@ -93,7 +93,7 @@ pub struct Verdict {
     /// Impacts in the observed window.
     pub impacts: u32,
     /// Impacts over the whole trajectory, transient included (a measure of work, not written to files).
-    pub impacts_total: u64,
+    pub impacts_total: u32,
     /// Largest |v1−| of the observed window; non-dimensional.
     pub peak_impact_velocity: f32,
     /// Forcing periods simulated.

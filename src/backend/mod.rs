@@ -1,5 +1,9 @@
 //! Back ends: one trait, the CPU's f64 reference and the GPU's f32 kernel behind it.
 
+mod cpu;
+
+pub use cpu::{Cpu, follow};
+
 use std::fmt::Debug;
 
 use thiserror::Error;

@@ -1,7 +1,12 @@
-//! The system: its parameters, equations of motion (2) and linear flight.
+//! The system: its parameters, the equations of motion (2), and the constants of linear flight.
 
+mod flight;
+mod generator;
 mod parameters;
+mod real;
 mod system;
 
+pub use flight::Flight;
 pub use parameters::{Parameter, ParameterError, Parameters};
+pub use real::Real;
 pub use system::{System, SystemError};

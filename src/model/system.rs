@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::generator;
 use super::parameters::{ParameterError, Parameters};
 
 /// A system whose parameters are in their physical range, ready to be followed.
@@ -31,18 +32,27 @@ pub struct System {
     pub force1: f64,
     /// Amplitude of the forcing on the second mass over its mass, f20/m2.
     pub force2: f64,
+    rate: f64,
+    steps: u32,
 }
 
 impl System {
+    /// rate·h is kept below this: large enough for few steps, small enough for low orders.
+    const STEP: f64 = 0.7;
+    /// The most steps of one forcing period that are accepted.
+    pub const MOST_STEPS: u32 = 1 << 16;
+
     /// A system with checked parameters.
     ///
     /// # Errors
-    /// The first parameter that is out of its physical range.
+    /// The first parameter that is out of its physical range, and [`SystemError::TooStiff`] where ω is so slow,
+    /// or the damping so strong, that one forcing period holds more than [`System::MOST_STEPS`] steps of the
+    /// fastest motion.
     pub fn new(parameters: Parameters) -> Result<Self, SystemError> {
         parameters.check()?;
-        let Parameters { zeta, mu_m, mu_k, mu_c, f20, .. } = parameters;
+        let Parameters { omega, zeta, mu_m, mu_k, mu_c, f20, .. } = parameters;
         let inverse_mass = (1.0 - mu_m) / mu_m;
-        let system = System {
+        let mut system = System {
             parameters,
             coupling_damping: 2.0 * zeta,
             inverse_mass,
@@ -50,7 +60,18 @@ impl System {
             ground_damping: inverse_mass * (2.0 * zeta * (mu_c / (1.0 - mu_c))),
             force1: 1.0 - f20,
             force2: inverse_mass * f20,
+            rate: omega,
+            steps: 0,
         };
+        let a = generator::free(&system).fixed_view::<4, 4>(0, 0).into_owned();
+        let a2 = a * a;
+        let a4 = a2 * a2;
+        system.rate = (a4 * a4).norm().powf(0.125).max(omega);
+        let half_steps = (0.5 * system.rate * system.period() / Self::STEP).ceil();
+        if !(half_steps <= f64::from(Self::MOST_STEPS / 2)) {
+            return Err(SystemError::TooStiff { omega, zeta });
+        }
+        system.steps = 2 * half_steps as u32;
         Ok(system)
     }
 
@@ -71,6 +92,17 @@ impl System {
     pub fn period(&self) -> f64 {
         std::f64::consts::TAU / self.parameters.omega
     }
+
+    /// The fastest rate of the flow: ω, or ‖A⁸‖^(1/8) of the unforced generator A, which lies just above the
+    /// modulus of its largest eigenvalue. Taylor terms of a flight of length s shrink like (rate·s)ᵏ/k!.
+    pub fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    /// M, the steps in one forcing period: even, so that phases 0 and π fall on steps.
+    pub fn steps(&self) -> u32 {
+        self.steps
+    }
 }
 
 /// Why a system was refused.
@@ -79,4 +111,16 @@ pub enum SystemError {
     /// A parameter is outside its physical range.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
+    /// The time scales are too far apart.
+    #[error(
+        "omega = {omega} with zeta = {zeta} needs more than {steps} steps per forcing period: raise omega or \
+         lower zeta (or move mu_m, mu_k, mu_c away from 0 and 1)",
+        steps = System::MOST_STEPS
+    )]
+    TooStiff {
+        /// The forcing frequency.
+        omega: f64,
+        /// The damping ratio.
+        zeta: f64,
+    },
 }

@@ -1,0 +1,274 @@
+//! One trajectory followed to its verdict: transient, settling, observation.
+
+use super::exponent::Exponent;
+use super::quiet::is_quiet;
+use super::recurrence::Recurrence;
+use super::regime::{Regime, Verdict};
+use super::schedule::Schedule;
+use super::spread::Spread;
+use crate::dynamics::{Contact, Event, Move, Stop, Tangent, Trajectory};
+use crate::model::{Flight, Real};
+
+/// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
+/// one that is called symmetric; absolute for states of order one and less, relative above. Both back ends use it.
+pub const RETURNED: f64 = 1e-4;
+/// Periods for which a trajectory must have returned, in the transient, before it finishes early.
+pub const SETTLING: u32 = 64;
+/// Periods for which a settled trajectory is still observed.
+pub const SETTLED_OBSERVATION: u32 = 64;
+/// Total logarithmic growth below which a tangent vector neither grows nor shrinks: the exponent is zero.
+pub const NEUTRAL_GROWTH: f64 = 3.0;
+/// Total logarithmic growth above which the exponent can be positive.
+pub const CHAOTIC_GROWTH: f64 = 5.0;
+/// Standard errors by which a positive exponent must exceed zero.
+pub const SIGNIFICANCE: f64 = 3.0;
+/// Moves in one forcing period beyond which a trajectory is given up.
+pub const MOST_MOVES: u32 = 1 << 24;
+
+/// Where in its schedule a trajectory is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Stage {
+    /// Before the observation.
+    Transient = 0,
+    /// Being observed.
+    Observation = 1,
+    /// Observed to the end.
+    Observed = 2,
+    /// Proven to stay off the stops for ever.
+    Quiet = 3,
+    /// Given up: a non-finite state, or too many moves in one period.
+    Failed = 4,
+}
+
+/// A trajectory and everything that is noted about it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Observer<T> {
+    trajectory: Trajectory<T>,
+    tangent: Tangent<T>,
+    recurrence: Recurrence<T>,
+    exponent: Exponent<T>,
+    spread: Spread<T>,
+    stage: Stage,
+    /// Forcing periods since the start.
+    periods: u32,
+    /// Forcing periods since the observation began.
+    observed: u32,
+    /// Forcing periods of the observation.
+    observe: u32,
+    /// Moves since the last strobe.
+    moves: u32,
+    /// Impacts since the observation began.
+    impacts: u32,
+    /// Impacts since the start.
+    impacts_total: u32,
+    /// Largest |v1−| since the observation began.
+    peak: T,
+    /// Whether the first mass rested on a stop since the observation began.
+    stuck: bool,
+}
+
+impl<T: Real> Observer<T> {
+    /// Begins at forcing phase 0 with (x1, x2, v1, v2), |x1| ≤ δ.
+    pub fn new(flight: &Flight<T>, schedule: &Schedule, start: [T; 4]) -> Self {
+        let trajectory = Trajectory::new(flight, start);
+        let mut observer = Observer {
+            trajectory,
+            tangent: Tangent::seed(),
+            recurrence: Recurrence::anchored(trajectory.point.state()),
+            exponent: Exponent::over(schedule.observe),
+            spread: Spread::about(&trajectory.point),
+            stage: Stage::Transient,
+            periods: 0,
+            observed: 0,
+            observe: schedule.observe,
+            moves: 0,
+            impacts: 0,
+            impacts_total: 0,
+            peak: T::zero(),
+            stuck: false,
+        };
+        if schedule.transient == 0 {
+            observer.begin_observation(schedule.observe);
+        }
+        observer
+    }
+
+    /// Follows the trajectory to its end.
+    pub fn follow(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+        while self.stage == Stage::Transient {
+            let taken = self.trajectory.advance::<false>(flight, &mut self.tangent);
+            self.note(flight, schedule, &taken);
+        }
+        while self.stage == Stage::Observation {
+            let taken = self.trajectory.advance::<true>(flight, &mut self.tangent);
+            self.note(flight, schedule, &taken);
+        }
+    }
+
+    #[inline(always)]
+    fn note(&mut self, flight: &Flight<T>, schedule: &Schedule, taken: &Move<T>) {
+        self.moves += 1;
+        if taken.free == T::zero() {
+            self.stuck = true;
+        }
+        match taken.event {
+            Event::Flight | Event::StepEnd | Event::Released(_) => {}
+            Event::Impact(impact) => self.impact(impact.stop, impact.velocity_before, false),
+            Event::Caught { impact, complete_chatter } => {
+                self.stuck = true;
+                if impact.velocity_before != T::zero() {
+                    self.impact(impact.stop, impact.velocity_before, complete_chatter);
+                }
+            }
+            Event::HalfPeriod => {
+                if self.stage == Stage::Observation {
+                    self.recurrence.at_half_period(&self.trajectory.point, T::of(RETURNED));
+                }
+            }
+            Event::Strobe => self.strobe(flight, schedule),
+        }
+        if self.moves > MOST_MOVES {
+            self.stage = Stage::Failed;
+        }
+    }
+
+    #[inline(always)]
+    fn impact(&mut self, stop: Stop, velocity: T, complete_chatter: bool) {
+        self.recurrence.count(stop, complete_chatter);
+        self.impacts += 1;
+        self.impacts_total = self.impacts_total.saturating_add(1);
+        let speed = velocity.abs();
+        self.peak = if speed > self.peak { speed } else { self.peak };
+    }
+
+    #[inline(always)]
+    fn strobe(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+        let point = self.trajectory.point;
+        self.moves = 0;
+        self.periods += 1;
+        if !point.state().iter().all(|value| value.is_finite()) {
+            self.stage = Stage::Failed;
+            return;
+        }
+        if self.trajectory.contact == Contact::Clamped {
+            self.recurrence.count(Stop::A, true);
+            self.recurrence.count(Stop::B, true);
+        }
+        if self.stage == Stage::Transient {
+            self.settle(flight, schedule);
+        } else {
+            self.observe(schedule);
+        }
+    }
+
+    /// A strobe of the transient: may it end here?
+    #[inline(always)]
+    fn settle(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+        let point = self.trajectory.point;
+        if !schedule.fixed_periods {
+            if self.trajectory.contact == Contact::Free && is_quiet(flight, &point) {
+                self.stage = Stage::Quiet;
+                return;
+            }
+            self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period);
+            if self.recurrence.holds_for(SETTLING) {
+                let needed = SETTLED_OBSERVATION.max(4 * self.recurrence.n);
+                self.begin_observation(needed.min(schedule.observe));
+                return;
+            }
+        }
+        if self.periods >= schedule.transient {
+            self.begin_observation(schedule.observe);
+        }
+    }
+
+    fn begin_observation(&mut self, observe: u32) {
+        let point = self.trajectory.point;
+        self.stage = Stage::Observation;
+        self.observe = observe;
+        self.observed = 0;
+        self.impacts = 0;
+        self.peak = T::zero();
+        self.stuck = false;
+        self.tangent = Tangent::seed();
+        self.recurrence = Recurrence::anchored(point.state());
+        self.exponent = Exponent::over(observe);
+        self.spread = Spread::about(&point);
+    }
+
+    /// A strobe of the observation.
+    #[inline(always)]
+    fn observe(&mut self, schedule: &Schedule) {
+        let point = self.trajectory.point;
+        self.observed += 1;
+        self.exponent.at_strobe(&mut self.tangent);
+        self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period);
+        let half = self.observe / 2;
+        if self.observed <= 2 * half {
+            self.spread.at_strobe(&point, self.observed > half);
+        }
+        if self.observed >= self.observe {
+            self.stage = Stage::Observed;
+        }
+    }
+
+    /// What the trajectory settled on.
+    pub fn verdict(&self, flight: &Flight<T>) -> Verdict {
+        let regime = self.regime();
+        let recurrence = &self.recurrence;
+        let count = |value: u32| if regime.is_periodic() { value as u16 } else { 0 };
+        let lyapunov = match regime {
+            Regime::NoImpact => flight.linear_exponent,
+            _ if self.exponent.batches == 0 => T::zero(),
+            _ => self.exponent.per_period(),
+        };
+        Verdict {
+            regime,
+            n: count(recurrence.n),
+            p: count(recurrence.p),
+            q: count(recurrence.q),
+            symmetric: regime.is_periodic() && recurrence.n % 2 == 1 && recurrence.symmetric,
+            lyapunov: lyapunov.widen() as f32,
+            state: self.trajectory.point.state().map(T::widen),
+            impacts: self.impacts,
+            impacts_total: self.impacts_total,
+            peak_impact_velocity: self.peak.widen() as f32,
+            periods: self.periods,
+        }
+    }
+
+    fn regime(&self) -> Regime {
+        let proof = (self.observe / 4).min(SETTLING);
+        match self.stage {
+            Stage::Failed => Regime::Failed,
+            Stage::Quiet => Regime::NoImpact,
+            _ if self.impacts == 0 && !self.stuck => Regime::NoImpact,
+            _ if self.recurrence.holds_for(proof) => {
+                if self.stuck {
+                    Regime::PeriodicSticking
+                } else {
+                    Regime::Periodic
+                }
+            }
+            _ if self.stuck => Regime::AperiodicSticking,
+            _ => self.irregular(),
+        }
+    }
+
+    /// The regime of a motion that impacts, never sticks and does not return.
+    fn irregular(&self) -> Regime {
+        let exponent = &self.exponent;
+        let growth = exponent.growth();
+        let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
+        if exponent.batches == 0 {
+            Regime::Unresolved
+        } else if growth > T::of(CHAOTIC_GROWTH) && significant {
+            Regime::Chaotic
+        } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observe / 2) {
+            Regime::QuasiPeriodic
+        } else {
+            Regime::Unresolved
+        }
+    }
+}

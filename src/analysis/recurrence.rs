@@ -1,0 +1,107 @@
+//! Periodicity: does the strobe state come back, and keep coming back?
+
+use super::regime::INFINITELY_MANY;
+use crate::dynamics::{Point, Stop};
+use crate::model::Real;
+
+/// Looks for a period in O(1) memory: remembers one strobe state, its anchor, and compares every later one.
+///
+/// The first return gives N; every N periods after it the state must return again, with the same impacts in
+/// between. A miss moves the anchor to the present and the search starts over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Recurrence<T> {
+    anchor: [T; 4],
+    /// Periods since the anchor.
+    pub since: u32,
+    /// N, or 0 while there was no return.
+    pub n: u32,
+    /// p, impacts at Ā in the first cycle after the anchor.
+    pub p: u32,
+    /// q, impacts at A in the first cycle after the anchor.
+    pub q: u32,
+    /// Impacts at Ā in the present cycle.
+    running_p: u32,
+    /// Impacts at A in the present cycle.
+    running_q: u32,
+    /// Whether the state half a cycle after the last full one was its mirror image.
+    pub symmetric: bool,
+}
+
+impl<T: Real> Recurrence<T> {
+    /// Begins with the state of a strobe as the anchor.
+    pub fn anchored(state: [T; 4]) -> Self {
+        Recurrence { anchor: state, since: 0, n: 0, p: 0, q: 0, running_p: 0, running_q: 0, symmetric: false }
+    }
+
+    /// Counts an impact; infinitely many if it ends a complete chatter sequence.
+    #[inline(always)]
+    pub fn count(&mut self, stop: Stop, complete_chatter: bool) {
+        let running = match stop {
+            Stop::A => &mut self.running_q,
+            Stop::B => &mut self.running_p,
+        };
+        *running = if complete_chatter {
+            u32::from(INFINITELY_MANY)
+        } else if *running < u32::from(INFINITELY_MANY) - 1 {
+            *running + 1
+        } else {
+            *running
+        };
+    }
+
+    /// Sees the state at phase π: half a cycle after a return, an odd cycle may show its mirror image.
+    #[inline(always)]
+    pub fn at_half_period(&mut self, point: &Point<T>, tolerance: T) {
+        if self.n % 2 == 1 && self.since % self.n == self.n / 2 {
+            let mirrored = point.state().map(|value| -value);
+            self.symmetric = near(&mirrored, &self.anchor, tolerance);
+        }
+    }
+
+    /// Sees the state at phase 0.
+    #[inline(always)]
+    pub fn at_strobe(&mut self, point: &Point<T>, tolerance: T, max_period: u32) {
+        self.since += 1;
+        if self.n == 0 {
+            if near(&point.state(), &self.anchor, tolerance) {
+                self.n = self.since;
+                self.p = self.running_p;
+                self.q = self.running_q;
+                self.running_p = 0;
+                self.running_q = 0;
+            } else if self.since >= max_period {
+                *self = Self::anchored(point.state());
+            }
+        } else if self.since % self.n == 0 {
+            let same = self.running_p == self.p
+                && self.running_q == self.q
+                && near(&point.state(), &self.anchor, tolerance);
+            if same {
+                self.running_p = 0;
+                self.running_q = 0;
+            } else {
+                *self = Self::anchored(point.state());
+            }
+        }
+    }
+
+    /// Whether the state has kept returning for at least `periods`, and at least three times.
+    #[inline(always)]
+    pub fn holds_for(&self, periods: u32) -> bool {
+        self.n > 0 && self.since >= periods && self.since >= 3 * self.n
+    }
+}
+
+/// Whether two states agree to a tolerance: absolute for states of order one and less, relative above.
+#[inline(always)]
+fn near<T: Real>(state: &[T; 4], anchor: &[T; 4], tolerance: T) -> bool {
+    let mut distance = T::zero();
+    let mut size = T::one();
+    for i in 0..4 {
+        let difference = (state[i] - anchor[i]).abs();
+        distance = if difference > distance { difference } else { distance };
+        let extent = anchor[i].abs();
+        size = if extent > size { extent } else { size };
+    }
+    distance <= tolerance * size
+}

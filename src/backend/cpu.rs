@@ -1,0 +1,53 @@
+//! The CPU path: f64, the reference, on every core.
+
+use rayon::prelude::*;
+
+use super::{Backend, BackendError, Job, Watch};
+use crate::analysis::{Observer, Schedule, Verdict};
+use crate::model::{Flight, Real};
+
+/// Follows trajectories on the processor, one per task of rayon's current thread pool.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cpu;
+
+impl Backend for Cpu {
+    fn name(&self) -> &'static str {
+        "cpu"
+    }
+
+    fn adapter(&self) -> String {
+        format!("{} f64, {} threads", std::env::consts::ARCH, rayon::current_num_threads())
+    }
+
+    fn tile(&self) -> usize {
+        1 << 14
+    }
+
+    fn run(
+        &self,
+        jobs: &[Job],
+        schedule: &Schedule,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Verdict>, BackendError> {
+        let verdicts: Option<Vec<Verdict>> = jobs
+            .par_iter()
+            .map(|job| {
+                if watch.cancelled() {
+                    return None;
+                }
+                let verdict = follow::<f64>(job, schedule);
+                watch.finished(1);
+                Some(verdict)
+            })
+            .collect();
+        verdicts.ok_or(BackendError::Cancelled)
+    }
+}
+
+/// Follows one trajectory in the given precision; in f32 it does what the GPU does.
+pub fn follow<T: Real>(job: &Job, schedule: &Schedule) -> Verdict {
+    let flight = Flight::new(&job.system).round::<T>();
+    let mut observer = Observer::new(&flight, schedule, job.start.map(T::of));
+    observer.follow(&flight, schedule);
+    observer.verdict(&flight)
+}

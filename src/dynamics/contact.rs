@@ -1,0 +1,101 @@
+//! The next contact with a stop, approached from the safe side: no impact can be missed.
+
+use super::point::{Motion, Point};
+use crate::model::{Flight, Real};
+
+/// Whether the step from `from` to `to` provably stays off both stops.
+///
+/// x1 lies within h⁴/384·max|x1''''| of its cubic Hermite interpolant, and that within the hull of its four
+/// Bézier points.
+#[inline(always)]
+pub fn clears<T: Real>(flight: &Flight<T>, from: &Point<T>, to: &Point<T>) -> bool {
+    let third = flight.h * T::of(1.0 / 3.0);
+    let h2 = flight.h * flight.h;
+    let room = flight.delta - (h2 * h2) * T::of(1.0 / 384.0) * from.bound(flight);
+    let leaving = from.x1 + third * from.v1;
+    let arriving = to.x1 - third * to.v1;
+    from.x1.abs() < room && leaving.abs() < room && arriving.abs() < room && to.x1.abs() < room
+}
+
+/// A time for which free flight from `point` provably stays between the stops: `window` if it does so for all of
+/// it, else a time just short of the first contact (0 at the contact itself, moving outwards).
+#[inline(always)]
+pub fn safe_time<T: Real>(flight: &Flight<T>, point: &Point<T>, motion: &Motion<T>, window: T) -> T {
+    let at_a =
+        safe_from_stop(flight.delta - point.x1, point.v1, motion.acceleration, motion, T::one(), window);
+    let at_b =
+        safe_from_stop(flight.delta + point.x1, -point.v1, -motion.acceleration, motion, -T::one(), window);
+    if at_a < at_b { at_a } else { at_b }
+}
+
+/// A time longer than any window, and finite in either precision.
+const FAR: f64 = 1e30;
+
+/// How much a window is widened beyond the last estimate of the contact, pass by pass.
+const WIDENING: [f64; 2] = [1.25, 1.03];
+
+/// [`safe_time`] for one stop, `gap` away, approached with `speed` and `acceleration`.
+///
+/// The gap after a time s is at least gap − speed·s − ½ s² (acceleration + jerk·s/3 + bound·s²/12), and the
+/// bracket is at most its larger end value on any window, so the quadratic's root is safe. A narrower window
+/// gives a tighter bracket: each pass looks again just beyond the root of the last one.
+#[inline(always)]
+fn safe_from_stop<T: Real>(gap: T, speed: T, acceleration: T, motion: &Motion<T>, side: T, window: T) -> T {
+    let gap = if gap > T::zero() { gap } else { T::zero() };
+    let jerk = side * motion.jerk * T::of(1.0 / 3.0);
+    let bound = motion.bound * T::of(1.0 / 12.0);
+    let steepest = |s: T| {
+        let change = s * (jerk + bound * s);
+        if change > T::zero() { acceleration + change } else { acceleration }
+    };
+    let mut safe = closing_time(gap, speed, steepest(window));
+    if safe >= window {
+        return window;
+    }
+    let pulled_off = pulled_off_time(acceleration, jerk, bound);
+    for widening in WIDENING {
+        let wider = safe * T::of(widening);
+        let narrow = if wider > pulled_off { wider } else { pulled_off };
+        if narrow >= window {
+            continue;
+        }
+        let closing = closing_time(gap, speed, steepest(narrow));
+        let closing = if closing < narrow { closing } else { narrow };
+        if closing > safe {
+            safe = closing;
+        }
+    }
+    safe
+}
+
+/// The first s > 0 with gap = speed·s + ½ acceleration·s², or [`FAR`]: for gap ≥ 0, without cancellation.
+#[inline(always)]
+fn closing_time<T: Real>(gap: T, speed: T, acceleration: T) -> T {
+    let discriminant = speed * speed + (gap + gap) * acceleration;
+    if (acceleration <= T::zero() && speed <= T::zero()) || discriminant < T::zero() {
+        return T::of(FAR);
+    }
+    let root = discriminant.sqrt();
+    if speed > T::zero() { (gap + gap) / (speed + root) } else { (root - speed) / acceleration }
+}
+
+/// How long an acceleration away from the stop surely lasts (0 if it is towards the stop): the root of
+/// acceleration + jerk·s + bound·s², with `jerk` and `bound` scaled as the caller has them.
+#[inline(always)]
+fn pulled_off_time<T: Real>(acceleration: T, jerk: T, bound: T) -> T {
+    if acceleration > T::zero() || (acceleration == T::zero() && jerk >= T::zero()) {
+        return T::zero();
+    }
+    let two = T::of(2.0);
+    let root = (jerk * jerk - (two + two) * acceleration * bound).sqrt();
+    if jerk > T::zero() { -(two * acceleration) / (jerk + root) } else { (root - jerk) / (two * bound) }
+}
+
+/// A time for which the force that presses the first mass on its stop provably lasts, at most `window`: `force`
+/// ≥ 0 now, `slope` its derivative, `bound` on its second derivative.
+#[inline(always)]
+pub fn pressed_time<T: Real>(force: T, slope: T, bound: T, window: T) -> T {
+    let force = if force > T::zero() { force } else { T::zero() };
+    let time = closing_time(force, -slope, bound);
+    if time < window { time } else { window }
+}

@@ -1,0 +1,13 @@
+//! Motion: flight, impact, chatter, sticking. No I/O, no threads.
+
+mod chatter;
+mod contact;
+mod point;
+mod recording;
+mod tangent;
+mod trajectory;
+
+pub use point::Point;
+pub use recording::{ImpactEvent, Recording, Sample, Stick, record};
+pub use tangent::Tangent;
+pub use trajectory::{Contact, Event, Impact, Move, Stop, Trajectory};

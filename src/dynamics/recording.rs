@@ -1,0 +1,211 @@
+//! A trajectory written down: its impacts, and samples at equal times.
+
+use super::point::Point;
+use super::tangent::Tangent;
+use super::trajectory::{Contact, Event, Impact, Stop, Trajectory};
+use crate::model::{Flight, System};
+
+/// An impact, at its instant; everything is non-dimensional.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ImpactEvent {
+    /// Time since the start of the trajectory.
+    pub time: f64,
+    /// Where.
+    pub stop: Stop,
+    /// v1−.
+    pub velocity_before: f64,
+    /// v1+ = −r v1−; the last impact before sticking stands for the rebounds that follow it in finite time.
+    pub velocity_after: f64,
+    /// x2 at the impact.
+    pub x2: f64,
+    /// v2 at the impact.
+    pub v2: f64,
+    /// Forcing phase ωt mod 2π.
+    pub phase: f64,
+}
+
+/// The state at one time; everything is non-dimensional.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Time since the start of the trajectory.
+    pub time: f64,
+    /// Displacement of the first mass.
+    pub x1: f64,
+    /// Displacement of the second mass.
+    pub x2: f64,
+    /// Velocity of the first mass.
+    pub v1: f64,
+    /// Velocity of the second mass.
+    pub v2: f64,
+}
+
+/// A stretch of time during which the first mass rests on a stop; non-dimensional.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stick {
+    /// Where.
+    pub stop: Stop,
+    /// When it comes to rest.
+    pub from: f64,
+    /// When it leaves, or where the recording ends.
+    pub until: f64,
+}
+
+/// What a trajectory did in a window of forcing periods.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Recording {
+    /// Its impacts, in order.
+    pub impacts: Vec<ImpactEvent>,
+    /// Its states at equal times, both ends of the window included.
+    pub samples: Vec<Sample>,
+    /// Its rests on a stop, in order.
+    pub sticks: Vec<Stick>,
+}
+
+/// Follows a trajectory in f64 from (x1, x2, v1, v2) at forcing phase 0, and writes down what it does.
+///
+/// The first `transient` forcing periods are left out; the next `periods` are recorded with `samples_per_period`
+/// samples each (0 for none). Times count from the start of the trajectory.
+pub fn record(
+    system: &System,
+    start: [f64; 4],
+    transient: u32,
+    periods: u32,
+    samples_per_period: u32,
+) -> Recording {
+    let flight = Flight::new(system);
+    let mut trajectory = Trajectory::new(&flight, start);
+    let mut tangent = Tangent::seed();
+    for _ in 0..transient {
+        while trajectory.advance::<false>(&flight, &mut tangent).event != Event::Strobe {}
+    }
+    let mut recorder = Recorder::new(system, &flight, &trajectory, transient, samples_per_period);
+    let mut period = transient;
+    while period < transient + periods {
+        let before = trajectory;
+        let taken = trajectory.advance::<false>(&flight, &mut tangent);
+        let began = recorder.time(period, &before);
+        let within = recorder.elapsed(&before);
+        recorder.sample(&flight, period, within, &before.point, taken.time, taken.free);
+        if taken.event == Event::Strobe {
+            period += 1;
+        }
+        recorder.note(began, taken.time, &trajectory, taken.event);
+    }
+    recorder.finish(period, &trajectory)
+}
+
+struct Recorder {
+    recording: Recording,
+    period: f64,
+    h: f64,
+    omega: f64,
+    samples_per_period: u32,
+    /// The next sample's number within the present period.
+    next: u32,
+}
+
+impl Recorder {
+    fn new(
+        system: &System,
+        flight: &Flight<f64>,
+        trajectory: &Trajectory<f64>,
+        transient: u32,
+        samples_per_period: u32,
+    ) -> Self {
+        let mut recorder = Recorder {
+            recording: Recording::default(),
+            period: system.period(),
+            h: flight.h,
+            omega: flight.omega,
+            samples_per_period,
+            next: 0,
+        };
+        if let Contact::Stuck(stop) = trajectory.contact {
+            let from = recorder.time(transient, trajectory);
+            recorder.recording.sticks.push(Stick { stop, from, until: from });
+        }
+        recorder
+    }
+
+    /// Time since the last strobe.
+    fn elapsed(&self, trajectory: &Trajectory<f64>) -> f64 {
+        f64::from(trajectory.step) * self.h + trajectory.offset
+    }
+
+    /// Time since the start.
+    fn time(&self, period: u32, trajectory: &Trajectory<f64>) -> f64 {
+        f64::from(period) * self.period + self.elapsed(trajectory)
+    }
+
+    /// Takes the samples that fall within a move of length `time` that began `elapsed` after the last strobe.
+    fn sample(
+        &mut self,
+        flight: &Flight<f64>,
+        period: u32,
+        elapsed: f64,
+        point: &Point<f64>,
+        time: f64,
+        free: f64,
+    ) {
+        while self.next < self.samples_per_period {
+            let at = self.period * f64::from(self.next) / f64::from(self.samples_per_period);
+            if at >= elapsed + time && self.next > 0 {
+                return;
+            }
+            let [x1, x2, v1, v2] = point.flown(flight, (at - elapsed).max(0.0), free).state();
+            self.recording.samples.push(Sample {
+                time: f64::from(period) * self.period + at,
+                x1,
+                x2,
+                v1,
+                v2,
+            });
+            self.next += 1;
+        }
+    }
+
+    fn note(&mut self, began: f64, duration: f64, trajectory: &Trajectory<f64>, event: Event<f64>) {
+        let time = began + duration;
+        match event {
+            Event::Impact(impact) => self.impact(time, trajectory, impact),
+            Event::Caught { impact, .. } => {
+                if impact.velocity_before != 0.0 {
+                    self.impact(time, trajectory, impact);
+                }
+                self.recording.sticks.push(Stick { stop: impact.stop, from: time, until: time });
+            }
+            Event::Released(_) => {
+                if let Some(stick) = self.recording.sticks.last_mut() {
+                    stick.until = began;
+                }
+            }
+            Event::Strobe => self.next = 0,
+            Event::Flight | Event::StepEnd | Event::HalfPeriod => {}
+        }
+    }
+
+    fn impact(&mut self, time: f64, trajectory: &Trajectory<f64>, impact: Impact<f64>) {
+        let Point { x2, v2, .. } = trajectory.point;
+        self.recording.impacts.push(ImpactEvent {
+            time,
+            stop: impact.stop,
+            velocity_before: impact.velocity_before,
+            velocity_after: impact.velocity_after,
+            x2,
+            v2,
+            phase: self.omega * self.elapsed(trajectory),
+        });
+    }
+
+    fn finish(mut self, period: u32, trajectory: &Trajectory<f64>) -> Recording {
+        let time = self.time(period, trajectory);
+        if let (Contact::Stuck(_), Some(stick)) = (trajectory.contact, self.recording.sticks.last_mut()) {
+            stick.until = time;
+        }
+        if self.samples_per_period > 0 {
+            let [x1, x2, v1, v2] = trajectory.point.state();
+            self.recording.samples.push(Sample { time, x1, x2, v1, v2 });
+        }
+        self.recording
+    }
+}

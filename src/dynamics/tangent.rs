@@ -1,0 +1,101 @@
+//! A small deviation from the motion, carried through flight and impact.
+
+use super::point::INVERSES;
+use crate::model::{Flight, Real};
+
+/// A tangent vector of the state at fixed time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tangent<T> {
+    /// Deviation of x1.
+    pub x1: T,
+    /// Deviation of x2.
+    pub x2: T,
+    /// Deviation of v1.
+    pub v1: T,
+    /// Deviation of v2.
+    pub v2: T,
+}
+
+impl<T: Real> Tangent<T> {
+    /// The deviation every measurement begins with: all four components alike, of unit length.
+    pub fn seed() -> Self {
+        let half = T::of(0.5);
+        Tangent { x1: half, x2: half, v1: half, v2: half }
+    }
+
+    /// The deviation one whole step h of free flight later.
+    #[inline(always)]
+    pub fn stepped(&self, flight: &Flight<T>) -> Self {
+        let [c0, c1, c2, c3] = &flight.phi;
+        let row = |i: usize| (c0[i] * self.x1 + c1[i] * self.x2) + (c2[i] * self.v1 + c3[i] * self.v2);
+        Tangent { x1: row(0), x2: row(1), v1: row(2), v2: row(3) }
+    }
+
+    /// The deviation a time `s` ≤ h later; see [`Point::flown`](super::Point::flown).
+    #[inline(always)]
+    pub fn flown(&self, flight: &Flight<T>, s: T, free: T) -> Self {
+        let c = flight.coupling_damping;
+        let reach = flight.rate * s;
+        let negligible = T::of(T::TRUNCATION);
+        let mut term = *self;
+        let mut sum = *self;
+        let mut size = T::one();
+        for &inverse in &INVERSES[..T::ORDER] {
+            let inverse = T::of(inverse);
+            let coupling = (term.x2 - term.x1) + c * (term.v2 - term.v1);
+            let a2 = -(flight.ground_stiffness * term.x2)
+                - (flight.ground_damping * term.v2 + flight.inverse_mass * coupling);
+            let scale = s * inverse;
+            term = Tangent {
+                x1: term.v1 * scale,
+                x2: term.v2 * scale,
+                v1: coupling * (scale * free),
+                v2: a2 * scale,
+            };
+            sum.x1 = sum.x1 + term.x1;
+            sum.x2 = sum.x2 + term.x2;
+            sum.v1 = sum.v1 + term.v1;
+            sum.v2 = sum.v2 + term.v2;
+            size = size * (reach * inverse);
+            if size < negligible {
+                break;
+            }
+        }
+        sum
+    }
+
+    /// The deviation just after an impact: the saltation of Eq. (3).
+    ///
+    /// `velocity` is v1−, `kick` is v1+ − v1−, and `before`/`after` are x1'' on either side. A deviation δx1 shifts
+    /// the impact by −δx1/v1−; what differs on either side of it (v1, x1'' and, through the damper, x2'') acts
+    /// for that long.
+    #[inline(always)]
+    pub fn struck(&self, flight: &Flight<T>, velocity: T, kick: T, before: T, after: T) -> Self {
+        let shift = self.x1 / velocity;
+        let damper = flight.inverse_mass * flight.coupling_damping * kick;
+        Tangent {
+            x1: -(flight.r * self.x1),
+            x2: self.x2,
+            v1: (flight.r * before + after) * shift - flight.r * self.v1,
+            v2: self.v2 + damper * shift,
+        }
+    }
+
+    /// The deviation once the first mass rests on a stop: what it had of its own is lost.
+    #[inline(always)]
+    pub fn caught(&self) -> Self {
+        Tangent { x1: T::zero(), v1: T::zero(), ..*self }
+    }
+
+    /// The deviation's Euclidean length.
+    #[inline(always)]
+    pub fn length(&self) -> T {
+        ((self.x1 * self.x1 + self.x2 * self.x2) + (self.v1 * self.v1 + self.v2 * self.v2)).sqrt()
+    }
+
+    /// The deviation divided by a number.
+    #[inline(always)]
+    pub fn scaled(&self, factor: T) -> Self {
+        Tangent { x1: self.x1 * factor, x2: self.x2 * factor, v1: self.v1 * factor, v2: self.v2 * factor }
+    }
+}

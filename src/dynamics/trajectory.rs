@@ -1,0 +1,317 @@
+//! One trajectory: steps of flight, impacts, chatter, sticking, until it has gone as far as was asked.
+
+use std::fmt;
+
+use super::chatter;
+use super::contact;
+use super::point::{Motion, Point};
+use super::tangent::Tangent;
+use crate::model::{Flight, Real};
+
+/// One of the two rigid stops.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Stop {
+    /// A, at x1 = +δ.
+    A,
+    /// Ā, at x1 = −δ.
+    B,
+}
+
+impl Stop {
+    /// +1 at A, −1 at Ā: the direction in which the stop is approached.
+    #[inline(always)]
+    pub fn side<T: Real>(self) -> T {
+        match self {
+            Stop::A => T::one(),
+            Stop::B => -T::one(),
+        }
+    }
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Stop::A => "A",
+            Stop::B => "B",
+        })
+    }
+}
+
+/// What the first mass touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contact {
+    /// Nothing: free flight.
+    Free,
+    /// It rests on a stop, pressed.
+    Stuck(Stop),
+    /// Both stops at once: the limit δ = 0.
+    Clamped,
+}
+
+/// An impact, Eq. (3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact<T> {
+    /// Where.
+    pub stop: Stop,
+    /// v1−.
+    pub velocity_before: T,
+    /// v1+ = −r v1−.
+    pub velocity_after: T,
+}
+
+/// What ended a move of a trajectory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event<T> {
+    /// Nothing: a part of a step.
+    Flight,
+    /// The end of a step.
+    StepEnd,
+    /// Phase π, in the middle of the forcing period.
+    HalfPeriod,
+    /// Phase 0: a forcing period is complete.
+    Strobe,
+    /// An impact after which the first mass flies on.
+    Impact(Impact<T>),
+    /// An impact that ends in sticking; `complete_chatter` if infinitely many rebounds were closed with it.
+    Caught {
+        /// The impact; its speed is 0 where the first mass came to rest on the stop without one.
+        impact: Impact<T>,
+        /// Whether rebounds follow it, infinitely many in finite time.
+        complete_chatter: bool,
+    },
+    /// The pressing force vanished and the first mass leaves its stop.
+    Released(Stop),
+}
+
+/// A move: how long it took, in what contact, and what ended it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move<T> {
+    /// Its duration; non-dimensional.
+    pub time: T,
+    /// 1 if the first mass flew, 0 if it rested.
+    pub free: T,
+    /// What happened at its end.
+    pub event: Event<T>,
+}
+
+/// A trajectory: where it is, and how it moves on.
+///
+/// Time is never summed up: the place is a step within the forcing period and an offset within the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trajectory<T> {
+    /// The present state and forcing phasor.
+    pub point: Point<T>,
+    /// What the first mass touches.
+    pub contact: Contact,
+    /// The step within the forcing period, 0 ≤ step < M.
+    pub step: u32,
+    /// The time since the beginning of the step, 0 ≤ offset < h.
+    pub offset: T,
+}
+
+impl<T: Real> Trajectory<T> {
+    /// A trajectory that begins at forcing phase 0 with (x1, x2, v1, v2), |x1| ≤ δ.
+    pub fn new(flight: &Flight<T>, start: [T; 4]) -> Self {
+        let mut point = Point::at_phase_zero(start);
+        let clamped = flight.delta == T::zero();
+        if clamped {
+            point.x1 = T::zero();
+            point.v1 = T::zero();
+        }
+        let contact = if clamped { Contact::Clamped } else { Contact::Free };
+        Trajectory { point, contact, step: 0, offset: T::zero() }
+    }
+
+    /// A trajectory that begins at forcing phase `phase`, 0 ≤ phase < 2π, with (x1, x2, v1, v2), |x1| ≤ δ > 0.
+    pub fn at_phase(flight: &Flight<T>, [x1, x2, v1, v2]: [T; 4], phase: f64) -> Self {
+        let steps = phase / std::f64::consts::TAU * f64::from(flight.steps);
+        let step = (steps as u32).min(flight.steps - 1);
+        let (sin, cos) = phase.sin_cos();
+        Trajectory {
+            point: Point { x1, x2, v1, v2, sin: T::of(sin), cos: T::of(cos) },
+            contact: Contact::Free,
+            step,
+            offset: T::of((steps - f64::from(step)) * flight.h.widen()),
+        }
+    }
+
+    /// Moves on to the next event, the end of the step at the latest, and carries a tangent vector along.
+    ///
+    /// `TANGENT` says whether there is one; without it the deviation is left alone and costs nothing.
+    #[inline(always)]
+    pub fn advance<const TANGENT: bool>(&mut self, flight: &Flight<T>, tangent: &mut Tangent<T>) -> Move<T> {
+        match self.contact {
+            Contact::Free => self.fly::<TANGENT>(flight, tangent),
+            Contact::Stuck(stop) => self.rest::<TANGENT>(flight, tangent, stop),
+            Contact::Clamped => {
+                let window = flight.h - self.offset;
+                self.glide::<TANGENT>(flight, tangent, window, T::zero());
+                Move { time: window, free: T::zero(), event: self.end_step(flight) }
+            }
+        }
+    }
+
+    /// Free flight: a whole step where it provably clears the stops, else as far as is safe.
+    #[inline(always)]
+    fn fly<const TANGENT: bool>(&mut self, flight: &Flight<T>, tangent: &mut Tangent<T>) -> Move<T> {
+        let window = flight.h - self.offset;
+        let whole = self.offset == T::zero();
+        let free = T::one();
+        let stepped = self.point.stepped(flight);
+        if whole && contact::clears(flight, &self.point, &stepped) {
+            return self.step_over::<TANGENT>(flight, tangent, stepped);
+        }
+        let motion = self.point.motion(flight, free);
+        let time = contact::safe_time(flight, &self.point, &motion, window);
+        if time >= window {
+            if whole {
+                return self.step_over::<TANGENT>(flight, tangent, stepped);
+            }
+            self.glide::<TANGENT>(flight, tangent, window, free);
+            return Move { time: window, free, event: self.end_step(flight) };
+        }
+        self.glide::<TANGENT>(flight, tangent, time, free);
+        self.offset = self.offset + time;
+        let stop = if self.point.x1 >= T::zero() { Stop::A } else { Stop::B };
+        let side = stop.side::<T>();
+        let gap = flight.delta - side * self.point.x1;
+        let speed = side * self.point.v1;
+        let event = if gap <= T::of(T::TOUCH) * flight.delta && speed >= T::zero() {
+            self.strike::<TANGENT>(flight, tangent, stop)
+        } else {
+            Event::Flight
+        };
+        Move { time, free, event }
+    }
+
+    /// A whole step of free flight that is known to clear the stops.
+    #[inline(always)]
+    fn step_over<const TANGENT: bool>(
+        &mut self,
+        flight: &Flight<T>,
+        tangent: &mut Tangent<T>,
+        stepped: Point<T>,
+    ) -> Move<T> {
+        self.point = stepped;
+        if TANGENT {
+            *tangent = tangent.stepped(flight);
+        }
+        Move { time: flight.h, free: T::one(), event: self.end_step(flight) }
+    }
+
+    /// An impact: restitution (3), and sticking where the rebounds that follow can be closed.
+    #[inline(always)]
+    fn strike<const TANGENT: bool>(
+        &mut self,
+        flight: &Flight<T>,
+        tangent: &mut Tangent<T>,
+        stop: Stop,
+    ) -> Event<T> {
+        let side = stop.side::<T>();
+        let before = self.point.motion(flight, T::one());
+        let velocity = self.point.v1;
+        let rebound = -(flight.r * velocity);
+        self.point.x1 = side * flight.delta;
+        self.point.v1 = rebound;
+        let after = self.point.motion(flight, T::one());
+        if TANGENT && velocity != T::zero() {
+            *tangent =
+                tangent.struck(flight, velocity, rebound - velocity, before.acceleration, after.acceleration);
+        }
+        let impact = Impact { stop, velocity_before: velocity, velocity_after: rebound };
+        let towards = Motion { acceleration: side * after.acceleration, ..after };
+        let speed = rebound.abs();
+        let Some(closure) = chatter::close(flight, speed, &towards) else {
+            return Event::Impact(impact);
+        };
+        // The gap of the skipped rebounds lets the coupling's spring and damper act on the second mass.
+        let push = side * flight.inverse_mass * closure.gap_integral;
+        let drag =
+            flight.coupling_damping * (flight.inverse_mass * flight.coupling_damping + flight.ground_damping);
+        self.point.x2 = self.point.x2 - flight.coupling_damping * push;
+        self.point.v2 = self.point.v2 - (T::one() - drag) * push;
+        self.point.v1 = T::zero();
+        self.contact = Contact::Stuck(stop);
+        if TANGENT {
+            *tangent = tangent.caught();
+        }
+        Event::Caught { impact, complete_chatter: speed > T::zero() }
+    }
+
+    /// Sticking: the second mass moves alone until the force on the first no longer presses it on the stop.
+    #[inline(always)]
+    fn rest<const TANGENT: bool>(
+        &mut self,
+        flight: &Flight<T>,
+        tangent: &mut Tangent<T>,
+        stop: Stop,
+    ) -> Move<T> {
+        let window = flight.h - self.offset;
+        let side = stop.side::<T>();
+        let free = T::zero();
+        let motion = self.point.motion(flight, free);
+        let force = side * motion.acceleration;
+        let slope = side * motion.jerk;
+        let threshold = T::epsilon() * (flight.delta + T::one());
+        if force <= threshold && slope < T::zero() {
+            return self.release::<TANGENT>(flight, tangent, stop, slope, motion.bound);
+        }
+        let least = flight.h * T::epsilon().sqrt();
+        let time = contact::pressed_time(force, slope, motion.bound, window);
+        let time = if time > least { time } else { least };
+        if time >= window {
+            self.glide::<TANGENT>(flight, tangent, window, free);
+            return Move { time: window, free, event: self.end_step(flight) };
+        }
+        self.glide::<TANGENT>(flight, tangent, time, free);
+        self.offset = self.offset + time;
+        Move { time, free, event: Event::Flight }
+    }
+
+    /// The first mass leaves its stop, from rest and without acceleration; the jerk alone pulls it off.
+    #[inline(always)]
+    fn release<const TANGENT: bool>(
+        &mut self,
+        flight: &Flight<T>,
+        tangent: &mut Tangent<T>,
+        stop: Stop,
+        slope: T,
+        bound: T,
+    ) -> Move<T> {
+        let half_window = T::of(0.5) * (flight.h - self.offset);
+        let pulled = -slope / (bound + bound);
+        let pulled = if pulled < half_window { pulled } else { half_window };
+        let free = T::one();
+        self.contact = Contact::Free;
+        self.glide::<TANGENT>(flight, tangent, pulled, free);
+        self.offset = self.offset + pulled;
+        Move { time: pulled, free, event: Event::Released(stop) }
+    }
+
+    #[inline(always)]
+    fn glide<const TANGENT: bool>(&mut self, flight: &Flight<T>, tangent: &mut Tangent<T>, time: T, free: T) {
+        self.point = self.point.flown(flight, time, free);
+        if TANGENT {
+            *tangent = tangent.flown(flight, time, free);
+        }
+    }
+
+    /// Begins the next step; the forcing phasor is exact at phases 0 and π.
+    #[inline(always)]
+    fn end_step(&mut self, flight: &Flight<T>) -> Event<T> {
+        self.offset = T::zero();
+        self.step += 1;
+        if self.step == flight.steps {
+            self.step = 0;
+            self.point.sin = T::zero();
+            self.point.cos = T::one();
+            Event::Strobe
+        } else if self.step + self.step == flight.steps {
+            self.point.sin = T::zero();
+            self.point.cos = -T::one();
+            Event::HalfPeriod
+        } else {
+            Event::StepEnd
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! The generator of the flow: Eq. (2) as one linear system z' = G z, forcing included.
+
+use nalgebra::{Matrix6, RowVector6};
+
+use super::system::System;
+
+/// Where a quantity stands in the augmented state z = (x1, x2, v1, v2, sin φ, cos φ).
+pub const X1: usize = 0;
+/// Second mass's displacement.
+pub const X2: usize = 1;
+/// First mass's velocity.
+pub const V1: usize = 2;
+/// Second mass's velocity.
+pub const V2: usize = 3;
+/// Sine of the forcing phase.
+pub const SIN: usize = 4;
+/// Cosine of the forcing phase.
+pub const COS: usize = 5;
+
+/// The generator of free flight, |x1| < δ.
+pub fn free(system: &System) -> Matrix6<f64> {
+    let System {
+        coupling_damping: c, inverse_mass, ground_stiffness, ground_damping, force1, force2, ..
+    } = *system;
+    let omega = system.parameters().omega;
+    let mut g = Matrix6::zeros();
+    g[(X1, V1)] = 1.0;
+    g[(X2, V2)] = 1.0;
+    let coupling = RowVector6::new(-1.0, 1.0, -c, c, 0.0, 0.0);
+    g.set_row(V1, &coupling);
+    g.set_row(V2, &(-inverse_mass * coupling));
+    g[(V1, SIN)] = force1;
+    g[(V2, X2)] -= ground_stiffness;
+    g[(V2, V2)] -= ground_damping;
+    g[(V2, SIN)] = force2;
+    g[(SIN, COS)] = omega;
+    g[(COS, SIN)] = -omega;
+    g
+}
+
+/// The generator of sticking: the first mass rests on a stop (x1 constant, v1 = 0), the second moves alone.
+pub fn stuck(system: &System) -> Matrix6<f64> {
+    let mut g = free(system);
+    g.set_row(X1, &RowVector6::zeros());
+    g.set_row(V1, &RowVector6::zeros());
+    g
+}
+
+/// exp(G t) by its Taylor series, summed until the terms vanish; accurate where ‖G t‖ is of order one.
+pub fn exponential(g: &Matrix6<f64>, t: f64) -> Matrix6<f64> {
+    let mut term = Matrix6::identity();
+    let mut sum = term;
+    for k in 1..64 {
+        term = term * g * (t / f64::from(k));
+        sum += term;
+        if term.amax() <= 1e-19 * sum.amax() {
+            break;
+        }
+    }
+    sum
+}
+
+/// A bound on |row · exp(G s)| for every 0 ≤ s ≤ t, component by component: Σ tᵏ/k! |row · Gᵏ|.
+pub fn majorant(row: RowVector6<f64>, g: &Matrix6<f64>, t: f64) -> RowVector6<f64> {
+    let mut term = row;
+    let mut sum = row.abs();
+    for k in 1..64 {
+        term = term * g * (t / f64::from(k));
+        sum += term.abs();
+        if term.amax() <= 1e-12 * sum.amax() {
+            break;
+        }
+    }
+    sum
+}

@@ -1,0 +1,63 @@
+//! The two precisions: f64 for the reference, f32 for the GPU's twin.
+
+use std::fmt::Debug;
+
+use num_traits::Float;
+
+/// A floating-point type that trajectories are computed in.
+///
+/// Tolerances that depend on the precision live here, in one place; the GPU's shader gets the f32 ones generated.
+pub trait Real: Float + Debug + Send + Sync + 'static {
+    /// Taylor terms below this share of the largest are left out of a flight.
+    const TRUNCATION: f64;
+    /// The largest order of a flight's Taylor polynomial.
+    const ORDER: usize;
+    /// A gap below this multiple of δ is contact.
+    const TOUCH: f64;
+    /// The largest effect on the second mass that closing a chatter sequence may neglect; non-dimensional.
+    const CHATTER: f64;
+    /// The largest distance between strobe states of a settled motion, before its trajectory finishes early.
+    const SETTLED: f64;
+
+    /// The nearest value of this type.
+    fn of(value: f64) -> Self;
+
+    /// The value as f64, exact.
+    fn widen(self) -> f64;
+}
+
+impl Real for f64 {
+    const TRUNCATION: f64 = 1e-17;
+    const ORDER: usize = 24;
+    const TOUCH: f64 = 4.0 * f64::EPSILON;
+    const CHATTER: f64 = 1e-15;
+    const SETTLED: f64 = 1e-6;
+
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn widen(self) -> f64 {
+        self
+    }
+}
+
+impl Real for f32 {
+    const TRUNCATION: f64 = 1e-8;
+    const ORDER: usize = 12;
+    const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
+    const CHATTER: f64 = 3e-9;
+    const SETTLED: f64 = 2e-5;
+
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        value as f32
+    }
+
+    #[inline(always)]
+    fn widen(self) -> f64 {
+        f64::from(self)
+    }
+}
