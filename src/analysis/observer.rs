@@ -96,13 +96,18 @@ impl<T: Real> Observer<T> {
 
     /// Follows the trajectory to its end.
     pub fn follow(&mut self, flight: &Flight<T>, schedule: &Schedule) {
-        while self.stage == Stage::Transient {
-            let taken = self.trajectory.advance::<false>(flight, &mut self.tangent);
-            self.note(flight, schedule, &taken);
-        }
-        while self.stage == Stage::Observation {
-            let taken = self.trajectory.advance::<true>(flight, &mut self.tangent);
-            self.note(flight, schedule, &taken);
+        loop {
+            match self.stage {
+                Stage::Transient => {
+                    let taken = self.trajectory.advance::<false>(flight, &mut self.tangent);
+                    self.note(flight, schedule, &taken);
+                }
+                Stage::Observation => {
+                    let taken = self.trajectory.advance::<true>(flight, &mut self.tangent);
+                    self.note(flight, schedule, &taken);
+                }
+                Stage::Observed | Stage::Quiet | Stage::Failed => return,
+            }
         }
     }
 
@@ -208,9 +213,25 @@ impl<T: Real> Observer<T> {
         if self.observed <= 2 * half {
             self.spread.at_strobe(&point, self.observed > half);
         }
-        if self.observed >= self.observe {
+        if self.observed < self.observe {
+            return;
+        }
+        let early = self.observe < schedule.observe;
+        if early && !self.recurrence.holds_for(self.proof()) {
+            // It had not settled after all: go on as if nothing had been seen.
+            self.recurrence = Recurrence::anchored(point.state());
+            self.stage = Stage::Transient;
+            if self.periods >= schedule.transient {
+                self.begin_observation(schedule.observe);
+            }
+        } else {
             self.stage = Stage::Observed;
         }
+    }
+
+    /// Periods for which the state must have kept returning when the observation ends.
+    fn proof(&self) -> u32 {
+        (self.observe / 4).min(SETTLING)
     }
 
     /// What the trajectory settled on.
@@ -239,12 +260,11 @@ impl<T: Real> Observer<T> {
     }
 
     fn regime(&self) -> Regime {
-        let proof = (self.observe / 4).min(SETTLING);
         match self.stage {
             Stage::Failed => Regime::Failed,
             Stage::Quiet => Regime::NoImpact,
             _ if self.impacts == 0 && !self.stuck => Regime::NoImpact,
-            _ if self.recurrence.holds_for(proof) => {
+            _ if self.recurrence.holds_for(self.proof()) => {
                 if self.stuck {
                     Regime::PeriodicSticking
                 } else {

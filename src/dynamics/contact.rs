@@ -28,6 +28,19 @@ pub fn safe_time<T: Real>(flight: &Flight<T>, point: &Point<T>, motion: &Motion<
     if at_a < at_b { at_a } else { at_b }
 }
 
+/// The time left to a stop `gap` away, approached with `speed`, if it is so short that its square is lost in
+/// rounding; 0 if the stop is touched.
+#[inline(always)]
+pub fn imminent<T: Real>(flight: &Flight<T>, gap: T, speed: T) -> Option<T> {
+    if flight.rate * gap.abs() < T::of(T::IMMINENT) * speed {
+        Some(gap / speed)
+    } else if gap <= T::of(T::TOUCH) * flight.delta && speed >= T::zero() {
+        Some(T::zero())
+    } else {
+        None
+    }
+}
+
 /// A time longer than any window, and finite in either precision.
 const FAR: f64 = 1e30;
 

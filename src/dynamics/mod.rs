@@ -4,6 +4,7 @@ mod chatter;
 mod contact;
 mod point;
 mod recording;
+mod series;
 mod tangent;
 mod trajectory;
 

@@ -1,5 +1,6 @@
 //! A point of the motion and its free flight, as exact as the arithmetic.
 
+use super::series::{INVERSE_FACTORIALS, Series, axpy};
 use crate::model::{Flight, Real};
 
 /// State and forcing phasor at one instant; non-dimensional.
@@ -63,58 +64,100 @@ impl<T: Real> Point<T> {
 
     /// The point a time `s` ≤ h later, by the Taylor polynomial of Eq. (2).
     ///
-    /// `free` is 1 in free flight and 0 while the first mass rests on a stop.
+    /// `free` is 1 in free flight and 0 while the first mass rests on a stop. The terms are kept as
+    /// Vₖ = v⁽ᵏ⁾ sᵏ, which obey a recurrence of second order; 1/k! comes from a table.
     #[inline(always)]
     pub fn flown(&self, flight: &Flight<T>, s: T, free: T) -> Self {
-        let c = flight.coupling_damping;
+        let series = Series::new(flight, s, free);
         let turn = flight.omega * s;
-        let reach = flight.rate * s;
-        let negligible = T::of(T::TRUNCATION);
-        let mut term = *self;
-        let mut sum = *self;
-        let mut size = T::one();
-        for &inverse in &INVERSES[..T::ORDER] {
-            let inverse = T::of(inverse);
-            let coupling = (term.x2 - term.x1) + c * (term.v2 - term.v1);
-            let a1 = coupling + flight.force1 * term.sin;
-            let a2 = (flight.force2 * term.sin - flight.ground_stiffness * term.x2)
-                - (flight.ground_damping * term.v2 + flight.inverse_mass * coupling);
-            let scale = s * inverse;
-            let turned = turn * inverse;
-            term = Point {
-                x1: term.v1 * scale,
-                x2: term.v2 * scale,
-                v1: a1 * (scale * free),
-                v2: a2 * scale,
-                sin: term.cos * turned,
-                cos: -(term.sin * turned),
-            };
-            sum.x1 = sum.x1 + term.x1;
-            sum.x2 = sum.x2 + term.x2;
-            sum.v1 = sum.v1 + term.v1;
-            sum.v2 = sum.v2 + term.v2;
-            sum.sin = sum.sin + term.sin;
-            sum.cos = sum.cos + term.cos;
-            size = size * (reach * inverse);
-            if size < negligible {
+        let force = [flight.force1 * (s * free), flight.force2 * s];
+        let mut before = [self.v1, self.v2];
+        let first = series.first(flight, [self.x1, self.x2], before);
+        let mut last = axpy(self.sin, force, first);
+        let mut phasor = [self.cos * turn, -(self.sin * turn)];
+        let mut velocity = before;
+        let mut mean = before;
+        let mut phase = [self.sin, self.cos];
+        let mut power = T::one();
+        for k in 1..=T::ORDER {
+            let weight = T::of(INVERSE_FACTORIALS[k]);
+            let lower = T::of(INVERSE_FACTORIALS[k + 1]);
+            velocity = axpy(weight, last, velocity);
+            mean = axpy(lower, last, mean);
+            phase = axpy(weight, phasor, phase);
+            let negligible;
+            (power, negligible) = series.grow(power, k);
+            if negligible {
                 break;
             }
+            let next = axpy(phasor[0], force, series.next(before, last));
+            before = last;
+            last = next;
+            phasor = [phasor[1] * turn, -(phasor[0] * turn)];
         }
-        sum
+        Point {
+            x1: self.x1 + mean[0] * s,
+            x2: self.x2 + mean[1] * s,
+            v1: velocity[0],
+            v2: velocity[1],
+            sin: phase[0],
+            cos: phase[1],
+        }
+    }
+
+    /// The point with v1 changed by `kick` a time `s` ≤ h ago: flight is linear, so the change just adds.
+    #[inline(always)]
+    pub fn kicked(&self, flight: &Flight<T>, kick: T, s: T) -> Self {
+        let u = s * flight.inverse_h;
+        let mut sum = flight.kick[T::ORDER];
+        for k in (0..T::ORDER).rev() {
+            for (sum, term) in sum.iter_mut().zip(flight.kick[k]) {
+                *sum = *sum * u + term;
+            }
+        }
+        let [x1, x2, v1, v2] = sum;
+        Point {
+            x1: self.x1 + kick * x1,
+            x2: self.x2 + kick * x2,
+            v1: self.v1 + kick * v1,
+            v2: self.v2 + kick * v2,
+            ..*self
+        }
+    }
+
+    /// The point a time `s` later, so short that its square is lost in rounding.
+    #[inline(always)]
+    pub fn nudged(&self, flight: &Flight<T>, s: T) -> Self {
+        let (a1, a2) = self.accelerations(flight);
+        let turn = flight.omega * s;
+        Point {
+            x1: self.x1 + self.v1 * s,
+            x2: self.x2 + self.v2 * s,
+            v1: self.v1 + a1 * s,
+            v2: self.v2 + a2 * s,
+            sin: self.sin + self.cos * turn,
+            cos: self.cos - self.sin * turn,
+        }
+    }
+
+    /// x1'' and x2'' of Eq. (2).
+    #[inline(always)]
+    fn accelerations(&self, flight: &Flight<T>) -> (T, T) {
+        let coupling = (self.x2 - self.x1) + flight.coupling_damping * (self.v2 - self.v1);
+        let a1 = coupling + flight.force1 * self.sin;
+        let a2 = (flight.force2 * self.sin - flight.ground_stiffness * self.x2)
+            - (flight.ground_damping * self.v2 + flight.inverse_mass * coupling);
+        (a1, a2)
     }
 
     /// What decides when a stop can be reached (`free` = 1), or left (`free` = 0): in contact the acceleration
     /// is the contact force's, and the derivatives are along the motion that rests.
     #[inline(always)]
     pub fn motion(&self, flight: &Flight<T>, free: T) -> Motion<T> {
-        let c = flight.coupling_damping;
-        let coupling = (self.x2 - self.x1) + c * (self.v2 - self.v1);
-        let acceleration = coupling + flight.force1 * self.sin;
-        let a2 = (flight.force2 * self.sin - flight.ground_stiffness * self.x2)
-            - (flight.ground_damping * self.v2 + flight.inverse_mass * coupling);
+        let (acceleration, a2) = self.accelerations(flight);
         Motion {
             acceleration,
-            jerk: ((self.v2 - self.v1) + c * (a2 - free * acceleration))
+            jerk: ((self.v2 - self.v1) + flight.coupling_damping * (a2 - free * acceleration))
                 + flight.force1 * flight.omega * self.cos,
             bound: self.bound(flight),
         }
@@ -129,14 +172,3 @@ impl<T: Real> Point<T> {
             + flight.bound_forcing
     }
 }
-
-/// 1, 1/2, 1/3, …, the ratios of successive factorials in a Taylor series.
-pub(super) const INVERSES: [f64; 24] = {
-    let mut inverses = [0.0; 24];
-    let mut k = 0;
-    while k < inverses.len() {
-        inverses[k] = 1.0 / (k + 1) as f64;
-        k += 1;
-    }
-    inverses
-};

@@ -1,6 +1,6 @@
 //! A small deviation from the motion, carried through flight and impact.
 
-use super::point::INVERSES;
+use super::series::{INVERSE_FACTORIALS, Series, axpy};
 use crate::model::{Flight, Real};
 
 /// A tangent vector of the state at fixed time.
@@ -34,34 +34,23 @@ impl<T: Real> Tangent<T> {
     /// The deviation a time `s` ≤ h later; see [`Point::flown`](super::Point::flown).
     #[inline(always)]
     pub fn flown(&self, flight: &Flight<T>, s: T, free: T) -> Self {
-        let c = flight.coupling_damping;
-        let reach = flight.rate * s;
-        let negligible = T::of(T::TRUNCATION);
-        let mut term = *self;
-        let mut sum = *self;
-        let mut size = T::one();
-        for &inverse in &INVERSES[..T::ORDER] {
-            let inverse = T::of(inverse);
-            let coupling = (term.x2 - term.x1) + c * (term.v2 - term.v1);
-            let a2 = -(flight.ground_stiffness * term.x2)
-                - (flight.ground_damping * term.v2 + flight.inverse_mass * coupling);
-            let scale = s * inverse;
-            term = Tangent {
-                x1: term.v1 * scale,
-                x2: term.v2 * scale,
-                v1: coupling * (scale * free),
-                v2: a2 * scale,
-            };
-            sum.x1 = sum.x1 + term.x1;
-            sum.x2 = sum.x2 + term.x2;
-            sum.v1 = sum.v1 + term.v1;
-            sum.v2 = sum.v2 + term.v2;
-            size = size * (reach * inverse);
-            if size < negligible {
+        let series = Series::new(flight, s, free);
+        let mut before = [self.v1, self.v2];
+        let mut last = series.first(flight, [self.x1, self.x2], before);
+        let mut velocity = before;
+        let mut mean = before;
+        let mut power = T::one();
+        for k in 1..=T::ORDER {
+            velocity = axpy(T::of(INVERSE_FACTORIALS[k]), last, velocity);
+            mean = axpy(T::of(INVERSE_FACTORIALS[k + 1]), last, mean);
+            let negligible;
+            (power, negligible) = series.grow(power, k);
+            if negligible {
                 break;
             }
+            (before, last) = (last, series.next(before, last));
         }
-        sum
+        Tangent { x1: self.x1 + mean[0] * s, x2: self.x2 + mean[1] * s, v1: velocity[0], v2: velocity[1] }
     }
 
     /// The deviation just after an impact: the saltation of Eq. (3).

@@ -101,6 +101,8 @@ pub struct Move<T> {
 pub struct Trajectory<T> {
     /// The present state and forcing phasor.
     pub point: Point<T>,
+    /// Where the present step ends if nothing more is met on the way; known while the first mass flies.
+    ahead: Point<T>,
     /// What the first mass touches.
     pub contact: Contact,
     /// The step within the forcing period, 0 ≤ step < M.
@@ -119,7 +121,7 @@ impl<T: Real> Trajectory<T> {
             point.v1 = T::zero();
         }
         let contact = if clamped { Contact::Clamped } else { Contact::Free };
-        Trajectory { point, contact, step: 0, offset: T::zero() }
+        Trajectory { point, ahead: point, contact, step: 0, offset: T::zero() }
     }
 
     /// A trajectory that begins at forcing phase `phase`, 0 ≤ phase < 2π, with (x1, x2, v1, v2), |x1| ≤ δ > 0.
@@ -127,12 +129,10 @@ impl<T: Real> Trajectory<T> {
         let steps = phase / std::f64::consts::TAU * f64::from(flight.steps);
         let step = (steps as u32).min(flight.steps - 1);
         let (sin, cos) = phase.sin_cos();
-        Trajectory {
-            point: Point { x1, x2, v1, v2, sin: T::of(sin), cos: T::of(cos) },
-            contact: Contact::Free,
-            step,
-            offset: T::of((steps - f64::from(step)) * flight.h.widen()),
-        }
+        let point = Point { x1, x2, v1, v2, sin: T::of(sin), cos: T::of(cos) };
+        let offset = T::of((steps - f64::from(step)) * flight.h.widen());
+        let ahead = point.flown(flight, flight.h - offset, T::one());
+        Trajectory { point, ahead, contact: Contact::Free, step, offset }
     }
 
     /// Moves on to the next event, the end of the step at the latest, and carries a tangent vector along.
@@ -157,18 +157,16 @@ impl<T: Real> Trajectory<T> {
         let window = flight.h - self.offset;
         let whole = self.offset == T::zero();
         let free = T::one();
-        let stepped = self.point.stepped(flight);
-        if whole && contact::clears(flight, &self.point, &stepped) {
-            return self.step_over::<TANGENT>(flight, tangent, stepped);
+        if whole {
+            self.ahead = self.point.stepped(flight);
+            if contact::clears(flight, &self.point, &self.ahead) {
+                return self.go_ahead::<TANGENT>(flight, tangent, window);
+            }
         }
         let motion = self.point.motion(flight, free);
         let time = contact::safe_time(flight, &self.point, &motion, window);
         if time >= window {
-            if whole {
-                return self.step_over::<TANGENT>(flight, tangent, stepped);
-            }
-            self.glide::<TANGENT>(flight, tangent, window, free);
-            return Move { time: window, free, event: self.end_step(flight) };
+            return self.go_ahead::<TANGENT>(flight, tangent, window);
         }
         self.glide::<TANGENT>(flight, tangent, time, free);
         self.offset = self.offset + time;
@@ -176,43 +174,48 @@ impl<T: Real> Trajectory<T> {
         let side = stop.side::<T>();
         let gap = flight.delta - side * self.point.x1;
         let speed = side * self.point.v1;
-        let event = if gap <= T::of(T::TOUCH) * flight.delta && speed >= T::zero() {
-            self.strike::<TANGENT>(flight, tangent, stop)
-        } else {
-            Event::Flight
+        let Some(left) = contact::imminent(flight, gap, speed) else {
+            return Move { time, free, event: Event::Flight };
         };
-        Move { time, free, event }
+        let event = self.strike::<TANGENT>(flight, tangent, stop, left);
+        Move { time: time + left, free, event }
     }
 
-    /// A whole step of free flight that is known to clear the stops.
+    /// The rest of a step, known to clear the stops.
     #[inline(always)]
-    fn step_over<const TANGENT: bool>(
+    fn go_ahead<const TANGENT: bool>(
         &mut self,
         flight: &Flight<T>,
         tangent: &mut Tangent<T>,
-        stepped: Point<T>,
+        window: T,
     ) -> Move<T> {
-        self.point = stepped;
+        self.point = self.ahead;
         if TANGENT {
-            *tangent = tangent.stepped(flight);
+            *tangent = if self.offset == T::zero() {
+                tangent.stepped(flight)
+            } else {
+                tangent.flown(flight, window, T::one())
+            };
         }
-        Move { time: flight.h, free: T::one(), event: self.end_step(flight) }
+        Move { time: window, free: T::one(), event: self.end_step(flight) }
     }
 
-    /// An impact: restitution (3), and sticking where the rebounds that follow can be closed.
+    /// An impact, a time `left` ahead: restitution (3), and sticking where the rebounds that follow can be closed.
     #[inline(always)]
     fn strike<const TANGENT: bool>(
         &mut self,
         flight: &Flight<T>,
         tangent: &mut Tangent<T>,
         stop: Stop,
+        left: T,
     ) -> Event<T> {
         let side = stop.side::<T>();
-        let before = self.point.motion(flight, T::one());
-        let velocity = self.point.v1;
+        let arrived = self.point.nudged(flight, left);
+        let before = arrived.motion(flight, T::one());
+        let velocity = arrived.v1;
         let rebound = -(flight.r * velocity);
-        self.point.x1 = side * flight.delta;
-        self.point.v1 = rebound;
+        self.point = Point { x1: side * flight.delta, v1: rebound, ..arrived };
+        self.offset = self.offset + left;
         let after = self.point.motion(flight, T::one());
         if TANGENT && velocity != T::zero() {
             *tangent =
@@ -222,6 +225,7 @@ impl<T: Real> Trajectory<T> {
         let towards = Motion { acceleration: side * after.acceleration, ..after };
         let speed = rebound.abs();
         let Some(closure) = chatter::close(flight, speed, &towards) else {
+            self.ahead = self.ahead.kicked(flight, rebound - velocity, flight.h - self.offset);
             return Event::Impact(impact);
         };
         // The gap of the skipped rebounds lets the coupling's spring and damper act on the second mass.
@@ -285,6 +289,7 @@ impl<T: Real> Trajectory<T> {
         self.contact = Contact::Free;
         self.glide::<TANGENT>(flight, tangent, pulled, free);
         self.offset = self.offset + pulled;
+        self.ahead = self.point.flown(flight, flight.h - self.offset, free);
         Move { time: pulled, free, event: Event::Released(stop) }
     }
 

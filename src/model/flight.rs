@@ -1,6 +1,6 @@
 //! Everything that flying one cell needs, computed once per cell in f64.
 
-use nalgebra::{Matrix4, RowVector6, Vector4};
+use nalgebra::{Matrix4, Matrix6, RowVector6, Vector4, Vector6};
 
 use super::generator::{self, COS, SIN, V1, V2, X1, X2};
 use super::real::Real;
@@ -24,6 +24,10 @@ pub struct Flight<T> {
     pub gamma_sin: [T; 4],
     /// Γc, what one step adds per unit of cos φ at its beginning.
     pub gamma_cos: [T; 4],
+    /// What a unit kick of v1 has become a time s later: Σ kickₖ (s/h)ᵏ, 0 ≤ s ≤ h.
+    pub kick: [[T; 4]; KICK_TERMS],
+    /// 1/h.
+    pub inverse_h: T,
     /// sin ωh, by which a step turns the forcing phasor.
     pub turn_sin: T,
     /// cos ωh.
@@ -67,6 +71,9 @@ pub struct Flight<T> {
     pub linear_exponent: T,
 }
 
+/// Terms of the polynomial [`Flight::kick`].
+pub const KICK_TERMS: usize = 18;
+
 impl Flight<f64> {
     /// Prepares a cell.
     pub fn new(system: &System) -> Self {
@@ -85,6 +92,8 @@ impl Flight<f64> {
             phi: [column(X1), column(X2), column(V1), column(V2)],
             gamma_sin: column(SIN),
             gamma_cos: column(COS),
+            kick: kick(&free, h),
+            inverse_h: 1.0 / h,
             turn_sin: step[(SIN, COS)],
             turn_cos: step[(COS, COS)],
             omega: parameters.omega,
@@ -117,6 +126,8 @@ impl Flight<f64> {
             phi: self.phi.map(vector),
             gamma_sin: vector(self.gamma_sin),
             gamma_cos: vector(self.gamma_cos),
+            kick: self.kick.map(vector),
+            inverse_h: T::of(self.inverse_h),
             turn_sin: T::of(self.turn_sin),
             turn_cos: T::of(self.turn_cos),
             omega: T::of(self.omega),
@@ -139,6 +150,17 @@ impl Flight<f64> {
             linear_exponent: T::of(self.linear_exponent),
         }
     }
+}
+
+/// See [`Flight::kick`].
+fn kick(free: &Matrix6<f64>, h: f64) -> [[f64; 4]; KICK_TERMS] {
+    let mut term = Vector6::ith(V1, 1.0);
+    std::array::from_fn(|k| {
+        if k > 0 {
+            term = free * term * (h / k as f64);
+        }
+        [term[X1], term[X2], term[V1], term[V2]]
+    })
 }
 
 /// See [`Flight::bound`]: the larger of what free flight and sticking need, component by component.

@@ -14,6 +14,8 @@ pub trait Real: Float + Debug + Send + Sync + 'static {
     const ORDER: usize;
     /// A gap below this multiple of δ is contact.
     const TOUCH: f64;
+    /// Contact less than this far ahead, in units of the fastest motion's time scale, is reached in one straight line.
+    const IMMINENT: f64;
     /// The largest effect on the second mass that closing a chatter sequence may neglect; non-dimensional.
     const CHATTER: f64;
     /// The largest distance between strobe states of a settled motion, before its trajectory finishes early.
@@ -27,9 +29,10 @@ pub trait Real: Float + Debug + Send + Sync + 'static {
 }
 
 impl Real for f64 {
-    const TRUNCATION: f64 = 1e-17;
-    const ORDER: usize = 24;
+    const TRUNCATION: f64 = 1e-16;
+    const ORDER: usize = 17;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
+    const IMMINENT: f64 = 4e-9;
     const CHATTER: f64 = 1e-15;
     const SETTLED: f64 = 1e-6;
 
@@ -46,8 +49,9 @@ impl Real for f64 {
 
 impl Real for f32 {
     const TRUNCATION: f64 = 1e-8;
-    const ORDER: usize = 12;
+    const ORDER: usize = 10;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
+    const IMMINENT: f64 = 1e-4;
     const CHATTER: f64 = 3e-9;
     const SETTLED: f64 = 2e-5;
 

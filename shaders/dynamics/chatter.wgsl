@@ -1,0 +1,24 @@
+// Complete chatter: infinitely many rebounds in finite time, closed in one go.
+
+// Whether the sequence is closed, and the integral of its gaps.
+struct Closure {
+    closes: bool,
+    gap_integral: f32,
+}
+
+fn chatter_close(speed: f32, motion: Motion) -> Closure {
+    let force = motion.acceleration;
+    if speed == 0.0 {
+        return Closure(force >= 0.0, 0.0);
+    }
+    if force <= 0.0 || flight.r >= 1.0 {
+        return Closure(false, 0.0);
+    }
+    let r = flight.r;
+    let time = (speed + speed) / (force * (1.0 - r));
+    let change = time * (abs(motion.jerk) + 0.5 * motion.bound * time) / force + flight.rate * time;
+    let cube = speed * speed * speed;
+    let gap_integral = TWO_THIRDS * cube / (force * force * (1.0 - r * r * r));
+    let effect = gap_integral * flight.inverse_mass * (1.0 + flight.coupling_damping);
+    return Closure(change <= 0.5 && effect * change <= CHATTER, gap_integral);
+}

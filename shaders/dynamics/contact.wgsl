@@ -1,0 +1,86 @@
+// The next contact with a stop, approached from the safe side.
+
+fn contact_clears(before: Point, after: Point) -> bool {
+    let third = flight.h * THIRD;
+    let h2 = flight.h * flight.h;
+    let room = flight.delta - (h2 * h2) * HERMITE * point_bound(before);
+    let leaving = before.x1 + third * before.v1;
+    let arriving = after.x1 - third * after.v1;
+    return abs(before.x1) < room && abs(leaving) < room && abs(arriving) < room && abs(after.x1) < room;
+}
+
+// The time left to a stop if it is touched (0) or reached in one straight line; FAR otherwise.
+fn contact_imminent(gap: f32, speed: f32) -> f32 {
+    if flight.rate * abs(gap) < IMMINENT * speed {
+        return gap / speed;
+    }
+    if gap <= TOUCH * flight.delta && speed >= 0.0 {
+        return 0.0;
+    }
+    return FAR;
+}
+
+fn contact_safe_time(point: Point, motion: Motion, window: f32) -> f32 {
+    let at_a = safe_from_stop(flight.delta - point.x1, point.v1, motion.acceleration, motion, 1.0, window);
+    let at_b = safe_from_stop(flight.delta + point.x1, -point.v1, -motion.acceleration, motion, -1.0, window);
+    return min(at_a, at_b);
+}
+
+// The bound on the mean acceleration towards the stop within a window.
+fn steepest(acceleration: f32, jerk: f32, bound: f32, window: f32) -> f32 {
+    return acceleration + max(window * (jerk + bound * window), 0.0);
+}
+
+fn safe_from_stop(
+    distance: f32,
+    speed: f32,
+    acceleration: f32,
+    motion: Motion,
+    side: f32,
+    window: f32,
+) -> f32 {
+    let gap = max(distance, 0.0);
+    let jerk = side * motion.jerk * THIRD;
+    let bound = motion.bound * TWELFTH;
+    var safe = closing_time(gap, speed, steepest(acceleration, jerk, bound, window));
+    if safe >= window {
+        return window;
+    }
+    let pulled_off = pulled_off_time(acceleration, jerk, bound);
+    for (var pass = 0u; pass < 2u; pass++) {
+        let widening = select(WIDENING_SECOND, WIDENING_FIRST, pass == 0u);
+        let narrow = max(safe * widening, pulled_off);
+        if narrow < window {
+            let closing = closing_time(gap, speed, steepest(acceleration, jerk, bound, narrow));
+            safe = max(safe, min(closing, narrow));
+        }
+    }
+    return safe;
+}
+
+fn closing_time(gap: f32, speed: f32, acceleration: f32) -> f32 {
+    let discriminant = speed * speed + (gap + gap) * acceleration;
+    if (acceleration <= 0.0 && speed <= 0.0) || discriminant < 0.0 {
+        return FAR;
+    }
+    let root = sqrt(discriminant);
+    if speed > 0.0 {
+        return (gap + gap) / (speed + root);
+    }
+    return (root - speed) / acceleration;
+}
+
+fn pulled_off_time(acceleration: f32, jerk: f32, bound: f32) -> f32 {
+    if acceleration > 0.0 || (acceleration == 0.0 && jerk >= 0.0) {
+        return 0.0;
+    }
+    let root = sqrt(jerk * jerk - 4.0 * acceleration * bound);
+    if jerk > 0.0 {
+        return -(2.0 * acceleration) / (jerk + root);
+    }
+    return (root - jerk) / (2.0 * bound);
+}
+
+fn contact_pressed_time(force: f32, slope: f32, bound: f32, window: f32) -> f32 {
+    return min(closing_time(max(force, 0.0), -slope, bound), window);
+}
