@@ -1,8 +1,9 @@
 //! How long a case can be compared at all: sensitivity to small errors, measured with the oracle itself.
 //!
 //! A rounding error early in a trajectory is amplified by everything that follows: e-fold in chaos, by a square
-//! root near grazing. Companions of the exact trajectory are moved by a small random displacement at the start and
-//! at every strobe; a case is comparable for as long as none of them is further off than a set multiple of it.
+//! root near grazing. Companions of the exact trajectory are displaced at random at the start and at every strobe,
+//! between stops that are rough by as much; a case is comparable for as long as none of them is further off than a
+//! set multiple of the displacement.
 
 use std::sync::LazyLock;
 
@@ -24,7 +25,8 @@ const COMPANIONS: u64 = 4;
 /// How errors of one size grow.
 #[derive(Clone, Copy, Debug)]
 pub struct Noise {
-    /// Displacement per component of the companions, at every strobe.
+    /// Displacement of the companions at every strobe, relative to the largest component of the state where that is
+    /// above 1, and roughness of their stops, relative to δ.
     pub size: f64,
     /// The deviation, in multiples of `size`, beyond which a trajectory is no longer comparable.
     pub limit: f64,
@@ -46,6 +48,8 @@ pub struct Horizon {
     /// Forcing periods, of those, for which impacts can be counted: every companion has the same impacts per stop,
     /// and no chatter is complete (infinitely many impacts).
     pub countable: usize,
+    /// The factor, 1 or more, by which the companions exceed the limit in periods that are compared nevertheless.
+    pub slack: f64,
 }
 
 /// A setup with its exact trajectory.
@@ -98,42 +102,56 @@ fn case(setup: Setup) -> Option<Case> {
     Some(Case { family, parameters, start, truth, fine, coarse })
 }
 
-/// The largest deviation of a state, relative to the largest component where that is above 1.
+/// The largest deviation of a state, relative to the largest component where that is above 1; not a number where a
+/// component is none.
 pub fn deviation(state: &[f64; 4], exact: &[f64; 4]) -> f64 {
-    let scale = exact.iter().fold(1.0, |scale: f64, x| scale.max(x.abs()));
-    let largest = state.iter().zip(exact).map(|(a, b)| (a - b).abs());
-    largest.fold(0.0, |worst, d| if d <= worst { worst } else { d }) / scale
+    let differences = state.iter().zip(exact).map(|(a, b)| (a - b).abs());
+    differences.fold(0.0, |worst, d| if d <= worst { worst } else { d }) / scale(exact)
+}
+
+/// The largest component of a state, or 1.
+fn scale(state: &[f64; 4]) -> f64 {
+    state.iter().fold(1.0, |scale: f64, x| scale.max(x.abs()))
 }
 
 fn horizon(setup: &Setup, truth: &[Period], noise: Noise) -> Horizon {
-    let mut periods = truth.len();
-    let mut companions = Vec::new();
-    for seed in 0..COMPANIONS {
-        let companion = companion(setup, truth, noise, seed, periods);
-        periods = periods.min(companion.len());
-        companions.push(companion);
-    }
+    let limit = noise.limit * noise.size;
+    let companions: Vec<Vec<Period>> =
+        (0..COMPANIONS).map(|seed| companion(setup, truth, noise, seed)).collect();
+    let spread = |period: usize| {
+        let off = |companion: &Vec<Period>| {
+            companion.get(period).map_or(f64::INFINITY, |p| deviation(&p.strobe, &truth[period].strobe))
+        };
+        companions.iter().map(off).fold(0.0, f64::max)
+    };
     let agree = |period: usize| {
         truth[period].chatters == [0, 0]
             && companions.iter().all(|c| c.get(period).is_some_and(|p| p.counts() == truth[period].counts()))
     };
-    let countable = (0..periods).take_while(|&period| agree(period)).count();
-    Horizon { periods: periods.max(noise.at_least), countable }
+    let sound = (0..truth.len()).take_while(|&period| spread(period) <= limit).count();
+    let countable = (0..sound).take_while(|&period| agree(period)).count();
+    let periods = sound.max(noise.at_least);
+    let slack = (0..periods).map(|period| spread(period) / limit).fold(1.0, f64::max);
+    Horizon { periods, countable, slack }
 }
 
-/// A trajectory under noise, for as long as it is comparable with the exact one.
-fn companion(setup: &Setup, truth: &[Period], noise: Noise, seed: u64, longest: usize) -> Vec<Period> {
+/// A trajectory under noise, for as long as it is comparable with the exact one, and at least as long as asked for.
+fn companion(setup: &Setup, truth: &[Period], noise: Noise, seed: u64) -> Vec<Period> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    let mut displacement = || [(); 4].map(|()| if rng.random() { noise.size } else { -noise.size });
-    let mut follower = Follower::<f64>::new(Plant::new(setup.parameters), setup.start);
+    let mut displacement =
+        |at: [f64; 4]| [(); 4].map(|()| noise.size * scale(&at) * if rng.random() { 1.0 } else { -1.0 });
+    let depth = noise.size * setup.parameters.delta;
+    let mut follower =
+        Follower::<f64>::new(Plant::new(setup.parameters), setup.start).with_roughness(depth, seed);
     let mut periods = Vec::new();
-    for exact in &truth[..longest] {
-        follower.nudge(displacement());
+    for exact in truth {
+        follower.nudge(displacement(follower.position()));
         let period = follower.next_period();
-        if follower.is_exhausted() || deviation(&period.strobe, &exact.strobe) > noise.limit * noise.size {
+        let lost = deviation(&period.strobe, &exact.strobe) > noise.limit * noise.size;
+        periods.push(period);
+        if follower.is_exhausted() || (lost && periods.len() >= noise.at_least) {
             break;
         }
-        periods.push(period);
     }
     periods
 }

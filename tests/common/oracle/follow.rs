@@ -1,5 +1,8 @@
 //! A trajectory through flights, impacts, chatter, sticking and release.
 
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
 use super::crossing::{self, Watched};
 use super::flow::{Flow, Functional};
 use super::linear::{DIMENSION, Vector};
@@ -53,6 +56,13 @@ pub struct Stick {
     pub until: Option<f64>,
 }
 
+/// Stops that are not where they should be, differently at every impact.
+#[derive(Clone, Debug)]
+struct Roughness {
+    depth: f64,
+    rng: ChaCha8Rng,
+}
+
 /// Everything that happened in one forcing period.
 #[derive(Clone, Debug, Default)]
 pub struct Period {
@@ -94,6 +104,7 @@ pub struct Follower<R> {
     /// Whether the state is that of a contact: the near gap is exactly zero.
     touches: bool,
     dead_rebound: f64,
+    roughness: Option<Roughness>,
     record: Period,
     events: usize,
 }
@@ -131,6 +142,7 @@ impl<R: Real> Follower<R> {
             rests: false,
             touches: false,
             dead_rebound: DEAD_REBOUND,
+            roughness: None,
             record: Period::default(),
             events: 0,
         };
@@ -142,6 +154,13 @@ impl<R: Real> Follower<R> {
     #[must_use]
     pub fn with_dead_rebound(mut self, speed: f64) -> Self {
         self.dead_rebound = speed;
+        self
+    }
+
+    /// The same trajectory between stops that are rough: every impact happens up to `depth` early or late.
+    #[must_use]
+    pub fn with_roughness(mut self, depth: f64, seed: u64) -> Self {
+        self.roughness = Some(Roughness { depth, rng: ChaCha8Rng::seed_from_u64(seed) });
         self
     }
 
@@ -311,6 +330,7 @@ impl<R: Real> Follower<R> {
     fn meet(&mut self, hits: bool) {
         let r = self.plant.parameters.r;
         if hits {
+            self.roughen();
             let before = self.state[index::V1];
             self.state[index::V1] = -(R::of(r) * before);
             self.record.impacts.push(Impact {
@@ -335,6 +355,18 @@ impl<R: Real> Follower<R> {
             self.rests = true;
             self.state[index::V1] = R::of(0.0);
             self.record.sticks.push(Stick { stop: self.stop(), from: self.time.f64(), until: None });
+        }
+    }
+
+    /// Shifts the impact that is about to happen to where a rough stop would be: the force on the way does the work.
+    fn roughen(&mut self) {
+        let seen = self.seen();
+        let force = self.acceleration[0].derivative(0, &seen).f64();
+        if let Some(Roughness { depth, rng }) = &mut self.roughness {
+            let speed = seen[index::V1].f64();
+            let work = rng.random_range(-*depth..*depth) * force;
+            let factor = (1.0 + 2.0 * work / (speed * speed)).max(0.0).sqrt();
+            self.state[index::V1] = self.state[index::V1] * R::of(factor);
         }
     }
 

@@ -41,10 +41,14 @@ pub struct Motion {
 pub struct Settled {
     /// The motion it settled on.
     pub motion: Motion,
-    /// A strobe state of the motion.
-    pub strobe: [f64; 4],
-    /// Forcing periods until the repetition was seen.
-    pub periods: usize,
+    /// The strobe states of one period of the motion.
+    pub strobes: Vec<[f64; 4]>,
+    /// The largest |v1−| of one period of the motion.
+    pub peak: f64,
+    /// The smallest distance between two of its strobe states; infinite where there is one.
+    pub separation: f64,
+    /// The distance of x(t + Nπ/ω) from −x(t) for odd N; infinite for even N.
+    pub asymmetry: f64,
 }
 
 /// Follows a trajectory for at most `budget` forcing periods; `None` where it does not repeat by then.
@@ -53,18 +57,33 @@ pub fn settle(plant: Plant, start: [f64; 4], budget: usize) -> Option<Settled> {
     let mut history: Vec<Period> = Vec::new();
     for periods in 1..=budget {
         history.push(follower.next_period());
+        if follower.is_exhausted() {
+            return None;
+        }
         if periods % WINDOW != 0 {
             continue;
         }
         history.drain(..history.len().saturating_sub(WINDOW + LONGEST_PERIOD));
         if let Some(n) = (1..=LONGEST_PERIOD).find(|&n| repeats(&history, n)) {
-            let symmetric = n % 2 == 1 && is_symmetric(&mut follower, n);
-            let strobe = history[history.len() - 1].strobe;
-            let motion = motion(&history[history.len() - n..], symmetric);
-            return Some(Settled { motion, strobe, periods });
+            return Some(describe(&history[history.len() - n..], &mut follower));
         }
     }
     None
+}
+
+/// What one period of a motion is like.
+fn describe(periods: &[Period], follower: &mut Follower<f64>) -> Settled {
+    let strobes: Vec<[f64; 4]> = periods.iter().map(|period| period.strobe).collect();
+    let pairs = (0..strobes.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let separation = pairs.map(|(i, j)| distance(&strobes[i], &strobes[j])).fold(f64::INFINITY, f64::min);
+    let asymmetry = if strobes.len() % 2 == 1 { asymmetry(follower, strobes.len()) } else { f64::INFINITY };
+    let speeds = periods.iter().flat_map(|period| &period.impacts).map(|impact| impact.velocity_before.abs());
+    let peak = speeds.fold(0.0, f64::max);
+    Settled { motion: motion(periods, asymmetry < 1e-6), strobes, peak, separation, asymmetry }
+}
+
+fn distance(a: &[f64; 4], b: &[f64; 4]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 fn repeats(history: &[Period], n: usize) -> bool {
@@ -78,14 +97,14 @@ fn repeats(history: &[Period], n: usize) -> bool {
         })
 }
 
-/// Whether half a period of the motion later the state is the negative one.
-fn is_symmetric(follower: &mut Follower<f64>, n: usize) -> bool {
+/// How far the state half a period of the motion later is from the negative one.
+fn asymmetry(follower: &mut Follower<f64>, n: usize) -> f64 {
     let start = follower.position();
     for _ in 0..n / 2 {
         follower.next_period();
     }
     follower.advance(0.5 * follower.period());
-    start.iter().zip(follower.position()).all(|(a, b)| (a + b).abs() < 1e-6 * (1.0 + a.abs()))
+    distance(&start, &follower.position().map(|x| -x))
 }
 
 fn motion(periods: &[Period], symmetric: bool) -> Motion {
