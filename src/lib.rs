@@ -5,3 +5,5 @@ pub mod backend;
 pub mod dynamics;
 pub mod model;
 pub mod plane;
+pub mod render;
+pub mod store;

@@ -47,8 +47,8 @@ fn safe_from_stop(
         return window;
     }
     let pulled_off = pulled_off_time(acceleration, jerk, bound);
-    for (var pass = 0u; pass < 2u; pass++) {
-        let widening = select(WIDENING_SECOND, WIDENING_FIRST, pass == 0u);
+    for (var look = 0u; look < 2u; look++) {
+        let widening = select(WIDENING_SECOND, WIDENING_FIRST, look == 0u);
         let narrow = max(safe * widening, pulled_off);
         if narrow < window {
             let closing = closing_time(gap, speed, steepest(acceleration, jerk, bound, narrow));

@@ -9,7 +9,16 @@ mod schedule;
 mod spread;
 mod symmetric;
 
-pub use observer::Observer;
+pub use observer::{Observer, Stage};
 pub use regime::{INFINITELY_MANY, Regime, Verdict};
 pub use schedule::{Schedule, ScheduleError};
 pub use symmetric::{SymmetricMotion, symmetric_motions, symmetric_start};
+
+/// The numbers that the GPU's shaders share.
+pub(crate) mod constants {
+    pub use super::exponent::{ALIGNING, BATCHES};
+    pub use super::observer::{
+        CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING, SIGNIFICANCE,
+    };
+    pub use super::spread::STATIONARY;
+}

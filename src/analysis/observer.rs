@@ -41,6 +41,12 @@ pub enum Stage {
     Failed = 4,
 }
 
+impl Stage {
+    /// Every stage, in the order of the codes that the GPU gets generated from here.
+    pub const ALL: [Stage; 5] =
+        [Stage::Transient, Stage::Observation, Stage::Observed, Stage::Quiet, Stage::Failed];
+}
+
 /// A trajectory and everything that is noted about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer<T> {

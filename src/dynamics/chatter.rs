@@ -23,7 +23,7 @@ pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>) -> Optio
     if speed == T::zero() {
         return if force >= T::zero() { Some(Closure { gap_integral: T::zero() }) } else { None };
     }
-    if force <= T::zero() {
+    if force <= T::zero() || flight.r >= T::one() {
         return None;
     }
     let r = flight.r;

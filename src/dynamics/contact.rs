@@ -11,7 +11,7 @@ use crate::model::{Flight, Real};
 pub fn clears<T: Real>(flight: &Flight<T>, from: &Point<T>, to: &Point<T>) -> bool {
     let third = flight.h * T::of(1.0 / 3.0);
     let h2 = flight.h * flight.h;
-    let room = flight.delta - (h2 * h2) * T::of(1.0 / 384.0) * from.bound(flight);
+    let room = flight.delta - (h2 * h2) * T::of(HERMITE) * from.bound(flight);
     let leaving = from.x1 + third * from.v1;
     let arriving = to.x1 - third * to.v1;
     from.x1.abs() < room && leaving.abs() < room && arriving.abs() < room && to.x1.abs() < room
@@ -41,11 +41,14 @@ pub fn imminent<T: Real>(flight: &Flight<T>, gap: T, speed: T) -> Option<T> {
     }
 }
 
+/// The cubic Hermite interpolant's error constant, in h⁴·max|x''''|.
+pub const HERMITE: f64 = 1.0 / 384.0;
+
 /// A time longer than any window, and finite in either precision.
-const FAR: f64 = 1e30;
+pub const FAR: f64 = 1e30;
 
 /// How much a window is widened beyond the last estimate of the contact, pass by pass.
-const WIDENING: [f64; 2] = [1.25, 1.03];
+pub const WIDENING: [f64; 2] = [1.25, 1.03];
 
 /// [`safe_time`] for one stop, `gap` away, approached with `speed` and `acceleration`.
 ///

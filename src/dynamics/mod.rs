@@ -12,3 +12,9 @@ pub use point::Point;
 pub use recording::{ImpactEvent, Recording, Sample, Stick, record};
 pub use tangent::Tangent;
 pub use trajectory::{Contact, Event, Impact, Move, Stop, Trajectory};
+
+/// The numbers that the GPU's shaders share.
+pub(crate) mod constants {
+    pub use super::contact::{FAR, HERMITE, WIDENING};
+    pub use super::series::INVERSE_FACTORIALS;
+}

@@ -3,7 +3,7 @@
 use crate::model::{Flight, Real};
 
 /// 1/0!, 1/1!, 1/2!, …
-pub(super) const INVERSE_FACTORIALS: [f64; 19] = {
+pub const INVERSE_FACTORIALS: [f64; 19] = {
     let mut inverses = [1.0; 19];
     let mut k = 1;
     while k < inverses.len() {

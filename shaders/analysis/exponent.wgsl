@@ -1,0 +1,51 @@
+// The largest Lyapunov exponent, with a standard error.
+
+struct Exponent {
+    batch_periods: u32,
+    aligning: u32,
+    filled: u32,
+    growth: f32,
+    batches: u32,
+    sum: f32,
+    squares: f32,
+}
+
+fn exponent_over(observe: u32) -> Exponent {
+    let batches = min(observe, BATCHES);
+    return Exponent(observe / batches, batches / ALIGNING, 0u, 0.0, 0u, 0.0, 0.0);
+}
+
+fn exponent_at_strobe() {
+    let length = tangent_length(tangent);
+    if length > 0.0 && is_finite(length) {
+        tangent = tangent * (1.0 / length);
+        observer.exponent.growth = observer.exponent.growth + log(length);
+    } else {
+        tangent = tangent_seed();
+    }
+    observer.exponent.filled = observer.exponent.filled + 1u;
+    if observer.exponent.filled < observer.exponent.batch_periods {
+        return;
+    }
+    if observer.exponent.aligning > 0u {
+        observer.exponent.aligning = observer.exponent.aligning - 1u;
+    } else {
+        let growth = observer.exponent.growth;
+        observer.exponent.batches = observer.exponent.batches + 1u;
+        observer.exponent.sum = observer.exponent.sum + growth;
+        observer.exponent.squares = observer.exponent.squares + growth * growth;
+    }
+    observer.exponent.filled = 0u;
+    observer.exponent.growth = 0.0;
+}
+
+fn exponent_per_period() -> f32 {
+    return observer.exponent.sum / f32(observer.exponent.batches * observer.exponent.batch_periods);
+}
+
+fn exponent_standard_error() -> f32 {
+    let count = f32(observer.exponent.batches);
+    let mean = observer.exponent.sum / count;
+    let variance = max(observer.exponent.squares / count - mean * mean, 0.0);
+    return sqrt(variance / count) / f32(observer.exponent.batch_periods);
+}

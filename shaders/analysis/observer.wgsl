@@ -1,0 +1,212 @@
+// One trajectory followed to its verdict: transient, settling, observation.
+
+struct Schedule {
+    transient: u32,
+    observe: u32,
+    max_period: u32,
+    fixed_periods: u32,
+}
+
+struct Observer {
+    trajectory: Trajectory,
+    tangent: array<f32, 4>,
+    recurrence: Recurrence,
+    exponent: Exponent,
+    spread: Spread,
+    stage: u32,
+    periods: u32,
+    observed: u32,
+    observe: u32,
+    moves: u32,
+    impacts: u32,
+    impacts_total: u32,
+    peak: f32,
+    stuck: u32,
+}
+
+struct Verdict {
+    regime: u32,
+    n: u32,
+    p: u32,
+    q: u32,
+    symmetric: u32,
+    lyapunov: f32,
+    state: array<f32, 4>,
+    impacts: u32,
+    impacts_total: u32,
+    peak_impact_velocity: f32,
+    periods: u32,
+}
+
+var<private> observer: Observer;
+var<private> schedule: Schedule;
+
+// Begins at forcing phase 0. While an observer works, `trajectory` and `tangent` hold what it will store.
+fn observer_begin(start: vec4<f32>) {
+    trajectory = trajectory_new(start);
+    tangent = tangent_seed();
+    observer.recurrence = recurrence_anchored(point_state(trajectory.point));
+    observer.exponent = exponent_over(schedule.observe);
+    observer.spread = spread_about(trajectory.point);
+    observer.stage = STAGE_TRANSIENT;
+    observer.periods = 0u;
+    observer.observed = 0u;
+    observer.observe = schedule.observe;
+    observer.moves = 0u;
+    observer.impacts = 0u;
+    observer.impacts_total = 0u;
+    observer.peak = 0.0;
+    observer.stuck = 0u;
+    if schedule.transient == 0u {
+        observer_begin_observation(schedule.observe);
+    }
+}
+
+fn observer_note(taken: Move) {
+    observer.moves = observer.moves + 1u;
+    if trajectory.contact != CONTACT_FREE {
+        observer.stuck = 1u;
+    }
+    if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER && taken.velocity != 0.0 {
+        recurrence_count(taken.side, taken.event == EVENT_COMPLETE_CHATTER);
+        observer.impacts = observer.impacts + 1u;
+        observer.impacts_total = observer.impacts_total + 1u;
+        observer.peak = max(observer.peak, abs(taken.velocity));
+    } else if taken.event == EVENT_HALF_PERIOD && observer.stage == STAGE_OBSERVATION {
+        recurrence_at_half_period(point_state(trajectory.point), RETURNED);
+    } else if taken.event == EVENT_STROBE {
+        observer_strobe();
+    }
+    if observer.moves > MOST_MOVES {
+        observer.stage = STAGE_FAILED;
+    }
+}
+
+fn observer_strobe() {
+    let state = point_state(trajectory.point);
+    observer.moves = 0u;
+    observer.periods = observer.periods + 1u;
+    if !(is_finite(state.x) && is_finite(state.y) && is_finite(state.z) && is_finite(state.w)) {
+        observer.stage = STAGE_FAILED;
+        return;
+    }
+    if trajectory.contact == CONTACT_CLAMPED {
+        recurrence_count(1.0, true);
+        recurrence_count(-1.0, true);
+    }
+    if observer.stage == STAGE_TRANSIENT {
+        observer_settle(state);
+    } else {
+        observer_observe(state);
+    }
+}
+
+fn observer_settle(state: vec4<f32>) {
+    if schedule.fixed_periods == 0u {
+        if trajectory.contact == CONTACT_FREE && is_quiet(trajectory.point) {
+            observer.stage = STAGE_QUIET;
+            return;
+        }
+        recurrence_at_strobe(state, SETTLED);
+        if recurrence_holds_for(SETTLING) {
+            let needed = max(SETTLED_OBSERVATION, 4u * observer.recurrence.n);
+            observer_begin_observation(min(needed, schedule.observe));
+            return;
+        }
+    }
+    if observer.periods >= schedule.transient {
+        observer_begin_observation(schedule.observe);
+    }
+}
+
+fn observer_begin_observation(observe: u32) {
+    observer.stage = STAGE_OBSERVATION;
+    observer.observe = observe;
+    observer.observed = 0u;
+    observer.impacts = 0u;
+    observer.peak = 0.0;
+    observer.stuck = 0u;
+    tangent = tangent_seed();
+    observer.recurrence = recurrence_anchored(point_state(trajectory.point));
+    observer.exponent = exponent_over(observe);
+    observer.spread = spread_about(trajectory.point);
+}
+
+fn observer_observe(state: vec4<f32>) {
+    observer.observed = observer.observed + 1u;
+    exponent_at_strobe();
+    recurrence_at_strobe(state, RETURNED);
+    let half = observer.observe / 2u;
+    if observer.observed <= 2u * half {
+        spread_at_strobe(trajectory.point, observer.observed > half);
+    }
+    if observer.observed < observer.observe {
+        return;
+    }
+    if observer.observe < schedule.observe && !recurrence_holds_for(observer_proof()) {
+        // It had not settled after all: go on as if nothing had been seen.
+        observer.recurrence = recurrence_anchored(state);
+        observer.stage = STAGE_TRANSIENT;
+        if observer.periods >= schedule.transient {
+            observer_begin_observation(schedule.observe);
+        }
+    } else {
+        observer.stage = STAGE_OBSERVED;
+    }
+}
+
+fn observer_proof() -> u32 {
+    return min(observer.observe / 4u, SETTLING);
+}
+
+fn observer_regime() -> u32 {
+    if observer.stage == STAGE_FAILED {
+        return REGIME_FAILED;
+    }
+    if observer.stage == STAGE_QUIET || (observer.impacts == 0u && observer.stuck == 0u) {
+        return REGIME_NO_IMPACT;
+    }
+    if recurrence_holds_for(observer_proof()) {
+        return select(REGIME_PERIODIC, REGIME_PERIODIC_STICKING, observer.stuck == 1u);
+    }
+    if observer.stuck == 1u {
+        return REGIME_APERIODIC_STICKING;
+    }
+    if observer.exponent.batches == 0u {
+        return REGIME_UNRESOLVED;
+    }
+    let growth = observer.exponent.sum;
+    if growth > CHAOTIC_GROWTH && exponent_per_period() > SIGNIFICANCE * exponent_standard_error() {
+        return REGIME_CHAOTIC;
+    }
+    if abs(growth) < NEUTRAL_GROWTH && spread_is_stationary(observer.observe / 2u) {
+        return REGIME_QUASI_PERIODIC;
+    }
+    return REGIME_UNRESOLVED;
+}
+
+fn observer_verdict() -> Verdict {
+    let regime = observer_regime();
+    let periodic = regime == REGIME_PERIODIC || regime == REGIME_PERIODIC_STICKING;
+    var lyapunov = 0.0;
+    if regime == REGIME_NO_IMPACT {
+        lyapunov = flight.linear_exponent;
+    } else if observer.exponent.batches > 0u {
+        lyapunov = exponent_per_period();
+    }
+    let symmetric = periodic && observer.recurrence.n % 2u == 1u && observer.recurrence.symmetric == 1u;
+    let point = trajectory.point;
+    return Verdict(
+        regime,
+        select(0u, observer.recurrence.n, periodic),
+        select(0u, observer.recurrence.p, periodic),
+        select(0u, observer.recurrence.q, periodic),
+        select(0u, 1u, symmetric),
+        lyapunov,
+        array<f32, 4>(point.x1, point.x2, point.v1, point.v2),
+        observer.impacts,
+        observer.impacts_total,
+        observer.peak,
+        observer.periods,
+    );
+}

@@ -1,0 +1,82 @@
+// Periodicity: does the strobe state come back, and keep coming back?
+
+struct Recurrence {
+    anchor: array<f32, 4>,
+    since: u32,
+    n: u32,
+    p: u32,
+    q: u32,
+    running_p: u32,
+    running_q: u32,
+    symmetric: u32,
+}
+
+fn recurrence_anchored(state: vec4<f32>) -> Recurrence {
+    return Recurrence(array<f32, 4>(state.x, state.y, state.z, state.w), 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+}
+
+fn counted(running: u32, complete_chatter: bool) -> u32 {
+    if complete_chatter {
+        return INFINITELY_MANY;
+    }
+    return select(running, running + 1u, running < INFINITELY_MANY - 1u);
+}
+
+fn recurrence_count(side: f32, complete_chatter: bool) {
+    if side > 0.0 {
+        observer.recurrence.running_q = counted(observer.recurrence.running_q, complete_chatter);
+    } else {
+        observer.recurrence.running_p = counted(observer.recurrence.running_p, complete_chatter);
+    }
+}
+
+fn recurrence_at_half_period(state: vec4<f32>, tolerance: f32) {
+    let n = observer.recurrence.n;
+    if n % 2u == 1u {
+        if observer.recurrence.since % n == n / 2u {
+            observer.recurrence.symmetric = select(0u, 1u, near_anchor(-state, tolerance));
+        }
+    }
+}
+
+fn recurrence_at_strobe(state: vec4<f32>, tolerance: f32) {
+    observer.recurrence.since = observer.recurrence.since + 1u;
+    if observer.recurrence.n == 0u {
+        if near_anchor(state, tolerance) {
+            observer.recurrence.n = observer.recurrence.since;
+            observer.recurrence.p = observer.recurrence.running_p;
+            observer.recurrence.q = observer.recurrence.running_q;
+            observer.recurrence.running_p = 0u;
+            observer.recurrence.running_q = 0u;
+        } else if observer.recurrence.since >= schedule.max_period {
+            observer.recurrence = recurrence_anchored(state);
+        }
+        return;
+    }
+    if observer.recurrence.since % observer.recurrence.n == 0u {
+        let same = observer.recurrence.running_p == observer.recurrence.p
+            && observer.recurrence.running_q == observer.recurrence.q
+            && near_anchor(state, tolerance);
+        if same {
+            observer.recurrence.running_p = 0u;
+            observer.recurrence.running_q = 0u;
+        } else {
+            observer.recurrence = recurrence_anchored(state);
+        }
+    }
+}
+
+fn recurrence_holds_for(periods: u32) -> bool {
+    let n = observer.recurrence.n;
+    return n > 0u && observer.recurrence.since >= periods && observer.recurrence.since >= 3u * n;
+}
+
+fn near_anchor(state: vec4<f32>, tolerance: f32) -> bool {
+    let a = observer.recurrence.anchor;
+    let anchor = vec4(a[0], a[1], a[2], a[3]);
+    let difference = abs(state - anchor);
+    let extent = abs(anchor);
+    let distance = max(max(difference.x, difference.y), max(difference.z, difference.w));
+    let size = max(max(max(extent.x, extent.y), max(extent.z, extent.w)), 1.0);
+    return distance <= tolerance * size;
+}

@@ -1,0 +1,50 @@
+// Follows trajectories, one per invocation, a bounded number of moves per dispatch.
+
+struct Dispatch {
+    schedule: Schedule,
+    // Trajectories in this dispatch.
+    count: u32,
+    // Moves that each of them may make.
+    budget: u32,
+    // 1 in the first dispatch of a tile, which begins the trajectories; 0 in those that resume them.
+    begin: u32,
+    // Invocations in one row of workgroups.
+    row: u32,
+}
+
+@group(0) @binding(0) var<uniform> dispatch: Dispatch;
+@group(0) @binding(1) var<storage, read> flights: array<Flight>;
+@group(0) @binding(2) var<storage, read> kicks: array<Kick>;
+@group(0) @binding(3) var<storage, read> starts: array<vec4<f32>>;
+// Which cells are not finished yet.
+@group(0) @binding(4) var<storage, read> unfinished: array<u32>;
+@group(0) @binding(5) var<storage, read_write> observers: array<Observer>;
+@group(0) @binding(6) var<storage, read_write> verdicts: array<Verdict>;
+
+@compute @workgroup_size(WORKGROUP)
+fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
+    let index = id.y * dispatch.row + id.x;
+    if id.x >= dispatch.row || index >= dispatch.count {
+        return;
+    }
+    cell = unfinished[index];
+    flight = flights[cell];
+    schedule = dispatch.schedule;
+    if dispatch.begin == 1u {
+        observer_begin(starts[cell]);
+    } else {
+        observer = observers[cell];
+        trajectory = observer.trajectory;
+        let t = observer.tangent;
+        tangent = vec4(t[0], t[1], t[2], t[3]);
+    }
+    for (var taken = 0u; taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION; taken++) {
+        observer_note(advance(observer.stage == STAGE_OBSERVATION));
+    }
+    observer.trajectory = trajectory;
+    observer.tangent = array<f32, 4>(tangent.x, tangent.y, tangent.z, tangent.w);
+    observers[cell] = observer;
+    if observer.stage > STAGE_OBSERVATION {
+        verdicts[cell] = observer_verdict();
+    }
+}

@@ -1,0 +1,107 @@
+//! Adapters: what this machine offers, and the one that was asked for.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::backend::BackendError;
+
+/// The graphics interfaces that are asked for; never GL, which wgpu would otherwise fall back to in silence.
+const INTERFACES: wgpu::Backends =
+    wgpu::Backends::VULKAN.union(wgpu::Backends::METAL).union(wgpu::Backends::DX12);
+
+/// What an adapter says of itself.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct AdapterReport {
+    /// The device's name.
+    pub name: String,
+    /// The driver's name and version.
+    pub driver: String,
+    /// Vulkan, Metal or Dx12.
+    pub api: String,
+    /// "hardware" or "software".
+    pub kind: String,
+}
+
+impl AdapterReport {
+    fn new(info: &wgpu::AdapterInfo) -> Self {
+        let kind = if info.device_type == wgpu::DeviceType::Cpu { "software" } else { "hardware" };
+        AdapterReport {
+            name: info.name.clone(),
+            driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+            api: info.backend.to_string(),
+            kind: kind.to_owned(),
+        }
+    }
+
+    /// Whether the adapter computes on the processor.
+    pub fn is_software(&self) -> bool {
+        self.kind == "software"
+    }
+
+    fn contains(&self, text: &str) -> bool {
+        self.to_string().to_lowercase().contains(&text.to_lowercase())
+    }
+}
+
+impl fmt::Display for AdapterReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({}, {}, {})", self.name, self.api, self.driver, self.kind)
+    }
+}
+
+/// An adapter and what it says of itself.
+pub struct Found {
+    /// The adapter.
+    pub adapter: wgpu::Adapter,
+    /// Its description.
+    pub report: AdapterReport,
+}
+
+/// Every adapter of this machine, hardware first.
+pub fn adapters() -> Vec<AdapterReport> {
+    all().into_iter().map(|found| found.report).collect()
+}
+
+fn all() -> Vec<Found> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends: INTERFACES,
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    });
+    let mut found: Vec<Found> = pollster::block_on(instance.enumerate_adapters(INTERFACES))
+        .into_iter()
+        .map(|adapter| Found { report: AdapterReport::new(&adapter.get_info()), adapter })
+        .collect();
+    found.sort_by_key(|found| match found.adapter.get_info().device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
+    });
+    found
+}
+
+/// The best adapter whose description contains `text`.
+pub fn find(text: Option<&str>) -> Result<Found, BackendError> {
+    let mut found = all();
+    let listed: Vec<String> = found.iter().map(|found| found.report.to_string()).collect();
+    let position = found.iter().position(|found| text.is_none_or(|text| found.report.contains(text)));
+    match (position, text) {
+        (Some(position), _) => Ok(found.swap_remove(position)),
+        (None, Some(text)) if !listed.is_empty() => Err(BackendError::NoAdapter(format!(
+            "no adapter matches `{text}`; there is: {}",
+            listed.join("; ")
+        ))),
+        (None, _) => Err(BackendError::NoAdapter(
+            "this machine has no Vulkan, Metal or DX12 adapter; install a driver (on Debian the software adapter is \
+             mesa-vulkan-drivers), or use --backend cpu"
+                .to_owned(),
+        )),
+    }
+}
+
+/// The best adapter that is not a software one.
+pub fn find_hardware() -> Option<Found> {
+    all().into_iter().find(|found| !found.report.is_software())
+}

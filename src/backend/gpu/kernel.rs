@@ -1,0 +1,219 @@
+//! The kernel on its device: a tile of trajectories, dispatched in bounded portions until all are finished.
+
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+use wgpu::util::DeviceExt;
+
+use super::adapters::Found;
+use super::layout::{Dispatch, Flight, Kick, OBSERVER_BYTES, Schedule, Verdict};
+use super::shader::{WORKGROUP, follow_source};
+use crate::analysis;
+use crate::backend::{BackendError, Job, Watch};
+use crate::model;
+
+/// How long one dispatch should take; a display driver kills one of a few seconds.
+const PORTION: Duration = Duration::from_millis(200);
+/// Moves of the first dispatch, before its speed is known.
+const FIRST_BUDGET: u32 = 128;
+/// The most moves of one dispatch on hardware.
+const HARDWARE_BUDGET: u32 = 1 << 14;
+/// The most moves of one dispatch on a software adapter: Mesa's stop every loop in silence after 65,535 iterations
+/// of all the loops in an invocation, and one move runs through fewer than 48.
+const SOFTWARE_BUDGET: u32 = 65_535 / 48;
+/// Trajectories of one tile.
+const HARDWARE_TILE: usize = 1 << 18;
+const SOFTWARE_TILE: usize = 1 << 13;
+/// Workgroups in one row of a dispatch; every adapter takes at least 65,535.
+const ROW: u32 = 1 << 15;
+
+/// A device with the compiled shader.
+pub struct Kernel {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    pipeline: wgpu::ComputePipeline,
+    software: bool,
+}
+
+impl Kernel {
+    /// Opens a device on the adapter and compiles the shader.
+    pub fn new(found: &Found) -> Result<Self, BackendError> {
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("impact-atlas"),
+            required_limits: wgpu::Limits::default(),
+            ..wgpu::DeviceDescriptor::default()
+        };
+        let (device, queue) = pollster::block_on(found.adapter.request_device(&descriptor))
+            .map_err(|error| BackendError::Device(error.to_string()))?;
+        let pipeline = guarded(&device, || {
+            let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some("follow"),
+                source: wgpu::ShaderSource::Wgsl(follow_source().into()),
+            });
+            device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some("follow"),
+                layout: None,
+                module: &module,
+                entry_point: Some("follow"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                cache: None,
+            })
+        })?;
+        Ok(Kernel { device, queue, pipeline, software: found.report.is_software() })
+    }
+
+    /// Trajectories that one call of [`Kernel::run`] takes at most.
+    pub fn tile(&self) -> usize {
+        if self.software { SOFTWARE_TILE } else { HARDWARE_TILE }
+    }
+
+    /// Follows one tile of trajectories.
+    pub fn run(
+        &self,
+        jobs: &[Job],
+        schedule: &analysis::Schedule,
+        watch: &dyn Watch,
+    ) -> Result<Vec<analysis::Verdict>, BackendError> {
+        if jobs.is_empty() {
+            return Ok(Vec::new());
+        }
+        let tile = guarded(&self.device, || Tile::new(self, jobs))?;
+        let most = if self.software { SOFTWARE_BUDGET } else { HARDWARE_BUDGET };
+        let mut budget = FIRST_BUDGET;
+        let mut unfinished: Vec<u32> = (0..jobs.len() as u32).collect();
+        let mut verdicts = Vec::new();
+        let mut begin = 1;
+        while !unfinished.is_empty() {
+            if watch.cancelled() {
+                return Err(BackendError::Cancelled);
+            }
+            let dispatch = Dispatch {
+                schedule: Schedule::new(schedule),
+                count: unfinished.len() as u32,
+                budget,
+                begin,
+                row: ROW * WORKGROUP,
+            };
+            let began = Instant::now();
+            verdicts = guarded(&self.device, || tile.dispatch(self, &dispatch, &unfinished))??;
+            let before = unfinished.len();
+            unfinished.retain(|&cell| verdicts[cell as usize].is_pending());
+            watch.finished((before - unfinished.len()) as u64);
+            budget = next_budget(budget, began.elapsed(), most);
+            begin = 0;
+        }
+        Ok(verdicts.iter().map(Verdict::widen).collect())
+    }
+}
+
+/// The moves of the next dispatch, so that it takes about [`PORTION`]; at most twice the last.
+fn next_budget(budget: u32, took: Duration, most: u32) -> u32 {
+    let factor = (PORTION.as_secs_f64() / took.as_secs_f64().max(1e-6)).clamp(0.1, 2.0);
+    ((f64::from(budget) * factor) as u32).clamp(1, most)
+}
+
+/// Runs something on a device, and turns what it refuses into an error instead of a panic.
+fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> R) -> Result<R, BackendError> {
+    let invalid = device.push_error_scope(wgpu::ErrorFilter::Validation);
+    let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+    let result = work();
+    let memory = pollster::block_on(memory.pop());
+    let invalid = pollster::block_on(invalid.pop());
+    match memory.or(invalid) {
+        Some(error) => Err(BackendError::Device(error.to_string())),
+        None => Ok(result),
+    }
+}
+
+/// The buffers of one tile.
+struct Tile {
+    bind_group: wgpu::BindGroup,
+    dispatch: wgpu::Buffer,
+    unfinished: wgpu::Buffer,
+    verdicts: wgpu::Buffer,
+    readback: wgpu::Buffer,
+}
+
+impl Tile {
+    fn new(kernel: &Kernel, jobs: &[Job]) -> Self {
+        let device = &kernel.device;
+        let constants: Vec<model::Flight<f32>> =
+            jobs.par_iter().map(|job| model::Flight::new(&job.system).round()).collect();
+        let flights: Vec<Flight> = constants.iter().map(Flight::new).collect();
+        let kicks: Vec<Kick> = constants.iter().map(Kick::new).collect();
+        let starts: Vec<[f32; 4]> = jobs.iter().map(|job| job.start.map(|value| value as f32)).collect();
+        let pending = vec![Verdict::PENDING; jobs.len()];
+        let filled = |contents: &[u8], usage: wgpu::BufferUsages| {
+            device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
+        };
+        let empty = |size: u64, usage: wgpu::BufferUsages| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: None,
+                size,
+                usage,
+                mapped_at_creation: false,
+            })
+        };
+        let cells = jobs.len() as u64;
+        let storage = wgpu::BufferUsages::STORAGE;
+        let dispatch =
+            empty(size_of::<Dispatch>() as u64, wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST);
+        let flights = filled(bytemuck::cast_slice(&flights), storage);
+        let kicks = filled(bytemuck::cast_slice(&kicks), storage);
+        let starts = filled(bytemuck::cast_slice(&starts), storage);
+        let unfinished = empty(4 * cells, storage | wgpu::BufferUsages::COPY_DST);
+        let observers = empty(OBSERVER_BYTES * cells, storage);
+        let verdicts = filled(bytemuck::cast_slice(&pending), storage | wgpu::BufferUsages::COPY_SRC);
+        let readback = empty(verdicts.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
+        let buffers = [&dispatch, &flights, &kicks, &starts, &unfinished, &observers, &verdicts];
+        let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
+            .zip(buffers)
+            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
+            .collect();
+        let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &kernel.pipeline.get_bind_group_layout(0),
+            entries: &entries,
+        });
+        Tile { bind_group, dispatch, unfinished, verdicts, readback }
+    }
+
+    /// One portion of moves for the unfinished trajectories; all the tile's verdicts come back.
+    fn dispatch(
+        &self,
+        kernel: &Kernel,
+        dispatch: &Dispatch,
+        unfinished: &[u32],
+    ) -> Result<Vec<Verdict>, BackendError> {
+        kernel.queue.write_buffer(&self.dispatch, 0, bytemuck::bytes_of(dispatch));
+        kernel.queue.write_buffer(&self.unfinished, 0, bytemuck::cast_slice(unfinished));
+        let mut encoder = kernel.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            pass.set_pipeline(&kernel.pipeline);
+            pass.set_bind_group(0, &self.bind_group, &[]);
+            let groups = dispatch.count.div_ceil(WORKGROUP);
+            pass.dispatch_workgroups(groups.min(ROW), groups.div_ceil(ROW), 1);
+        }
+        encoder.copy_buffer_to_buffer(&self.verdicts, 0, &self.readback, 0, self.verdicts.size());
+        kernel.queue.submit([encoder.finish()]);
+        let (sender, receiver) = mpsc::channel();
+        self.readback.map_async(wgpu::MapMode::Read, .., move |result| {
+            // The receiver is gone only if waiting failed, which is reported by itself.
+            let _ = sender.send(result);
+        });
+        let device_error = |error: &dyn std::fmt::Display| BackendError::Device(error.to_string());
+        kernel.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| device_error(&error))?;
+        receiver
+            .recv()
+            .map_err(|_| BackendError::Device("the device was lost".to_owned()))?
+            .map_err(|error| device_error(&error))?;
+        let verdicts = {
+            let mapped = self.readback.get_mapped_range(..).map_err(|error| device_error(&error))?;
+            bytemuck::cast_slice(&mapped).to_vec()
+        };
+        self.readback.unmap();
+        Ok(verdicts)
+    }
+}

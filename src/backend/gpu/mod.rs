@@ -1,0 +1,86 @@
+//! The GPU path: f32, the same mathematics as the CPU's, one trajectory per invocation.
+//!
+//! Only this folder names wgpu.
+
+mod adapters;
+mod kernel;
+mod layout;
+mod shader;
+
+use std::fmt;
+
+use super::{Backend, BackendError, Job, Watch};
+use crate::analysis::{Schedule, Verdict};
+
+pub use adapters::{AdapterReport, adapters};
+
+use kernel::Kernel;
+
+/// Follows trajectories on an adapter.
+pub struct Gpu {
+    report: AdapterReport,
+    kernel: Kernel,
+}
+
+impl fmt::Debug for Gpu {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Gpu").field("report", &self.report).finish_non_exhaustive()
+    }
+}
+
+impl Gpu {
+    /// Opens the best adapter whose description contains `text` (any, if there is none): hardware before software.
+    ///
+    /// # Errors
+    /// [`BackendError::NoAdapter`] where none matches, listing what there is; [`BackendError::Device`] where the
+    /// adapter refuses a device or the shader.
+    pub fn open(text: Option<&str>) -> Result<Self, BackendError> {
+        let found = adapters::find(text)?;
+        Self::on(found)
+    }
+
+    /// Opens the best hardware adapter, if there is one.
+    ///
+    /// # Errors
+    /// [`BackendError::Device`] where the adapter refuses a device or the shader.
+    pub fn open_hardware() -> Result<Option<Self>, BackendError> {
+        adapters::find_hardware().map(Self::on).transpose()
+    }
+
+    fn on(found: adapters::Found) -> Result<Self, BackendError> {
+        let kernel = Kernel::new(&found)?;
+        Ok(Gpu { report: found.report, kernel })
+    }
+
+    /// Whether the adapter is a software one.
+    pub fn is_software(&self) -> bool {
+        self.report.is_software()
+    }
+}
+
+impl Backend for Gpu {
+    fn name(&self) -> &'static str {
+        "gpu"
+    }
+
+    fn adapter(&self) -> String {
+        self.report.to_string()
+    }
+
+    fn tile(&self) -> usize {
+        self.kernel.tile()
+    }
+
+    fn run(
+        &self,
+        jobs: &[Job],
+        schedule: &Schedule,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Verdict>, BackendError> {
+        let mut verdicts = Vec::with_capacity(jobs.len());
+        for tile in jobs.chunks(self.kernel.tile()) {
+            verdicts.extend(self.kernel.run(tile, schedule, watch)?);
+        }
+        Ok(verdicts)
+    }
+}

@@ -1,0 +1,138 @@
+//! The shader: fragments in their order, after constants generated from this crate's own.
+
+use std::fmt::Write;
+
+use super::layout::KICK_TERMS;
+use crate::analysis::constants as analysis;
+use crate::analysis::{INFINITELY_MANY, Regime, Stage};
+use crate::dynamics::constants as dynamics;
+use crate::model::Real;
+
+/// Invocations in one workgroup.
+pub const WORKGROUP: u32 = 64;
+
+/// The source of the kernel `follow`.
+pub fn follow_source() -> String {
+    [
+        constants().as_str(),
+        include_str!("../../../shaders/shared/numbers.wgsl"),
+        include_str!("../../../shaders/model/flight.wgsl"),
+        include_str!("../../../shaders/dynamics/series.wgsl"),
+        include_str!("../../../shaders/dynamics/point.wgsl"),
+        include_str!("../../../shaders/dynamics/tangent.wgsl"),
+        include_str!("../../../shaders/dynamics/contact.wgsl"),
+        include_str!("../../../shaders/dynamics/chatter.wgsl"),
+        include_str!("../../../shaders/dynamics/trajectory.wgsl"),
+        include_str!("../../../shaders/analysis/recurrence.wgsl"),
+        include_str!("../../../shaders/analysis/exponent.wgsl"),
+        include_str!("../../../shaders/analysis/spread.wgsl"),
+        include_str!("../../../shaders/analysis/quiet.wgsl"),
+        include_str!("../../../shaders/analysis/observer.wgsl"),
+        include_str!("../../../shaders/kernels/follow.wgsl"),
+    ]
+    .join("\n")
+}
+
+/// Every number and code that the shaders share with the Rust side.
+fn constants() -> String {
+    let mut source = String::from("// Generated.\n");
+    for regime in Regime::ALL {
+        let name = regime_constant(regime);
+        writeln!(source, "const {name} = {}u;", regime.code()).expect("a string takes anything");
+    }
+    for stage in Stage::ALL {
+        let name = format!("{stage:?}").to_uppercase();
+        writeln!(source, "const STAGE_{name} = {}u;", stage as u32).expect("a string takes anything");
+    }
+    let integers = [
+        ("WORKGROUP", WORKGROUP),
+        ("KICK_TERMS", KICK_TERMS as u32),
+        ("ORDER", <f32 as Real>::ORDER as u32),
+        ("INFINITELY_MANY", u32::from(INFINITELY_MANY)),
+        ("BATCHES", analysis::BATCHES),
+        ("ALIGNING", analysis::ALIGNING),
+        ("SETTLING", analysis::SETTLING),
+        ("SETTLED_OBSERVATION", analysis::SETTLED_OBSERVATION),
+        ("MOST_MOVES", analysis::MOST_MOVES),
+    ];
+    for (name, value) in integers {
+        writeln!(source, "const {name} = {value}u;").expect("a string takes anything");
+    }
+    let epsilon = f64::from(f32::EPSILON);
+    let numbers = [
+        ("TRUNCATION", <f32 as Real>::TRUNCATION),
+        ("TOUCH", <f32 as Real>::TOUCH),
+        ("IMMINENT", <f32 as Real>::IMMINENT),
+        ("CHATTER", <f32 as Real>::CHATTER),
+        ("SETTLED", <f32 as Real>::SETTLED),
+        ("EPSILON", epsilon),
+        ("SQRT_EPSILON", f64::from(f32::EPSILON.sqrt())),
+        ("THIRD", 1.0 / 3.0),
+        ("TWELFTH", 1.0 / 12.0),
+        ("TWO_THIRDS", 2.0 / 3.0),
+        ("HERMITE", dynamics::HERMITE),
+        ("FAR", dynamics::FAR),
+        ("WIDENING_FIRST", dynamics::WIDENING[0]),
+        ("WIDENING_SECOND", dynamics::WIDENING[1]),
+        ("RETURNED", analysis::RETURNED),
+        ("NEUTRAL_GROWTH", analysis::NEUTRAL_GROWTH),
+        ("CHAOTIC_GROWTH", analysis::CHAOTIC_GROWTH),
+        ("SIGNIFICANCE", analysis::SIGNIFICANCE),
+        ("STATIONARY", analysis::STATIONARY),
+    ];
+    for (name, value) in numbers {
+        writeln!(source, "const {name}: f32 = {}f;", exact(value)).expect("a string takes anything");
+    }
+    let factorials: Vec<String> = dynamics::INVERSE_FACTORIALS[..KICK_TERMS + 1]
+        .iter()
+        .map(|&value| format!("{}f", exact(value)))
+        .collect();
+    writeln!(
+        source,
+        "const INVERSE_FACTORIALS = array<f32, {}>({});",
+        factorials.len(),
+        factorials.join(", ")
+    )
+    .expect("a string takes anything");
+    source
+}
+
+/// A number rounded to f32, written so that it reads back exactly.
+fn exact(value: f64) -> String {
+    format!("{:e}", value as f32)
+}
+
+/// "no impact" becomes REGIME_NO_IMPACT.
+fn regime_constant(regime: Regime) -> String {
+    let words: String = format!("{regime:?}")
+        .char_indices()
+        .flat_map(|(i, c)| {
+            let gap = (i > 0 && c.is_uppercase()).then_some('_');
+            gap.into_iter().chain(c.to_uppercase())
+        })
+        .collect();
+    format!("REGIME_{words}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shader_is_valid_and_needs_no_feature() {
+        let module = naga::front::wgsl::parse_str(&follow_source()).unwrap_or_else(|error| {
+            panic!("{}", error.emit_to_string(&follow_source()));
+        });
+        naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
+            .validate(&module)
+            .unwrap();
+    }
+
+    #[test]
+    fn generated_numbers_read_back_exactly() {
+        for value in [1.0 / 3.0, 4e-9, 1e30, f64::from(f32::EPSILON)] {
+            assert_eq!(exact(value).parse::<f32>().unwrap(), value as f32);
+        }
+        assert_eq!(regime_constant(Regime::PeriodicSticking), "REGIME_PERIODIC_STICKING");
+    }
+}

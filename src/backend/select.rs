@@ -1,0 +1,33 @@
+//! Which back end runs.
+
+use super::{Backend, BackendError, Cpu, Gpu};
+
+/// Which back end is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// A hardware GPU where there is one, the CPU path elsewhere.
+    Auto,
+    /// A hardware GPU, else a software adapter.
+    Gpu,
+    /// The CPU path.
+    Cpu,
+}
+
+/// Opens a back end; `adapter` is a part of the wanted adapter's description, and asks for the GPU path.
+///
+/// Without a hardware GPU, `Auto` takes the CPU path: on the same cores a software adapter is not faster (see the
+/// throughput example), and f64 is more exact.
+///
+/// # Errors
+/// [`BackendError::NoAdapter`] where an adapter is asked for and none matches, [`BackendError::Device`] where it
+/// refuses a device or the shader.
+pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, BackendError> {
+    match (choice, adapter) {
+        (Choice::Cpu, _) => Ok(Box::new(Cpu)),
+        (Choice::Gpu, text) | (Choice::Auto, text @ Some(_)) => Ok(Box::new(Gpu::open(text)?)),
+        (Choice::Auto, None) => match Gpu::open_hardware()? {
+            Some(gpu) => Ok(Box::new(gpu)),
+            None => Ok(Box::new(Cpu)),
+        },
+    }
+}

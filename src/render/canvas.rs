@@ -1,0 +1,253 @@
+//! An SVG document under construction.
+
+use std::io::{self, Cursor, Write};
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD as BASE64;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{Rgb, RgbImage};
+use quick_xml::Writer;
+use quick_xml::events::{BytesEnd, BytesStart, BytesText, Event};
+
+use super::font::{self, CAPITALS};
+use super::paint::{Hatch, Paint};
+use super::size::Size;
+use super::text::{Span, Style, Text};
+
+/// An opaque colour, sRGB.
+pub type Colour = Rgb<u8>;
+
+/// A point in pixels, from the upper left corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// To the right.
+    pub x: f64,
+    /// Down.
+    pub y: f64,
+}
+
+/// An upright rectangle in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rect {
+    /// Left edge.
+    pub x: f64,
+    /// Upper edge.
+    pub y: f64,
+    /// Width.
+    pub width: f64,
+    /// Height.
+    pub height: f64,
+}
+
+impl Rect {
+    /// The right edge.
+    pub fn right(&self) -> f64 {
+        self.x + self.width
+    }
+
+    /// The lower edge.
+    pub fn bottom(&self) -> f64 {
+        self.y + self.height
+    }
+}
+
+/// Which point of a text is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// Its left end.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its right end.
+    End,
+}
+
+impl Anchor {
+    fn name(self) -> &'static str {
+        match self {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        }
+    }
+}
+
+/// An SVG document under construction: later things cover earlier ones.
+pub struct Canvas {
+    xml: Writer<Vec<u8>>,
+}
+
+/// Why nothing here returns an error.
+const IN_MEMORY: &str = "memory takes every byte";
+
+impl Canvas {
+    /// An empty white canvas; `config` says what it takes to make the picture again.
+    pub fn new(size: Size, config: &str) -> Self {
+        let mut canvas = Canvas { xml: Writer::new(Vec::new()) };
+        let (width, height) = (size.width().to_string(), size.height().to_string());
+        let root = BytesStart::new("svg").with_attributes([
+            ("xmlns", "http://www.w3.org/2000/svg"),
+            ("width", &width),
+            ("height", &height),
+            ("viewBox", &format!("0 0 {width} {height}")),
+            ("font-family", font::FAMILIES),
+        ]);
+        canvas.xml.write_event(Event::Start(root)).expect(IN_MEMORY);
+        canvas.line_break();
+        let metadata = canvas.xml.create_element("metadata").with_attribute(("id", "impact-atlas"));
+        metadata.write_text_content(BytesText::new(config)).expect(IN_MEMORY);
+        canvas.line_break();
+        let (width, height) = (size.width().into(), size.height().into());
+        canvas.fill(Rect { x: 0.0, y: 0.0, width, height }, Rgb([255; 3]));
+        canvas
+    }
+
+    /// Fills a rectangle.
+    pub fn fill(&mut self, rect: Rect, colour: Colour) {
+        self.rect(rect, &[("fill", &hex(colour))]);
+    }
+
+    /// Draws the edge of a rectangle.
+    pub fn outline(&mut self, rect: Rect, width: f64, colour: Colour) {
+        self.rect(rect, &[("fill", "none"), ("stroke", &hex(colour)), ("stroke-width", &number(width))]);
+    }
+
+    /// Draws straight lines of one width and colour.
+    pub fn lines(&mut self, lines: &[(Point, Point)], width: f64, colour: Colour) {
+        if lines.is_empty() {
+            return;
+        }
+        let path: Vec<String> = lines
+            .iter()
+            .map(|(a, b)| format!("M{} {}L{} {}", number(a.x), number(a.y), number(b.x), number(b.y)))
+            .collect();
+        let element = self.xml.create_element("path").with_attributes([
+            ("d", &*path.concat()),
+            ("fill", "none"),
+            ("stroke", &hex(colour)),
+            ("stroke-width", &number(width)),
+        ]);
+        element.write_empty().expect(IN_MEMORY);
+        self.line_break();
+    }
+
+    /// Fills a rectangle with a paint; `em` sets the spacing of a hatch.
+    pub fn paint(&mut self, rect: Rect, paint: Paint, em: f64) {
+        self.fill(rect, paint.fill);
+        if let Some(colour) = paint.hatch {
+            let hatch = Hatch::new(em);
+            self.lines(&hatch.lines(rect), hatch.width(), colour);
+        }
+    }
+
+    /// Lays an image into a rectangle, pixel by pixel, without smoothing.
+    pub fn image(&mut self, rect: Rect, image: &RgbImage) {
+        let mut png = Cursor::new(Vec::new());
+        let encoder = PngEncoder::new_with_quality(&mut png, CompressionType::Fast, FilterType::Up);
+        image.write_with_encoder(encoder).expect(IN_MEMORY);
+        let element = self.xml.create_element("image").with_attributes([
+            ("x", &*number(rect.x)),
+            ("y", &number(rect.y)),
+            ("width", &number(rect.width)),
+            ("height", &number(rect.height)),
+            ("preserveAspectRatio", "none"),
+            ("image-rendering", "optimizeSpeed"),
+            ("style", "image-rendering:pixelated"),
+            ("href", &format!("data:image/png;base64,{}", BASE64.encode(png.into_inner()))),
+        ]);
+        element.write_empty().expect(IN_MEMORY);
+        self.line_break();
+    }
+
+    /// Writes a line of text, its capitals centred on the height of `at`.
+    pub fn text(&mut self, text: &Text, at: Point, anchor: Anchor, size: f64, colour: Colour) {
+        self.write_text(text, at, anchor, size, colour, None);
+    }
+
+    /// Writes a line of text that runs upwards, its capitals centred on `at` from left to right.
+    pub fn rising_text(&mut self, text: &Text, at: Point, anchor: Anchor, size: f64, colour: Colour) {
+        let turn = format!("rotate(-90 {} {})", number(at.x), number(at.y));
+        self.write_text(text, at, anchor, size, colour, Some(turn));
+    }
+
+    /// The finished document.
+    pub fn finish(mut self) -> String {
+        self.xml.write_event(Event::End(BytesEnd::new("svg"))).expect(IN_MEMORY);
+        self.line_break();
+        String::from_utf8(self.xml.into_inner()).expect("only text was written")
+    }
+
+    fn rect(&mut self, rect: Rect, style: &[(&str, &str)]) {
+        let element = self.xml.create_element("rect").with_attributes([
+            ("x", &*number(rect.x)),
+            ("y", &number(rect.y)),
+            ("width", &number(rect.width)),
+            ("height", &number(rect.height)),
+        ]);
+        element.with_attributes(style.iter().copied()).write_empty().expect(IN_MEMORY);
+        self.line_break();
+    }
+
+    fn write_text(
+        &mut self,
+        text: &Text,
+        at: Point,
+        anchor: Anchor,
+        size: f64,
+        colour: Colour,
+        turn: Option<String>,
+    ) {
+        let element = self
+            .xml
+            .create_element("text")
+            .with_attributes([
+                ("x", &*number(at.x)),
+                ("y", &number(at.y + CAPITALS / 2.0 * size)),
+                ("font-size", &number(size)),
+                ("fill", &hex(colour)),
+                ("text-anchor", anchor.name()),
+                ("xml:space", "preserve"),
+            ])
+            .with_attributes(turn.as_deref().map(|turn| ("transform", turn)));
+        let spans = |xml: &mut Writer<Vec<u8>>| {
+            let mut drop = 0.0;
+            for span in text.spans() {
+                write_span(xml, span, span.style.drop() - drop, size)?;
+                drop = span.style.drop();
+            }
+            Ok(())
+        };
+        element.write_inner_content(spans).expect(IN_MEMORY);
+        self.line_break();
+    }
+
+    /// Keeps the file readable.
+    fn line_break(&mut self) {
+        self.xml.get_mut().push(b'\n');
+    }
+}
+
+fn write_span(xml: &mut Writer<impl Write>, span: &Span, drop: f64, size: f64) -> io::Result<()> {
+    let mut element = xml.create_element("tspan");
+    if span.style == Style::Italic {
+        element = element.with_attribute(("font-style", "italic"));
+    }
+    if span.style.size() != 1.0 {
+        element = element.with_attribute(("font-size", &*number(span.style.size() * size)));
+    }
+    if drop != 0.0 {
+        element = element.with_attribute(("dy", &*number(drop * size)));
+    }
+    element.write_text_content(BytesText::new(&span.content))?;
+    Ok(())
+}
+
+fn hex(Rgb([r, g, b]): Colour) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// A coordinate to a hundredth of a pixel.
+fn number(value: f64) -> String {
+    let rounded = (value * 100.0).round() / 100.0;
+    (rounded + 0.0).to_string()
+}

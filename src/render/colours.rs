@@ -1,0 +1,223 @@
+//! Steady colours: a motion looks the same in every map.
+//!
+//! Common motions have hues of their own, chosen so that all of them, and everything that is not periodic, can
+//! be told apart with red-blind and green-blind eyes too. Other motions take a hue that depends on nothing but
+//! the label. Each hue has two tones: for symmetric and unsymmetric motions, or for the mirror images N-p-q and
+//! N-q-p. Motions with sticking are hatched.
+
+use image::Rgb;
+
+use super::canvas::Colour;
+use super::motion::Motion;
+use super::paint::Paint;
+use crate::analysis::{INFINITELY_MANY, Regime};
+
+/// The colour of text and lines.
+pub(super) const INK: Colour = hex(0x1a1a1a);
+/// The colour of text of less importance.
+pub(super) const MUTED: Colour = hex(0x5a5a5a);
+
+const CHAOTIC: Colour = hex(0x17171b);
+const QUASI_PERIODIC: Colour = hex(0x5d2a94);
+const NO_IMPACT: Colour = hex(0xf6f6f4);
+const UNRESOLVED: Colour = hex(0xbac3c6);
+const APERIODIC_STICKING: Colour = hex(0x60665d);
+const FAILED: Colour = hex(0xff00ff);
+const WHITE: Colour = hex(0xffffff);
+
+/// The two tones of a hue: symmetric and unsymmetric, or more impacts at Ā and more impacts at A.
+type Tones = [Colour; 2];
+
+/// The hues of common motions N-p-q with p ≤ q.
+const COMMON: [([u16; 3], Tones); 11] = [
+    ([1, 1, 1], tones(0x276dad, 0xb7d9ff)),
+    ([1, 2, 2], tones(0xc45500, 0xdeb47b)),
+    ([2, 2, 2], tones(0x0d7a63, 0x3dba99)),
+    ([1, 1, 2], tones(0x409259, 0xaae8b6)),
+    ([2, 4, 4], tones(0xa39413, 0xe2cf37)),
+    ([1, 3, 3], tones(0xb11834, 0xe1787e)),
+    ([3, 3, 3], tones(0x5e3e00, 0xbe9635)),
+    ([1, 0, 1], tones(0x246a78, 0x628f98)),
+    ([1, 4, 4], tones(0x78144f, 0xca90c5)),
+    ([1, INFINITELY_MANY, INFINITELY_MANY], tones(0xa9bd4a, 0xebf997)),
+    ([1, 0, INFINITELY_MANY], tones(0x8f8440, 0xcfc68a)),
+];
+
+/// The hues that all other motions share.
+const OTHERS: [Tones; 9] = [
+    tones(0x9a715e, 0xcbb0a9),
+    tones(0x665e7e, 0x908c9e),
+    tones(0x506628, 0x91a582),
+    tones(0x8c79c7, 0xb0a7f4),
+    tones(0x756346, 0xa7947e),
+    tones(0xdb7554, 0xfaa894),
+    tones(0x875872, 0xab8494),
+    tones(0x8c5615, 0xd49059),
+    tones(0x739141, 0x95c47d),
+];
+
+/// What the region of a motion is filled with; depends on nothing else.
+pub fn paint_of(motion: Motion) -> Paint {
+    match motion.regime {
+        Regime::Unresolved => Paint::plain(UNRESOLVED),
+        Regime::NoImpact => Paint::plain(NO_IMPACT),
+        Regime::Periodic => Paint::plain(tone_of(motion)),
+        Regime::PeriodicSticking => Paint::hatched(tone_of(motion), INK),
+        Regime::QuasiPeriodic => Paint::plain(QUASI_PERIODIC),
+        Regime::Chaotic => Paint::plain(CHAOTIC),
+        Regime::AperiodicSticking => Paint::hatched(APERIODIC_STICKING, WHITE),
+        Regime::Failed => Paint::plain(FAILED),
+    }
+}
+
+fn tone_of(motion: Motion) -> Colour {
+    let [n, p, q] = motion.counts;
+    let label = [n, p.min(q), p.max(q)];
+    let common = COMMON.iter().find(|(common, _)| *common == label);
+    let [first, second] = common.map_or_else(|| OTHERS[scattered(label) % OTHERS.len()], |(_, tones)| *tones);
+    if motion.symmetric || p > q { first } else { second }
+}
+
+/// A number that depends on nothing but the label, and differently for labels that are alike: FNV-1a, stirred once more.
+fn scattered(label: [u16; 3]) -> usize {
+    let bytes = label.into_iter().flat_map(u16::to_le_bytes);
+    let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    ((hash ^ (hash >> 32)).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as usize
+}
+
+const fn hex(rgb: u32) -> Colour {
+    let [_, r, g, b] = rgb.to_be_bytes();
+    Rgb([r, g, b])
+}
+
+const fn tones(first: u32, second: u32) -> Tones {
+    [hex(first), hex(second)]
+}
+
+#[cfg(test)]
+mod tests {
+    use palette::color_difference::Ciede2000;
+    use palette::white_point::D65;
+    use palette::{Clamp, IntoColor, Lab, LinSrgb, Srgb};
+
+    use super::*;
+
+    /// What a red-blind and a green-blind eye see of linear sRGB (Machado, Oliveira and Fernandes 2009).
+    const PROTANOPIA: [[f64; 3]; 3] =
+        [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]];
+    const DEUTERANOPIA: [[f64; 3]; 3] =
+        [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]];
+    const TRICHROMACY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+    fn seen(Rgb([r, g, b]): Colour, eye: [[f64; 3]; 3]) -> Lab<D65, f64> {
+        let linear: LinSrgb<f64> = Srgb::new(r, g, b).into_linear();
+        let [r, g, b] = eye.map(|row| row[0] * linear.red + row[1] * linear.green + row[2] * linear.blue);
+        LinSrgb::new(r, g, b).clamp().into_color()
+    }
+
+    /// The smallest difference that any of the three eyes sees (CIEDE2000).
+    fn difference(a: Colour, b: Colour) -> f64 {
+        [TRICHROMACY, PROTANOPIA, DEUTERANOPIA]
+            .map(|eye| seen(a, eye).difference(seen(b, eye)))
+            .into_iter()
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    fn motion(regime: Regime, counts: [u16; 3], symmetric: bool) -> Colour {
+        paint_of(Motion { regime, counts, symmetric }).fill
+    }
+
+    fn not_periodic() -> Vec<(String, Colour)> {
+        let regimes = Regime::ALL.into_iter().filter(|regime| !regime.is_periodic());
+        regimes.map(|regime| (regime.name().to_owned(), motion(regime, [0; 3], false))).collect()
+    }
+
+    fn assert_distinct(colours: &[(String, Colour)], least: f64) {
+        for (i, (a, first)) in colours.iter().enumerate() {
+            for (b, second) in &colours[..i] {
+                let found = difference(*first, *second);
+                assert!(found >= least, "{a} and {b} differ by {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn regimes_and_common_motions_are_told_apart_by_every_eye() {
+        let mut colours = not_periodic();
+        for counts in [[1, 1, 1], [1, 2, 2], [1, 3, 3], [3, 3, 3], [1, 4, 4]] {
+            for symmetric in [true, false] {
+                colours
+                    .push((format!("{counts:?} {symmetric}"), motion(Regime::Periodic, counts, symmetric)));
+            }
+        }
+        for counts in [[2, 2, 2], [2, 4, 4], [1, 1, 2], [1, 2, 1], [1, 0, 1], [1, 1, 0]] {
+            colours.push((format!("{counts:?}"), motion(Regime::Periodic, counts, false)));
+        }
+        assert_eq!(colours.len(), 22);
+        assert_distinct(&colours, 10.0);
+    }
+
+    #[test]
+    fn other_motions_are_not_taken_for_chaos_or_for_1_1_1() {
+        let mut reserved = not_periodic();
+        reserved.extend(COMMON[0].1.map(|tone| ("1-1-1".to_owned(), tone)));
+        for tones in OTHERS {
+            for (name, colour) in &reserved {
+                let found = tones.map(|tone| difference(tone, *colour));
+                assert!(
+                    found.into_iter().all(|each| each >= 7.0),
+                    "{tones:?} and {name} differ by {found:?}"
+                );
+            }
+            let found = difference(tones[0], tones[1]);
+            assert!(found >= 12.0, "{tones:?} differ by {found}");
+        }
+    }
+
+    #[test]
+    fn other_motions_are_not_taken_for_common_ones() {
+        let common = COMMON.iter().flat_map(|(label, tones)| tones.map(|tone| (label, tone)));
+        for (label, colour) in common {
+            for tone in OTHERS.into_iter().flatten() {
+                let found = seen(tone, TRICHROMACY).difference(seen(colour, TRICHROMACY));
+                assert!(found >= 10.0, "{tone:?} and {label:?} differ by {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn mirror_images_and_broken_symmetry_keep_the_hue() {
+        let tones: Vec<Tones> = COMMON.iter().map(|(_, tones)| *tones).chain(OTHERS).collect();
+        let pair = |a, b| [motion(Regime::Periodic, a, true), motion(Regime::Periodic, b, false)];
+        for [n, p, q] in [[1, 2, 1], [5, 7, 3], [1, 1, 0], [2, 9, 4], [1, 1, 1], [3, 8, 8], [6, 6, 6]] {
+            assert!(tones.contains(&pair([n, p, q], [n, q, p])), "{n}-{p}-{q}");
+        }
+    }
+
+    #[test]
+    fn a_motion_with_sticking_is_the_motion_hatched() {
+        let of = |regime| paint_of(Motion { regime, counts: [1, 2, 2], symmetric: true });
+        let (free, sticking) = (of(Regime::Periodic), of(Regime::PeriodicSticking));
+        assert_eq!(free.fill, sticking.fill);
+        assert!(free.hatch.is_none() && sticking.hatch.is_some());
+    }
+
+    #[test]
+    fn colours_do_not_change_between_versions() {
+        assert_eq!(motion(Regime::Periodic, [1, 1, 1], true), hex(0x276dad));
+        assert_eq!(motion(Regime::Periodic, [3, 4, 5], false), OTHERS[2][1]);
+    }
+
+    #[test]
+    fn labels_are_spread_over_the_hues() {
+        let mut uses = [0; OTHERS.len()];
+        for n in 3..12 {
+            for p in 1..8 {
+                uses[scattered([n, p, p]) % OTHERS.len()] += 1;
+            }
+        }
+        assert!(uses.into_iter().all(|count| count >= 2), "{uses:?}");
+    }
+}

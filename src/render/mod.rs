@@ -1,0 +1,37 @@
+//! Pictures: drawn once as SVG with real text, turned into pixels by the same description.
+//!
+//! [`region_map`] draws a computed plane. Everything below it serves any figure: a [`Canvas`] writes SVG, an
+//! axis [`Frame`] measures and draws ticks and titles, a [`Legend`] names paints, and a [`Picture`] is saved as
+//! SVG or PNG. Sizes are in pixels; text and lines scale with the picture, so that a picture of any size prints
+//! alike.
+
+mod canvas;
+mod colours;
+#[cfg(test)]
+mod example;
+mod font;
+mod frame;
+mod legend;
+mod motion;
+mod paint;
+mod picture;
+mod png;
+mod regions;
+mod scale;
+mod size;
+mod symbols;
+mod text;
+mod ticks;
+
+pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
+pub use colours::paint_of;
+pub use frame::{AxisTitle, Frame};
+pub use legend::{Entry, Legend};
+pub use motion::Motion;
+pub use paint::Paint;
+pub use picture::Picture;
+pub use regions::region_map;
+pub use scale::Scale;
+pub use size::{Size, SizeError};
+pub use text::Text;
+pub use ticks::Ticks;

@@ -1,0 +1,71 @@
+//! What the regions of a plane are told apart by.
+
+use crate::analysis::{Regime, Verdict};
+
+/// What two cells have in common that are drawn as one region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Motion {
+    /// What the trajectory settles on.
+    pub regime: Regime,
+    /// N, p and q where periodic, zeros elsewhere.
+    pub counts: [u16; 3],
+    /// Whether the motion is its own mirror image; only motions with p = q can be.
+    pub symmetric: bool,
+}
+
+impl Motion {
+    /// The motion of a cell.
+    pub fn of(verdict: &Verdict) -> Self {
+        let Verdict { regime, n, p, q, symmetric, .. } = *verdict;
+        if regime.is_periodic() {
+            Motion { regime, counts: [n, p, q], symmetric: symmetric && p == q }
+        } else {
+            Motion { regime, counts: [0; 3], symmetric: false }
+        }
+    }
+
+    /// The motion's name in a legend, such as "1-2-2 unsymmetric".
+    ///
+    /// A motion with p ≠ q cannot be symmetric, so that nothing is said about it.
+    pub fn name(verdict: &Verdict) -> String {
+        let label = verdict.label();
+        let Motion { regime, counts: [_, p, q], symmetric } = Motion::of(verdict);
+        let symmetry = match (p == q, symmetric) {
+            (true, true) => " symmetric",
+            (true, false) => " unsymmetric",
+            (false, _) => "",
+        };
+        match regime {
+            Regime::Periodic => format!("{label}{symmetry}"),
+            Regime::PeriodicSticking => format!("{label}{symmetry}, sticking"),
+            _ => label,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::example::verdict;
+    use super::*;
+
+    #[test]
+    fn names_say_what_tells_motions_apart() {
+        let name = |regime, counts, symmetric| Motion::name(&verdict(regime, counts, symmetric));
+        assert_eq!(name(Regime::Periodic, [1, 1, 1], true), "1-1-1 symmetric");
+        assert_eq!(name(Regime::Periodic, [2, 4, 4], false), "2-4-4 unsymmetric");
+        assert_eq!(name(Regime::Periodic, [1, 1, 2], false), "1-1-2");
+        assert_eq!(
+            name(Regime::PeriodicSticking, [1, u16::MAX, u16::MAX], true),
+            "1-∞-∞ symmetric, sticking"
+        );
+        assert_eq!(name(Regime::Chaotic, [7, 7, 7], true), "chaotic");
+    }
+
+    #[test]
+    fn counts_of_what_is_not_periodic_mean_nothing() {
+        let of = |regime, counts| Motion::of(&verdict(regime, counts, true));
+        assert_eq!(of(Regime::Chaotic, [1, 2, 3]), of(Regime::Chaotic, [0, 0, 0]));
+        assert_ne!(of(Regime::Periodic, [1, 2, 3]), of(Regime::Periodic, [1, 3, 2]));
+        assert_ne!(of(Regime::Periodic, [1, 2, 2]), of(Regime::PeriodicSticking, [1, 2, 2]));
+    }
+}

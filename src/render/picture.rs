@@ -1,0 +1,111 @@
+//! A finished picture.
+
+use std::io::{self, Write};
+
+use image::RgbImage;
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree};
+
+use super::size::Size;
+use super::{font, png};
+
+/// A finished picture, to be saved as SVG or PNG.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    size: Size,
+    config: String,
+    svg: String,
+}
+
+impl Picture {
+    /// A picture from its SVG document, and what it takes to make it again.
+    pub(super) fn new(size: Size, config: String, svg: String) -> Self {
+        Picture { size, config, svg }
+    }
+
+    /// The picture as an SVG document with real text, its configuration in the element `metadata`.
+    pub fn svg(&self) -> &str {
+        &self.svg
+    }
+
+    /// The picture in pixels; the same on every machine.
+    pub fn pixels(&self) -> RgbImage {
+        let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
+        let tree = Tree::from_str(&self.svg, &options).expect("the canvas writes valid SVG");
+        let (width, height) = (self.size.width(), self.size.height());
+        let mut pixmap = Pixmap::new(width, height).expect("a checked size is neither empty nor too large");
+        resvg::render(&tree, Transform::identity(), &mut pixmap.as_mut());
+        let opaque = pixmap.data().chunks_exact(4).flat_map(|rgba| [rgba[0], rgba[1], rgba[2]]).collect();
+        RgbImage::from_raw(width, height, opaque).expect("three bytes for each pixel")
+    }
+
+    /// Writes the picture as a PNG, its configuration in a text chunk named `impact-atlas`.
+    ///
+    /// # Errors
+    /// What the writer reports.
+    pub fn write_png(&self, to: impl Write) -> io::Result<()> {
+        png::write(&self.pixels(), &self.config, to)
+    }
+
+    /// Writes the picture as an SVG document.
+    ///
+    /// # Errors
+    /// What the writer reports.
+    pub fn write_svg(&self, mut to: impl Write) -> io::Result<()> {
+        to.write_all(self.svg.as_bytes())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use image::Rgb;
+
+    use super::super::canvas::{Anchor, Canvas, Point, Rect};
+    use super::super::text::Text;
+    use super::*;
+
+    fn picture() -> Picture {
+        let size = Size::new(60, 40).unwrap();
+        let config = r#"{"adapter":"<&>"}"#;
+        let mut canvas = Canvas::new(size, config);
+        canvas.fill(Rect { x: 10.0, y: 5.0, width: 20.0, height: 10.0 }, Rgb([1, 2, 3]));
+        let text = Text::from("a < b & ").italic("x").subscript("1");
+        canvas.text(&text, Point { x: 2.0, y: 30.0 }, Anchor::Start, 10.0, Rgb([0; 3]));
+        Picture::new(size, config.to_owned(), canvas.finish())
+    }
+
+    #[test]
+    fn shapes_and_text_become_pixels() {
+        let pixels = picture().pixels();
+        assert_eq!(pixels.dimensions(), (60, 40));
+        assert_eq!(*pixels.get_pixel(0, 0), Rgb([255; 3]));
+        assert_eq!(*pixels.get_pixel(10, 5), Rgb([1, 2, 3]));
+        assert_eq!(*pixels.get_pixel(30, 15), Rgb([255; 3]));
+        let inked = |range: std::ops::Range<u32>| {
+            range
+                .flat_map(|x| (20..40).map(move |y| (x, y)))
+                .filter(|&(x, y)| pixels.get_pixel(x, y)[0] < 128)
+                .count()
+        };
+        assert!(inked(2..50) > 40, "the text is drawn with the embedded fonts");
+        assert_eq!(inked(0..2), 0);
+    }
+
+    #[test]
+    fn text_and_configuration_are_escaped() {
+        let svg = picture().svg().to_owned();
+        assert!(svg.contains("a &lt; b &amp; "));
+        assert!(svg.contains("&lt;&amp;&gt;"));
+    }
+
+    #[test]
+    fn equal_pictures_are_equal_files() {
+        let file = || {
+            let mut bytes = Vec::new();
+            picture().write_png(&mut bytes).unwrap();
+            bytes
+        };
+        assert_eq!(file(), file());
+        assert_eq!(picture().svg(), picture().svg());
+    }
+}

@@ -1,0 +1,207 @@
+//! Where everything goes, and what is left out where space is scarce.
+
+use super::census::Census;
+use super::names;
+use crate::plane::RegionMap;
+use crate::render::canvas::{Point, Rect};
+use crate::render::frame::{Frame, Placed};
+use crate::render::legend::Legend;
+use crate::render::size::Size;
+use crate::render::text::Text;
+
+/// The height of a line of the title, in em.
+pub(super) const TITLE_ROW: f64 = 1.4;
+/// The space around everything, in em.
+const MARGIN: f64 = 1.0;
+/// The space between plot and legend, in em.
+const LEGEND_GAP: f64 = 1.3;
+/// The most rows of a legend.
+const MOST_ROWS: usize = 24;
+/// The most lines of a title.
+const MOST_TITLE_LINES: usize = 3;
+/// The largest part of the width that a legend at the side may take.
+const WIDEST_LEGEND: f64 = 0.42;
+/// The largest part of the height that a legend below may take.
+const HIGHEST_LEGEND: f64 = 0.4;
+/// Pictures that are this many times higher than wide have their legend below.
+const UPRIGHT: f64 = 1.15;
+
+/// Where everything goes.
+#[derive(Debug)]
+pub(super) struct Layout {
+    /// The space around everything.
+    pub margin: f64,
+    /// The lines of the title.
+    pub title: Vec<Text>,
+    /// The plot, on whole pixels.
+    pub plot: Rect,
+    /// The axes, unless the picture is too small for them.
+    pub frame: Option<Placed>,
+    /// The legend, unless the picture is too small for it.
+    pub legend: Option<PlacedLegend>,
+}
+
+/// A legend that has found its place.
+#[derive(Debug)]
+pub(super) struct PlacedLegend {
+    pub legend: Legend,
+    pub at: Point,
+    pub width: f64,
+    pub columns: usize,
+}
+
+/// What a picture shows besides the regions and their axes.
+#[derive(Clone, Copy, Debug)]
+struct Detail {
+    legend: Option<LegendDetail>,
+    title: bool,
+    axis_titles: bool,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct LegendDetail {
+    shares: bool,
+    definition: bool,
+}
+
+impl Detail {
+    const fn new(legend: Option<LegendDetail>, title: bool, axis_titles: bool) -> Self {
+        Detail { legend, title, axis_titles }
+    }
+
+    /// From everything to the axes alone, in the order in which things are given up.
+    const LADDER: [Detail; 6] = {
+        let full = LegendDetail { shares: true, definition: true };
+        let undefined = LegendDetail { shares: true, definition: false };
+        let names = LegendDetail { shares: false, definition: false };
+        [
+            Detail::new(Some(full), true, true),
+            Detail::new(Some(undefined), true, true),
+            Detail::new(Some(names), true, true),
+            Detail::new(None, true, true),
+            Detail::new(None, false, true),
+            Detail::new(None, false, false),
+        ]
+    };
+}
+
+impl Layout {
+    /// The layout with the most detail that fits.
+    pub fn of(map: &RegionMap, census: &Census, frame: &Frame, size: Size) -> Self {
+        let attempt = |detail| Attempt { map, census, frame, size, em: size.em() }.layout(detail);
+        Detail::LADDER.into_iter().find_map(attempt).unwrap_or_else(|| Layout::bare(size))
+    }
+
+    /// The regions alone.
+    fn bare(size: Size) -> Self {
+        let (width, height) = (size.width().into(), size.height().into());
+        let plot = Rect { x: 0.0, y: 0.0, width, height };
+        Layout { margin: 0.0, title: Vec::new(), plot, frame: None, legend: None }
+    }
+}
+
+struct Attempt<'a> {
+    map: &'a RegionMap,
+    census: &'a Census,
+    frame: &'a Frame,
+    size: Size,
+    em: f64,
+}
+
+impl Attempt<'_> {
+    fn layout(&self, detail: Detail) -> Option<Layout> {
+        let em = self.em;
+        let margin = MARGIN * em;
+        let (width, height) = (f64::from(self.size.width()), f64::from(self.size.height()));
+        let mut space =
+            Rect { x: margin, y: margin, width: width - 2.0 * margin, height: height - 2.0 * margin };
+        // The title starts above the plot, whose left edge is not known yet: ticks and titles take at most this.
+        let title_width = space.width - 7.0 * em;
+        let title = if detail.title {
+            Text::wrap(names::title(&self.map.plane), em, title_width)
+        } else {
+            Vec::new()
+        };
+        let fits = title.len() <= MOST_TITLE_LINES && title.iter().all(|line| line.width(em) <= title_width);
+        if !fits {
+            return None;
+        }
+        space.height -= title.len() as f64 * TITLE_ROW * em;
+        space.y += title.len() as f64 * TITLE_ROW * em;
+        let Some(wanted) = detail.legend else {
+            let placed = self.frame.place(space, em, detail.axis_titles)?;
+            return Some(Layout { margin, title, plot: placed.plot, frame: Some(placed), legend: None });
+        };
+        let (placed, legend) = if height > UPRIGHT * width {
+            self.legend_below(space, wanted, detail.axis_titles)?
+        } else {
+            self.legend_beside(space, wanted, detail.axis_titles)?
+        };
+        Some(Layout { margin, title, plot: placed.plot, frame: Some(placed), legend: Some(legend) })
+    }
+
+    fn legend_beside(
+        &self,
+        space: Rect,
+        wanted: LegendDetail,
+        axis_titles: bool,
+    ) -> Option<(Placed, PlacedLegend)> {
+        let em = self.em;
+        let notes = if wanted.definition { names::definition().to_vec() } else { Vec::new() };
+        let plot_height = self.frame.place(space, em, axis_titles)?.plot.height;
+        let rows = Legend::rows_in(plot_height, notes.len(), em).min(MOST_ROWS);
+        let legend = self.legend(rows, wanted, notes)?;
+        let width = legend.width(1, em);
+        if width > WIDEST_LEGEND * f64::from(self.size.width()) {
+            return None;
+        }
+        let left = Rect { width: space.width - width - LEGEND_GAP * em, ..space };
+        let placed = self.frame.place(left, em, axis_titles)?;
+        let at = Point { x: space.right() - width, y: placed.plot.y - 0.25 * em };
+        Some((placed, PlacedLegend { legend, at, width, columns: 1 }))
+    }
+
+    fn legend_below(
+        &self,
+        space: Rect,
+        wanted: LegendDetail,
+        axis_titles: bool,
+    ) -> Option<(Placed, PlacedLegend)> {
+        let em = self.em;
+        let notes = if wanted.definition {
+            Text::wrap(names::definition(), em, space.width - 7.0 * em)
+        } else {
+            Vec::new()
+        };
+        let most = HIGHEST_LEGEND * f64::from(self.size.height());
+        let in_column = Legend::rows_in(most, notes.len(), em);
+        // The legend stands under the plot, whose width does not depend on its height but for the labels.
+        let width = self.frame.place(space, em, axis_titles)?.plot.width;
+        let columns = self.legend(MOST_ROWS, wanted, Vec::new())?.columns_in(width, em);
+        let legend = self.legend((in_column * columns).min(MOST_ROWS), wanted, notes)?;
+        let height = legend.height(columns, em);
+        if legend.width(columns, em) > width || height > most {
+            return None;
+        }
+        let above = Rect { height: space.height - height - LEGEND_GAP * em, ..space };
+        let placed = self.frame.place(above, em, axis_titles)?;
+        let Rect { x, width, .. } = placed.plot;
+        let at = Point { x, y: space.bottom() - height };
+        Some((placed, PlacedLegend { legend, at, width, columns }))
+    }
+
+    /// The legend in at most `rows` rows.
+    fn legend(&self, rows: usize, wanted: LegendDetail, notes: Vec<Text>) -> Option<Legend> {
+        let indispensable = self.census.indispensable();
+        let any_periodic = usize::from(indispensable < self.census.regions.len());
+        if rows < indispensable + any_periodic {
+            return None;
+        }
+        let heading = if wanted.shares {
+            ["motion".into(), "share of plane".into()]
+        } else {
+            ["motion".into(), Text::new()]
+        };
+        Some(Legend { heading, entries: names::entries(self.census, rows, wanted.shares), notes })
+    }
+}

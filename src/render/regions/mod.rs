@@ -1,0 +1,161 @@
+//! A computed plane as a picture: filled regions inside named axes, with a legend.
+
+mod census;
+mod layout;
+mod names;
+mod raster;
+
+use self::census::Census;
+use self::layout::Layout;
+use super::canvas::{Anchor, Canvas, Point};
+use super::colours::INK;
+use super::frame::Frame;
+use super::picture::Picture;
+use super::scale::Scale;
+use super::size::Size;
+use super::symbols;
+use crate::plane::RegionMap;
+
+/// Draws a computed plane.
+///
+/// Regions are filled with the colours of their motions and parted by thin lines; a line is left out where it
+/// would hide a region that is not much wider. The first row of the plane is at the bottom. A picture with
+/// fewer pixels than the plane has cells shows the most frequent motion of each pixel. The legend names the
+/// motions by descending share of the plane. Small pictures do without the least needed words.
+pub fn region_map(map: &RegionMap, size: Size) -> Picture {
+    let census = Census::of(map);
+    let frame = frame(map);
+    let em = size.em();
+    let layout = Layout::of(map, &census, &frame, size);
+    let (width, height) = (layout.plot.width as u32, layout.plot.height as u32);
+    let regions = raster::draw(map, &census, width, height, em);
+
+    let config = map.config();
+    let mut canvas = Canvas::new(size, &config);
+    canvas.image(layout.plot, &regions);
+    if let Some(placed) = &layout.frame {
+        frame.draw(&mut canvas, placed, em);
+    }
+    for (row, line) in layout.title.iter().enumerate() {
+        let at = Point { x: layout.plot.x, y: layout.margin + (row as f64 + 0.5) * layout::TITLE_ROW * em };
+        canvas.text(line, at, Anchor::Start, em, INK);
+    }
+    if let Some(legend) = &layout.legend {
+        legend.legend.draw(&mut canvas, legend.at, legend.width, legend.columns, em);
+    }
+    Picture::new(size, config, canvas.finish())
+}
+
+fn frame(map: &RegionMap) -> Frame {
+    let plane = &map.plane;
+    Frame {
+        x: Scale::of(&plane.x),
+        y: Scale::of(&plane.y),
+        x_title: symbols::axis_title(plane.x.quantity),
+        y_title: symbols::axis_title(plane.y.quantity),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use resvg::tiny_skia::Rect;
+    use resvg::usvg::{Group, Node, Options, Tree};
+
+    use super::*;
+    use crate::analysis::Regime;
+    use crate::plane::Start;
+    use crate::render::{example, font};
+
+    const SIZES: [(u32, u32); 12] = [
+        (16, 16),
+        (64, 48),
+        (200, 150),
+        (320, 240),
+        (400, 300),
+        (640, 480),
+        (1200, 900),
+        (1920, 600),
+        (600, 2000),
+        (500, 700),
+        (700, 700),
+        (3000, 400),
+    ];
+
+    /// Planes that strain the layout: many regions, one region, one cell, long labels, long titles.
+    fn strained() -> Vec<RegionMap> {
+        let one = example::verdict(Regime::Periodic, [1, 1, 1], true);
+        let mut long = example::map(40, 30);
+        long.plane.x = "x2=-1e-7:3e-7:40".parse().unwrap();
+        long.plane.y = "v1=1000.00001:1000.00002:30".parse().unwrap();
+        long.plane.parameters.zeta = 1.0 / 3.0;
+        long.plane.parameters.mu_k = 2.0 / 3.0;
+        long.plane.parameters.mu_c = 1.0 / 7.0;
+        long.plane.start = Start::State([-1.0 / 30.0, 0.0, 0.0, -2.0 / 3.0]);
+        let mut single = example::of(2, 2, |_, _| one);
+        single.verdicts.truncate(1);
+        single.plane.x = "omega=3.7:3.7:1".parse().unwrap();
+        single.plane.y = "x2=-0.123456789:-0.123456789:1".parse().unwrap();
+        vec![example::map(80, 60), example::of(50, 2, |_, _| one), single, long]
+    }
+
+    fn texts(group: &Group, found: &mut Vec<Rect>) {
+        for node in group.children() {
+            match node {
+                Node::Group(inner) => texts(inner, found),
+                Node::Text(text) => found.push(text.abs_bounding_box()),
+                _ => {}
+            }
+        }
+    }
+
+    #[test]
+    fn words_are_inside_the_picture_and_apart() {
+        let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
+        for map in strained() {
+            for (width, height) in SIZES {
+                let size = Size::new(width, height).unwrap();
+                let picture = region_map(&map, size);
+                let tree = Tree::from_str(picture.svg(), &options).unwrap();
+                let mut words = Vec::new();
+                texts(tree.root(), &mut words);
+                let plane = format!("{} × {}, {width} × {height}", map.plane.x, map.plane.y);
+                assert!(!words.is_empty() || width < 200, "{plane}");
+                for (i, word) in words.iter().enumerate() {
+                    let inside = word.left() >= 0.0
+                        && word.top() >= 0.0
+                        && word.right() <= width as f32
+                        && word.bottom() <= height as f32;
+                    assert!(inside, "{plane}: {word:?} is clipped");
+                    let other = words[..i].iter().find(|other| other.intersect(word).is_some());
+                    assert!(other.is_none(), "{plane}: {word:?} overlaps {other:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_plot_is_shown_pixel_by_pixel() {
+        let map = example::map(80, 60);
+        for (width, height) in [(200, 150), (640, 480)] {
+            let size = Size::new(width, height).unwrap();
+            let census = Census::of(&map);
+            let plot = Layout::of(&map, &census, &frame(&map), size).plot;
+            let [x, y, width, height] = [plot.x, plot.y, plot.width, plot.height].map(|length| length as u32);
+            let expected = raster::draw(&map, &census, width, height, size.em());
+            let pixels = region_map(&map, size).pixels();
+            let shown = image::imageops::crop_imm(&pixels, x, y, width, height).to_image();
+            assert!(shown == expected, "{width} × {height}");
+        }
+    }
+
+    #[test]
+    fn a_picture_of_usual_size_says_everything() {
+        let map = example::map(80, 60);
+        let picture = region_map(&map, Size::new(1200, 900).unwrap());
+        for words in ["half clearance <", "forcing periods,", "1-1-1 symmetric", "chaotic", " %<"] {
+            assert!(picture.svg().contains(words), "{words}");
+        }
+        let escaped = map.config().replace('"', "&quot;");
+        assert!(picture.svg().contains(&escaped) || picture.svg().contains(&map.config()));
+    }
+}

@@ -1,0 +1,174 @@
+//! The words of the picture: title, legend and notes.
+
+use super::census::{Census, Region};
+use crate::model::Parameter;
+use crate::plane::{Component, Plane, Quantity, Start};
+use crate::render::legend::Entry;
+use crate::render::symbols::{number, symbol};
+use crate::render::text::Text;
+
+/// Motions with a smaller share are grouped, even where there is room for them.
+const RARE: f64 = 0.0005;
+/// How many of a group's paints its sample shows.
+const SAMPLES: usize = 4;
+
+/// The title in pieces that belong together: the fixed parameters and the start.
+pub(super) fn title(plane: &Plane) -> Vec<Text> {
+    let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
+    let mut pieces: Vec<(Text, f64)> = Vec::new();
+    for parameter in Parameter::ALL {
+        let quantity = Quantity::Parameter(parameter);
+        let value = plane.parameters.get(parameter);
+        let ratio = matches!(parameter, Parameter::MuK | Parameter::MuC);
+        match pieces.last_mut() {
+            _ if varied(quantity) => {}
+            Some((names, same)) if ratio && *same == value => {
+                *names = names.clone().upright(" = ").then(symbol(quantity));
+            }
+            _ => pieces.push((symbol(quantity), value)),
+        }
+    }
+    let equation = |(names, value): (Text, f64)| names.upright(format!(" = {},", number(value)));
+    let mut title: Vec<Text> = pieces.into_iter().map(equation).collect();
+    title.extend(start(plane));
+    title
+}
+
+fn start(plane: &Plane) -> Vec<Text> {
+    let varied = |component| [plane.x.quantity, plane.y.quantity].contains(&Quantity::Start(component));
+    let any_varied = Component::ALL.into_iter().any(varied);
+    let state = match plane.start {
+        Start::Symmetric => return vec!["start on the 1-1-1 motion, else at rest".into()],
+        Start::Rest if !any_varied => return vec!["start at rest".into()],
+        Start::Rest => [0.0; 4],
+        Start::State(state) => state,
+    };
+    let fixed: Vec<Component> = Component::ALL.into_iter().filter(|&c| !varied(c)).collect();
+    let last = fixed.len() - 1;
+    let piece = |(i, component): (usize, Component)| {
+        let before = if i == 0 { "start " } else { "" };
+        let after = if i == last { "" } else { "," };
+        let value = number(state[component.index()]);
+        let symbol = symbol(Quantity::Start(component));
+        Text::from(before).then(symbol).upright(format!(" = {value}{after}"))
+    };
+    fixed.into_iter().enumerate().map(piece).collect()
+}
+
+/// The rows of the legend: at most `rows`, everything that is not periodic among them, the rarest motions grouped.
+pub(super) fn entries(census: &Census, rows: usize, shares: bool) -> Vec<Entry> {
+    let all = census.region_of.len() as f64;
+    let share = |cells: u64| cells as f64 / all;
+    let value = |cells: u64| shares.then(|| percentage(share(cells)).into());
+    let groupable = |region: &Region| region.motion.regime.is_periodic();
+    let periodic: Vec<&Region> = census.regions.iter().filter(|region| groupable(region)).collect();
+    let common = periodic.iter().filter(|region| share(region.cells) >= RARE).count();
+    let room = rows.saturating_sub(census.indispensable());
+    let mut shown = common;
+    if common < periodic.len() || common > room {
+        shown = common.min(room.saturating_sub(1));
+    }
+    if periodic.len() - shown == 1 && room > shown {
+        shown += 1;
+    }
+    let group = &periodic[shown..];
+    let single = |region: &Region| Entry {
+        paints: vec![region.paint],
+        name: region.name.as_str().into(),
+        value: value(region.cells),
+    };
+    let is_shown = |region: &&Region| !group.iter().any(|grouped| grouped.motion == region.motion);
+    let mut entries: Vec<Entry> = census.regions.iter().filter(is_shown).map(single).collect();
+    if !group.is_empty() {
+        entries.push(Entry {
+            paints: group.iter().take(SAMPLES).map(|region| region.paint).collect(),
+            name: format!("other periodic ({} motions)", group.len()).into(),
+            value: value(group.iter().map(|region| region.cells).sum()),
+        });
+    }
+    entries
+}
+
+/// The meaning of the labels, in pieces that belong together.
+pub(super) fn definition() -> [Text; 3] {
+    let impacts = |count: &str, comma: &str, sign: &str| {
+        let stop = Text::new().italic("x").subscript("1").upright(format!(" = {sign}")).italic("δ");
+        Text::new().italic(count).upright(" impacts at ").then(stop).upright(comma)
+    };
+    let label = Text::new().italic("N").upright("-").italic("p").upright("-").italic("q").upright(": ");
+    [label.italic("N").upright(" forcing periods,"), impacts("p", ",", "−"), impacts("q", "", "+")]
+}
+
+/// A share of the plane, to a tenth of a percent.
+fn percentage(share: f64) -> String {
+    let percent = 100.0 * share;
+    if percent < 0.05 { "< 0.1 %".into() } else { format!("{percent:.1} %") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::Regime;
+    use crate::render::example;
+
+    fn plain(text: &Text) -> String {
+        text.spans().iter().map(|span| span.content.as_str()).collect()
+    }
+
+    fn title_of(plane: &Plane) -> String {
+        title(plane).iter().map(plain).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn the_title_tells_what_the_axes_do_not() {
+        let mut plane = example::map(4, 3).plane;
+        assert_eq!(
+            title_of(&plane),
+            "ζ = 0.1, r = 0.8, μm = μk = μc = 0.5, f20 = 0, start on the 1-1-1 motion, else at rest"
+        );
+        plane.parameters.mu_k = 0.25;
+        plane.start = Start::State([0.05, -1.5, 0.0, 1.0 / 3.0]);
+        assert_eq!(
+            title_of(&plane),
+            "ζ = 0.1, r = 0.8, μm = 0.5, μk = 0.25, μc = 0.5, f20 = 0, \
+             start x1 = 0.05, x2 = −1.5, v1 = 0, v2 = 0.333333"
+        );
+        plane.x = "x2=0:1:4".parse().unwrap();
+        plane.start = Start::Rest;
+        assert!(title_of(&plane).ends_with("start x1 = 0, v1 = 0, v2 = 0"));
+        assert!(title_of(&plane).starts_with("ω = 3.7, ζ"));
+    }
+
+    #[test]
+    fn the_legend_keeps_within_its_rows_and_misses_nothing() {
+        let census = Census::of(&example::map(120, 90));
+        let motions = census.regions.len();
+        let fixed = census.indispensable();
+        assert!(fixed >= 5 && motions > fixed + 12);
+        for rows in fixed + 1..motions + 3 {
+            let entries = entries(&census, rows, true);
+            assert!(entries.len() <= rows, "{rows}: {}", entries.len());
+            for regime in [Regime::Chaotic, Regime::Failed, Regime::NoImpact] {
+                assert!(entries.iter().any(|entry| plain(&entry.name) == regime.name()));
+            }
+            let named = |entry: &&Entry| !plain(&entry.name).starts_with("other");
+            let singles = entries.iter().filter(named).count();
+            let group = entries.iter().find(|entry| !named(entry));
+            let grouped = group.map_or(0, |entry| {
+                plain(&entry.name).split(['(', ' ']).find_map(|word| word.parse().ok()).unwrap()
+            });
+            assert_eq!(singles + grouped, motions, "{rows}");
+            assert_ne!(grouped, 1, "{rows}");
+        }
+    }
+
+    #[test]
+    fn shares_add_up() {
+        let census = Census::of(&example::map(120, 90));
+        let shares = entries(&census, 18, true).into_iter().map(|entry| plain(&entry.value.unwrap()));
+        let total: f64 = shares.filter_map(|share| share.strip_suffix(" %")?.parse::<f64>().ok()).sum();
+        assert!((99.0..101.0).contains(&total), "{total}");
+        assert_eq!(percentage(1e-6), "< 0.1 %");
+        assert_eq!(percentage(0.1234), "12.3 %");
+    }
+}

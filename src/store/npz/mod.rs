@@ -1,0 +1,125 @@
+//! A map as a NumPy archive: one array per field of a verdict, the axes, and the configuration as JSON text.
+//!
+//! | array | type | shape | meaning |
+//! |---|---|---|---|
+//! | `regime` | u8 | y, x | [`Regime`](crate::analysis::Regime) code |
+//! | `n`, `p`, `q` | u16 | y, x | the label N-p-q; 0 where not periodic, 65535 = infinitely many |
+//! | `symmetric` | u8 | y, x | 1 where x(t + Nπ/ω) = −x(t) |
+//! | `lyapunov` | f32 | y, x | largest exponent per forcing period |
+//! | `state` | f64 | y, x, 4 | (x1, x2, v1, v2) at forcing phase 0 |
+//! | `impacts` | u32 | y, x | impacts in the observed window |
+//! | `peak_impact_velocity` | f32 | y, x | largest speed before an impact in that window |
+//! | `periods` | u32 | y, x | forcing periods simulated |
+//! | `x`, `y` | f64 | x; y | the values of the axes |
+//! | `config` | text | (none) | everything needed to compute the map again |
+//!
+//! Rows run along y, the first row is the first y value. The same map gives the same bytes.
+
+mod read;
+mod write;
+
+pub use read::{ReadError, read_map};
+pub use write::write_map;
+
+#[cfg(test)]
+mod tests {
+    use std::io::{Cursor, Read};
+
+    use super::*;
+    use crate::analysis::{INFINITELY_MANY, Regime, Schedule, Verdict};
+    use crate::model::Parameters;
+    use crate::plane::{Plane, Provenance, RegionMap, Start};
+
+    fn example() -> RegionMap {
+        let schedule = Schedule { transient: 500, observe: 100, max_period: 16, fixed_periods: false };
+        let plane = Plane {
+            x: "omega=0.2:5:3".parse().unwrap(),
+            y: "x1=-0.05:0.05:2".parse().unwrap(),
+            parameters: Parameters::default(),
+            start: Start::State([0.0, 0.1, -0.2, 1.0 / 3.0]),
+            schedule,
+        };
+        let provenance =
+            Provenance { version: "0.1.0".into(), backend: "cpu".into(), adapter: "Prüfstand ∞".into() };
+        let verdict = |i: u16| Verdict {
+            regime: Regime::ALL[usize::from(i)],
+            n: i,
+            p: i + 1,
+            q: if i == 3 { INFINITELY_MANY } else { i + 2 },
+            symmetric: i == 2,
+            lyapunov: -0.1 * f32::from(i),
+            state: [0.1, 0.2, 0.3, 0.4].map(|x| x * f64::from(i)),
+            impacts: 100 + u32::from(i),
+            impacts_total: 0,
+            peak_impact_velocity: 0.5 + f32::from(i),
+            periods: 1000 + u32::from(i),
+        };
+        RegionMap { plane, provenance, verdicts: (0..6).map(verdict).collect() }
+    }
+
+    fn written(map: &RegionMap) -> Vec<u8> {
+        let mut file = Cursor::new(Vec::new());
+        write_map(map, &mut file).unwrap();
+        file.into_inner()
+    }
+
+    #[test]
+    fn a_map_reads_back_as_it_was_written() {
+        let map = example();
+        assert_eq!(read_map(Cursor::new(written(&map))).unwrap(), map);
+    }
+
+    #[test]
+    fn the_same_map_gives_the_same_bytes() {
+        assert_eq!(written(&example()), written(&example()));
+    }
+
+    #[test]
+    fn headers_are_numpys() {
+        let mut zip = zip::ZipArchive::new(Cursor::new(written(&example()))).unwrap();
+        let mut header = |name: &str| {
+            let mut bytes = Vec::new();
+            zip.by_name(name).unwrap().read_to_end(&mut bytes).unwrap();
+            assert_eq!(&bytes[..6], b"\x93NUMPY");
+            String::from_utf8_lossy(&bytes[10..]).lines().next().unwrap().to_owned()
+        };
+        for (name, kind, shape) in [
+            ("regime", "|u1", "(2, 3"),
+            ("n", "<u2", "(2, 3"),
+            ("symmetric", "|u1", "(2, 3"),
+            ("lyapunov", "<f4", "(2, 3"),
+            ("state", "<f8", "(2, 3, 4"),
+            ("impacts", "<u4", "(2, 3"),
+            ("peak_impact_velocity", "<f4", "(2, 3"),
+            ("periods", "<u4", "(2, 3"),
+            ("x", "<f8", "(3,"),
+            ("y", "<f8", "(2,"),
+            ("config", "<U", "()"),
+        ] {
+            let header = header(&format!("{name}.npy"));
+            assert!(header.contains(kind) && header.contains(shape), "{name}: {header}");
+            assert!(header.contains("'fortran_order': False"), "{name}: {header}");
+        }
+    }
+
+    #[test]
+    fn a_damaged_file_is_refused() {
+        let bytes = written(&example());
+        assert!(matches!(read_map(Cursor::new(&bytes[..bytes.len() / 2])), Err(ReadError::Io(_))));
+        let mut map = example();
+        map.verdicts.pop();
+        assert!(matches!(read_map(Cursor::new(written_raw(&map))), Err(ReadError::Shape(_))));
+    }
+
+    /// An archive whose arrays are one cell short, in one row.
+    fn written_raw(map: &RegionMap) -> Vec<u8> {
+        let mut short = map.clone();
+        short.plane.x.count = 5;
+        short.plane.y.count = 1;
+        let mut config = map.clone();
+        config.verdicts.clear();
+        let mut file = Cursor::new(Vec::new());
+        write::write_with_config(&short, &config.config(), &mut file).unwrap();
+        file.into_inner()
+    }
+}

@@ -1,0 +1,93 @@
+//! Reading a map back.
+
+use std::io::{self, Read, Seek};
+
+use npyz::{Deserialize as FromNpy, NpyFile};
+use serde::Deserialize;
+use thiserror::Error;
+use zip::ZipArchive;
+
+use crate::analysis::{Regime, Verdict};
+use crate::plane::{Plane, Provenance, RegionMap};
+
+/// Reads a map that [`write_map`](super::write_map) wrote.
+///
+/// What the file does not hold, the impacts over the whole trajectory, reads as 0.
+///
+/// # Errors
+/// What is missing from the file or does not fit together in it.
+pub fn read_map(from: impl Read + Seek) -> Result<RegionMap, ReadError> {
+    #[derive(Deserialize)]
+    struct Config {
+        #[serde(flatten)]
+        provenance: Provenance,
+        #[serde(flatten)]
+        plane: Plane,
+    }
+    let mut zip = ZipArchive::new(from).map_err(io::Error::from)?;
+    let config = values::<String>(&mut zip, "config", &[])?.concat();
+    let Config { provenance, plane } = serde_json::from_str(&config)?;
+    let verdicts = verdicts(&mut zip, &plane)?;
+    Ok(RegionMap { plane, provenance, verdicts })
+}
+
+fn verdicts(zip: &mut ZipArchive<impl Read + Seek>, plane: &Plane) -> Result<Vec<Verdict>, ReadError> {
+    let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
+    let regimes: Vec<u8> = values(zip, "regime", &cells)?;
+    let n: Vec<u16> = values(zip, "n", &cells)?;
+    let p: Vec<u16> = values(zip, "p", &cells)?;
+    let q: Vec<u16> = values(zip, "q", &cells)?;
+    let symmetric: Vec<u8> = values(zip, "symmetric", &cells)?;
+    let lyapunov: Vec<f32> = values(zip, "lyapunov", &cells)?;
+    let components: Vec<f64> = values(zip, "state", &[cells[0], cells[1], 4])?;
+    let (states, _) = components.as_chunks();
+    let impacts: Vec<u32> = values(zip, "impacts", &cells)?;
+    let peaks: Vec<f32> = values(zip, "peak_impact_velocity", &cells)?;
+    let periods: Vec<u32> = values(zip, "periods", &cells)?;
+    let verdict = |(i, &code): (usize, &u8)| {
+        Ok(Verdict {
+            regime: Regime::from_code(code).ok_or(ReadError::Regime(code))?,
+            n: n[i],
+            p: p[i],
+            q: q[i],
+            symmetric: symmetric[i] != 0,
+            lyapunov: lyapunov[i],
+            state: states[i],
+            impacts: impacts[i],
+            impacts_total: 0,
+            peak_impact_velocity: peaks[i],
+            periods: periods[i],
+        })
+    };
+    regimes.iter().enumerate().map(verdict).collect()
+}
+
+fn values<T: FromNpy>(
+    zip: &mut ZipArchive<impl Read + Seek>,
+    name: &'static str,
+    shape: &[u64],
+) -> Result<Vec<T>, ReadError> {
+    let entry = zip.by_name(&npyz::npz::file_name_from_array_name(name)).map_err(io::Error::from)?;
+    let array = NpyFile::new(entry)?;
+    if array.shape() != shape {
+        return Err(ReadError::Shape(name));
+    }
+    Ok(array.into_vec()?)
+}
+
+/// Why a map could not be read.
+#[derive(Debug, Error)]
+pub enum ReadError {
+    /// The file is damaged, not an archive, lacks an array, or could not be read.
+    #[error("the map's archive could not be read")]
+    Io(#[from] io::Error),
+    /// The configuration is not one of a map.
+    #[error("the map's configuration is not understood")]
+    Config(#[from] serde_json::Error),
+    /// An array does not fit the axes.
+    #[error("the array `{0}` does not fit the axes of the map")]
+    Shape(&'static str),
+    /// A code that no regime has.
+    #[error("{0} is not the code of a regime")]
+    Regime(u8),
+}
