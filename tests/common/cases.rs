@@ -21,6 +21,8 @@ pub enum Family {
     Resonant,
     /// A start on a stop: at rest, moving off it or into it.
     OnStop,
+    /// The first strobe falls into the last hops of a chatter.
+    LastHops,
 }
 
 /// A system with a start at forcing phase 0.
@@ -43,6 +45,8 @@ pub fn setups() -> Vec<Setup> {
     setups.extend((0..60).map(|_| grazing(&mut rng)));
     setups.extend((0..40).map(|_| resonant(&mut rng)));
     setups.extend((0..40).map(|_| on_stop(&mut rng)));
+    setups.extend((0..20).map(|_| last_hops(&mut rng, 1e-6)));
+    setups.extend((0..20).map(|_| last_hops(&mut rng, 1e-4)));
     setups
 }
 
@@ -163,4 +167,33 @@ fn on_stop(rng: &mut ChaCha8Rng) -> Setup {
     let stop = if rng.random() { parameters.delta } else { -parameters.delta };
     let v1 = if rng.random() { 0.0 } else { rng.random_range(-1.0..1.0) };
     Setup { family: Family::OnStop, parameters, start: [stop, x2, v1, v2] }
+}
+
+/// A chatter that is over just after the first strobe: v2 is bisected between a start that is caught before the
+/// strobe and one that is not, until the last rebound before the strobe is about as slow as asked for.
+fn last_hops(rng: &mut ChaCha8Rng, slowest: f64) -> Setup {
+    loop {
+        let setup = Setup { family: Family::LastHops, ..chatter(rng) };
+        let at = |v2: f64| Setup { start: [setup.start[0], setup.start[1], setup.start[2], v2], ..setup };
+        let (mut caught, mut flying) = (rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0));
+        if hop_at_strobe(&at(caught)).is_some() || hop_at_strobe(&at(flying)).is_none() {
+            continue;
+        }
+        for _ in 0..40 {
+            let middle = 0.5 * (caught + flying);
+            match hop_at_strobe(&at(middle)) {
+                None => caught = middle,
+                Some(rebound) if (slowest..100.0 * slowest).contains(&rebound) => return at(middle),
+                Some(_) => flying = middle,
+            }
+        }
+    }
+}
+
+/// The last rebound before the first strobe, unless M1 rests at the strobe.
+fn hop_at_strobe(setup: &Setup) -> Option<f64> {
+    let mut follower = Follower::<f64>::new(Plant::new(setup.parameters), setup.start);
+    let period = follower.next_period();
+    let rebound = period.impacts.last().map_or(f64::INFINITY, |impact| impact.velocity_after.abs());
+    (!follower.rests()).then_some(rebound)
 }

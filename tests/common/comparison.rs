@@ -19,13 +19,15 @@ pub struct Standard {
     pub tolerance: f64,
     /// How long a case is comparable in this precision.
     pub horizon: fn(&Case) -> Horizon,
+    /// Settled motions that an f32's noise drives off by more than this are not demanded.
+    pub sway: f64,
 }
 
 /// f64.
-pub const FINE: Standard = Standard { tolerance: 1e-9, horizon: |case| case.fine };
+pub const FINE: Standard = Standard { tolerance: 1e-9, horizon: |case| case.fine, sway: f64::INFINITY };
 
 /// f32.
-pub const COARSE: Standard = Standard { tolerance: 1e-4, horizon: |case| case.coarse };
+pub const COARSE: Standard = Standard { tolerance: 1e-4, horizon: |case| case.coarse, sway: 1e-3 };
 
 /// One comparison: a case after some forcing periods.
 #[derive(Clone, Debug)]

@@ -20,7 +20,7 @@ use super::oracle::{Follower, Plant};
 const LONGEST: usize = 40;
 
 /// Companions per case and noise level.
-const COMPANIONS: u64 = 4;
+const COMPANIONS: u64 = 6;
 
 /// How errors of one size grow.
 #[derive(Clone, Copy, Debug)]
@@ -37,8 +37,8 @@ pub struct Noise {
 /// For trajectories in f64.
 pub const FINE: Noise = Noise { size: 1e-10, limit: 1e3, at_least: 3 };
 
-/// For trajectories in f32.
-pub const COARSE: Noise = Noise { size: 1e-6, limit: 30.0, at_least: 0 };
+/// For trajectories in f32, whose rounding adds up to some 1e-6 of the state in a period of hundreds of steps.
+pub const COARSE: Noise = Noise { size: 3e-6, limit: 10.0, at_least: 0 };
 
 /// For how long a case is comparable.
 #[derive(Clone, Copy, Debug)]
@@ -114,7 +114,8 @@ fn scale(state: &[f64; 4]) -> f64 {
     state.iter().fold(1.0, |scale: f64, x| scale.max(x.abs()))
 }
 
-fn horizon(setup: &Setup, truth: &[Period], noise: Noise) -> Horizon {
+/// For how long a setup is comparable with its exact trajectory under noise.
+pub fn horizon(setup: &Setup, truth: &[Period], noise: Noise) -> Horizon {
     let limit = noise.limit * noise.size;
     let companions: Vec<Vec<Period>> =
         (0..COMPANIONS).map(|seed| companion(setup, truth, noise, seed)).collect();

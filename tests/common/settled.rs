@@ -8,8 +8,10 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 use super::cases::{Family, Setup, setups};
-use super::oracle::Plant;
+use super::conditioning::{COARSE, Noise, deviation, horizon};
+use super::oracle::follow::Period;
 use super::oracle::settle::{Settled, settle};
+use super::oracle::{Follower, Plant};
 
 /// Forcing periods within which a trajectory must settle to be in the suite.
 pub const BUDGET: usize = 960;
@@ -34,6 +36,8 @@ pub struct SettledCase {
     pub start: [f64; 4],
     /// What it settles on.
     pub settled: Settled,
+    /// How far noise of an f32's size drives it off the motion.
+    pub sway: f64,
 }
 
 /// The setups that settle, on the same motion from displaced starts; computed once per test binary.
@@ -51,7 +55,23 @@ fn settled_case(&Setup { family, parameters, start }: &Setup) -> Option<SettledC
     let mut same = || {
         let moved = start.map(|x| x + rng.random_range(-DISPLACEMENT..DISPLACEMENT));
         let inside = [moved[0].clamp(-parameters.delta, parameters.delta), moved[1], moved[2], moved[3]];
-        settle(plant, inside, 2 * BUDGET).is_some_and(|other| other.motion == settled.motion)
+        settle(plant, inside, 2 * BUDGET).is_some_and(|other| {
+            other.motion == settled.motion
+                && settled.strobes.iter().any(|s| deviation(&other.strobes[0], s) < SAME)
+        })
     };
-    (clear && (0..3).all(|_| same())).then_some(SettledCase { family, parameters, start, settled })
+    (clear && (0..3).all(|_| same())).then(|| {
+        let sway = sway(parameters, &settled);
+        SettledCase { family, parameters, start, settled, sway }
+    })
+}
+
+/// How far noise of an f32's size, many times what it usually makes, drives the trajectory off the motion.
+fn sway(parameters: Parameters, settled: &Settled) -> f64 {
+    let start = settled.strobes[settled.strobes.len() - 1];
+    let mut follower = Follower::<f64>::new(Plant::new(parameters), start);
+    let truth: Vec<Period> = (0..20).map(|_| follower.next_period()).collect();
+    let orbit = Setup { family: Family::General, parameters, start };
+    let noise = Noise { size: COARSE.size, limit: 1.0, at_least: truth.len() };
+    horizon(&orbit, &truth, noise).slack * noise.size
 }
