@@ -7,3 +7,5 @@ pub mod model;
 pub mod plane;
 pub mod render;
 pub mod store;
+pub mod sweep;
+pub mod validate;

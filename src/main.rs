@@ -1,1 +1,18 @@
-fn main() {}
+//! The command line of Impact Atlas.
+
+mod cli;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    let arguments = cli::Cli::parse();
+    match cli::run(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            cli::note(&error.to_string());
+            error.exit_code()
+        }
+    }
+}

@@ -31,6 +31,25 @@ fn steepest(acceleration: f32, jerk: f32, bound: f32, window: f32) -> f32 {
     return acceleration + max(window * (jerk + bound * window), 0.0);
 }
 
+// How one stop is approached.
+struct Approach {
+    gap: f32,
+    speed: f32,
+    acceleration: f32,
+    jerk: f32,
+    bound: f32,
+}
+
+fn safe_within(approach: Approach, window: f32) -> f32 {
+    let steep = steepest(approach.acceleration, approach.jerk, approach.bound, window);
+    return min(closing_time(approach.gap, approach.speed, steep), window);
+}
+
+// Whether a gap surely stays open for a time, by a glance.
+fn stays_clear(gap: f32, speed: f32, acceleration: f32, time: f32) -> bool {
+    return gap > time * (max(speed, 0.0) + 0.5 * max(acceleration, 0.0) * time);
+}
+
 fn safe_from_stop(
     distance: f32,
     speed: f32,
@@ -42,20 +61,23 @@ fn safe_from_stop(
     let gap = max(distance, 0.0);
     let jerk = side * motion.jerk * THIRD;
     let bound = motion.bound * TWELFTH;
-    var safe = closing_time(gap, speed, steepest(acceleration, jerk, bound, window));
-    if safe >= window {
+    if stays_clear(gap, speed, steepest(acceleration, jerk, bound, window), window) {
         return window;
     }
-    let pulled_off = pulled_off_time(acceleration, jerk, bound);
-    for (var look = 0u; look < 2u; look++) {
-        let widening = select(WIDENING_SECOND, WIDENING_FIRST, look == 0u);
-        let narrow = max(safe * widening, pulled_off);
-        if narrow < window {
-            let closing = closing_time(gap, speed, steepest(acceleration, jerk, bound, narrow));
-            safe = max(safe, min(closing, narrow));
+    let approach = Approach(gap, speed, acceleration, jerk, bound);
+    if speed <= 0.0 {
+        let pulled_off = pulled_off_time(acceleration, jerk, bound);
+        if pulled_off >= window {
+            return window;
+        }
+        return max(safe_within(approach, window), pulled_off);
+    }
+    if acceleration < 0.0 {
+        if safe_within(approach, window) >= window {
+            return window;
         }
     }
-    return safe;
+    return safe_within(approach, min(WIDENING * gap / speed, window));
 }
 
 fn closing_time(gap: f32, speed: f32, acceleration: f32) -> f32 {

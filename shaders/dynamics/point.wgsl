@@ -62,7 +62,7 @@ fn point_flown(point: Point, s: f32, free: f32) -> Point {
         if power * weight < TRUNCATION {
             break;
         }
-        let next = series_next(series, before, last) + phasor.x * force;
+        let next = series_next(series, before, last, phasor.x * force);
         before = last;
         last = next;
         phasor = vec2(phasor.y * turn, -(phasor.x * turn));

@@ -34,8 +34,8 @@ fn series_first(series: Series, x: vec2<f32>, v: vec2<f32>) -> vec2<f32> {
     return damped + series.times * springs;
 }
 
-// V(k+1) from V(k-1) and V(k).
-fn series_next(series: Series, before: vec2<f32>, last: vec2<f32>) -> vec2<f32> {
-    let spring = before.x * series.spring0 + before.y * series.spring1;
-    return (spring + last.x * series.damper0) + last.y * series.damper1;
+// V(k+1) from V(k-1), V(k) and what the forcing adds.
+fn series_next(series: Series, before: vec2<f32>, last: vec2<f32>, forced: vec2<f32>) -> vec2<f32> {
+    let known = (forced + before.x * series.spring0) + before.y * series.spring1;
+    return known + (last.x * series.damper0 + last.y * series.damper1);
 }

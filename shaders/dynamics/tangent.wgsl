@@ -24,7 +24,7 @@ fn tangent_flown(tangent: vec4<f32>, s: f32, free: f32) -> vec4<f32> {
         if power * weight < TRUNCATION {
             break;
         }
-        let next = series_next(series, before, last);
+        let next = series_next(series, before, last, vec2(0.0, 0.0));
         before = last;
         last = next;
     }

@@ -101,18 +101,32 @@ impl<T: Real> Observer<T> {
     }
 
     /// Follows the trajectory to its end.
+    #[inline(always)]
     pub fn follow(&mut self, flight: &Flight<T>, schedule: &Schedule) {
         loop {
             match self.stage {
-                Stage::Transient => {
-                    let taken = self.trajectory.advance::<false>(flight, &mut self.tangent);
-                    self.note(flight, schedule, &taken);
-                }
-                Stage::Observation => {
-                    let taken = self.trajectory.advance::<true>(flight, &mut self.tangent);
-                    self.note(flight, schedule, &taken);
-                }
+                Stage::Transient => self.follow_to_phase::<false>(flight, schedule),
+                Stage::Observation => self.follow_to_phase::<true>(flight, schedule),
                 Stage::Observed | Stage::Quiet | Stage::Failed => return,
+            }
+        }
+    }
+
+    /// Follows the trajectory to the next phase 0 or π, on a copy that the compiler can hold in registers.
+    #[inline(always)]
+    fn follow_to_phase<const TANGENT: bool>(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+        let mut trajectory = self.trajectory;
+        let mut tangent = self.tangent;
+        loop {
+            let taken = trajectory.advance_to_event::<TANGENT>(flight, &mut tangent);
+            let at_phase = matches!(taken.event, Event::HalfPeriod | Event::Strobe);
+            if at_phase {
+                self.trajectory = trajectory;
+                self.tangent = tangent;
+            }
+            self.note(flight, schedule, &taken);
+            if at_phase || self.stage == Stage::Failed {
+                return;
             }
         }
     }

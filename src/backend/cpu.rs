@@ -16,7 +16,7 @@ impl Backend for Cpu {
     }
 
     fn adapter(&self) -> String {
-        format!("{} f64, {} threads", std::env::consts::ARCH, rayon::current_num_threads())
+        format!("{} f64", std::env::consts::ARCH)
     }
 
     fn tile(&self) -> usize {
@@ -48,6 +48,13 @@ impl Backend for Cpu {
 pub fn follow<T: Real>(job: &Job, schedule: &Schedule) -> Verdict {
     let flight = Flight::new(&job.system).round::<T>();
     let mut observer = Observer::new(&flight, schedule, job.start.map(T::of));
-    observer.follow(&flight, schedule);
+    follow_to_end(&mut observer, &flight, schedule);
     observer.verdict(&flight)
+}
+
+/// [`Observer::follow`] with the instructions of the processor at hand; no operation is contracted or reordered, so
+/// the results do not depend on them.
+#[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
+fn follow_to_end<T: Real>(observer: &mut Observer<T>, flight: &Flight<T>, schedule: &Schedule) {
+    observer.follow(flight, schedule);
 }

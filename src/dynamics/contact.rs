@@ -47,14 +47,14 @@ pub const HERMITE: f64 = 1.0 / 384.0;
 /// A time longer than any window, and finite in either precision.
 pub const FAR: f64 = 1e30;
 
-/// How much a window is widened beyond the last estimate of the contact, pass by pass.
-pub const WIDENING: [f64; 2] = [1.25, 1.03];
+/// How far beyond the expected contact the window reaches.
+pub const WIDENING: f64 = 1.25;
 
 /// [`safe_time`] for one stop, `gap` away, approached with `speed` and `acceleration`.
 ///
 /// The gap after a time s is at least gap − speed·s − ½ s² (acceleration + jerk·s/3 + bound·s²/12), and the
-/// bracket is at most its larger end value on any window, so the quadratic's root is safe. A narrower window
-/// gives a tighter bracket: each pass looks again just beyond the root of the last one.
+/// bracket is at most its larger end value on any window, so the quadratic's root is safe within that window. A
+/// narrow window gives a tight bracket: it reaches just beyond where the contact is expected.
 #[inline(always)]
 fn safe_from_stop<T: Real>(gap: T, speed: T, acceleration: T, motion: &Motion<T>, side: T, window: T) -> T {
     let gap = if gap > T::zero() { gap } else { T::zero() };
@@ -64,24 +64,34 @@ fn safe_from_stop<T: Real>(gap: T, speed: T, acceleration: T, motion: &Motion<T>
         let change = s * (jerk + bound * s);
         if change > T::zero() { acceleration + change } else { acceleration }
     };
-    let mut safe = closing_time(gap, speed, steepest(window));
-    if safe >= window {
+    let within = |window: T| {
+        let closing = closing_time(gap, speed, steepest(window));
+        if closing < window { closing } else { window }
+    };
+    if stays_clear(gap, speed, steepest(window), window) {
         return window;
     }
-    let pulled_off = pulled_off_time(acceleration, jerk, bound);
-    for widening in WIDENING {
-        let wider = safe * T::of(widening);
-        let narrow = if wider > pulled_off { wider } else { pulled_off };
-        if narrow >= window {
-            continue;
+    if speed <= T::zero() {
+        let pulled_off = pulled_off_time(acceleration, jerk, bound);
+        if pulled_off >= window {
+            return window;
         }
-        let closing = closing_time(gap, speed, steepest(narrow));
-        let closing = if closing < narrow { closing } else { narrow };
-        if closing > safe {
-            safe = closing;
-        }
+        let safe = within(window);
+        return if safe > pulled_off { safe } else { pulled_off };
     }
-    safe
+    if acceleration < T::zero() && within(window) >= window {
+        return window;
+    }
+    let expected = T::of(WIDENING) * gap / speed;
+    within(if expected < window { expected } else { window })
+}
+
+/// Whether a gap surely stays open for a time, by a glance: speed and acceleration count only where they close it.
+#[inline(always)]
+fn stays_clear<T: Real>(gap: T, speed: T, acceleration: T, time: T) -> bool {
+    let speed = if speed > T::zero() { speed } else { T::zero() };
+    let acceleration = if acceleration > T::zero() { acceleration } else { T::zero() };
+    gap > time * (speed + T::of(0.5) * acceleration * time)
 }
 
 /// The first s > 0 with gap = speed·s + ½ acceleration·s², or [`FAR`]: for gap ≥ 0, without cancellation.

@@ -90,7 +90,8 @@ impl<T: Real> Point<T> {
             if negligible {
                 break;
             }
-            let next = axpy(phasor[0], force, series.next(before, last));
+            let forced = [phasor[0] * force[0], phasor[0] * force[1]];
+            let next = series.next(before, last, forced);
             before = last;
             last = next;
             phasor = [phasor[1] * turn, -(phasor[0] * turn)];

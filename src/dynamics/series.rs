@@ -66,13 +66,14 @@ impl<T: Real> Series<T> {
         [damped[0] + self.times[0] * springs[0], damped[1] + self.times[1] * springs[1]]
     }
 
-    /// Vₖ₊₁ from Vₖ₋₁ and Vₖ.
+    /// Vₖ₊₁ from Vₖ₋₁, Vₖ and what the forcing adds; the newest term comes last, for the shortest chain.
     #[inline(always)]
-    pub fn next(&self, before: Pair<T>, last: Pair<T>) -> Pair<T> {
+    pub fn next(&self, before: Pair<T>, last: Pair<T>, forced: Pair<T>) -> Pair<T> {
         let [k0, k1] = self.springs;
         let [c0, c1] = self.dampers;
-        let spring = axpy(before[1], k1, [before[0] * k0[0], before[0] * k0[1]]);
-        axpy(last[1], c1, axpy(last[0], c0, spring))
+        let known = axpy(before[1], k1, axpy(before[0], k0, forced));
+        let damped = axpy(last[1], c1, [last[0] * c0[0], last[0] * c0[1]]);
+        [known[0] + damped[0], known[1] + damped[1]]
     }
 
     /// The bound (rate·s)ᵏ/k! on the k-th term, from that of (rate·s)ᵏ⁻¹, and whether it may be neglected.

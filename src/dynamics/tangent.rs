@@ -48,7 +48,7 @@ impl<T: Real> Tangent<T> {
             if negligible {
                 break;
             }
-            (before, last) = (last, series.next(before, last));
+            (before, last) = (last, series.next(before, last, [T::zero(); 2]));
         }
         Tangent { x1: self.x1 + mean[0] * s, x2: self.x2 + mean[1] * s, v1: velocity[0], v2: velocity[1] }
     }

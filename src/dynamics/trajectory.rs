@@ -151,6 +151,21 @@ impl<T: Real> Trajectory<T> {
         }
     }
 
+    /// Moves on like [`Trajectory::advance`], but passes over the ends of steps at which nothing happens.
+    #[inline(always)]
+    pub fn advance_to_event<const TANGENT: bool>(
+        &mut self,
+        flight: &Flight<T>,
+        tangent: &mut Tangent<T>,
+    ) -> Move<T> {
+        loop {
+            let taken = self.advance::<TANGENT>(flight, tangent);
+            if taken.event != Event::StepEnd {
+                return taken;
+            }
+        }
+    }
+
     /// Free flight: a whole step where it provably clears the stops, else as far as is safe.
     #[inline(always)]
     fn fly<const TANGENT: bool>(&mut self, flight: &Flight<T>, tangent: &mut Tangent<T>) -> Move<T> {

@@ -32,7 +32,7 @@ impl Real for f64 {
     const TRUNCATION: f64 = 1e-16;
     const ORDER: usize = 17;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
-    const IMMINENT: f64 = 4e-9;
+    const IMMINENT: f64 = 1e-8;
     const CHATTER: f64 = 1e-15;
     const SETTLED: f64 = 1e-6;
 

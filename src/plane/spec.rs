@@ -61,10 +61,7 @@ impl Plane {
             .into_iter()
             .find(|axis| axis.quantity == Quantity::Parameter(Parameter::Delta))
             .map_or(self.parameters.delta, |axis| axis.first);
-        if farthest.abs() > narrowest {
-            return Err(StartError::OutsideStops { x1: farthest, delta: narrowest }.into());
-        }
-        Ok(())
+        Ok(Start::State([farthest, 0.0, 0.0, 0.0]).check(narrowest)?)
     }
 
     /// How many cells the plane has.

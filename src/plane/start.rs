@@ -6,6 +6,9 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::analysis::symmetric_start;
+use crate::model::System;
+
 /// How a trajectory begins, at forcing phase 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -16,6 +19,28 @@ pub enum Start {
     Symmetric,
     /// The given (x1, x2, v1, v2); non-dimensional.
     State([f64; 4]),
+}
+
+impl Start {
+    /// The (x1, x2, v1, v2) that a trajectory of this system begins with, at forcing phase 0; non-dimensional.
+    pub fn state(&self, system: &System) -> [f64; 4] {
+        match *self {
+            Start::Rest => [0.0; 4],
+            Start::Symmetric => symmetric_start(system).unwrap_or([0.0; 4]),
+            Start::State(state) => state,
+        }
+    }
+
+    /// Checks that the first mass begins between stops at ±`delta`.
+    ///
+    /// # Errors
+    /// [`StartError::OutsideStops`] with both values.
+    pub fn check(&self, delta: f64) -> Result<(), StartError> {
+        match *self {
+            Start::State([x1, ..]) if x1.abs() > delta => Err(StartError::OutsideStops { x1, delta }),
+            _ => Ok(()),
+        }
+    }
 }
 
 impl fmt::Display for Start {
@@ -70,6 +95,14 @@ pub enum StartError {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_start_lies_between_the_stops() {
+        assert_eq!(Start::Rest.check(0.0), Ok(()));
+        assert_eq!(Start::State([-0.1, 9.0, 9.0, 9.0]).check(0.1), Ok(()));
+        let outside = Start::State([-0.2, 0.0, 0.0, 0.0]).check(0.1);
+        assert_eq!(outside, Err(StartError::OutsideStops { x1: -0.2, delta: 0.1 }));
+    }
 
     #[test]
     fn starts_round_trip_and_bad_ones_are_named() {

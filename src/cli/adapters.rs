@@ -1,0 +1,33 @@
+//! `impact-atlas adapters`: what the GPU back end can run on.
+
+use clap::Args;
+use impact_atlas::backend;
+
+use super::CliError;
+use super::terminal::{print, print_json};
+
+/// Lists the adapters that the GPU back end can run on
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  impact-atlas adapters
+  impact-atlas map --backend gpu --adapter llvmpipe")]
+pub struct AdaptersArgs {
+    /// Prints JSON: [{name, driver, api, kind}], kind being hardware or software
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the command.
+pub fn run(args: &AdaptersArgs) -> Result<(), CliError> {
+    let adapters = backend::adapters();
+    if args.json {
+        return print_json(&adapters);
+    }
+    if adapters.is_empty() {
+        return print("no adapter was found; --backend cpu needs none");
+    }
+    let lines: Vec<String> =
+        adapters.iter().map(|a| format!("{} ({}, {}, {})", a.name, a.kind, a.api, a.driver)).collect();
+    print(&lines.join("\n"))
+}

@@ -1,0 +1,42 @@
+//! Every default of the command line.
+
+use impact_atlas::model::Parameter;
+use impact_atlas::plane::{Axis, Quantity};
+
+/// The horizontal axis of a map: the paper's Fig. 5.
+pub const X: Axis =
+    Axis { quantity: Quantity::Parameter(Parameter::Omega), first: 0.2, last: 5.0, count: 800 };
+
+/// The vertical axis of a map: the paper's Fig. 5.
+pub const Y: Axis =
+    Axis { quantity: Quantity::Parameter(Parameter::Delta), first: 0.02, last: 0.8, count: 600 };
+
+/// Cells that `validate` computes of the default plane: 400 × 300.
+pub const VALIDATED_CELLS: u32 = 120_000;
+
+/// The picture.
+pub const PICTURE: &str = "map.png";
+
+/// Forcing periods before a cell of a map is observed.
+pub const MAP_TRANSIENT: u32 = 400;
+
+/// Forcing periods for which a cell of a map is observed.
+pub const MAP_OBSERVE: u32 = 200;
+
+/// Largest N looked for.
+pub const MAX_PERIOD: u32 = 32;
+
+/// Forcing periods before a single trajectory is observed.
+pub const TRAJECTORY_TRANSIENT: u32 = 1000;
+
+/// Forcing periods for which a single trajectory is observed.
+pub const TRAJECTORY_OBSERVE: u32 = 500;
+
+/// Forcing periods of an orbit.
+pub const ORBIT_PERIODS: u32 = 20;
+
+/// Points of an orbit in each forcing period.
+pub const ORBIT_SAMPLES: u32 = 200;
+
+/// The picture's size in pixels.
+pub const PICTURE_SIZE: &str = "1600x1200";

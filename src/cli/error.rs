@@ -1,0 +1,70 @@
+//! What ends a command early, with its exit code.
+
+use std::process::ExitCode;
+
+use impact_atlas::backend::BackendError;
+use impact_atlas::sweep::SweepError;
+use thiserror::Error;
+
+/// Why a command did not do what was asked; everything but a check that does not hold leaves nothing written.
+#[derive(Debug, Error)]
+pub enum CliError {
+    /// A check did not hold: exit code 1.
+    #[error("the check did not hold: {0}")]
+    CheckFailed(String),
+    /// The input is wrong: exit code 2.
+    #[error("error: {0:#}")]
+    Input(anyhow::Error),
+    /// The machine cannot do it: exit code 3.
+    #[error("error: {0:#}")]
+    Machine(anyhow::Error),
+    /// A mistake in the program: exit code 3.
+    #[error(
+        "internal error: {0}\nThis is a bug in impact-atlas; please report it with the command that you ran."
+    )]
+    Bug(String),
+    /// Ctrl-C: exit code 130.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+impl CliError {
+    /// Wrong input.
+    pub fn input(error: impl Into<anyhow::Error>) -> Self {
+        CliError::Input(error.into())
+    }
+
+    /// Something that this machine cannot do.
+    pub fn machine(error: impl Into<anyhow::Error>) -> Self {
+        CliError::Machine(error.into())
+    }
+
+    /// What the process ends with.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            CliError::CheckFailed(_) => 1,
+            CliError::Input(_) => 2,
+            CliError::Machine(_) | CliError::Bug(_) => 3,
+            CliError::Interrupted => 130,
+        })
+    }
+}
+
+impl From<BackendError> for CliError {
+    fn from(error: BackendError) -> Self {
+        match error {
+            BackendError::Cancelled => CliError::Interrupted,
+            error => CliError::machine(error),
+        }
+    }
+}
+
+impl From<SweepError> for CliError {
+    fn from(error: SweepError) -> Self {
+        match error {
+            SweepError::Backend(error) => error.into(),
+            SweepError::Memory { .. } => CliError::machine(error),
+            SweepError::Plane(_) | SweepError::System(_) => CliError::input(error),
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! The command line: arguments, checked options, one file per subcommand.
+//!
+//! Results go to standard output, everything else to standard error.
+
+mod adapters;
+mod classify;
+mod defaults;
+mod error;
+mod files;
+mod interrupt;
+mod map;
+mod options;
+mod orbit;
+mod panics;
+mod progress;
+mod report;
+mod terminal;
+mod validate;
+mod values;
+
+use clap::{Parser, Subcommand};
+
+pub use error::CliError;
+pub use terminal::note;
+
+/// Parameter planes of vibro-impact systems, explored on the GPU.
+///
+/// The system is a two-degree-of-freedom oscillator whose first mass moves between two rigid stops at x1 = ±delta,
+/// forced by sin(omega t). All quantities are non-dimensional. A periodic motion is labelled N-p-q: N forcing
+/// periods, p impacts at the stop x1 = -delta and q impacts at the stop x1 = +delta in one period of the motion.
+#[derive(Debug, Parser)]
+#[command(name = "impact-atlas", version, after_long_help = EXIT_CODES)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes: 0 done, 1 a check did not hold, 2 the input is wrong, 3 the machine cannot do it, 130 interrupted.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Map(map::MapArgs),
+    Classify(classify::ClassifyArgs),
+    Orbit(orbit::OrbitArgs),
+    Validate(validate::ValidateArgs),
+    Adapters(adapters::AdaptersArgs),
+}
+
+/// Does what the arguments ask for.
+pub fn run(cli: &Cli) -> Result<(), CliError> {
+    interrupt::listen()?;
+    panics::shielded(|| match &cli.command {
+        Command::Map(args) => map::run(args),
+        Command::Classify(args) => classify::run(args),
+        Command::Orbit(args) => orbit::run(args),
+        Command::Validate(args) => validate::run(args),
+        Command::Adapters(args) => adapters::run(args),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        super::Cli::command().debug_assert();
+    }
+}

@@ -1,0 +1,170 @@
+//! Options that several subcommands share, and what becomes of them once they are checked.
+
+use anyhow::anyhow;
+use clap::{Args, ValueEnum};
+use impact_atlas::analysis::{Schedule, symmetric_start};
+use impact_atlas::backend::{self, Backend, Choice};
+use impact_atlas::model::{Parameters, System};
+use impact_atlas::plane::{Axis, Plane, Quantity, Start};
+
+use super::values::{Assignment, parse};
+use super::{CliError, defaults, note};
+
+/// The system's fixed parameters.
+#[derive(Debug, Args)]
+pub struct SystemArgs {
+    /// Sets a parameter; may be given for each of omega, delta, zeta, r, mu_m, mu_k, mu_c, f20
+    ///
+    /// Those not given have the paper's values: omega=3.7, delta=0.1, zeta=0.1, r=0.8, mu_m=mu_k=mu_c=0.5, f20=0.
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = parse::<Assignment>)]
+    assignments: Vec<Assignment>,
+}
+
+impl SystemArgs {
+    /// The parameters as set; those of `axes` are left to the axes.
+    pub fn parameters(&self, axes: &[(&str, Axis)]) -> Result<Parameters, CliError> {
+        for (i, set) in self.assignments.iter().enumerate() {
+            let varied = |(_, axis): &&(&str, Axis)| axis.quantity == Quantity::Parameter(set.parameter);
+            if let Some((option, axis)) = axes.iter().find(varied) {
+                return Err(CliError::Input(anyhow!(
+                    "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
+                    set.parameter
+                )));
+            }
+            if let Some(other) = self.assignments[..i].iter().find(|other| other.parameter == set.parameter) {
+                return Err(CliError::Input(anyhow!(
+                    "{} is set twice, by --set {other} and --set {set}: drop one of the two",
+                    set.parameter
+                )));
+            }
+        }
+        let parameters = Parameters::default();
+        Ok(self.assignments.iter().fold(parameters, |p, set| p.with(set.parameter, set.value)))
+    }
+
+    /// The system, with a start that lies between its stops.
+    pub fn system_and_start(&self, start: Start) -> Result<(System, [f64; 4]), CliError> {
+        let system = System::new(self.parameters(&[])?).map_err(CliError::input)?;
+        start.check(system.parameters().delta).map_err(CliError::input)?;
+        if start == Start::Symmetric && symmetric_start(&system).is_none() {
+            note("there is no physical symmetric 1-1-1 motion here: starting from rest");
+        }
+        Ok((system, start.state(&system)))
+    }
+}
+
+/// What computes.
+#[derive(Clone, Debug, Args)]
+pub struct BackendArgs {
+    /// What computes: the GPU (f32), the CPU (f64), or the faster one that is there
+    #[arg(long, value_enum, default_value_t = BackendName::Auto)]
+    pub backend: BackendName,
+
+    /// Uses the adapter whose name contains TEXT (see `impact-atlas adapters`)
+    #[arg(long, value_name = "TEXT")]
+    pub adapter: Option<String>,
+}
+
+/// A back end by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum BackendName {
+    /// A hardware GPU, otherwise the faster of software adapter and CPU
+    Auto,
+    /// A hardware GPU, otherwise a software adapter
+    Gpu,
+    /// Double precision on all cores; the reference
+    Cpu,
+}
+
+impl BackendArgs {
+    /// Opens the back end and says which one it is.
+    pub fn open(&self) -> Result<Box<dyn Backend>, CliError> {
+        if let (BackendName::Cpu, Some(adapter)) = (self.backend, &self.adapter) {
+            return Err(CliError::Input(anyhow!(
+                "--adapter {adapter} chooses an adapter of the GPU back end: drop it or --backend cpu"
+            )));
+        }
+        let choice = match self.backend {
+            BackendName::Auto => Choice::Auto,
+            BackendName::Gpu => Choice::Gpu,
+            BackendName::Cpu => Choice::Cpu,
+        };
+        let backend = backend::open(choice, self.adapter.as_deref())?;
+        let fallback = self.backend == BackendName::Auto && backend.name() == "cpu";
+        let why = if fallback { "; no hardware GPU was found" } else { "" };
+        note(&format!("computing on {}: {}{why}", backend.name(), backend.adapter()));
+        Ok(backend)
+    }
+}
+
+/// A plane.
+#[derive(Debug, Args)]
+pub struct PlaneArgs {
+    /// Horizontal axis, ends included [default: omega=0.2:5:800]
+    ///
+    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2.
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT", value_parser = parse::<Axis>)]
+    x: Option<Axis>,
+
+    /// Vertical axis, ends included [default: delta=0.02:0.8:600]
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT", value_parser = parse::<Axis>)]
+    y: Option<Axis>,
+
+    #[command(flatten)]
+    system: SystemArgs,
+
+    /// How cells begin: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
+    /// [default: symmetric, or rest where an axis varies the start]
+    ///
+    /// `symmetric` is the stable-branch 1-1-1 motion of the cell where there is one, nudged so that an unstable one
+    /// is left, and rest elsewhere. The plane is multistable: what a map shows depends on its start.
+    #[arg(long, value_name = "START", value_parser = parse::<Start>, allow_hyphen_values = true)]
+    start: Option<Start>,
+
+    /// Forcing periods before the observation
+    #[arg(long, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
+    transient: u32,
+
+    /// Forcing periods of the observation
+    #[arg(long, value_name = "P", default_value_t = defaults::MAP_OBSERVE)]
+    observe: u32,
+
+    /// Largest N looked for in N-p-q
+    #[arg(long, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
+    max_period: u32,
+
+    /// Every cell runs transient + observe periods, settled or not
+    #[arg(long)]
+    fixed_periods: bool,
+}
+
+impl PlaneArgs {
+    /// The checked plane.
+    pub fn plane(&self) -> Result<Plane, CliError> {
+        let (x, y) = (self.x.unwrap_or(defaults::X), self.y.unwrap_or(defaults::Y));
+        let plane = Plane {
+            x,
+            y,
+            parameters: self.system.parameters(&[("--x", x), ("--y", y)])?,
+            start: self.start.unwrap_or_else(|| default_start(&[x, y])),
+            schedule: Schedule {
+                transient: self.transient,
+                observe: self.observe,
+                max_period: self.max_period,
+                fixed_periods: self.fixed_periods,
+            },
+        };
+        plane.check().map_err(CliError::input)?;
+        Ok(plane)
+    }
+
+    /// Whether both axes are left at their defaults.
+    pub fn default_axes(&self) -> bool {
+        self.x.is_none() && self.y.is_none()
+    }
+}
+
+fn default_start(axes: &[Axis]) -> Start {
+    let varied = axes.iter().any(|axis| matches!(axis.quantity, Quantity::Start(_)));
+    if varied { Start::Rest } else { Start::Symmetric }
+}

@@ -1,0 +1,130 @@
+//! `impact-atlas validate`: one back end against the reference.
+
+use clap::{Args, value_parser};
+use impact_atlas::backend::{self, Choice};
+use impact_atlas::plane::{Axis, Plane};
+use impact_atlas::sweep::sweep;
+use impact_atlas::validate::{Thresholds, compare_continued, continue_strays};
+
+use super::options::{BackendArgs, BackendName, PlaneArgs};
+use super::progress::Progress;
+use super::report::Report;
+use super::terminal::{print, print_json};
+use super::{CliError, defaults, note};
+
+/// Computes the same cells on the CPU's reference and on another back end, and says how well they agree
+///
+/// Exit code 0 if agreement holds, 1 if it does not. Agreement means the same regime and the same N-p-q; it is
+/// counted apart inside regions (cells whose eight neighbours are like them in the reference) and on boundaries.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  impact-atlas validate
+  impact-atlas validate --cells 2000 --adapter llvmpipe --json
+  impact-atlas validate --x omega=0.2:0.5:60 --y r=0.5:0.8:40 --set delta=0.2")]
+pub struct ValidateArgs {
+    #[command(flatten)]
+    plane: PlaneArgs,
+
+    /// Computes about K cells, whatever COUNT the axes have [default: 120000 where no axis is given]
+    #[arg(long, value_name = "K", value_parser = value_parser!(u32).range(4..=Plane::LARGEST as i64))]
+    cells: Option<u32>,
+
+    #[command(flatten)]
+    backend: BackendArgs,
+
+    /// Prints the whole report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the command.
+pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
+    let plane = args.plane()?;
+    plane.check().map_err(CliError::input)?;
+    let candidate = args.candidate().open()?;
+    let reference = backend::open(Choice::Cpu, None)?;
+    note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
+
+    let theirs = sweep(&plane, &*candidate, &Progress::of_cells("candidate", plane.cells()))?;
+    let ours = sweep(&plane, &*reference, &Progress::of_cells("reference", plane.cells()))?;
+    let strays = impact_atlas::validate::strays(&ours, &theirs).len() as u64;
+    let continued = continue_strays(&ours, &theirs, &*reference, &Progress::of_cells("continuing", strays))?;
+    let agreement = compare_continued(&ours, &theirs, &continued);
+
+    let report =
+        Report::new(&ours, &theirs, &agreement, &Thresholds::default(), args.backend.adapter.as_deref());
+    if args.json {
+        print_json(&report)?
+    } else {
+        print(&report.text())?
+    }
+    report.verdict()
+}
+
+impl ValidateArgs {
+    /// The plane with as many cells as are asked for.
+    fn plane(&self) -> Result<Plane, CliError> {
+        let plane = self.plane.plane()?;
+        let default = self.plane.default_axes().then_some(defaults::VALIDATED_CELLS);
+        Ok(match self.cells.or(default) {
+            Some(cells) => with_cells(plane, cells),
+            None => plane,
+        })
+    }
+
+    /// What is held against the reference: the GPU, unless the CPU is asked for.
+    fn candidate(&self) -> BackendArgs {
+        let backend = match self.backend.backend {
+            BackendName::Auto | BackendName::Gpu => BackendName::Gpu,
+            BackendName::Cpu => BackendName::Cpu,
+        };
+        BackendArgs { backend, ..self.backend.clone() }
+    }
+}
+
+/// The same plane with about so many cells, in about the same proportion; an axis of one value keeps it.
+fn with_cells(plane: Plane, cells: u32) -> Plane {
+    let resized = |axis: Axis, count: f64| match axis.count {
+        1 => axis,
+        _ => Axis { count: (count.round() as u32).clamp(2, Axis::LARGEST), ..axis },
+    };
+    let (x, y) = (f64::from(plane.x.count), f64::from(plane.y.count));
+    let rows = if plane.x.count == 1 { f64::from(cells) } else { (f64::from(cells) * y / x).sqrt() };
+    let y = resized(plane.y, rows);
+    let x = resized(plane.x, f64::from(cells) / f64::from(y.count));
+    Plane { x, y, ..plane }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Parser)]
+    struct Wrapper {
+        #[command(flatten)]
+        args: ValidateArgs,
+    }
+
+    fn counts(options: &[&str]) -> (u32, u32) {
+        let wrapper = Wrapper::parse_from([&["validate"], options].concat());
+        let plane = wrapper.args.plane().unwrap();
+        (plane.x.count, plane.y.count)
+    }
+
+    #[test]
+    fn cells_keep_the_proportion_of_the_plane() {
+        assert_eq!(counts(&[]), (400, 300));
+        assert_eq!(counts(&["--cells", "1200"]), (40, 30));
+        assert_eq!(counts(&["--cells", "4"]), (2, 2));
+        let wide = ["--x", "omega=1:2:1000", "--y", "r=0.5:0.6:10"];
+        assert_eq!(counts(&wide), (1000, 10));
+        assert_eq!(counts(&[&wide[..], &["--cells", "100"]].concat()), (50, 2));
+        let line = ["--x", "omega=1:1:1", "--y", "r=0.5:0.6:10", "--cells", "50"];
+        assert_eq!(counts(&line), (1, 50));
+        let row = ["--x", "omega=1:2:7", "--y", "r=0.5:0.5:1", "--cells", "50"];
+        assert_eq!(counts(&row), (50, 1));
+    }
+}

@@ -1,0 +1,217 @@
+//! A whole plane on one back end, tile by tile.
+//!
+//! Jobs are made for one tile at a time, so that memory beyond the verdicts themselves does not grow with the plane.
+//! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
+
+use rayon::prelude::*;
+use thiserror::Error;
+
+use crate::backend::{Backend, BackendError, Job, Watch};
+use crate::model::{System, SystemError};
+use crate::plane::{Plane, PlaneError, Provenance, RegionMap};
+
+/// Computes every cell of a plane on a back end.
+///
+/// # Errors
+/// A plane or a system that cannot be used, or what the back end could not do; nothing is kept of a sweep that the
+/// watch ended.
+pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<RegionMap, SweepError> {
+    plane.check()?;
+    check_border(plane)?;
+    let cells = plane.cells();
+    let tile = backend.tile().max(1);
+    let mut verdicts = Vec::new();
+    verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory { cells })?;
+    for first in (0..cells).step_by(tile) {
+        if watch.cancelled() {
+            return Err(BackendError::Cancelled.into());
+        }
+        let jobs = jobs(plane, first..cells.min(first + tile as u64))?;
+        verdicts.extend(backend.run(&jobs, &plane.schedule, watch)?);
+    }
+    Ok(RegionMap { plane: plane.clone(), provenance: provenance(backend), verdicts })
+}
+
+/// What a result of this back end is marked with.
+pub fn provenance(backend: &dyn Backend) -> Provenance {
+    Provenance {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        backend: backend.name().to_owned(),
+        adapter: backend.adapter(),
+    }
+}
+
+/// Refuses time scales that are too far apart before anything is computed: they are so on the border first.
+fn check_border(plane: &Plane) -> Result<(), SystemError> {
+    let (columns, rows) = (plane.x.count, plane.y.count);
+    let horizontal = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
+    let vertical = (0..rows).flat_map(|row| [(0, row), (columns - 1, row)]);
+    horizontal
+        .chain(vertical)
+        .try_for_each(|(column, row)| System::new(plane.parameters_at(column, row)).map(drop))
+}
+
+fn jobs(plane: &Plane, cells: std::ops::Range<u64>) -> Result<Vec<Job>, SystemError> {
+    let columns = u64::from(plane.x.count);
+    cells.into_par_iter().map(|cell| job(plane, (cell % columns) as u32, (cell / columns) as u32)).collect()
+}
+
+fn job(plane: &Plane, column: u32, row: u32) -> Result<Job, SystemError> {
+    let system = System::new(plane.parameters_at(column, row))?;
+    Ok(Job { system, start: plane.start_at(column, row).state(&system) })
+}
+
+/// Why a plane was not computed.
+#[derive(Debug, Error)]
+pub enum SweepError {
+    /// The plane cannot be used.
+    #[error(transparent)]
+    Plane(#[from] PlaneError),
+    /// A cell's system cannot be used.
+    #[error(transparent)]
+    System(#[from] SystemError),
+    /// The verdicts do not fit into memory.
+    #[error("the results of {cells} cells do not fit into this machine's memory: compute fewer")]
+    Memory {
+        /// The cells of the plane.
+        cells: u64,
+    },
+    /// The back end gave no verdicts.
+    #[error(transparent)]
+    Backend(#[from] BackendError),
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    use super::*;
+    use crate::analysis::{Regime, Schedule, Verdict};
+    use crate::backend::Unwatched;
+    use crate::model::Parameters;
+    use crate::plane::Start;
+
+    /// Gives back each job's parameters and start in the verdict's state.
+    #[derive(Debug)]
+    struct Echo {
+        tile: usize,
+    }
+
+    impl Backend for Echo {
+        fn name(&self) -> &'static str {
+            "cpu"
+        }
+
+        fn adapter(&self) -> String {
+            "echo".to_owned()
+        }
+
+        fn tile(&self) -> usize {
+            self.tile
+        }
+
+        fn run(
+            &self,
+            jobs: &[Job],
+            _schedule: &Schedule,
+            watch: &dyn Watch,
+        ) -> Result<Vec<Verdict>, BackendError> {
+            assert!(jobs.len() <= self.tile.max(1), "a tile of {} jobs", jobs.len());
+            watch.finished(jobs.len() as u64);
+            Ok(jobs.iter().map(echo).collect())
+        }
+    }
+
+    fn echo(job: &Job) -> Verdict {
+        let parameters = job.system.parameters();
+        Verdict {
+            regime: Regime::NoImpact,
+            n: 0,
+            p: 0,
+            q: 0,
+            symmetric: false,
+            lyapunov: 0.0,
+            state: [parameters.omega, parameters.delta, job.start[0], job.start[2]],
+            impacts: 0,
+            impacts_total: 0,
+            peak_impact_velocity: 0.0,
+            periods: 0,
+        }
+    }
+
+    fn plane(x: &str, y: &str, start: Start) -> Plane {
+        Plane {
+            x: x.parse().unwrap(),
+            y: y.parse().unwrap(),
+            parameters: Parameters::default(),
+            start,
+            schedule: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
+        }
+    }
+
+    #[test]
+    fn every_cell_is_in_its_place_for_any_tile() {
+        let plane = plane("omega=1:3:5", "delta=0.1:0.4:4", Start::State([0.05, 0.0, -1.0, 0.0]));
+        for tile in [0, 1, 3, 5, 7, 20, 1000] {
+            let map = sweep(&plane, &Echo { tile }, &Unwatched).unwrap();
+            assert_eq!(map.verdicts.len(), 20);
+            for row in 0..4 {
+                for column in 0..5 {
+                    let expected = [plane.x.value(column), plane.y.value(row), 0.05, -1.0];
+                    assert_eq!(map.at(column, row).state, expected, "column {column}, row {row}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn axes_over_the_start_vary_the_start() {
+        let plane = plane("x1=-0.1:0.1:3", "v1=-2:2:2", Start::Rest);
+        let map = sweep(&plane, &Echo { tile: 4 }, &Unwatched).unwrap();
+        assert_eq!(map.at(2, 0).state, [3.7, 0.1, 0.1, -2.0]);
+        assert_eq!(map.at(0, 1).state, [3.7, 0.1, -0.1, 2.0]);
+    }
+
+    #[test]
+    fn a_plane_that_cannot_be_used_is_refused() {
+        let same = plane("omega=1:3:5", "omega=1:3:5", Start::Rest);
+        assert!(matches!(sweep(&same, &Echo { tile: 4 }, &Unwatched), Err(SweepError::Plane(_))));
+    }
+
+    #[test]
+    fn systems_that_cannot_be_followed_are_refused_before_anything_runs() {
+        let too_slow = plane("delta=0.1:0.4:4", "omega=1e-12:3:4", Start::Rest);
+        let watch = Limit { limit: u64::MAX, finished: AtomicU64::new(0) };
+        assert!(matches!(sweep(&too_slow, &Echo { tile: 1 }, &watch), Err(SweepError::System(_))));
+        assert_eq!(watch.finished.into_inner(), 0);
+        let last_row = plane("omega=1:3:4", "zeta=0:1e9:4", Start::Rest);
+        let watch = Limit { limit: u64::MAX, finished: AtomicU64::new(0) };
+        assert!(matches!(sweep(&last_row, &Echo { tile: 1 }, &watch), Err(SweepError::System(_))));
+        assert_eq!(watch.finished.into_inner(), 0);
+    }
+
+    /// Asks to stop once `limit` cells are finished.
+    struct Limit {
+        limit: u64,
+        finished: AtomicU64,
+    }
+
+    impl Watch for Limit {
+        fn finished(&self, cells: u64) {
+            self.finished.fetch_add(cells, Ordering::Relaxed);
+        }
+
+        fn cancelled(&self) -> bool {
+            self.finished.load(Ordering::Relaxed) >= self.limit
+        }
+    }
+
+    #[test]
+    fn a_sweep_stops_between_tiles() {
+        let plane = plane("omega=1:3:5", "delta=0.1:0.4:4", Start::Rest);
+        let watch = Limit { limit: 6, finished: AtomicU64::new(0) };
+        let stopped = sweep(&plane, &Echo { tile: 3 }, &watch);
+        assert!(matches!(stopped, Err(SweepError::Backend(BackendError::Cancelled))));
+        assert_eq!(watch.finished.into_inner(), 6);
+    }
+}

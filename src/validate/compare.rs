@@ -1,0 +1,183 @@
+//! The comparison itself: a pure function of two maps.
+
+use super::agreement::{Agreement, FailedCells, Fault, RegimeAgreement, WorstCell};
+use super::continuation::Continued;
+use super::spread::{Share, Spread};
+use crate::analysis::{Regime, Verdict};
+use crate::plane::RegionMap;
+
+/// How many of the worst cells are kept of each kind.
+const WORST_OF_A_KIND: usize = 4;
+
+/// Compares two maps of the same plane; strays count with their whole difference.
+///
+/// # Panics
+/// If the maps are not of the same plane.
+pub fn compare(reference: &RegionMap, candidate: &RegionMap) -> Agreement {
+    compare_continued(reference, candidate, &Continued::new())
+}
+
+/// Compares two maps of the same plane; `continued` holds the differences of strays that the reference continued.
+///
+/// # Panics
+/// If the maps are not of the same plane.
+pub fn compare_continued(reference: &RegionMap, candidate: &RegionMap, continued: &Continued) -> Agreement {
+    assert_eq!(reference.plane, candidate.plane, "only maps of the same plane can be compared");
+    let cells: Vec<Cell> = (0..reference.verdicts.len())
+        .map(|index| Cell::compare(reference, candidate, continued, index))
+        .collect();
+    let of_regime = |regime| cells.iter().filter(move |cell: &&Cell| cell.reference.regime == regime);
+    Agreement {
+        cells: cells.len() as u64,
+        confusion: confusion(&cells),
+        inside: share(cells.iter().filter(|cell| cell.inside)),
+        boundary: share(cells.iter().filter(|cell| !cell.inside)),
+        non_chaotic: share(cells.iter().filter(|cell| cell.reference.regime != Regime::Chaotic)),
+        symmetry: symmetry(&cells),
+        regimes: Regime::ALL
+            .into_iter()
+            .filter(|&regime| of_regime(regime).next().is_some())
+            .map(|regime| regime_agreement(regime, &of_regime(regime).collect::<Vec<_>>()))
+            .collect(),
+        end_state: Spread::of(cells.iter().filter_map(|cell| cell.difference).collect()),
+        continued: continued.len() as u64,
+        failed: FailedCells {
+            reference: failed(cells.iter().map(|cell| cell.reference)),
+            candidate: failed(cells.iter().map(|cell| cell.candidate)),
+        },
+        worst: worst(&cells, reference.plane.x.count),
+    }
+}
+
+/// Whether regime and label are equal.
+pub(super) fn same_label(a: &Verdict, b: &Verdict) -> bool {
+    (a.regime, a.n, a.p, a.q) == (b.regime, b.n, b.p, b.q)
+}
+
+/// Whether both are the same periodic motion by label.
+pub(super) fn same_motion(a: &Verdict, b: &Verdict) -> bool {
+    a.regime.is_periodic() && same_label(a, b)
+}
+
+/// The largest absolute difference of the strobe states; infinite where one is not a number.
+pub(super) fn state_difference(a: &[f64; 4], b: &[f64; 4]) -> f64 {
+    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+    differences.fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { d.max(largest) })
+}
+
+/// A cell in both maps.
+struct Cell<'a> {
+    index: usize,
+    reference: &'a Verdict,
+    candidate: &'a Verdict,
+    agrees: bool,
+    inside: bool,
+    difference: Option<f64>,
+}
+
+impl<'a> Cell<'a> {
+    fn compare(
+        reference: &'a RegionMap,
+        candidate: &'a RegionMap,
+        continued: &Continued,
+        index: usize,
+    ) -> Self {
+        let (ours, theirs) = (&reference.verdicts[index], &candidate.verdicts[index]);
+        let direct = || state_difference(&ours.state, &theirs.state);
+        Cell {
+            index,
+            reference: ours,
+            candidate: theirs,
+            agrees: same_label(ours, theirs),
+            inside: is_inside(reference, index),
+            difference: same_motion(ours, theirs)
+                .then(|| continued.get(&index).copied().unwrap_or_else(direct)),
+        }
+    }
+
+    fn fault(&self) -> Option<Fault> {
+        match self {
+            cell if cell.reference.regime == Regime::Failed => Some(Fault::Failed),
+            cell if cell.candidate.regime == Regime::Failed => Some(Fault::Failed),
+            Cell { agrees: false, inside: true, .. } => Some(Fault::LabelInside),
+            Cell { agrees: false, inside: false, .. } => Some(Fault::LabelOnBoundary),
+            Cell { difference: Some(difference), .. } if *difference > 0.0 => Some(Fault::EndState),
+            _ => None,
+        }
+    }
+
+    /// What cells of one fault are ranked by: the difference of the end states, otherwise how clearly stable or
+    /// chaotic the reference is, since a marginal cell is the easiest to mistake.
+    fn gravity(&self) -> f64 {
+        let gravity = self.difference.unwrap_or(f64::from(self.reference.lyapunov).abs());
+        if gravity.is_nan() { f64::INFINITY } else { gravity }
+    }
+}
+
+/// Whether every neighbour that the cell has agrees with it.
+fn is_inside(map: &RegionMap, index: usize) -> bool {
+    let (columns, rows) = (map.plane.x.count, map.plane.y.count);
+    let (column, row) = (index as u32 % columns, index as u32 / columns);
+    let around = |i: u32, count: u32| i.saturating_sub(1)..=(i + 1).min(count - 1);
+    around(row, rows).all(|r| around(column, columns).all(|c| same_label(map.at(c, r), &map.verdicts[index])))
+}
+
+fn share<'a>(cells: impl Iterator<Item = &'a Cell<'a>>) -> Share {
+    cells.fold(Share::default(), |mut share, cell| {
+        share.count(cell.agrees);
+        share
+    })
+}
+
+fn symmetry(cells: &[Cell]) -> Share {
+    let mut share = Share::default();
+    for cell in cells.iter().filter(|cell| same_motion(cell.reference, cell.candidate)) {
+        share.count(cell.reference.symmetric == cell.candidate.symmetric);
+    }
+    share
+}
+
+fn confusion(cells: &[Cell]) -> [[u64; 8]; 8] {
+    let mut confusion = [[0; 8]; 8];
+    for cell in cells {
+        confusion[usize::from(cell.reference.regime.code())][usize::from(cell.candidate.regime.code())] += 1;
+    }
+    confusion
+}
+
+fn failed<'a>(verdicts: impl Iterator<Item = &'a Verdict>) -> u64 {
+    verdicts.filter(|verdict| verdict.regime == Regime::Failed).count() as u64
+}
+
+fn regime_agreement(regime: Regime, cells: &[&Cell]) -> RegimeAgreement {
+    let agreeing = cells.iter().filter(|cell| cell.agrees);
+    RegimeAgreement {
+        regime: regime.name(),
+        inside: share(cells.iter().copied().filter(|cell| cell.inside)),
+        boundary: share(cells.iter().copied().filter(|cell| !cell.inside)),
+        end_state: Spread::of(cells.iter().filter_map(|cell| cell.difference).collect()),
+        lyapunov: Spread::of(agreeing.map(|cell| lyapunov_difference(cell)).collect()),
+    }
+}
+
+/// Zero where both are infinite alike.
+fn lyapunov_difference(cell: &Cell) -> f64 {
+    let (reference, candidate) = (cell.reference.lyapunov, cell.candidate.lyapunov);
+    if reference == candidate { 0.0 } else { f64::from(reference - candidate).abs() }
+}
+
+fn worst(cells: &[Cell], columns: u32) -> Vec<WorstCell> {
+    let of_a_kind = |fault| {
+        let mut cells: Vec<&Cell> = cells.iter().filter(|cell| cell.fault() == Some(fault)).collect();
+        cells.sort_by(|a, b| b.gravity().total_cmp(&a.gravity()));
+        cells.into_iter().take(WORST_OF_A_KIND).map(move |cell| WorstCell {
+            column: cell.index as u32 % columns,
+            row: cell.index as u32 / columns,
+            fault,
+            reference: *cell.reference,
+            candidate: *cell.candidate,
+            difference: cell.difference,
+        })
+    };
+    Fault::ALL.into_iter().flat_map(of_a_kind).collect()
+}

@@ -1,0 +1,29 @@
+//! Two maps of the same plane, compared: does a back end find what the reference finds?
+//!
+//! Two cells *agree* when regime and N-p-q are equal. Agreement is counted apart *inside regions* (cells whose eight
+//! neighbours have the cell's regime and label in the reference) and *on boundaries* (the rest), where a rounding
+//! error may tip a cell over. In chaos neighbouring trajectories part, so the count of all cells leaves out those
+//! that are chaotic in the reference.
+//!
+//! # End states
+//! Where both maps hold the same periodic motion, the strobe states are compared: the largest absolute difference of
+//! the four components. Two right answers can differ there, since an unsymmetric motion has a mirrored twin and a
+//! motion of N > 1 periods can be met at N phases. Such cells, [`strays`], are not taken out of the figures: with
+//! [`continue_strays`] the reference goes on from the *candidate's* end state for a whole number of periods of the
+//! motion, and how far it moves is the cell's difference. A stray that was not continued, or that did not stay on a
+//! motion with the label, counts with its whole difference.
+
+mod agreement;
+mod compare;
+mod continuation;
+mod spread;
+mod thresholds;
+
+pub use agreement::{Agreement, FailedCells, Fault, RegimeAgreement, WorstCell};
+pub use compare::{compare, compare_continued};
+pub use continuation::{Continued, continue_strays, strays};
+pub use spread::{Share, Spread};
+pub use thresholds::{Check, Thresholds};
+
+#[cfg(test)]
+mod tests;

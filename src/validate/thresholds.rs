@@ -1,0 +1,78 @@
+//! When two back ends count as agreeing.
+
+use serde::Serialize;
+
+use super::agreement::Agreement;
+
+/// The least agreement that is accepted.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Thresholds {
+    /// Least share of cells inside regions whose regime and label agree.
+    pub inside: f64,
+    /// Least share of all non-chaotic cells whose regime and label agree.
+    pub non_chaotic: f64,
+    /// Largest median difference of end states; non-dimensional.
+    pub end_state_median: f64,
+    /// Largest 95th percentile of the differences of end states; non-dimensional.
+    pub end_state_p95: f64,
+}
+
+impl Default for Thresholds {
+    /// What single precision gives: two independent f32 codes differ by 2e-5 (median) and 1e-4 (95th percentile).
+    fn default() -> Self {
+        Thresholds { inside: 0.995, non_chaotic: 0.97, end_state_median: 2e-5, end_state_p95: 1e-4 }
+    }
+}
+
+/// A threshold and what it was held against.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Check {
+    /// What was measured.
+    pub name: &'static str,
+    /// The value; none where there was no cell to measure, which holds.
+    pub value: Option<f64>,
+    /// The least value accepted, or the largest.
+    pub bound: f64,
+    /// Whether `bound` is the least value, and not the largest.
+    pub at_least: bool,
+    /// Whether the value is accepted.
+    pub holds: bool,
+}
+
+impl Check {
+    fn at_least(name: &'static str, value: Option<f64>, bound: f64) -> Self {
+        Check { name, value, bound, at_least: true, holds: value.is_none_or(|value| value >= bound) }
+    }
+
+    fn at_most(name: &'static str, value: Option<f64>, bound: f64) -> Self {
+        Check { name, value, bound, at_least: false, holds: value.is_none_or(|value| value <= bound) }
+    }
+}
+
+impl Agreement {
+    /// Every threshold with what it is held against.
+    pub fn checks(&self, thresholds: &Thresholds) -> Vec<Check> {
+        let end_state = self.end_state;
+        let failed = (self.failed.reference + self.failed.candidate) as f64;
+        vec![
+            Check::at_least("agreement inside regions", self.inside.value(), thresholds.inside),
+            Check::at_least(
+                "agreement of non-chaotic cells",
+                self.non_chaotic.value(),
+                thresholds.non_chaotic,
+            ),
+            Check::at_most("failed cells", Some(failed), 0.0),
+            Check::at_most(
+                "end state, median difference",
+                end_state.map(|s| s.median),
+                thresholds.end_state_median,
+            ),
+            Check::at_most("end state, 95th percentile", end_state.map(|s| s.p95), thresholds.end_state_p95),
+        ]
+    }
+
+    /// Whether every threshold is met.
+    pub fn holds(&self, thresholds: &Thresholds) -> bool {
+        self.checks(thresholds).iter().all(|check| check.holds)
+    }
+}

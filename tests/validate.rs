@@ -1,0 +1,82 @@
+//! The validation against back ends that are right, rounded, and wrong on purpose.
+
+use impact_atlas::analysis::{Schedule, Verdict};
+use impact_atlas::backend::{Backend, BackendError, Cpu, Job, Unwatched, Watch, follow};
+use impact_atlas::model::{Parameter, Parameters, System};
+use impact_atlas::plane::{Plane, Start};
+use impact_atlas::sweep::sweep;
+use impact_atlas::validate::{Agreement, Thresholds, compare_continued, continue_strays};
+
+/// The reference with something done to its jobs or in its arithmetic.
+#[derive(Debug)]
+struct Altered(fn(&Job, &Schedule) -> Verdict);
+
+impl Backend for Altered {
+    fn name(&self) -> &'static str {
+        "cpu"
+    }
+
+    fn adapter(&self) -> String {
+        "altered".to_owned()
+    }
+
+    fn tile(&self) -> usize {
+        100
+    }
+
+    fn run(&self, jobs: &[Job], schedule: &Schedule, _: &dyn Watch) -> Result<Vec<Verdict>, BackendError> {
+        Ok(jobs.iter().map(|job| (self.0)(job, schedule)).collect())
+    }
+}
+
+fn single_precision(job: &Job, schedule: &Schedule) -> Verdict {
+    follow::<f32>(job, schedule)
+}
+
+fn restitution_a_little_low(job: &Job, schedule: &Schedule) -> Verdict {
+    let parameters = job.system.parameters();
+    let system = System::new(parameters.with(Parameter::R, parameters.r - 1e-3)).unwrap();
+    follow::<f64>(&Job { system, ..*job }, schedule)
+}
+
+fn exponent_forgotten(job: &Job, schedule: &Schedule) -> Verdict {
+    let mut verdict = follow::<f64>(job, schedule);
+    verdict.lyapunov = 0.0;
+    verdict
+}
+
+fn validate(candidate: &dyn Backend) -> Agreement {
+    let plane = Plane {
+        x: "omega=2.4:4.4:40".parse().unwrap(),
+        y: "delta=0.05:0.3:25".parse().unwrap(),
+        parameters: Parameters::default(),
+        start: Start::Symmetric,
+        schedule: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
+    };
+    let ours = sweep(&plane, &Cpu, &Unwatched).unwrap();
+    let theirs = sweep(&plane, candidate, &Unwatched).unwrap();
+    let continued = continue_strays(&ours, &theirs, &Cpu, &Unwatched).unwrap();
+    compare_continued(&ours, &theirs, &continued)
+}
+
+#[test]
+fn single_precision_agrees() {
+    let agreement = validate(&Altered(single_precision));
+    assert!(agreement.holds(&Thresholds::default()), "{:#?}", agreement.checks(&Thresholds::default()));
+}
+
+#[test]
+fn a_wrong_constant_is_found() {
+    let agreement = validate(&Altered(restitution_a_little_low));
+    assert!(!agreement.holds(&Thresholds::default()));
+    let failing: Vec<_> = agreement.checks(&Thresholds::default()).into_iter().filter(|c| !c.holds).collect();
+    assert!(failing.iter().any(|check| check.name.starts_with("end state")), "{failing:?}");
+    assert!(!agreement.worst.is_empty());
+}
+
+#[test]
+fn forgotten_exponents_are_seen_in_the_report() {
+    let agreement = validate(&Altered(exponent_forgotten));
+    let periodic = agreement.regimes.iter().find(|regime| regime.regime == "periodic").unwrap();
+    assert!(periodic.lyapunov.unwrap().median > 1e-2);
+}
