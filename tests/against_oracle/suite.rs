@@ -137,13 +137,16 @@ pub fn labels_agree(subject: &'static Subject) {
     let schedule =
         Schedule { transient: 2 * BUDGET as u32, observe: 256, max_period: 32, fixed_periods: false };
     let settled: Vec<&SettledCase> =
-        settled_cases().iter().filter(|case| case.sway <= subject.standard.sway).collect();
+        settled_cases().iter().filter(|case| case.tame || subject.standard.every_motion).collect();
     let jobs: Vec<Job> = settled.iter().map(|case| job(case.parameters, case.start)).collect();
     let verdicts = (subject.run)(&jobs, &schedule);
     let wrong: Vec<String> = settled
         .iter()
         .zip(&verdicts)
-        .filter(|(case, verdict)| !matches_motion(&case.settled.motion, verdict) || !ends_on(case, verdict))
+        .filter(|(case, verdict)| {
+            !matches_motion(&case.settled.motion, verdict)
+                || !ends_on(case, verdict, subject.standard.settled)
+        })
         .map(|(case, verdict)| format!("{case:?}\n  {} {verdict:?}", verdict.label()))
         .collect();
     let labels: BTreeSet<String> = verdicts.iter().map(Verdict::label).collect();
@@ -171,13 +174,9 @@ fn count(impacts: u16) -> Count {
 }
 
 /// Whether the end state is a strobe state of the motion; a motion without impacts may end on the way to it.
-fn ends_on(case: &SettledCase, verdict: &Verdict) -> bool {
+fn ends_on(case: &SettledCase, verdict: &Verdict, tolerance: f64) -> bool {
     verdict.regime == Regime::NoImpact
-        || case
-            .settled
-            .strobes
-            .iter()
-            .any(|strobe| deviation(&verdict.state, strobe) < 1e-4 + 2.0 * case.sway.min(1e-3))
+        || case.settled.strobes.iter().any(|strobe| deviation(&verdict.state, strobe) < tolerance)
 }
 
 /// The negative control: with r wrong by a little, most trajectories that impact are off.

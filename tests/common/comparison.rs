@@ -19,15 +19,19 @@ pub struct Standard {
     pub tolerance: f64,
     /// How long a case is comparable in this precision.
     pub horizon: fn(&Case) -> Horizon,
-    /// Settled motions that an f32's noise drives off by more than this are not demanded.
-    pub sway: f64,
+    /// Whether labels are demanded of those settled motions too that do not survive noise of an f32's size.
+    pub every_motion: bool,
+    /// The largest deviation from a settled motion.
+    pub settled: f64,
 }
 
 /// f64.
-pub const FINE: Standard = Standard { tolerance: 1e-9, horizon: |case| case.fine, sway: f64::INFINITY };
+pub const FINE: Standard =
+    Standard { tolerance: 1e-9, horizon: |case| case.fine, every_motion: true, settled: 1e-4 };
 
 /// f32.
-pub const COARSE: Standard = Standard { tolerance: 1e-4, horizon: |case| case.coarse, sway: 1e-3 };
+pub const COARSE: Standard =
+    Standard { tolerance: 1e-4, horizon: |case| case.coarse, every_motion: false, settled: 1e-3 };
 
 /// One comparison: a case after some forcing periods.
 #[derive(Clone, Debug)]

@@ -93,12 +93,13 @@ pub fn cases() -> &'static [Case] {
 /// A setup with its truth, unless its impacts are too many to be followed one by one.
 fn case(setup: Setup) -> Option<Case> {
     let Setup { family, parameters, start } = setup;
-    let mut follower = Follower::<f64>::new(Plant::new(parameters), start);
+    let begin = Follower::<f64>::new(Plant::new(parameters), start);
+    let mut follower = begin.clone();
     let truth: Vec<Period> = (0..LONGEST).map(|_| follower.next_period()).collect();
     if follower.is_exhausted() {
         return None;
     }
-    let [fine, coarse] = [FINE, COARSE].map(|noise| horizon(&setup, &truth, noise));
+    let [fine, coarse] = [FINE, COARSE].map(|noise| horizon(&begin, &truth, noise));
     Some(Case { family, parameters, start, truth, fine, coarse })
 }
 
@@ -114,11 +115,11 @@ fn scale(state: &[f64; 4]) -> f64 {
     state.iter().fold(1.0, |scale: f64, x| scale.max(x.abs()))
 }
 
-/// For how long a setup is comparable with its exact trajectory under noise.
-pub fn horizon(setup: &Setup, truth: &[Period], noise: Noise) -> Horizon {
+/// For how long a trajectory is comparable with its exact course under noise.
+pub fn horizon(begin: &Follower<f64>, truth: &[Period], noise: Noise) -> Horizon {
     let limit = noise.limit * noise.size;
     let companions: Vec<Vec<Period>> =
-        (0..COMPANIONS).map(|seed| companion(setup, truth, noise, seed)).collect();
+        (0..COMPANIONS).map(|seed| companion(begin, truth, noise, seed)).collect();
     let spread = |period: usize| {
         let off = |companion: &Vec<Period>| {
             companion.get(period).map_or(f64::INFINITY, |p| deviation(&p.strobe, &truth[period].strobe))
@@ -137,13 +138,11 @@ pub fn horizon(setup: &Setup, truth: &[Period], noise: Noise) -> Horizon {
 }
 
 /// A trajectory under noise, for as long as it is comparable with the exact one, and at least as long as asked for.
-fn companion(setup: &Setup, truth: &[Period], noise: Noise, seed: u64) -> Vec<Period> {
+fn companion(begin: &Follower<f64>, truth: &[Period], noise: Noise, seed: u64) -> Vec<Period> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut displacement =
         |at: [f64; 4]| [(); 4].map(|()| noise.size * scale(&at) * if rng.random() { 1.0 } else { -1.0 });
-    let depth = noise.size * setup.parameters.delta;
-    let mut follower =
-        Follower::<f64>::new(Plant::new(setup.parameters), setup.start).with_roughness(depth, seed);
+    let mut follower = begin.clone().with_roughness(noise.size, seed);
     let mut periods = Vec::new();
     for exact in truth {
         follower.nudge(displacement(follower.position()));

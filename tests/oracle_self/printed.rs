@@ -45,7 +45,7 @@ fn the_labels_of_the_papers_points_are_found() {
         (0.25, 0.545, chatter),
     ];
     points.into_par_iter().for_each(|(omega, delta, expected)| {
-        let settled = settle(Plant::new(paper(omega, delta)), REST, 6000);
+        let settled = settle(Follower::new(Plant::new(paper(omega, delta)), REST), 6000);
         assert_eq!(settled.map(|s| s.motion), Some(expected), "ω = {omega}, δ = {delta}");
     });
 }

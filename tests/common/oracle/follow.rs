@@ -1,5 +1,7 @@
 //! A trajectory through flights, impacts, chatter, sticking and release.
 
+use std::sync::Arc;
+
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -83,11 +85,10 @@ impl Period {
     }
 }
 
-/// Follows one trajectory, exactly to the rounding of `R`.
+/// What all trajectories of a system share.
 #[derive(Debug)]
-pub struct Follower<R> {
+struct Machine<R> {
     plant: Plant,
-    delta: R,
     period: R,
     flying: Flow<R>,
     resting: Flow<R>,
@@ -97,6 +98,37 @@ pub struct Follower<R> {
     far: Functional<R>,
     /// The acceleration of M1 in flight, on the flying and on the resting flow.
     acceleration: [Functional<R>; 2],
+}
+
+impl<R: Real> Machine<R> {
+    fn new(plant: Plant) -> Self {
+        let (free, resting) = (plant.free(), plant.resting());
+        let unit = |i: usize, value: f64| -> Vector<R> {
+            let mut row = [R::of(0.0); DIMENSION];
+            row[i] = R::of(value);
+            row
+        };
+        let mut far = unit(index::Y, 1.0);
+        far[index::STOP] = R::of(2.0);
+        let push = free[index::V1].map(R::rounded);
+        let flying = Flow::new(&free, plant.period());
+        let resting = Flow::new(&resting, plant.period());
+        Machine {
+            plant,
+            period: R::rounded(plant.period()),
+            near: flying.functional(unit(index::Y, -1.0)),
+            far: flying.functional(far),
+            acceleration: [flying.functional(push), resting.functional(push)],
+            flying,
+            resting,
+        }
+    }
+}
+
+/// Follows one trajectory, exactly to the rounding of `R`.
+#[derive(Clone, Debug)]
+pub struct Follower<R> {
+    machine: Arc<Machine<R>>,
     /// Time since the start of the forcing period.
     time: R,
     state: Vector<R>,
@@ -117,26 +149,18 @@ fn facing<R: Real>(sign: f64, row: &Vector<R>) -> Vector<R> {
 impl<R: Real> Follower<R> {
     /// A trajectory that starts at forcing phase 0.
     pub fn new(plant: Plant, start: [f64; 4]) -> Self {
-        let (free, resting) = (plant.free(), plant.resting());
-        let flying = Flow::new(&free, plant.period());
-        let unit = |i: usize, value: f64| -> Vector<R> {
-            let mut row = [R::of(0.0); DIMENSION];
-            row[i] = R::of(value);
-            row
-        };
-        let mut far = unit(index::Y, 1.0);
-        far[index::STOP] = R::of(2.0);
-        let push = free[index::V1].map(R::rounded);
-        let resting = Flow::new(&resting, plant.period());
+        Self::on(Arc::new(Machine::new(plant)), start)
+    }
+
+    /// Another trajectory of the same system.
+    #[must_use]
+    pub fn another(&self, start: [f64; 4]) -> Self {
+        Self::on(self.machine.clone(), start)
+    }
+
+    fn on(machine: Arc<Machine<R>>, start: [f64; 4]) -> Self {
         let mut follower = Follower {
-            plant,
-            delta: R::of(plant.parameters.delta),
-            period: R::rounded(plant.period()),
-            near: flying.functional(unit(index::Y, -1.0)),
-            far: flying.functional(far),
-            acceleration: [flying.functional(push), resting.functional(push)],
-            flying,
-            resting,
+            machine,
             time: R::of(0.0),
             state: [R::of(0.0); DIMENSION],
             rests: false,
@@ -157,21 +181,17 @@ impl<R: Real> Follower<R> {
         self
     }
 
-    /// The same trajectory between stops that are rough: every impact happens up to `depth` early or late.
+    /// The same trajectory between stops that are rough: every impact happens up to `depth`·δ early or late.
     #[must_use]
     pub fn with_roughness(mut self, depth: f64, seed: u64) -> Self {
+        let depth = depth * self.machine.plant.parameters.delta;
         self.roughness = Some(Roughness { depth, rng: ChaCha8Rng::seed_from_u64(seed) });
         self
     }
 
-    /// Puts the trajectory at a state at forcing phase 0, as a new start.
-    pub fn restart(&mut self, start: [f64; 4]) {
-        self.place(start.map(R::of));
-    }
-
     /// The period of the forcing.
     pub fn period(&self) -> R {
-        self.period
+        self.machine.period
     }
 
     /// (x1, x2, v1, v2) now.
@@ -193,12 +213,12 @@ impl<R: Real> Follower<R> {
     /// The smaller distance to a stop now: to the last bit of the distance, not of x1.
     pub fn gap(&self) -> f64 {
         let z = self.seen();
-        self.near.derivative(0, &z).f64().min(self.far.derivative(0, &z).f64())
+        self.machine.near.derivative(0, &z).f64().min(self.machine.far.derivative(0, &z).f64())
     }
 
     /// Follows one forcing period from phase 0 to phase 0.
     pub fn next_period(&mut self) -> Period {
-        self.advance(self.period);
+        self.advance(self.machine.period);
         self.finish_period()
     }
 
@@ -233,7 +253,9 @@ impl<R: Real> Follower<R> {
             let mut moved = self.state;
             moved[index::Y] = moved[index::Y] + R::of(by[0]);
             let seen = facing(self.sign(), &moved);
-            let inside = [&self.near, &self.far].iter().all(|gap| gap.derivative(0, &seen) > R::of(0.0));
+            let inside = [&self.machine.near, &self.machine.far]
+                .iter()
+                .all(|gap| gap.derivative(0, &seen) > R::of(0.0));
             if inside {
                 self.state[index::Y] = moved[index::Y];
                 self.state[index::V1] = self.state[index::V1] + R::of(by[2]);
@@ -262,7 +284,8 @@ impl<R: Real> Follower<R> {
 
     fn place(&mut self, [x1, x2, v1, v2]: [R; 4]) {
         let zero = R::of(0.0);
-        let stop = if x1 < zero { -self.delta } else { self.delta };
+        let delta = R::of(self.machine.plant.parameters.delta);
+        let stop = if x1 < zero { -delta } else { delta };
         self.time = zero;
         self.state = [x1 - stop, x2, v1, v2, zero, zero, stop];
         self.set_phasor();
@@ -277,7 +300,7 @@ impl<R: Real> Follower<R> {
     fn set_phasor(&mut self) {
         let mut phasor = [R::of(0.0); DIMENSION];
         phasor[index::COS] = R::of(1.0);
-        let turned = self.flying.at(&phasor, self.time);
+        let turned = self.machine.flying.at(&phasor, self.time);
         self.state[index::SIN] = turned[index::SIN];
         self.state[index::COS] = turned[index::COS];
     }
@@ -286,17 +309,19 @@ impl<R: Real> Follower<R> {
     fn fly(&mut self, until: R) {
         let seen = self.seen();
         let from = if self.touches { self.surely_clear(&seen) } else { R::of(0.0) };
-        let watched =
-            [Watched { functional: &self.near, from }, Watched { functional: &self.far, from: R::of(0.0) }];
+        let watched = [
+            Watched { functional: &self.machine.near, from },
+            Watched { functional: &self.machine.far, from: R::of(0.0) },
+        ];
         let span = until - self.time;
-        let Some((after, which)) = crossing::first(&self.flying, &seen, &watched, span) else {
-            self.state = self.flying.at(&self.state, span);
+        let Some((after, which)) = crossing::first(&self.machine.flying, &seen, &watched, span) else {
+            self.state = self.machine.flying.at(&self.state, span);
             self.time = until;
             self.set_phasor();
             self.touches = false;
             return;
         };
-        self.state = self.flying.at(&self.state, after);
+        self.state = self.machine.flying.at(&self.state, after);
         self.time = self.time + after;
         self.set_phasor();
         if which == 1 {
@@ -310,8 +335,8 @@ impl<R: Real> Follower<R> {
 
     /// How long M1 is proven to stay clear of the stop that it leaves, by bounds on the third or fourth derivative.
     fn surely_clear(&self, seen: &Vector<R>) -> R {
-        let derivative = |order| self.near.derivative(order, seen).f64();
-        let bound = |order| self.flying.bound(&self.near, order, seen);
+        let derivative = |order| self.machine.near.derivative(order, seen).f64();
+        let bound = |order| self.machine.flying.bound(&self.machine.near, order, seen);
         let (speed, acceleration, jerk) = (derivative(1), derivative(2), derivative(3));
         let clear = if speed > 0.0 || acceleration > 1e-13 {
             let root = (acceleration * acceleration + 2.0 * bound(3) * speed.max(0.0)).sqrt();
@@ -323,12 +348,12 @@ impl<R: Real> Follower<R> {
         } else {
             3.0 * jerk.max(1e-9) / bound(4)
         };
-        R::of((0.9 * clear).min(self.flying.step().f64()))
+        R::of((0.9 * clear).min(self.machine.flying.step().f64()))
     }
 
     /// At a stop with y = 0: an impact where M1 moves outwards, then a rest where the rebounds are dead.
     fn meet(&mut self, hits: bool) {
-        let r = self.plant.parameters.r;
+        let r = self.machine.plant.parameters.r;
         if hits {
             self.roughen();
             let before = self.state[index::V1];
@@ -348,7 +373,7 @@ impl<R: Real> Follower<R> {
         }
         let mut still = self.seen();
         still[index::V1] = R::of(0.0);
-        if self.acceleration[1].derivative(0, &still) > R::of(0.0) {
+        if self.machine.acceleration[1].derivative(0, &still) > R::of(0.0) {
             if rebound > 0.0 {
                 self.record.chatters[usize::from(self.stop() == Stop::Plus)] += 1;
             }
@@ -361,7 +386,7 @@ impl<R: Real> Follower<R> {
     /// Shifts the impact that is about to happen to where a rough stop would be: the force on the way does the work.
     fn roughen(&mut self) {
         let seen = self.seen();
-        let force = self.acceleration[0].derivative(0, &seen).f64();
+        let force = self.machine.acceleration[0].derivative(0, &seen).f64();
         if let Some(Roughness { depth, rng }) = &mut self.roughness {
             let speed = seen[index::V1].f64();
             let work = rng.random_range(-*depth..*depth) * force;
@@ -372,13 +397,13 @@ impl<R: Real> Follower<R> {
 
     /// Whether the hops that follow a rebound are below all effect, and die out before the force can change sign.
     fn is_dead(&self, rebound: f64) -> bool {
-        let r = self.plant.parameters.r;
+        let r = self.machine.plant.parameters.r;
         if r >= 1.0 {
             return false;
         }
         let seen = self.seen();
-        let pressing = self.acceleration[0].derivative(0, &seen).f64();
-        let change = self.acceleration[0].derivative(1, &seen).f64().abs();
+        let pressing = self.machine.acceleration[0].derivative(0, &seen).f64();
+        let change = self.machine.acceleration[0].derivative(1, &seen).f64().abs();
         let lasting = 1e-3 * pressing * pressing * (1.0 - r);
         pressing > 0.0 && (rebound < REST || rebound < self.dead_rebound && rebound * change < lasting)
     }
@@ -386,10 +411,10 @@ impl<R: Real> Follower<R> {
     /// Rests until the force on M1 pulls, or to the end.
     fn rest(&mut self, until: R) {
         let seen = self.seen();
-        let watched = [Watched { functional: &self.acceleration[1], from: R::of(0.0) }];
+        let watched = [Watched { functional: &self.machine.acceleration[1], from: R::of(0.0) }];
         let span = until - self.time;
-        let release = crossing::first(&self.resting, &seen, &watched, span);
-        self.state = self.resting.at(&self.state, release.map_or(span, |(after, _)| after));
+        let release = crossing::first(&self.machine.resting, &seen, &watched, span);
+        self.state = self.machine.resting.at(&self.state, release.map_or(span, |(after, _)| after));
         self.time = release.map_or(until, |(after, _)| self.time + after);
         self.set_phasor();
         if release.is_some() {

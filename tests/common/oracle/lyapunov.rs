@@ -16,12 +16,11 @@ pub fn largest(plant: Plant, start: [f64; 4], transient: usize, observe: usize) 
         main.next_period();
     }
     let mut direction = [0.5, -0.5, 0.5, 0.5];
-    let mut companion = Follower::<f64>::new(plant, start);
     let settling = observe / 10;
     let mut sum = 0.0;
     for period in 0..settling + observe {
         let here = main.position();
-        companion.restart(std::array::from_fn(|i| here[i] + DISTANCE * direction[i]));
+        let mut companion = main.another(std::array::from_fn(|i| here[i] + DISTANCE * direction[i]));
         let (main, moved) = (main.next_period().strobe, companion.next_period().strobe);
         let difference: [f64; 4] = std::array::from_fn(|i| moved[i] - main[i]);
         let distance = difference.iter().map(|d| d * d).sum::<f64>().sqrt();

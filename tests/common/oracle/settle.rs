@@ -1,7 +1,6 @@
 //! Motion labels by brute force: follow the trajectory until its strobe states repeat.
 
 use super::follow::{Follower, Period};
-use super::plant::Plant;
 
 /// The largest N that is looked for.
 pub const LONGEST_PERIOD: usize = 32;
@@ -49,14 +48,17 @@ pub struct Settled {
     pub separation: f64,
     /// The distance of x(t + Nπ/ω) from −x(t) for odd N; infinite for even N.
     pub asymmetry: f64,
+    /// The strobe states from the first one to the last one looked at.
+    pub path: Vec<[f64; 4]>,
 }
 
 /// Follows a trajectory for at most `budget` forcing periods; `None` where it does not repeat by then.
-pub fn settle(plant: Plant, start: [f64; 4], budget: usize) -> Option<Settled> {
-    let mut follower = Follower::<f64>::new(plant, start);
+pub fn settle(mut follower: Follower<f64>, budget: usize) -> Option<Settled> {
     let mut history: Vec<Period> = Vec::new();
+    let mut path = Vec::new();
     for periods in 1..=budget {
         history.push(follower.next_period());
+        path.push(history[history.len() - 1].strobe);
         if follower.is_exhausted() {
             return None;
         }
@@ -65,21 +67,21 @@ pub fn settle(plant: Plant, start: [f64; 4], budget: usize) -> Option<Settled> {
         }
         history.drain(..history.len().saturating_sub(WINDOW + LONGEST_PERIOD));
         if let Some(n) = (1..=LONGEST_PERIOD).find(|&n| repeats(&history, n)) {
-            return Some(describe(&history[history.len() - n..], &mut follower));
+            return Some(describe(&history[history.len() - n..], follower, path));
         }
     }
     None
 }
 
 /// What one period of a motion is like.
-fn describe(periods: &[Period], follower: &mut Follower<f64>) -> Settled {
+fn describe(periods: &[Period], follower: Follower<f64>, path: Vec<[f64; 4]>) -> Settled {
     let strobes: Vec<[f64; 4]> = periods.iter().map(|period| period.strobe).collect();
     let pairs = (0..strobes.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
     let separation = pairs.map(|(i, j)| distance(&strobes[i], &strobes[j])).fold(f64::INFINITY, f64::min);
     let asymmetry = if strobes.len() % 2 == 1 { asymmetry(follower, strobes.len()) } else { f64::INFINITY };
     let speeds = periods.iter().flat_map(|period| &period.impacts).map(|impact| impact.velocity_before.abs());
     let peak = speeds.fold(0.0, f64::max);
-    Settled { motion: motion(periods, asymmetry < 1e-6), strobes, peak, separation, asymmetry }
+    Settled { motion: motion(periods, asymmetry < 1e-6), strobes, peak, separation, asymmetry, path }
 }
 
 fn distance(a: &[f64; 4], b: &[f64; 4]) -> f64 {
@@ -98,7 +100,7 @@ fn repeats(history: &[Period], n: usize) -> bool {
 }
 
 /// How far the state half a period of the motion later is from the negative one.
-fn asymmetry(follower: &mut Follower<f64>, n: usize) -> f64 {
+fn asymmetry(mut follower: Follower<f64>, n: usize) -> f64 {
     let start = follower.position();
     for _ in 0..n / 2 {
         follower.next_period();
