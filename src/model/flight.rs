@@ -81,8 +81,8 @@ impl Flight<f64> {
         let free = generator::free(system);
         let steps = system.steps();
         let h = system.period() / f64::from(steps);
-        let step = generator::exponential(&free, h);
-        let column = |j: usize| [step[(X1, j)], step[(X2, j)], step[(V1, j)], step[(V2, j)]];
+        let column = |j: usize| mechanical(&generator::exponential_column(&free, h, j));
+        let (turn_sin, turn_cos) = (parameters.omega * h).sin_cos();
         let (bound, bound_forcing) = bounds(system, h);
         let Response { at_zero, reach } = forced_response(system);
         let ground = parameters.mu_k / (1.0 - parameters.mu_k);
@@ -94,8 +94,8 @@ impl Flight<f64> {
             gamma_cos: column(COS),
             kick: kick(&free, h),
             inverse_h: 1.0 / h,
-            turn_sin: step[(SIN, COS)],
-            turn_cos: step[(COS, COS)],
+            turn_sin,
+            turn_cos,
             omega: parameters.omega,
             delta: parameters.delta,
             r: parameters.r,
@@ -152,15 +152,15 @@ impl Flight<f64> {
     }
 }
 
+/// (x1, x2, v1, v2) of an augmented state.
+fn mechanical(z: &Vector6<f64>) -> [f64; 4] {
+    [z[X1], z[X2], z[V1], z[V2]]
+}
+
 /// See [`Flight::kick`].
 fn kick(free: &Matrix6<f64>, h: f64) -> [[f64; 4]; KICK_TERMS] {
-    let mut term = Vector6::ith(V1, 1.0);
-    std::array::from_fn(|k| {
-        if k > 0 {
-            term = free * term * (h / k as f64);
-        }
-        [term[X1], term[X2], term[V1], term[V2]]
-    })
+    let mut terms = generator::series(free, h, Vector6::ith(V1, 1.0));
+    std::array::from_fn(|_| terms.next().map_or([0.0; 4], |term| mechanical(&term)))
 }
 
 /// See [`Flight::bound`]: the larger of what free flight and sticking need, component by component.

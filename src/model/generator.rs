@@ -1,6 +1,6 @@
 //! The generator of the flow: Eq. (2) as one linear system z' = G z, forcing included.
 
-use nalgebra::{Matrix6, RowVector6};
+use nalgebra::{Matrix6, RowVector6, Vector6};
 
 use super::system::System;
 
@@ -46,18 +46,20 @@ pub fn stuck(system: &System) -> Matrix6<f64> {
     g
 }
 
-/// exp(G t) by its Taylor series, summed until the terms vanish; accurate where ‖G t‖ is of order one.
-pub fn exponential(g: &Matrix6<f64>, t: f64) -> Matrix6<f64> {
-    let mut term = Matrix6::identity();
-    let mut sum = term;
-    for k in 1..64 {
-        term = term * g * (t / f64::from(k));
-        sum += term;
-        if term.amax() <= 1e-19 * sum.amax() {
-            break;
-        }
-    }
-    sum
+/// The terms Gᵏ z tᵏ/k! of exp(G t) z, until they vanish against their sum.
+pub fn series(g: &Matrix6<f64>, t: f64, z: Vector6<f64>) -> impl Iterator<Item = Vector6<f64>> {
+    let mut size = z.amax();
+    std::iter::successors(Some((1.0, z)), move |&(k, term)| {
+        let next = g * term * (t / k);
+        size = size.max(next.amax());
+        (next.amax() > 1e-19 * size).then_some((k + 1.0, next))
+    })
+    .map(|(_, term)| term)
+}
+
+/// Column `j` of exp(G t).
+pub fn exponential_column(g: &Matrix6<f64>, t: f64, j: usize) -> Vector6<f64> {
+    series(g, t, Vector6::ith(j, 1.0)).sum()
 }
 
 /// A bound on |row · exp(G s)| for every 0 ≤ s ≤ t, component by component: Σ tᵏ/k! |row · Gᵏ|.

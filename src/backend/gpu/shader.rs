@@ -52,6 +52,7 @@ fn constants() -> String {
         ("BATCHES", analysis::BATCHES),
         ("ALIGNING", analysis::ALIGNING),
         ("SETTLING", analysis::SETTLING),
+        ("SETTLING_AT_REST", analysis::SETTLING_AT_REST),
         ("SETTLED_OBSERVATION", analysis::SETTLED_OBSERVATION),
         ("MOST_MOVES", analysis::MOST_MOVES),
     ];
@@ -65,6 +66,7 @@ fn constants() -> String {
         ("IMMINENT", <f32 as Real>::IMMINENT),
         ("CHATTER", <f32 as Real>::CHATTER),
         ("SETTLED", <f32 as Real>::SETTLED),
+        ("AT_REST", <f32 as Real>::AT_REST),
         ("EPSILON", epsilon),
         ("SQRT_EPSILON", f64::from(f32::EPSILON.sqrt())),
         ("THIRD", 1.0 / 3.0),
