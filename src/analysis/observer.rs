@@ -302,7 +302,7 @@ impl<T: Real> Observer<T> {
     /// The regime of a motion that impacts, never sticks and does not return.
     fn irregular(&self) -> Regime {
         let exponent = &self.exponent;
-        let growth = exponent.growth();
+        let growth = exponent.total_growth();
         let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
         if exponent.batches == 0 {
             Regime::Unresolved

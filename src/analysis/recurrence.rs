@@ -84,7 +84,7 @@ impl<T: Real> Recurrence<T> {
             } else if self.since >= max_period {
                 *self = Self::anchored(point.state());
             }
-        } else if self.since % self.n == 0 {
+        } else if self.since.is_multiple_of(self.n) {
             if self.running_p == self.p && self.running_q == self.q && away <= tolerance {
                 self.returned(away);
             } else {

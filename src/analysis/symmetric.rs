@@ -52,7 +52,7 @@ pub fn symmetric_motions(system: &System) -> Vec<SymmetricMotion> {
     };
     // sine₁ sin τ + cosine₁ cos τ = δ
     let amplitude = sine[0].hypot(cosine[0]);
-    if !(amplitude >= delta) || !amplitude.is_finite() {
+    if !amplitude.is_finite() || amplitude < delta {
         return Vec::new();
     }
     let middle = sine[0].atan2(cosine[0]);
