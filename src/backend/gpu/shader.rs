@@ -54,6 +54,7 @@ fn constants() -> String {
         ("SETTLING", analysis::SETTLING),
         ("SETTLING_AT_REST", analysis::SETTLING_AT_REST),
         ("SETTLED_OBSERVATION", analysis::SETTLED_OBSERVATION),
+        ("MOST_KICKS", dynamics::MOST_KICKS),
         ("MOST_MOVES", analysis::MOST_MOVES),
     ];
     for (name, value) in integers {
@@ -74,6 +75,9 @@ fn constants() -> String {
         ("TWO_THIRDS", 2.0 / 3.0),
         ("HERMITE", dynamics::HERMITE),
         ("FAR", dynamics::FAR),
+        ("STEADY", dynamics::STEADY),
+        ("SLOW", dynamics::SLOW),
+        ("DRAGGED", dynamics::DRAGGED),
         ("WIDENING", dynamics::WIDENING),
         ("RETURNED", analysis::RETURNED),
         ("NEUTRAL_GROWTH", analysis::NEUTRAL_GROWTH),
