@@ -31,7 +31,7 @@ pub trait Real: Float + Debug + Send + Sync + 'static {
 }
 
 impl Real for f64 {
-    const TRUNCATION: f64 = 1e-16;
+    const TRUNCATION: f64 = 2e-16;
     const ORDER: usize = 17;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
