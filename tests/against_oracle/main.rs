@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod recording;
 mod suite;
 
 use std::sync::LazyLock;
