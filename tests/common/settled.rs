@@ -59,7 +59,7 @@ fn settled_case(&Setup { family, parameters, start }: &Setup) -> Option<SettledC
         let moved = start.map(|x| x + rng.random_range(-DISPLACEMENT..DISPLACEMENT));
         [moved[0].clamp(-parameters.delta, parameters.delta), moved[1], moved[2], moved[3]]
     };
-    (clear && (0..3).all(|_| goes_along(follower.another(displaced()), &settled.path))).then(|| {
+    (clear && (0..2).all(|_| goes_along(follower.another(displaced()), &settled.path))).then(|| {
         let tame = is_tame(&follower, &settled);
         SettledCase { family, parameters, start, settled, tame }
     })
