@@ -6,7 +6,7 @@ struct Closure {
     gap_integral: f32,
 }
 
-fn chatter_close(speed: f32, motion: Motion) -> Closure {
+fn chatter_close(speed: f32, motion: Motion, room: f32) -> Closure {
     let force = motion.acceleration;
     if speed <= unresolved() {
         return Closure(force >= -unresolved(), 0.0);
@@ -23,7 +23,7 @@ fn chatter_close(speed: f32, motion: Motion) -> Closure {
     let cube = speed * speed * speed;
     let gap_integral = TWO_THIRDS * cube / (force * force * (1.0 - r * r * r));
     let effect = gap_integral * flight.inverse_mass * (1.0 + flight.coupling_damping);
-    return Closure(change <= STEADY && effect * change <= CHATTER, gap_integral);
+    return Closure(time + time <= room && change <= STEADY && effect * change <= CHATTER, gap_integral);
 }
 
 // Rebounds without loss, dragged down by the damper.

@@ -111,7 +111,8 @@ fn strike(carry: bool, side: f32, left: f32) -> Move {
         tangent = tangent_struck(tangent, velocity, rebound - velocity, before.acceleration, after.acceleration);
     }
     let speed = abs(rebound);
-    let closure = chatter_close(speed, Motion(side * after.acceleration, after.jerk, after.bound));
+    let room = f32(flight.steps - trajectory.step) * flight.h - trajectory.offset;
+    let closure = chatter_close(speed, Motion(side * after.acceleration, after.jerk, after.bound), room);
     if !closure.closes {
         trajectory.kicks = trajectory.kicks + 1u;
         if trajectory.kicks <= MOST_KICKS {

@@ -27,10 +27,11 @@ pub const DRAGGED: f64 = 21.0;
 /// the next has speed r·u. The sums are geometric: 2u/(a(1 − r)) and ⅔ u³/(a²(1 − r³)). They hold up to the
 /// relative change of a meanwhile; the effect of that on the second mass (through the spring and damper
 /// between the masses) must be below [`Real::CHATTER`], and the pressing must outlast the sequence, so that
-/// it surely completes. A speed that rounding cannot tell from 0 is 0: the mass rests, unless it is pulled off.
+/// it surely completes. It must also complete before the next strobe, `room` away, whose state would still show its
+/// rebounds; a steady enough force makes it at most twice as long as reckoned. A speed that rounding cannot tell from 0 is 0: the mass rests, unless it is pulled off.
 /// `motion` is that after the impact, towards the stop.
 #[inline(always)]
-pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>) -> Option<Closure<T>> {
+pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>, room: T) -> Option<Closure<T>> {
     let force = motion.acceleration;
     let one = T::one();
     let unresolved = contact::unresolved(flight);
@@ -50,7 +51,7 @@ pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>) -> Optio
     let cube = speed * speed * speed;
     let gap_integral = T::of(2.0 / 3.0) * cube / (force * force * (one - r * r * r));
     let effect = gap_integral * flight.inverse_mass * (one + flight.coupling_damping);
-    let closes = change <= T::of(STEADY) && effect * change <= T::of(T::CHATTER);
+    let closes = time + time <= room && change <= T::of(STEADY) && effect * change <= T::of(T::CHATTER);
     if closes { Some(Closure { gap_integral }) } else { None }
 }
 

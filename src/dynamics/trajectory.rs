@@ -247,7 +247,8 @@ impl<T: Real> Trajectory<T> {
         let impact = Impact { stop, velocity_before: velocity, velocity_after: rebound };
         let towards = Motion { acceleration: side * after.acceleration, ..after };
         let speed = rebound.abs();
-        let Some(closure) = chatter::close(flight, speed, &towards) else {
+        let room = T::of(f64::from(flight.steps - self.step)) * flight.h - self.offset;
+        let Some(closure) = chatter::close(flight, speed, &towards, room) else {
             self.kicks += 1;
             if self.kicks <= MOST_KICKS {
                 self.ahead = self.ahead.kicked(flight, rebound - velocity, flight.h - self.offset);

@@ -11,7 +11,7 @@ use super::layout::{Dispatch, Flight, Kick, OBSERVER_BYTES, Schedule, Verdict};
 use super::shader::{WORKGROUP, follow_source};
 use crate::analysis;
 use crate::backend::{BackendError, Job, Watch};
-use crate::model;
+use crate::model::{self, Real};
 
 /// How long one dispatch should take; a display driver kills one of a few seconds.
 const PORTION: Duration = Duration::from_millis(200);
@@ -19,9 +19,12 @@ const PORTION: Duration = Duration::from_millis(200);
 const FIRST_BUDGET: u32 = 128;
 /// The most moves of one dispatch on hardware.
 const HARDWARE_BUDGET: u32 = 1 << 14;
+/// Loop iterations in one move: the loop of the moves itself, and every place where a series is summed. Lanes that
+/// diverge go through all of them, one after the other.
+const ITERATIONS: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
 /// The most moves of one dispatch on a software adapter: Mesa's stop every loop in silence after 65,535 iterations
-/// of all the loops in an invocation, and one move runs through fewer than 48.
-const SOFTWARE_BUDGET: u32 = 65_535 / 48;
+/// of all the loops in an invocation. (The kernel counts a trajectory that was cut short as failed.)
+const SOFTWARE_BUDGET: u32 = 65_535 / ITERATIONS;
 /// Trajectories of one tile.
 const HARDWARE_TILE: usize = 1 << 18;
 const SOFTWARE_TILE: usize = 1 << 13;
