@@ -1,4 +1,77 @@
 //! Impact Atlas: parameter planes of vibro-impact systems, explored on the GPU.
+//!
+//! Two masses on springs, the first rattling between two rigid stops (Luo, Ma and Lv 2009). Every cell of a plane, a
+//! pair of parameters or of start components, is one trajectory, followed to a [verdict](analysis::Verdict): which
+//! periodic motion it settles on, or whether it is quasi-periodic, chaotic, sticking or free of impacts. The CPU path
+//! in f64 is the reference; the GPU path is the same mathematics in f32.
+//!
+//! # Rooms
+//!
+//! Each room uses only those before it:
+//!
+//! | room | what it holds |
+//! |---|---|
+//! | [`model`] | parameters and their ranges, the equations of motion, the constants of linear flight |
+//! | [`dynamics`] | flight, contact, impact, chatter, sticking: a [`Trajectory`](dynamics::Trajectory) moves from event to event |
+//! | [`analysis`] | periodicity, Lyapunov exponents, regimes; the analytic 1-1-1 motion |
+//! | [`plane`] | axes, starts, planes, region maps |
+//! | [`backend`] | one trait; the CPU in f64 on every core, the GPU in f32; only its folder `gpu` names wgpu |
+//! | [`store`], [`render`] | files and pictures; they know planes, never back ends |
+//! | [`sweep`], [`validate`] | a plane on a back end, tile by tile; two back ends against each other |
+//!
+//! The command line is the binary's. `shaders/` has the file names of `src/`; the constants that the two share are
+//! generated from Rust when the shader is assembled.
+//!
+//! # Symbols
+//!
+//! Everything is non-dimensional: lengths in units of the static deflection (P1+P2)/K1, times in √(M1/K1).
+//!
+//! | symbol | here | meaning |
+//! |---|---|---|
+//! | ω, δ, ζ, r | `omega`, `delta`, `zeta`, `r` | forcing frequency, half clearance, damping ratio, restitution |
+//! | μm, μk, μc, f20 | `mu_m`, `mu_k`, `mu_c`, `f20` | shares of the second mass in mass, stiffness, damping and force |
+//! | x1, x2, x1', x2' | `x1`, `x2`, `v1`, `v2` | displacements and velocities; a *state* is (x1, x2, v1, v2) at phase 0 |
+//! | A, Ā | [`Stop::A`](dynamics::Stop::A), [`Stop::B`](dynamics::Stop::B) | the stops at x1 = +δ and x1 = −δ |
+//! | T, h, M | `period()`, `h`, `steps` | forcing period, step T/M, steps in a period |
+//! | N-p-q | `n`, `p`, `q` | N forcing periods, p impacts at Ā, q impacts at A in one period of the motion |
+//! | λ1 | `lyapunov` | largest Lyapunov exponent per forcing period, natural logarithm |
+//!
+//! # How a trajectory is followed
+//!
+//! *Flight.* Free flight is linear, so a step of length h = T/M is one matrix: the exponential of the generator with
+//! the forcing phasor in it, computed once per cell in f64. No modes are formed: any damping is covered, proportional
+//! or not, over- or underdamped, and resonance at ζ = 0 is no special case. M is even, and the phasor is set exactly at
+//! phases 0 and π, so that rounding cannot drift; ωt is never formed. Shorter flights are Taylor polynomials of the
+//! equation of motion, of an order that rounding cannot tell from infinite.
+//!
+//! *No impact is missed.* Within a step x1 lies in the hull of the four Bézier points of its cubic Hermite
+//! interpolant, widened by h⁴/384 times a bound on |x1''''|. Where that hull clears the stops, the step is taken. Where
+//! it does not, the gap is at least that of a quadratic whose acceleration bounds the true one on a window, and the
+//! trajectory flies to that quadratic's root: just short of the contact, never beyond. Repeated, this converges
+//! faster than Newton's method, and a touch that comes to nothing is passed without harm. The last stretch, whose
+//! square is lost in rounding, is a straight line.
+//!
+//! *Impacts* change v1 alone. What the change does to the end of the step is a polynomial that is known per cell, so
+//! the rest of the step need not be flown again.
+//!
+//! *Chatter and sticking.* Rebounds against a pressing force shrink geometrically. Once the effect of the rest of
+//! them on the second mass is known to be below rounding, and the force surely outlasts them, the sequence is closed:
+//! the mass rests on its stop, its impulse on the second mass is summed in closed form, and infinitely many impacts
+//! are counted. It rests until the force on it changes sign, found by the same quadratic bounds, and leaves along its
+//! jerk.
+//!
+//! *Verdict.* The strobe state is compared with one remembered state: its first return gives N, and it must keep
+//! returning, with the same impacts. A trajectory that has settled, or that energy shows can never impact again,
+//! finishes early. A tangent vector, carried through flight and impact (the saltation of Eq. (3)), gives λ1 with a
+//! standard error from sixteen batches. Where there is no period, a growth of more than
+//! e⁵ that is significant is chaos; a growth within e^±3 on strobe points that scatter alike early and late is
+//! quasi-periodic; everything else is unresolved, and says so.
+//!
+//! # Limits
+//!
+//! δ = 0 clamps the first mass: the limit of a closing gap. A forcing period of more than 65,536 steps of the
+//! fastest motion is refused. r = 1 with strong damping at low frequency makes ever more rebounds in finite time; more
+//! than 2²⁴ moves in one forcing period are given up as failed.
 
 pub mod analysis;
 pub mod backend;

@@ -108,7 +108,7 @@ fn observer_settle(state: vec4<f32>) {
             return;
         }
         recurrence_at_strobe(state, SETTLED);
-        if recurrence_holds_for(SETTLING) {
+        if recurrence_holds_for(select(SETTLING, SETTLING_AT_REST, observer.recurrence.worst <= AT_REST)) {
             let needed = max(SETTLED_OBSERVATION, 4u * observer.recurrence.n);
             observer_begin_observation(min(needed, schedule.observe));
             return;

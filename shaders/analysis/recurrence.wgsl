@@ -8,11 +8,12 @@ struct Recurrence {
     q: u32,
     running_p: u32,
     running_q: u32,
+    worst: f32,
     symmetric: u32,
 }
 
 fn recurrence_anchored(state: vec4<f32>) -> Recurrence {
-    return Recurrence(array<f32, 4>(state.x, state.y, state.z, state.w), 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    return Recurrence(array<f32, 4>(state.x, state.y, state.z, state.w), 0u, 0u, 0u, 0u, 0u, 0u, 0.0, 0u);
 }
 
 fn counted(running: u32, complete_chatter: bool) -> u32 {
@@ -34,20 +35,20 @@ fn recurrence_at_half_period(state: vec4<f32>, tolerance: f32) {
     let n = observer.recurrence.n;
     if n % 2u == 1u {
         if observer.recurrence.since % n == n / 2u {
-            observer.recurrence.symmetric = select(0u, 1u, near_anchor(-state, tolerance));
+            observer.recurrence.symmetric = select(0u, 1u, anchor_distance(-state) <= tolerance);
         }
     }
 }
 
 fn recurrence_at_strobe(state: vec4<f32>, tolerance: f32) {
     observer.recurrence.since = observer.recurrence.since + 1u;
+    let away = anchor_distance(state);
     if observer.recurrence.n == 0u {
-        if near_anchor(state, tolerance) {
+        if away <= tolerance {
             observer.recurrence.n = observer.recurrence.since;
             observer.recurrence.p = observer.recurrence.running_p;
             observer.recurrence.q = observer.recurrence.running_q;
-            observer.recurrence.running_p = 0u;
-            observer.recurrence.running_q = 0u;
+            recurrence_returned(away);
         } else if observer.recurrence.since >= schedule.max_period {
             observer.recurrence = recurrence_anchored(state);
         }
@@ -55,15 +56,19 @@ fn recurrence_at_strobe(state: vec4<f32>, tolerance: f32) {
     }
     if observer.recurrence.since % observer.recurrence.n == 0u {
         let same = observer.recurrence.running_p == observer.recurrence.p
-            && observer.recurrence.running_q == observer.recurrence.q
-            && near_anchor(state, tolerance);
-        if same {
-            observer.recurrence.running_p = 0u;
-            observer.recurrence.running_q = 0u;
+            && observer.recurrence.running_q == observer.recurrence.q;
+        if same && away <= tolerance {
+            recurrence_returned(away);
         } else {
             observer.recurrence = recurrence_anchored(state);
         }
     }
+}
+
+fn recurrence_returned(away: f32) {
+    observer.recurrence.running_p = 0u;
+    observer.recurrence.running_q = 0u;
+    observer.recurrence.worst = max(observer.recurrence.worst, away);
 }
 
 fn recurrence_holds_for(periods: u32) -> bool {
@@ -71,12 +76,13 @@ fn recurrence_holds_for(periods: u32) -> bool {
     return n > 0u && observer.recurrence.since >= periods && observer.recurrence.since >= 3u * n;
 }
 
-fn near_anchor(state: vec4<f32>, tolerance: f32) -> bool {
+// The largest difference of a state's components from the anchor's.
+fn anchor_distance(state: vec4<f32>) -> f32 {
     let a = observer.recurrence.anchor;
     let anchor = vec4(a[0], a[1], a[2], a[3]);
     let difference = abs(state - anchor);
     let extent = abs(anchor);
     let distance = max(max(difference.x, difference.y), max(difference.z, difference.w));
     let size = max(max(max(extent.x, extent.y), max(extent.z, extent.w)), 1.0);
-    return distance <= tolerance * size;
+    return distance / size;
 }

@@ -8,11 +8,14 @@ struct Closure {
 
 fn chatter_close(speed: f32, motion: Motion) -> Closure {
     let force = motion.acceleration;
-    if speed == 0.0 {
-        return Closure(force >= 0.0, 0.0);
+    if speed <= unresolved() {
+        return Closure(force >= -unresolved(), 0.0);
     }
-    if force <= 0.0 || flight.r >= 1.0 {
+    if force <= 0.0 {
         return Closure(false, 0.0);
+    }
+    if flight.r >= 1.0 {
+        return chatter_drag(speed, motion);
     }
     let r = flight.r;
     let time = (speed + speed) / (force * (1.0 - r));
@@ -20,5 +23,16 @@ fn chatter_close(speed: f32, motion: Motion) -> Closure {
     let cube = speed * speed * speed;
     let gap_integral = TWO_THIRDS * cube / (force * force * (1.0 - r * r * r));
     let effect = gap_integral * flight.inverse_mass * (1.0 + flight.coupling_damping);
-    return Closure(change <= 0.5 && effect * change <= CHATTER, gap_integral);
+    return Closure(change <= STEADY && effect * change <= CHATTER, gap_integral);
+}
+
+// Rebounds without loss, dragged down by the damper.
+fn chatter_drag(speed: f32, motion: Motion) -> Closure {
+    let damping = flight.coupling_damping;
+    let force = motion.acceleration;
+    if damping <= 0.0 {
+        return Closure(false, 0.0);
+    }
+    let lasts = damping * force >= DRAGGED * abs(motion.jerk);
+    return Closure(lasts && speed <= SLOW, speed * speed / ((force + force) * damping));
 }

@@ -10,14 +10,26 @@ fn contact_clears(before: Point, after: Point) -> bool {
 }
 
 // The time left to a stop if it is touched (0) or reached in one straight line; FAR otherwise.
-fn contact_imminent(gap: f32, speed: f32) -> f32 {
+fn contact_imminent(point: Point, side: f32) -> f32 {
+    let gap = flight.delta - side * point.x1;
+    let speed = side * point.v1;
     if flight.rate * abs(gap) < IMMINENT * speed {
         return gap / speed;
     }
-    if gap <= TOUCH * flight.delta && speed >= 0.0 {
+    if gap <= TOUCH * flight.delta && (speed >= 0.0 || is_held(point, side)) {
         return 0.0;
     }
     return FAR;
+}
+
+// Whether a hop off the stop would be lost in rounding.
+fn is_held(point: Point, side: f32) -> bool {
+    return abs(point.v1) <= unresolved() && side * point_accelerations(point).x > 0.0;
+}
+
+// Speeds and accelerations up to this cannot be told from 0.
+fn unresolved() -> f32 {
+    return EPSILON * (flight.delta + 1.0);
 }
 
 fn contact_safe_time(point: Point, motion: Motion, window: f32) -> f32 {
@@ -70,7 +82,8 @@ fn safe_from_stop(
         if pulled_off >= window {
             return window;
         }
-        return max(safe_within(approach, window), pulled_off);
+        let expected = WIDENING * closing_time(gap, speed, acceleration);
+        return max(safe_within(approach, min(expected, window)), pulled_off);
     }
     if acceleration < 0.0 {
         if safe_within(approach, window) >= window {

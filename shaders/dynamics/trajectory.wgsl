@@ -19,6 +19,7 @@ const EVENT_RELEASED = 7u;
 struct Trajectory {
     point: Point,
     ahead: Point,
+    kicks: u32,
     contact: u32,
     step: u32,
     offset: f32,
@@ -38,7 +39,7 @@ fn trajectory_new(start: vec4<f32>) -> Trajectory {
     let clamped = flight.delta == 0.0;
     let state = select(start, vec4(0.0, start.y, 0.0, start.w), clamped);
     let point = point_at_phase_zero(state);
-    return Trajectory(point, point, select(CONTACT_FREE, CONTACT_CLAMPED, clamped), 0u, 0.0);
+    return Trajectory(point, point, 0u, select(CONTACT_FREE, CONTACT_CLAMPED, clamped), 0u, 0.0);
 }
 
 // Moves on to the next event, the end of the step at the latest; `carry` says whether the tangent comes along.
@@ -57,6 +58,7 @@ fn fly(carry: bool) -> Move {
     let window = flight.h - trajectory.offset;
     if trajectory.offset == 0.0 {
         trajectory.ahead = point_stepped(trajectory.point);
+        trajectory.kicks = 0u;
         if contact_clears(trajectory.point, trajectory.ahead) {
             return go_ahead(carry, window);
         }
@@ -69,17 +71,22 @@ fn fly(carry: bool) -> Move {
     glide(carry, time, 1.0);
     trajectory.offset = trajectory.offset + time;
     let side = select(-1.0, 1.0, trajectory.point.x1 >= 0.0);
-    let gap = flight.delta - side * trajectory.point.x1;
-    let speed = side * trajectory.point.v1;
-    let left = contact_imminent(gap, speed);
+    let left = contact_imminent(trajectory.point, side);
     if left == FAR {
         return Move(EVENT_FLIGHT, 0.0, 0.0);
+    }
+    if side * trajectory.point.v1 < 0.0 {
+        trajectory.point.v1 = 0.0;
     }
     return strike(carry, side, left);
 }
 
 fn go_ahead(carry: bool, window: f32) -> Move {
-    trajectory.point = trajectory.ahead;
+    if trajectory.kicks <= MOST_KICKS {
+        trajectory.point = trajectory.ahead;
+    } else {
+        trajectory.point = point_flown(trajectory.point, window, 1.0);
+    }
     if carry {
         if trajectory.offset == 0.0 {
             tangent = tangent_stepped(tangent);
@@ -106,7 +113,10 @@ fn strike(carry: bool, side: f32, left: f32) -> Move {
     let speed = abs(rebound);
     let closure = chatter_close(speed, Motion(side * after.acceleration, after.jerk, after.bound));
     if !closure.closes {
-        trajectory.ahead = point_kicked(trajectory.ahead, rebound - velocity, flight.h - trajectory.offset);
+        trajectory.kicks = trajectory.kicks + 1u;
+        if trajectory.kicks <= MOST_KICKS {
+            trajectory.ahead = point_kicked(trajectory.ahead, rebound - velocity, flight.h - trajectory.offset);
+        }
         return Move(EVENT_IMPACT, side, velocity);
     }
     // The gap of the skipped rebounds lets the coupling's spring and damper act on the second mass.
@@ -128,7 +138,7 @@ fn rest(carry: bool) -> Move {
     let motion = point_motion(trajectory.point, 0.0);
     let force = side * motion.acceleration;
     let slope = side * motion.jerk;
-    if force <= EPSILON * (flight.delta + 1.0) && slope < 0.0 {
+    if force <= unresolved() && slope < 0.0 {
         return release(carry, side, slope, motion.bound);
     }
     let least = flight.h * SQRT_EPSILON;
@@ -144,11 +154,13 @@ fn rest(carry: bool) -> Move {
 
 fn release(carry: bool, side: f32, slope: f32, bound: f32) -> Move {
     let half_window = 0.5 * (flight.h - trajectory.offset);
-    let pulled = min(-slope / (bound + bound), half_window);
+    let least = flight.h * SQRT_EPSILON;
+    let pulled = min(max(-slope / (bound + bound), least), half_window);
     trajectory.contact = CONTACT_FREE;
     glide(carry, pulled, 1.0);
     trajectory.offset = trajectory.offset + pulled;
     trajectory.ahead = point_flown(trajectory.point, flight.h - trajectory.offset, 1.0);
+    trajectory.kicks = 0u;
     return Move(EVENT_RELEASED, side, 0.0);
 }
 

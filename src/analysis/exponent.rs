@@ -84,7 +84,7 @@ impl<T: Real> Exponent<T> {
     }
 
     /// The growth of the tangent vector over everything counted, ln of a factor.
-    pub fn growth(&self) -> T {
+    pub fn total_growth(&self) -> T {
         self.sum
     }
 }

@@ -18,7 +18,8 @@ pub use symmetric::{SymmetricMotion, symmetric_motions, symmetric_start};
 pub(crate) mod constants {
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::observer::{
-        CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING, SIGNIFICANCE,
+        CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING,
+        SETTLING_AT_REST, SIGNIFICANCE,
     };
     pub use super::spread::STATIONARY;
 }

@@ -14,8 +14,10 @@ use crate::model::{Flight, Real};
 pub const RETURNED: f64 = 1e-4;
 /// Periods for which a trajectory must have returned, in the transient, before it finishes early.
 pub const SETTLING: u32 = 64;
+/// The same for a trajectory that returns far closer still, to [`Real::AT_REST`].
+pub const SETTLING_AT_REST: u32 = 16;
 /// Periods for which a settled trajectory is still observed.
-pub const SETTLED_OBSERVATION: u32 = 64;
+pub const SETTLED_OBSERVATION: u32 = 48;
 /// Total logarithmic growth below which a tangent vector neither grows nor shrinks: the exponent is zero.
 pub const NEUTRAL_GROWTH: f64 = 3.0;
 /// Total logarithmic growth above which the exponent can be positive.
@@ -197,7 +199,8 @@ impl<T: Real> Observer<T> {
                 return;
             }
             self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period);
-            if self.recurrence.holds_for(SETTLING) {
+            let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
+            if self.recurrence.holds_for(if at_rest { SETTLING_AT_REST } else { SETTLING }) {
                 let needed = SETTLED_OBSERVATION.max(4 * self.recurrence.n);
                 self.begin_observation(needed.min(schedule.observe));
                 return;
@@ -299,7 +302,7 @@ impl<T: Real> Observer<T> {
     /// The regime of a motion that impacts, never sticks and does not return.
     fn irregular(&self) -> Regime {
         let exponent = &self.exponent;
-        let growth = exponent.growth();
+        let growth = exponent.total_growth();
         let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
         if exponent.batches == 0 {
             Regime::Unresolved

@@ -23,6 +23,8 @@ pub struct Recurrence<T> {
     running_p: u32,
     /// Impacts at A in the present cycle.
     running_q: u32,
+    /// The largest distance of a return from the anchor.
+    worst: T,
     /// Whether the state half a cycle after the last full one was its mirror image.
     pub symmetric: bool,
 }
@@ -30,7 +32,17 @@ pub struct Recurrence<T> {
 impl<T: Real> Recurrence<T> {
     /// Begins with the state of a strobe as the anchor.
     pub fn anchored(state: [T; 4]) -> Self {
-        Recurrence { anchor: state, since: 0, n: 0, p: 0, q: 0, running_p: 0, running_q: 0, symmetric: false }
+        Recurrence {
+            anchor: state,
+            since: 0,
+            n: 0,
+            p: 0,
+            q: 0,
+            running_p: 0,
+            running_q: 0,
+            worst: T::zero(),
+            symmetric: false,
+        }
     }
 
     /// Counts an impact; infinitely many if it ends a complete chatter sequence.
@@ -54,7 +66,7 @@ impl<T: Real> Recurrence<T> {
     pub fn at_half_period(&mut self, point: &Point<T>, tolerance: T) {
         if self.n % 2 == 1 && self.since % self.n == self.n / 2 {
             let mirrored = point.state().map(|value| -value);
-            self.symmetric = near(&mirrored, &self.anchor, tolerance);
+            self.symmetric = distance(&mirrored, &self.anchor) <= tolerance;
         }
     }
 
@@ -62,27 +74,30 @@ impl<T: Real> Recurrence<T> {
     #[inline(always)]
     pub fn at_strobe(&mut self, point: &Point<T>, tolerance: T, max_period: u32) {
         self.since += 1;
+        let away = distance(&point.state(), &self.anchor);
         if self.n == 0 {
-            if near(&point.state(), &self.anchor, tolerance) {
+            if away <= tolerance {
                 self.n = self.since;
                 self.p = self.running_p;
                 self.q = self.running_q;
-                self.running_p = 0;
-                self.running_q = 0;
+                self.returned(away);
             } else if self.since >= max_period {
                 *self = Self::anchored(point.state());
             }
-        } else if self.since % self.n == 0 {
-            let same = self.running_p == self.p
-                && self.running_q == self.q
-                && near(&point.state(), &self.anchor, tolerance);
-            if same {
-                self.running_p = 0;
-                self.running_q = 0;
+        } else if self.since.is_multiple_of(self.n) {
+            if self.running_p == self.p && self.running_q == self.q && away <= tolerance {
+                self.returned(away);
             } else {
                 *self = Self::anchored(point.state());
             }
         }
+    }
+
+    #[inline(always)]
+    fn returned(&mut self, away: T) {
+        self.running_p = 0;
+        self.running_q = 0;
+        self.worst = if away > self.worst { away } else { self.worst };
     }
 
     /// Whether the state has kept returning for at least `periods`, and at least three times.
@@ -90,11 +105,17 @@ impl<T: Real> Recurrence<T> {
     pub fn holds_for(&self, periods: u32) -> bool {
         self.n > 0 && self.since >= periods && self.since >= 3 * self.n
     }
+
+    /// Whether no return was farther from the anchor than this.
+    #[inline(always)]
+    pub fn is_within(&self, tolerance: T) -> bool {
+        self.worst <= tolerance
+    }
 }
 
-/// Whether two states agree to a tolerance: absolute for states of order one and less, relative above.
+/// The largest difference of two states' components: absolute for states of order one and less, relative above.
 #[inline(always)]
-fn near<T: Real>(state: &[T; 4], anchor: &[T; 4], tolerance: T) -> bool {
+fn distance<T: Real>(state: &[T; 4], anchor: &[T; 4]) -> T {
     let mut distance = T::zero();
     let mut size = T::one();
     for i in 0..4 {
@@ -103,5 +124,5 @@ fn near<T: Real>(state: &[T; 4], anchor: &[T; 4], tolerance: T) -> bool {
         let extent = anchor[i].abs();
         size = if extent > size { extent } else { size };
     }
-    distance <= tolerance * size
+    distance / size
 }

@@ -18,8 +18,18 @@ pub struct SymmetricMotion {
     /// (x1, x2, v1, v2) at forcing phase 0, if the motion is physical: it leaves stop A inwards and crosses no
     /// stop in flight.
     pub at_phase_zero: Option<[f64; 4]>,
+}
+
+impl SymmetricMotion {
     /// The largest modulus among the half map's multipliers; the motion is stable where it is below 1.
-    pub spectral_radius: f64,
+    ///
+    /// Infinite for r = 0, whose impacts have no velocity to linearise about.
+    pub fn spectral_radius(&self, system: &System) -> f64 {
+        let flight = Flight::new(system);
+        let [v1, x2, v2, tau] = self.section;
+        let state = Vector4::new(flight.delta, x2, v1, v2);
+        spectral_radius(&flight, &HalfFlight::new(&flight), state, tau.sin())
+    }
 }
 
 /// Both solutions of (5), none where the forcing cannot drive the motion; δ = 0 has none.
@@ -42,7 +52,7 @@ pub fn symmetric_motions(system: &System) -> Vec<SymmetricMotion> {
     };
     // sine₁ sin τ + cosine₁ cos τ = δ
     let amplitude = sine[0].hypot(cosine[0]);
-    if !(amplitude >= delta) || !amplitude.is_finite() {
+    if !amplitude.is_finite() || amplitude < delta {
         return Vec::new();
     }
     let middle = sine[0].atan2(cosine[0]);
@@ -58,7 +68,6 @@ pub fn symmetric_motions(system: &System) -> Vec<SymmetricMotion> {
             SymmetricMotion {
                 section: [state[2], state[1], state[3], tau],
                 at_phase_zero: at_phase_zero(system, flight, state, tau),
-                spectral_radius: spectral_radius(flight, &half, state, sin),
             }
         })
         .collect()
@@ -69,12 +78,13 @@ pub fn symmetric_motions(system: &System) -> Vec<SymmetricMotion> {
 ///
 /// Of two physical solutions the one with the smaller multipliers is taken.
 pub fn symmetric_start(system: &System) -> Option<[f64; 4]> {
-    symmetric_motions(system)
-        .into_iter()
-        .filter(|motion| motion.at_phase_zero.is_some())
-        .min_by(|a, b| a.spectral_radius.total_cmp(&b.spectral_radius))
-        .and_then(|motion| motion.at_phase_zero)
-        .map(|[x1, x2, v1, v2]| [x1, x2 + NUDGE, v1, v2])
+    let mut physical = symmetric_motions(system);
+    physical.retain(|motion| motion.at_phase_zero.is_some());
+    if physical.len() > 1 {
+        physical.sort_by(|a, b| a.spectral_radius(system).total_cmp(&b.spectral_radius(system)));
+    }
+    let [x1, x2, v1, v2] = physical.first()?.at_phase_zero?;
+    Some([x1, x2 + NUDGE, v1, v2])
 }
 
 /// Flight over half a forcing period.

@@ -18,7 +18,7 @@ pub const VALIDATED_CELLS: u32 = 120_000;
 pub const PICTURE: &str = "map.png";
 
 /// Forcing periods before a cell of a map is observed.
-pub const MAP_TRANSIENT: u32 = 400;
+pub const MAP_TRANSIENT: u32 = 300;
 
 /// Forcing periods for which a cell of a map is observed.
 pub const MAP_OBSERVE: u32 = 200;

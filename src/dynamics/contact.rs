@@ -28,17 +28,29 @@ pub fn safe_time<T: Real>(flight: &Flight<T>, point: &Point<T>, motion: &Motion<
     if at_a < at_b { at_a } else { at_b }
 }
 
-/// The time left to a stop `gap` away, approached with `speed`, if it is so short that its square is lost in
-/// rounding; 0 if the stop is touched.
+/// The time left to a stop, if it is so short that its square is lost in rounding; 0 if the stop is touched.
 #[inline(always)]
-pub fn imminent<T: Real>(flight: &Flight<T>, gap: T, speed: T) -> Option<T> {
+pub fn imminent<T: Real>(flight: &Flight<T>, point: &Point<T>, side: T) -> Option<T> {
+    let gap = flight.delta - side * point.x1;
+    let speed = side * point.v1;
     if flight.rate * gap.abs() < T::of(T::IMMINENT) * speed {
-        Some(gap / speed)
-    } else if gap <= T::of(T::TOUCH) * flight.delta && speed >= T::zero() {
-        Some(T::zero())
-    } else {
-        None
+        return Some(gap / speed);
     }
+    let touches = gap <= T::of(T::TOUCH) * flight.delta;
+    (touches && (speed >= T::zero() || is_held(flight, point, side))).then_some(T::zero())
+}
+
+/// Whether a mass on its stop leaves it with a speed that rounding cannot tell from 0, against a force that presses
+/// it back: the hop would be lost in rounding.
+#[inline(always)]
+fn is_held<T: Real>(flight: &Flight<T>, point: &Point<T>, side: T) -> bool {
+    point.v1.abs() <= unresolved(flight) && side * point.motion(flight, T::one()).acceleration > T::zero()
+}
+
+/// Speeds and accelerations up to this cannot be told from 0.
+#[inline(always)]
+pub fn unresolved<T: Real>(flight: &Flight<T>) -> T {
+    T::epsilon() * (flight.delta + T::one())
 }
 
 /// The cubic Hermite interpolant's error constant, in h⁴·max|x''''|.
@@ -76,7 +88,8 @@ fn safe_from_stop<T: Real>(gap: T, speed: T, acceleration: T, motion: &Motion<T>
         if pulled_off >= window {
             return window;
         }
-        let safe = within(window);
+        let expected = T::of(WIDENING) * closing_time(gap, speed, acceleration);
+        let safe = within(if expected < window { expected } else { window });
         return if safe > pulled_off { safe } else { pulled_off };
     }
     if acceleration < T::zero() && within(window) >= window {

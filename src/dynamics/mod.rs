@@ -15,6 +15,8 @@ pub use trajectory::{Contact, Event, Impact, Move, Stop, Trajectory};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
+    pub use super::chatter::{DRAGGED, SLOW, STEADY};
     pub use super::contact::{FAR, HERMITE, WIDENING};
     pub use super::series::INVERSE_FACTORIALS;
+    pub use super::trajectory::MOST_KICKS;
 }

@@ -8,6 +8,9 @@ use super::point::{Motion, Point};
 use super::tangent::Tangent;
 use crate::model::{Flight, Real};
 
+/// The most kicks that are added to the end of one step; after more, the step is flown to its end instead.
+pub const MOST_KICKS: u32 = 4;
+
 /// One of the two rigid stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stop {
@@ -103,6 +106,8 @@ pub struct Trajectory<T> {
     pub point: Point<T>,
     /// Where the present step ends if nothing more is met on the way; known while the first mass flies.
     ahead: Point<T>,
+    /// Kicks that were added to it, each with its rounding.
+    kicks: u32,
     /// What the first mass touches.
     pub contact: Contact,
     /// The step within the forcing period, 0 ≤ step < M.
@@ -121,7 +126,7 @@ impl<T: Real> Trajectory<T> {
             point.v1 = T::zero();
         }
         let contact = if clamped { Contact::Clamped } else { Contact::Free };
-        Trajectory { point, ahead: point, contact, step: 0, offset: T::zero() }
+        Trajectory { point, ahead: point, kicks: 0, contact, step: 0, offset: T::zero() }
     }
 
     /// A trajectory that begins at forcing phase `phase`, 0 ≤ phase < 2π, with (x1, x2, v1, v2), |x1| ≤ δ > 0.
@@ -132,7 +137,7 @@ impl<T: Real> Trajectory<T> {
         let point = Point { x1, x2, v1, v2, sin: T::of(sin), cos: T::of(cos) };
         let offset = T::of((steps - f64::from(step)) * flight.h.widen());
         let ahead = point.flown(flight, flight.h - offset, T::one());
-        Trajectory { point, ahead, contact: Contact::Free, step, offset }
+        Trajectory { point, ahead, kicks: 0, contact: Contact::Free, step, offset }
     }
 
     /// Moves on to the next event, the end of the step at the latest, and carries a tangent vector along.
@@ -174,6 +179,7 @@ impl<T: Real> Trajectory<T> {
         let free = T::one();
         if whole {
             self.ahead = self.point.stepped(flight);
+            self.kicks = 0;
             if contact::clears(flight, &self.point, &self.ahead) {
                 return self.go_ahead::<TANGENT>(flight, tangent, window);
             }
@@ -187,11 +193,12 @@ impl<T: Real> Trajectory<T> {
         self.offset = self.offset + time;
         let stop = if self.point.x1 >= T::zero() { Stop::A } else { Stop::B };
         let side = stop.side::<T>();
-        let gap = flight.delta - side * self.point.x1;
-        let speed = side * self.point.v1;
-        let Some(left) = contact::imminent(flight, gap, speed) else {
+        let Some(left) = contact::imminent(flight, &self.point, side) else {
             return Move { time, free, event: Event::Flight };
         };
+        if side * self.point.v1 < T::zero() {
+            self.point.v1 = T::zero();
+        }
         let event = self.strike::<TANGENT>(flight, tangent, stop, left);
         Move { time: time + left, free, event }
     }
@@ -204,7 +211,8 @@ impl<T: Real> Trajectory<T> {
         tangent: &mut Tangent<T>,
         window: T,
     ) -> Move<T> {
-        self.point = self.ahead;
+        self.point =
+            if self.kicks <= MOST_KICKS { self.ahead } else { self.point.flown(flight, window, T::one()) };
         if TANGENT {
             *tangent = if self.offset == T::zero() {
                 tangent.stepped(flight)
@@ -240,7 +248,10 @@ impl<T: Real> Trajectory<T> {
         let towards = Motion { acceleration: side * after.acceleration, ..after };
         let speed = rebound.abs();
         let Some(closure) = chatter::close(flight, speed, &towards) else {
-            self.ahead = self.ahead.kicked(flight, rebound - velocity, flight.h - self.offset);
+            self.kicks += 1;
+            if self.kicks <= MOST_KICKS {
+                self.ahead = self.ahead.kicked(flight, rebound - velocity, flight.h - self.offset);
+            }
             return Event::Impact(impact);
         };
         // The gap of the skipped rebounds lets the coupling's spring and damper act on the second mass.
@@ -271,8 +282,7 @@ impl<T: Real> Trajectory<T> {
         let motion = self.point.motion(flight, free);
         let force = side * motion.acceleration;
         let slope = side * motion.jerk;
-        let threshold = T::epsilon() * (flight.delta + T::one());
-        if force <= threshold && slope < T::zero() {
+        if force <= contact::unresolved(flight) && slope < T::zero() {
             return self.release::<TANGENT>(flight, tangent, stop, slope, motion.bound);
         }
         let least = flight.h * T::epsilon().sqrt();
@@ -298,13 +308,16 @@ impl<T: Real> Trajectory<T> {
         bound: T,
     ) -> Move<T> {
         let half_window = T::of(0.5) * (flight.h - self.offset);
+        let least = flight.h * T::epsilon().sqrt();
         let pulled = -slope / (bound + bound);
+        let pulled = if pulled > least { pulled } else { least };
         let pulled = if pulled < half_window { pulled } else { half_window };
         let free = T::one();
         self.contact = Contact::Free;
         self.glide::<TANGENT>(flight, tangent, pulled, free);
         self.offset = self.offset + pulled;
         self.ahead = self.point.flown(flight, flight.h - self.offset, free);
+        self.kicks = 0;
         Move { time: pulled, free, event: Event::Released(stop) }
     }
 

@@ -1,6 +1,6 @@
 //! Everything that flying one cell needs, computed once per cell in f64.
 
-use nalgebra::{Matrix4, Matrix6, RowVector6, Vector4, Vector6};
+use nalgebra::{Matrix4, RowVector6, Vector4, Vector6};
 
 use super::generator::{self, COS, SIN, V1, V2, X1, X2};
 use super::real::Real;
@@ -78,11 +78,10 @@ impl Flight<f64> {
     /// Prepares a cell.
     pub fn new(system: &System) -> Self {
         let parameters = *system.parameters();
-        let free = generator::free(system);
         let steps = system.steps();
         let h = system.period() / f64::from(steps);
-        let step = generator::exponential(&free, h);
-        let column = |j: usize| [step[(X1, j)], step[(X2, j)], step[(V1, j)], step[(V2, j)]];
+        let column = |j: usize| mechanical(&generator::exponential_column(system, h, j));
+        let (turn_sin, turn_cos) = (parameters.omega * h).sin_cos();
         let (bound, bound_forcing) = bounds(system, h);
         let Response { at_zero, reach } = forced_response(system);
         let ground = parameters.mu_k / (1.0 - parameters.mu_k);
@@ -92,10 +91,10 @@ impl Flight<f64> {
             phi: [column(X1), column(X2), column(V1), column(V2)],
             gamma_sin: column(SIN),
             gamma_cos: column(COS),
-            kick: kick(&free, h),
+            kick: kick(system, h),
             inverse_h: 1.0 / h,
-            turn_sin: step[(SIN, COS)],
-            turn_cos: step[(COS, COS)],
+            turn_sin,
+            turn_cos,
             omega: parameters.omega,
             delta: parameters.delta,
             r: parameters.r,
@@ -152,15 +151,15 @@ impl Flight<f64> {
     }
 }
 
+/// (x1, x2, v1, v2) of an augmented state.
+fn mechanical(z: &Vector6<f64>) -> [f64; 4] {
+    [z[X1], z[X2], z[V1], z[V2]]
+}
+
 /// See [`Flight::kick`].
-fn kick(free: &Matrix6<f64>, h: f64) -> [[f64; 4]; KICK_TERMS] {
-    let mut term = Vector6::ith(V1, 1.0);
-    std::array::from_fn(|k| {
-        if k > 0 {
-            term = free * term * (h / k as f64);
-        }
-        [term[X1], term[X2], term[V1], term[V2]]
-    })
+fn kick(system: &System, h: f64) -> [[f64; 4]; KICK_TERMS] {
+    let mut terms = generator::series(system, h, Vector6::ith(V1, 1.0));
+    std::array::from_fn(|_| terms.next().map_or([0.0; 4], |term| mechanical(&term)))
 }
 
 /// See [`Flight::bound`]: the larger of what free flight and sticking need, component by component.

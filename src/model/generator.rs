@@ -1,6 +1,6 @@
 //! The generator of the flow: Eq. (2) as one linear system z' = G z, forcing included.
 
-use nalgebra::{Matrix6, RowVector6};
+use nalgebra::{Matrix6, RowVector6, Vector6};
 
 use super::system::System;
 
@@ -46,18 +46,36 @@ pub fn stuck(system: &System) -> Matrix6<f64> {
     g
 }
 
-/// exp(G t) by its Taylor series, summed until the terms vanish; accurate where ‖G t‖ is of order one.
-pub fn exponential(g: &Matrix6<f64>, t: f64) -> Matrix6<f64> {
-    let mut term = Matrix6::identity();
-    let mut sum = term;
-    for k in 1..64 {
-        term = term * g * (t / f64::from(k));
-        sum += term;
-        if term.amax() <= 1e-19 * sum.amax() {
-            break;
-        }
-    }
-    sum
+/// G z in free flight, without forming G.
+pub fn derivative(system: &System, z: &Vector6<f64>) -> Vector6<f64> {
+    let omega = system.parameters().omega;
+    let coupling = (z[X2] - z[X1]) + system.coupling_damping * (z[V2] - z[V1]);
+    let second = system.ground_stiffness * z[X2] + system.ground_damping * z[V2];
+    Vector6::new(
+        z[V1],
+        z[V2],
+        coupling + system.force1 * z[SIN],
+        system.force2 * z[SIN] - system.inverse_mass * coupling - second,
+        omega * z[COS],
+        -omega * z[SIN],
+    )
+}
+
+/// The terms Gᵏ z tᵏ/k! of exp(G t) z in free flight, until they vanish against their sum.
+pub fn series(system: &System, t: f64, z: Vector6<f64>) -> impl Iterator<Item = Vector6<f64>> {
+    let mut size = z.amax();
+    std::iter::successors(Some((1.0, z)), move |&(k, term)| {
+        let next = derivative(system, &term) * (t / k);
+        let length = next.amax();
+        size = size.max(length);
+        (length > 1e-19 * size).then_some((k + 1.0, next))
+    })
+    .map(|(_, term)| term)
+}
+
+/// Column `j` of exp(G t) in free flight.
+pub fn exponential_column(system: &System, t: f64, j: usize) -> Vector6<f64> {
+    series(system, t, Vector6::ith(j, 1.0)).sum()
 }
 
 /// A bound on |row · exp(G s)| for every 0 ≤ s ≤ t, component by component: Σ tᵏ/k! |row · Gᵏ|.
@@ -72,4 +90,28 @@ pub fn majorant(row: RowVector6<f64>, g: &Matrix6<f64>, t: f64) -> RowVector6<f6
         }
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Parameters;
+
+    #[test]
+    fn the_derivative_is_the_generator_applied() {
+        let parameters =
+            Parameters { zeta: 0.3, mu_m: 0.4, mu_k: 0.7, mu_c: 0.2, f20: 0.6, ..Parameters::default() };
+        let system = System::new(parameters).unwrap();
+        let z = Vector6::new(0.3, -0.7, 1.1, 0.2, -0.4, 0.9);
+        assert!((free(&system) * z - derivative(&system, &z)).amax() < 1e-14);
+    }
+
+    #[test]
+    fn the_exponential_doubles_as_the_flow_does() {
+        let system = System::new(Parameters::default()).unwrap();
+        let column = |t: f64, j: usize| exponential_column(&system, t, j);
+        let step = nalgebra::Matrix6::from_columns(&std::array::from_fn::<_, 6, _>(|j| column(0.1, j)));
+        let double = nalgebra::Matrix6::from_columns(&std::array::from_fn::<_, 6, _>(|j| column(0.2, j)));
+        assert!((step * step - double).amax() < 1e-15);
+    }
 }

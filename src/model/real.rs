@@ -20,6 +20,8 @@ pub trait Real: Float + Debug + Send + Sync + 'static {
     const CHATTER: f64;
     /// The largest distance between strobe states of a settled motion, before its trajectory finishes early.
     const SETTLED: f64;
+    /// The same for a motion whose strobe states no longer move at all, but for rounding.
+    const AT_REST: f64;
 
     /// The nearest value of this type.
     fn of(value: f64) -> Self;
@@ -29,12 +31,13 @@ pub trait Real: Float + Debug + Send + Sync + 'static {
 }
 
 impl Real for f64 {
-    const TRUNCATION: f64 = 1e-16;
+    const TRUNCATION: f64 = 2e-16;
     const ORDER: usize = 17;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
-    const CHATTER: f64 = 1e-15;
+    const CHATTER: f64 = 1e-13;
     const SETTLED: f64 = 1e-6;
+    const AT_REST: f64 = 1e-10;
 
     #[inline(always)]
     fn of(value: f64) -> Self {
@@ -54,6 +57,7 @@ impl Real for f32 {
     const IMMINENT: f64 = 1e-4;
     const CHATTER: f64 = 3e-9;
     const SETTLED: f64 = 2e-5;
+    const AT_REST: f64 = 1e-6;
 
     #[inline(always)]
     fn of(value: f64) -> Self {

@@ -68,7 +68,7 @@ impl System {
         let a4 = a2 * a2;
         system.rate = (a4 * a4).norm().powf(0.125).max(omega);
         let half_steps = (0.5 * system.rate * system.period() / Self::STEP).ceil();
-        if !(half_steps <= f64::from(Self::MOST_STEPS / 2)) {
+        if half_steps.is_nan() || half_steps > f64::from(Self::MOST_STEPS / 2) {
             return Err(SystemError::TooStiff { omega, zeta });
         }
         system.steps = 2 * half_steps as u32;

@@ -181,7 +181,7 @@ impl Verdict {
 }
 
 /// Bytes of `Observer` in shaders/analysis/observer.wgsl, which only the shader reads and writes.
-pub const OBSERVER_BYTES: u64 = 4 * (15 + 4 + 11 + 7 + 8 + 9);
+pub const OBSERVER_BYTES: u64 = 4 * (16 + 4 + 12 + 7 + 8 + 9);
 
 #[cfg(test)]
 mod tests {

@@ -52,7 +52,9 @@ fn constants() -> String {
         ("BATCHES", analysis::BATCHES),
         ("ALIGNING", analysis::ALIGNING),
         ("SETTLING", analysis::SETTLING),
+        ("SETTLING_AT_REST", analysis::SETTLING_AT_REST),
         ("SETTLED_OBSERVATION", analysis::SETTLED_OBSERVATION),
+        ("MOST_KICKS", dynamics::MOST_KICKS),
         ("MOST_MOVES", analysis::MOST_MOVES),
     ];
     for (name, value) in integers {
@@ -65,6 +67,7 @@ fn constants() -> String {
         ("IMMINENT", <f32 as Real>::IMMINENT),
         ("CHATTER", <f32 as Real>::CHATTER),
         ("SETTLED", <f32 as Real>::SETTLED),
+        ("AT_REST", <f32 as Real>::AT_REST),
         ("EPSILON", epsilon),
         ("SQRT_EPSILON", f64::from(f32::EPSILON.sqrt())),
         ("THIRD", 1.0 / 3.0),
@@ -72,6 +75,9 @@ fn constants() -> String {
         ("TWO_THIRDS", 2.0 / 3.0),
         ("HERMITE", dynamics::HERMITE),
         ("FAR", dynamics::FAR),
+        ("STEADY", dynamics::STEADY),
+        ("SLOW", dynamics::SLOW),
+        ("DRAGGED", dynamics::DRAGGED),
         ("WIDENING", dynamics::WIDENING),
         ("RETURNED", analysis::RETURNED),
         ("NEUTRAL_GROWTH", analysis::NEUTRAL_GROWTH),

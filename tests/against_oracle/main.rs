@@ -1,0 +1,32 @@
+//! Every back end against the brute-force oracle.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod suite;
+
+use std::sync::LazyLock;
+
+use impact_atlas::analysis::{Schedule, Verdict};
+use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched, follow};
+use rayon::prelude::*;
+
+/// The CPU path, f64.
+fn cpu(jobs: &[Job], schedule: &Schedule) -> Vec<Verdict> {
+    Cpu.run(jobs, schedule, &Unwatched).expect("nothing stops the CPU path")
+}
+
+/// What the GPU computes, in f32 on the CPU.
+fn twin(jobs: &[Job], schedule: &Schedule) -> Vec<Verdict> {
+    jobs.par_iter().map(|job| follow::<f32>(job, schedule)).collect()
+}
+
+/// The GPU, f32: a hardware adapter or a software one. That there is none is a failure.
+fn gpu(jobs: &[Job], schedule: &Schedule) -> Vec<Verdict> {
+    static GPU: LazyLock<Gpu> = LazyLock::new(|| Gpu::open(None).expect("an adapter is there"));
+    GPU.run(jobs, schedule, &Unwatched).expect("the adapter finishes")
+}
+
+instantiate!(cpu_f64, crate::cpu, FINE, penetration: 1e-12, defect: 1e-6);
+instantiate!(cpu_f32, crate::twin, COARSE, penetration: 1e-5, defect: 2e-2);
+instantiate!(gpu_f32, crate::gpu, COARSE, penetration: 1e-5, defect: 2e-2);
