@@ -21,7 +21,7 @@ pub const PICTURE: &str = "map.png";
 pub const MAP_TRANSIENT: u32 = 300;
 
 /// Forcing periods for which a cell of a map is observed.
-pub const MAP_OBSERVE: u32 = 200;
+pub const MAP_OBSERVE: u32 = 150;
 
 /// Largest N looked for.
 pub const MAX_PERIOD: u32 = 32;
