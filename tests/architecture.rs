@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The rooms of src/, lowest first; a room may use those of the rows above its own.
-const ORDER: [&[&str]; 10] = [
+const ORDER: [&[&str]; 11] = [
     &["model"],
     &["dynamics"],
     &["analysis"],
+    &["theory"],
     &["control"],
     &["plane"],
     &["backend"],

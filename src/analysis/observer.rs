@@ -6,7 +6,7 @@ use super::recurrence::Recurrence;
 use super::regime::{Regime, Verdict};
 use super::schedule::Schedule;
 use super::spread::Spread;
-use crate::dynamics::{Contact, Event, Move, Stop, Tangent, Trajectory};
+use crate::dynamics::{Contact, Event, Move, Stop, Tangent, Trajectory, Variation};
 use crate::model::{Flight, Real};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
@@ -107,24 +107,34 @@ impl<T: Real> Observer<T> {
     pub fn follow(&mut self, flight: &Flight<T>, schedule: &Schedule) {
         loop {
             match self.stage {
-                Stage::Transient => self.follow_to_phase::<false>(flight, schedule),
-                Stage::Observation => self.follow_to_phase::<true>(flight, schedule),
+                Stage::Transient => self.follow_to_phase(flight, schedule, (), |_, ()| ()),
+                Stage::Observation => {
+                    self.follow_to_phase(flight, schedule, self.tangent, |observer, tangent| {
+                        observer.tangent = tangent;
+                    });
+                }
                 Stage::Observed | Stage::Quiet | Stage::Failed => return,
             }
         }
     }
 
-    /// Follows the trajectory to the next phase 0 or π, on a copy that the compiler can hold in registers.
+    /// Follows the trajectory to the next phase 0 or π, on copies that the compiler can hold in registers;
+    /// `keep` takes the variation back.
     #[inline(always)]
-    fn follow_to_phase<const TANGENT: bool>(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+    fn follow_to_phase<V: Variation<T>>(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &Schedule,
+        mut variation: V,
+        keep: impl Fn(&mut Self, V),
+    ) {
         let mut trajectory = self.trajectory;
-        let mut tangent = self.tangent;
         loop {
-            let taken = trajectory.advance_to_event::<TANGENT>(flight, &mut tangent);
+            let taken = trajectory.advance_to_event(flight, &mut variation);
             let at_phase = matches!(taken.event, Event::HalfPeriod | Event::Strobe);
             if at_phase {
                 self.trajectory = trajectory;
-                self.tangent = tangent;
+                keep(self, variation);
             }
             self.note(flight, schedule, &taken);
             if at_phase || self.stage == Stage::Failed {

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Matrix4, Vector4};
 
-use crate::dynamics::{Event, Stop, Tangent, Trajectory};
+use crate::dynamics::{Event, Stop, Tangent, Trajectory, Variation};
 use crate::model::{Flight, System};
 
 /// How far a start on the symmetric motion is moved off it, so that an unstable one is left; non-dimensional.
@@ -130,7 +130,7 @@ fn at_phase_zero(system: &System, flight: &Flight<f64>, state: Vector4<f64>, tau
     let mut elapsed = 0.0;
     for expected in [Stop::B, Stop::A] {
         loop {
-            let taken = trajectory.advance::<false>(flight, &mut Tangent::seed());
+            let taken = trajectory.advance(flight, &mut ());
             elapsed += taken.time;
             match taken.event {
                 Event::Strobe => at_zero = Some(trajectory.point.state()),
@@ -153,7 +153,7 @@ fn at_phase_zero(system: &System, flight: &Flight<f64>, state: Vector4<f64>, tau
         }
     }
     while at_zero.is_none() {
-        if trajectory.advance::<false>(flight, &mut Tangent::seed()).event == Event::Strobe {
+        if trajectory.advance(flight, &mut ()).event == Event::Strobe {
             at_zero = Some(trajectory.point.state());
         }
     }

@@ -10,7 +10,7 @@ mod trajectory;
 
 pub use point::Point;
 pub use recording::{ImpactEvent, Recording, Sample, Stick, record};
-pub use tangent::Tangent;
+pub use tangent::{Tangent, Variation};
 pub use trajectory::{Contact, Event, Impact, Move, Stop, Trajectory};
 
 /// The numbers that the GPU's shaders share.

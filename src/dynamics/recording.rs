@@ -1,7 +1,6 @@
 //! A trajectory written down: its impacts, and samples at equal times.
 
 use super::point::Point;
-use super::tangent::Tangent;
 use super::trajectory::{Contact, Event, Impact, Stop, Trajectory};
 use crate::model::{Flight, System};
 
@@ -74,15 +73,14 @@ pub fn record(
 ) -> Recording {
     let flight = Flight::new(system);
     let mut trajectory = Trajectory::new(&flight, start);
-    let mut tangent = Tangent::seed();
     for _ in 0..transient {
-        while trajectory.advance::<false>(&flight, &mut tangent).event != Event::Strobe {}
+        while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
     }
     let mut recorder = Recorder::new(system, &flight, &trajectory, transient, samples_per_period);
     let mut period = transient;
     while period < transient + periods {
         let before = trajectory;
-        let taken = trajectory.advance::<false>(&flight, &mut tangent);
+        let taken = trajectory.advance(&flight, &mut ());
         let began = recorder.time(period, &before);
         let within = recorder.elapsed(&before);
         recorder.sample(&flight, period, within, &before.point, taken.time, taken.free);

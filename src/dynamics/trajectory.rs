@@ -5,7 +5,7 @@ use std::fmt;
 use super::chatter;
 use super::contact;
 use super::point::{Motion, Point};
-use super::tangent::Tangent;
+use super::tangent::Variation;
 use crate::model::{Flight, Real};
 
 /// The most kicks that are added to the end of one step; after more, the step is flown to its end instead.
@@ -140,17 +140,15 @@ impl<T: Real> Trajectory<T> {
         Trajectory { point, ahead, kicks: 0, contact: Contact::Free, step, offset }
     }
 
-    /// Moves on to the next event, the end of the step at the latest, and carries a tangent vector along.
-    ///
-    /// `TANGENT` says whether there is one; without it the deviation is left alone and costs nothing.
+    /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none.
     #[inline(always)]
-    pub fn advance<const TANGENT: bool>(&mut self, flight: &Flight<T>, tangent: &mut Tangent<T>) -> Move<T> {
+    pub fn advance<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V) -> Move<T> {
         match self.contact {
-            Contact::Free => self.fly::<TANGENT>(flight, tangent),
-            Contact::Stuck(stop) => self.rest::<TANGENT>(flight, tangent, stop),
+            Contact::Free => self.fly(flight, variation),
+            Contact::Stuck(stop) => self.rest(flight, variation, stop),
             Contact::Clamped => {
                 let window = flight.h - self.offset;
-                self.glide::<TANGENT>(flight, tangent, window, T::zero());
+                self.glide(flight, variation, window, T::zero());
                 Move { time: window, free: T::zero(), event: self.end_step(flight) }
             }
         }
@@ -158,13 +156,9 @@ impl<T: Real> Trajectory<T> {
 
     /// Moves on like [`Trajectory::advance`], but passes over the ends of steps at which nothing happens.
     #[inline(always)]
-    pub fn advance_to_event<const TANGENT: bool>(
-        &mut self,
-        flight: &Flight<T>,
-        tangent: &mut Tangent<T>,
-    ) -> Move<T> {
+    pub fn advance_to_event<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V) -> Move<T> {
         loop {
-            let taken = self.advance::<TANGENT>(flight, tangent);
+            let taken = self.advance(flight, variation);
             if taken.event != Event::StepEnd {
                 return taken;
             }
@@ -173,7 +167,7 @@ impl<T: Real> Trajectory<T> {
 
     /// Free flight: a whole step where it provably clears the stops, else as far as is safe.
     #[inline(always)]
-    fn fly<const TANGENT: bool>(&mut self, flight: &Flight<T>, tangent: &mut Tangent<T>) -> Move<T> {
+    fn fly<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V) -> Move<T> {
         let window = flight.h - self.offset;
         let whole = self.offset == T::zero();
         let free = T::one();
@@ -181,15 +175,15 @@ impl<T: Real> Trajectory<T> {
             self.ahead = self.point.stepped(flight);
             self.kicks = 0;
             if contact::clears(flight, &self.point, &self.ahead) {
-                return self.go_ahead::<TANGENT>(flight, tangent, window);
+                return self.go_ahead(flight, variation, window);
             }
         }
         let motion = self.point.motion(flight, free);
         let time = contact::safe_time(flight, &self.point, &motion, window);
         if time >= window {
-            return self.go_ahead::<TANGENT>(flight, tangent, window);
+            return self.go_ahead(flight, variation, window);
         }
-        self.glide::<TANGENT>(flight, tangent, time, free);
+        self.glide(flight, variation, time, free);
         self.offset = self.offset + time;
         let stop = if self.point.x1 >= T::zero() { Stop::A } else { Stop::B };
         let side = stop.side::<T>();
@@ -199,36 +193,29 @@ impl<T: Real> Trajectory<T> {
         if side * self.point.v1 < T::zero() {
             self.point.v1 = T::zero();
         }
-        let event = self.strike::<TANGENT>(flight, tangent, stop, left);
+        let event = self.strike(flight, variation, stop, left);
         Move { time: time + left, free, event }
     }
 
     /// The rest of a step, known to clear the stops.
     #[inline(always)]
-    fn go_ahead<const TANGENT: bool>(
-        &mut self,
-        flight: &Flight<T>,
-        tangent: &mut Tangent<T>,
-        window: T,
-    ) -> Move<T> {
+    fn go_ahead<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V, window: T) -> Move<T> {
         self.point =
             if self.kicks <= MOST_KICKS { self.ahead } else { self.point.flown(flight, window, T::one()) };
-        if TANGENT {
-            *tangent = if self.offset == T::zero() {
-                tangent.stepped(flight)
-            } else {
-                tangent.flown(flight, window, T::one())
-            };
-        }
+        *variation = if self.offset == T::zero() {
+            variation.stepped(flight)
+        } else {
+            variation.flown(flight, window, T::one())
+        };
         Move { time: window, free: T::one(), event: self.end_step(flight) }
     }
 
     /// An impact, a time `left` ahead: restitution (3), and sticking where the rebounds that follow can be closed.
     #[inline(always)]
-    fn strike<const TANGENT: bool>(
+    fn strike<V: Variation<T>>(
         &mut self,
         flight: &Flight<T>,
-        tangent: &mut Tangent<T>,
+        variation: &mut V,
         stop: Stop,
         left: T,
     ) -> Event<T> {
@@ -240,9 +227,9 @@ impl<T: Real> Trajectory<T> {
         self.point = Point { x1: side * flight.delta, v1: rebound, ..arrived };
         self.offset = self.offset + left;
         let after = self.point.motion(flight, T::one());
-        if TANGENT && velocity != T::zero() {
-            *tangent =
-                tangent.struck(flight, velocity, rebound - velocity, before.acceleration, after.acceleration);
+        if velocity != T::zero() {
+            let kick = rebound - velocity;
+            *variation = variation.struck(flight, velocity, kick, before.acceleration, after.acceleration);
         }
         let impact = Impact { stop, velocity_before: velocity, velocity_after: rebound };
         let towards = Motion { acceleration: side * after.acceleration, ..after };
@@ -263,20 +250,13 @@ impl<T: Real> Trajectory<T> {
         self.point.v2 = self.point.v2 - (T::one() - drag) * push;
         self.point.v1 = T::zero();
         self.contact = Contact::Stuck(stop);
-        if TANGENT {
-            *tangent = tangent.caught();
-        }
+        *variation = variation.caught();
         Event::Caught { impact, complete_chatter: speed > T::zero() }
     }
 
     /// Sticking: the second mass moves alone until the force on the first no longer presses it on the stop.
     #[inline(always)]
-    fn rest<const TANGENT: bool>(
-        &mut self,
-        flight: &Flight<T>,
-        tangent: &mut Tangent<T>,
-        stop: Stop,
-    ) -> Move<T> {
+    fn rest<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V, stop: Stop) -> Move<T> {
         let window = flight.h - self.offset;
         let side = stop.side::<T>();
         let free = T::zero();
@@ -284,26 +264,26 @@ impl<T: Real> Trajectory<T> {
         let force = side * motion.acceleration;
         let slope = side * motion.jerk;
         if force <= contact::unresolved(flight) && slope < T::zero() {
-            return self.release::<TANGENT>(flight, tangent, stop, slope, motion.bound);
+            return self.release(flight, variation, stop, slope, motion.bound);
         }
         let least = flight.h * T::epsilon().sqrt();
         let time = contact::pressed_time(force, slope, motion.bound, window);
         let time = if time > least { time } else { least };
         if time >= window {
-            self.glide::<TANGENT>(flight, tangent, window, free);
+            self.glide(flight, variation, window, free);
             return Move { time: window, free, event: self.end_step(flight) };
         }
-        self.glide::<TANGENT>(flight, tangent, time, free);
+        self.glide(flight, variation, time, free);
         self.offset = self.offset + time;
         Move { time, free, event: Event::Flight }
     }
 
     /// The first mass leaves its stop, from rest and without acceleration; the jerk alone pulls it off.
     #[inline(always)]
-    fn release<const TANGENT: bool>(
+    fn release<V: Variation<T>>(
         &mut self,
         flight: &Flight<T>,
-        tangent: &mut Tangent<T>,
+        variation: &mut V,
         stop: Stop,
         slope: T,
         bound: T,
@@ -315,7 +295,7 @@ impl<T: Real> Trajectory<T> {
         let pulled = if pulled < half_window { pulled } else { half_window };
         let free = T::one();
         self.contact = Contact::Free;
-        self.glide::<TANGENT>(flight, tangent, pulled, free);
+        self.glide(flight, variation, pulled, free);
         self.offset = self.offset + pulled;
         self.ahead = self.point.flown(flight, flight.h - self.offset, free);
         self.kicks = 0;
@@ -323,11 +303,9 @@ impl<T: Real> Trajectory<T> {
     }
 
     #[inline(always)]
-    fn glide<const TANGENT: bool>(&mut self, flight: &Flight<T>, tangent: &mut Tangent<T>, time: T, free: T) {
+    fn glide<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V, time: T, free: T) {
         self.point = self.point.flown(flight, time, free);
-        if TANGENT {
-            *tangent = tangent.flown(flight, time, free);
-        }
+        *variation = variation.flown(flight, time, free);
     }
 
     /// Begins the next step; the forcing phasor is exact at phases 0 and π.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{Job, follow};
-use impact_atlas::dynamics::{Event, Stop, Tangent, Trajectory};
+use impact_atlas::dynamics::{Event, Stop, Trajectory};
 use impact_atlas::model::{Flight, Parameters, System};
 use rayon::prelude::*;
 
@@ -25,7 +25,7 @@ fn energy_drift(parameters: Parameters, start: [f64; 4]) -> f64 {
     let mut impacts = 0;
     let mut drift = 0.0_f64;
     while impacts < 100_000 {
-        match trajectory.advance::<false>(&flight, &mut Tangent::seed()).event {
+        match trajectory.advance(&flight, &mut ()).event {
             Event::Impact(_) => impacts += 1,
             Event::Caught { .. } => panic!("nothing sticks without loss: {parameters:?}"),
             _ => {}

@@ -2,7 +2,7 @@
 
 use impact_atlas::analysis::{INFINITELY_MANY, Regime, Schedule, Verdict};
 use impact_atlas::backend::{Job, follow};
-use impact_atlas::dynamics::{Event, Stop, Tangent, Trajectory, record};
+use impact_atlas::dynamics::{Event, Stop, Trajectory, record};
 use impact_atlas::model::{Flight, Parameters, System};
 use nalgebra::{Complex, Matrix2, Vector2};
 
@@ -159,7 +159,7 @@ fn without_restitution_the_mass_stays_where_it_is_pressed() {
         let mut trajectory = Trajectory::new(&flight, [0.0; 4]);
         let mut periods = 0;
         while periods < 100 {
-            let event = trajectory.advance::<false>(&flight, &mut Tangent::seed()).event;
+            let event = trajectory.advance(&flight, &mut ()).event;
             periods += u32::from(event == Event::Strobe);
             let (Event::Impact(impact) | Event::Caught { impact, .. }) = event else { continue };
             let point = trajectory.point;

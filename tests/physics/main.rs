@@ -5,7 +5,7 @@ mod limits;
 mod paper;
 mod stops;
 
-use impact_atlas::dynamics::{Event, Stop, Tangent, Trajectory};
+use impact_atlas::dynamics::{Event, Stop, Trajectory};
 use impact_atlas::model::{Flight, Parameters, Real, System};
 
 /// The paper's parameters at a frequency and a half clearance.
@@ -32,7 +32,7 @@ fn hits(mut trajectory: Trajectory<f64>, flight: &Flight<f64>, count: usize, per
     let mut time = 0.0;
     let mut hits = Vec::new();
     while hits.len() < count && time < end {
-        let taken = trajectory.advance::<false>(flight, &mut Tangent::seed());
+        let taken = trajectory.advance(flight, &mut ());
         time += taken.time;
         if let Event::Impact(impact) | Event::Caught { impact, .. } = taken.event {
             let (before, after) = (impact.velocity_before, impact.velocity_after);

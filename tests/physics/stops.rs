@@ -1,6 +1,6 @@
 //! Nothing goes through a stop, and nothing rests on one that does not press.
 
-use impact_atlas::dynamics::{Contact, Event, Tangent, Trajectory};
+use impact_atlas::dynamics::{Contact, Event, Trajectory};
 use impact_atlas::model::{Parameters, Real};
 use rayon::prelude::*;
 
@@ -40,7 +40,7 @@ fn touches<T: Real>(parameters: Parameters, start: [f64; 4], periods: u32) -> To
             "no progress after {done} periods from {start:?} with {parameters:?}: {trajectory:?}"
         );
         let before = trajectory;
-        let taken = trajectory.advance::<false>(&flight, &mut Tangent::seed());
+        let taken = trajectory.advance(&flight, &mut ());
         for sample in 0..=SAMPLES {
             let time = taken.time * T::of(f64::from(sample) / f64::from(SAMPLES));
             let point = before.point.flown(&flight, time, taken.free);
