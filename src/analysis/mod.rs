@@ -1,4 +1,4 @@
-//! What a trajectory is: regimes and labels, settling, Lyapunov exponents, the analytic 1-1-1 motion.
+//! What a trajectory is: regimes and labels, settling, Lyapunov exponents.
 
 mod exponent;
 mod observer;
@@ -8,13 +8,13 @@ mod regime;
 mod schedule;
 mod section;
 mod spread;
-mod symmetric;
+mod trace;
 
 pub use observer::{Observer, Stage};
 pub use regime::{INFINITELY_MANY, Regime, Verdict};
 pub use schedule::{Schedule, ScheduleError};
 pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
-pub use symmetric::{SymmetricMotion, symmetric_motions, symmetric_start};
+pub use trace::{Trace, Tracer};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {

@@ -52,3 +52,12 @@ pub const NARROW_FIGURE: u32 = 1000;
 
 /// The width of a figure of several plots or a diagram, in pixels.
 pub const WIDE_FIGURE: u32 = 2000;
+
+/// The picture of a bifurcation diagram.
+pub const DIAGRAM: &str = "bifurcation.png";
+
+/// Forcing periods for which a column of a diagram is observed.
+pub const DIAGRAM_OBSERVE: u32 = 300;
+
+/// Points that are kept of a column for every period observed.
+pub const POINTS_PER_PERIOD: u32 = 16;

@@ -3,6 +3,7 @@
 //! Results go to standard output, everything else to standard error.
 
 mod adapters;
+mod bifurcation;
 mod classify;
 mod defaults;
 mod error;
@@ -44,6 +45,7 @@ enum Command {
     Map(map::MapArgs),
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
+    Bifurcation(bifurcation::BifurcationArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
 }
@@ -55,6 +57,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Map(args) => map::run(args),
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
+        Command::Bifurcation(args) => bifurcation::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

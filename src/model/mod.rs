@@ -1,7 +1,7 @@
 //! The system: its parameters, the equations of motion (2), and the constants of linear flight.
 
 mod flight;
-mod generator;
+pub(crate) mod generator;
 mod parameters;
 mod real;
 mod system;

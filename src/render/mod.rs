@@ -7,6 +7,7 @@
 
 mod canvas;
 mod colours;
+mod diagram;
 #[cfg(test)]
 mod example;
 mod figure;
@@ -27,7 +28,8 @@ mod ticks;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
-pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, TooSmall};
+pub use diagram::diagram_figure;
+pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, StripLabel, TooSmall};
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
 pub use motion::Motion;
