@@ -76,6 +76,7 @@
 
 pub mod analysis;
 pub mod backend;
+pub mod curves;
 pub mod diagram;
 pub mod dynamics;
 pub mod model;

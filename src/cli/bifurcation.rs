@@ -220,7 +220,10 @@ impl<'a> Summary<'a> {
         let name = diagram.spec.x.quantity().name();
         for range in self.coexistence.iter().flatten() {
             let pairs: Vec<String> = (range.pairs.iter().take(3))
-                .map(|pair| format!("{} (down) and {} (up)", pair.first, pair.second))
+                .map(|pair| match pair.first == pair.second {
+                    true => format!("two different {} motions", pair.first),
+                    false => format!("{} (down) and {} (up)", pair.first, pair.second),
+                })
                 .collect();
             lines.push(format!(
                 "coexistence for {name} from {:.6} to {:.6} ({} columns): {}",

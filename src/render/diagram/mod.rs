@@ -187,8 +187,10 @@ fn where_read(section: Section) -> Text {
 
 fn notes(diagram: &Diagram) -> Vec<Text> {
     let schedule = diagram.spec.schedule;
-    let mut notes: Vec<Text> =
-        vec![format!("After {} forcing periods, {} are shown.", schedule.transient, schedule.observe).into()];
+    let mut notes: Vec<Text> = vec![
+        format!("After {} forcing periods, {} are shown", schedule.transient, schedule.observe).into(),
+        where_read(diagram.spec.probe.section),
+    ];
     notes.push(
         Text::new()
             .italic("N")
