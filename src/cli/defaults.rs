@@ -61,3 +61,6 @@ pub const DIAGRAM_OBSERVE: u32 = 300;
 
 /// Points that are kept of a column for every period observed.
 pub const POINTS_PER_PERIOD: u32 = 16;
+
+/// The folder of the paper's figures.
+pub const REPRODUCTION: &str = "reproduction";

@@ -16,6 +16,7 @@ mod panics;
 mod pictures;
 mod progress;
 mod report;
+mod reproduce;
 mod terminal;
 mod validate;
 mod values;
@@ -46,6 +47,7 @@ enum Command {
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Bifurcation(bifurcation::BifurcationArgs),
+    Reproduce(reproduce::ReproduceArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
 }
@@ -58,6 +60,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
         Command::Bifurcation(args) => bifurcation::run(args),
+        Command::Reproduce(args) => reproduce::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

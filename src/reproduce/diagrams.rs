@@ -1,0 +1,157 @@
+//! Fig. 6: bifurcation diagrams over ω at fixed δ with their Lyapunov exponents, and where 1-1-1 loses its stability.
+
+use serde_json::{Value, json};
+
+use super::bench::PaperPoint;
+use super::loss::{Change, State, changes, lost, state};
+use super::orbits::{CHAOS, largest_exponent};
+use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
+use crate::analysis::{Probe, Reading, Section};
+use crate::backend::{Cpu, Watch};
+use crate::diagram::{DiagramSpec, Sweep};
+use crate::model::Parameters;
+use crate::plane::Start;
+use crate::render::{Size, diagram_figure};
+use crate::sweep::diagram;
+
+/// Bifurcation diagrams of the velocity before impact at A.
+pub(super) struct Figure6;
+
+/// The parts whose δ is known: letter and δ.
+const PARTS: [(&str, f64); 3] = [("a", 0.1), ("c", 0.545), ("d", 0.6)];
+/// Frequencies at which the loss of stability is looked for before it is located.
+const LOOKED_AT: u32 = 1500;
+/// Forcing periods over which an exponent is measured.
+const PERIODS: u32 = 20_000;
+
+fn spec(delta: f64) -> DiagramSpec {
+    DiagramSpec {
+        x: "omega=0.2:5:1600".parse().expect("an axis"),
+        parameters: Parameters { delta, ..Parameters::default() },
+        sweep: Sweep::Each(Start::Symmetric),
+        start: Start::Rest,
+        probe: Probe { section: Section::A, reading: Reading::VBefore },
+        schedule: DiagramSpec::schedule(1000, 200, 32),
+        capacity: 3200,
+        spectrum: true,
+    }
+}
+
+impl PaperFigure for Figure6 {
+    fn number(&self) -> u32 {
+        6
+    }
+
+    fn caption(&self) -> &'static str {
+        "Velocity before impact and Lyapunov exponents over the forcing frequency: (a) δ = 0.1, (c) δ = 0.545, (d) δ = 0.6."
+    }
+
+    fn config(&self) -> Value {
+        let specs = PARTS.map(|(letter, delta)| json!({ "part": letter, "diagram": spec(delta) }));
+        json!({ "diagrams": specs, "frequencies": LOOKED_AT, "exponents": PERIODS })
+    }
+
+    fn produce(&self, watch: &dyn Watch) -> Result<Produced, ReproduceError> {
+        let config = config_of(self).to_string();
+        let mut pictures = Vec::new();
+        for (letter, delta) in PARTS {
+            let diagram = diagram(&spec(delta), &Cpu, watch)?;
+            let size = Size::new(2000, 1600).expect("a size");
+            pictures.push((letter, diagram_figure(&diagram).draw(size, &config)?));
+        }
+        Ok(Produced { pictures, claims: claims() })
+    }
+}
+
+fn claims() -> Vec<Claim> {
+    let at = |delta| changes(delta, 5.0, 0.5, LOOKED_AT);
+    let small = at(0.1);
+    let pitchfork = first(&small, State::BeyondMinusOne);
+    let mut claims = vec![
+        Claim::number(
+            6,
+            "(a) pitchfork of the 1-1-1 symmetric motion, ω",
+            "3.6907",
+            pitchfork.map(|c| c.omega),
+        ),
+        whole_range(pitchfork),
+    ];
+    let next = lost(&PaperPoint::new(3.5, 0.1), 2.95);
+    let computed = next.as_ref().map_or_else(
+        || "none".to_owned(),
+        |loss| format!("{} {} at ω = {:.4}", loss.label, loss.kind(), loss.omega),
+    );
+    let holds = next.is_some_and(|loss| loss.multiplier.im != 0.0);
+    let printed = "Neimark–Sacker bifurcation of the 1-1-1 unsymmetric motion";
+    claims.push(Claim::new(6, "(a) what follows the pitchfork with falling ω", printed, computed, holds));
+    claims.push(largest_exponent(6, &CHAOS, PERIODS, "positive (chaos)", |mean, error| mean > 5.0 * error));
+    claims.push(Claim::unchecked(
+        6,
+        "(b)",
+        "a diagram at another δ",
+        "its δ is not legible in the text of the paper",
+    ));
+
+    let printed =
+        "supercritical Neimark–Sacker, subcritical Neimark–Sacker, pitchfork, in turn with falling ω";
+    for delta in [0.5352, 0.545, 0.5602] {
+        let found = losses(&at(delta));
+        let kinds: Vec<(State, Option<bool>)> =
+            found.iter().map(|c| (unstable(c), c.supercritical)).collect();
+        let holds = kinds
+            == [
+                (State::PairOutside, Some(true)),
+                (State::PairOutside, Some(false)),
+                (State::BeyondMinusOne, found.last().and_then(|c| c.supercritical)),
+            ];
+        let claim = format!("(c) what becomes of 1-1-1 symmetric at δ = {delta}");
+        claims.push(Claim::new(6, claim, printed, sequence(&found), holds));
+    }
+    let large = losses(&at(0.6));
+    let holds =
+        large.first().is_some_and(|c| unstable(c) == State::PairOutside && c.supercritical == Some(true));
+    let claim = "(d) how 1-1-1 symmetric first loses its stability at δ = 0.6 with falling ω";
+    claims.push(Claim::new(6, claim, "supercritical Neimark–Sacker", sequence(&large), holds));
+    let between = [2.582, 2.57].map(|omega| state(omega, 0.6));
+    let holds = between == [State::Stable, State::PairOutside];
+    let computed = format!("{} at 2.582, {} at 2.57", between[0].name(), between[1].name());
+    let claim = "(d) the Neimark–Sacker bifurcation at δ = 0.6 lies between ω = 2.582 and 2.57";
+    claims.push(Claim::new(6, claim, "stable at 2.582, an invariant circle at 2.57", computed, holds));
+    claims
+}
+
+/// Stable all the way from ω = 5 down to the pitchfork.
+fn whole_range(pitchfork: Option<&Change>) -> Claim {
+    let end = pitchfork.map_or(f64::NAN, |change| change.omega);
+    let grid = (0..=LOOKED_AT).map(|i| 5.0 + (end + 1e-6 - 5.0) * f64::from(i) / f64::from(LOOKED_AT));
+    let stable = pitchfork.is_some() && grid.into_iter().all(|omega| state(omega, 0.1) == State::Stable);
+    let computed =
+        if stable { format!("stable on [{end:.4}, 5]") } else { "not stable throughout".to_owned() };
+    Claim::new(6, "(a) range of the stable 1-1-1 symmetric motion", "ω in [3.6907, 5]", computed, stable)
+        .noted(format!("at {} frequencies, from the multipliers of the half map", LOOKED_AT + 1))
+}
+
+/// The first change to a kind of instability.
+fn first(changes: &[Change], after: State) -> Option<&Change> {
+    changes.iter().find(|change| change.after == after)
+}
+
+/// The changes that a stable motion takes part in.
+fn losses(changes: &[Change]) -> Vec<Change> {
+    let stable = |change: &&Change| [change.before, change.after].contains(&State::Stable);
+    changes.iter().filter(stable).copied().collect()
+}
+
+/// What the motion is like on the side where it is not stable.
+fn unstable(change: &Change) -> State {
+    if change.before == State::Stable { change.after } else { change.before }
+}
+
+fn sequence(changes: &[Change]) -> String {
+    let words = |change: &Change| {
+        let turn = if change.before == State::Stable { "loses" } else { "regains" };
+        format!("{turn} stability: {}", change.words())
+    };
+    let all: Vec<String> = changes.iter().map(words).collect();
+    if all.is_empty() { "never stable".to_owned() } else { all.join("; ") }
+}
