@@ -12,7 +12,7 @@ use super::no_impact::no_impact_curve;
 use super::seeds::seeds;
 use super::trace::{Traced, trace};
 use super::unknowns::Span;
-use crate::plane::{Axis, Quantity, RegionMap};
+use crate::plane::{Axis, Plane, Quantity, RegionMap};
 use crate::theory::Pattern;
 
 /// An event this near to a curve of its kind and motion lies on it; in sides of the plane.
@@ -40,7 +40,7 @@ pub enum CurvesError {
 /// # Errors
 /// [`CurvesError`] where an axis is not a range of a parameter.
 pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<Vec<Curve>, CurvesError> {
-    let spans = [span(&map.plane.x)?, span(&map.plane.y)?];
+    let spans = spans(&map.plane)?;
     let seeds = seeds(map, max_period);
     let events: Vec<Event> = seeds
         .par_iter()
@@ -58,9 +58,23 @@ pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<Vec<Curve>
             curves.push(curve);
         }
     }
+    curves.retain(|curve| curve.points.iter().any(|point| point.bounding));
     curves = without_twins(curves, spans);
     curves.extend(no_impact_curve(map, spans));
     Ok(curves)
+}
+
+/// The two parameters of a plane.
+fn spans(plane: &Plane) -> Result<[Span; 2], CurvesError> {
+    Ok([span(&plane.x)?, span(&plane.y)?])
+}
+
+/// Whether a plane can have curves: whether both of its axes are ranges of parameters.
+///
+/// # Errors
+/// [`CurvesError`] with the axis that is not.
+pub fn check(plane: &Plane) -> Result<(), CurvesError> {
+    spans(plane).map(drop)
 }
 
 /// Events of one kind and motion together, in the order of their first.

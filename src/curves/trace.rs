@@ -6,6 +6,7 @@ use super::branch::{Event, multipliers_at};
 use super::condition::{Kind, split};
 use super::curve::{Criticality, Curve, CurveMotion, CurvePoint, End, Special};
 use super::locus::Locus;
+use super::parting::passed;
 use super::path::PathPoint;
 use super::special::{Monitor, monitors};
 use super::touch::{arrival_speeds, touches};
@@ -97,10 +98,11 @@ pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Traced> {
     let start =
         PathPoint::near(&locus, guess.clone(), last).or_else(|| PathPoint::near(&locus, guess, last - 1))?;
     let seen = look(&locus, &start)?;
-    let at_resonance = matches!(seen.beyond, Some((End::Resonance11 | End::Resonance12, _)));
-    if seen.beyond.is_some() && !at_resonance {
-        return None;
-    }
+    let seen = match seen.beyond {
+        None => seen,
+        Some((End::Resonance11 | End::Resonance12, special)) => seen.named(special),
+        Some(_) => return None,
+    };
     let ((mut places, first_end), (after, second_end)) = rayon::join(
         || follow(&locus, start.reversed(), seen.clone()),
         || follow(&locus, start.clone(), seen.clone()),
@@ -139,8 +141,12 @@ fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<Seen>, End) {
             }
             continue;
         };
-        if let Some(beyond) = looked.beyond {
-            let (point, end) = end_point(locus, &here, ds, beyond);
+        let beyond = |there: &Seen| {
+            let passed = passed(&seen.motion, &there.motion);
+            there.beyond.or(passed.then_some((End::Simplifies, None)))
+        };
+        if let Some(reason) = beyond(&looked) {
+            let (point, end) = end_point(locus, &here, ds, reason, beyond);
             points.extend(specials(locus, &here, &seen, ds, &looked).into_iter().filter(|_| point.is_none()));
             points.extend(point);
             return (points, end);
@@ -170,17 +176,18 @@ fn end_point(
     locus: &Locus,
     here: &PathPoint,
     ds: f64,
-    beyond: (End, Option<Special>),
+    reason: (End, Option<Special>),
+    beyond: impl Fn(&Seen) -> Option<(End, Option<Special>)>,
 ) -> (Option<Seen>, End) {
     let (mut inside, mut outside) = (0.0, ds);
-    let (mut last, mut reason) = (None, beyond);
+    let (mut last, mut reason) = (None, reason);
     for _ in 0..BISECTIONS {
         if outside - inside < PLACED {
             break;
         }
         let middle = 0.5 * (inside + outside);
         let Some(seen) = here.advanced(locus, middle).and_then(|point| look(locus, &point)) else { break };
-        match seen.beyond {
+        match beyond(&seen) {
             None => {
                 inside = middle;
                 last = Some(seen);

@@ -2,13 +2,15 @@
 
 use serde::Serialize;
 
-use super::Spread;
+use super::{Check, Spread};
 use crate::analysis::{Regime, Verdict};
 use crate::curves::{Curve, CurveMotion, CurvePoint, Kind};
 use crate::plane::RegionMap;
 
 /// How far from a curve its motion's cells, and their boundary, are looked for; in cells.
 pub const WINDOW: i64 = 10;
+/// The largest median distance between curves and boundaries that is accepted, in cells.
+pub const LARGEST_MEDIAN: f64 = 1.0;
 /// Of its eight neighbours, so many at least are of the motion of a cell that counts: single cells amid chaos do not.
 const COMPANY: usize = 3;
 
@@ -31,17 +33,30 @@ pub struct BoundaryAgreement {
     pub distance: Option<Spread>,
 }
 
+/// All curves against all boundaries.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Boundaries {
+    /// The distances of all places of all curves, in cells.
+    pub distance: Option<Spread>,
+    /// The curves that bound regions of the map, each for itself.
+    pub curves: Vec<BoundaryAgreement>,
+}
+
 /// Compares every curve that bounds a region of the map with that region's boundary.
 ///
 /// Places are measured in cells, the distance from one cell to the next being one along either axis. Curves along
 /// which the map nowhere shows the motion are left out.
-pub fn boundary_agreement(map: &RegionMap, curves: &[Curve]) -> Vec<BoundaryAgreement> {
-    curves.iter().map(|curve| along(map, curve)).filter(|agreement| agreement.compared > 0).collect()
+pub fn boundaries(map: &RegionMap, curves: &[Curve]) -> Boundaries {
+    let distance = Spread::of(curves.iter().flat_map(|curve| distances(map, curve).1).collect());
+    let curves = curves.iter().map(|curve| along(map, curve)).filter(|along| along.compared > 0).collect();
+    Boundaries { distance, curves }
 }
 
-/// All distances of the curves that bound regions, taken together.
-pub fn overall_distance(map: &RegionMap, curves: &[Curve]) -> Option<Spread> {
-    Spread::of(curves.iter().flat_map(|curve| distances(map, curve).1).collect())
+impl Boundaries {
+    /// The median of all distances against the largest that is accepted.
+    pub fn check(&self) -> Check {
+        Check::at_most("curves, median distance in cells", self.distance.map(|d| d.median), LARGEST_MEDIAN)
+    }
 }
 
 fn along(map: &RegionMap, curve: &Curve) -> BoundaryAgreement {
@@ -104,7 +119,7 @@ fn distance(map: &RegionMap, motion: &CurveMotion, [x, y]: [f64; 2]) -> Option<f
             }
         }
     }
-    shown.then(|| if nearest <= WINDOW as f64 { nearest } else { 2.0 * WINDOW as f64 })
+    shown.then_some(if nearest <= WINDOW as f64 { nearest } else { 2.0 * WINDOW as f64 })
 }
 
 /// The distance of a place from the side of a cell that lies in a direction.
