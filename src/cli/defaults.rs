@@ -38,6 +38,9 @@ pub const ORBIT_PERIODS: u32 = 20;
 /// Points of an orbit in each forcing period.
 pub const ORBIT_SAMPLES: u32 = 200;
 
+/// Largest N of the motions whose bifurcation curves are computed.
+pub const CURVES_MAX_PERIOD: u32 = 2;
+
 /// The picture's size in pixels.
 pub const PICTURE_SIZE: &str = "1600x1200";
 
