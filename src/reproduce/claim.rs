@@ -78,6 +78,24 @@ impl Claim {
         Claim::new(figure, claim, printed, text, holds)
     }
 
+    /// A printed number that stands for what the authors' own computation came to: it agrees within `tolerance`, and the
+    /// note says how far it is off.
+    pub fn within(
+        figure: u32,
+        claim: impl Into<String>,
+        printed: &str,
+        computed: Option<f64>,
+        tolerance: f64,
+    ) -> Self {
+        let mut claim = Claim::number(figure, claim, printed, computed);
+        let value: f64 = printed.parse().expect("a printed number is a number");
+        if let Some(off) = computed.map(|computed| (computed - value).abs()) {
+            claim.verdict = Outcome::of(off <= tolerance);
+            claim.note = format!("off by {off:.1e}, held to {tolerance:.0e}");
+        }
+        claim
+    }
+
     /// A claim that cannot be checked, and why.
     pub fn unchecked(
         figure: u32,
@@ -108,6 +126,9 @@ mod tests {
         assert_eq!(outcome("3.6907", Some(3.69083)), Outcome::Agrees);
         assert_eq!(outcome("3.6907", Some(3.69089)), Outcome::Differs);
         assert_eq!(outcome("3.6907", None), Outcome::Differs);
+        let within = |computed| Claim::within(7, "x", "3.6907", Some(computed), 1e-3).verdict;
+        assert_eq!((within(3.6915), within(3.6918)), (Outcome::Agrees, Outcome::Differs));
+        assert_eq!(Claim::within(7, "x", "3.6907", None, 1e-3).verdict, Outcome::Differs);
         assert_eq!(Claim::number(7, "x", "3.6907", Some(3.5)).computed, "3.500000");
     }
 }

@@ -48,7 +48,7 @@ impl PaperFigure for Figure6 {
 
     fn config(&self) -> Value {
         let specs = PARTS.map(|(letter, delta)| json!({ "part": letter, "diagram": spec(delta) }));
-        json!({ "diagrams": specs, "frequencies": LOOKED_AT, "exponents": PERIODS })
+        json!({ "diagrams": specs, "frequencies": LOOKED_AT, "exponents": PERIODS, "range": RANGE })
     }
 
     fn produce(&self, watch: &dyn Watch) -> Result<Produced, ReproduceError> {
@@ -92,24 +92,9 @@ fn claims() -> Vec<Claim> {
         "its δ is not legible in the text of the paper",
     ));
 
-    let printed =
-        "supercritical Neimark–Sacker, subcritical Neimark–Sacker, pitchfork, in turn with falling ω";
-    for delta in [0.5352, 0.545, 0.5602] {
-        let found = losses(&at(delta));
-        let kinds: Vec<(State, Option<bool>)> =
-            found.iter().map(|c| (unstable(c), c.supercritical)).collect();
-        let holds = kinds
-            == [
-                (State::PairOutside, Some(true)),
-                (State::PairOutside, Some(false)),
-                (State::BeyondMinusOne, found.last().and_then(|c| c.supercritical)),
-            ];
-        let claim = format!("(c) what becomes of 1-1-1 symmetric at δ = {delta}");
-        claims.push(Claim::new(6, claim, printed, sequence(&found), holds));
-    }
+    claims.extend(narrow_range(&at(0.545)));
     let large = losses(&at(0.6));
-    let holds =
-        large.first().is_some_and(|c| unstable(c) == State::PairOutside && c.supercritical == Some(true));
+    let holds = large.first().is_some_and(|c| c.after == State::PairOutside && c.supercritical == Some(true));
     let claim = "(d) how 1-1-1 symmetric first loses its stability at δ = 0.6 with falling ω";
     claims.push(Claim::new(6, claim, "supercritical Neimark–Sacker", sequence(&large), holds));
     let between = [2.582, 2.57].map(|omega| state(omega, 0.6));
@@ -136,22 +121,81 @@ fn first(changes: &[Change], after: State) -> Option<&Change> {
     changes.iter().find(|change| change.after == after)
 }
 
-/// The changes that a stable motion takes part in.
+/// What is said of δ in [0.5352, 0.5602], at δ = 0.545 and for the ends of the range.
+fn narrow_range(changes: &[Change]) -> Vec<Claim> {
+    let found = losses(changes);
+    let printed = "Neimark–Sacker, Neimark–Sacker, pitchfork, in turn with falling ω";
+    let claim = "(c) how 1-1-1 symmetric loses and regains its stability at δ = 0.545";
+    let order = Claim::new(6, claim, printed, sequence(&found), in_turn(&found));
+    let criticality = |number: usize, printed: &str, supercritical: bool| {
+        let change = found.get(number).filter(|change| is_pair(change));
+        let computed = change.map_or_else(|| "none".to_owned(), Change::words);
+        let holds = change.is_some_and(|change| change.supercritical == Some(supercritical));
+        let which = ["first", "second"][number];
+        Claim::new(
+            6,
+            format!("(c) the {which} Neimark–Sacker bifurcation at δ = 0.545"),
+            printed,
+            computed,
+            holds,
+        )
+    };
+    let [from, until] = range(|delta| in_turn(&losses(&self::changes(delta, RANGE.0, RANGE.1, RANGE.2))));
+    vec![
+        order,
+        criticality(0, "supercritical", true),
+        criticality(1, "subcritical", false),
+        Claim::within(6, "(c) that order from δ", "0.5352", Some(from), RANGE_TOLERANCE),
+        Claim::within(6, "(c) that order up to δ", "0.5602", Some(until), RANGE_TOLERANCE),
+    ]
+}
+
+/// The frequencies at which the order of bifurcations is looked for: from, until, how many.
+const RANGE: (f64, f64, u32) = (2.9, 1.1, 500);
+/// Half a unit of the last printed digit of the range, and a little for the frequencies that are looked at.
+const RANGE_TOLERANCE: f64 = 1e-4;
+
+/// The range of δ about 0.545 in which something holds.
+fn range(holds: impl Fn(f64) -> bool) -> [f64; 2] {
+    [0.5, 0.6].map(|outside| {
+        let (mut inside, mut outside) = (0.545, outside);
+        for _ in 0..16 {
+            let middle = 0.5 * (inside + outside);
+            if holds(middle) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        0.5 * (inside + outside)
+    })
+}
+
+fn is_pair(change: &Change) -> bool {
+    [change.before, change.after].contains(&State::PairOutside)
+}
+
+/// Whether the motion loses its stability to a complex pair, regains it from one, and loses it in a pitchfork.
+fn in_turn(losses: &[Change]) -> bool {
+    let [first, second, third, ..] = losses else { return false };
+    let falls = |change: &Change| change.before == State::Stable;
+    falls(first)
+        && is_pair(first)
+        && !falls(second)
+        && is_pair(second)
+        && third.after == State::BeyondMinusOne
+}
+
+/// The changes between stable and unstable.
 fn losses(changes: &[Change]) -> Vec<Change> {
-    let stable = |change: &&Change| [change.before, change.after].contains(&State::Stable);
+    let stable = |change: &&Change| {
+        let states = [change.before, change.after];
+        states.contains(&State::Stable) && !states.contains(&State::None)
+    };
     changes.iter().filter(stable).copied().collect()
 }
 
-/// What the motion is like on the side where it is not stable.
-fn unstable(change: &Change) -> State {
-    if change.before == State::Stable { change.after } else { change.before }
-}
-
 fn sequence(changes: &[Change]) -> String {
-    let words = |change: &Change| {
-        let turn = if change.before == State::Stable { "loses" } else { "regains" };
-        format!("{turn} stability: {}", change.words())
-    };
-    let all: Vec<String> = changes.iter().map(words).collect();
-    if all.is_empty() { "never stable".to_owned() } else { all.join("; ") }
+    let all: Vec<String> = changes.iter().map(Change::words).collect();
+    if all.is_empty() { "never both stable and unstable".to_owned() } else { all.join("; ") }
 }

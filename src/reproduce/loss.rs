@@ -47,20 +47,24 @@ pub(super) struct Change {
 }
 
 impl Change {
-    /// "Neimark–Sacker (supercritical) at ω = 2.575".
+    /// "stable → Neimark–Sacker (supercritical) at ω = 2.5750", or the like.
     pub fn words(&self) -> String {
         let states = [self.before, self.after];
-        let kind = if states.contains(&State::None) {
-            "existence ends"
-        } else if states.contains(&State::PairOutside) && states.contains(&State::Stable) {
+        let kind = if self.before == State::None {
+            "it appears"
+        } else if self.after == State::None {
+            "it ceases to exist"
+        } else if states.contains(&State::PairOutside) {
             "Neimark–Sacker"
-        } else if states.contains(&State::BeyondMinusOne) && states.contains(&State::Stable) {
+        } else if states.contains(&State::BeyondMinusOne) {
             "pitchfork"
-        } else if states.contains(&State::BeyondOne) && states.contains(&State::Stable) {
-            "fold"
         } else {
-            "change of the unstable motion"
+            "fold"
         };
+        let turn = if self.after == State::Stable { "regains stability" } else { "loses stability" };
+        let turn = if states.contains(&State::None) { "" } else { turn };
+        let gap = if turn.is_empty() { "" } else { ": " };
+        let kind = format!("{turn}{gap}{kind}");
         let criticality = match self.supercritical {
             Some(true) => " (supercritical)",
             Some(false) => " (subcritical)",

@@ -25,6 +25,9 @@ const EIGHT: PaperPoint = PaperPoint::new(1.628, 0.1);
 const FIXED_POINT: [(&str, &str); 4] =
     [("v1+", "-0.34545790"), ("x2", "-0.00634090"), ("v2", "0.02116031"), ("τ", "1.80213070")];
 
+/// How far the printed fixed point may be from the closed form; non-dimensional.
+const FIXED_POINT_TOLERANCE: f64 = 5e-6;
+
 /// The claim that a point has a printed motion.
 pub(super) fn settles(figure: u32, point: &PaperPoint, printed: &str) -> (Claim, Verdict) {
     let verdict = point.verdict();
@@ -80,8 +83,15 @@ impl PaperFigure for Figure7 {
             let followed =
                 simulated.map_or_else(|| "none".to_owned(), |section| format!("{:.10}", component(section)));
             let sign = if i == 0 { "; the sign, lost in print, is that of leaving A" } else { "" };
-            let claim = Claim::number(7, format!("X* of the 1-1-1 motion, {name}"), printed, exact);
-            claims.push(claim.noted(format!("closed form; the followed orbit has {followed}{sign}")));
+            let mut claim = Claim::within(
+                7,
+                format!("X* of the 1-1-1 motion, {name}"),
+                printed,
+                exact,
+                FIXED_POINT_TOLERANCE,
+            );
+            claim.note.push_str(&format!("; closed form, and the followed orbit has {followed}{sign}"));
+            claims.push(claim);
         }
         Ok(Produced { pictures: pictures(self, &Self::PLOTS, 2)?, claims })
     }
@@ -99,6 +109,8 @@ impl Figure8 {
     ];
     /// Forcing periods over which exponents are measured.
     const PERIODS: u32 = 20_000;
+    /// To which frequency the 2-2-2 motion is followed.
+    const UNTIL: f64 = 2.92;
 }
 
 impl PaperFigure for Figure8 {
@@ -112,7 +124,7 @@ impl PaperFigure for Figure8 {
     }
 
     fn config(&self) -> Value {
-        json!({ "plots": Self::PLOTS, "exponents": Self::PERIODS })
+        json!({ "plots": Self::PLOTS, "exponents": Self::PERIODS, "until": Self::UNTIL })
     }
 
     fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
@@ -125,6 +137,14 @@ impl PaperFigure for Figure8 {
         let [near, far] = [GRAZING, DOUBLED].map(|point| nearest_miss(&point));
         let computed =
             |gap: Option<f64>| gap.map_or_else(|| "no near miss".to_owned(), |gap| format!("{gap:.2e}"));
+        let doubles = lost(&DOUBLED, Self::UNTIL).map_or_else(String::new, |loss| {
+            format!(
+                "; before it touches, {} loses its stability at ω = {:.5}, {}",
+                loss.label,
+                loss.omega,
+                loss.kind()
+            )
+        });
         let grazes = near.is_some_and(|gap| gap < 1e-3 * GRAZING.delta);
         claims.push(
             Claim::new(
@@ -134,7 +154,7 @@ impl PaperFigure for Figure8 {
                 computed(near),
                 grazes,
             )
-            .noted(format!("in the same unit it is {} at ω = 2.95", computed(far))),
+            .noted(format!("{} at ω = 2.95{doubles}", computed(far))),
         );
         claims.push(largest_exponent(8, &CHAOS, Self::PERIODS, "positive", |mean, error| mean > 5.0 * error));
         Ok(Produced { pictures: pictures(self, &Self::PLOTS, 2)?, claims })
