@@ -94,8 +94,8 @@ pub(super) fn state(omega: f64, delta: f64) -> State {
     let Some([largest, ..]) = motion.motion.half_multipliers(&system) else { return State::None };
     match largest {
         value if value.norm() < 1.0 => State::Stable,
-        Complex { re, im } if im == 0.0 && re < 0.0 => State::BeyondMinusOne,
-        Complex { im, .. } if im == 0.0 => State::BeyondOne,
+        Complex { re, im: 0.0 } if re < 0.0 => State::BeyondMinusOne,
+        Complex { im: 0.0, .. } => State::BeyondOne,
         _ => State::PairOutside,
     }
 }
@@ -164,8 +164,8 @@ impl Loss {
     /// What becomes of it.
     pub fn kind(&self) -> &'static str {
         match self.multiplier {
-            Complex { re, im } if im == 0.0 && re < 0.0 => "by a multiplier −1 (period doubling)",
-            Complex { im, .. } if im == 0.0 => "by a multiplier +1",
+            Complex { re, im: 0.0 } if re < 0.0 => "by a multiplier −1 (period doubling)",
+            Complex { im: 0.0, .. } => "by a multiplier +1",
             _ => "by a complex pair (Neimark–Sacker)",
         }
     }
