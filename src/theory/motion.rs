@@ -11,7 +11,7 @@ use super::multipliers::{eigenvalues, turn};
 use super::newton;
 use super::pattern::Pattern;
 use crate::dynamics::Stop;
-use crate::model::System;
+use crate::model::{Flight, System};
 
 /// A periodic motion with finitely many impacts, stable or not: a solution of the matching equations of its pattern.
 ///
@@ -46,7 +46,7 @@ impl PeriodicMotion {
         let flow = Flow::new(system);
         let (sections, residual) = newton::solve(&flow, pattern, guess).ok_or(NoMotion::NotConverged)?;
         let motion = PeriodicMotion { pattern: pattern.clone(), sections, residual }.normalised();
-        fly(system, &motion)?;
+        fly(&Flight::new(system), &motion)?;
         Ok(motion.reduced(&flow))
     }
 
