@@ -89,9 +89,9 @@
 //! multipliers meet; the points of codimension two are zeros of further functions along the curve.
 //!
 //! *What the paper prints differently.* For δ in \[0.5352, 0.5602\] it lets the 1-1-1 symmetric motion lose stability in a
-//! supercritical and a reverse subcritical Neimark–Sacker bifurcation and a pitchfork. The curves here: the
-//! Neimark–Sacker curve comes down to δ = 0.5422, at ω = 2.508; below δ = 0.6842, at ω = 1.845, it has two arms, of which
-//! the left ends in a 1:1 resonance on a fold at (1.485, 0.5523); that fold comes down to δ = 0.5482, at ω = 1.464.
+//! supercritical and a reverse subcritical Neimark–Sacker bifurcation and a pitchfork in turn. Here the Neimark–Sacker
+//! curve begins in a 1:1 resonance on a fold, at (ω, δ) = (1.485, 0.5523), rises to (1.845, 0.6844), falls to (2.508,
+//! 0.5422) and rises again: no stability is lost by it below δ = 0.5422. The fold comes down to (1.464, 0.5482).
 //!
 //! # Limits
 //!
