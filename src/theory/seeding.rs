@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::flow::{PHASE, Section};
+use super::label::Label;
 use super::motion::{NoMotion, PeriodicMotion};
 use super::pattern::Pattern;
 use crate::dynamics::{ImpactEvent, Stop, record};
@@ -19,17 +20,6 @@ const SCATTERED: u32 = 12;
 /// Relative changes of ω at which a neighbouring motion is looked for, to be followed back.
 const NEIGHBOURS: [f64; 10] = [0.005, -0.005, 0.015, -0.015, 0.04, -0.04, 0.08, -0.08, 0.15, -0.15];
 
-/// The label of a periodic motion that is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Label {
-    /// N, forcing periods.
-    pub n: u32,
-    /// p, impacts at Ā.
-    pub p: u32,
-    /// q, impacts at A.
-    pub q: u32,
-}
-
 /// How a motion is searched for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Search {
@@ -44,10 +34,9 @@ pub struct Search {
 /// No motion of a label was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error(
-    "no {n}-{p}-{q} motion was found here: none of {tried} close returns of {orbits} orbits leads to one, and none \
+    "no {label} motion was found here: none of {tried} close returns of {orbits} orbits leads to one, and none \
      at neighbouring frequencies that could be followed back; try another --start, or parameters nearer to where \
-     the motion is stable",
-    n = .label.n, p = .label.p, q = .label.q
+     the motion is stable"
 )]
 pub struct NotFound {
     /// The label.
@@ -127,7 +116,7 @@ fn among_returns(
         }
         tried.push(guess[0]);
         if let Ok(motion) = PeriodicMotion::refine(system, &pattern, &guess)
-            && motion.label() == format!("{}-{}-{}", label.n, label.p, label.q)
+            && motion.label() == label.to_string()
         {
             return (Some(motion), tried.len());
         }
