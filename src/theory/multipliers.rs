@@ -17,7 +17,7 @@ pub(super) const STABLE: f64 = 1.0 - 1e-9;
 /// followed by the mirror where the pattern is mirrored.
 ///
 /// It is the product of the Jacobians of its impacts. None where an impact grazes, since the map has no derivative there.
-pub(super) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Option<Matrix4<f64>> {
+pub(crate) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Option<Matrix4<f64>> {
     let mut product = Matrix4::identity();
     for arc in arcs(flow, pattern, sections) {
         product = arc.jacobian()? * product;
@@ -28,7 +28,7 @@ pub(super) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Opti
 }
 
 /// The eigenvalues, largest modulus first; of a complex pair the one with the positive imaginary part first.
-pub(super) fn eigenvalues(matrix: &Matrix4<f64>) -> Option<[Complex<f64>; 4]> {
+pub(crate) fn eigenvalues(matrix: &Matrix4<f64>) -> Option<[Complex<f64>; 4]> {
     let schur = Schur::try_new(*matrix, f64::EPSILON, MOST_SWEEPS)?;
     Some(ordered(schur.complex_eigenvalues().into()))
 }
