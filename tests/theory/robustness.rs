@@ -31,7 +31,7 @@ fn any_system(rng: &mut ChaCha8Rng) -> System {
         let (mu_m, mu_k, mu_c) = (share(), share(), share());
         let parameters = Parameters {
             omega,
-            delta: ends(rng, delta, &[0.0, 1e-300]),
+            delta: ends(rng, delta, &[0.0, 1e-9]),
             zeta: ends(rng, zeta, &[0.0, 1e-300]),
             r: ends(rng, r, &[0.0, 1.0, 1e-300, 1e-10]),
             mu_m,
