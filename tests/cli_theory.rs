@@ -215,12 +215,12 @@ fn unstable_motions_are_found_by_their_label() {
 #[test]
 fn a_motion_at_one_stop_only_has_its_section_there() {
     // Mirrored motions: one strikes stop A only, the other stop B only.
-    let set = ["omega=3", "delta=0.3", "zeta=0.05"];
+    let set = ["mu_k=0.95", "mu_m=0.8", "zeta=0.02", "r=0.6", "omega=0.8182", "delta=1.4263"];
     let found = |label: &str| result("motion", &set, &["--label", label]);
-    let (at_a, at_b) = (found("2-0-1"), found("2-1-0"));
+    let (at_a, at_b) = (found("1-0-1"), found("1-1-0"));
     assert_eq!((&at_a["section_stop"], &at_b["section_stop"]), (&"A".into(), &"B".into()));
     assert!(numbers(&at_a["section"])[0] < 0.0 && numbers(&at_b["section"])[0] > 0.0);
-    assert!(text("motion", &set, &["--label", "2-1-0"]).contains("stop A is never struck"));
+    assert!(text("motion", &set, &["--label", "1-1-0"]).contains("stop A is never struck"));
 }
 
 #[test]
@@ -258,7 +258,7 @@ fn hopeless_requests_say_what_the_start_leads_to() {
     is_hopeless(
         "motion",
         &["omega=3.7"],
-        &["--transient", "0", "--observe", "2"],
+        &["--transient", "0", "--observe", "20"],
         &["no period", "--transient"],
     );
     is_hopeless(
@@ -267,6 +267,12 @@ fn hopeless_requests_say_what_the_start_leads_to() {
         &["--label", "1-7-2", "--transient", "50", "--observe", "100"],
         &["1-7-2", "--start"],
     );
+    let ceased = ["--start", "0.1,1,1,1"];
+    is_hopeless("motion", &["delta=0.7", "omega=2"], &ceased, &["without impact"]);
+    let endless = ["r=1", "zeta=1", "omega=0.05"];
+    is_hopeless("motion", &endless, &[], &["given up", "lower r"]);
+    is_hopeless("motion", &endless, &["--label", "1-3-3"], &["1-3-3"]);
+    is_hopeless("lyapunov", &endless, &[], &["given up"]);
     is_hopeless("motion", &["delta=0"], &["--label", "1-1-1"], &["1-1-1"]);
 }
 

@@ -138,7 +138,9 @@ fn reached(system: &System, start: [f64; 4], schedule: &Schedule) -> Result<Moti
 fn elsewhere(verdict: &Verdict) -> Option<String> {
     let exponent = verdict.lyapunov;
     let other = "ask for a motion by its --label, stable or not, or try another --start";
-    Some(match verdict.regime {
+    // Impacts early in the observation that ceased leave a period without any.
+    let ceased = verdict.regime == Regime::Periodic && verdict.p == 0 && verdict.q == 0;
+    Some(match if ceased { Regime::NoImpact } else { verdict.regime } {
         Regime::Periodic | Regime::PeriodicSticking => return None,
         Regime::Chaotic => format!(
             "this start leads to chaos (largest Lyapunov exponent {exponent:.4} per forcing period), not to a \

@@ -41,7 +41,9 @@ pub struct Spectrum {
 
 /// The trajectory could not be followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("the trajectory was given up after {periods} forcing periods: {reason}")]
+#[error(
+    "the trajectory was given up after {periods} forcing periods: {reason}; try another --start, lower r or raise omega"
+)]
 pub struct SpectrumFailed {
     /// Forcing periods that were completed.
     pub periods: u32,
