@@ -2,10 +2,16 @@
 //!
 //! Jobs are made for one tile at a time, so that memory beyond the verdicts themselves does not grow with the plane.
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
+//!
+//! Beside a Neimark–Sacker curve a trajectory spirals so slowly onto its motion that a schedule which suits the rest of
+//! the plane cannot tell it from an invariant circle. Cells that are undecided, or neutral, are therefore given a
+//! second look: they go on from where they are for [`SECOND_LOOK`] times the transient, unless the schedule fixes the
+//! periods.
 
 use rayon::prelude::*;
 use thiserror::Error;
 
+use crate::analysis::{Regime, Schedule, Verdict};
 use crate::backend::{Backend, BackendError, Job, Watch};
 use crate::model::{System, SystemError};
 use crate::plane::{Plane, PlaneError, Provenance, RegionMap};
@@ -27,9 +33,52 @@ pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<
             return Err(BackendError::Cancelled.into());
         }
         let jobs = jobs(plane, first..cells.min(first + tile as u64))?;
-        verdicts.extend(backend.run(&jobs, &plane.schedule, watch)?);
+        let first_look = backend.run(&jobs, &plane.schedule, watch)?;
+        verdicts.extend(second_look(&jobs, first_look, &plane.schedule, backend, watch)?);
     }
     Ok(RegionMap { plane: plane.clone(), provenance: provenance(backend), verdicts })
+}
+
+/// How many transients a cell that is still undecided goes on for.
+pub const SECOND_LOOK: u32 = 8;
+
+/// The verdicts, those that leave a slow spiral in doubt taken anew from where they ended.
+fn second_look(
+    jobs: &[Job],
+    mut verdicts: Vec<Verdict>,
+    schedule: &Schedule,
+    backend: &dyn Backend,
+    watch: &dyn Watch,
+) -> Result<Vec<Verdict>, BackendError> {
+    let in_doubt = |verdict: &Verdict| matches!(verdict.regime, Regime::Unresolved | Regime::QuasiPeriodic);
+    let open: Vec<usize> = (0..verdicts.len()).filter(|&i| in_doubt(&verdicts[i])).collect();
+    let transient = schedule.transient.saturating_mul(SECOND_LOOK).min(Schedule::LONGEST);
+    let longer = Schedule { transient, ..*schedule };
+    if schedule.fixed_periods || open.is_empty() || longer.check().is_err() {
+        return Ok(verdicts);
+    }
+    let go_on = |&i: &usize| Job { system: jobs[i].system, start: verdicts[i].state };
+    let again: Vec<Job> = open.iter().map(go_on).collect();
+    for (&i, later) in open.iter().zip(backend.run(&again, &longer, &Silent(watch))?) {
+        let first = &verdicts[i];
+        verdicts[i] = Verdict {
+            periods: first.periods.saturating_add(later.periods),
+            impacts_total: first.impacts_total.saturating_add(later.impacts_total),
+            ..later
+        };
+    }
+    Ok(verdicts)
+}
+
+/// Counts no cell twice, and is cancelled as the other is.
+struct Silent<'a>(&'a dyn Watch);
+
+impl Watch for Silent<'_> {
+    fn finished(&self, _: u64) {}
+
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
 }
 
 /// What a result of this back end is marked with.

@@ -14,12 +14,14 @@
 //! motion with the label, counts with its whole difference.
 
 mod agreement;
+mod boundaries;
 mod compare;
 mod continuation;
 mod spread;
 mod thresholds;
 
 pub use agreement::{Agreement, FailedCells, Fault, RegimeAgreement, WorstCell};
+pub use boundaries::{BoundaryAgreement, WINDOW, boundary_agreement, overall_distance};
 pub use compare::{compare, compare_continued};
 pub use continuation::{Continued, continue_strays, strays};
 pub use spread::{Share, Spread};
