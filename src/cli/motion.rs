@@ -153,10 +153,11 @@ fn elsewhere(verdict: &Verdict) -> Option<String> {
             "this start leads to a motion without impact, of which there is nothing to \
              solve: {other}"
         ),
-        Regime::AperiodicSticking => format!(
-            "this start leads to sticking without a period: raise --transient, --observe or --max-period, or try \
-             another --start"
-        ),
+        Regime::AperiodicSticking => {
+            "this start leads to sticking without a period: raise --transient, --observe or \
+             --max-period, or try another --start"
+                .to_owned()
+        }
         Regime::Unresolved => format!(
             "no period was found from this start in {} forcing periods: raise --transient, --observe or \
              --max-period, or {other}",

@@ -15,7 +15,7 @@ pub enum SettledMotion {
     /// Finitely many impacts: the matching equations.
     Impacts(PeriodicMotion),
     /// Sticking, or too many impacts: a fixed point of the strobe map.
-    Strobe(StrobeMotion),
+    Strobe(Box<StrobeMotion>),
 }
 
 impl SettledMotion {
@@ -40,7 +40,8 @@ impl SettledMotion {
                 Err(NoMotion::NotConverged)
             };
             impacts.or_else(|error| {
-                let strobe = StrobeMotion::refine(system, verdict.state, n).map(SettledMotion::Strobe);
+                let strobe = StrobeMotion::refine(system, verdict.state, n)
+                    .map(|motion| SettledMotion::Strobe(Box::new(motion)));
                 strobe.map_err(|_| error)
             })
         };

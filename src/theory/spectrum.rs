@@ -25,7 +25,7 @@ const MOST_MOVES: u32 = 1 << 24;
 pub struct Spectrum {
     /// The exponents per forcing period.
     pub per_period: [f64; 4],
-    /// Their standard errors per forcing period, from the scatter of [`BATCHES`] batches; 0 for a lost direction.
+    /// Their standard errors per forcing period, from the scatter of sixteen batches; 0 for a lost direction.
     pub standard_error: [f64; 4],
     /// Directions that are lost: so many exponents are −∞.
     pub lost: u32,
