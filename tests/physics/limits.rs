@@ -23,7 +23,7 @@ fn verdict(parameters: Parameters, start: [f64; 4]) -> Verdict {
 fn impacts_that_cease_while_observed_leave_no_impact() {
     let parameters = Parameters { omega: 2.0, delta: 0.7, ..Parameters::default() };
     let job = Job { system: System::new(parameters).unwrap(), start: [0.1, 1.0, 1.0, 1.0] };
-    let schedule = Schedule { transient: 0, observe: 200, max_period: 32, fixed_periods: true };
+    let schedule = Schedule { transient: 0, observe: 2000, max_period: 32, fixed_periods: true };
     let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
     let on_adapter = gpu.run(&[job], &schedule, &Unwatched).unwrap()[0];
     for verdict in [follow::<f64>(&job, &schedule), follow::<f32>(&job, &schedule), on_adapter] {
