@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use impact_atlas::analysis::{CHATTER_RUN, Probe, Reading, Regime, Section};
 use impact_atlas::backend::{Backend, Cpu, Gpu, Unwatched};
-use impact_atlas::diagram::{Diagram, DiagramError, DiagramSpec, Sweep};
+use impact_atlas::diagram::{Diagram, DiagramError, DiagramSpec, ExponentUnit, Sweep};
 use impact_atlas::model::Parameters;
 use impact_atlas::plane::Start;
 use impact_atlas::render::{Size, diagram_figure};
@@ -20,7 +20,7 @@ fn spec(x: &str, sweep: &str, parameters: Parameters) -> DiagramSpec {
         probe: Probe::new(Section::A, Reading::VBefore).unwrap(),
         schedule: DiagramSpec::schedule(400, 40, 16),
         capacity: 200,
-        spectrum: false,
+        spectrum: None,
     }
 }
 
@@ -134,7 +134,8 @@ fn the_order_of_writing_does_not_matter() {
 
 #[test]
 fn spectra_belong_to_the_motion() {
-    let spec = DiagramSpec { spectrum: true, ..spec("omega=2.83:3.83:3", "rest", at(0.1)) };
+    let spec =
+        DiagramSpec { spectrum: Some(ExponentUnit::Period), ..spec("omega=2.83:3.83:3", "rest", at(0.1)) };
     let diagram = computed(&spec, &Cpu);
     let spectrum = diagram.branches[0].spectrum.as_ref().unwrap();
     for (exponents, trace) in spectrum.iter().zip(&diagram.branches[0].traces) {
@@ -142,6 +143,11 @@ fn spectra_belong_to_the_motion() {
         assert!((exponents[0] - f64::from(trace.verdict.lyapunov)).abs() < 0.1, "{exponents:?}");
     }
     assert!(spectrum[0][0] > 0.1 && spectrum[2][0] < -0.01, "chaos, then order: {spectrum:?}");
+    // 1-1-1 returns to A once a period; chaos at ω = 2.83 returns less often.
+    let iterates = computed(&DiagramSpec { spectrum: Some(ExponentUnit::Iterate), ..spec }, &Cpu);
+    let per_iterate = iterates.branches[0].spectrum.as_ref().unwrap();
+    assert_eq!(per_iterate[2], spectrum[2]);
+    assert!(per_iterate[0][0] > 0.0 && per_iterate[0] != spectrum[0]);
 }
 
 #[test]
@@ -167,7 +173,8 @@ fn array<'a>(archive: &'a mut Archive, name: &str) -> npyz::NpyFile<impl std::io
 
 #[test]
 fn files_hold_everything() {
-    let spec = DiagramSpec { spectrum: true, ..spec("omega=3.9:3.1:5", "both", at(0.1)) };
+    let spec =
+        DiagramSpec { spectrum: Some(ExponentUnit::Period), ..spec("omega=3.9:3.1:5", "both", at(0.1)) };
     let diagram = computed(&spec, &Cpu);
     let mut file = Cursor::new(Vec::new());
     write_diagram(&diagram, &mut file).unwrap();

@@ -11,7 +11,7 @@ mod spread;
 mod trace;
 
 pub use observer::{Observer, Stage};
-pub use regime::{INFINITELY_MANY, Regime, Verdict};
+pub use regime::{INFINITELY_MANY, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
 pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
 pub use trace::{Trace, Tracer};

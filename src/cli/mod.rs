@@ -9,7 +9,10 @@ mod defaults;
 mod error;
 mod files;
 mod interrupt;
+mod lyapunov;
 mod map;
+mod motion;
+mod multipliers;
 mod options;
 mod orbit;
 mod panics;
@@ -17,6 +20,7 @@ mod pictures;
 mod progress;
 mod report;
 mod reproduce;
+mod symmetric;
 mod terminal;
 mod validate;
 mod values;
@@ -39,7 +43,7 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done, 1 a check did not hold, 2 the input is wrong, 3 the machine cannot do it, 130 interrupted.";
+Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2 the input is wrong, 3 the machine cannot do it, 130 interrupted.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -47,6 +51,9 @@ enum Command {
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Bifurcation(bifurcation::BifurcationArgs),
+    Symmetric(symmetric::SymmetricArgs),
+    Motion(motion::MotionArgs),
+    Lyapunov(lyapunov::LyapunovArgs),
     Reproduce(reproduce::ReproduceArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
@@ -61,6 +68,9 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Orbit(args) => orbit::run(args),
         Command::Bifurcation(args) => bifurcation::run(args),
         Command::Reproduce(args) => reproduce::run(args),
+        Command::Symmetric(args) => symmetric::run(args),
+        Command::Motion(args) => motion::run(args),
+        Command::Lyapunov(args) => lyapunov::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

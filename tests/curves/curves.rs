@@ -1,8 +1,9 @@
 //! What the curves are.
 
-use impact_atlas::curves::{Criticality, CurvesError, End, Kind, Special, bifurcation_curves};
+use impact_atlas::curves::{Criticality, CurvePoint, CurvesError, End, Kind, Special, bifurcation_curves};
+use impact_atlas::dynamics::{Stop, record};
 use impact_atlas::model::{Parameters, System};
-use impact_atlas::theory::symmetric_motions;
+use impact_atlas::theory::{symmetric_motions, symmetric_start};
 
 use super::{crossings, curves, map, of};
 
@@ -51,6 +52,14 @@ fn the_neimark_sacker_curve_goes_around_its_turning_points() {
         let off = moduli.map(|modulus| (modulus - 1.0).abs()).fold(9.0, f64::min);
         assert!(off < 1e-6, "a pair lies on the unit circle: {off:.1e}");
     }
+    // The paper says 0.5352 for the lowest point; it is 0.5422, and the fold comes down to 0.5482.
+    let lowest =
+        |points: &mut dyn Iterator<Item = (f64, f64)>| points.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+    let (omega, delta) = lowest(&mut torus[0].points.iter().map(|p| (p.x, p.y)));
+    assert!((omega - 2.508).abs() < 0.01 && (delta - 0.5422).abs() < 1e-4, "{omega} {delta}");
+    let folds = of(&found, Kind::Fold, "1-1-1", true);
+    let (omega, delta) = lowest(&mut folds.iter().flat_map(|fold| &fold.points).map(|p| (p.x, p.y)));
+    assert!((omega - 1.464).abs() < 0.01 && (delta - 0.5482).abs() < 1e-4, "{omega} {delta}");
     let criticality: Vec<_> = torus[0].points.iter().filter_map(|p| p.criticality).collect();
     for kind in [Criticality::Supercritical, Criticality::Subcritical] {
         assert!(criticality.contains(&kind), "the paper's L1 and L2");
@@ -59,7 +68,6 @@ fn the_neimark_sacker_curve_goes_around_its_turning_points() {
     assert!(specials.contains(&Special::Chenciner), "where L1 turns into L2: {specials:?}");
     // It begins where the pair meets at +1, on the fold.
     assert!(torus[0].ends.contains(&End::Resonance11));
-    let folds = of(&found, Kind::Fold, "1-1-1", true);
     let resonance = |special: &Option<Special>| *special == Some(Special::Resonance11);
     assert!(folds.iter().any(|fold| fold.points.iter().any(|p| resonance(&p.special))));
 }
@@ -104,4 +112,45 @@ fn the_same_map_gives_the_same_curves() {
 fn planes_that_have_no_curves_are_refused() {
     let start = bifurcation_curves(&map("omega=3:4:4", "r=0.8:0.8:1", Parameters::default()), 2);
     assert_eq!(start, Err(CurvesError::SingleValue("r")));
+}
+
+/// Just beyond the curve a supercritical loss leaves the trajectory near the motion, a subcritical one throws it far away.
+#[test]
+fn soft_and_hard_losses_of_stability_are_told_apart() {
+    let found = curves(&map("omega=1.3:2.8:50", "delta=0.5:0.7:30", Parameters::default()));
+    let torus = of(&found, Kind::NeimarkSacker, "1-1-1", true)[0];
+    let strays = |point: &CurvePoint| {
+        let unstable = [1e-3, -1e-3]
+            .map(|step| point.y + step)
+            .into_iter()
+            .find(|&delta| half_multipliers(point.x, delta).iter().any(|(re, im)| re.hypot(*im) > 1.0))?;
+        let system =
+            System::new(Parameters { omega: point.x, delta: unstable, ..Parameters::default() }).unwrap();
+        let start = symmetric_start(&system)?;
+        let impacts = record(&system, start, 20_000, 200, 0).impacts;
+        let x2 = impacts.iter().filter(|impact| impact.stop == Stop::A).map(|impact| impact.x2);
+        let (low, high) = x2.fold((f64::MAX, f64::MIN), |(low, high), x2| (low.min(x2), high.max(x2)));
+        Some(if low > high { f64::INFINITY } else { high - low })
+    };
+    let (mut soft, mut hard) = (0, 0);
+    for point in torus.points.iter().filter(|point| point.special.is_none()).step_by(9) {
+        // Close to where the one turns into the other both are in between.
+        if (point.x - 1.587).abs() < 0.06 {
+            continue;
+        }
+        let Some(away) = strays(point) else { continue };
+        eprintln!("{:?} {} {} {away}", point.criticality, point.x, point.y);
+        match point.criticality {
+            Some(Criticality::Supercritical) => {
+                assert!(away < 0.3, "soft at {}, {}: {away}", point.x, point.y);
+                soft += 1;
+            }
+            Some(Criticality::Subcritical) => {
+                assert!(away > 0.3, "hard at {}, {}: {away}", point.x, point.y);
+                hard += 1;
+            }
+            None => {}
+        }
+    }
+    assert!(soft > 5 && hard > 1, "{soft} {hard}");
 }
