@@ -226,6 +226,20 @@ fn the_papers_figures_are_made_once() {
     );
 }
 
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_whole_figures_alone() {
+    let folder = tempdir().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_impact-atlas"));
+    command.args(["reproduce", "--figure", "5", "--out", "paper"]).current_dir(folder.path());
+    let mut child = command.stderr(std::process::Stdio::null()).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(700));
+    assert!(child.try_wait().unwrap().is_none(), "over too soon");
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert_eq!(names(&folder.path().join("paper")), [""; 0]);
+}
+
 #[test]
 fn figures_that_are_not_there_are_refused() {
     refuses(&["reproduce", "--figure", "4"], &["figure 4", "5, 6, 7"]);

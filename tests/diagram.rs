@@ -3,9 +3,9 @@
 use std::io::Cursor;
 
 use impact_atlas::analysis::{CHATTER_RUN, Probe, Reading, Regime, Section};
-use impact_atlas::backend::{Backend, Cpu, Gpu, Unwatched};
+use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched};
 use impact_atlas::diagram::{Diagram, DiagramError, DiagramSpec, ExponentUnit, Sweep};
-use impact_atlas::model::Parameters;
+use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::Start;
 use impact_atlas::render::{Size, diagram_figure};
 use impact_atlas::store::write_diagram;
@@ -101,6 +101,28 @@ fn chatter_and_full_buffers_are_told_alike() {
     for (a, b) in ours.branches[0].traces.iter().zip(&roomy.branches[0].traces) {
         assert_eq!(a.readings[..], b.readings[..a.readings.len()]);
         assert_eq!(a.readings.len() + a.left_out as usize, b.readings.len());
+    }
+}
+
+/// An adapter's portions of work depend on its speed at the moment; what it reads does not.
+#[test]
+fn the_same_bits_for_any_tile() {
+    let spec = spec("omega=1.2:3.6:10", "rest", at(0.1));
+    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
+    let jobs: Vec<Job> = (0..10)
+        .map(|column| Job { system: System::new(spec.parameters_at(column)).unwrap(), start: [0.0; 4] })
+        .collect();
+    let backends: [&dyn Backend; 2] = [&Cpu, &gpu];
+    for backend in backends {
+        let trace = |jobs: &[Job]| {
+            backend.trace(jobs, &spec.schedule, spec.probe, spec.capacity, &Unwatched).unwrap()
+        };
+        let whole = trace(&jobs);
+        let parts: Vec<_> = jobs.chunks(3).flat_map(trace).collect();
+        // As text, in which every bit counts and NaN equals NaN.
+        assert_eq!(format!("{whole:?}"), format!("{parts:?}"), "{}", backend.name());
+        assert!(whole.iter().any(|trace| trace.verdict.regime == Regime::Chaotic));
+        assert_eq!(trace(&[]), []);
     }
 }
 
