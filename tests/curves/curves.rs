@@ -9,10 +9,14 @@ use super::{crossings, curves, map, of};
 
 /// The half map's multipliers of the physical symmetric motion.
 fn half_multipliers(omega: f64, delta: f64) -> Vec<(f64, f64)> {
+    half_multipliers_where_physical(omega, delta).expect("a physical motion")
+}
+
+fn half_multipliers_where_physical(omega: f64, delta: f64) -> Option<Vec<(f64, f64)>> {
     let system = System::new(Parameters { omega, delta, ..Parameters::default() }).unwrap();
-    let solutions = symmetric_motions(&system).unwrap();
-    let motion = &solutions.iter().find(|s| s.at_phase_zero.is_ok()).expect("a physical motion").motion;
-    motion.half_multipliers(&system).unwrap().iter().map(|m| (m.re, m.im)).collect()
+    let solutions = symmetric_motions(&system).ok()?;
+    let motion = &solutions.iter().find(|s| s.at_phase_zero.is_ok())?.motion;
+    Some(motion.half_multipliers(&system)?.iter().map(|m| (m.re, m.im)).collect())
 }
 
 #[test]
@@ -120,10 +124,11 @@ fn soft_and_hard_losses_of_stability_are_told_apart() {
     let found = curves(&map("omega=1.3:2.8:50", "delta=0.5:0.7:30", Parameters::default()));
     let torus = of(&found, Kind::NeimarkSacker, "1-1-1", true)[0];
     let strays = |point: &CurvePoint| {
-        let unstable = [1e-3, -1e-3]
-            .map(|step| point.y + step)
-            .into_iter()
-            .find(|&delta| half_multipliers(point.x, delta).iter().any(|(re, im)| re.hypot(*im) > 1.0))?;
+        let is_unstable = |delta: &f64| {
+            half_multipliers_where_physical(point.x, *delta)
+                .is_some_and(|values| values.iter().any(|(re, im)| re.hypot(*im) > 1.0))
+        };
+        let unstable = [3e-4, -3e-4].map(|step| point.y + step).into_iter().find(is_unstable)?;
         let system =
             System::new(Parameters { omega: point.x, delta: unstable, ..Parameters::default() }).unwrap();
         let start = symmetric_start(&system)?;
@@ -139,7 +144,6 @@ fn soft_and_hard_losses_of_stability_are_told_apart() {
             continue;
         }
         let Some(away) = strays(point) else { continue };
-        eprintln!("{:?} {} {} {away}", point.criticality, point.x, point.y);
         match point.criticality {
             Some(Criticality::Supercritical) => {
                 assert!(away < 0.3, "soft at {}, {}: {away}", point.x, point.y);
