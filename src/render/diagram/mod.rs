@@ -258,7 +258,12 @@ mod tests {
             Trace { verdict: verdict(regime, [1, 2, 2], true), readings, left_out: i % 3, rebounds: i % 11 }
         };
         let exponents = |i: u32| {
-            [0.1, -0.2, f64::from(i % 5) - 9.0, if i % 2 == 0 { f64::NEG_INFINITY } else { f64::NAN }]
+            [
+                0.1,
+                -0.2,
+                f64::from(i % 5) - 9.0,
+                if i.is_multiple_of(2) { f64::NEG_INFINITY } else { f64::NAN },
+            ]
         };
         let branch = |&direction: &Direction| Branch {
             direction,
