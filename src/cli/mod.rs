@@ -4,6 +4,8 @@
 
 mod adapters;
 mod classify;
+mod curve_list;
+mod curves;
 mod defaults;
 mod error;
 mod files;
@@ -43,6 +45,7 @@ enum Command {
     Map(map::MapArgs),
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
+    Curves(curves::CurvesArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
 }
@@ -54,6 +57,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Map(args) => map::run(args),
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
+        Command::Curves(args) => curves::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

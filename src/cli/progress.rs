@@ -20,6 +20,9 @@ const CELLS: &str = "{msg} {bar:30} {percent:>3} % of {human_len} cells, {eta} l
 /// A single trajectory may settle at any time, so that nobody knows how long it takes.
 const TRAJECTORY: &str = "{spinner} following the trajectory, {elapsed}";
 
+/// Nobody knows how long the curves are.
+const CURVES: &str = "{spinner} following the bifurcation curves, {elapsed}";
+
 /// A bar on standard error that goes away when it is dropped; it also hands on Ctrl-C.
 #[derive(Debug)]
 pub struct Progress {
@@ -36,6 +39,11 @@ impl Progress {
     /// A sign of life while one trajectory is followed.
     pub fn of_trajectory() -> Self {
         Progress::new(None, TRAJECTORY, "")
+    }
+
+    /// A sign of life while bifurcation curves are followed.
+    pub fn of_curves() -> Self {
+        Progress::new(None, CURVES, "")
     }
 
     fn new(length: Option<u64>, template: &str, message: &str) -> Self {

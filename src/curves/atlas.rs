@@ -12,7 +12,7 @@ use super::no_impact::no_impact_curve;
 use super::seeds::seeds;
 use super::trace::trace;
 use super::unknowns::Span;
-use crate::plane::{Axis, Quantity, RegionMap};
+use crate::plane::{Axis, Plane, Quantity, RegionMap};
 use crate::theory::Pattern;
 
 /// An event this near to a curve of its kind and motion lies on it; in sides of the plane.
@@ -60,6 +60,14 @@ pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<Vec<Curve>
     curves = without_twins(curves, spans);
     curves.extend(no_impact_curve(map, spans));
     Ok(curves)
+}
+
+/// Whether a plane can have bifurcation curves, told before anything is computed.
+///
+/// # Errors
+/// [`CurvesError`] where an axis is not a range of a parameter.
+pub fn check_plane(plane: &Plane) -> Result<(), CurvesError> {
+    [&plane.x, &plane.y].into_iter().try_for_each(|axis| span(axis).map(drop))
 }
 
 fn span(axis: &Axis) -> Result<Span, CurvesError> {
