@@ -4,9 +4,11 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::anyhow;
-use clap::Args;
+use clap::{Args, ValueEnum, value_parser};
+use impact_atlas::analysis::Schedule;
+use impact_atlas::curves::check_plane;
 use impact_atlas::plane::RegionMap;
-use impact_atlas::render::Size;
+use impact_atlas::render::{Shown, Size, region_map, region_map_with_curves};
 use impact_atlas::sweep::sweep;
 use serde::{Serialize, Serializer};
 
@@ -14,7 +16,7 @@ use super::options::{BackendArgs, PlaneArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::parse_size;
-use super::{CliError, defaults, files, note};
+use super::{CliError, curve_list, curves, defaults, files, note};
 
 /// Computes what every cell of a parameter plane settles on, as a picture and as data
 ///
@@ -44,9 +46,32 @@ pub struct MapArgs {
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, default_value = defaults::PICTURE_SIZE)]
     size: Size,
 
+    /// Draws bifurcation curves over the map, and names them: those that bound what can be observed, or all of them
+    #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
+        default_missing_value = "bounding")]
+    curves: Option<Which>,
+
+    /// Largest N of the motions N-p-q whose curves are computed
+    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_PERIOD, requires = "curves",
+        value_parser = value_parser!(u32).range(1..=i64::from(Schedule::LARGEST_PERIOD)))]
+    curves_max_period: u32,
+
+    /// Writes every point of every curve, as `curves` does
+    #[arg(long, value_name = "FILE.csv", requires = "curves")]
+    curves_out: Option<PathBuf>,
+
     /// Prints JSON: cells, impacts, seconds, impacts_per_second, regimes, backend, adapter
     #[arg(long)]
     json: bool,
+}
+
+/// Which parts of the curves are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Which {
+    /// Where the motion is stable on one side of the curve
+    Bounding,
+    /// Everywhere
+    All,
 }
 
 /// What is printed.
@@ -71,15 +96,39 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let plane = args.plane.plane()?;
     let png = picture_path(&args.out)?;
     let npz = args.data.clone().unwrap_or_else(|| png.with_extension("npz"));
-    let [Some(picture), Some(data)] = files::prepare([Some(png), Some(npz.as_path())])? else {
+    if args.curves.is_some() {
+        check_plane(&plane).map_err(CliError::input)?;
+    }
+    let paths = [Some(png), Some(npz.as_path()), args.curves_out.as_deref()];
+    let [Some(picture), Some(data), table] = files::prepare(paths)? else {
         unreachable!("two paths give two outputs")
     };
     let backend = args.backend.open()?;
     let began = Instant::now();
     let map = sweep(&plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
-    let summary = Summary::new(&map, began.elapsed().as_secs_f64());
-    files::write_map(&map, args.size, &data, &picture)?;
+    let seconds = began.elapsed().as_secs_f64();
+    let (map, drawn) = match args.curves {
+        None => {
+            let drawn = region_map(&map, args.size);
+            (map, drawn)
+        }
+        Some(which) => {
+            let (map, curves) = curves::of_map(map, args.curves_max_period)?;
+            let shown = match which {
+                Which::Bounding => Shown::Bounding,
+                Which::All => Shown::All,
+            };
+            let drawn = region_map_with_curves(&map, &curves, shown, args.size);
+            if let Some(table) = &table {
+                curve_list::write_csv(table, &curves, &plane)?;
+                note(&format!("written: {}", table.path().display()));
+            }
+            (map, drawn)
+        }
+    };
+    files::write_map(&map, &drawn, &data, &picture)?;
     note(&format!("written: {} and {}", picture.path().display(), data.path().display()));
+    let summary = Summary::new(&map, seconds);
     if args.json { print_json(&summary) } else { print(&summary.text()) }
 }
 

@@ -7,6 +7,7 @@
 
 mod canvas;
 mod colours;
+mod curves;
 #[cfg(test)]
 mod example;
 mod font;
@@ -25,12 +26,13 @@ mod ticks;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
+pub use curves::Shown;
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
 pub use motion::Motion;
 pub use paint::Paint;
 pub use picture::Picture;
-pub use regions::region_map;
+pub use regions::{region_map, region_map_with_curves};
 pub use scale::Scale;
 pub use size::{Size, SizeError};
 pub use text::Text;

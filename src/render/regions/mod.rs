@@ -9,11 +9,13 @@ use self::census::Census;
 use self::layout::Layout;
 use super::canvas::{Anchor, Canvas, Point};
 use super::colours::INK;
+use super::curves::{Overlay, Shown};
 use super::frame::Frame;
 use super::picture::Picture;
 use super::scale::Scale;
 use super::size::Size;
 use super::symbols;
+use crate::curves::Curve;
 use crate::plane::RegionMap;
 
 /// Draws a computed plane.
@@ -23,16 +25,33 @@ use crate::plane::RegionMap;
 /// fewer pixels than the plane has cells shows the most frequent motion of each pixel. The legend names the
 /// motions by descending share of the plane. Small pictures do without the least needed words.
 pub fn region_map(map: &RegionMap, size: Size) -> Picture {
+    picture(map, None, size)
+}
+
+/// Draws a computed plane like [`region_map`], with its bifurcation curves over it.
+///
+/// Lines tell the kinds apart and, by dashes, what is subcritical; points of codimension two are marked, and a key
+/// explains both. Curves are named where there is room beside them, by abbreviation and motion or, on the plane of the
+/// paper's Fig. 5, as there; so are the regions of that plane.
+pub fn region_map_with_curves(map: &RegionMap, curves: &[Curve], shown: Shown, size: Size) -> Picture {
+    picture(map, Some(&Overlay::new(map, curves, shown)), size)
+}
+
+fn picture(map: &RegionMap, overlay: Option<&Overlay>, size: Size) -> Picture {
+    let key = overlay.map(Overlay::key).unwrap_or_default();
     let census = Census::of(map);
     let frame = frame(map);
     let em = size.em();
-    let layout = Layout::of(map, &census, &frame, size);
+    let layout = Layout::of(map, &census, &frame, &key, size);
     let (width, height) = (layout.plot.width as u32, layout.plot.height as u32);
     let regions = raster::draw(map, &census, width, height, em);
 
     let config = map.config();
     let mut canvas = Canvas::new(size, &config);
     canvas.image(layout.plot, &regions);
+    if let Some(overlay) = overlay {
+        overlay.draw(&mut canvas, layout.plot, &frame, em);
+    }
     if let Some(placed) = &layout.frame {
         frame.draw(&mut canvas, placed, em);
     }
@@ -42,6 +61,7 @@ pub fn region_map(map: &RegionMap, size: Size) -> Picture {
     }
     if let Some(legend) = &layout.legend {
         legend.legend.draw(&mut canvas, legend.at, legend.width, legend.columns, em);
+        key.draw(&mut canvas, legend.key_at, legend.key_columns, em);
     }
     Picture::new(size, config, canvas.finish())
 }
