@@ -85,7 +85,7 @@ impl<'a> Overlay<'a> {
             y: plot.bottom() - frame.y.fraction(point.y) * plot.height,
         };
         let mut pieces = self.pieces(place);
-        // Thin lines below, short ones above.
+        // Short lines above long ones.
         pieces.sort_by(|a, b| length(&b.line).total_cmp(&length(&a.line)));
         let styled = |piece: &Piece| Line::of_curve(piece.curve, piece.criticality, em);
         for piece in &pieces {
