@@ -34,7 +34,7 @@ pub struct CurvesArgs {
     cells: Option<u32>,
 
     /// Largest N of the motions N-p-q whose curves are computed
-    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_PERIOD,
+    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD,
         value_parser = value_parser!(u32).range(1..=i64::from(Schedule::LARGEST_PERIOD)))]
     max_period: u32,
 
@@ -69,7 +69,7 @@ pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
         fixed_periods: false,
     };
     let plane = args.axes.plane_of(schedule, args.cells, defaults::CURVES_CELLS)?;
-    curves::check_plane(&plane).map_err(CliError::input)?;
+    curves::check(&plane).map_err(CliError::input)?;
     let [output] = files::prepare([args.out.as_deref()])?;
     let backend = args.backend.open()?;
     let map = sweep(&plane, &*backend, &Progress::of_cells("looking for motions", plane.cells()))?;

@@ -17,9 +17,6 @@ pub const VALIDATED_CELLS: u32 = 120_000;
 /// Cells of the default plane from which bifurcation curves are begun: 160 × 120.
 pub const CURVES_CELLS: u32 = 19_200;
 
-/// Largest period of a motion whose bifurcation curves are computed.
-pub const CURVES_PERIOD: u32 = 2;
-
 /// The picture.
 pub const PICTURE: &str = "map.png";
 
@@ -43,6 +40,9 @@ pub const ORBIT_PERIODS: u32 = 20;
 
 /// Points of an orbit in each forcing period.
 pub const ORBIT_SAMPLES: u32 = 200;
+
+/// Largest N of the motions whose bifurcation curves are computed.
+pub const CURVES_MAX_PERIOD: u32 = 2;
 
 /// The picture's size in pixels.
 pub const PICTURE_SIZE: &str = "1600x1200";

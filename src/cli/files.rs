@@ -41,12 +41,7 @@ fn place(path: &Path) -> PathBuf {
 }
 
 /// Writes a map's data and its picture; neither unless both could be made.
-pub fn write_map(
-    map: &RegionMap,
-    drawn: &Picture,
-    data: &Output,
-    picture: &Output,
-) -> Result<(), CliError> {
+pub fn write_map(map: &RegionMap, drawn: &Picture, data: &Output, picture: &Output) -> Result<(), CliError> {
     let mut png = Vec::new();
     drawn.write_png(&mut png).map_err(CliError::machine)?;
     interrupt::check()?;

@@ -6,7 +6,6 @@ use std::time::Instant;
 use anyhow::anyhow;
 use clap::{Args, ValueEnum, value_parser};
 use impact_atlas::analysis::Schedule;
-use impact_atlas::curves::check_plane;
 use impact_atlas::plane::RegionMap;
 use impact_atlas::render::{Shown, Size, region_map, region_map_with_curves};
 use impact_atlas::sweep::sweep;
@@ -52,7 +51,7 @@ pub struct MapArgs {
     curves: Option<Which>,
 
     /// Largest N of the motions N-p-q whose curves are computed
-    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_PERIOD, requires = "curves",
+    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
         value_parser = value_parser!(u32).range(1..=i64::from(Schedule::LARGEST_PERIOD)))]
     curves_max_period: u32,
 
@@ -97,7 +96,7 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let png = picture_path(&args.out)?;
     let npz = args.data.clone().unwrap_or_else(|| png.with_extension("npz"));
     if args.curves.is_some() {
-        check_plane(&plane).map_err(CliError::input)?;
+        impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }
     let paths = [Some(png), Some(npz.as_path()), args.curves_out.as_deref()];
     let [Some(picture), Some(data), table] = files::prepare(paths)? else {

@@ -12,6 +12,7 @@ mod locus;
 mod naming;
 mod no_impact;
 mod paper;
+mod parting;
 mod path;
 mod seeds;
 mod special;
@@ -19,7 +20,7 @@ mod touch;
 mod trace;
 mod unknowns;
 
-pub use atlas::{CurvesError, bifurcation_curves, check_plane};
+pub use atlas::{CurvesError, bifurcation_curves, check};
 pub use condition::Kind;
 pub use curve::{Criticality, Curve, CurveMotion, CurvePoint, End, Special};
 pub use naming::{Named, named};

@@ -40,6 +40,14 @@ pub(super) fn crosses(rect: Rect, a: Point, b: Point) -> bool {
     sides.iter().any(|&s| s >= 0.0) && sides.iter().any(|&s| s <= 0.0)
 }
 
+/// Whether two straight lines cross.
+pub(super) fn meet(a: Point, b: Point, c: Point, d: Point) -> bool {
+    let side = |p: Point, q: Point, r: Point| (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    side(a, b, c) * side(a, b, d) <= 0.0
+        && side(c, d, a) * side(c, d, b) <= 0.0
+        && (side(a, b, c) != 0.0 || side(a, b, d) != 0.0)
+}
+
 /// The length of a line through points.
 pub(super) fn length(points: &[Point]) -> f64 {
     points.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
@@ -84,6 +92,13 @@ mod tests {
         assert!(crosses(rect, at(7.0, 10.0), at(9.0, 8.0)), "across a corner");
         assert!(!crosses(rect, at(7.0, 9.4), at(8.4, 8.0)), "past a corner");
         assert!(!crosses(rect, at(0.0, 12.0), at(20.0, 12.0)));
+    }
+
+    #[test]
+    fn lines_that_cross_are_told_from_lines_that_do_not() {
+        assert!(meet(at(0.0, 0.0), at(2.0, 2.0), at(0.0, 2.0), at(2.0, 0.0)));
+        assert!(!meet(at(0.0, 0.0), at(2.0, 2.0), at(3.0, 2.0), at(3.0, 9.0)));
+        assert!(!meet(at(0.0, 0.0), at(2.0, 0.0), at(3.0, 0.0), at(4.0, 0.0)), "along each other");
     }
 
     #[test]

@@ -29,6 +29,10 @@ const REGION_CLEARANCE: f64 = 0.4;
 /// The light around a name, in text sizes.
 const HALO: f64 = 0.22;
 
+/// The width of the line that leads to a name, without and with its casing, and the radius of its end, in em.
+const LEADER: [f64; 2] = [0.06, 0.2];
+const END_OF_LEADER: f64 = 0.13;
+
 /// Which parts of the curves are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
@@ -166,11 +170,20 @@ fn draw_curve_names(canvas: &mut Canvas, plot: Rect, em: f64, pieces: &[Piece], 
             None => (Text::from(format!("{short} {}", piece.curve.motion.label())), OTHER_SIZE * em),
         };
         let wanted = Wanted { line: &piece.line, width: text.width(size), size };
-        let Some(rect) = labels::place(&wanted, plot, &lines, &taken) else { continue };
-        let at = Point { x: rect.x + rect.width / 2.0, y: rect.y + rect.height / 2.0 };
+        let space = labels::Plot { rect: plot, lines: &lines, taken: &taken };
+        // Only a name that the paper gives is worth a leader.
+        let led = || piece.name.and_then(|_| space.led(&wanted));
+        let Some(place) = space.beside(&wanted).or_else(led) else { continue };
         let colour = style::colour(piece.curve.kind);
+        if let Some((from, to)) = place.leader {
+            canvas.stroke(&[from, to], LEADER[1] * em, CASING, &[]);
+            canvas.stroke(&[from, to], LEADER[0] * em, colour, &[]);
+            canvas.disc(from, END_OF_LEADER * em, colour, LEADER[0] * em, CASING);
+        }
+        let at =
+            Point { x: place.rect.x + place.rect.width / 2.0, y: place.rect.y + place.rect.height / 2.0 };
         canvas.haloed_text(&text, at, Anchor::Middle, size, colour, (HALO * size, CASING));
         said.push(entry);
-        taken.push(rect);
+        taken.push(place.rect);
     }
 }

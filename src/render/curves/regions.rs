@@ -73,7 +73,9 @@ fn name_the_rest(names: &mut [Option<&'static str>], open: &[bool], grid: Grid) 
         while let Some(cell) = ahead.pop() {
             region.push(cell);
             for next in grid.neighbours(cell) {
-                if let Some((_, _, count)) = borders.iter_mut().find(|(known, _, _)| names[next] == Some(known)) {
+                if let Some((_, _, count)) =
+                    borders.iter_mut().find(|(known, _, _)| names[next] == Some(known))
+                {
                     *count += 1;
                 }
                 if open[next] && !seen[next] {
@@ -95,7 +97,8 @@ fn widest(name: &'static str, names: &[Option<&str>], grid: Grid, plot: Rect) ->
     let cell = [plot.width / grid.columns as f64, plot.height / grid.rows as f64];
     let inside: Vec<bool> = names.iter().map(|&other| other == Some(name)).collect();
     let distances = distances(&inside, grid, cell);
-    let (best, &clearance) = distances.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))?;
+    let (best, &clearance) =
+        distances.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))?;
     let (column, row) = (best % grid.columns, best / grid.columns);
     let at = Point {
         x: plot.x + (column as f64 + 0.5) * cell[0],
@@ -107,7 +110,8 @@ fn widest(name: &'static str, names: &[Option<&str>], grid: Grid, plot: Rect) ->
 /// How far each cell is from the next one outside, in pixels; beyond the plane is outside (two sweeps of a chamfer).
 fn distances(inside: &[bool], grid: Grid, [width, height]: [f64; 2]) -> Vec<f64> {
     let (columns, rows) = (grid.columns as i64, grid.rows as i64);
-    let steps = [(-1, 0, width), (-1, -1, width.hypot(height)), (0, -1, height), (1, -1, width.hypot(height))];
+    let steps =
+        [(-1, 0, width), (-1, -1, width.hypot(height)), (0, -1, height), (1, -1, width.hypot(height))];
     let mut far: Vec<f64> = inside.iter().map(|&inside| if inside { f64::INFINITY } else { 0.0 }).collect();
     for sign in [1, -1] {
         for i in 0..columns * rows {
