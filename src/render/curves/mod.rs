@@ -20,7 +20,9 @@ use crate::plane::RegionMap;
 
 /// The sizes of names: the paper's, other curves' and regions', in em.
 const PAPER_SIZE: f64 = 1.0;
-const OTHER_SIZE: f64 = 0.72;
+const OTHER_SIZE: f64 = 0.78;
+/// No name is set smaller, in pixels.
+const READABLE: f64 = 8.0;
 const REGION_SIZE: f64 = 1.15;
 /// A region's name is set smaller, down to this, where its region is narrow, and left out where that is not enough.
 const SMALLEST_REGION_SIZE: f64 = 0.8;
@@ -167,12 +169,12 @@ fn draw_curve_names(canvas: &mut Canvas, plot: Rect, em: f64, pieces: &[Piece], 
         let [_, short] = style::names(piece.curve.kind);
         let (text, size) = match piece.name {
             Some(name) => (Text::from(name.replace('\'', "′")), PAPER_SIZE * em),
-            None => (Text::from(format!("{short} {}", piece.curve.motion.label())), OTHER_SIZE * em),
+            None => (Text::from(format!("{short} {}", piece.curve.motion.label())), (OTHER_SIZE * em).max(READABLE)),
         };
         let wanted = Wanted { line: &piece.line, width: text.width(size), size };
         let space = labels::Plot { rect: plot, lines: &lines, taken: &taken };
-        // Only a name that the paper gives is worth a leader.
-        let led = || piece.name.and_then(|_| space.led(&wanted));
+        // Only a name that the paper gives, and only at the longest of its curves, is worth a leader.
+        let led = || piece.name.filter(|name| !name.ends_with('\'')).and_then(|_| space.led(&wanted));
         let Some(place) = space.beside(&wanted).or_else(led) else { continue };
         let colour = style::colour(piece.curve.kind);
         if let Some((from, to)) = place.leader {
