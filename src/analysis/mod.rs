@@ -9,7 +9,7 @@ mod schedule;
 mod spread;
 
 pub use observer::{Observer, Stage};
-pub use regime::{INFINITELY_MANY, Regime, Verdict};
+pub use regime::{INFINITELY_MANY, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
 
 /// The numbers that the GPU's shaders share.

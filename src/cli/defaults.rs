@@ -35,6 +35,9 @@ pub const TRAJECTORY_TRANSIENT: u32 = 1000;
 /// Forcing periods for which a single trajectory is observed.
 pub const TRAJECTORY_OBSERVE: u32 = 500;
 
+/// Forcing periods over which Lyapunov exponents are measured.
+pub const SPECTRUM_OBSERVE: u32 = 10_000;
+
 /// Forcing periods of an orbit.
 pub const ORBIT_PERIODS: u32 = 20;
 

@@ -10,12 +10,16 @@ mod defaults;
 mod error;
 mod files;
 mod interrupt;
+mod lyapunov;
 mod map;
+mod motion;
+mod multipliers;
 mod options;
 mod orbit;
 mod panics;
 mod progress;
 mod report;
+mod symmetric;
 mod terminal;
 mod validate;
 mod values;
@@ -38,7 +42,7 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done, 1 a check did not hold, 2 the input is wrong, 3 the machine cannot do it, 130 interrupted.";
+Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2 the input is wrong, 3 the machine cannot do it, 130 interrupted.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -46,6 +50,9 @@ enum Command {
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Curves(curves::CurvesArgs),
+    Symmetric(symmetric::SymmetricArgs),
+    Motion(motion::MotionArgs),
+    Lyapunov(lyapunov::LyapunovArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
 }
@@ -58,6 +65,9 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
         Command::Curves(args) => curves::run(args),
+        Command::Symmetric(args) => symmetric::run(args),
+        Command::Motion(args) => motion::run(args),
+        Command::Lyapunov(args) => lyapunov::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

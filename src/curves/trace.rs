@@ -11,7 +11,7 @@ use super::path::PathPoint;
 use super::special::{Monitor, monitors};
 use super::touch::{arrival_speeds, touches};
 use super::unknowns::{Span, Unknowns};
-use crate::model::Parameters;
+use crate::model::{Flight, Parameters};
 use crate::theory::{PeriodicMotion, flip_coefficient, fly, neimark_sacker_coefficient};
 
 /// The longest step, in sides of the plane.
@@ -295,6 +295,6 @@ fn beyond(
     let crossed = touches(system, pattern, &motion.sections)
         .iter()
         .any(|touch| touch.gap < -CROSSED && !own(touch.arc, touch.phase));
-    let certified = locus.kind == Kind::Grazing || fly(system, motion).is_ok();
+    let certified = locus.kind == Kind::Grazing || fly(&Flight::new(system), motion).is_ok();
     (crossed || !certified).then_some((End::Grazes, Some(Special::Grazing)))
 }

@@ -8,9 +8,9 @@ use crate::curves::{Curve, CurveMotion, CurvePoint, Kind};
 use crate::plane::RegionMap;
 
 /// How far from a curve its motion's cells, and their boundary, are looked for; in cells.
-pub const WINDOW: i64 = 10;
+const WINDOW: i64 = 10;
 /// The largest median distance between curves and boundaries that is accepted, in cells.
-pub const LARGEST_MEDIAN: f64 = 1.0;
+const LARGEST_MEDIAN: f64 = 1.0;
 /// Of its eight neighbours, so many at least are of the motion of a cell that counts: single cells amid chaos do not.
 const COMPANY: usize = 3;
 
@@ -25,11 +25,11 @@ pub struct BoundaryAgreement {
     pub symmetric: bool,
     /// Places along the curve, half a cell apart, where its motion is stable on one side.
     pub places: u64,
-    /// Those of them where the map shows the motion within [`WINDOW`] cells. Elsewhere the map's start leads to
+    /// Those of them where the map shows the motion within ten cells. Elsewhere the map's start leads to
     /// another motion that exists there as well, and there is nothing to compare.
     pub compared: u64,
-    /// Distances to the nearest boundary of the motion's cells, in cells; a boundary farther than [`WINDOW`] counts as
-    /// twice that.
+    /// Distances to the nearest boundary of the motion's cells, in cells; a boundary farther than ten counts as
+    /// twenty.
     pub distance: Option<Spread>,
 }
 

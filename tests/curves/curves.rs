@@ -51,6 +51,14 @@ fn the_neimark_sacker_curve_goes_around_its_turning_points() {
         let off = moduli.map(|modulus| (modulus - 1.0).abs()).fold(9.0, f64::min);
         assert!(off < 1e-6, "a pair lies on the unit circle: {off:.1e}");
     }
+    // The paper says 0.5352 for the lowest point; it is 0.5422, and the fold comes down to 0.5482.
+    let lowest =
+        |points: &mut dyn Iterator<Item = (f64, f64)>| points.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+    let (omega, delta) = lowest(&mut torus[0].points.iter().map(|p| (p.x, p.y)));
+    assert!((omega - 2.508).abs() < 0.01 && (delta - 0.5422).abs() < 1e-4, "{omega} {delta}");
+    let folds = of(&found, Kind::Fold, "1-1-1", true);
+    let (omega, delta) = lowest(&mut folds.iter().flat_map(|fold| &fold.points).map(|p| (p.x, p.y)));
+    assert!((omega - 1.464).abs() < 0.01 && (delta - 0.5482).abs() < 1e-4, "{omega} {delta}");
     let criticality: Vec<_> = torus[0].points.iter().filter_map(|p| p.criticality).collect();
     for kind in [Criticality::Supercritical, Criticality::Subcritical] {
         assert!(criticality.contains(&kind), "the paper's L1 and L2");
@@ -59,7 +67,6 @@ fn the_neimark_sacker_curve_goes_around_its_turning_points() {
     assert!(specials.contains(&Special::Chenciner), "where L1 turns into L2: {specials:?}");
     // It begins where the pair meets at +1, on the fold.
     assert!(torus[0].ends.contains(&End::Resonance11));
-    let folds = of(&found, Kind::Fold, "1-1-1", true);
     let resonance = |special: &Option<Special>| *special == Some(Special::Resonance11);
     assert!(folds.iter().any(|fold| fold.points.iter().any(|p| resonance(&p.special))));
 }

@@ -169,7 +169,10 @@ fn draw_curve_names(canvas: &mut Canvas, plot: Rect, em: f64, pieces: &[Piece], 
         let [_, short] = style::names(piece.curve.kind);
         let (text, size) = match piece.name {
             Some(name) => (Text::from(name.replace('\'', "′")), PAPER_SIZE * em),
-            None => (Text::from(format!("{short} {}", piece.curve.motion.label())), (OTHER_SIZE * em).max(READABLE)),
+            None => (
+                Text::from(format!("{short} {}", piece.curve.motion.label())),
+                (OTHER_SIZE * em).max(READABLE),
+            ),
         };
         let wanted = Wanted { line: &piece.line, width: text.width(size), size };
         let space = labels::Plot { rect: plot, lines: &lines, taken: &taken };

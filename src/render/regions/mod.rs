@@ -130,27 +130,72 @@ mod tests {
 
     #[test]
     fn words_are_inside_the_picture_and_apart() {
-        let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
         for map in strained() {
             for (width, height) in SIZES {
                 let size = Size::new(width, height).unwrap();
-                let picture = region_map(&map, size);
-                let tree = Tree::from_str(picture.svg(), &options).unwrap();
-                let mut words = Vec::new();
-                texts(tree.root(), &mut words);
-                let plane = format!("{} × {}, {width} × {height}", map.plane.x, map.plane.y);
-                assert!(!words.is_empty() || width < 200, "{plane}");
-                for (i, word) in words.iter().enumerate() {
-                    let inside = word.left() >= 0.0
-                        && word.top() >= 0.0
-                        && word.right() <= width as f32
-                        && word.bottom() <= height as f32;
-                    assert!(inside, "{plane}: {word:?} is clipped");
-                    let other = words[..i].iter().find(|other| other.intersect(word).is_some());
-                    assert!(other.is_none(), "{plane}: {word:?} overlaps {other:?}");
+                assert_apart(&map, &region_map(&map, size), size);
+                if map.plane.x.count > 2 {
+                    let curves = example::curves(&map);
+                    assert_apart(&map, &region_map_with_curves(&map, &curves, Shown::All, size), size);
                 }
             }
         }
+    }
+
+    fn assert_apart(map: &RegionMap, picture: &Picture, size: Size) {
+        let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
+        let (width, height) = (size.width(), size.height());
+        let tree = Tree::from_str(picture.svg(), &options).unwrap();
+        let mut words = Vec::new();
+        texts(tree.root(), &mut words);
+        let plane = format!("{} × {}, {width} × {height}", map.plane.x, map.plane.y);
+        assert!(!words.is_empty() || width < 200, "{plane}");
+        for (i, word) in words.iter().enumerate() {
+            let inside = word.left() >= 0.0
+                && word.top() >= 0.0
+                && word.right() <= width as f32
+                && word.bottom() <= height as f32;
+            assert!(inside, "{plane}: {word:?} is clipped");
+            let other = words[..i].iter().find(|other| other.intersect(word).is_some());
+            assert!(other.is_none(), "{plane}: {word:?} overlaps {other:?}");
+        }
+    }
+
+    #[test]
+    fn curves_are_named_and_explained() {
+        let map = example::map(80, 60);
+        let curves = example::curves(&map);
+        let size = Size::new(1200, 900).unwrap();
+        let said = |picture: &Picture, words: &str| picture.svg().contains(&format!(">{words}<"));
+        let bare = region_map(&map, size);
+        let bounding = region_map_with_curves(&map, &curves, Shown::Bounding, size);
+        let all = region_map_with_curves(&map, &curves, Shown::All, size);
+        for words in
+            ["L1", "L2", "L3", "F 1-1-1", "R1", "Neimark–Sacker (NS)", "subcritical", "codimension two"]
+        {
+            assert!(said(&bounding, words) && said(&all, words) && !said(&bare, words), "{words}");
+        }
+        for words in ["grazing (G)", "G 1-3-3"] {
+            assert!(!said(&bounding, words) && said(&all, words), "{words} does not bound anything");
+        }
+        let mut other = map;
+        other.plane.parameters.r = 0.7;
+        let numbered = region_map_with_curves(&other, &curves, Shown::Bounding, size);
+        assert!(said(&numbered, "PF 1-1-1") && !said(&numbered, "L3") && !said(&numbered, "R1"));
+        assert!(said(&numbered, "NS 1-1-1"));
+    }
+
+    #[test]
+    fn dashes_tell_what_is_subcritical() {
+        let map = example::map(80, 60);
+        let curves = example::curves(&map);
+        let size = Size::new(1200, 900).unwrap();
+        let dashed = |curves: &[Curve]| {
+            let picture = region_map_with_curves(&map, curves, Shown::Bounding, size);
+            picture.svg().matches("stroke-dasharray").count()
+        };
+        // The Neimark–Sacker curve is first: one dashed part of it, and the key's sample.
+        assert_eq!((dashed(&curves[..1]), dashed(&curves[1..2])), (2, 0));
     }
 
     #[test]
