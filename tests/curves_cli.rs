@@ -10,7 +10,7 @@ use tempfile::tempdir;
 
 /// A part of the paper's plane that has all of its curves.
 const PAPER: [&str; 8] =
-    ["--backend", "cpu", "--x", "omega=1.2:3.8:60", "--y", "delta=0.06:0.7:40", "--transient", "150"];
+    ["--backend", "cpu", "--x", "omega=1:3.8:80", "--y", "delta=0.06:0.7:50", "--transient", "150"];
 
 /// A plane of two other parameters.
 const OTHER: [&str; 10] = [

@@ -3,10 +3,10 @@
 use super::geometry::{about, crosses, length, meet, overlap, stations, within};
 use crate::render::canvas::{Point, Rect};
 
-/// The height of a name's box, in text sizes.
-pub(super) const HEIGHT: f64 = 1.1;
+/// The height of a name's box, from ascenders to descenders, in text sizes.
+pub(super) const HEIGHT: f64 = 1.22;
 /// The room between a name and its line, in text sizes.
-const GAP: f64 = 0.22;
+const GAP: f64 = 0.18;
 /// A line shorter than this many times its name stays without.
 const SHORTEST: f64 = 1.5;
 /// How far away a name may stand that has a leader, in text sizes, and how many lines that may cross.

@@ -8,7 +8,7 @@ mod style;
 
 pub(super) use self::key::Key;
 
-use self::geometry::{about, length, overlap};
+use self::geometry::{about, length, overlap, within};
 use self::labels::Wanted;
 use self::style::{CASING, Line};
 use super::canvas::{Anchor, Canvas, Point, Rect};
@@ -145,8 +145,9 @@ impl<'a> Overlay<'a> {
         for region in regions::region_names(self.map, plot) {
             let size = (REGION_SIZE * em).min(region.clearance / REGION_CLEARANCE);
             let text = Text::from(region.name);
-            let rect = about(region.at, text.width(size) + 0.3 * size, size);
-            if size < SMALLEST_REGION_SIZE * em || taken.iter().any(|&other| overlap(rect, other)) {
+            let rect = about(region.at, text.width(size) + 0.3 * size, labels::HEIGHT * size);
+            let free = within(rect, plot) && !taken.iter().any(|&other| overlap(rect, other));
+            if size < SMALLEST_REGION_SIZE * em || !free {
                 continue;
             }
             canvas.haloed_text(&text, region.at, Anchor::Middle, size, INK, (HALO * size, CASING));

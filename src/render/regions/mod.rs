@@ -84,6 +84,7 @@ mod tests {
     use super::*;
     use crate::analysis::Regime;
     use crate::plane::Start;
+    use crate::render::curves::Key;
     use crate::render::{example, font};
 
     const SIZES: [(u32, u32); 12] = [
@@ -204,7 +205,7 @@ mod tests {
         for (width, height) in [(200, 150), (640, 480)] {
             let size = Size::new(width, height).unwrap();
             let census = Census::of(&map);
-            let plot = Layout::of(&map, &census, &frame(&map), size).plot;
+            let plot = Layout::of(&map, &census, &frame(&map), &Key::default(), size).plot;
             let [x, y, width, height] = [plot.x, plot.y, plot.width, plot.height].map(|length| length as u32);
             let expected = raster::draw(&map, &census, width, height, size.em());
             let pixels = region_map(&map, size).pixels();
