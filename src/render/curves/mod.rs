@@ -142,7 +142,7 @@ impl<'a> Overlay<'a> {
     }
 
     fn draw_region_names(&self, canvas: &mut Canvas, plot: Rect, em: f64, taken: &mut Vec<Rect>) {
-        for region in regions::region_names(self.map, plot) {
+        for region in regions::region_names(self.map, self.curves, &self.names, plot) {
             let size = (REGION_SIZE * em).min(region.clearance / REGION_CLEARANCE);
             let text = Text::from(region.name);
             let rect = about(region.at, text.width(size) + 0.3 * size, labels::HEIGHT * size);

@@ -1,9 +1,12 @@
 //! Where the paper's region names stand: in the widest place of each region.
 
 use crate::analysis::{Regime, Verdict};
-use crate::curves::{is_plane_of_paper, paper_region};
-use crate::plane::RegionMap;
+use crate::curves::{Curve, Named, is_plane_of_paper, paper_region};
+use crate::plane::{Axis, RegionMap};
 use crate::render::canvas::{Point, Rect};
+
+/// A cell so near to a curve, in cells, lies along it.
+const NEAR: i64 = 2;
 
 /// A name, the middle of the widest place of its region, and how far the border is from there, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,18 +19,56 @@ pub(super) struct RegionName {
 /// The paper's region names, on the paper's plane.
 ///
 /// Regions of one motion are known by it. Where nothing repeats soon, or a cascade does, a connected region is known by
-/// what it borders most on: R1 makes it R7, R2 makes it R3, and R5 makes it R6.
-pub(super) fn region_names(map: &RegionMap, plot: Rect) -> Vec<RegionName> {
+/// the curves that it lies along: L4 and L5 make it R3, L7 makes it R6, L1 and L2 make it R7.
+pub(super) fn region_names(
+    map: &RegionMap,
+    curves: &[Curve],
+    stretches: &[Named],
+    plot: Rect,
+) -> Vec<RegionName> {
     if !is_plane_of_paper(&map.plane) {
         return Vec::new();
     }
     let grid = Grid { columns: map.plane.x.count as usize, rows: map.plane.y.count as usize };
+    let open: Vec<bool> = map.verdicts.iter().map(is_open).collect();
     let mut names: Vec<Option<&'static str>> = map.verdicts.iter().map(known).collect();
-    name_the_rest(&mut names, &map.verdicts.iter().map(is_open).collect::<Vec<_>>(), grid);
+    name_the_rest(&mut names, &open, &lying_along(map, curves, stretches, grid), grid);
     ["R1", "R2", "R3", "R4", "R5", "R6", "R7"]
         .into_iter()
         .filter_map(|name| widest(name, &names, grid, plot))
         .collect()
+}
+
+/// For every cell near one of the paper's curves, the region that would lie along it there.
+fn lying_along(
+    map: &RegionMap,
+    curves: &[Curve],
+    stretches: &[Named],
+    grid: Grid,
+) -> Vec<Option<&'static str>> {
+    let mut near = vec![None; map.verdicts.len()];
+    let cell = |axis: &Axis, value: f64| {
+        ((value - axis.first) / (axis.last - axis.first) * f64::from(axis.count - 1)).round() as i64
+    };
+    for stretch in stretches {
+        let name = match stretch.name.as_deref().map(|name| name.trim_end_matches('\'')) {
+            Some("L1" | "L2") => "R7",
+            Some("L4" | "L5") => "R3",
+            Some("L7") => "R6",
+            _ => continue,
+        };
+        for point in
+            curves[stretch.curve].points[stretch.points.clone()].iter().filter(|point| point.bounding)
+        {
+            let (column, row) = (cell(&map.plane.x, point.x), cell(&map.plane.y, point.y));
+            for (c, r) in (-NEAR..=NEAR).flat_map(|c| (-NEAR..=NEAR).map(move |r| (column + c, row + r))) {
+                if (0..grid.columns as i64).contains(&c) && (0..grid.rows as i64).contains(&r) {
+                    near[r as usize * grid.columns + c as usize] = Some(name);
+                }
+            }
+        }
+    }
+    near
 }
 
 fn known(verdict: &Verdict) -> Option<&'static str> {
@@ -60,7 +101,12 @@ impl Grid {
     }
 }
 
-fn name_the_rest(names: &mut [Option<&'static str>], open: &[bool], grid: Grid) {
+fn name_the_rest(
+    names: &mut [Option<&'static str>],
+    open: &[bool],
+    near: &[Option<&'static str>],
+    grid: Grid,
+) {
     let mut seen = vec![false; names.len()];
     for start in 0..names.len() {
         if !open[start] || seen[start] {
@@ -68,27 +114,20 @@ fn name_the_rest(names: &mut [Option<&'static str>], open: &[bool], grid: Grid) 
         }
         let mut region = Vec::new();
         let mut ahead = vec![start];
-        let mut borders = [("R1", "R7", 0_u32), ("R2", "R3", 0), ("R5", "R6", 0)];
         seen[start] = true;
         while let Some(cell) = ahead.pop() {
             region.push(cell);
             for next in grid.neighbours(cell) {
-                if let Some((_, _, count)) =
-                    borders.iter_mut().find(|(known, _, _)| names[next] == Some(known))
-                {
-                    *count += 1;
-                }
                 if open[next] && !seen[next] {
                     seen[next] = true;
                     ahead.push(next);
                 }
             }
         }
-        let (_, name, count) = borders.into_iter().max_by_key(|&(_, _, count)| count).unwrap_or_default();
-        // What is named in this pass is no border of what comes later.
-        if count > 0 {
-            region.iter().for_each(|&cell| names[cell] = Some(name));
-        }
+        let count = |name| region.iter().filter(|&&cell| near[cell] == Some(name)).count();
+        let most = ["R7", "R6", "R3"].into_iter().max_by_key(|&name| count(name));
+        let most = most.filter(|&name| count(name) > 0);
+        region.iter().for_each(|&cell| names[cell] = most);
     }
 }
 
@@ -131,40 +170,68 @@ fn distances(inside: &[bool], grid: Grid, [width, height]: [f64; 2]) -> Vec<f64>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::curves::{Criticality, CurveMotion, CurvePoint, End, Kind, named};
     use crate::render::example;
 
     const PLOT: Rect = Rect { x: 0.0, y: 0.0, width: 200.0, height: 100.0 };
 
-    /// Stripes of 20 columns: R1, chaos, no impact, R2, chaos, R5, 2-4-4 with chaos in it.
+    /// Stripes of 20 columns: R1, chaos, no impact, R2, chaos, R5, 2-4-4 with chaos in it, chaos.
     fn stripes() -> RegionMap {
         let periodic = |counts, symmetric| example::verdict(Regime::Periodic, counts, symmetric);
         let chaos = example::verdict(Regime::Chaotic, [0; 3], false);
-        example::of(140, 40, |column, row| match column / 20 {
+        example::of(160, 40, |column, row| match column / 20 {
             0 => periodic([1, 1, 1], true),
             2 => example::verdict(Regime::NoImpact, [0; 3], false),
             3 => periodic([1, 1, 1], false),
             5 => periodic([1, 2, 2], false),
-            6 if row % 2 == 0 => periodic([2, 4, 4], false),
+            6 if column < 139 && row % 2 == 0 => periodic([2, 4, 4], false),
+            6 if column == 139 => example::verdict(Regime::NoImpact, [0; 3], false),
             _ => chaos,
         })
     }
 
-    #[test]
-    fn regions_are_named_by_motion_and_by_what_they_border_on() {
-        let names = region_names(&stripes(), PLOT);
-        let stripe = |at: Point| (at.x / (200.0 / 7.0)) as usize;
-        let found: Vec<(&str, usize)> = names.iter().map(|n| (n.name, stripe(n.at))).collect();
-        // The chaos between R2 and R5 touches both alike; the later one wins.
-        assert_eq!(found, [("R1", 0), ("R2", 3), ("R5", 5), ("R6", 4), ("R7", 1)]);
-        for name in &names {
-            assert!((name.clearance - 14.0).abs() < 2.0, "{name:?}");
+    /// An upright curve along the middle of a column.
+    fn upright(map: &RegionMap, kind: Kind, [n, p, q]: [u32; 3], symmetric: bool, column: u32) -> Curve {
+        let point = |row| CurvePoint {
+            x: map.plane.x.value(column),
+            y: map.plane.y.value(row),
+            criticality: Some(Criticality::Supercritical),
+            bounding: true,
+            special: None,
+        };
+        Curve {
+            kind,
+            motion: CurveMotion { n, p, q, symmetric },
+            touches: None,
+            points: (0..map.plane.y.count).map(point).collect(),
+            ends: [End::LeavesPlane; 2],
         }
+    }
+
+    /// The names and the stripes that they stand in.
+    fn found(map: &RegionMap, curves: &[Curve]) -> Vec<(&'static str, usize)> {
+        let names = region_names(map, curves, &named(curves, &map.plane), PLOT);
+        assert!(names.iter().all(|name| (name.clearance - 12.5).abs() < 2.0), "{names:?}");
+        names.iter().map(|name| (name.name, (name.at.x / 25.0) as usize)).collect()
+    }
+
+    #[test]
+    fn regions_are_named_by_motion_and_by_the_curves_along_them() {
+        let map = stripes();
+        let curves = [
+            upright(&map, Kind::NeimarkSacker, [1, 1, 1], true, 20),
+            upright(&map, Kind::NeimarkSacker, [1, 1, 1], false, 80),
+            upright(&map, Kind::PeriodDoubling, [1, 2, 2], false, 119),
+        ];
+        let expected = [("R1", 0), ("R2", 3), ("R3", 4), ("R5", 5), ("R6", 6), ("R7", 1)];
+        assert_eq!(found(&map, &curves), expected);
+        assert_eq!(found(&map, &[]), [("R1", 0), ("R2", 3), ("R5", 5)], "nothing tells chaos from chaos");
     }
 
     #[test]
     fn other_planes_have_no_such_names() {
         let mut map = stripes();
         map.plane.parameters.r = 0.7;
-        assert_eq!(region_names(&map, PLOT), []);
+        assert_eq!(found(&map, &[]), []);
     }
 }
