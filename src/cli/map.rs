@@ -25,6 +25,7 @@ use super::{CliError, curve_list, curves, defaults, files, note};
 Examples:
   impact-atlas map
   impact-atlas map --x omega=2.4:3.8:400 --y r=0.5:0.95:300 --set delta=0.1 --out r.png
+  impact-atlas map --curves --curves-out curves.csv
   impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --out basins.png")]
 pub struct MapArgs {
     #[command(flatten)]
@@ -73,6 +74,15 @@ enum Which {
     All,
 }
 
+impl Which {
+    fn shown(self) -> Shown {
+        match self {
+            Which::Bounding => Shown::Bounding,
+            Which::All => Shown::All,
+        }
+    }
+}
+
 /// What is printed.
 #[derive(Debug, Serialize)]
 struct Summary<'a> {
@@ -106,26 +116,22 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let began = Instant::now();
     let map = sweep(&plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
     let seconds = began.elapsed().as_secs_f64();
-    let (map, drawn) = match args.curves {
-        None => {
-            let drawn = region_map(&map, args.size);
-            (map, drawn)
-        }
+    let (map, curves) = match args.curves {
+        None => (map, None),
         Some(which) => {
             let (map, curves) = curves::of_map(map, args.curves_max_period)?;
-            let shown = match which {
-                Which::Bounding => Shown::Bounding,
-                Which::All => Shown::All,
-            };
-            let drawn = region_map_with_curves(&map, &curves, shown, args.size);
-            if let Some(table) = &table {
-                curve_list::write_csv(table, &curves, &plane)?;
-                note(&format!("written: {}", table.path().display()));
-            }
-            (map, drawn)
+            (map, Some((curves, which)))
         }
     };
+    let drawn = match &curves {
+        None => region_map(&map, args.size),
+        Some((curves, which)) => region_map_with_curves(&map, curves, which.shown(), args.size),
+    };
     files::write_map(&map, &drawn, &data, &picture)?;
+    if let (Some(table), Some((curves, _))) = (&table, &curves) {
+        curve_list::write_csv(table, curves, &plane)?;
+        note(&format!("written: {}", table.path().display()));
+    }
     note(&format!("written: {} and {}", picture.path().display(), data.path().display()));
     let summary = Summary::new(&map, seconds);
     if args.json { print_json(&summary) } else { print(&summary.text()) }
