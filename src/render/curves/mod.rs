@@ -8,7 +8,7 @@ mod style;
 
 pub(super) use self::key::Key;
 
-use self::geometry::{about, length, overlap, within};
+use self::geometry::{about, crosses, length, overlap, within};
 use self::labels::Wanted;
 use self::style::{CASING, Line};
 use super::canvas::{Anchor, Canvas, Point, Rect};
@@ -113,8 +113,9 @@ impl<'a> Overlay<'a> {
         }
         let mut taken: Vec<Rect> =
             special.iter().map(|&at| about(at, 2.4 * key::MARK * em, 2.4 * key::MARK * em)).collect();
-        self.draw_region_names(canvas, plot, em, &mut taken);
-        draw_curve_names(canvas, plot, em, &pieces, taken);
+        let lines: Vec<&[Point]> = pieces.iter().map(|piece| &*piece.line).collect();
+        self.draw_region_names(canvas, plot, em, &lines, &mut taken);
+        draw_curve_names(canvas, plot, em, &pieces, &lines, taken);
     }
 
     /// The parts to be drawn; each reaches to the beginning of the next, so that no line is broken.
@@ -141,23 +142,48 @@ impl<'a> Overlay<'a> {
         pieces
     }
 
-    fn draw_region_names(&self, canvas: &mut Canvas, plot: Rect, em: f64, taken: &mut Vec<Rect>) {
+    fn draw_region_names(
+        &self,
+        canvas: &mut Canvas,
+        plot: Rect,
+        em: f64,
+        lines: &[&[Point]],
+        taken: &mut Vec<Rect>,
+    ) {
         for region in regions::region_names(self.map, self.curves, &self.names, plot) {
-            let size = (REGION_SIZE * em).min(region.clearance / REGION_CLEARANCE);
             let text = Text::from(region.name);
-            let rect = about(region.at, text.width(size) + 0.3 * size, labels::HEIGHT * size);
-            let free = within(rect, plot) && !taken.iter().any(|&other| overlap(rect, other));
-            if size < SMALLEST_REGION_SIZE * em || !free {
-                continue;
-            }
-            canvas.haloed_text(&text, region.at, Anchor::Middle, size, INK, (HALO * size, CASING));
+            let size = |clearance: f64| (REGION_SIZE * em).min(clearance / REGION_CLEARANCE);
+            let boxed = |place: &regions::Place| {
+                let size = size(place.clearance);
+                let rect = about(place.at, text.width(size) + 0.3 * size, labels::HEIGHT * size);
+                (place.at, size, rect)
+            };
+            let candidates = || {
+                let large =
+                    region.places.iter().take_while(|at| size(at.clearance) >= SMALLEST_REGION_SIZE * em);
+                let free = |rect| within(rect, plot) && !taken.iter().any(|&other| overlap(rect, other));
+                large.map(boxed).filter(move |&(_, _, rect)| free(rect))
+            };
+            let off_all_lines =
+                |rect| lines.iter().all(|line| line.windows(2).all(|l| !crosses(rect, l[0], l[1])));
+            // A narrow region has its name over its borders.
+            let found =
+                candidates().find(|&(_, _, rect)| off_all_lines(rect)).or_else(|| candidates().next());
+            let Some((at, size, rect)) = found else { continue };
+            canvas.haloed_text(&text, at, Anchor::Middle, size, INK, (HALO * size, CASING));
             taken.push(rect);
         }
     }
 }
 
-fn draw_curve_names(canvas: &mut Canvas, plot: Rect, em: f64, pieces: &[Piece], mut taken: Vec<Rect>) {
-    let lines: Vec<&[Point]> = pieces.iter().map(|piece| &*piece.line).collect();
+fn draw_curve_names(
+    canvas: &mut Canvas,
+    plot: Rect,
+    em: f64,
+    pieces: &[Piece],
+    lines: &[&[Point]],
+    mut taken: Vec<Rect>,
+) {
     // The paper's names first, then the longest.
     let mut order: Vec<&Piece> = pieces.iter().collect();
     order.sort_by_key(|piece| piece.name.is_none());
@@ -176,7 +202,7 @@ fn draw_curve_names(canvas: &mut Canvas, plot: Rect, em: f64, pieces: &[Piece], 
             ),
         };
         let wanted = Wanted { line: &piece.line, width: text.width(size), size };
-        let space = labels::Plot { rect: plot, lines: &lines, taken: &taken };
+        let space = labels::Plot { rect: plot, lines, taken: &taken };
         // Only a name that the paper gives, and only at the longest of its curves, is worth a leader.
         let led = || piece.name.filter(|name| !name.ends_with('\'')).and_then(|_| space.led(&wanted));
         let Some(place) = space.beside(&wanted).or_else(led) else { continue };

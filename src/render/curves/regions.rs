@@ -8,12 +8,24 @@ use crate::render::canvas::{Point, Rect};
 /// A cell so near to a curve, in cells, lies along it.
 const NEAR: i64 = 2;
 
-/// A name, the middle of the widest place of its region, and how far the border is from there, in pixels.
+/// Smaller windows in a region do not keep a name from standing there; as a share of the plane.
+const SPECK: f64 = 1e-3;
+
+const NAMES: [&str; 7] = ["R1", "R2", "R3", "R4", "R5", "R6", "R7"];
+
+/// Where in a region its name may stand.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    pub at: Point,
+    /// How far the border of the region is, in pixels.
+    pub clearance: f64,
+}
+
+/// A region's name and the places where it may stand, the widest first.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct RegionName {
     pub name: &'static str,
-    pub at: Point,
-    pub clearance: f64,
+    pub places: Vec<Place>,
 }
 
 /// The paper's region names, on the paper's plane.
@@ -33,9 +45,11 @@ pub(super) fn region_names(
     let open: Vec<bool> = map.verdicts.iter().map(is_open).collect();
     let mut names: Vec<Option<&'static str>> = map.verdicts.iter().map(known).collect();
     name_the_rest(&mut names, &open, &lying_along(map, curves, stretches, grid), grid);
-    ["R1", "R2", "R3", "R4", "R5", "R6", "R7"]
+    adopt_specks(&mut names, grid);
+    NAMES
         .into_iter()
-        .filter_map(|name| widest(name, &names, grid, plot))
+        .map(|name| RegionName { name, places: places(name, &names, grid, plot) })
+        .filter(|region| !region.places.is_empty())
         .collect()
 }
 
@@ -99,6 +113,31 @@ impl Grid {
         .into_iter()
         .flatten()
     }
+
+    /// The connected regions of some cells.
+    fn regions(self, cells: &[bool]) -> Vec<Vec<usize>> {
+        let mut seen = vec![false; cells.len()];
+        let mut found = Vec::new();
+        for start in 0..cells.len() {
+            if !cells[start] || seen[start] {
+                continue;
+            }
+            let mut region = Vec::new();
+            let mut ahead = vec![start];
+            seen[start] = true;
+            while let Some(cell) = ahead.pop() {
+                region.push(cell);
+                for next in self.neighbours(cell) {
+                    if cells[next] && !seen[next] {
+                        seen[next] = true;
+                        ahead.push(next);
+                    }
+                }
+            }
+            found.push(region);
+        }
+        found
+    }
 }
 
 fn name_the_rest(
@@ -107,23 +146,7 @@ fn name_the_rest(
     near: &[Option<&'static str>],
     grid: Grid,
 ) {
-    let mut seen = vec![false; names.len()];
-    for start in 0..names.len() {
-        if !open[start] || seen[start] {
-            continue;
-        }
-        let mut region = Vec::new();
-        let mut ahead = vec![start];
-        seen[start] = true;
-        while let Some(cell) = ahead.pop() {
-            region.push(cell);
-            for next in grid.neighbours(cell) {
-                if open[next] && !seen[next] {
-                    seen[next] = true;
-                    ahead.push(next);
-                }
-            }
-        }
+    for region in grid.regions(open) {
         let count = |name| region.iter().filter(|&&cell| near[cell] == Some(name)).count();
         let most = ["R7", "R6", "R3"].into_iter().max_by_key(|&name| count(name));
         let most = most.filter(|&name| count(name) > 0);
@@ -131,19 +154,38 @@ fn name_the_rest(
     }
 }
 
-/// The middle of the largest ellipse, round in pixels, that fits into the cells of a name.
-fn widest(name: &'static str, names: &[Option<&str>], grid: Grid, plot: Rect) -> Option<RegionName> {
+/// Specks without a name take that of most cells around them.
+fn adopt_specks(names: &mut [Option<&'static str>], grid: Grid) {
+    let nameless: Vec<bool> = names.iter().map(Option::is_none).collect();
+    for region in grid.regions(&nameless) {
+        if region.len() as f64 > SPECK * names.len() as f64 {
+            continue;
+        }
+        let mut around: Vec<&str> =
+            region.iter().flat_map(|&cell| grid.neighbours(cell)).filter_map(|cell| names[cell]).collect();
+        around.sort_unstable();
+        let most = around.chunk_by(|a, b| a == b).max_by_key(|alike| alike.len()).map(|alike| alike[0]);
+        let most = NAMES.into_iter().find(|&name| Some(name) == most);
+        region.iter().for_each(|&cell| names[cell] = most);
+    }
+}
+
+/// The middles of a name's cells, those farthest from its borders first.
+fn places(name: &'static str, names: &[Option<&str>], grid: Grid, plot: Rect) -> Vec<Place> {
     let cell = [plot.width / grid.columns as f64, plot.height / grid.rows as f64];
     let inside: Vec<bool> = names.iter().map(|&other| other == Some(name)).collect();
-    let distances = distances(&inside, grid, cell);
-    let (best, &clearance) =
-        distances.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))?;
-    let (column, row) = (best % grid.columns, best / grid.columns);
-    let at = Point {
-        x: plot.x + (column as f64 + 0.5) * cell[0],
-        y: plot.bottom() - (row as f64 + 0.5) * cell[1],
+    let place = |(i, clearance): (usize, f64)| {
+        let (column, row) = (i % grid.columns, i / grid.columns);
+        let at = Point {
+            x: plot.x + (column as f64 + 0.5) * cell[0],
+            y: plot.bottom() - (row as f64 + 0.5) * cell[1],
+        };
+        Place { at, clearance }
     };
-    (clearance > 0.0).then_some(RegionName { name, at, clearance })
+    let distances = distances(&inside, grid, cell).into_iter().enumerate();
+    let mut places: Vec<Place> = distances.filter(|(i, _)| inside[*i]).map(place).collect();
+    places.sort_by(|a, b| b.clearance.total_cmp(&a.clearance));
+    places
 }
 
 /// How far each cell is from the next one outside, in pixels; beyond the plane is outside (two sweeps of a chamfer).
@@ -211,8 +253,10 @@ mod tests {
     /// The names and the stripes that they stand in.
     fn found(map: &RegionMap, curves: &[Curve]) -> Vec<(&'static str, usize)> {
         let names = region_names(map, curves, &named(curves, &map.plane), PLOT);
-        assert!(names.iter().all(|name| (name.clearance - 12.5).abs() < 2.0), "{names:?}");
-        names.iter().map(|name| (name.name, (name.at.x / 25.0) as usize)).collect()
+        assert!(names.iter().all(|name| name.places.is_sorted_by(|a, b| a.clearance >= b.clearance)));
+        let widest: Vec<(&str, Place)> = names.iter().map(|name| (name.name, name.places[0])).collect();
+        assert!(widest.iter().all(|(_, place)| (place.clearance - 12.5).abs() < 2.0), "{widest:?}");
+        widest.into_iter().map(|(name, place)| (name, (place.at.x / 25.0) as usize)).collect()
     }
 
     #[test]
@@ -226,6 +270,19 @@ mod tests {
         let expected = [("R1", 0), ("R2", 3), ("R3", 4), ("R5", 5), ("R6", 6), ("R7", 1)];
         assert_eq!(found(&map, &curves), expected);
         assert_eq!(found(&map, &[]), [("R1", 0), ("R2", 3), ("R5", 5)], "nothing tells chaos from chaos");
+    }
+
+    #[test]
+    fn specks_do_not_narrow_a_region() {
+        let mut map = stripes();
+        let window = example::verdict(Regime::Periodic, [3, 7, 7], true);
+        map.verdicts[20 * 160 + 70] = window;
+        assert!(found(&map, &[]).contains(&("R2", 3)));
+        for row in 0..40 {
+            map.verdicts[row * 160 + 70] = window;
+        }
+        let wall = region_names(&map, &[], &[], PLOT);
+        assert!(wall.iter().any(|name| name.name == "R2" && name.places[0].clearance < 8.0));
     }
 
     #[test]
