@@ -5,6 +5,8 @@
 mod adapters;
 mod bifurcation;
 mod classify;
+mod curve_list;
+mod curves;
 mod defaults;
 mod error;
 mod files;
@@ -51,6 +53,7 @@ enum Command {
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Bifurcation(bifurcation::BifurcationArgs),
+    Curves(curves::CurvesArgs),
     Symmetric(symmetric::SymmetricArgs),
     Motion(motion::MotionArgs),
     Lyapunov(lyapunov::LyapunovArgs),
@@ -68,6 +71,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Orbit(args) => orbit::run(args),
         Command::Bifurcation(args) => bifurcation::run(args),
         Command::Reproduce(args) => reproduce::run(args),
+        Command::Curves(args) => curves::run(args),
         Command::Symmetric(args) => symmetric::run(args),
         Command::Motion(args) => motion::run(args),
         Command::Lyapunov(args) => lyapunov::run(args),

@@ -7,6 +7,7 @@
 
 mod canvas;
 mod colours;
+mod curves;
 mod diagram;
 #[cfg(test)]
 mod example;
@@ -28,6 +29,7 @@ mod ticks;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
+pub use curves::Shown;
 pub use diagram::diagram_figure;
 pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, StripLabel, TooSmall};
 pub use frame::{AxisTitle, Frame};
@@ -36,7 +38,7 @@ pub use motion::Motion;
 pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};
 pub use paint::Paint;
 pub use picture::Picture;
-pub use regions::region_map;
+pub use regions::{region_map, region_map_with_curves};
 pub use scale::Scale;
 pub use size::{Size, SizeError};
 pub use text::Text;

@@ -9,7 +9,7 @@ use crate::backend::{Cpu, Watch};
 use crate::curves::{Criticality, Curve, Kind, bifurcation_curves};
 use crate::model::Parameters;
 use crate::plane::{Plane, RegionMap, Start};
-use crate::render::{Size, region_map};
+use crate::render::{Shown, Size, region_map_with_curves};
 use crate::sweep::sweep;
 
 /// The parameter plane.
@@ -34,7 +34,8 @@ impl PaperFigure for Figure5 {
     }
 
     fn caption(&self) -> &'static str {
-        "What the motion settles on in the (ω, δ) plane, started on the 1-1-1 motion where that exists."
+        "What the motion settles on in the (ω, δ) plane, started on the 1-1-1 motion where that exists, with the curves on which \
+         motions lose their stability."
     }
 
     fn config(&self) -> Value {
@@ -44,10 +45,10 @@ impl PaperFigure for Figure5 {
     fn produce(&self, watch: &dyn Watch) -> Result<Produced, ReproduceError> {
         let map = sweep(&plane(), &Cpu, watch)?;
         let size = Size::new(1600, 1200).expect("a size");
-        let picture = region_map(&map, size);
+        let curves = bifurcation_curves(&map, CURVES).expect("both axes are ranges of parameters");
+        let picture = region_map_with_curves(&map, &curves, Shown::Bounding, size);
         let mut claims = regions(&map);
         claims.extend(mirrored());
-        let curves = bifurcation_curves(&map, CURVES).expect("both axes are ranges of parameters");
         claims.extend(lines(&curves));
         Ok(Produced { pictures: vec![("", picture)], claims })
     }
@@ -135,12 +136,8 @@ fn lines(curves: &[Curve]) -> Vec<Claim> {
         line("L2", "subcritical Neimark–Sacker of 1-1-1 symmetric", ns, "1-1-1", true, sub),
         line("L3", "pitchfork of 1-1-1 symmetric", Kind::Pitchfork, "1-1-1", true, None),
         line("L4", "Neimark–Sacker of 1-1-1 unsymmetric", ns, "1-1-1", false, None),
-        Claim::unchecked(
-            5,
-            "curve L5",
-            "1-2-2 symmetric appears out of chaos",
-            "not named as a bifurcation of one kind; region R4 is checked above",
-        ),
+        line("L5", "1-2-2 symmetric appears out of chaos", Kind::Fold, "1-2-2", true, None)
+            .noted("taken for the fold in which 1-2-2 symmetric begins"),
         line("L6", "pitchfork of 1-2-2 symmetric", Kind::Pitchfork, "1-2-2", true, None),
         line("L7", "period doubling of 1-2-2 unsymmetric", Kind::PeriodDoubling, "1-2-2", false, None),
     ]
