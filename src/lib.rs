@@ -17,9 +17,11 @@
 //! | [`theory`] | exact periodic motions, multipliers, normal forms, Lyapunov spectra |
 //! | [`plane`] | axes, starts, planes, region maps |
 //! | [`curves`] | bifurcation curves of a plane, by continuation |
+//! | [`diagram`] | bifurcation diagrams: axis, sweep, section; branches and where they coexist |
 //! | [`backend`] | one trait; the CPU in f64 on every core, the GPU in f32; only its folder `gpu` names wgpu |
 //! | [`store`], [`render`] | files and pictures; they know planes, never back ends |
-//! | [`sweep`], [`validate`] | a plane on a back end, tile by tile; two back ends against each other |
+//! | [`sweep`], [`validate`] | a plane or a diagram on a back end; two back ends against each other |
+//! | [`reproduce`] | the figures of the paper and what it prints, computed again |
 //!
 //! The command line is the binary's. `shaders/` has the file names of `src/`; the constants that the two share are
 //! generated from Rust when the shader is assembled.
@@ -102,10 +104,12 @@
 pub mod analysis;
 pub mod backend;
 pub mod curves;
+pub mod diagram;
 pub mod dynamics;
 pub mod model;
 pub mod plane;
 pub mod render;
+pub mod reproduce;
 pub mod store;
 pub mod sweep;
 pub mod theory;

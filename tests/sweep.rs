@@ -1,6 +1,6 @@
 //! Whole planes, cut up in different ways.
 
-use impact_atlas::analysis::{Schedule, Verdict};
+use impact_atlas::analysis::{Probe, Schedule, Trace, Verdict};
 use impact_atlas::backend::{Backend, BackendError, Cpu, Gpu, Job, Unwatched, Watch};
 use impact_atlas::model::Parameters;
 use impact_atlas::plane::{Plane, Start};
@@ -30,6 +30,17 @@ impl Backend for Tiled<'_> {
         watch: &dyn Watch,
     ) -> Result<Vec<Verdict>, BackendError> {
         self.1.run(jobs, schedule, watch)
+    }
+
+    fn trace(
+        &self,
+        jobs: &[Job],
+        schedule: &Schedule,
+        probe: Probe,
+        capacity: u32,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Trace>, BackendError> {
+        self.1.trace(jobs, schedule, probe, capacity, watch)
     }
 }
 

@@ -6,6 +6,7 @@ use super::recurrence::Recurrence;
 use super::regime::{Regime, Verdict};
 use super::schedule::Schedule;
 use super::spread::Spread;
+use crate::dynamics::constants::MOST_MOVES;
 use crate::dynamics::{Contact, Event, Move, Stop, Tangent, Trajectory, Variation};
 use crate::model::{Flight, Real};
 
@@ -24,8 +25,6 @@ pub const NEUTRAL_GROWTH: f64 = 3.0;
 pub const CHAOTIC_GROWTH: f64 = 5.0;
 /// Standard errors by which a positive exponent must exceed zero.
 pub const SIGNIFICANCE: f64 = 3.0;
-/// Moves in one forcing period beyond which a trajectory is given up.
-pub const MOST_MOVES: u32 = 1 << 24;
 
 /// Where in its schedule a trajectory is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,13 +104,26 @@ impl<T: Real> Observer<T> {
     /// Follows the trajectory to its end.
     #[inline(always)]
     pub fn follow(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+        self.follow_listening(flight, schedule, &mut |_: &Trajectory<T>, _: &Event<T>| ());
+    }
+
+    /// Follows the trajectory to its end; `listen` is told of every event of the observation, with the trajectory
+    /// just after it.
+    #[inline(always)]
+    pub fn follow_listening(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &Schedule,
+        listen: &mut impl FnMut(&Trajectory<T>, &Event<T>),
+    ) {
         loop {
             match self.stage {
-                Stage::Transient => self.follow_to_phase(flight, schedule, (), |_, ()| ()),
+                Stage::Transient => {
+                    self.follow_to_phase(flight, schedule, (), |_, ()| (), &mut |_, _| ());
+                }
                 Stage::Observation => {
-                    self.follow_to_phase(flight, schedule, self.tangent, |observer, tangent| {
-                        observer.tangent = tangent;
-                    });
+                    let keep = |observer: &mut Self, tangent| observer.tangent = tangent;
+                    self.follow_to_phase(flight, schedule, self.tangent, keep, listen);
                 }
                 Stage::Observed | Stage::Quiet | Stage::Failed => return,
             }
@@ -127,6 +139,7 @@ impl<T: Real> Observer<T> {
         schedule: &Schedule,
         mut variation: V,
         keep: impl Fn(&mut Self, V),
+        listen: &mut impl FnMut(&Trajectory<T>, &Event<T>),
     ) {
         let mut trajectory = self.trajectory;
         loop {
@@ -136,6 +149,7 @@ impl<T: Real> Observer<T> {
                 self.trajectory = trajectory;
                 keep(self, variation);
             }
+            listen(&trajectory, &taken.event);
             self.note(flight, schedule, &taken);
             if at_phase || self.stage == Stage::Failed {
                 return;

@@ -5,7 +5,7 @@ mod decide;
 mod gpu;
 mod select;
 
-pub use cpu::{Cpu, follow};
+pub use cpu::{Cpu, follow, trace};
 pub use decide::{SECOND_LOOK, decide};
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use select::{Choice, open};
@@ -14,7 +14,7 @@ use std::fmt::Debug;
 
 use thiserror::Error;
 
-use crate::analysis::{Schedule, Verdict};
+use crate::analysis::{Probe, Schedule, Trace, Verdict};
 use crate::model::System;
 
 /// One trajectory to follow: a system and its start at forcing phase 0.
@@ -65,6 +65,20 @@ pub trait Backend: Debug + Sync {
     /// [`BackendError::Cancelled`] when the watch asked for it, otherwise what the machine could not do.
     fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch)
     -> Result<Vec<Verdict>, BackendError>;
+
+    /// Follows every job and reads a section while it is observed: at most the first `capacity` passages of each, in
+    /// order.
+    ///
+    /// # Errors
+    /// Those of [`Backend::run`].
+    fn trace(
+        &self,
+        jobs: &[Job],
+        schedule: &Schedule,
+        probe: Probe,
+        capacity: u32,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Trace>, BackendError>;
 }
 
 /// Why a back end gave no verdicts.

@@ -49,3 +49,27 @@ pub const CURVES_MAX_PERIOD: u32 = 2;
 
 /// The picture's size in pixels.
 pub const PICTURE_SIZE: &str = "1600x1200";
+
+/// Points of an orbit in each forcing period where it is drawn.
+pub const DRAWN_SAMPLES: u32 = 400;
+
+/// Forcing periods that a section shows.
+pub const SECTION_PERIODS: u32 = 2000;
+
+/// The width of a figure of one plot, in pixels.
+pub const NARROW_FIGURE: u32 = 1000;
+
+/// The width of a figure of several plots or a diagram, in pixels.
+pub const WIDE_FIGURE: u32 = 2000;
+
+/// The picture of a bifurcation diagram.
+pub const DIAGRAM: &str = "bifurcation.png";
+
+/// Forcing periods for which a column of a diagram is observed.
+pub const DIAGRAM_OBSERVE: u32 = 300;
+
+/// Points that are kept of a column for every period observed.
+pub const POINTS_PER_PERIOD: u32 = 16;
+
+/// The folder of the paper's figures.
+pub const REPRODUCTION: &str = "reproduction";

@@ -1,9 +1,8 @@
 //! `impact-atlas map`: a plane, computed, stored and drawn.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::anyhow;
 use clap::{Args, ValueEnum, value_parser};
 use impact_atlas::analysis::Schedule;
 use impact_atlas::plane::RegionMap;
@@ -15,7 +14,7 @@ use super::options::{BackendArgs, PlaneArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::parse_size;
-use super::{CliError, curve_list, curves, defaults, files, note};
+use super::{CliError, curve_list, curves, defaults, files, note, pictures};
 
 /// Computes what every cell of a parameter plane settles on, as a picture and as data
 ///
@@ -34,8 +33,8 @@ pub struct MapArgs {
     #[command(flatten)]
     backend: BackendArgs,
 
-    /// The picture, a PNG file
-    #[arg(long, value_name = "FILE.png", default_value = defaults::PICTURE)]
+    /// The picture, a PNG or SVG file
+    #[arg(long, value_name = "FILE", default_value = defaults::PICTURE)]
     out: PathBuf,
 
     /// The data, an npz file [default: beside the picture, with its name]
@@ -103,12 +102,12 @@ fn in_order<S: Serializer>(regimes: &[(&str, u64); 8], serializer: S) -> Result<
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let plane = args.plane.plane()?;
-    let png = picture_path(&args.out)?;
-    let npz = args.data.clone().unwrap_or_else(|| png.with_extension("npz"));
+    pictures::format_of(&args.out)?;
+    let npz = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
     if args.curves.is_some() {
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }
-    let paths = [Some(png), Some(npz.as_path()), args.curves_out.as_deref()];
+    let paths = [Some(args.out.as_path()), Some(npz.as_path()), args.curves_out.as_deref()];
     let [Some(picture), Some(data), table] = files::prepare(paths)? else {
         unreachable!("two paths give two outputs")
     };
@@ -135,17 +134,6 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     note(&format!("written: {} and {}", picture.path().display(), data.path().display()));
     let summary = Summary::new(&map, seconds);
     if args.json { print_json(&summary) } else { print(&summary.text()) }
-}
-
-/// A picture named otherwise would be a PNG all the same, and be taken for something else.
-fn picture_path(path: &Path) -> Result<&Path, CliError> {
-    match path.extension() {
-        Some(extension) if !extension.eq_ignore_ascii_case("png") => Err(CliError::Input(anyhow!(
-            "cannot draw `{}`: pictures are PNG files, name it with .png",
-            path.display()
-        ))),
-        _ => Ok(path),
-    }
 }
 
 impl<'a> Summary<'a> {

@@ -3,6 +3,7 @@
 //! Results go to standard output, everything else to standard error.
 
 mod adapters;
+mod bifurcation;
 mod classify;
 mod curve_list;
 mod curves;
@@ -17,8 +18,10 @@ mod multipliers;
 mod options;
 mod orbit;
 mod panics;
+mod pictures;
 mod progress;
 mod report;
+mod reproduce;
 mod symmetric;
 mod terminal;
 mod validate;
@@ -50,9 +53,11 @@ enum Command {
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Curves(curves::CurvesArgs),
+    Bifurcation(bifurcation::BifurcationArgs),
     Symmetric(symmetric::SymmetricArgs),
     Motion(motion::MotionArgs),
     Lyapunov(lyapunov::LyapunovArgs),
+    Reproduce(reproduce::ReproduceArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
 }
@@ -65,6 +70,8 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
         Command::Curves(args) => curves::run(args),
+        Command::Bifurcation(args) => bifurcation::run(args),
+        Command::Reproduce(args) => reproduce::run(args),
         Command::Symmetric(args) => symmetric::run(args),
         Command::Motion(args) => motion::run(args),
         Command::Lyapunov(args) => lyapunov::run(args),

@@ -8,12 +8,15 @@
 mod canvas;
 mod colours;
 mod curves;
+mod diagram;
 #[cfg(test)]
 mod example;
+mod figure;
 mod font;
 mod frame;
 mod legend;
 mod motion;
+mod orbit;
 mod paint;
 mod picture;
 mod png;
@@ -27,9 +30,12 @@ mod ticks;
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
 pub use curves::Shown;
+pub use diagram::diagram_figure;
+pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, StripLabel, TooSmall};
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
 pub use motion::Motion;
+pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};
 pub use paint::Paint;
 pub use picture::Picture;
 pub use regions::{region_map, region_map_with_curves};

@@ -10,7 +10,7 @@ mod shader;
 use std::fmt;
 
 use super::{Backend, BackendError, Job, Watch};
-use crate::analysis::{Schedule, Verdict};
+use crate::analysis::{Probe, Schedule, Trace, Verdict};
 
 pub use adapters::{AdapterReport, adapters};
 
@@ -82,5 +82,20 @@ impl Backend for Gpu {
             verdicts.extend(self.kernel.run(tile, schedule, watch)?);
         }
         Ok(verdicts)
+    }
+
+    fn trace(
+        &self,
+        jobs: &[Job],
+        schedule: &Schedule,
+        probe: Probe,
+        capacity: u32,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Trace>, BackendError> {
+        let mut traces = Vec::with_capacity(jobs.len());
+        for tile in jobs.chunks(self.kernel.trace_tile(capacity)) {
+            traces.extend(self.kernel.trace(tile, schedule, probe, capacity, watch)?);
+        }
+        Ok(traces)
     }
 }

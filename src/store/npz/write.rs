@@ -6,7 +6,6 @@ use npyz::{AutoSerialize, DType, WriteOptions, WriterBuilder};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-use crate::analysis::Verdict;
 use crate::plane::RegionMap;
 
 /// Writes a map as a NumPy archive; `numpy.load` reads it, without pickles.
@@ -20,48 +19,44 @@ pub fn write_map(map: &RegionMap, to: impl Write + Seek) -> io::Result<()> {
 /// Writes the arrays of `map` with the given configuration text.
 pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + Seek) -> io::Result<()> {
     let plane = &map.plane;
-    let mut archive = Archive {
-        zip: ZipWriter::new(to),
-        cells: [u64::from(plane.y.count), u64::from(plane.x.count)],
-        verdicts: &map.verdicts,
-    };
-    archive.field("regime", |v| v.regime.code())?;
-    archive.field("n", |v| v.n)?;
-    archive.field("p", |v| v.p)?;
-    archive.field("q", |v| v.q)?;
-    archive.field("symmetric", |v| u8::from(v.symmetric))?;
-    archive.field("lyapunov", |v| v.lyapunov)?;
-    archive.states()?;
-    archive.field("impacts", |v| v.impacts)?;
-    archive.field("peak_impact_velocity", |v| v.peak_impact_velocity)?;
-    archive.field("periods", |v| v.periods)?;
+    let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
+    let verdicts = || map.verdicts.iter();
+    let mut archive = Archive::new(to);
+    archive.array("regime", &cells, verdicts().map(|v| v.regime.code()))?;
+    archive.array("n", &cells, verdicts().map(|v| v.n))?;
+    archive.array("p", &cells, verdicts().map(|v| v.p))?;
+    archive.array("q", &cells, verdicts().map(|v| v.q))?;
+    archive.array("symmetric", &cells, verdicts().map(|v| u8::from(v.symmetric)))?;
+    archive.array("lyapunov", &cells, verdicts().map(|v| v.lyapunov))?;
+    archive.array("state", &[cells[0], cells[1], 4], verdicts().flat_map(|v| v.state))?;
+    archive.array("impacts", &cells, verdicts().map(|v| v.impacts))?;
+    archive.array("peak_impact_velocity", &cells, verdicts().map(|v| v.peak_impact_velocity))?;
+    archive.array("periods", &cells, verdicts().map(|v| v.periods))?;
     archive.array("x", &[plane.x.count.into()], plane.x.values())?;
     archive.array("y", &[plane.y.count.into()], plane.y.values())?;
     archive.text("config", config)?;
-    archive.zip.finish()?;
-    Ok(())
+    archive.finish()
 }
 
 /// An archive under way.
-struct Archive<'a, W: Write + Seek> {
+pub(super) struct Archive<W: Write + Seek> {
     zip: ZipWriter<W>,
-    cells: [u64; 2],
-    verdicts: &'a [Verdict],
 }
 
-impl<W: Write + Seek> Archive<'_, W> {
-    /// One value per cell.
-    fn field<T: AutoSerialize>(&mut self, name: &str, of: impl Fn(&Verdict) -> T) -> io::Result<()> {
-        self.array(name, &self.cells.clone(), self.verdicts.iter().map(of))
+impl<W: Write + Seek> Archive<W> {
+    /// An empty archive.
+    pub fn new(to: W) -> Self {
+        Archive { zip: ZipWriter::new(to) }
     }
 
-    /// The four components of every cell's state.
-    fn states(&mut self) -> io::Result<()> {
-        let [rows, columns] = self.cells;
-        self.array("state", &[rows, columns, 4], self.verdicts.iter().flat_map(|v| v.state))
+    /// Completes the archive.
+    pub fn finish(self) -> io::Result<()> {
+        self.zip.finish()?;
+        Ok(())
     }
 
-    fn array<T: AutoSerialize>(
+    /// One array, row by row.
+    pub fn array<T: AutoSerialize>(
         &mut self,
         name: &str,
         shape: &[u64],
@@ -76,7 +71,7 @@ impl<W: Write + Seek> Archive<'_, W> {
     }
 
     /// A single text, which NumPy shows as an array without dimensions.
-    fn text(&mut self, name: &str, text: &str) -> io::Result<()> {
+    pub fn text(&mut self, name: &str, text: &str) -> io::Result<()> {
         let kind = format!("<U{}", text.chars().count()).parse().expect("a length in characters is a type");
         self.entry(name)?;
         let mut array = WriteOptions::<str>::new()
