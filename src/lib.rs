@@ -75,6 +75,7 @@
 
 pub mod analysis;
 pub mod backend;
+pub mod control;
 pub mod dynamics;
 pub mod model;
 pub mod plane;

@@ -9,10 +9,12 @@ mod schedule;
 mod spread;
 mod symmetric;
 
+pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
 pub use regime::{INFINITELY_MANY, Regime, Verdict};
 pub use schedule::{Schedule, ScheduleError};
-pub use symmetric::{SymmetricMotion, symmetric_motions, symmetric_start};
+pub(crate) use spread::Spread;
+pub use symmetric::{SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {

@@ -78,13 +78,22 @@ pub fn symmetric_motions(system: &System) -> Vec<SymmetricMotion> {
 ///
 /// Of two physical solutions the one with the smaller multipliers is taken.
 pub fn symmetric_start(system: &System) -> Option<[f64; 4]> {
+    let [x1, x2, v1, v2] = stable_branch(system)?.at_phase_zero?;
+    Some([x1, x2 + NUDGE, v1, v2])
+}
+
+/// The fixed point (v1+, x2, v2, τ) of the same motion on σ, where it exists and is physical.
+pub fn symmetric_target(system: &System) -> Option<[f64; 4]> {
+    stable_branch(system).map(|motion| motion.section)
+}
+
+fn stable_branch(system: &System) -> Option<SymmetricMotion> {
     let mut physical = symmetric_motions(system);
     physical.retain(|motion| motion.at_phase_zero.is_some());
     if physical.len() > 1 {
         physical.sort_by(|a, b| a.spectral_radius(system).total_cmp(&b.spectral_radius(system)));
     }
-    let [x1, x2, v1, v2] = physical.first()?.at_phase_zero?;
-    Some([x1, x2 + NUDGE, v1, v2])
+    physical.first().copied()
 }
 
 /// Flight over half a forcing period.
