@@ -82,4 +82,5 @@ pub mod plane;
 pub mod render;
 pub mod store;
 pub mod sweep;
+pub mod theory;
 pub mod validate;

@@ -1,4 +1,4 @@
-//! What a trajectory is: regimes and labels, settling, Lyapunov exponents, the analytic 1-1-1 motion.
+//! What a trajectory is: regimes and labels, settling, Lyapunov exponents.
 
 mod exponent;
 mod observer;
@@ -7,14 +7,12 @@ mod recurrence;
 mod regime;
 mod schedule;
 mod spread;
-mod symmetric;
 
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
 pub use regime::{INFINITELY_MANY, Regime, Verdict};
 pub use schedule::{Schedule, ScheduleError};
 pub(crate) use spread::Spread;
-pub use symmetric::{SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {

@@ -2,10 +2,11 @@
 
 use anyhow::anyhow;
 use clap::{Args, ValueEnum};
-use impact_atlas::analysis::{Schedule, symmetric_start};
+use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::{Axis, Plane, Quantity, Start};
+use impact_atlas::theory::symmetric_start;
 
 use super::values::{Assignment, parse};
 use super::{CliError, defaults, note};

@@ -9,8 +9,8 @@ use super::method::Controller;
 use super::pulse::Pulse;
 use super::section::Section;
 use super::sine::{Convention, Sine};
-use crate::analysis::symmetric_target;
 use crate::model::{Parameter, ParameterError, Real, System, SystemError};
+use crate::theory::symmetric_target;
 
 /// A control method with its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,7 @@
 
 mod drive;
 mod flight;
-mod generator;
+pub(crate) mod generator;
 mod parameters;
 mod real;
 mod system;

@@ -6,8 +6,8 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::analysis::symmetric_start;
 use crate::model::System;
+use crate::theory::symmetric_start;
 
 /// How a trajectory begins, at forcing phase 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,10 +1,11 @@
 //! The points that the paper names, on the CPU path, in its single precision, and on an adapter.
 
-use impact_atlas::analysis::{Regime, Schedule, Verdict, symmetric_motions};
+use impact_atlas::analysis::{Regime, Schedule, Verdict};
 use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched, follow};
 use impact_atlas::dynamics::{Stop, record};
 use impact_atlas::model::System;
 use impact_atlas::plane::Start;
+use impact_atlas::theory::symmetric_motions;
 
 use crate::at;
 
@@ -111,10 +112,12 @@ fn the_printed_fixed_point_is_met() {
         assert!((ours - theirs).abs() < 1e-6, "{simulated:?}");
     }
     let solved = symmetric_motions(&system)
+        .expect("the motion exists")
         .into_iter()
-        .find(|motion| motion.at_phase_zero.is_some())
+        .find(|solution| solution.at_phase_zero.is_ok())
         .expect("the motion is physical")
-        .section;
+        .motion
+        .section();
     for (ours, exact) in simulated.iter().zip(solved) {
         assert!((ours - exact).abs() < 1e-10, "{simulated:?}, {solved:?}");
     }

@@ -1,0 +1,56 @@
+//! Free flight over any length of time, as a matrix.
+
+use nalgebra::{Matrix6, Vector4, Vector6};
+
+use crate::dynamics::Stop;
+use crate::model::{System, generator};
+
+/// A state just after an impact, on the section at its stop: (v1+, x2, v2, φ), where φ is the forcing phase, not
+/// reduced. Non-dimensional; on the section at A it is the paper's X = (x1'+, x2, x2', τ).
+pub type Section = Vector4<f64>;
+
+/// Where the components of a [`Section`] stand.
+pub(crate) const V1_PLUS: usize = 0;
+/// Displacement of the second mass.
+pub(crate) const X2: usize = 1;
+/// Velocity of the second mass.
+pub(crate) const V2: usize = 2;
+/// Forcing phase.
+pub(crate) const PHASE: usize = 3;
+
+/// The flow z' = G z of Eq. (2) between impacts, with the forcing phasor in z = (x1, x2, v1, v2, sin φ, cos φ).
+#[derive(Clone, Debug)]
+pub(crate) struct Flow {
+    /// G.
+    pub generator: Matrix6<f64>,
+    /// ω.
+    pub omega: f64,
+    /// δ.
+    pub delta: f64,
+    /// r.
+    pub r: f64,
+}
+
+impl Flow {
+    /// The flow of a system.
+    pub fn new(system: &System) -> Self {
+        let parameters = system.parameters();
+        Flow {
+            generator: generator::free(system),
+            omega: parameters.omega,
+            delta: parameters.delta,
+            r: parameters.r,
+        }
+    }
+
+    /// exp(G t).
+    pub fn over(&self, time: f64) -> Matrix6<f64> {
+        (self.generator * time).exp()
+    }
+
+    /// The whole state just after an impact.
+    pub fn lifted(&self, stop: Stop, section: &Section) -> Vector6<f64> {
+        let (sin, cos) = section[PHASE].sin_cos();
+        Vector6::new(stop.side::<f64>() * self.delta, section[X2], section[V1_PLUS], section[V2], sin, cos)
+    }
+}

@@ -1,0 +1,31 @@
+//! The theory on top of the map: exact periodic motions, their multipliers and how they lose stability, Lyapunov
+//! spectra.
+//!
+//! A periodic motion is a sequence of impacts whose times and states satisfy matching equations; free flight between
+//! them is an exact matrix. Newton's method solves them for stable and unstable motions alike, and the certified flight
+//! of the simulation then decides whether the system really moves like that. Everything is in f64.
+
+mod admissible;
+mod flow;
+mod impact_map;
+mod jet;
+mod matching;
+mod motion;
+mod multipliers;
+mod newton;
+mod normal_form;
+mod pattern;
+mod seeding;
+mod spectrum;
+mod symmetric;
+
+pub use admissible::Inadmissible;
+pub use flow::Section;
+pub use impact_map::{NoReturn, Return, impact_map};
+pub use matching::Node;
+pub use motion::{NoMotion, PeriodicMotion};
+pub use normal_form::{flip_coefficient, fold_coefficient, neimark_sacker_coefficient};
+pub use pattern::Pattern;
+pub use seeding::{Label, NotFound, Search, labelled_motion, settled_motion};
+pub use spectrum::{Spectrum, SpectrumFailed};
+pub use symmetric::{NoSymmetricMotion, SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target};

@@ -1,0 +1,32 @@
+//! Jacobians of whole motions, and their Floquet multipliers.
+
+use nalgebra::{Complex, Matrix4, Schur};
+
+use super::flow::{Flow, Section};
+use super::newton::arcs;
+use super::pattern::Pattern;
+
+/// The most sweeps of the eigenvalue iteration.
+const MOST_SWEEPS: usize = 10_000;
+
+/// The Jacobian of one turn around a motion on the section of its first impact: of one period, or of half of it
+/// followed by the mirror where the pattern is mirrored.
+///
+/// It is the product of the Jacobians of its impacts. None where an impact grazes, since the map has no derivative there.
+pub(super) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Option<Matrix4<f64>> {
+    let mut product = Matrix4::identity();
+    for arc in arcs(flow, pattern, sections) {
+        product = arc.jacobian()? * product;
+    }
+    // The closing factors are their own inverse.
+    let closed = Matrix4::from_diagonal(&pattern.closing_factors()) * product;
+    closed.iter().all(|value| value.is_finite()).then_some(closed)
+}
+
+/// The eigenvalues, largest modulus first; of a complex pair the one with the positive imaginary part first.
+pub(super) fn eigenvalues(matrix: &Matrix4<f64>) -> Option<[Complex<f64>; 4]> {
+    let schur = Schur::try_new(*matrix, f64::EPSILON, MOST_SWEEPS)?;
+    let mut values: [Complex<f64>; 4] = schur.complex_eigenvalues().into();
+    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
+    Some(values)
+}

@@ -1,0 +1,106 @@
+//! Newton's method on an impact sequence: every impact's time and state at once.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::flow::{Flow, PHASE, Section};
+use super::matching::{Arc, Node};
+use super::pattern::Pattern;
+
+/// The most Newton steps.
+const MOST_STEPS: usize = 60;
+/// A step is halved at most so often.
+const MOST_HALVINGS: usize = 12;
+/// The largest residual of a solution, for states of order one; non-dimensional.
+pub const SOLVED: f64 = 1e-11;
+
+/// The arcs of a motion, one after each impact.
+pub(super) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Vec<Arc> {
+    (0..sections.len())
+        .map(|i| {
+            let from = Node { stop: pattern.stops[i], section: sections[i] };
+            Arc::between(flow, &from, &next(pattern, sections, i))
+        })
+        .collect()
+}
+
+/// The impact that follows the `i`-th.
+pub(super) fn next(pattern: &Pattern, sections: &[Section], i: usize) -> Node {
+    match sections.get(i + 1) {
+        Some(&section) => Node { stop: pattern.stops[i + 1], section },
+        None => pattern.closing(&sections[0]),
+    }
+}
+
+/// The residuals of all arcs.
+pub(super) fn residual(arcs: &[Arc]) -> DVector<f64> {
+    DVector::from_iterator(
+        4 * arcs.len(),
+        arcs.iter().flat_map(|arc| arc.residual.iter().copied().collect::<Vec<_>>()),
+    )
+}
+
+/// Their derivatives with respect to all sections: square, 4K × 4K.
+pub(super) fn derivative(arcs: &[Arc], pattern: &Pattern) -> DMatrix<f64> {
+    let count = arcs.len();
+    let mut matrix = DMatrix::zeros(4 * count, 4 * count);
+    for (i, arc) in arcs.iter().enumerate() {
+        let mut own = matrix.fixed_view_mut::<4, 4>(4 * i, 4 * i);
+        own += arc.from;
+        let mut to = arc.to();
+        if i + 1 == count {
+            for (mut column, factor) in to.column_iter_mut().zip(pattern.closing_factors().iter()) {
+                column *= *factor;
+            }
+        }
+        let mut following = matrix.fixed_view_mut::<4, 4>(4 * i, 4 * ((i + 1) % count));
+        following += to;
+    }
+    matrix
+}
+
+/// Solves the matching equations from a guess; none if that leads nowhere.
+///
+/// Returns the sections and the largest residual left. The phases of the solution are in order; whether it is
+/// admissible (crosses no stop in flight) is another question.
+pub(super) fn solve(flow: &Flow, pattern: &Pattern, guess: &[Section]) -> Option<(Vec<Section>, f64)> {
+    let mut sections = guess.to_vec();
+    let mut joined = arcs(flow, pattern, &sections);
+    let mut residuals = residual(&joined);
+    let mut size = residuals.norm();
+    for _ in 0..MOST_STEPS {
+        if !size.is_finite() {
+            return None;
+        }
+        let step = derivative(&joined, pattern).lu().solve(&residuals)?;
+        let mut share = 1.0;
+        let mut accepted = false;
+        for _ in 0..MOST_HALVINGS {
+            let trial = moved(&sections, &step, -share);
+            let trial_arcs = arcs(flow, pattern, &trial);
+            let trial_residuals = residual(&trial_arcs);
+            let trial_size = trial_residuals.norm();
+            if trial_size < size && is_ordered(pattern, &trial) {
+                (sections, joined, residuals, size) = (trial, trial_arcs, trial_residuals, trial_size);
+                accepted = true;
+                break;
+            }
+            share *= 0.5;
+        }
+        let scale =
+            1.0 + sections.iter().map(|section| section.fixed_rows::<3>(0).amax()).fold(0.0, f64::max);
+        let solved = residuals.amax() <= SOLVED * scale;
+        if !accepted || (solved && step.amax() * share <= 1e-9 * scale) {
+            return solved.then_some((sections, residuals.amax()));
+        }
+    }
+    None
+}
+
+fn moved(sections: &[Section], step: &DVector<f64>, share: f64) -> Vec<Section> {
+    sections.iter().enumerate().map(|(i, section)| section + share * step.fixed_rows::<4>(4 * i)).collect()
+}
+
+/// Whether every impact comes after the one before it.
+pub(super) fn is_ordered(pattern: &Pattern, sections: &[Section]) -> bool {
+    (0..sections.len()).all(|i| next(pattern, sections, i).section[PHASE] > sections[i][PHASE])
+}

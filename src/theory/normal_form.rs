@@ -1,0 +1,154 @@
+//! How a motion loses its stability: the normal-form coefficient, and super- or subcritical from its sign.
+
+use nalgebra::{Complex, Matrix4, Vector4};
+
+use super::flow::{Flow, Section};
+use super::jet;
+use super::motion::PeriodicMotion;
+use super::multipliers::turn;
+use crate::model::System;
+
+type Complex4 = Vector4<Complex<f64>>;
+
+/// The bilinear and trilinear derivatives of the map of one turn, by polarisation of its exact series.
+struct Forms<'a> {
+    flow: &'a Flow,
+    motion: &'a PeriodicMotion,
+}
+
+impl Forms<'_> {
+    fn series(&self, direction: &Section) -> Option<[Section; 4]> {
+        jet::turn(self.flow, &self.motion.pattern, &self.motion.sections, direction)
+    }
+
+    /// B(a, b) of real vectors.
+    fn bilinear(&self, a: &Section, b: &Section) -> Option<Section> {
+        Some(self.series(&(a + b))?[2] - self.series(a)?[2] - self.series(b)?[2])
+    }
+
+    /// C(a, a, a) of a real vector.
+    fn cube(&self, a: &Section) -> Option<Section> {
+        Some(self.series(a)?[3] * 6.0)
+    }
+
+    /// C(a, a, b) of real vectors.
+    fn trilinear(&self, a: &Section, b: &Section) -> Option<Section> {
+        Some((self.cube(&(a + b))? - self.cube(&(a - b))? - self.cube(b)? * 2.0) / 6.0)
+    }
+
+    /// B(a, b) of complex vectors.
+    fn complex_bilinear(&self, a: &Complex4, b: &Complex4) -> Option<Complex4> {
+        let (ar, ai) = parts(a);
+        let (br, bi) = parts(b);
+        let real = self.bilinear(&ar, &br)? - self.bilinear(&ai, &bi)?;
+        let imaginary = self.bilinear(&ar, &bi)? + self.bilinear(&ai, &br)?;
+        Some(joined(&real, &imaginary))
+    }
+
+    /// C(q, q, q̄) of a complex vector.
+    fn complex_trilinear(&self, q: &Complex4) -> Option<Complex4> {
+        let (a, b) = parts(q);
+        let real = self.cube(&a)? + self.trilinear(&b, &a)?;
+        let imaginary = self.trilinear(&a, &b)? + self.cube(&b)?;
+        Some(joined(&real, &imaginary))
+    }
+}
+
+fn parts(vector: &Complex4) -> (Section, Section) {
+    (vector.map(|z| z.re), vector.map(|z| z.im))
+}
+
+fn joined(real: &Section, imaginary: &Section) -> Complex4 {
+    real.zip_map(imaginary, Complex::new)
+}
+
+/// The coefficient whose sign decides what happens at a multiplier −1: for a period doubling, or a symmetric
+/// motion's pitchfork (of the half map), c of ξ → −ξ + cξ³.
+///
+/// c > 0 is supercritical: a stable motion of twice the period (or two mirrored ones) takes over. None where an
+/// impact grazes or another multiplier is ±1.
+pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64> {
+    let flow = Flow::new(system);
+    let forms = Forms { flow: &flow, motion };
+    let map = turn(&flow, &motion.pattern, &motion.sections)?;
+    let (q, p) = real_eigenvectors(&map, -1.0)?;
+    let square = forms.bilinear(&q, &q)?;
+    let shift = (Matrix4::identity() - map).lu().solve(&square)?;
+    let c = (p.dot(&forms.cube(&q)?) + 3.0 * p.dot(&forms.bilinear(&q, &shift)?)) / 6.0;
+    c.is_finite().then_some(c)
+}
+
+/// The quadratic coefficient at a multiplier +1, a of ξ → ξ + aξ²; zero at a cusp. None as for
+/// [`flip_coefficient`].
+pub fn fold_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64> {
+    let flow = Flow::new(system);
+    let forms = Forms { flow: &flow, motion };
+    let map = turn(&flow, &motion.pattern, &motion.sections)?;
+    let (q, p) = real_eigenvectors(&map, 1.0)?;
+    let a = 0.5 * p.dot(&forms.bilinear(&q, &q)?);
+    a.is_finite().then_some(a)
+}
+
+/// Re d at a pair of multipliers e^(±iθ), θ in (0, π), d of z → e^(iθ) z (1 + d|z|²).
+///
+/// Re d < 0 is supercritical: a stable invariant circle takes over. None where an impact grazes, at θ of 0, π and
+/// (the strong resonances) π/2 and 2π/3 within 1e-6.
+pub fn neimark_sacker_coefficient(system: &System, motion: &PeriodicMotion, theta: f64) -> Option<f64> {
+    let flow = Flow::new(system);
+    let forms = Forms { flow: &flow, motion };
+    let map = turn(&flow, &motion.pattern, &motion.sections)?;
+    let unit = Complex::from_polar(1.0, theta);
+    let resonance = |m: i32| (unit.powi(m) - 1.0).norm() < 1e-6;
+    if (1..=4).any(resonance) {
+        return None;
+    }
+    let complex = map.map(|value| Complex::new(value, 0.0));
+    let q = null_vector(&complex, unit)?;
+    let p = null_vector(&complex.transpose(), unit.conj())?;
+    let scale = p.dotc(&q);
+    let p = p.map(|z| z / scale.conj());
+    let identity = Matrix4::<Complex<f64>>::identity();
+    let conjugate = q.map(|z| z.conj());
+    let inner = (identity - complex).lu().solve(&forms.complex_bilinear(&q, &conjugate)?)?;
+    let outer = (identity * (unit * unit) - complex).lu().solve(&forms.complex_bilinear(&q, &q)?)?;
+    let cubic = forms.complex_trilinear(&q)?
+        + forms.complex_bilinear(&q, &inner)?.map(|z| z * 2.0)
+        + forms.complex_bilinear(&conjugate, &outer)?;
+    let d = 0.5 * (unit.conj() * p.dotc(&cubic)).re;
+    d.is_finite().then_some(d)
+}
+
+/// Right and left eigenvectors q and p of a real multiplier, |q| = 1 and p·q = 1.
+fn real_eigenvectors(map: &Matrix4<f64>, multiplier: f64) -> Option<(Section, Section)> {
+    let complex = map.map(|value| Complex::new(value, 0.0));
+    let value = Complex::new(multiplier, 0.0);
+    let real = |v: Complex4| {
+        let largest = v.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap_or_default();
+        v.map(|z| (z / largest).re)
+    };
+    let q = real(null_vector(&complex, value)?).normalize();
+    let p = real(null_vector(&complex.transpose(), value)?);
+    let product = p.dot(&q);
+    (product.abs() > 1e-12).then(|| (q, p / product))
+}
+
+/// A unit vector v with matrix·v = value·v, by inverse iteration just beside the value.
+fn null_vector(matrix: &Matrix4<Complex<f64>>, value: Complex<f64>) -> Option<Complex4> {
+    let beside = value * Complex::new(1.0 + 1e-10, 1e-10);
+    let factors = (matrix - Matrix4::identity() * beside).lu();
+    let mut vector = Complex4::new(
+        Complex::new(0.6, 0.0),
+        Complex::new(-0.5, 0.0),
+        Complex::new(0.4, 0.0),
+        Complex::new(0.5, 0.0),
+    );
+    for _ in 0..4 {
+        vector = factors.solve(&vector)?;
+        let length = vector.norm();
+        if !length.is_finite() || length == 0.0 {
+            return None;
+        }
+        vector = vector.map(|z| z / length);
+    }
+    Some(vector)
+}

@@ -1,0 +1,138 @@
+//! The period-one double-impact symmetric motion of section 3, in closed form.
+
+use std::f64::consts::PI;
+
+use nalgebra::{Matrix4, Vector4};
+use thiserror::Error;
+
+use super::admissible::{Inadmissible, fly, wrapped};
+use super::flow::{Flow, Section};
+use super::motion::PeriodicMotion;
+use super::newton;
+use super::pattern::Pattern;
+use crate::dynamics::Stop;
+use crate::model::System;
+
+/// How far a start on the symmetric motion is moved off it, so that an unstable one is left; non-dimensional.
+pub const NUDGE: f64 = 1e-3;
+
+/// One solution of the matching conditions (5); everything is non-dimensional.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SymmetricMotion {
+    /// The motion that the conditions describe, whether or not the system follows it.
+    pub motion: PeriodicMotion,
+    /// (x1, x2, v1, v2) at forcing phase 0 if the motion is physical, otherwise why no trajectory follows it.
+    pub at_phase_zero: Result<[f64; 4], Inadmissible>,
+}
+
+impl SymmetricMotion {
+    /// The largest modulus among the half map's multipliers; the motion is stable where it is below 1.
+    ///
+    /// Infinite where the impacts graze, since there is nothing to linearise about.
+    pub fn spectral_radius(&self, system: &System) -> f64 {
+        self.motion.half_multipliers(system).map_or(f64::INFINITY, |values| values[0].norm())
+    }
+}
+
+/// Why the matching conditions (5) have no solution.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum NoSymmetricMotion {
+    /// There is no room to move.
+    #[error("does not exist: the stops hold the first mass (delta = 0)")]
+    Clamped,
+    /// Whatever the phase, the motion would not reach from stop to stop.
+    #[error(
+        "does not exist: the forcing drives the matched motion to |x1| = {amplitude} at most, short of the stops at \
+         ±{delta}"
+    )]
+    OutOfReach {
+        /// The largest x1 at impact over all phases.
+        amplitude: f64,
+        /// The half clearance.
+        delta: f64,
+    },
+    /// The matching conditions are singular.
+    #[error("does not exist: the matching conditions are singular here")]
+    Singular,
+}
+
+/// Both solutions of (5), in the order of their distance in phase before and after the middle of the two.
+///
+/// With Φ the flight over half a period from (x1, x2, v1, v2), Γs and Γc what forcing at phase τ adds to it, and
+/// D = diag(1, 1, −r, 1), the state just after the impact at A is s = −(I + DΦ)⁻¹ D (Γs sin τ + Γc cos τ); s₁ = δ
+/// fixes τ.
+///
+/// # Errors
+/// [`NoSymmetricMotion`] where no real τ solves it.
+pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymmetricMotion> {
+    let flow = Flow::new(system);
+    let delta = flow.delta;
+    if delta == 0.0 {
+        return Err(NoSymmetricMotion::Clamped);
+    }
+    let half = flow.over(PI / flow.omega);
+    let restitution = Matrix4::from_diagonal(&Vector4::new(1.0, 1.0, -flow.r, 1.0));
+    let phi: Matrix4<f64> = half.fixed_view::<4, 4>(0, 0).into_owned();
+    let matching = (Matrix4::identity() + restitution * phi).lu();
+    let solve = |j: usize| -> Option<Vector4<f64>> {
+        let gamma: Vector4<f64> = half.fixed_view::<4, 1>(0, j).into_owned();
+        matching.solve(&(-(restitution * gamma)))
+    };
+    let (Some(sine), Some(cosine)) = (solve(4), solve(5)) else { return Err(NoSymmetricMotion::Singular) };
+    // sine₁ sin τ + cosine₁ cos τ = δ
+    let amplitude = sine[0].hypot(cosine[0]);
+    if !amplitude.is_finite() {
+        return Err(NoSymmetricMotion::Singular);
+    }
+    if amplitude < delta {
+        return Err(NoSymmetricMotion::OutOfReach { amplitude, delta });
+    }
+    let middle = sine[0].atan2(cosine[0]);
+    let apart = (delta / amplitude).acos();
+    Ok([middle - apart, middle + apart].map(|phase| {
+        let tau = wrapped(phase);
+        let (sin, cos) = tau.sin_cos();
+        let state = sine * sin + cosine * cos;
+        solution(system, &flow, Section::new(state[2], state[1], state[3], tau))
+    }))
+}
+
+/// One solution, and whether the system follows it.
+fn solution(system: &System, flow: &Flow, section: Section) -> SymmetricMotion {
+    let pattern = Pattern { stops: vec![Stop::A], half_turns: 1, mirrored: true };
+    let sections = vec![section];
+    let residual = newton::residual(&newton::arcs(flow, &pattern, &sections)).amax();
+    let motion = PeriodicMotion { pattern, sections, residual };
+    let velocity = section[0];
+    let at_phase_zero = if velocity == 0.0 && flow.r > 0.0 {
+        Err(Inadmissible::WrongVelocity { stop: Stop::A, velocity })
+    } else {
+        fly(system, &motion).and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(Stop::B)))
+    };
+    SymmetricMotion { motion, at_phase_zero }
+}
+
+/// (x1, x2, v1, v2) at forcing phase 0 on the stable-branch 1-1-1 symmetric motion, nudged, where it exists and is
+/// physical.
+///
+/// Of two physical solutions the one with the smaller multipliers is taken.
+pub fn symmetric_start(system: &System) -> Option<[f64; 4]> {
+    let [x1, x2, v1, v2] = stable_branch(system)?.at_phase_zero.ok()?;
+    Some([x1, x2 + NUDGE, v1, v2])
+}
+
+/// The fixed point (v1+, x2, v2, τ) of the same motion on σ, where it exists and is physical.
+pub fn symmetric_target(system: &System) -> Option<[f64; 4]> {
+    stable_branch(system).map(|motion| motion.motion.section())
+}
+
+fn stable_branch(system: &System) -> Option<SymmetricMotion> {
+    let radius = |motion: &SymmetricMotion| motion.spectral_radius(system);
+    let [a, b] = symmetric_motions(system).ok()?;
+    match (a.at_phase_zero.is_ok(), b.at_phase_zero.is_ok()) {
+        (true, true) => Some(if radius(&a) <= radius(&b) { a } else { b }),
+        (true, false) => Some(a),
+        (false, true) => Some(b),
+        (false, false) => None,
+    }
+}
