@@ -6,20 +6,23 @@ mod quiet;
 mod recurrence;
 mod regime;
 mod schedule;
+mod section;
 mod spread;
 
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
 pub use regime::{INFINITELY_MANY, Regime, Verdict};
 pub use schedule::{Schedule, ScheduleError};
+pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
 pub(crate) use spread::Spread;
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::observer::{
-        CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING,
-        SETTLING_AT_REST, SIGNIFICANCE,
+        CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING, SETTLING_AT_REST,
+        SIGNIFICANCE,
     };
     pub use super::spread::STATIONARY;
+    pub use crate::dynamics::constants::MOST_MOVES;
 }

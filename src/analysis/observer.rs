@@ -6,6 +6,7 @@ use super::recurrence::Recurrence;
 use super::regime::{Regime, Verdict};
 use super::schedule::Schedule;
 use super::spread::Spread;
+use crate::dynamics::constants::MOST_MOVES;
 use crate::dynamics::{Contact, Event, Move, Stop, Tangent, Trajectory, Variation};
 use crate::model::{Flight, Real};
 
@@ -24,8 +25,6 @@ pub const NEUTRAL_GROWTH: f64 = 3.0;
 pub const CHAOTIC_GROWTH: f64 = 5.0;
 /// Standard errors by which a positive exponent must exceed zero.
 pub const SIGNIFICANCE: f64 = 3.0;
-/// Moves in one forcing period beyond which a trajectory is given up.
-pub const MOST_MOVES: u32 = 1 << 24;
 
 /// Where in its schedule a trajectory is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -40,3 +40,15 @@ pub const ORBIT_SAMPLES: u32 = 200;
 
 /// The picture's size in pixels.
 pub const PICTURE_SIZE: &str = "1600x1200";
+
+/// Points of an orbit in each forcing period where it is drawn.
+pub const DRAWN_SAMPLES: u32 = 400;
+
+/// Forcing periods that a section shows.
+pub const SECTION_PERIODS: u32 = 2000;
+
+/// The width of a figure of one plot, in pixels.
+pub const NARROW_FIGURE: u32 = 1000;
+
+/// The width of a figure of several plots or a diagram, in pixels.
+pub const WIDE_FIGURE: u32 = 2000;

@@ -9,7 +9,7 @@ use impact_atlas::render::{self, Size};
 use impact_atlas::store::{self, Output};
 use serde::Serialize;
 
-use super::{CliError, interrupt};
+use super::{CliError, interrupt, pictures};
 
 /// Checks that each of the files can be written, and that no two are the same.
 pub fn prepare<const N: usize>(paths: [Option<&Path>; N]) -> Result<[Option<Output>; N], CliError> {
@@ -42,11 +42,10 @@ fn place(path: &Path) -> PathBuf {
 
 /// Writes a map's data and its picture; neither unless both could be made.
 pub fn write_map(map: &RegionMap, size: Size, data: &Output, picture: &Output) -> Result<(), CliError> {
-    let mut png = Vec::new();
-    render::region_map(map, size).write_png(&mut png).map_err(CliError::machine)?;
+    let bytes = pictures::encoded(&render::region_map(map, size), pictures::format_of(picture.path())?)?;
     interrupt::check()?;
     write(data, |file| store::write_map(map, file))?;
-    write(picture, |file| file.write_all(&png))
+    write(picture, |file| file.write_all(&bytes))
 }
 
 /// Writes a table.
@@ -66,11 +65,12 @@ pub fn write_csv<const N: usize>(
 }
 
 /// Anything that takes bytes and can be rewound.
-trait File: io::Write + io::Seek {}
+pub trait File: io::Write + io::Seek {}
 
 impl<T: io::Write + io::Seek> File for T {}
 
-fn write(output: &Output, content: impl FnOnce(&mut dyn File) -> io::Result<()>) -> Result<(), CliError> {
+/// Fills a file.
+pub fn write(output: &Output, content: impl FnOnce(&mut dyn File) -> io::Result<()>) -> Result<(), CliError> {
     output.write(|file| content(file)).map_err(CliError::machine)
 }
 

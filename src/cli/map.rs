@@ -1,9 +1,8 @@
 //! `impact-atlas map`: a plane, computed, stored and drawn.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::plane::RegionMap;
 use impact_atlas::render::Size;
@@ -14,7 +13,7 @@ use super::options::{BackendArgs, PlaneArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::parse_size;
-use super::{CliError, defaults, files, note};
+use super::{CliError, defaults, files, note, pictures};
 
 /// Computes what every cell of a parameter plane settles on, as a picture and as data
 ///
@@ -32,8 +31,8 @@ pub struct MapArgs {
     #[command(flatten)]
     backend: BackendArgs,
 
-    /// The picture, a PNG file
-    #[arg(long, value_name = "FILE.png", default_value = defaults::PICTURE)]
+    /// The picture, a PNG or SVG file
+    #[arg(long, value_name = "FILE", default_value = defaults::PICTURE)]
     out: PathBuf,
 
     /// The data, an npz file [default: beside the picture, with its name]
@@ -69,9 +68,9 @@ fn in_order<S: Serializer>(regimes: &[(&str, u64); 8], serializer: S) -> Result<
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let plane = args.plane.plane()?;
-    let png = picture_path(&args.out)?;
-    let npz = args.data.clone().unwrap_or_else(|| png.with_extension("npz"));
-    let [Some(picture), Some(data)] = files::prepare([Some(png), Some(npz.as_path())])? else {
+    pictures::format_of(&args.out)?;
+    let npz = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
+    let [Some(picture), Some(data)] = files::prepare([Some(args.out.as_path()), Some(npz.as_path())])? else {
         unreachable!("two paths give two outputs")
     };
     let backend = args.backend.open()?;
@@ -81,17 +80,6 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     files::write_map(&map, args.size, &data, &picture)?;
     note(&format!("written: {} and {}", picture.path().display(), data.path().display()));
     if args.json { print_json(&summary) } else { print(&summary.text()) }
-}
-
-/// A picture named otherwise would be a PNG all the same, and be taken for something else.
-fn picture_path(path: &Path) -> Result<&Path, CliError> {
-    match path.extension() {
-        Some(extension) if !extension.eq_ignore_ascii_case("png") => Err(CliError::Input(anyhow!(
-            "cannot draw `{}`: pictures are PNG files, name it with .png",
-            path.display()
-        ))),
-        _ => Ok(path),
-    }
 }
 
 impl<'a> Summary<'a> {

@@ -12,6 +12,7 @@ mod map;
 mod options;
 mod orbit;
 mod panics;
+mod pictures;
 mod progress;
 mod report;
 mod terminal;

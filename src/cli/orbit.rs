@@ -4,24 +4,30 @@ use std::path::PathBuf;
 
 use anyhow::anyhow;
 use clap::{Args, value_parser};
-use impact_atlas::analysis::Schedule;
+use impact_atlas::analysis::{Reading, Schedule};
 use impact_atlas::dynamics::{self, Recording, Stop};
+use impact_atlas::model::{Parameter, Parameters};
 use impact_atlas::plane::Start;
+use impact_atlas::render::{Orbit, OrbitPanel, Picture, Size, Zoom, orbit_figure};
+use serde::Serialize;
 
 use super::options::SystemArgs;
 use super::progress::Progress;
 use super::terminal::print;
-use super::values::parse;
-use super::{CliError, defaults, files, interrupt};
+use super::values::{parse, parse_size};
+use super::{CliError, defaults, files, interrupt, note, pictures};
 
 /// The most points of a trajectory.
 const LARGEST: u64 = 20_000_000;
+
+/// The most forcing periods that sections show.
+const MOST_SECTION_PERIODS: u32 = 1_000_000;
 
 const IMPACT_COLUMNS: [&str; 7] = ["time", "stop", "velocity_before", "velocity_after", "x2", "v2", "phase"];
 
 const TRAJECTORY_COLUMNS: [&str; 5] = ["time", "x1", "x2", "v1", "v2"];
 
-/// Records one orbit: its impacts and its trajectory as CSV
+/// Records one orbit: as a figure, and its impacts and its trajectory as CSV
 ///
 /// Computed in double precision on the CPU. Times are non-dimensional and count from the start of the trajectory,
 /// transient included; the phase is that of the forcing, from 0 to 2π. Stop A is x1 = +delta, stop B is x1 = -delta.
@@ -29,7 +35,10 @@ const TRAJECTORY_COLUMNS: [&str; 5] = ["time", "x1", "x2", "v1", "v2"];
 #[command(after_help = "\
 Examples:
   impact-atlas orbit --set omega=3.7 --impacts impacts.csv
-  impact-atlas orbit --set omega=0.5 --set r=0.6 --periods 3 --samples 2000 --trajectory trajectory.csv")]
+  impact-atlas orbit --set omega=0.5 --set r=0.6 --periods 3 --samples 2000 --trajectory trajectory.csv
+  impact-atlas orbit --set omega=3.7 --periods 3 --out orbit.png
+  impact-atlas orbit --set omega=3.03 --panel section:x2,v2 --panel strobe --section-periods 5000 --out o.svg
+  impact-atlas orbit --set omega=0.25 --set delta=0.545 --periods 2 --panel time --zoom t=0.1:0.4 --out z.png")]
 pub struct OrbitArgs {
     #[command(flatten)]
     system: SystemArgs,
@@ -49,10 +58,9 @@ pub struct OrbitArgs {
         value_parser = value_parser!(u32).range(1..=i64::from(Schedule::LONGEST)))]
     periods: u32,
 
-    /// Points of the trajectory in each forcing period
-    #[arg(long, value_name = "S", default_value_t = defaults::ORBIT_SAMPLES,
-        value_parser = value_parser!(u32).range(1..=1_000_000))]
-    samples: u32,
+    /// Points of the trajectory in each forcing period [default: 200, with --out 400]
+    #[arg(long, value_name = "S", value_parser = value_parser!(u32).range(1..=1_000_000))]
+    samples: Option<u32>,
 
     /// Writes every impact: time, stop, velocity_before, velocity_after, x2, v2, phase
     #[arg(long, value_name = "FILE.csv")]
@@ -61,25 +69,91 @@ pub struct OrbitArgs {
     /// Writes the trajectory: time, x1, x2, v1, v2
     #[arg(long, value_name = "FILE.csv")]
     trajectory: Option<PathBuf>,
+
+    /// Draws a figure, a PNG or SVG file
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+
+    /// A plot of the figure; may be repeated [default: portrait, time]
+    ///
+    /// portrait: x1 and v1 with the stops; portrait2: x2 and v2. time: x1 over the time in forcing periods, impacts
+    /// marked and sticking shaded. section, section-b: just after every impact at A, at B. strobe: at forcing phase 0.
+    /// Other quantities follow a colon: portrait:x1,x2, time:v1, section:x2,v2, strobe:x1,v1. Sections have v_before,
+    /// v_after, x1, x2, v1, v2 and tau, the forcing phase at the impact.
+    #[arg(long = "panel", value_name = "NAME[:X,Y]", value_parser = parse::<OrbitPanel>, requires = "out")]
+    panels: Vec<OrbitPanel>,
+
+    /// The range that axes over a quantity show; may be repeated
+    ///
+    /// NAME is a quantity of the panels, or t, the time since the recording began in forcing periods.
+    #[arg(long = "zoom", value_name = "NAME=LOW:HIGH", value_parser = parse::<Zoom>, requires = "out",
+        allow_hyphen_values = true)]
+    zooms: Vec<Zoom>,
+
+    /// Forcing periods that sections show
+    #[arg(long, value_name = "P", default_value_t = defaults::SECTION_PERIODS,
+        value_parser = value_parser!(u32).range(1..=i64::from(MOST_SECTION_PERIODS)))]
+    section_periods: u32,
+
+    /// The figure's size in pixels [default: as its plots need]
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, requires = "out")]
+    size: Option<Size>,
+}
+
+/// What it takes to make the figure again.
+#[derive(Debug, Serialize)]
+struct Config<'a> {
+    version: &'a str,
+    command: &'a str,
+    parameters: &'a Parameters,
+    start: Start,
+    transient: u32,
+    periods: u32,
+    samples: u32,
+    section_periods: u32,
+    panels: &'a [OrbitPanel],
+    zooms: &'a [Zoom],
 }
 
 /// Runs the command.
 pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
     let (system, start) = args.system.system_and_start(args.start)?;
     let (transient, periods) = (args.transient, args.periods);
-    let samples = if args.trajectory.is_some() { args.samples } else { 0 };
+    let samples = args.samples();
     if u64::from(periods) * u64::from(samples) > LARGEST {
         return Err(CliError::Input(anyhow!(
             "{periods} periods with {samples} points each are too many: at most {LARGEST} points are accepted"
         )));
     }
-    let impacts = args.impacts.as_deref();
-    let trajectory = args.trajectory.as_deref();
-    let [impacts, trajectory] = files::prepare([impacts, trajectory])?;
+    let panels = args.panels();
+    check_zooms(&panels, &args.zooms)?;
+    if let Some(out) = &args.out {
+        pictures::format_of(out)?;
+    }
+    let paths = [&args.impacts, &args.trajectory, &args.out];
+    let [impacts, trajectory, out] = files::prepare(paths.map(Option::as_deref))?;
+    let section_periods =
+        if panels.iter().any(|panel| panel.is_section()) { args.section_periods } else { 0 };
     let progress = Progress::of_trajectory();
-    let recording =
-        interrupt::abandonable(move || dynamics::record(&system, start, transient, periods, samples))?;
+    let (recording, sections) = interrupt::abandonable(move || {
+        let recording = dynamics::record(&system, start, transient, periods, samples);
+        let sections = match section_periods {
+            0 => Recording::default(),
+            periods => dynamics::record(&system, start, transient, periods, 1),
+        };
+        (recording, sections)
+    })?;
     drop(progress);
+    if let Some(why) = recording.given_up.or(sections.given_up) {
+        return Err(CliError::machine(why));
+    }
+    let figure = match &out {
+        Some(output) => {
+            let orbit = Orbit { system: &system, recording: &recording, sections: &sections };
+            Some((output, args.picture(&orbit, &panels)?))
+        }
+        None => None,
+    };
     if let Some(output) = impacts {
         let rows = recording.impacts.iter().map(|impact| {
             (
@@ -98,7 +172,91 @@ pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
         let rows = recording.samples.iter().map(|s| (s.time, s.x1, s.x2, s.v1, s.v2));
         files::write_csv(&output, TRAJECTORY_COLUMNS, rows)?;
     }
+    if let Some((output, picture)) = figure {
+        pictures::write(&picture, output)?;
+        note(&format!("written: {}", output.path().display()));
+    }
     print(&summary(&recording, periods))
+}
+
+impl OrbitArgs {
+    fn samples(&self) -> u32 {
+        let default = match (&self.out, &self.trajectory) {
+            (Some(_), _) => defaults::DRAWN_SAMPLES,
+            (None, Some(_)) => defaults::ORBIT_SAMPLES,
+            (None, None) => return 0,
+        };
+        self.samples.unwrap_or(default)
+    }
+
+    fn panels(&self) -> Vec<OrbitPanel> {
+        match (&self.out, &self.panels[..]) {
+            (None, _) => Vec::new(),
+            (Some(_), []) => {
+                vec![OrbitPanel::Portrait([Reading::X1, Reading::V1]), OrbitPanel::Time(Reading::X1)]
+            }
+            (Some(_), panels) => panels.to_vec(),
+        }
+    }
+
+    fn picture(&self, orbit: &Orbit<'_>, panels: &[OrbitPanel]) -> Result<Picture, CliError> {
+        let figure = orbit_figure(orbit, self.start, panels, &self.zooms);
+        let width = if panels.len() == 1 { defaults::NARROW_FIGURE } else { defaults::WIDE_FIGURE };
+        let size = self.size.unwrap_or_else(|| figure.natural_size(width));
+        let parameters = orbit.system.parameters();
+        let config = Config {
+            version: env!("CARGO_PKG_VERSION"),
+            command: &self.command(parameters, panels),
+            parameters,
+            start: self.start,
+            transient: self.transient,
+            periods: self.periods,
+            samples: self.samples(),
+            section_periods: self.section_periods,
+            panels,
+            zooms: &self.zooms,
+        };
+        let config = serde_json::to_string(&config).map_err(CliError::machine)?;
+        figure.draw(size, &config).map_err(CliError::input)
+    }
+
+    /// The command that makes the figure again.
+    fn command(&self, parameters: &Parameters, panels: &[OrbitPanel]) -> String {
+        let mut command = String::from("impact-atlas orbit");
+        for parameter in Parameter::ALL {
+            command.push_str(&format!(" --set {parameter}={}", parameters.get(parameter)));
+        }
+        command.push_str(&format!(
+            " --start {} --transient {} --periods {} --samples {} --section-periods {}",
+            self.start,
+            self.transient,
+            self.periods,
+            self.samples(),
+            self.section_periods
+        ));
+        panels.iter().for_each(|panel| command.push_str(&format!(" --panel {panel}")));
+        self.zooms.iter().for_each(|zoom| command.push_str(&format!(" --zoom {zoom}")));
+        command
+    }
+}
+
+/// A range that no plot shows is a mistake.
+fn check_zooms(panels: &[OrbitPanel], zooms: &[Zoom]) -> Result<(), CliError> {
+    for (i, zoom) in zooms.iter().enumerate() {
+        if !panels.iter().any(|panel| panel.axes().contains(&zoom.variable)) {
+            return Err(CliError::Input(anyhow!(
+                "--zoom {zoom} has no effect, since no panel has an axis over {}: drop it or add a --panel",
+                zoom.variable
+            )));
+        }
+        if let Some(other) = zooms[..i].iter().find(|other| other.variable == zoom.variable) {
+            return Err(CliError::Input(anyhow!(
+                "{} has two ranges, --zoom {other} and --zoom {zoom}: drop one of the two",
+                zoom.variable
+            )));
+        }
+    }
+    Ok(())
 }
 
 fn summary(recording: &Recording, periods: u32) -> String {

@@ -91,10 +91,16 @@ pub struct Return<T> {
 
 /// Hears how a controlled trajectory goes on.
 pub trait Witness<T, D> {
-    /// A move began at `before`.
+    /// A move went from `before` to `after`; where it met σ, control has yet to act.
     #[inline(always)]
-    fn moved(&mut self, before: &Trajectory<T, D>, taken: &Move<T>) {
-        let _ = (before, taken);
+    fn moved(
+        &mut self,
+        flight: &Flight<T>,
+        before: &Trajectory<T, D>,
+        taken: &Move<T>,
+        after: &Trajectory<T, D>,
+    ) {
+        let _ = (flight, before, taken, after);
     }
 
     /// σ was met, and control has acted.
@@ -237,7 +243,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     ) {
         let mut trajectory = self.trajectory;
         let taken = trajectory.advance(flight, &mut variation);
-        witness.moved(&self.trajectory, &taken);
+        witness.moved(flight, &self.trajectory, &taken, &trajectory);
         self.trajectory = trajectory;
         keep(self, variation);
         self.note(flight, schedule, &taken, witness);

@@ -8,6 +8,7 @@
 mod controlled;
 mod delay;
 mod deviation;
+mod history;
 mod memory;
 mod method;
 mod multipliers;
@@ -21,6 +22,7 @@ mod sine;
 
 pub use controlled::{Actuated, Controlled, Progress, Return, Witness};
 pub use delay::Delay;
+pub use history::{History, converged_at};
 pub use memory::{DEPTH, LONGEST, Memory};
 pub use method::{Action, Controller, Method, Seen};
 pub use multipliers::multipliers;

@@ -11,7 +11,7 @@ mod trajectory;
 
 pub use drive::{Drive, DriveSeries, Phasor};
 pub use point::Point;
-pub use recording::{ImpactEvent, Recording, Sample, Stick, record};
+pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record};
 pub use tangent::{Tangent, Variation};
 pub use trajectory::{Contact, Event, Impact, Move, Stop, Trajectory};
 
@@ -20,5 +20,5 @@ pub(crate) mod constants {
     pub use super::chatter::{DRAGGED, SLOW, STEADY};
     pub use super::contact::{FAR, HERMITE, WIDENING};
     pub use super::series::INVERSE_FACTORIALS;
-    pub use super::trajectory::MOST_KICKS;
+    pub use super::trajectory::{MOST_KICKS, MOST_MOVES};
 }

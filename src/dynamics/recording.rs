@@ -1,7 +1,9 @@
 //! A trajectory written down: its impacts, and samples at equal times.
 
+use thiserror::Error;
+
 use super::point::Point;
-use super::trajectory::{Contact, Event, Impact, Stop, Trajectory};
+use super::trajectory::{Contact, Event, Impact, MOST_MOVES, Stop, Trajectory};
 use crate::model::{Flight, System};
 
 /// An impact, at its instant; everything is non-dimensional.
@@ -58,12 +60,35 @@ pub struct Recording {
     pub samples: Vec<Sample>,
     /// Its rests on a stop, in order.
     pub sticks: Vec<Stick>,
+    /// Where and why it ends before its time, if it does.
+    pub given_up: Option<GivenUp>,
 }
+
+/// A trajectory that was not followed to its end: the period in which it was given up, counted from 0 at its start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum GivenUp {
+    /// More moves in one forcing period than are made for any: rebounds that accumulate without end.
+    #[error(
+        "the trajectory was given up in forcing period {0}: it makes more than {MOST_MOVES} moves in it; \
+         lower r or zeta, or raise omega"
+    )]
+    Moves(u32),
+    /// More impacts than are recorded.
+    #[error(
+        "the recording was given up in forcing period {0}: it holds more than {MOST_IMPACTS} impacts; \
+         record fewer periods"
+    )]
+    Impacts(u32),
+}
+
+/// The most impacts of one recording.
+const MOST_IMPACTS: usize = 10_000_000;
 
 /// Follows a trajectory in f64 from (x1, x2, v1, v2) at forcing phase 0, and writes down what it does.
 ///
 /// The first `transient` forcing periods are left out; the next `periods` are recorded with `samples_per_period`
-/// samples each (0 for none). Times count from the start of the trajectory.
+/// samples each (0 for none). Times count from the start of the trajectory. A trajectory that makes no headway is
+/// given up, and the recording says so.
 pub fn record(
     system: &System,
     start: [f64; 4],
@@ -73,23 +98,39 @@ pub fn record(
 ) -> Recording {
     let flight = Flight::new(system);
     let mut trajectory = Trajectory::new(&flight, start);
-    for _ in 0..transient {
-        while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
+    for period in 0..transient {
+        if !pass_period(&flight, &mut trajectory) {
+            return Recording { given_up: Some(GivenUp::Moves(period)), ..Recording::default() };
+        }
     }
     let mut recorder = Recorder::new(system, &flight, &trajectory, transient, samples_per_period);
     let mut period = transient;
+    let mut moves = 0;
     while period < transient + periods {
         let before = trajectory;
         let taken = trajectory.advance(&flight, &mut ());
         let began = recorder.time(period, &before);
         let within = recorder.elapsed(&before);
         recorder.sample(&flight, period, within, &before.point, taken.time, taken.free);
+        moves += 1;
         if taken.event == Event::Strobe {
             period += 1;
+            moves = 0;
         }
         recorder.note(began, taken.time, &trajectory, taken.event);
+        if moves > MOST_MOVES {
+            return recorder.give_up(GivenUp::Moves(period), period, &trajectory);
+        }
+        if recorder.recording.impacts.len() > MOST_IMPACTS {
+            return recorder.give_up(GivenUp::Impacts(period), period, &trajectory);
+        }
     }
     recorder.finish(period, &trajectory)
+}
+
+/// Follows a trajectory to the end of its forcing period; `false` where it makes no headway.
+fn pass_period(flight: &Flight<f64>, trajectory: &mut Trajectory<f64>) -> bool {
+    (0..=MOST_MOVES).any(|_| trajectory.advance(flight, &mut ()).event == Event::Strobe)
 }
 
 struct Recorder {
@@ -193,6 +234,11 @@ impl Recorder {
             v2,
             phase: self.omega * self.elapsed(trajectory),
         });
+    }
+
+    fn give_up(mut self, why: GivenUp, period: u32, trajectory: &Trajectory<f64>) -> Recording {
+        self.recording.given_up = Some(why);
+        self.finish(period, trajectory)
     }
 
     fn finish(mut self, period: u32, trajectory: &Trajectory<f64>) -> Recording {

@@ -12,6 +12,9 @@ use crate::model::{Flight, Real};
 /// The most kicks that are added to the end of one step; after more, the step is flown to its end instead.
 pub const MOST_KICKS: u32 = 4;
 
+/// Moves in one forcing period beyond which a trajectory is given up.
+pub const MOST_MOVES: u32 = 1 << 24;
+
 /// One of the two rigid stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stop {

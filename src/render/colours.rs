@@ -17,6 +17,19 @@ pub(super) const INK: Colour = hex(0x1a1a1a);
 /// The colour of text of less importance.
 pub(super) const MUTED: Colour = hex(0x5a5a5a);
 
+/// The points of sections and diagrams.
+pub(super) const STEADY_BLUE: Colour = hex(0x1d4f87);
+/// What is set against them: the other branch of a diagram.
+pub(super) const OTHER_BRANCH: Colour = hex(0xd1600a);
+/// Impacts in a time series.
+pub(super) const STRIKING: Colour = hex(0xc2410c);
+/// The stops.
+pub(super) const STOP: Colour = hex(0x8a8f98);
+/// Stretches of sticking.
+pub(super) const STICKING: Colour = hex(0xf3dfa2);
+/// Stretches of chatter without sticking.
+pub(super) const CHATTERING: Colour = hex(0xe3ecf5);
+
 const CHAOTIC: Colour = hex(0x17171b);
 const QUASI_PERIODIC: Colour = hex(0x5d2a94);
 const NO_IMPACT: Colour = hex(0xf6f6f4);

@@ -65,13 +65,19 @@ impl Frame {
     ///
     /// `None` where a plot of any use would not be left over.
     pub(super) fn place(&self, space: Rect, em: f64, titles: bool) -> Option<Placed> {
+        self.place_beside(0.0, space, em, titles)
+    }
+
+    /// Like [`Frame::place`], with a room of at least `left` pixels at the left of the plot, so that the plots of
+    /// several frames can stand above each other.
+    pub(super) fn place_beside(&self, left: f64, space: Rect, em: f64, titles: bool) -> Option<Placed> {
         let title = if titles { (TITLE_GAP + TITLE) * em } else { 0.0 };
         let top = (space.y + OVERHANG * em).round();
         let bottom = (space.bottom() - (TICK + GAP + 1.0) * em - title).round();
         let right = (space.right() - OVERHANG * em).round();
         let y_ticks = fitting_ticks(self.y, bottom - top, |_| 2.0 * em);
         let labels = widest(&y_ticks, em);
-        let left = (space.x + title + labels + (GAP + TICK) * em).round();
+        let left = (space.x + (title + labels + (GAP + TICK) * em).max(left)).round();
         let x_ticks = fitting_ticks(self.x, right - left, |ticks| widest(ticks, em) + 1.2 * em);
         let plot = Rect { x: left, y: top, width: right - left, height: bottom - top };
         let useful = plot.width >= 8.0 * em && plot.height >= 6.0 * em;
@@ -148,7 +154,7 @@ fn on_pixel(at: f64, line: f64) -> f64 {
 /// The most ticks whose labels, each with the `room` that it needs, fit along `length`.
 fn fitting_ticks(scale: Scale, length: f64, room: impl Fn(&Ticks) -> f64) -> Ticks {
     let fits = |ticks: &Ticks| match ticks.labelled[..] {
-        [(a, _), (b, _), ..] => (scale.fraction(b) - scale.fraction(a)) * length >= room(ticks),
+        [(a, _), (b, _), ..] => (scale.fraction(b) - scale.fraction(a)).abs() * length >= room(ticks),
         _ => true,
     };
     let candidates = (1..=MOST_LABELS).rev().map(|most| scale.ticks(most));

@@ -9,10 +9,12 @@ mod canvas;
 mod colours;
 #[cfg(test)]
 mod example;
+mod figure;
 mod font;
 mod frame;
 mod legend;
 mod motion;
+mod orbit;
 mod paint;
 mod picture;
 mod png;
@@ -25,9 +27,11 @@ mod ticks;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
+pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, TooSmall};
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
 pub use motion::Motion;
+pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};
 pub use paint::Paint;
 pub use picture::Picture;
 pub use regions::region_map;

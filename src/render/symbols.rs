@@ -2,8 +2,9 @@
 
 use super::frame::AxisTitle;
 use super::text::Text;
-use crate::model::Parameter;
-use crate::plane::{Component, Quantity};
+use crate::analysis::Reading;
+use crate::model::{Parameter, Parameters};
+use crate::plane::{Component, Quantity, Start};
 
 /// The symbol of a quantity.
 pub(super) fn symbol(quantity: Quantity) -> Text {
@@ -32,6 +33,76 @@ pub(super) fn axis_title(quantity: Quantity) -> AxisTitle {
     };
     let short = symbol(quantity);
     AxisTitle { long: Text::from(description).upright(" ").then(short.clone()), short }
+}
+
+/// The symbol of what is read on a section.
+pub(super) fn reading_symbol(reading: Reading) -> Text {
+    let letter = |letter, subscript| Text::new().italic(letter).subscript(subscript);
+    match reading {
+        Reading::VBefore => letter("v", "1").superscript("−"),
+        Reading::VAfter => letter("v", "1").superscript("+"),
+        Reading::X1 => letter("x", "1"),
+        Reading::X2 => letter("x", "2"),
+        Reading::V1 => letter("v", "1"),
+        Reading::V2 => letter("v", "2"),
+        Reading::Tau => Text::new().italic("τ"),
+    }
+}
+
+/// The title of an axis over what is read on a section.
+pub(super) fn reading_title(reading: Reading) -> AxisTitle {
+    let description = match reading {
+        Reading::VBefore => "velocity before impact",
+        Reading::VAfter => "velocity after impact",
+        Reading::X1 => "displacement of the first mass",
+        Reading::X2 => "displacement of the second mass",
+        Reading::V1 => "velocity of the first mass",
+        Reading::V2 => "velocity of the second mass",
+        Reading::Tau => "forcing phase at impact",
+    };
+    let short = reading_symbol(reading);
+    AxisTitle { long: Text::from(description).upright(" ").then(short.clone()), short }
+}
+
+/// Parameters as equations, in pieces that belong together, without those of which `varied` says so.
+///
+/// Mass, stiffness and damping ratios that are alike share one equation.
+pub(super) fn equations(parameters: &Parameters, varied: impl Fn(Quantity) -> bool) -> Vec<Text> {
+    let mut pieces: Vec<(Text, f64)> = Vec::new();
+    for parameter in Parameter::ALL {
+        let quantity = Quantity::Parameter(parameter);
+        let value = parameters.get(parameter);
+        let ratio = matches!(parameter, Parameter::MuK | Parameter::MuC);
+        match pieces.last_mut() {
+            _ if varied(quantity) => {}
+            Some((names, same)) if ratio && *same == value => {
+                *names = names.clone().upright(" = ").then(symbol(quantity));
+            }
+            _ => pieces.push((symbol(quantity), value)),
+        }
+    }
+    pieces.into_iter().map(|(names, value)| names.upright(format!(" = {},", number(value)))).collect()
+}
+
+/// How trajectories begin, in pieces that belong together; `varied` says which components of the start are not fixed.
+pub(super) fn start(start: Start, varied: impl Fn(Component) -> bool) -> Vec<Text> {
+    let any_varied = Component::ALL.into_iter().any(&varied);
+    let state = match start {
+        Start::Symmetric => return vec!["start on the 1-1-1 motion, else at rest".into()],
+        Start::Rest if !any_varied => return vec!["start at rest".into()],
+        Start::Rest => [0.0; 4],
+        Start::State(state) => state,
+    };
+    let fixed: Vec<Component> = Component::ALL.into_iter().filter(|&c| !varied(c)).collect();
+    let last = fixed.len() - 1;
+    let piece = |(i, component): (usize, Component)| {
+        let before = if i == 0 { "start " } else { "" };
+        let after = if i == last { "" } else { "," };
+        let value = number(state[component.index()]);
+        let symbol = symbol(Quantity::Start(component));
+        Text::from(before).then(symbol).upright(format!(" = {value}{after}"))
+    };
+    fixed.into_iter().enumerate().map(piece).collect()
 }
 
 /// A number as it is printed: at most six significant digits, a real minus sign.

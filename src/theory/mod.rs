@@ -28,4 +28,6 @@ pub use normal_form::{flip_coefficient, fold_coefficient, neimark_sacker_coeffic
 pub use pattern::Pattern;
 pub use seeding::{Label, NotFound, Search, labelled_motion, settled_motion};
 pub use spectrum::{Spectrum, SpectrumFailed};
-pub use symmetric::{NoSymmetricMotion, SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target};
+pub use symmetric::{
+    NoSymmetricMotion, SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target,
+};

@@ -1,10 +1,9 @@
 //! The words of the picture: title, legend and notes.
 
 use super::census::{Census, Region};
-use crate::model::Parameter;
-use crate::plane::{Component, Plane, Quantity, Start};
+use crate::plane::{Plane, Quantity};
 use crate::render::legend::Entry;
-use crate::render::symbols::{number, symbol};
+use crate::render::symbols;
 use crate::render::text::Text;
 
 /// Motions with a smaller share are grouped, even where there is room for them.
@@ -15,44 +14,9 @@ const SAMPLES: usize = 4;
 /// The title in pieces that belong together: the fixed parameters and the start.
 pub(super) fn title(plane: &Plane) -> Vec<Text> {
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
-    let mut pieces: Vec<(Text, f64)> = Vec::new();
-    for parameter in Parameter::ALL {
-        let quantity = Quantity::Parameter(parameter);
-        let value = plane.parameters.get(parameter);
-        let ratio = matches!(parameter, Parameter::MuK | Parameter::MuC);
-        match pieces.last_mut() {
-            _ if varied(quantity) => {}
-            Some((names, same)) if ratio && *same == value => {
-                *names = names.clone().upright(" = ").then(symbol(quantity));
-            }
-            _ => pieces.push((symbol(quantity), value)),
-        }
-    }
-    let equation = |(names, value): (Text, f64)| names.upright(format!(" = {},", number(value)));
-    let mut title: Vec<Text> = pieces.into_iter().map(equation).collect();
-    title.extend(start(plane));
+    let mut title = symbols::equations(&plane.parameters, varied);
+    title.extend(symbols::start(plane.start, |component| varied(Quantity::Start(component))));
     title
-}
-
-fn start(plane: &Plane) -> Vec<Text> {
-    let varied = |component| [plane.x.quantity, plane.y.quantity].contains(&Quantity::Start(component));
-    let any_varied = Component::ALL.into_iter().any(varied);
-    let state = match plane.start {
-        Start::Symmetric => return vec!["start on the 1-1-1 motion, else at rest".into()],
-        Start::Rest if !any_varied => return vec!["start at rest".into()],
-        Start::Rest => [0.0; 4],
-        Start::State(state) => state,
-    };
-    let fixed: Vec<Component> = Component::ALL.into_iter().filter(|&c| !varied(c)).collect();
-    let last = fixed.len() - 1;
-    let piece = |(i, component): (usize, Component)| {
-        let before = if i == 0 { "start " } else { "" };
-        let after = if i == last { "" } else { "," };
-        let value = number(state[component.index()]);
-        let symbol = symbol(Quantity::Start(component));
-        Text::from(before).then(symbol).upright(format!(" = {value}{after}"))
-    };
-    fixed.into_iter().enumerate().map(piece).collect()
 }
 
 /// The rows of the legend: at most `rows`, everything that is not periodic among them, the rarest motions grouped.
@@ -109,6 +73,7 @@ fn percentage(share: f64) -> String {
 mod tests {
     use super::*;
     use crate::analysis::Regime;
+    use crate::plane::Start;
     use crate::render::example;
 
     fn plain(text: &Text) -> String {

@@ -1,0 +1,256 @@
+//! Orbits: phase portraits with the stops, time series with impacts and sticking, projected sections.
+
+mod curve;
+mod panel;
+
+pub use panel::{OrbitPanel, PanelError, Variable, Zoom};
+
+use self::curve::{Place, curve};
+use super::colours::{INK, STEADY_BLUE, STICKING, STOP, STRIKING};
+use super::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample};
+use super::frame::{AxisTitle, Frame};
+use super::paint::Paint;
+use super::scale::Scale;
+use super::symbols;
+use super::text::Text;
+use crate::analysis::{Reading, Section};
+use crate::dynamics::{ImpactEvent, Recording, Stop};
+use crate::model::System;
+use crate::plane::Start;
+
+/// The widths of lines and dots, in em.
+const CURVE: f64 = 0.08;
+const STOP_LINE: f64 = 0.14;
+const IMPACT: f64 = 0.42;
+const FEW: f64 = 0.42;
+const SOME: f64 = 0.2;
+const MANY: f64 = 0.1;
+/// The space around what is shown, as a share of it.
+const AROUND: f64 = 0.06;
+/// How many plots stand side by side.
+const BESIDE: usize = 2;
+
+/// A recorded orbit.
+#[derive(Clone, Copy, Debug)]
+pub struct Orbit<'a> {
+    /// The system.
+    pub system: &'a System,
+    /// What portraits and time series show.
+    pub recording: &'a Recording,
+    /// What sections show: impacts, and one sample per forcing period at phase 0.
+    pub sections: &'a Recording,
+}
+
+impl Orbit<'_> {
+    fn delta(&self) -> f64 {
+        self.system.parameters().delta
+    }
+
+    /// When the recording begins.
+    fn began(&self) -> f64 {
+        self.recording.samples.first().map_or(0.0, |sample| sample.time)
+    }
+
+    /// The plot of a kind, zoomed in wherever a zoom's quantity is on an axis.
+    pub fn panel(&self, panel: OrbitPanel, zooms: &[Zoom]) -> Panel {
+        let mut plot = match panel {
+            OrbitPanel::Portrait(axes) => self.portrait(axes),
+            OrbitPanel::Time(of) => self.time_series(of),
+            OrbitPanel::Section(section, axes) => self.section(section, axes),
+        };
+        let [x, y] = panel.axes();
+        for zoom in zooms {
+            let scale = Scale::new(zoom.low, zoom.high);
+            if zoom.variable == x {
+                plot.frame.x = scale;
+            }
+            if zoom.variable == y {
+                plot.frame.y = scale;
+            }
+        }
+        plot
+    }
+
+    fn portrait(&self, [x, y]: [Reading; 2]) -> Panel {
+        let places = curve(self.recording, self.delta());
+        let points: Vec<[f64; 2]> = places.iter().map(|p| [p.component(x), p.component(y)]).collect();
+        let frame = self.frame(Variable::Reading(x), Variable::Reading(y), &points);
+        let mut marks = Vec::new();
+        for side in [-1.0, 1.0] {
+            let at = side * self.delta();
+            match (x, y) {
+                (Reading::X1, _) => marks.push(Mark::Upright { x: at, width: STOP_LINE, colour: STOP }),
+                (_, Reading::X1) => marks.push(Mark::Level { y: at, width: STOP_LINE, colour: STOP }),
+                _ => {}
+            }
+        }
+        marks.push(Mark::Line { points, width: CURVE, colour: INK });
+        panel(frame, marks, 1.0)
+    }
+
+    fn time_series(&self, of: Reading) -> Panel {
+        let period = self.system.period();
+        let began = self.began();
+        let periods = |time: f64| (time - began) / period;
+        let places = curve(self.recording, self.delta());
+        let points: Vec<[f64; 2]> = places.iter().map(|p| [periods(p.time), p.component(of)]).collect();
+        let mut frame = self.frame(Variable::Time, Variable::Reading(of), &points);
+        frame.x = match &points[..] {
+            [first, .., last] if first[0] < last[0] => Scale::new(first[0], last[0]),
+            _ => frame.x,
+        };
+        let mut marks: Vec<Mark> = (self.recording.sticks.iter())
+            .map(|stick| Mark::Band { x: [periods(stick.from), periods(stick.until)], colour: STICKING })
+            .collect();
+        if of == Reading::X1 {
+            let stops = [-self.delta(), self.delta()];
+            marks.extend(stops.map(|y| Mark::Level { y, width: STOP_LINE, colour: STOP }));
+        }
+        marks.push(Mark::Line { points, width: CURVE, colour: INK });
+        if of == Reading::X1 {
+            let at = |impact: &ImpactEvent| [periods(impact.time), self.stop(impact.stop)];
+            let points: Vec<[f64; 2]> = self.recording.impacts.iter().map(at).collect();
+            let diameter = if points.len() > 60 { 0.5 * IMPACT } else { IMPACT };
+            marks.push(Mark::Dots { points, diameter, colour: STRIKING });
+        }
+        panel(frame, marks, 1.35)
+    }
+
+    fn section(&self, section: Section, [x, y]: [Reading; 2]) -> Panel {
+        let points: Vec<[f64; 2]> = match section {
+            Section::Strobe => (self.sections.samples.iter())
+                .map(Place::of_sample)
+                .map(|place| [place.component(x), place.component(y)])
+                .collect(),
+            Section::A | Section::B => {
+                let stop = if section == Section::A { Stop::A } else { Stop::B };
+                let at = |i: &ImpactEvent| [self.reading(i, x), self.reading(i, y)];
+                self.sections.impacts.iter().filter(|impact| impact.stop == stop).map(at).collect()
+            }
+        };
+        let frame = self.frame(Variable::Reading(x), Variable::Reading(y), &points);
+        let diameter = match distinct(&points, &frame) {
+            0..=40 => FEW,
+            41..=400 => SOME,
+            _ => MANY,
+        };
+        panel(frame, vec![Mark::Dots { points, diameter, colour: STEADY_BLUE }], 1.0)
+    }
+
+    fn stop(&self, stop: Stop) -> f64 {
+        if stop == Stop::A { self.delta() } else { -self.delta() }
+    }
+
+    fn reading(&self, impact: &ImpactEvent, reading: Reading) -> f64 {
+        match reading {
+            Reading::VBefore => impact.velocity_before,
+            Reading::VAfter | Reading::V1 => impact.velocity_after,
+            Reading::X1 => self.stop(impact.stop),
+            Reading::X2 => impact.x2,
+            Reading::V2 => impact.v2,
+            Reading::Tau => impact.phase,
+        }
+    }
+
+    fn frame(&self, x: Variable, y: Variable, points: &[[f64; 2]]) -> Frame {
+        let stops = |variable| match variable {
+            Variable::Reading(Reading::X1) => vec![-self.delta(), self.delta()],
+            _ => Vec::new(),
+        };
+        let scale = |i: usize, variable| {
+            Scale::around(points.iter().map(|point| point[i]).chain(stops(variable)), AROUND)
+        };
+        Frame { x: scale(0, x), y: scale(1, y), x_title: title(x), y_title: title(y) }
+    }
+}
+
+/// A figure of several plots of one orbit, under the system's parameters and the start.
+pub fn orbit_figure(orbit: &Orbit<'_>, start: Start, panels: &[OrbitPanel], zooms: &[Zoom]) -> Figure {
+    let parameters = orbit.system.parameters();
+    let mut title = symbols::equations(parameters, |_| false);
+    title.extend(symbols::start(start, |_| false));
+    let mut plots: Vec<Panel> = panels.iter().map(|&panel| orbit.panel(panel, zooms)).collect();
+    if plots.len() > 1 {
+        for ((plot, panel), letter) in plots.iter_mut().zip(panels).zip('a'..) {
+            plot.caption = Some(caption(*panel, letter));
+        }
+    } else {
+        plots.iter_mut().zip(panels).for_each(|(plot, panel)| plot.caption = Some(words(*panel)));
+    }
+    let width = if plots.len() == 1 { 40.0 } else { 60.0 };
+    Figure { title, rows: in_rows(plots), key: orbit_key(panels, orbit), notes: Vec::new(), width }
+}
+
+/// Plots in rows of two.
+pub(super) fn in_rows(plots: Vec<Panel>) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    for plot in plots {
+        match rows.last_mut().filter(|row| row.panels.len() < BESIDE) {
+            Some(row) => row.panels.push(plot),
+            None => rows.push(Row { panels: vec![plot], weight: 1.0 }),
+        }
+    }
+    rows
+}
+
+/// What the marks of such plots stand for, as far as they are there.
+pub fn orbit_key(panels: &[OrbitPanel], orbit: &Orbit<'_>) -> Vec<KeyEntry> {
+    let shows =
+        |reading| panels.iter().any(|p| !p.is_section() && p.axes().contains(&Variable::Reading(reading)));
+    let series = panels.contains(&OrbitPanel::Time(Reading::X1));
+    let any_series = panels.iter().any(|panel| matches!(panel, OrbitPanel::Time(_)));
+    let mut key = Vec::new();
+    if shows(Reading::X1) {
+        let stops = Text::from("stops ").italic("x").subscript("1").upright(" = ±").italic("δ");
+        key.push(KeyEntry { sample: Sample::Line(STOP), name: stops });
+    }
+    if series && !orbit.recording.impacts.is_empty() {
+        key.push(KeyEntry { sample: Sample::Dot(STRIKING), name: "impact".into() });
+    }
+    if any_series && !orbit.recording.sticks.is_empty() {
+        key.push(KeyEntry { sample: Sample::Fill(Paint::plain(STICKING)), name: "sticking".into() });
+    }
+    key
+}
+
+fn caption(panel: OrbitPanel, letter: char) -> Text {
+    Text::from(format!("({letter}) ")).then(words(panel))
+}
+
+/// What a plot is.
+fn words(panel: OrbitPanel) -> Text {
+    match panel {
+        OrbitPanel::Portrait(_) => "phase portrait".into(),
+        OrbitPanel::Time(_) => "time series".into(),
+        OrbitPanel::Section(Section::Strobe, _) => "strobe section, forcing phase 0".into(),
+        OrbitPanel::Section(section, _) => {
+            let sign = if section == Section::A { " = +" } else { " = −" };
+            let stop = Text::new().italic("x").subscript("1").upright(sign).italic("δ");
+            Text::from("impact Poincaré section ").then(stop)
+        }
+    }
+}
+
+fn title(variable: Variable) -> AxisTitle {
+    match variable {
+        Variable::Time => {
+            let short = Text::new().italic("t").upright("/").italic("T");
+            AxisTitle { long: Text::from("time in forcing periods ").then(short.clone()), short }
+        }
+        Variable::Reading(reading) => symbols::reading_title(reading),
+    }
+}
+
+fn panel(frame: Frame, marks: Vec<Mark>, weight: f64) -> Panel {
+    Panel { caption: None, frame, marks, strips: Vec::new(), weight }
+}
+
+/// How many dots can be told apart.
+fn distinct(points: &[[f64; 2]], frame: &Frame) -> usize {
+    let cell = |value: f64| (value * 400.0) as i32;
+    let mut cells: Vec<[i32; 2]> =
+        points.iter().map(|[x, y]| [cell(frame.x.fraction(*x)), cell(frame.y.fraction(*y))]).collect();
+    cells.sort_unstable();
+    cells.dedup();
+    cells.len()
+}
