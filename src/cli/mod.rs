@@ -4,11 +4,13 @@
 
 mod adapters;
 mod classify;
+mod control;
 mod defaults;
 mod error;
 mod files;
 mod interrupt;
 mod map;
+mod method;
 mod options;
 mod orbit;
 mod panics;
@@ -44,6 +46,7 @@ enum Command {
     Map(map::MapArgs),
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
+    Control(control::ControlArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
 }
@@ -55,6 +58,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Map(args) => map::run(args),
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
+        Command::Control(args) => control::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

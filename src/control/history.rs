@@ -59,9 +59,13 @@ impl<D: Drive<f64>> Witness<f64, D> for History {
         let end = self.time + taken.time;
         while self.next as f64 * self.interval < end {
             let at = self.next as f64 * self.interval;
+            self.next += 1;
+            if at <= self.time && self.recording.impacts.last().is_some_and(|last| last.time == self.time) {
+                // The impact stands there already.
+                continue;
+            }
             let [x1, x2, v1, v2] = before.point.flown(flight, (at - self.time).max(0.0), taken.free).state();
             self.recording.samples.push(Sample { time: at, x1, x2, v1, v2 });
-            self.next += 1;
         }
         self.time = end;
         if let (Contact::Stuck(stop), None) = (before.contact, self.recording.sticks.last()) {

@@ -7,6 +7,7 @@
 
 mod canvas;
 mod colours;
+mod control;
 #[cfg(test)]
 mod example;
 mod figure;
@@ -27,6 +28,7 @@ mod ticks;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
+pub use control::{ControlPicture, Response};
 pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, TooSmall};
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};

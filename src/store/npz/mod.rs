@@ -15,9 +15,11 @@
 //!
 //! Rows run along y, the first row is the first y value. The same map gives the same bytes.
 
+mod control;
 mod read;
 mod write;
 
+pub use control::write_control;
 pub use read::{ReadError, read_map};
 pub use write::write_map;
 

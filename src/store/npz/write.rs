@@ -6,7 +6,6 @@ use npyz::{AutoSerialize, DType, WriteOptions, WriterBuilder};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-use crate::analysis::Verdict;
 use crate::plane::RegionMap;
 
 /// Writes a map as a NumPy archive; `numpy.load` reads it, without pickles.
@@ -20,48 +19,49 @@ pub fn write_map(map: &RegionMap, to: impl Write + Seek) -> io::Result<()> {
 /// Writes the arrays of `map` with the given configuration text.
 pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + Seek) -> io::Result<()> {
     let plane = &map.plane;
-    let mut archive = Archive {
-        zip: ZipWriter::new(to),
-        cells: [u64::from(plane.y.count), u64::from(plane.x.count)],
-        verdicts: &map.verdicts,
-    };
-    archive.field("regime", |v| v.regime.code())?;
-    archive.field("n", |v| v.n)?;
-    archive.field("p", |v| v.p)?;
-    archive.field("q", |v| v.q)?;
-    archive.field("symmetric", |v| u8::from(v.symmetric))?;
-    archive.field("lyapunov", |v| v.lyapunov)?;
-    archive.states()?;
-    archive.field("impacts", |v| v.impacts)?;
-    archive.field("peak_impact_velocity", |v| v.peak_impact_velocity)?;
-    archive.field("periods", |v| v.periods)?;
+    let mut archive = Archive::new(to);
+    let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
+    let verdicts = &map.verdicts;
+    archive.field("regime", cells, verdicts, |v| v.regime.code())?;
+    archive.field("n", cells, verdicts, |v| v.n)?;
+    archive.field("p", cells, verdicts, |v| v.p)?;
+    archive.field("q", cells, verdicts, |v| v.q)?;
+    archive.field("symmetric", cells, verdicts, |v| u8::from(v.symmetric))?;
+    archive.field("lyapunov", cells, verdicts, |v| v.lyapunov)?;
+    archive.array("state", &[cells[0], cells[1], 4], verdicts.iter().flat_map(|v| v.state))?;
+    archive.field("impacts", cells, verdicts, |v| v.impacts)?;
+    archive.field("peak_impact_velocity", cells, verdicts, |v| v.peak_impact_velocity)?;
+    archive.field("periods", cells, verdicts, |v| v.periods)?;
     archive.array("x", &[plane.x.count.into()], plane.x.values())?;
     archive.array("y", &[plane.y.count.into()], plane.y.values())?;
     archive.text("config", config)?;
-    archive.zip.finish()?;
-    Ok(())
+    archive.finish()
 }
 
 /// An archive under way.
-struct Archive<'a, W: Write + Seek> {
+pub(super) struct Archive<W: Write + Seek> {
     zip: ZipWriter<W>,
-    cells: [u64; 2],
-    verdicts: &'a [Verdict],
 }
 
-impl<W: Write + Seek> Archive<'_, W> {
+impl<W: Write + Seek> Archive<W> {
+    /// An empty archive.
+    pub fn new(to: W) -> Self {
+        Archive { zip: ZipWriter::new(to) }
+    }
+
     /// One value per cell.
-    fn field<T: AutoSerialize>(&mut self, name: &str, of: impl Fn(&Verdict) -> T) -> io::Result<()> {
-        self.array(name, &self.cells.clone(), self.verdicts.iter().map(of))
+    pub fn field<R, T: AutoSerialize>(
+        &mut self,
+        name: &str,
+        cells: [u64; 2],
+        of_cells: &[R],
+        of: impl Fn(&R) -> T,
+    ) -> io::Result<()> {
+        self.array(name, &cells, of_cells.iter().map(of))
     }
 
-    /// The four components of every cell's state.
-    fn states(&mut self) -> io::Result<()> {
-        let [rows, columns] = self.cells;
-        self.array("state", &[rows, columns, 4], self.verdicts.iter().flat_map(|v| v.state))
-    }
-
-    fn array<T: AutoSerialize>(
+    /// Values in rows.
+    pub fn array<T: AutoSerialize>(
         &mut self,
         name: &str,
         shape: &[u64],
@@ -76,7 +76,7 @@ impl<W: Write + Seek> Archive<'_, W> {
     }
 
     /// A single text, which NumPy shows as an array without dimensions.
-    fn text(&mut self, name: &str, text: &str) -> io::Result<()> {
+    pub fn text(&mut self, name: &str, text: &str) -> io::Result<()> {
         let kind = format!("<U{}", text.chars().count()).parse().expect("a length in characters is a type");
         self.entry(name)?;
         let mut array = WriteOptions::<str>::new()
@@ -91,5 +91,11 @@ impl<W: Write + Seek> Archive<'_, W> {
     fn entry(&mut self, name: &str) -> io::Result<()> {
         let options = SimpleFileOptions::default().last_modified_time(zip::DateTime::DEFAULT);
         Ok(self.zip.start_file(npyz::npz::file_name_from_array_name(name), options)?)
+    }
+
+    /// Ends the archive.
+    pub fn finish(self) -> io::Result<()> {
+        self.zip.finish()?;
+        Ok(())
     }
 }

@@ -1,0 +1,236 @@
+//! A control run: time responses of the section point and of the control signal, and the motion that is reached.
+
+use super::colours::{INK, STEADY_BLUE, STRIKING};
+use super::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample};
+use super::frame::{AxisTitle, Frame};
+use super::orbit::{Orbit, OrbitPanel, orbit_key};
+use super::scale::Scale;
+use super::symbols;
+use super::text::Text;
+use crate::analysis::Reading;
+use crate::control::{ControlSchedule, Convention, History, Scheme, Sign};
+use crate::model::System;
+use crate::plane::Start;
+
+/// Dots and lines, in em.
+const DOT: f64 = 0.14;
+const SWITCH: f64 = 0.09;
+const AROUND: f64 = 0.06;
+
+/// A control run, to be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct ControlPicture<'a> {
+    /// The system.
+    pub system: &'a System,
+    /// How the trajectory began.
+    pub start: Start,
+    /// What controlled it.
+    pub scheme: &'a Scheme,
+    /// When.
+    pub schedule: ControlSchedule,
+    /// What was written down.
+    pub history: &'a History,
+    /// The motion before and after, by name.
+    pub labels: [&'a str; 2],
+}
+
+/// A quantity of the time responses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Response {
+    /// The control signal: B, or the length of the correction.
+    Signal,
+    /// A component of the section point.
+    Component(Reading),
+}
+
+impl ControlPicture<'_> {
+    /// The figure: the signal and the four components against the iterate, the phase portrait and the time series after
+    /// control. `range` cuts the iterates shown.
+    pub fn figure(&self, range: Option<[u32; 2]>) -> Figure {
+        let component = |reading| Response::Component(reading);
+        let responses = [
+            Response::Signal,
+            component(Reading::Tau),
+            component(Reading::VAfter),
+            component(Reading::X2),
+            component(Reading::V2),
+        ];
+        let mut panels: Vec<Panel> = responses.iter().map(|&of| self.response(of, range)).collect();
+        let orbit = self.orbit();
+        let after = [OrbitPanel::Portrait([Reading::X1, Reading::V1]), OrbitPanel::Time(Reading::X1)];
+        panels.extend(after.map(|panel| orbit.panel(panel, &[])));
+        for (panel, (letter, words)) in panels.iter_mut().zip(('a'..).zip(CAPTIONS)) {
+            panel.weight = 1.0;
+            panel.caption = Some(Text::from(format!("({letter}) {words}")));
+        }
+        let time = panels.pop();
+        let mut rows: Vec<Row> = Vec::new();
+        for panel in panels {
+            match rows.last_mut().filter(|row| row.panels.len() < 2) {
+                Some(row) => row.panels.push(panel),
+                None => rows.push(Row { panels: vec![panel], weight: 0.62 }),
+            }
+        }
+        rows.extend(time.map(|panel| Row { panels: vec![panel], weight: 0.62 }));
+        let mut key = vec![KeyEntry {
+            sample: Sample::Line(STRIKING),
+            name: Text::from("control on, ").italic("n").upright(format!(" = {}", self.schedule.from)),
+        }];
+        key.extend(orbit_key(&after, &orbit));
+        Figure { title: self.title(), rows, key, notes: self.notes(), width: 60.0 }
+    }
+
+    /// A response against the iterate.
+    pub fn response(&self, of: Response, range: Option<[u32; 2]>) -> Panel {
+        let last = self.history.returns.len().saturating_sub(1) as u32;
+        let [from, until] = range.unwrap_or([0, last.max(1)]);
+        let points: Vec<[f64; 2]> = (self.history.returns.iter())
+            .filter(|met| (from..=until).contains(&met.iterate))
+            .map(|met| {
+                let [v1, x2, v2, tau] = met.section.components;
+                let value = match of {
+                    Response::Signal => met.signal,
+                    Response::Component(Reading::X2) => x2,
+                    Response::Component(Reading::V2) => v2,
+                    Response::Component(Reading::Tau) => tau,
+                    Response::Component(_) => v1,
+                };
+                [f64::from(met.iterate), value]
+            })
+            .collect();
+        let short = Text::new().italic("n");
+        let frame = Frame {
+            x: Scale::new(f64::from(from), f64::from(until.max(from + 1))),
+            y: Scale::around(points.iter().map(|point| point[1]), AROUND),
+            x_title: AxisTitle { long: Text::from("iterate ").then(short.clone()), short },
+            y_title: self.response_title(of),
+        };
+        let colour = if of == Response::Signal { INK } else { STEADY_BLUE };
+        let marks = vec![
+            Mark::Upright { x: f64::from(self.schedule.from), width: SWITCH, colour: STRIKING },
+            Mark::Dots { points, diameter: DOT, colour },
+        ];
+        Panel { caption: None, frame, marks, strips: Vec::new(), weight: 1.0 }
+    }
+
+    /// The flight after control.
+    pub fn orbit(&self) -> Orbit<'_> {
+        let recording = &self.history.recording;
+        Orbit { system: self.system, recording, sections: recording }
+    }
+
+    /// The projection of the section points after so many iterates under control.
+    pub fn section(&self, [x, y]: [Reading; 2], settled: u32) -> Panel {
+        let begun = self.schedule.from + settled;
+        let value = |components: [f64; 4], of| match of {
+            Reading::X2 => components[1],
+            Reading::V2 => components[2],
+            Reading::Tau => components[3],
+            _ => components[0],
+        };
+        let points: Vec<[f64; 2]> = (self.history.returns.iter())
+            .filter(|met| met.iterate >= begun)
+            .map(|met| [value(met.section.components, x), value(met.section.components, y)])
+            .collect();
+        let scale = |i: usize| Scale::around(points.iter().map(|point| point[i]), AROUND);
+        let frame = Frame {
+            x: scale(0),
+            y: scale(1),
+            x_title: symbols::reading_title(x),
+            y_title: symbols::reading_title(y),
+        };
+        let marks = vec![Mark::Dots { points, diameter: 2.0 * DOT, colour: STEADY_BLUE }];
+        Panel { caption: None, frame, marks, strips: Vec::new(), weight: 1.0 }
+    }
+
+    fn response_title(&self, of: Response) -> AxisTitle {
+        match (of, self.scheme) {
+            (Response::Signal, Scheme::Sine(_)) => {
+                let short = Text::new().italic("B");
+                AxisTitle { long: Text::from("amplitude ").then(short.clone()), short }
+            }
+            (Response::Signal, _) => {
+                let short = Text::from("|Δ").italic("X").upright("|");
+                AxisTitle { long: Text::from("correction ").then(short.clone()), short }
+            }
+            (Response::Component(reading), _) => symbols::reading_title(reading),
+        }
+    }
+
+    /// The system, the start and the method.
+    pub fn title(&self) -> Vec<Text> {
+        let mut title = symbols::equations(self.system.parameters(), |_| false);
+        title.extend(symbols::start(self.start, |_| false));
+        if let Some(last) = title.last_mut() {
+            *last = last.clone().upright(";");
+        }
+        title.extend(describe(self.scheme));
+        title
+    }
+
+    fn notes(&self) -> Vec<Text> {
+        let [before, after] = self.labels;
+        vec![
+            Text::from(format!("Before control: {before};")),
+            Text::from(format!("under control: {after}.")),
+            Text::from("Iterates are returns to x").subscript("1").upright(" = +").italic("δ").upright(","),
+            "just after an impact.".into(),
+        ]
+    }
+}
+
+const CAPTIONS: [&str; 7] = [
+    "control signal",
+    "forcing phase at impact",
+    "velocity after impact",
+    "second mass, displacement",
+    "second mass, velocity",
+    "phase portrait under control",
+    "time series under control",
+];
+
+/// A scheme in words, in pieces that belong together.
+pub(super) fn describe(scheme: &Scheme) -> Vec<Text> {
+    let number = symbols::number;
+    let equation =
+        |letter: &str, value: f64| Text::new().italic(letter).upright(format!(" = {}", number(value)));
+    let separated = |text: Text| text.upright(",");
+    match scheme {
+        Scheme::Sine(sine) => {
+            let convention = match sine.convention {
+                Convention::Kick => "sine kick,",
+                Convention::Force => "sine force,",
+                Convention::ForceLocal => "sine force from each impact,",
+            };
+            vec![
+                convention.into(),
+                separated(
+                    Text::new().italic("B").subscript("0").upright(format!(" = {}", number(sine.amplitude))),
+                ),
+                separated(equation("α", sine.alpha)),
+                separated(equation("Δ", sine.dead_band)),
+                equation("γ", sine.gamma),
+            ]
+        }
+        Scheme::Pulse(pulse) => vec![
+            "period pulse,".into(),
+            separated(equation("P", f64::from(pulse.period))),
+            equation("E", pulse.noise),
+        ],
+        Scheme::Delay(delay) => {
+            let [g, ..] = delay.gains;
+            let alike = delay.gains.iter().all(|&gain| gain == g);
+            let gains = if alike {
+                equation("g", g)
+            } else {
+                let listed: Vec<String> = delay.gains.iter().map(|&gain| number(gain)).collect();
+                Text::new().italic("G").upright(format!(" = diag({})", listed.join("; ")))
+            };
+            let sign = match delay.sign {
+                Sign::Stabilising => "delayed feedback,",
+                Sign::Printed => "delayed feedback, printed sign,",
+            };
+            vec![sign.into(), separated(gains), equation("p", f64::from(delay.delay))]
+        }
+    }
+}

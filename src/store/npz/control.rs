@@ -1,0 +1,28 @@
+//! A control run as a NumPy archive.
+
+use std::io::{self, Seek, Write};
+
+use super::write::Archive;
+use crate::control::History;
+
+/// Writes a control run as a NumPy archive: at each return to σ `iterate` (u32), `section` (f64, n × 4: v1+, x2, v2, τ),
+/// `arrived` (the same before the correction), `signal` (f64: B, or the length of the correction), `escaped` (u8);
+/// `trajectory` (f64, m × 5: time, x1, x2, v1, v2) of the flight at the end; `config`, what it takes to make it again.
+///
+/// # Errors
+/// What the file system reports.
+pub fn write_control(history: &History, config: &str, to: impl Write + Seek) -> io::Result<()> {
+    let mut archive = Archive::new(to);
+    let returns = &history.returns;
+    let count = returns.len() as u64;
+    archive.array("iterate", &[count], returns.iter().map(|met| met.iterate))?;
+    archive.array("section", &[count, 4], returns.iter().flat_map(|met| met.section.components))?;
+    archive.array("arrived", &[count, 4], returns.iter().flat_map(|met| met.arrived.components))?;
+    archive.array("signal", &[count], returns.iter().map(|met| met.signal))?;
+    archive.array("escaped", &[count], returns.iter().map(|met| u8::from(met.escaped)))?;
+    let samples = &history.recording.samples;
+    let rows = samples.iter().flat_map(|s| [s.time, s.x1, s.x2, s.v1, s.v2]);
+    archive.array("trajectory", &[samples.len() as u64, 5], rows)?;
+    archive.text("config", config)?;
+    archive.finish()
+}
