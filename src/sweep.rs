@@ -3,6 +3,10 @@
 //! Jobs are made for one tile at a time, so that memory beyond the verdicts themselves does not grow with the plane.
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
 
+mod control;
+
+pub use control::{ControlSweepError, sweep_control};
+
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -119,6 +123,15 @@ mod tests {
             assert!(jobs.len() <= self.tile.max(1), "a tile of {} jobs", jobs.len());
             watch.finished(jobs.len() as u64);
             Ok(jobs.iter().map(echo).collect())
+        }
+
+        fn control(
+            &self,
+            _: &[crate::backend::ControlJob],
+            _: &crate::control::ControlSchedule,
+            _: &dyn Watch,
+        ) -> Result<Vec<crate::control::Outcome>, BackendError> {
+            unreachable!("nothing is controlled here")
         }
     }
 

@@ -2,8 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::{Backend, BackendError, Job, Watch};
+use super::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::analysis::{Observer, Schedule, Verdict};
+use crate::control::{ControlSchedule, Outcome, control};
 use crate::model::{Flight, Real};
 
 /// Follows trajectories on the processor, one per task of rayon's current thread pool.
@@ -42,6 +43,39 @@ impl Backend for Cpu {
             .collect();
         verdicts.ok_or(BackendError::Cancelled)
     }
+
+    fn control(
+        &self,
+        jobs: &[ControlJob],
+        schedule: &ControlSchedule,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Outcome>, BackendError> {
+        let outcomes: Result<Vec<Outcome>, BackendError> = jobs
+            .par_iter()
+            .map(|job| {
+                if watch.cancelled() {
+                    return Err(BackendError::Cancelled);
+                }
+                let outcome = follow_controlled::<f64>(job, schedule);
+                watch.finished(1);
+                outcome
+            })
+            .collect();
+        outcomes
+    }
+}
+
+/// Follows one trajectory under control in the given precision; in f32 it does what the GPU does.
+///
+/// # Errors
+/// [`BackendError::Unsupported`] where a force would need too many steps in one forcing period.
+pub fn follow_controlled<T: Real>(
+    job: &ControlJob,
+    schedule: &ControlSchedule,
+) -> Result<Outcome, BackendError> {
+    let ControlJob { job: Job { system, start }, controller } = job;
+    control::<T, _>(system, *start, controller, schedule, &mut ())
+        .map_err(|error| BackendError::Unsupported(error.to_string()))
 }
 
 /// Follows one trajectory in the given precision; in f32 it does what the GPU does.

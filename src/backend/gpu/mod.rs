@@ -9,8 +9,9 @@ mod shader;
 
 use std::fmt;
 
-use super::{Backend, BackendError, Job, Watch};
+use super::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::analysis::{Schedule, Verdict};
+use crate::control::{ControlSchedule, Outcome};
 
 pub use adapters::{AdapterReport, adapters};
 
@@ -82,5 +83,15 @@ impl Backend for Gpu {
             verdicts.extend(self.kernel.run(tile, schedule, watch)?);
         }
         Ok(verdicts)
+    }
+
+    fn control(
+        &self,
+        jobs: &[ControlJob],
+        schedule: &ControlSchedule,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Outcome>, BackendError> {
+        let _ = (jobs, schedule, watch);
+        todo!()
     }
 }
