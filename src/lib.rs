@@ -76,6 +76,7 @@
 pub mod analysis;
 pub mod backend;
 pub mod control;
+pub mod curves;
 pub mod dynamics;
 pub mod model;
 pub mod plane;

@@ -7,13 +7,14 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The rooms of src/, lowest first; a room may use those of the rows above its own.
-const ORDER: [&[&str]; 11] = [
+const ORDER: [&[&str]; 12] = [
     &["model"],
     &["dynamics"],
     &["analysis"],
     &["theory"],
     &["control"],
     &["plane"],
+    &["curves"],
     &["backend"],
     &["store", "render"],
     &["sweep"],

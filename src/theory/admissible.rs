@@ -54,7 +54,7 @@ impl Inadmissible {
 
 /// (x1, x2, v1, v2) at forcing phase 0 where a motion meets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Flown {
+pub(crate) struct Flown {
     /// None if the motion is not met there.
     pub at_phase_zero: Option<[f64; 4]>,
 }
@@ -62,7 +62,7 @@ pub(super) struct Flown {
 /// Follows every arc of a motion with the certified flight of the simulation.
 ///
 /// Each arc begins anew at its impact, so that unstable motions are followed as well as stable ones.
-pub(super) fn fly(system: &System, motion: &PeriodicMotion) -> Result<Flown, Inadmissible> {
+pub(crate) fn fly(system: &System, motion: &PeriodicMotion) -> Result<Flown, Inadmissible> {
     let flight = Flight::new(system);
     let mut flown = Flown { at_phase_zero: None };
     for (i, section) in motion.sections.iter().enumerate() {
@@ -119,7 +119,7 @@ pub(super) fn fly(system: &System, motion: &PeriodicMotion) -> Result<Flown, Ina
 }
 
 /// A phase in [0, 2π).
-pub(super) fn wrapped(phase: f64) -> f64 {
+pub(crate) fn wrapped(phase: f64) -> f64 {
     let phase = phase.rem_euclid(TAU);
     if phase < TAU { phase } else { 0.0 }
 }

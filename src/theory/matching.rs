@@ -20,7 +20,7 @@ pub struct Node {
 /// Flight from u for a time (φ′ − φ)/ω must arrive at the next stop, and restitution (3) must turn its arrival
 /// into u′: four equations R(u, u′) = 0 in the order of [`Section`], the last one being x1 = ±δ.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Arc {
+pub(crate) struct Arc {
     /// R.
     pub residual: Vector4<f64>,
     /// ∂R/∂u.

@@ -70,7 +70,7 @@ impl PeriodicMotion {
     }
 
     /// Begins at the `first`-th impact of the pattern.
-    fn rotate(&mut self, first: usize) {
+    pub(crate) fn rotate(&mut self, first: usize) {
         for _ in 0..first {
             let again = self.pattern.closing(&self.sections[0]);
             self.sections.remove(0);
@@ -97,7 +97,7 @@ impl PeriodicMotion {
     }
 
     /// The pattern of one of so many equal parts, if the order of the stops and the half turns allow it.
-    fn part(&self, parts: usize) -> Option<Pattern> {
+    pub(crate) fn part(&self, parts: usize) -> Option<Pattern> {
         let Pattern { stops, half_turns, mirrored } = &self.pattern;
         let size = stops.len() / parts;
         if !half_turns.is_multiple_of(parts as u32) {

@@ -13,7 +13,7 @@ const MOST_SWEEPS: usize = 10_000;
 /// followed by the mirror where the pattern is mirrored.
 ///
 /// It is the product of the Jacobians of its impacts. None where an impact grazes, since the map has no derivative there.
-pub(super) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Option<Matrix4<f64>> {
+pub(crate) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Option<Matrix4<f64>> {
     let mut product = Matrix4::identity();
     for arc in arcs(flow, pattern, sections) {
         product = arc.jacobian()? * product;
@@ -24,7 +24,7 @@ pub(super) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Opti
 }
 
 /// The eigenvalues, largest modulus first; of a complex pair the one with the positive imaginary part first.
-pub(super) fn eigenvalues(matrix: &Matrix4<f64>) -> Option<[Complex<f64>; 4]> {
+pub(crate) fn eigenvalues(matrix: &Matrix4<f64>) -> Option<[Complex<f64>; 4]> {
     let schur = Schur::try_new(*matrix, f64::EPSILON, MOST_SWEEPS)?;
     let mut values: [Complex<f64>; 4] = schur.complex_eigenvalues().into();
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));

@@ -14,7 +14,7 @@ const MOST_HALVINGS: usize = 12;
 pub const SOLVED: f64 = 1e-11;
 
 /// The arcs of a motion, one after each impact.
-pub(super) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Vec<Arc> {
+pub(crate) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Vec<Arc> {
     (0..sections.len())
         .map(|i| {
             let from = Node { stop: pattern.stops[i], section: sections[i] };
@@ -24,7 +24,7 @@ pub(super) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Vec<
 }
 
 /// The impact that follows the `i`-th.
-pub(super) fn next(pattern: &Pattern, sections: &[Section], i: usize) -> Node {
+pub(crate) fn next(pattern: &Pattern, sections: &[Section], i: usize) -> Node {
     match sections.get(i + 1) {
         Some(&section) => Node { stop: pattern.stops[i + 1], section },
         None => pattern.closing(&sections[0]),
@@ -32,7 +32,7 @@ pub(super) fn next(pattern: &Pattern, sections: &[Section], i: usize) -> Node {
 }
 
 /// The residuals of all arcs.
-pub(super) fn residual(arcs: &[Arc]) -> DVector<f64> {
+pub(crate) fn residual(arcs: &[Arc]) -> DVector<f64> {
     DVector::from_iterator(
         4 * arcs.len(),
         arcs.iter().flat_map(|arc| arc.residual.iter().copied().collect::<Vec<_>>()),
@@ -40,7 +40,7 @@ pub(super) fn residual(arcs: &[Arc]) -> DVector<f64> {
 }
 
 /// Their derivatives with respect to all sections: square, 4K × 4K.
-pub(super) fn derivative(arcs: &[Arc], pattern: &Pattern) -> DMatrix<f64> {
+pub(crate) fn derivative(arcs: &[Arc], pattern: &Pattern) -> DMatrix<f64> {
     let count = arcs.len();
     let mut matrix = DMatrix::zeros(4 * count, 4 * count);
     for (i, arc) in arcs.iter().enumerate() {
@@ -62,7 +62,7 @@ pub(super) fn derivative(arcs: &[Arc], pattern: &Pattern) -> DMatrix<f64> {
 ///
 /// Returns the sections and the largest residual left. The phases of the solution are in order; whether it is
 /// admissible (crosses no stop in flight) is another question.
-pub(super) fn solve(flow: &Flow, pattern: &Pattern, guess: &[Section]) -> Option<(Vec<Section>, f64)> {
+pub(crate) fn solve(flow: &Flow, pattern: &Pattern, guess: &[Section]) -> Option<(Vec<Section>, f64)> {
     let mut sections = guess.to_vec();
     let mut joined = arcs(flow, pattern, &sections);
     let mut residuals = residual(&joined);
@@ -101,6 +101,6 @@ fn moved(sections: &[Section], step: &DVector<f64>, share: f64) -> Vec<Section> 
 }
 
 /// Whether every impact comes after the one before it.
-pub(super) fn is_ordered(pattern: &Pattern, sections: &[Section]) -> bool {
+pub(crate) fn is_ordered(pattern: &Pattern, sections: &[Section]) -> bool {
     (0..sections.len()).all(|i| next(pattern, sections, i).section[PHASE] > sections[i][PHASE])
 }

@@ -80,12 +80,14 @@ pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64>
 
 /// The quadratic coefficient at a multiplier +1, a of ξ → ξ + aξ²; zero at a cusp. None as for
 /// [`flip_coefficient`].
-pub fn fold_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64> {
+///
+/// The direction of ξ is that of the two null vectors on whose side `along` lies; the sign of a depends on it.
+pub fn fold_coefficient(system: &System, motion: &PeriodicMotion, along: &Section) -> Option<f64> {
     let flow = Flow::new(system);
     let forms = Forms { flow: &flow, motion };
     let map = turn(&flow, &motion.pattern, &motion.sections)?;
     let (q, p) = real_eigenvectors(&map, 1.0)?;
-    let a = 0.5 * p.dot(&forms.bilinear(&q, &q)?);
+    let a = 0.5 * p.dot(&forms.bilinear(&q, &q)?) * q.dot(along).signum();
     a.is_finite().then_some(a)
 }
 

@@ -52,7 +52,7 @@ impl Pattern {
     }
 
     /// The first impact, as it is met again at the end.
-    pub(super) fn closing(&self, first: &Section) -> Node {
+    pub(crate) fn closing(&self, first: &Section) -> Node {
         let turned = f64::from(self.half_turns) * std::f64::consts::PI;
         let mut section = self.closing_factors().component_mul(first);
         section[PHASE] += turned;
@@ -61,14 +61,14 @@ impl Pattern {
     }
 
     /// What the components of the first impact are multiplied by where it is met again.
-    pub(super) fn closing_factors(&self) -> Vector4<f64> {
+    pub(crate) fn closing_factors(&self) -> Vector4<f64> {
         let factor = if self.mirrored { -1.0 } else { 1.0 };
         Vector4::new(factor, factor, factor, 1.0)
     }
 }
 
 /// The other stop.
-pub(super) fn opposite(stop: Stop) -> Stop {
+pub(crate) fn opposite(stop: Stop) -> Stop {
     match stop {
         Stop::A => Stop::B,
         Stop::B => Stop::A,

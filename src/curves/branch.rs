@@ -1,0 +1,227 @@
+//! A motion followed in one parameter, and the bifurcations met on the way.
+
+use std::f64::consts::PI;
+
+use nalgebra::{Complex, DVector, Matrix4};
+
+use super::condition::{Kind, split, test_function};
+use super::locus::Branch;
+use super::path::PathPoint;
+use super::touch::{Touch, arrival_speeds, nearest, touches};
+use super::unknowns::{Span, Unknowns};
+use crate::model::Parameters;
+use crate::theory::{Flow, Pattern, PeriodicMotion, Section, eigenvalues, turn};
+
+/// The longest step, in lengths of the parameter's range.
+const LONGEST: f64 = 0.02;
+/// The shortest step.
+const SHORTEST: f64 = 1e-6;
+/// The most steps.
+const MOST_STEPS: usize = 1500;
+/// A step over which the path turns by more than this cosine is halved.
+const STRAIGHT: f64 = 0.95;
+/// Multipliers up to this count as stable.
+const STABLE: f64 = 1.0 + 1e-7;
+
+/// A bifurcation met on a branch: a point from which its curve can be followed.
+#[derive(Clone, Debug)]
+pub(super) struct Event {
+    pub kind: Kind,
+    pub pattern: Pattern,
+    pub sections: Vec<Section>,
+    pub parameters: Parameters,
+    /// For grazing: the arc, the stop and the phase.
+    pub touch: Option<Touch>,
+}
+
+/// What is watched along a branch.
+#[derive(Clone, Debug)]
+struct Watched {
+    /// The test functions of [`Kind::smooth`].
+    tests: [f64; 3],
+    stable: bool,
+    nearest: Option<Touch>,
+    speeds: Vec<f64>,
+}
+
+impl Watched {
+    /// Whether a stop is crossed in flight, or an impact comes from the wrong side.
+    fn is_inadmissible(&self) -> bool {
+        self.nearest.is_some_and(|touch| touch.gap < 0.0) || self.speeds.iter().any(|&speed| speed < 0.0)
+    }
+}
+
+/// Follows a motion both ways to the ends of a parameter's range, or to where it ceases to be one; the bifurcations at
+/// which it gains or loses stability, and the grazings of its stable part.
+pub(super) fn events(motion: &PeriodicMotion, parameters: &Parameters, span: Span) -> Vec<Event> {
+    let unknowns =
+        Unknowns { pattern: motion.pattern.clone(), fixed: *parameters, extra: 0, spans: vec![span] };
+    let guess = unknowns.pack(&motion.sections, &[], parameters);
+    let fixed = unknowns.parameters_at();
+    let branch = Branch(unknowns);
+    let Some(start) = PathPoint::near(&branch, guess, fixed) else { return Vec::new() };
+    let mut found = follow(&branch, start.clone());
+    found.extend(follow(&branch, start.reversed()));
+    found
+}
+
+fn follow(branch: &Branch, start: PathPoint) -> Vec<Event> {
+    let mut found = Vec::new();
+    let mut here = start;
+    let Some(mut seen) = watch(branch, &here.y) else { return found };
+    let mut ds = LONGEST;
+    for _ in 0..MOST_STEPS {
+        let ahead = here.advanced(branch, ds).filter(|next| here.straightness(next) > STRAIGHT);
+        let Some((next, watched)) = ahead.and_then(|next| watch(branch, &next.y).map(|w| (next, w))) else {
+            ds *= 0.5;
+            if ds < SHORTEST {
+                break;
+            }
+            continue;
+        };
+        if seen.stable || watched.stable {
+            for (index, kind) in Kind::smooth(&branch.0.pattern).into_iter().enumerate() {
+                if seen.tests[index] * watched.tests[index] < 0.0 {
+                    let located = locate(branch, &here, ds, |w| w.tests[index]);
+                    found.extend(located.and_then(|y| smooth_event(branch, &y, kind)));
+                }
+            }
+        }
+        if watched.is_inadmissible() {
+            found.extend(grazing_event(branch, &next.y, &watched).filter(|_| seen.stable));
+            break;
+        }
+        let share = next.y[next.y.len() - 1];
+        if !(0.0..=1.0).contains(&share) {
+            break;
+        }
+        (here, seen) = (next, watched);
+        ds = (ds * 1.4).min(LONGEST);
+    }
+    found
+}
+
+fn watch(branch: &Branch, y: &DVector<f64>) -> Option<Watched> {
+    let unknowns = &branch.0;
+    let system = unknowns.system(y)?;
+    let sections = unknowns.sections(y);
+    let map = turn(&Flow::new(&system), &unknowns.pattern, &sections)?;
+    let multipliers = eigenvalues(&map)?;
+    Some(Watched {
+        tests: Kind::smooth(&unknowns.pattern).map(|kind| test_function(kind, &map)),
+        stable: multipliers[0].norm() <= STABLE,
+        nearest: nearest(&touches(&system, &unknowns.pattern, &sections)),
+        speeds: arrival_speeds(&system, &unknowns.pattern, &sections),
+    })
+}
+
+/// The point within `ds` ahead where a watched function vanishes, by the Illinois rule.
+fn locate(branch: &Branch, from: &PathPoint, ds: f64, f: impl Fn(&Watched) -> f64) -> Option<DVector<f64>> {
+    let at = |s: f64| -> Option<(DVector<f64>, f64)> {
+        let y = if s == 0.0 { from.y.clone() } else { from.advanced(branch, s)?.y };
+        let value = f(&watch(branch, &y)?);
+        Some((y, value))
+    };
+    let (mut a, mut b) = (0.0, ds);
+    let (mut fa, mut fb) = (at(a)?.1, at(b)?.1);
+    let scale = fa.abs().max(fb.abs());
+    for _ in 0..40 {
+        let s = (a * fb - b * fa) / (fb - fa);
+        let (y, value) = at(s)?;
+        if value.abs() <= 1e-9 * scale || (b - a).abs() < 1e-10 {
+            return Some(y);
+        }
+        if value * fb < 0.0 {
+            (a, fa) = (b, fb);
+        } else {
+            fa *= 0.5;
+        }
+        (b, fb) = (s, value);
+    }
+    None
+}
+
+/// A smooth bifurcation, if it is one of stability.
+fn smooth_event(branch: &Branch, y: &DVector<f64>, kind: Kind) -> Option<Event> {
+    let unknowns = &branch.0;
+    let system = unknowns.system(y)?;
+    let sections = unknowns.sections(y);
+    let multipliers = eigenvalues(&turn(&Flow::new(&system), &unknowns.pattern, &sections)?)?;
+    let (critical, others) = split(kind, &multipliers);
+    let neutral_saddle = kind == Kind::NeimarkSacker && critical[0].im.abs() < 1e-9;
+    if neutral_saddle || others.iter().any(|value| value.norm() > STABLE) {
+        return None;
+    }
+    let event = Event {
+        kind,
+        pattern: unknowns.pattern.clone(),
+        sections,
+        parameters: *system.parameters(),
+        touch: None,
+    };
+    Some(if kind == Kind::Fold { event.of_simpler_motion() } else { event })
+}
+
+impl Event {
+    /// A branch that is born in a pitchfork or a period doubling turns around there, as if at a fold: the motion is the
+    /// simpler one then, and the bifurcation is that one's.
+    fn of_simpler_motion(self) -> Self {
+        let motion =
+            PeriodicMotion { pattern: self.pattern.clone(), sections: self.sections.clone(), residual: 0.0 };
+        let Some(pattern) = motion.part(2) else { return self };
+        let count = pattern.stops.len();
+        let mirror = if pattern.mirrored { -1.0 } else { 1.0 };
+        let turned = f64::from(pattern.half_turns) * PI;
+        let repeats = (0..count).all(|i| {
+            let (a, b) = (&self.sections[i], &self.sections[i + count]);
+            let again = Section::new(mirror * a[0], mirror * a[1], mirror * a[2], a[3] + turned);
+            (b - again).amax() < 1e-3 * (1.0 + a.amax())
+        });
+        if !repeats {
+            return self;
+        }
+        let kind = if pattern.mirrored { Kind::Pitchfork } else { Kind::PeriodDoubling };
+        Event { kind, pattern, sections: self.sections[..count].to_vec(), ..self }
+    }
+}
+
+/// The grazing that a branch has just passed: a stop crossed in flight, or an impact that came to nothing.
+///
+/// None where the only impact came to nothing: what grazes there is the motion without impact.
+fn grazing_event(branch: &Branch, y: &DVector<f64>, watched: &Watched) -> Option<Event> {
+    let unknowns = &branch.0;
+    let parameters = unknowns.parameters(y);
+    let sections = unknowns.sections(y);
+    let pattern = &unknowns.pattern;
+    let event = |pattern: Pattern, sections: Vec<Section>, touch: Touch| Event {
+        kind: Kind::Grazing,
+        pattern,
+        sections,
+        parameters,
+        touch: Some(touch),
+    };
+    if let Some(touch) = watched.nearest.filter(|touch| touch.gap < 0.0) {
+        return Some(event(pattern.clone(), sections, touch));
+    }
+    let vanishing = watched.speeds.iter().position(|&speed| speed < 0.0)?;
+    // The speed of arrival at the end of an arc is that of the next impact; without it the motion grazes there.
+    let count = sections.len();
+    let impact = (vanishing + 1) % count;
+    if count == 1 {
+        return None;
+    }
+    let mut fewer = PeriodicMotion { pattern: pattern.clone(), sections, residual: 0.0 };
+    if impact == 0 {
+        fewer.rotate(1);
+    }
+    let impact = if impact == 0 { count - 1 } else { impact };
+    let stop = fewer.pattern.stops.remove(impact);
+    let phase = fewer.sections.remove(impact)[3];
+    Some(event(fewer.pattern, fewer.sections, Touch { arc: impact - 1, stop, phase, gap: 0.0 }))
+}
+
+/// The multipliers of a turn at a point; none where it grazes.
+pub(super) fn multipliers_at(unknowns: &Unknowns, y: &DVector<f64>) -> Option<[Complex<f64>; 4]> {
+    let map: Matrix4<f64> = turn(&Flow::new(&unknowns.system(y)?), &unknowns.pattern, &unknowns.sections(y))?;
+    eigenvalues(&map)
+}

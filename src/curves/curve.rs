@@ -1,0 +1,161 @@
+//! A bifurcation curve, point by point.
+
+use serde::Serialize;
+
+use super::condition::Kind;
+use crate::dynamics::Stop;
+
+/// A bifurcation curve in the plane of two parameters; non-dimensional.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// What happens on it.
+    pub kind: Kind,
+    /// Its motion.
+    pub motion: CurveMotion,
+    /// The stop that is touched, for grazing.
+    pub touches: Option<Stop>,
+    /// Its points, in order.
+    pub points: Vec<CurvePoint>,
+    /// Why it begins and ends where it does.
+    pub ends: [End; 2],
+}
+
+/// The motion that a curve is about.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct CurveMotion {
+    /// N, forcing periods.
+    pub n: u32,
+    /// p, impacts at Ā.
+    pub p: u32,
+    /// q, impacts at A.
+    pub q: u32,
+    /// Whether it is symmetric.
+    pub symmetric: bool,
+}
+
+impl CurveMotion {
+    /// N-p-q, or what it is called without impacts.
+    pub fn label(&self) -> String {
+        if self.p + self.q == 0 {
+            "no impact".to_owned()
+        } else {
+            format!("{}-{}-{}", self.n, self.p, self.q)
+        }
+    }
+}
+
+/// A point of a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// The first parameter.
+    pub x: f64,
+    /// The second parameter.
+    pub y: f64,
+    /// Whether what is lost here is taken over by something stable; none where the question has no meaning or no answer.
+    pub criticality: Option<Criticality>,
+    /// Whether the motion is stable on one side: all its other multipliers lie within the unit circle.
+    pub bounding: bool,
+    /// Its name, if it is a special one.
+    pub special: Option<Special>,
+}
+
+/// Super- or subcritical, from the sign of the normal-form coefficient.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Criticality {
+    /// Something stable takes over: the loss is soft.
+    Supercritical,
+    /// Nothing stable is near: the loss is hard.
+    Subcritical,
+}
+
+impl Criticality {
+    /// The name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Criticality::Supercritical => "supercritical",
+            Criticality::Subcritical => "subcritical",
+        }
+    }
+}
+
+/// A point of codimension two on a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Special {
+    /// Two folds meet.
+    Cusp,
+    /// Two multipliers +1.
+    Resonance11,
+    /// Two multipliers −1.
+    Resonance12,
+    /// Multipliers e^(±2πi/3).
+    Resonance13,
+    /// Multipliers ±i.
+    Resonance14,
+    /// Multipliers +1 and −1.
+    FoldFlip,
+    /// A multiplier +1 beside a pair on the unit circle.
+    FoldNeimarkSacker,
+    /// A multiplier −1 beside a pair on the unit circle.
+    FlipNeimarkSacker,
+    /// A Neimark–Sacker bifurcation turns from super- to subcritical.
+    Chenciner,
+    /// A period doubling, or pitchfork, turns from super- to subcritical.
+    GeneralisedFlip,
+    /// The motion touches a stop: a smooth curve ends, and a grazing curve passes.
+    Grazing,
+    /// On a grazing curve, a multiplier is +1.
+    GrazingFold,
+    /// On a grazing curve, a multiplier is −1.
+    GrazingFlip,
+}
+
+impl Special {
+    /// The name in files and legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            Special::Cusp => "cusp",
+            Special::Resonance11 => "1:1 resonance",
+            Special::Resonance12 => "1:2 resonance",
+            Special::Resonance13 => "1:3 resonance",
+            Special::Resonance14 => "1:4 resonance",
+            Special::FoldFlip => "fold-flip",
+            Special::FoldNeimarkSacker => "fold-Neimark-Sacker",
+            Special::FlipNeimarkSacker => "flip-Neimark-Sacker",
+            Special::Chenciner => "Chenciner",
+            Special::GeneralisedFlip => "generalised flip",
+            Special::Grazing => "grazing",
+            Special::GrazingFold => "grazing-fold",
+            Special::GrazingFlip => "grazing-flip",
+        }
+    }
+}
+
+/// Why a curve ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+pub enum End {
+    /// It leaves the plane.
+    #[serde(rename = "leaves the plane")]
+    LeavesPlane,
+    /// It comes back to where it began.
+    #[serde(rename = "closes on itself")]
+    Closes,
+    /// A Neimark–Sacker pair meets at +1.
+    #[serde(rename = "1:1 resonance: the pair of multipliers meets at +1")]
+    Resonance11,
+    /// A Neimark–Sacker pair meets at −1.
+    #[serde(rename = "1:2 resonance: the pair of multipliers meets at -1")]
+    Resonance12,
+    /// Its motion touches a stop on the way.
+    #[serde(rename = "the motion grazes a stop in flight")]
+    Grazes,
+    /// One of its impacts comes to nothing.
+    #[serde(rename = "an impact of the motion comes to nothing")]
+    ImpactVanishes,
+    /// Newton's method does not converge however short the step.
+    #[serde(rename = "cannot be followed further")]
+    Stalled,
+    /// It has more points than are computed.
+    #[serde(rename = "longer than is computed")]
+    TooLong,
+}

@@ -1,0 +1,22 @@
+//! Bifurcation curves: where the motions of a map lose their stability or graze, from the mathematics alone.
+//!
+//! A motion's matching equations and the condition of its bifurcation are solved together in two parameters, and followed by
+//! pseudo-arclength continuation: around turning points, up to the border of the plane or to the point where the
+//! motion ceases to exist.
+
+mod atlas;
+mod branch;
+mod condition;
+mod curve;
+mod locus;
+mod no_impact;
+mod path;
+mod seeds;
+mod special;
+mod touch;
+mod trace;
+mod unknowns;
+
+pub use atlas::{CurvesError, bifurcation_curves};
+pub use condition::Kind;
+pub use curve::{Criticality, Curve, CurveMotion, CurvePoint, End, Special};

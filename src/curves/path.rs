@@ -1,0 +1,144 @@
+//! Pseudo-arclength continuation: the solutions of n equations in n + 1 unknowns, point after point.
+
+use nalgebra::{DMatrix, DVector, RowDVector};
+
+/// The most Newton steps of one correction.
+const MOST_STEPS: usize = 10;
+/// A correction below this is the last one, and so is a residual.
+const CONVERGED: f64 = 1e-9;
+/// The share of an unknown's size by which it is moved for a central difference.
+const DIFFERENCE: f64 = 1e-6;
+
+/// n equations in n + 1 unknowns, all of order one.
+pub(super) trait Equations {
+    /// The residuals; none outside the domain.
+    fn residual(&self, y: &DVector<f64>) -> Option<DVector<f64>>;
+
+    /// Their derivatives, n × (n + 1); central differences unless something better is known.
+    fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
+        differences(y, 0..y.len(), |y| self.residual(y))
+    }
+}
+
+/// Central differences of some equations with respect to some of the unknowns, a column each.
+pub(super) fn differences(
+    y: &DVector<f64>,
+    unknowns: std::ops::Range<usize>,
+    function: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
+) -> Option<DMatrix<f64>> {
+    let mut columns = Vec::with_capacity(unknowns.len());
+    let mut moved = y.clone();
+    for j in unknowns {
+        let h = DIFFERENCE * (1.0 + y[j].abs());
+        moved[j] = y[j] + h;
+        let above = function(&moved)?;
+        moved[j] = y[j] - h;
+        let below = function(&moved)?;
+        moved[j] = y[j];
+        columns.push((above - below) / (2.0 * h));
+    }
+    Some(DMatrix::from_columns(&columns))
+}
+
+/// A solution, and the direction in which the path goes on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PathPoint {
+    pub y: DVector<f64>,
+    /// A unit vector.
+    pub tangent: DVector<f64>,
+}
+
+impl PathPoint {
+    /// The solution next to a guess with its `fixed`-th unknown held, and the path through it on which that unknown
+    /// grows.
+    pub fn near(equations: &impl Equations, guess: DVector<f64>, fixed: usize) -> Option<Self> {
+        let mut border = DVector::zeros(guess.len());
+        border[fixed] = 1.0;
+        let y = corrected(equations, guess, &border)?;
+        let tangent = tangent(equations, &y, &border)?;
+        Some(PathPoint { y, tangent })
+    }
+
+    /// The same point, the other way.
+    pub fn reversed(&self) -> Self {
+        PathPoint { y: self.y.clone(), tangent: -&self.tangent }
+    }
+
+    /// The solution on the plane a length `ds` ahead; around turning points as elsewhere.
+    pub fn advanced(&self, equations: &impl Equations, ds: f64) -> Option<Self> {
+        let y = corrected(equations, &self.y + &self.tangent * ds, &self.tangent)?;
+        let tangent = tangent(equations, &y, &self.tangent)?;
+        Some(PathPoint { y, tangent })
+    }
+
+    /// How straight the path is from here to there: the cosine of the turn.
+    pub fn straightness(&self, other: &Self) -> f64 {
+        self.tangent.dot(&other.tangent)
+    }
+}
+
+/// Newton's method on the hyperplane through the guess with normal `border`.
+fn corrected(equations: &impl Equations, guess: DVector<f64>, border: &DVector<f64>) -> Option<DVector<f64>> {
+    let mut y = guess;
+    for _ in 0..MOST_STEPS {
+        let residual = equations.residual(&y)?;
+        let size = residual.amax();
+        let mut right = residual.insert_row(y.len() - 1, 0.0);
+        if !bordered(equations.jacobian(&y)?, border).lu().solve_mut(&mut right) {
+            return None;
+        }
+        let step = right.amax();
+        if !step.is_finite() || step > 1.0 {
+            return None;
+        }
+        y -= right;
+        if step < CONVERGED && size < CONVERGED {
+            return Some(y);
+        }
+    }
+    None
+}
+
+fn tangent(equations: &impl Equations, y: &DVector<f64>, border: &DVector<f64>) -> Option<DVector<f64>> {
+    let mut tangent = DVector::zeros(y.len());
+    tangent[y.len() - 1] = 1.0;
+    let solved = bordered(equations.jacobian(y)?, border).lu().solve_mut(&mut tangent);
+    let length = tangent.norm();
+    (solved && length.is_finite() && length > 0.0).then(|| tangent / length)
+}
+
+fn bordered(jacobian: DMatrix<f64>, border: &DVector<f64>) -> DMatrix<f64> {
+    let last = jacobian.nrows();
+    let mut matrix = jacobian.insert_row(last, 0.0);
+    matrix.set_row(last, &RowDVector::from_iterator(border.len(), border.iter().copied()));
+    matrix
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// x² + y² = 1 with its own derivative left to differences.
+    struct Circle;
+
+    impl Equations for Circle {
+        fn residual(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
+            Some(DVector::from_element(1, y[0] * y[0] + y[1] * y[1] - 1.0))
+        }
+    }
+
+    #[test]
+    fn a_circle_is_followed_around_its_turning_points() {
+        let mut point = PathPoint::near(&Circle, DVector::from_vec(vec![0.99, 0.1]), 1).unwrap();
+        let start = point.y.clone();
+        let mut turned = 0.0;
+        while turned < std::f64::consts::TAU {
+            let next = point.advanced(&Circle, 0.05).unwrap();
+            turned += point.straightness(&next).acos();
+            point = next;
+            assert!((point.y.norm() - 1.0).abs() < 1e-9);
+        }
+        assert!((&point.y - start).norm() < 0.1, "it comes round: {}", point.y);
+        assert!(PathPoint::near(&Circle, DVector::from_vec(vec![5.0, 8.0]), 1).is_none(), "no circle there");
+    }
+}

@@ -1,0 +1,64 @@
+//! Functions that vanish at the points of codimension two on a curve.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use nalgebra::Complex;
+
+use super::condition::Kind;
+use super::curve::Special;
+use super::locus::Locus;
+use super::path::PathPoint;
+use crate::model::System;
+use crate::theory::{PeriodicMotion, Section, fold_coefficient};
+
+/// A function along a curve, and what its zeros are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Monitor {
+    pub special: Special,
+    /// None where it is not defined.
+    pub value: Option<f64>,
+}
+
+/// What is watched along a curve of some kind.
+pub(super) fn monitors(
+    locus: &Locus,
+    at: &PathPoint,
+    system: &System,
+    motion: &PeriodicMotion,
+    coefficient: Option<f64>,
+    critical: &[Complex<f64>],
+    others: &[Complex<f64>],
+) -> Vec<Monitor> {
+    let monitor = |special, value: Option<f64>| Monitor { special, value };
+    // Products over the other multipliers are real, since those are real or come in pairs.
+    let from = |value: f64| Some(others.iter().map(|other| other - value).product::<Complex<f64>>().re);
+    match locus.kind {
+        Kind::Fold => {
+            // The null vector's sign is free: the path's own direction, which it is at a cusp, settles it.
+            let along: Section = at.tangent.fixed_rows::<4>(0).into_owned();
+            vec![
+                monitor(Special::Cusp, fold_coefficient(system, motion, &along)),
+                monitor(Special::Resonance11, from(1.0)),
+                monitor(Special::FoldFlip, from(-1.0)),
+            ]
+        }
+        Kind::PeriodDoubling | Kind::Pitchfork => vec![
+            monitor(Special::GeneralisedFlip, coefficient),
+            monitor(Special::Resonance12, from(-1.0)),
+            monitor(Special::FoldFlip, from(1.0)),
+        ],
+        Kind::NeimarkSacker => {
+            let angle = critical[0].arg().abs();
+            vec![
+                monitor(Special::Chenciner, coefficient),
+                monitor(Special::Resonance13, Some(angle - 2.0 * PI / 3.0)),
+                monitor(Special::Resonance14, Some(angle - FRAC_PI_2)),
+                monitor(Special::FoldNeimarkSacker, from(1.0)),
+                monitor(Special::FlipNeimarkSacker, from(-1.0)),
+            ]
+        }
+        Kind::Grazing => {
+            vec![monitor(Special::GrazingFold, from(1.0)), monitor(Special::GrazingFlip, from(-1.0))]
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! How near a motion comes to the stops between its impacts, and how slowly it strikes them.
+
+use crate::dynamics::Stop;
+use crate::model::System;
+use crate::model::generator::{V1, X1};
+use crate::theory::newton::{arcs, next};
+use crate::theory::{Flow, Pattern, Section};
+
+/// A turning point of x1 in flight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Touch {
+    /// The arc it lies on: after the impact of this number.
+    pub arc: usize,
+    /// The stop that it is turned towards.
+    pub stop: Stop,
+    /// Its forcing phase, on the scale of the sections.
+    pub phase: f64,
+    /// How far from the stop; negative beyond it.
+    pub gap: f64,
+}
+
+/// Every turning point of x1 towards a stop, in order.
+///
+/// They are looked for at steps short against the fastest motion and placed by cubic interpolation: near enough to
+/// begin with, not a certificate.
+pub(super) fn touches(system: &System, pattern: &Pattern, sections: &[Section]) -> Vec<Touch> {
+    let flow = Flow::new(system);
+    let mut found = Vec::new();
+    for (arc, section) in sections.iter().enumerate() {
+        let time = (next(pattern, sections, arc).section[3] - section[3]) / flow.omega;
+        let steps = (time * f64::from(system.steps()) / system.period() * 2.0).ceil().max(1.0);
+        let h = time / steps;
+        let step = flow.over(h);
+        let mut here = flow.lifted(pattern.stops[arc], section);
+        for k in 0..steps as u32 {
+            let there = step * here;
+            if here[V1] * there[V1] < 0.0 {
+                let side = if here[V1] > 0.0 { Stop::A } else { Stop::B };
+                let share = here[V1] / (here[V1] - there[V1]);
+                let x1 = hermite(share, h, here[X1], here[V1], there[X1], there[V1]);
+                found.push(Touch {
+                    arc,
+                    stop: side,
+                    phase: section[3] + flow.omega * h * (f64::from(k) + share),
+                    gap: flow.delta - side.side::<f64>() * x1,
+                });
+            }
+            here = there;
+        }
+    }
+    found
+}
+
+/// The cubic Hermite interpolant.
+fn hermite(share: f64, h: f64, x: f64, v: f64, x_end: f64, v_end: f64) -> f64 {
+    let rest = 1.0 - share;
+    x * rest * rest * (1.0 + 2.0 * share)
+        + x_end * share * share * (3.0 - 2.0 * share)
+        + h * share * rest * (v * rest - v_end * share)
+}
+
+/// The touch that comes nearest to its stop, or goes farthest beyond it.
+pub(super) fn nearest(touches: &[Touch]) -> Option<Touch> {
+    touches.iter().copied().min_by(|a, b| a.gap.total_cmp(&b.gap))
+}
+
+/// The speed of every impact of the pattern on arrival, negative where the stop would be reached from the wrong side;
+/// the first belongs to the second impact.
+pub(super) fn arrival_speeds(system: &System, pattern: &Pattern, sections: &[Section]) -> Vec<f64> {
+    let flow = Flow::new(system);
+    arcs(&flow, pattern, sections)
+        .iter()
+        .enumerate()
+        .map(|(i, arc)| next(pattern, sections, i).stop.side::<f64>() * arc.approach() * flow.omega)
+        .collect()
+}
+
+/// x1 ∓ δ and v1 of a motion at a phase on one of its arcs: both vanish where it grazes.
+pub(super) fn grazing(
+    flow: &Flow,
+    pattern: &Pattern,
+    sections: &[Section],
+    touch: (usize, Stop),
+    phase: f64,
+) -> [f64; 2] {
+    let (arc, stop) = touch;
+    let section = &sections[arc];
+    let z = flow.over((phase - section[3]) / flow.omega) * flow.lifted(pattern.stops[arc], section);
+    [z[X1] - stop.side::<f64>() * flow.delta, z[V1]]
+}

@@ -1,0 +1,91 @@
+//! The unknowns of a continuation: a motion's sections, and the parameters that vary, scaled to a plane's sides.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::path::differences;
+use crate::model::{Parameter, Parameters, System};
+use crate::theory::newton::{arcs, derivative, is_ordered, residual};
+use crate::theory::{Flow, Pattern, Section};
+
+/// A parameter and the range of it that counts as length one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Span {
+    pub parameter: Parameter,
+    pub first: f64,
+    pub last: f64,
+}
+
+impl Span {
+    fn value(&self, share: f64) -> f64 {
+        self.first + share * (self.last - self.first)
+    }
+
+    /// Where a value stands on it, 0 at its first end and 1 at its last.
+    pub fn share(&self, value: f64) -> f64 {
+        (value - self.first) / (self.last - self.first)
+    }
+}
+
+/// What a vector of unknowns stands for: 4 for each impact, then `extra` ones, then one for each parameter.
+#[derive(Clone, Debug)]
+pub(super) struct Unknowns {
+    pub pattern: Pattern,
+    pub fixed: Parameters,
+    pub extra: usize,
+    pub spans: Vec<Span>,
+}
+
+impl Unknowns {
+    /// Where the parameters begin.
+    pub fn parameters_at(&self) -> usize {
+        4 * self.pattern.stops.len() + self.extra
+    }
+
+    /// The vector of a motion.
+    pub fn pack(&self, sections: &[Section], extra: &[f64], parameters: &Parameters) -> DVector<f64> {
+        let shares = self.spans.iter().map(|span| span.share(parameters.get(span.parameter)));
+        let values = sections.iter().flat_map(|section| section.iter().copied().collect::<Vec<_>>());
+        DVector::from_iterator(
+            self.parameters_at() + self.spans.len(),
+            values.chain(extra.iter().copied()).chain(shares),
+        )
+    }
+
+    /// The parameters.
+    pub fn parameters(&self, y: &DVector<f64>) -> Parameters {
+        self.spans
+            .iter()
+            .zip(y.iter().skip(self.parameters_at()))
+            .fold(self.fixed, |parameters, (span, &share)| parameters.with(span.parameter, span.value(share)))
+    }
+
+    /// The system; none where its parameters are outside their physical range.
+    pub fn system(&self, y: &DVector<f64>) -> Option<System> {
+        System::new(self.parameters(y)).ok().filter(|system| system.parameters().delta > 0.0)
+    }
+
+    /// The sections.
+    pub fn sections(&self, y: &DVector<f64>) -> Vec<Section> {
+        (0..self.pattern.stops.len()).map(|i| y.fixed_rows::<4>(4 * i).into_owned()).collect()
+    }
+
+    /// Residuals of the matching equations.
+    pub fn matching(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
+        let flow = Flow::new(&self.system(y)?);
+        let sections = self.sections(y);
+        let residual = residual(&arcs(&flow, &self.pattern, &sections));
+        (is_ordered(&self.pattern, &sections) && residual.amax().is_finite()).then_some(residual)
+    }
+
+    /// Derivatives of the matching equations with respect to all unknowns.
+    pub fn matching_derivative(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
+        let flow = Flow::new(&self.system(y)?);
+        let own = derivative(&arcs(&flow, &self.pattern, &self.sections(y)), &self.pattern);
+        let rows = own.nrows();
+        let with_parameters = differences(y, self.parameters_at()..y.len(), |y| self.matching(y))?;
+        let mut all = DMatrix::zeros(rows, y.len());
+        all.columns_mut(0, rows).copy_from(&own);
+        all.columns_mut(self.parameters_at(), self.spans.len()).copy_from(&with_parameters);
+        Some(all)
+    }
+}
