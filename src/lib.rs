@@ -15,9 +15,10 @@
 //! | [`dynamics`] | flight, contact, impact, chatter, sticking: a [`Trajectory`](dynamics::Trajectory) moves from event to event |
 //! | [`analysis`] | periodicity, Lyapunov exponents, regimes; the analytic 1-1-1 motion |
 //! | [`plane`] | axes, starts, planes, region maps |
+//! | [`diagram`] | bifurcation diagrams: axis, sweep, section; branches and where they coexist |
 //! | [`backend`] | one trait; the CPU in f64 on every core, the GPU in f32; only its folder `gpu` names wgpu |
 //! | [`store`], [`render`] | files and pictures; they know planes, never back ends |
-//! | [`sweep`], [`validate`] | a plane on a back end, tile by tile; two back ends against each other |
+//! | [`sweep`], [`validate`] | a plane or a diagram on a back end; two back ends against each other |
 //!
 //! The command line is the binary's. `shaders/` has the file names of `src/`; the constants that the two share are
 //! generated from Rust when the shader is assembled.
@@ -77,6 +78,7 @@ pub mod analysis;
 pub mod backend;
 pub mod control;
 pub mod curves;
+pub mod diagram;
 pub mod dynamics;
 pub mod model;
 pub mod plane;

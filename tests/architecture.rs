@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The rooms of src/, lowest first; a room may use those of the rows above its own.
-const ORDER: [&[&str]; 12] = [
+const ORDER: [&[&str]; 13] = [
     &["model"],
     &["dynamics"],
     &["analysis"],
@@ -15,6 +15,7 @@ const ORDER: [&[&str]; 12] = [
     &["control"],
     &["plane"],
     &["curves"],
+    &["diagram"],
     &["backend"],
     &["store", "render"],
     &["sweep"],

@@ -8,6 +8,7 @@ mod regime;
 mod schedule;
 mod section;
 mod spread;
+mod trace;
 
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
@@ -15,6 +16,7 @@ pub use regime::{INFINITELY_MANY, Regime, Verdict};
 pub use schedule::{Schedule, ScheduleError};
 pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
 pub(crate) use spread::Spread;
+pub use trace::{Trace, Tracer};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {

@@ -104,13 +104,26 @@ impl<T: Real> Observer<T> {
     /// Follows the trajectory to its end.
     #[inline(always)]
     pub fn follow(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+        self.follow_listening(flight, schedule, &mut |_: &Trajectory<T>, _: &Event<T>| ());
+    }
+
+    /// Follows the trajectory to its end; `listen` is told of every event of the observation, with the trajectory
+    /// just after it.
+    #[inline(always)]
+    pub fn follow_listening(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &Schedule,
+        listen: &mut impl FnMut(&Trajectory<T>, &Event<T>),
+    ) {
         loop {
             match self.stage {
-                Stage::Transient => self.follow_to_phase(flight, schedule, (), |_, ()| ()),
+                Stage::Transient => {
+                    self.follow_to_phase(flight, schedule, (), |_, ()| (), &mut |_, _| ());
+                }
                 Stage::Observation => {
-                    self.follow_to_phase(flight, schedule, self.tangent, |observer, tangent| {
-                        observer.tangent = tangent;
-                    });
+                    let keep = |observer: &mut Self, tangent| observer.tangent = tangent;
+                    self.follow_to_phase(flight, schedule, self.tangent, keep, listen);
                 }
                 Stage::Observed | Stage::Quiet | Stage::Failed => return,
             }
@@ -126,6 +139,7 @@ impl<T: Real> Observer<T> {
         schedule: &Schedule,
         mut variation: V,
         keep: impl Fn(&mut Self, V),
+        listen: &mut impl FnMut(&Trajectory<T>, &Event<T>),
     ) {
         let mut trajectory = self.trajectory;
         loop {
@@ -135,6 +149,7 @@ impl<T: Real> Observer<T> {
                 self.trajectory = trajectory;
                 keep(self, variation);
             }
+            listen(&trajectory, &taken.event);
             self.note(flight, schedule, &taken);
             if at_phase || self.stage == Stage::Failed {
                 return;

@@ -3,8 +3,9 @@
 use rayon::prelude::*;
 
 use super::{Backend, BackendError, ControlJob, Job, Watch};
-use crate::analysis::{Observer, Schedule, Verdict};
+use crate::analysis::{Observer, Probe, Schedule, Trace, Tracer, Verdict};
 use crate::control::{ControlSchedule, Outcome, control};
+use crate::dynamics::{Event, Trajectory};
 use crate::model::{Flight, Real};
 
 /// Follows trajectories on the processor, one per task of rayon's current thread pool.
@@ -30,18 +31,18 @@ impl Backend for Cpu {
         schedule: &Schedule,
         watch: &dyn Watch,
     ) -> Result<Vec<Verdict>, BackendError> {
-        let verdicts: Option<Vec<Verdict>> = jobs
-            .par_iter()
-            .map(|job| {
-                if watch.cancelled() {
-                    return None;
-                }
-                let verdict = follow::<f64>(job, schedule);
-                watch.finished(1);
-                Some(verdict)
-            })
-            .collect();
-        verdicts.ok_or(BackendError::Cancelled)
+        each(jobs, watch, |job| follow::<f64>(job, schedule))
+    }
+
+    fn trace(
+        &self,
+        jobs: &[Job],
+        schedule: &Schedule,
+        probe: Probe,
+        capacity: u32,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Trace>, BackendError> {
+        each(jobs, watch, |job| trace::<f64>(job, schedule, probe, capacity))
     }
 
     fn control(
@@ -50,19 +51,28 @@ impl Backend for Cpu {
         schedule: &ControlSchedule,
         watch: &dyn Watch,
     ) -> Result<Vec<Outcome>, BackendError> {
-        let outcomes: Result<Vec<Outcome>, BackendError> = jobs
-            .par_iter()
-            .map(|job| {
-                if watch.cancelled() {
-                    return Err(BackendError::Cancelled);
-                }
-                let outcome = follow_controlled::<f64>(job, schedule);
-                watch.finished(1);
-                outcome
-            })
-            .collect();
-        outcomes
+        each(jobs, watch, |job| follow_controlled::<f64>(job, schedule))?.into_iter().collect()
     }
+}
+
+/// Does every job on one of the pool's threads, until the watch ends it.
+fn each<J: Sync, R: Send>(
+    jobs: &[J],
+    watch: &dyn Watch,
+    work: impl Fn(&J) -> R + Sync,
+) -> Result<Vec<R>, BackendError> {
+    let results: Option<Vec<R>> = jobs
+        .par_iter()
+        .map(|job| {
+            if watch.cancelled() {
+                return None;
+            }
+            let result = work(job);
+            watch.finished(1);
+            Some(result)
+        })
+        .collect();
+    results.ok_or(BackendError::Cancelled)
 }
 
 /// Follows one trajectory under control in the given precision; in f32 it does what the GPU does.
@@ -86,9 +96,31 @@ pub fn follow<T: Real>(job: &Job, schedule: &Schedule) -> Verdict {
     observer.verdict(&flight)
 }
 
+/// Follows one trajectory in the given precision and reads a section while it is observed.
+pub fn trace<T: Real>(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace {
+    let flight = Flight::new(&job.system).round::<T>();
+    let mut observer = Observer::new(&flight, schedule, job.start.map(T::of));
+    let mut tracer = Tracer::new(probe, capacity as usize);
+    trace_to_end(&mut observer, &flight, schedule, &mut tracer);
+    tracer.finish(observer.verdict(&flight))
+}
+
 /// [`Observer::follow`] with the instructions of the processor at hand; no operation is contracted or reordered, so
 /// the results do not depend on them.
 #[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
 fn follow_to_end<T: Real>(observer: &mut Observer<T>, flight: &Flight<T>, schedule: &Schedule) {
     observer.follow(flight, schedule);
+}
+
+/// The same for [`Observer::follow_listening`].
+#[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
+fn trace_to_end<T: Real>(
+    observer: &mut Observer<T>,
+    flight: &Flight<T>,
+    schedule: &Schedule,
+    tracer: &mut Tracer<T>,
+) {
+    observer.follow_listening(flight, schedule, &mut |trajectory: &Trajectory<T>, event: &Event<T>| {
+        tracer.see(flight, trajectory, event);
+    });
 }

@@ -4,7 +4,7 @@ mod cpu;
 mod gpu;
 mod select;
 
-pub use cpu::{Cpu, follow, follow_controlled};
+pub use cpu::{Cpu, follow, follow_controlled, trace};
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use select::{Choice, open};
 
@@ -12,7 +12,7 @@ use std::fmt::Debug;
 
 use thiserror::Error;
 
-use crate::analysis::{Schedule, Verdict};
+use crate::analysis::{Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, Controller, Outcome};
 use crate::model::System;
 
@@ -84,6 +84,20 @@ pub trait Backend: Debug + Sync {
         schedule: &ControlSchedule,
         watch: &dyn Watch,
     ) -> Result<Vec<Outcome>, BackendError>;
+
+    /// Follows every job and reads a section while it is observed: at most the first `capacity` passages of each, in
+    /// order.
+    ///
+    /// # Errors
+    /// Those of [`Backend::run`].
+    fn trace(
+        &self,
+        jobs: &[Job],
+        schedule: &Schedule,
+        probe: Probe,
+        capacity: u32,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Trace>, BackendError>;
 }
 
 /// Why a back end gave no verdicts.

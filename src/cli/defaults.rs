@@ -73,3 +73,11 @@ pub const GAIN: f64 = 0.5;
 
 /// The frequency of the target motion.
 pub const REFERENCE: f64 = 3.7;
+/// The picture of a bifurcation diagram.
+pub const DIAGRAM: &str = "bifurcation.png";
+
+/// Forcing periods for which a column of a diagram is observed.
+pub const DIAGRAM_OBSERVE: u32 = 300;
+
+/// Points that are kept of a column for every period observed.
+pub const POINTS_PER_PERIOD: u32 = 16;

@@ -64,7 +64,7 @@ impl From<SweepError> for CliError {
         match error {
             SweepError::Backend(error) => error.into(),
             SweepError::Memory { .. } => CliError::machine(error),
-            SweepError::Plane(_) | SweepError::System(_) => CliError::input(error),
+            SweepError::Plane(_) | SweepError::Diagram(_) | SweepError::System(_) => CliError::input(error),
         }
     }
 }

@@ -3,6 +3,7 @@
 //! Results go to standard output, everything else to standard error.
 
 mod adapters;
+mod bifurcation;
 mod classify;
 mod control;
 mod defaults;
@@ -47,6 +48,7 @@ enum Command {
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Control(control::ControlArgs),
+    Bifurcation(bifurcation::BifurcationArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
 }
@@ -59,6 +61,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
         Command::Control(args) => control::run(args),
+        Command::Bifurcation(args) => bifurcation::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

@@ -24,14 +24,36 @@ pub struct SystemArgs {
 impl SystemArgs {
     /// The parameters as set; those of `axes` are left to the axes.
     pub fn parameters(&self, axes: &[(&str, Axis)]) -> Result<Parameters, CliError> {
+        for (option, axis) in axes {
+            self.check_beside(option, &axis.to_string(), axis.quantity)?;
+        }
+        self.assigned()
+    }
+
+    /// The parameters as set; the quantity that `axis`, given as `option`, varies is left to it.
+    pub fn parameters_beside(
+        &self,
+        option: &str,
+        axis: &str,
+        quantity: Quantity,
+    ) -> Result<Parameters, CliError> {
+        self.check_beside(option, axis, quantity)?;
+        self.assigned()
+    }
+
+    fn check_beside(&self, option: &str, axis: &str, quantity: Quantity) -> Result<(), CliError> {
+        let varied = |set: &&Assignment| quantity == Quantity::Parameter(set.parameter);
+        match self.assignments.iter().find(varied) {
+            Some(set) => Err(CliError::Input(anyhow!(
+                "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
+                set.parameter
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    fn assigned(&self) -> Result<Parameters, CliError> {
         for (i, set) in self.assignments.iter().enumerate() {
-            let varied = |(_, axis): &&(&str, Axis)| axis.quantity == Quantity::Parameter(set.parameter);
-            if let Some((option, axis)) = axes.iter().find(varied) {
-                return Err(CliError::Input(anyhow!(
-                    "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
-                    set.parameter
-                )));
-            }
             if let Some(other) = self.assignments[..i].iter().find(|other| other.parameter == set.parameter) {
                 return Err(CliError::Input(anyhow!(
                     "{} is set twice, by --set {other} and --set {set}: drop one of the two",

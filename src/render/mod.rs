@@ -8,6 +8,7 @@
 mod canvas;
 mod colours;
 mod control;
+mod diagram;
 #[cfg(test)]
 mod example;
 mod figure;
@@ -29,7 +30,8 @@ mod ticks;
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
 pub use control::{ControlPicture, Response};
-pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, TooSmall};
+pub use diagram::diagram_figure;
+pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, StripLabel, TooSmall};
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
 pub use motion::Motion;

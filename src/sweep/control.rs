@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 use thiserror::Error;
 
-use super::{check_border, provenance};
+use super::map::check_border;
+use super::provenance;
 use crate::analysis::{Regime, Verdict};
 use crate::backend::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::control::{ControlError, NEVER, Outcome};
@@ -56,7 +57,10 @@ pub fn sweep_control(
 }
 
 /// The job of a cell; within, what stands in the way of controlling it.
-fn job(plane: &ControlPlane, cell: u64) -> Result<Result<ControlJob, Option<ControlError>>, ControlSweepError> {
+fn job(
+    plane: &ControlPlane,
+    cell: u64,
+) -> Result<Result<ControlJob, Option<ControlError>>, ControlSweepError> {
     let columns = u64::from(plane.x.count);
     let (column, row) = ((cell % columns) as u32, (cell / columns) as u32);
     let cells = plane.plane();

@@ -1,14 +1,15 @@
 //! The kernel on its device: a tile of trajectories, dispatched in bounded portions until all are finished.
 
-use std::sync::mpsc;
+use std::sync::{OnceLock, mpsc};
 use std::time::{Duration, Instant};
 
+use bytemuck::Pod;
 use rayon::prelude::*;
 use wgpu::util::DeviceExt;
 
 use super::adapters::Found;
-use super::layout::{Dispatch, Flight, Kick, OBSERVER_BYTES, Schedule, Verdict};
-use super::shader::{WORKGROUP, follow_source};
+use super::layout::{Dispatch, Flight, Kick, OBSERVER_BYTES, Schedule, Trace, TraceDispatch, Verdict};
+use super::shader::{WORKGROUP, follow_source, trace_source};
 use crate::analysis;
 use crate::backend::{BackendError, Job, Watch};
 use crate::model::{self, Real};
@@ -31,12 +32,34 @@ const SOFTWARE_TILE: usize = 1 << 13;
 /// Workgroups in one row of a dispatch; every adapter takes at least 65,535.
 const ROW: u32 = 1 << 15;
 
-/// A device with the compiled shader.
+/// A device with the compiled shaders.
 pub struct Kernel {
     device: wgpu::Device,
     queue: wgpu::Queue,
-    pipeline: wgpu::ComputePipeline,
+    follow: wgpu::ComputePipeline,
+    /// Compiled when it is first needed.
+    trace: OnceLock<wgpu::ComputePipeline>,
     software: bool,
+}
+
+/// What a tile of trajectories is followed with.
+struct Program<'a, D> {
+    pipeline: &'a wgpu::ComputePipeline,
+    /// Buffers beyond those that every kernel has, in the order of their bindings.
+    more: &'a [&'a wgpu::Buffer],
+    /// The uniforms of one dispatch: of so many trajectories, so many moves, the first or a later one.
+    dispatch: &'a dyn Fn(Portion) -> D,
+}
+
+/// One dispatch of a tile.
+#[derive(Clone, Copy)]
+struct Portion {
+    /// Trajectories.
+    count: u32,
+    /// Moves of each.
+    budget: u32,
+    /// 1 in the first dispatch, 0 in those that resume it.
+    begin: u32,
 }
 
 impl Kernel {
@@ -49,26 +72,20 @@ impl Kernel {
         };
         let (device, queue) = pollster::block_on(found.adapter.request_device(&descriptor))
             .map_err(|error| BackendError::Device(error.to_string()))?;
-        let pipeline = guarded(&device, || {
-            let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some("follow"),
-                source: wgpu::ShaderSource::Wgsl(follow_source().into()),
-            });
-            device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some("follow"),
-                layout: None,
-                module: &module,
-                entry_point: Some("follow"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                cache: None,
-            })
-        })?;
-        Ok(Kernel { device, queue, pipeline, software: found.report.is_software() })
+        let follow = compiled(&device, "follow", follow_source())?;
+        Ok(Kernel { device, queue, follow, trace: OnceLock::new(), software: found.report.is_software() })
     }
 
     /// Trajectories that one call of [`Kernel::run`] takes at most.
     pub fn tile(&self) -> usize {
         if self.software { SOFTWARE_TILE } else { HARDWARE_TILE }
+    }
+
+    /// Trajectories that one call of [`Kernel::trace`] takes at most.
+    pub fn trace_tile(&self, capacity: u32) -> usize {
+        let binding = self.device.limits().max_storage_buffer_binding_size;
+        let cells = binding / (4 * u64::from(capacity.max(1)));
+        self.tile().min(cells.max(1) as usize)
     }
 
     /// Follows one tile of trajectories.
@@ -78,10 +95,84 @@ impl Kernel {
         schedule: &analysis::Schedule,
         watch: &dyn Watch,
     ) -> Result<Vec<analysis::Verdict>, BackendError> {
+        let dispatch = |Portion { count, budget, begin }| Dispatch {
+            schedule: Schedule::new(schedule),
+            count,
+            budget,
+            begin,
+            row: ROW * WORKGROUP,
+        };
+        self.drive(jobs, &Program { pipeline: &self.follow, more: &[], dispatch: &dispatch }, watch)
+    }
+
+    /// Follows one tile of trajectories and reads a section while they are observed.
+    pub fn trace(
+        &self,
+        jobs: &[Job],
+        schedule: &analysis::Schedule,
+        probe: analysis::Probe,
+        capacity: u32,
+        watch: &dyn Watch,
+    ) -> Result<Vec<analysis::Trace>, BackendError> {
         if jobs.is_empty() {
             return Ok(Vec::new());
         }
-        let tile = guarded(&self.device, || Tile::new(self, jobs))?;
+        let pipeline = match self.trace.get() {
+            Some(pipeline) => pipeline,
+            None => {
+                let pipeline = compiled(&self.device, "trace", trace_source())?;
+                self.trace.get_or_init(|| pipeline)
+            }
+        };
+        let cells = jobs.len() as u64;
+        let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+        let [traces, readings] = guarded(&self.device, || {
+            let traces = empty(&self.device, size_of::<Trace>() as u64 * cells, storage);
+            [traces, empty(&self.device, 4 * u64::from(capacity) * cells, storage)]
+        })?;
+        let dispatch = |Portion { count, budget, begin }| TraceDispatch {
+            schedule: Schedule::new(schedule),
+            count,
+            budget,
+            begin,
+            row: ROW * WORKGROUP,
+            section: probe.section as u32,
+            reading: probe.reading as u32,
+            capacity,
+            unused: 0,
+        };
+        let program = Program { pipeline, more: &[&traces, &readings], dispatch: &dispatch };
+        let verdicts = self.drive(jobs, &program, watch)?;
+        let traces: Vec<Trace> = guarded(&self.device, || self.fetch(&traces))??;
+        let readings: Vec<f32> = guarded(&self.device, || self.fetch(&readings))??;
+        let of_cell = |((verdict, trace), readings): ((analysis::Verdict, &Trace), &[f32])| {
+            let kept = trace.passages.min(capacity);
+            analysis::Trace {
+                verdict,
+                readings: readings[..kept as usize].iter().map(|&value| f64::from(value)).collect(),
+                left_out: trace.passages - kept,
+                rebounds: trace.rebounds.longest,
+            }
+        };
+        Ok(verdicts
+            .into_iter()
+            .zip(&traces)
+            .zip(readings.chunks_exact(capacity as usize))
+            .map(of_cell)
+            .collect())
+    }
+
+    /// Follows one tile of trajectories with a kernel, in portions of bounded time.
+    fn drive<D: Pod>(
+        &self,
+        jobs: &[Job],
+        program: &Program<'_, D>,
+        watch: &dyn Watch,
+    ) -> Result<Vec<analysis::Verdict>, BackendError> {
+        if jobs.is_empty() {
+            return Ok(Vec::new());
+        }
+        let tile = guarded(&self.device, || Tile::new(self, program, jobs))?;
         let most = if self.software { SOFTWARE_BUDGET } else { HARDWARE_BUDGET };
         let mut budget = FIRST_BUDGET;
         let mut unfinished: Vec<u32> = (0..jobs.len() as u32).collect();
@@ -91,15 +182,9 @@ impl Kernel {
             if watch.cancelled() {
                 return Err(BackendError::Cancelled);
             }
-            let dispatch = Dispatch {
-                schedule: Schedule::new(schedule),
-                count: unfinished.len() as u32,
-                budget,
-                begin,
-                row: ROW * WORKGROUP,
-            };
             let began = Instant::now();
-            verdicts = guarded(&self.device, || tile.dispatch(self, &dispatch, &unfinished))??;
+            let portion = Portion { count: unfinished.len() as u32, budget, begin };
+            verdicts = guarded(&self.device, || tile.dispatch(self, program, portion, &unfinished))??;
             let before = unfinished.len();
             unfinished.retain(|&cell| verdicts[cell as usize].is_pending());
             watch.finished((before - unfinished.len()) as u64);
@@ -108,6 +193,63 @@ impl Kernel {
         }
         Ok(verdicts.iter().map(Verdict::widen).collect())
     }
+
+    /// Reads a buffer of the device.
+    fn fetch<T: Pod>(&self, buffer: &wgpu::Buffer) -> Result<Vec<T>, BackendError> {
+        let readback =
+            empty(&self.device, buffer.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, buffer.size());
+        self.queue.submit([encoder.finish()]);
+        self.mapped(&readback)
+    }
+
+    /// What is in a buffer that can be mapped, once everything submitted is done.
+    fn mapped<T: Pod>(&self, readback: &wgpu::Buffer) -> Result<Vec<T>, BackendError> {
+        let (sender, receiver) = mpsc::channel();
+        readback.map_async(wgpu::MapMode::Read, .., move |result| {
+            // The receiver is gone only if waiting failed, which is reported by itself.
+            let _ = sender.send(result);
+        });
+        let device_error = |error: &dyn std::fmt::Display| BackendError::Device(error.to_string());
+        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| device_error(&error))?;
+        receiver
+            .recv()
+            .map_err(|_| BackendError::Device("the device was lost".to_owned()))?
+            .map_err(|error| device_error(&error))?;
+        let values = {
+            let mapped = readback.get_mapped_range(..).map_err(|error| device_error(&error))?;
+            bytemuck::pod_collect_to_vec(&mapped)
+        };
+        readback.unmap();
+        Ok(values)
+    }
+}
+
+/// Compiles a kernel.
+fn compiled(
+    device: &wgpu::Device,
+    name: &str,
+    source: String,
+) -> Result<wgpu::ComputePipeline, BackendError> {
+    guarded(device, || {
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(name),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        });
+        device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(name),
+            layout: None,
+            module: &module,
+            entry_point: Some(name),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        })
+    })
+}
+
+fn empty(device: &wgpu::Device, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
 }
 
 /// The moves of the next dispatch, so that it takes about [`PORTION`]; at most twice the last.
@@ -139,7 +281,7 @@ struct Tile {
 }
 
 impl Tile {
-    fn new(kernel: &Kernel, jobs: &[Job]) -> Self {
+    fn new<D: Pod>(kernel: &Kernel, program: &Program<'_, D>, jobs: &[Job]) -> Self {
         let device = &kernel.device;
         let constants: Vec<model::Flight<f32>> =
             jobs.par_iter().map(|job| model::Flight::new(&job.system).round()).collect();
@@ -150,73 +292,51 @@ impl Tile {
         let filled = |contents: &[u8], usage: wgpu::BufferUsages| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
         };
-        let empty = |size: u64, usage: wgpu::BufferUsages| {
-            device.create_buffer(&wgpu::BufferDescriptor {
-                label: None,
-                size,
-                usage,
-                mapped_at_creation: false,
-            })
-        };
         let cells = jobs.len() as u64;
         let storage = wgpu::BufferUsages::STORAGE;
-        let dispatch =
-            empty(size_of::<Dispatch>() as u64, wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST);
+        let uniform = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        let dispatch = empty(device, size_of::<D>() as u64, uniform);
         let flights = filled(bytemuck::cast_slice(&flights), storage);
         let kicks = filled(bytemuck::cast_slice(&kicks), storage);
         let starts = filled(bytemuck::cast_slice(&starts), storage);
-        let unfinished = empty(4 * cells, storage | wgpu::BufferUsages::COPY_DST);
-        let observers = empty(OBSERVER_BYTES * cells, storage);
+        let unfinished = empty(device, 4 * cells, storage | wgpu::BufferUsages::COPY_DST);
+        let observers = empty(device, OBSERVER_BYTES * cells, storage);
         let verdicts = filled(bytemuck::cast_slice(&pending), storage | wgpu::BufferUsages::COPY_SRC);
-        let readback = empty(verdicts.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
+        let readback =
+            empty(device, verdicts.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
         let buffers = [&dispatch, &flights, &kicks, &starts, &unfinished, &observers, &verdicts];
         let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
-            .zip(buffers)
+            .zip(buffers.into_iter().chain(program.more.iter().copied()))
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
             .collect();
         let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
-            layout: &kernel.pipeline.get_bind_group_layout(0),
+            layout: &program.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
         Tile { bind_group, dispatch, unfinished, verdicts, readback }
     }
 
     /// One portion of moves for the unfinished trajectories; all the tile's verdicts come back.
-    fn dispatch(
+    fn dispatch<D: Pod>(
         &self,
         kernel: &Kernel,
-        dispatch: &Dispatch,
+        program: &Program<'_, D>,
+        portion: Portion,
         unfinished: &[u32],
     ) -> Result<Vec<Verdict>, BackendError> {
-        kernel.queue.write_buffer(&self.dispatch, 0, bytemuck::bytes_of(dispatch));
+        kernel.queue.write_buffer(&self.dispatch, 0, bytemuck::bytes_of(&(program.dispatch)(portion)));
         kernel.queue.write_buffer(&self.unfinished, 0, bytemuck::cast_slice(unfinished));
         let mut encoder = kernel.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(&kernel.pipeline);
+            pass.set_pipeline(program.pipeline);
             pass.set_bind_group(0, &self.bind_group, &[]);
-            let groups = dispatch.count.div_ceil(WORKGROUP);
+            let groups = portion.count.div_ceil(WORKGROUP);
             pass.dispatch_workgroups(groups.min(ROW), groups.div_ceil(ROW), 1);
         }
         encoder.copy_buffer_to_buffer(&self.verdicts, 0, &self.readback, 0, self.verdicts.size());
         kernel.queue.submit([encoder.finish()]);
-        let (sender, receiver) = mpsc::channel();
-        self.readback.map_async(wgpu::MapMode::Read, .., move |result| {
-            // The receiver is gone only if waiting failed, which is reported by itself.
-            let _ = sender.send(result);
-        });
-        let device_error = |error: &dyn std::fmt::Display| BackendError::Device(error.to_string());
-        kernel.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| device_error(&error))?;
-        receiver
-            .recv()
-            .map_err(|_| BackendError::Device("the device was lost".to_owned()))?
-            .map_err(|error| device_error(&error))?;
-        let verdicts = {
-            let mapped = self.readback.get_mapped_range(..).map_err(|error| device_error(&error))?;
-            bytemuck::cast_slice(&mapped).to_vec()
-        };
-        self.readback.unmap();
-        Ok(verdicts)
+        kernel.mapped(&self.readback)
     }
 }

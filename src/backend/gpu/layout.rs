@@ -123,6 +123,38 @@ pub struct Dispatch {
     pub row: u32,
 }
 
+/// `TraceDispatch` in shaders/kernels/trace.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct TraceDispatch {
+    pub schedule: Schedule,
+    pub count: u32,
+    pub budget: u32,
+    pub begin: u32,
+    pub row: u32,
+    pub section: u32,
+    pub reading: u32,
+    pub capacity: u32,
+    pub unused: u32,
+}
+
+/// `Rebounds` in shaders/analysis/section.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Rebounds {
+    pub last: f32,
+    pub run: u32,
+    pub longest: u32,
+}
+
+/// `Trace` in shaders/analysis/trace.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Trace {
+    pub rebounds: Rebounds,
+    pub passages: u32,
+}
+
 /// `Verdict` in shaders/analysis/observer.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -192,7 +224,12 @@ mod tests {
 
     /// The members of a shader's struct, with their offsets, and its size in an array.
     fn declared(name: &str) -> (Vec<(String, u32)>, u32) {
-        let module = naga::front::wgsl::parse_str(&shader::follow_source()).unwrap();
+        let declares = |source: String| {
+            let module = naga::front::wgsl::parse_str(&source).unwrap();
+            let there = module.types.iter().any(|(_, ty)| ty.name.as_deref() == Some(name));
+            there.then_some(module)
+        };
+        let module = declares(shader::follow_source()).or_else(|| declares(shader::trace_source())).unwrap();
         let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name)).unwrap();
         let naga::TypeInner::Struct { members, span } = &ty.inner else { panic!("{name} is no struct") };
         (members.iter().map(|m| (m.name.clone().unwrap(), m.offset)).collect(), *span)
@@ -255,6 +292,19 @@ mod tests {
             peak_impact_velocity,
             periods,
         });
+        assert_layout!(TraceDispatch {
+            schedule,
+            count,
+            budget,
+            begin,
+            row,
+            section,
+            reading,
+            capacity,
+            unused
+        });
+        assert_layout!(Rebounds { last, run, longest });
+        assert_layout!(Trace { rebounds, passages });
         assert_eq!(u64::from(declared("Observer").1), OBSERVER_BYTES);
     }
 }

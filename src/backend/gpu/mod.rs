@@ -10,7 +10,7 @@ mod shader;
 use std::fmt;
 
 use super::{Backend, BackendError, ControlJob, Job, Watch};
-use crate::analysis::{Schedule, Verdict};
+use crate::analysis::{Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, Outcome};
 
 pub use adapters::{AdapterReport, adapters};
@@ -93,5 +93,20 @@ impl Backend for Gpu {
     ) -> Result<Vec<Outcome>, BackendError> {
         let _ = (jobs, schedule, watch);
         todo!()
+    }
+
+    fn trace(
+        &self,
+        jobs: &[Job],
+        schedule: &Schedule,
+        probe: Probe,
+        capacity: u32,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Trace>, BackendError> {
+        let mut traces = Vec::with_capacity(jobs.len());
+        for tile in jobs.chunks(self.kernel.trace_tile(capacity)) {
+            traces.extend(self.kernel.trace(tile, schedule, probe, capacity, watch)?);
+        }
+        Ok(traces)
     }
 }

@@ -1,10 +1,10 @@
 //! The shader: fragments in their order, after constants generated from this crate's own.
 
-use std::fmt::Write;
+use std::fmt::{Debug, Write};
 
 use super::layout::KICK_TERMS;
 use crate::analysis::constants as analysis;
-use crate::analysis::{INFINITELY_MANY, Regime, Stage};
+use crate::analysis::{INFINITELY_MANY, Reading, Regime, Section, Stage};
 use crate::dynamics::constants as dynamics;
 use crate::model::Real;
 
@@ -13,6 +13,22 @@ pub const WORKGROUP: u32 = 64;
 
 /// The source of the kernel `follow`.
 pub fn follow_source() -> String {
+    [common().as_str(), include_str!("../../../shaders/kernels/follow.wgsl")].join("\n")
+}
+
+/// The source of the kernel `trace`.
+pub fn trace_source() -> String {
+    [
+        common().as_str(),
+        include_str!("../../../shaders/analysis/section.wgsl"),
+        include_str!("../../../shaders/analysis/trace.wgsl"),
+        include_str!("../../../shaders/kernels/trace.wgsl"),
+    ]
+    .join("\n")
+}
+
+/// What every kernel that observes trajectories begins with.
+fn common() -> String {
     [
         constants().as_str(),
         include_str!("../../../shaders/shared/numbers.wgsl"),
@@ -28,7 +44,6 @@ pub fn follow_source() -> String {
         include_str!("../../../shaders/analysis/spread.wgsl"),
         include_str!("../../../shaders/analysis/quiet.wgsl"),
         include_str!("../../../shaders/analysis/observer.wgsl"),
-        include_str!("../../../shaders/kernels/follow.wgsl"),
     ]
     .join("\n")
 }
@@ -37,8 +52,16 @@ pub fn follow_source() -> String {
 fn constants() -> String {
     let mut source = String::from("// Generated.\n");
     for regime in Regime::ALL {
-        let name = regime_constant(regime);
+        let name = constant("REGIME", regime);
         writeln!(source, "const {name} = {}u;", regime.code()).expect("a string takes anything");
+    }
+    for section in Section::ALL {
+        let name = constant("SECTION", section);
+        writeln!(source, "const {name} = {}u;", section as u32).expect("a string takes anything");
+    }
+    for reading in Reading::ALL {
+        let name = constant("READING", reading);
+        writeln!(source, "const {name} = {}u;", reading as u32).expect("a string takes anything");
     }
     for stage in Stage::ALL {
         let name = format!("{stage:?}").to_uppercase();
@@ -70,6 +93,7 @@ fn constants() -> String {
         ("AT_REST", <f32 as Real>::AT_REST),
         ("EPSILON", epsilon),
         ("SQRT_EPSILON", f64::from(f32::EPSILON.sqrt())),
+        ("TAU", std::f64::consts::TAU),
         ("THIRD", 1.0 / 3.0),
         ("TWELFTH", 1.0 / 12.0),
         ("TWO_THIRDS", 2.0 / 3.0),
@@ -107,16 +131,16 @@ fn exact(value: f64) -> String {
     format!("{:e}", value as f32)
 }
 
-/// "no impact" becomes REGIME_NO_IMPACT.
-fn regime_constant(regime: Regime) -> String {
-    let words: String = format!("{regime:?}")
+/// `NoImpact` of a regime becomes REGIME_NO_IMPACT.
+fn constant(kind: &str, code: impl Debug) -> String {
+    let words: String = format!("{code:?}")
         .char_indices()
         .flat_map(|(i, c)| {
             let gap = (i > 0 && c.is_uppercase()).then_some('_');
             gap.into_iter().chain(c.to_uppercase())
         })
         .collect();
-    format!("REGIME_{words}")
+    format!("{kind}_{words}")
 }
 
 #[cfg(test)]
@@ -124,13 +148,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_shader_is_valid_and_needs_no_feature() {
-        let module = naga::front::wgsl::parse_str(&follow_source()).unwrap_or_else(|error| {
-            panic!("{}", error.emit_to_string(&follow_source()));
-        });
-        naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
-            .validate(&module)
-            .unwrap();
+    fn the_shaders_are_valid_and_need_no_feature() {
+        for source in [follow_source(), trace_source()] {
+            let module = naga::front::wgsl::parse_str(&source)
+                .unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
+            let all = naga::valid::ValidationFlags::all();
+            naga::valid::Validator::new(all, naga::valid::Capabilities::empty()).validate(&module).unwrap();
+        }
     }
 
     #[test]
@@ -138,6 +162,8 @@ mod tests {
         for value in [1.0 / 3.0, 4e-9, 1e30, f64::from(f32::EPSILON)] {
             assert_eq!(exact(value).parse::<f32>().unwrap(), value as f32);
         }
-        assert_eq!(regime_constant(Regime::PeriodicSticking), "REGIME_PERIODIC_STICKING");
+        assert_eq!(constant("REGIME", Regime::PeriodicSticking), "REGIME_PERIODIC_STICKING");
+        assert_eq!(constant("READING", Reading::VBefore), "READING_V_BEFORE");
+        assert_eq!(constant("SECTION", Section::A), "SECTION_A");
     }
 }

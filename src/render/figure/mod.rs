@@ -9,7 +9,7 @@ use thiserror::Error;
 
 pub use key::{KeyEntry, Sample};
 pub use marks::Mark;
-pub use strip::{Stretch, Strip};
+pub use strip::{Stretch, Strip, StripLabel};
 
 use self::marks::Plot;
 use super::canvas::{Anchor, Canvas, Point, Rect};

@@ -20,8 +20,15 @@ pub struct Stretch {
     pub x: [f64; 2],
     /// How it looks.
     pub paint: Paint,
-    /// What it is called, where there is room.
-    pub label: Text,
+}
+
+/// What a part of a strip is called.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StripLabel {
+    /// The first and last x of the part.
+    pub x: [f64; 2],
+    /// Its names, the longest first; the first that fits is written.
+    pub names: Vec<Text>,
 }
 
 /// A strip along the horizontal axis, with labels above it where they fit.
@@ -29,6 +36,8 @@ pub struct Stretch {
 pub struct Strip {
     /// The stretches, in any order.
     pub stretches: Vec<Stretch>,
+    /// What stands above it, where there is room.
+    pub labels: Vec<StripLabel>,
     /// What the whole strip is called, at its left, where there are several.
     pub name: Option<Text>,
 }
@@ -69,11 +78,11 @@ pub(super) fn draw(canvas: &mut Canvas, plot: &Plot<'_>, strips: &[Strip], em: f
 
 /// The labels that fit over their stretches, with their left ends.
 fn labels<'a>(plot: &Plot<'_>, strip: &'a Strip, em: f64) -> Vec<(f64, &'a Text)> {
-    let fitting = strip.stretches.iter().filter_map(|stretch| {
-        let [a, b] = stretch.x.map(|x| plot.at([x, 0.0]).x.clamp(plot.rect.x, plot.rect.right()));
-        let width = stretch.label.width(LABEL * em);
+    let fitting = strip.labels.iter().filter_map(|label| {
+        let [a, b] = label.x.map(|x| plot.at([x, 0.0]).x.clamp(plot.rect.x, plot.rect.right()));
         let room = (b - a).abs() - 0.4 * em;
-        (width > 0.0 && width <= room).then(|| ((a + b - width) / 2.0, &stretch.label))
+        let name = label.names.iter().find(|name| name.width(LABEL * em) <= room)?;
+        Some(((a + b - name.width(LABEL * em)) / 2.0, name))
     });
     fitting.collect()
 }

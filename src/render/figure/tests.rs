@@ -15,12 +15,17 @@ fn title(name: &str) -> AxisTitle {
 
 fn panel(strips: usize) -> Panel {
     let points: Vec<[f64; 2]> = (0..500).map(|i| [f64::from(i) / 50.0 - 5.0, f64::from(i % 37)]).collect();
-    let stretch = |i: i32| Stretch {
+    let stretch =
+        |i: i32| Stretch { x: [f64::from(i), f64::from(i) + 1.0], paint: Paint::hatched(BLUE, Rgb([0; 3])) };
+    let label = |i: i32| StripLabel {
         x: [f64::from(i), f64::from(i) + 1.0],
-        paint: Paint::hatched(BLUE, Rgb([0; 3])),
-        label: "1-1-1".into(),
+        names: vec!["1-1-1 symmetric, with a long name".into(), "1-1-1".into()],
     };
-    let strip = Strip { stretches: (-6..6).map(stretch).collect(), name: Some("down".into()) };
+    let strip = Strip {
+        stretches: (-6..6).map(stretch).collect(),
+        labels: (-6..6).map(label).collect(),
+        name: Some("down".into()),
+    };
     Panel {
         caption: Some("(a) a caption".into()),
         frame: Frame {

@@ -19,19 +19,19 @@ pub fn write_map(map: &RegionMap, to: impl Write + Seek) -> io::Result<()> {
 /// Writes the arrays of `map` with the given configuration text.
 pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + Seek) -> io::Result<()> {
     let plane = &map.plane;
-    let mut archive = Archive::new(to);
     let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
-    let verdicts = &map.verdicts;
-    archive.field("regime", cells, verdicts, |v| v.regime.code())?;
-    archive.field("n", cells, verdicts, |v| v.n)?;
-    archive.field("p", cells, verdicts, |v| v.p)?;
-    archive.field("q", cells, verdicts, |v| v.q)?;
-    archive.field("symmetric", cells, verdicts, |v| u8::from(v.symmetric))?;
-    archive.field("lyapunov", cells, verdicts, |v| v.lyapunov)?;
-    archive.array("state", &[cells[0], cells[1], 4], verdicts.iter().flat_map(|v| v.state))?;
-    archive.field("impacts", cells, verdicts, |v| v.impacts)?;
-    archive.field("peak_impact_velocity", cells, verdicts, |v| v.peak_impact_velocity)?;
-    archive.field("periods", cells, verdicts, |v| v.periods)?;
+    let verdicts = || map.verdicts.iter();
+    let mut archive = Archive::new(to);
+    archive.array("regime", &cells, verdicts().map(|v| v.regime.code()))?;
+    archive.array("n", &cells, verdicts().map(|v| v.n))?;
+    archive.array("p", &cells, verdicts().map(|v| v.p))?;
+    archive.array("q", &cells, verdicts().map(|v| v.q))?;
+    archive.array("symmetric", &cells, verdicts().map(|v| u8::from(v.symmetric)))?;
+    archive.array("lyapunov", &cells, verdicts().map(|v| v.lyapunov))?;
+    archive.array("state", &[cells[0], cells[1], 4], verdicts().flat_map(|v| v.state))?;
+    archive.array("impacts", &cells, verdicts().map(|v| v.impacts))?;
+    archive.array("peak_impact_velocity", &cells, verdicts().map(|v| v.peak_impact_velocity))?;
+    archive.array("periods", &cells, verdicts().map(|v| v.periods))?;
     archive.array("x", &[plane.x.count.into()], plane.x.values())?;
     archive.array("y", &[plane.y.count.into()], plane.y.values())?;
     archive.text("config", config)?;
@@ -49,18 +49,13 @@ impl<W: Write + Seek> Archive<W> {
         Archive { zip: ZipWriter::new(to) }
     }
 
-    /// One value per cell.
-    pub fn field<R, T: AutoSerialize>(
-        &mut self,
-        name: &str,
-        cells: [u64; 2],
-        of_cells: &[R],
-        of: impl Fn(&R) -> T,
-    ) -> io::Result<()> {
-        self.array(name, &cells, of_cells.iter().map(of))
+    /// Completes the archive.
+    pub fn finish(self) -> io::Result<()> {
+        self.zip.finish()?;
+        Ok(())
     }
 
-    /// Values in rows.
+    /// One array, row by row.
     pub fn array<T: AutoSerialize>(
         &mut self,
         name: &str,
@@ -91,11 +86,5 @@ impl<W: Write + Seek> Archive<W> {
     fn entry(&mut self, name: &str) -> io::Result<()> {
         let options = SimpleFileOptions::default().last_modified_time(zip::DateTime::DEFAULT);
         Ok(self.zip.start_file(npyz::npz::file_name_from_array_name(name), options)?)
-    }
-
-    /// Ends the archive.
-    pub fn finish(self) -> io::Result<()> {
-        self.zip.finish()?;
-        Ok(())
     }
 }

@@ -3,16 +3,12 @@
 //! Jobs are made for one tile at a time, so that memory beyond the verdicts themselves does not grow with the plane.
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
 
-mod control;
-
-pub use control::{ControlSweepError, sweep_control};
-
 use rayon::prelude::*;
-use thiserror::Error;
 
+use super::{SweepError, provenance};
 use crate::backend::{Backend, BackendError, Job, Watch};
 use crate::model::{System, SystemError};
-use crate::plane::{Plane, PlaneError, Provenance, RegionMap};
+use crate::plane::{Plane, RegionMap};
 
 /// Computes every cell of a plane on a back end.
 ///
@@ -36,17 +32,8 @@ pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<
     Ok(RegionMap { plane: plane.clone(), provenance: provenance(backend), verdicts })
 }
 
-/// What a result of this back end is marked with.
-pub fn provenance(backend: &dyn Backend) -> Provenance {
-    Provenance {
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        backend: backend.name().to_owned(),
-        adapter: backend.adapter(),
-    }
-}
-
 /// Refuses time scales that are too far apart before anything is computed: they are so on the border first.
-fn check_border(plane: &Plane) -> Result<(), SystemError> {
+pub(super) fn check_border(plane: &Plane) -> Result<(), SystemError> {
     let (columns, rows) = (plane.x.count, plane.y.count);
     let horizontal = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
     let vertical = (0..rows).flat_map(|row| [(0, row), (columns - 1, row)]);
@@ -65,32 +52,12 @@ fn job(plane: &Plane, column: u32, row: u32) -> Result<Job, SystemError> {
     Ok(Job { system, start: plane.start_at(column, row).state(&system) })
 }
 
-/// Why a plane was not computed.
-#[derive(Debug, Error)]
-pub enum SweepError {
-    /// The plane cannot be used.
-    #[error(transparent)]
-    Plane(#[from] PlaneError),
-    /// A cell's system cannot be used.
-    #[error(transparent)]
-    System(#[from] SystemError),
-    /// The verdicts do not fit into memory.
-    #[error("the results of {cells} cells do not fit into this machine's memory: compute fewer")]
-    Memory {
-        /// The cells of the plane.
-        cells: u64,
-    },
-    /// The back end gave no verdicts.
-    #[error(transparent)]
-    Backend(#[from] BackendError),
-}
-
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::{AtomicU64, Ordering};
 
     use super::*;
-    use crate::analysis::{Regime, Schedule, Verdict};
+    use crate::analysis::{Probe, Regime, Schedule, Trace, Verdict};
     use crate::backend::Unwatched;
     use crate::model::Parameters;
     use crate::plane::Start;
@@ -132,6 +99,17 @@ mod tests {
             _: &dyn Watch,
         ) -> Result<Vec<crate::control::Outcome>, BackendError> {
             unreachable!("nothing is controlled here")
+        }
+
+        fn trace(
+            &self,
+            _jobs: &[Job],
+            _schedule: &Schedule,
+            _probe: Probe,
+            _capacity: u32,
+            _watch: &dyn Watch,
+        ) -> Result<Vec<Trace>, BackendError> {
+            unreachable!("a plane has no sections")
         }
     }
 

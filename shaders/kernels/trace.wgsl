@@ -1,0 +1,75 @@
+// Follows trajectories like the kernel `follow`, and reads a section while they are observed.
+
+struct TraceDispatch {
+    schedule: Schedule,
+    // Trajectories in this dispatch.
+    count: u32,
+    // Moves that each of them may make.
+    budget: u32,
+    // 1 in the first dispatch of a tile, which begins the trajectories; 0 in those that resume them.
+    begin: u32,
+    // Invocations in one row of workgroups.
+    row: u32,
+    // The codes of the section and of what is read there.
+    section: u32,
+    reading: u32,
+    // Readings that are kept of each trajectory.
+    capacity: u32,
+    unused: u32,
+}
+
+@group(0) @binding(0) var<uniform> dispatch: TraceDispatch;
+@group(0) @binding(1) var<storage, read> flights: array<Flight>;
+@group(0) @binding(2) var<storage, read> kicks: array<Kick>;
+@group(0) @binding(3) var<storage, read> starts: array<vec4<f32>>;
+// Which cells are not finished yet.
+@group(0) @binding(4) var<storage, read> unfinished: array<u32>;
+@group(0) @binding(5) var<storage, read_write> observers: array<Observer>;
+@group(0) @binding(6) var<storage, read_write> verdicts: array<Verdict>;
+@group(0) @binding(7) var<storage, read_write> traces: array<Trace>;
+@group(0) @binding(8) var<storage, read_write> readings: array<f32>;
+
+@compute @workgroup_size(WORKGROUP)
+fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
+    let index = id.y * dispatch.row + id.x;
+    if id.x >= dispatch.row || index >= dispatch.count {
+        return;
+    }
+    cell = unfinished[index];
+    flight = flights[cell];
+    schedule = dispatch.schedule;
+    probe = Probe(dispatch.section, dispatch.reading);
+    if dispatch.begin == 1u {
+        observer_begin(starts[cell]);
+        rebounds = Rebounds(0.0, 0u, 0u);
+        passages = 0u;
+    } else {
+        observer = observers[cell];
+        trajectory = observer.trajectory;
+        let t = observer.tangent;
+        tangent = vec4(t[0], t[1], t[2], t[3]);
+        rebounds = traces[cell].rebounds;
+        passages = traces[cell].passages;
+    }
+    var taken = 0u;
+    while taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
+        let observed = observer.stage == STAGE_OBSERVATION;
+        let ended = advance(observed);
+        if observed {
+            trace_see(ended, dispatch.capacity);
+        }
+        observer_note(ended);
+        taken = taken + 1u;
+    }
+    // Some drivers end every loop in silence after so many iterations; what they cut short must not pass for a result.
+    if taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
+        observer.stage = STAGE_FAILED;
+    }
+    observer.trajectory = trajectory;
+    observer.tangent = array<f32, 4>(tangent.x, tangent.y, tangent.z, tangent.w);
+    observers[cell] = observer;
+    traces[cell] = Trace(rebounds, passages);
+    if observer.stage > STAGE_OBSERVATION {
+        verdicts[cell] = observer_verdict();
+    }
+}

@@ -1,0 +1,241 @@
+//! `impact-atlas bifurcation`: a bifurcation diagram, computed, stored and drawn.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use anyhow::anyhow;
+use clap::Args;
+use impact_atlas::analysis::{Probe, Reading, Section};
+use impact_atlas::backend::{self, Backend, Choice};
+use impact_atlas::diagram::{Coexistence, Diagram, DiagramSpec, Sweep, SweepAxis};
+use impact_atlas::plane::Start;
+use impact_atlas::render::{Size, diagram_figure};
+use impact_atlas::store::write_diagram;
+use impact_atlas::sweep::diagram;
+use serde::Serialize;
+
+use super::options::{BackendArgs, BackendName, SystemArgs};
+use super::progress::Progress;
+use super::terminal::{print, print_json};
+use super::values::{parse, parse_size};
+use super::{CliError, defaults, files, note, pictures};
+
+/// Computes a bifurcation diagram over any parameter or component of the start, as a picture and as data
+///
+/// Every column is one trajectory, observed after a transient that is never cut short. What it settles on stands along
+/// the top; chatter and sticking are shaded. Columns that begin by themselves are computed in one batch; a state that
+/// is carried along shows hysteresis, and is computed on the CPU.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  impact-atlas bifurcation --x omega=5:0.2:2000 --set delta=0.1 --out fig6a.png
+  impact-atlas bifurcation --x omega=5:1:1000 --set delta=0.6 --sweep both --spectrum --out fig6d.svg
+  impact-atlas bifurcation --x delta=0.02:0.6:800 --set omega=2 --section strobe --record x2 --data d.npz
+  impact-atlas bifurcation --x v1=-1:1:500 --set omega=2.5 --set delta=0.6 --sweep rest --json")]
+pub struct BifurcationArgs {
+    /// The axis, ends included; FIRST may be greater than LAST
+    ///
+    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2.
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT", value_parser = parse::<SweepAxis>)]
+    x: SweepAxis,
+
+    #[command(flatten)]
+    system: SystemArgs,
+
+    /// How columns begin: rest, symmetric, X1,X2,V1,V2, or down, up, both
+    ///
+    /// `rest`, `symmetric` (the stable-branch 1-1-1 motion, nudged; rest where there is none) and a state at forcing
+    /// phase 0 start every column by itself. `down` and `up` carry the state along with falling and with rising values;
+    /// `both` does either, and says where the two differ.
+    #[arg(long, value_name = "SWEEP", value_parser = parse::<Sweep>, default_value = "rest",
+        allow_hyphen_values = true)]
+    sweep: Sweep,
+
+    /// How the first column of a carried sweep begins [default: rest]
+    #[arg(long, value_name = "START", value_parser = parse::<Start>, allow_hyphen_values = true)]
+    start: Option<Start>,
+
+    /// Where the motion is read: A (just after impacts at x1 = +delta), B (at x1 = -delta) or strobe (forcing phase 0)
+    #[arg(long, value_name = "SECTION", value_parser = parse::<Section>, default_value = "A")]
+    section: Section,
+
+    /// What is read: v_before, v_after, x1, x2, v1, v2 or tau [default: v_before, on the strobe section x2]
+    #[arg(long, value_name = "NAME", value_parser = parse::<Reading>)]
+    record: Option<Reading>,
+
+    /// Forcing periods before a column is observed
+    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
+    transient: u32,
+
+    /// Forcing periods for which a column is observed
+    #[arg(long, value_name = "P", default_value_t = defaults::DIAGRAM_OBSERVE)]
+    observe: u32,
+
+    /// Largest N looked for in N-p-q
+    #[arg(long, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
+    max_period: u32,
+
+    /// Points kept of each column at most, the first ones [default: 16 for every period observed]
+    #[arg(long, value_name = "K")]
+    points: Option<u32>,
+
+    /// Computes all four Lyapunov exponents of every column, on the CPU, and draws them below
+    #[arg(long)]
+    spectrum: bool,
+
+    #[command(flatten)]
+    backend: BackendArgs,
+
+    /// The picture, a PNG or SVG file
+    #[arg(long, value_name = "FILE", default_value = defaults::DIAGRAM)]
+    out: PathBuf,
+
+    /// The data, an npz file [default: beside the picture, with its name]
+    #[arg(long, value_name = "FILE.npz")]
+    data: Option<PathBuf>,
+
+    /// The picture's size in pixels [default: as the diagram needs]
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size)]
+    size: Option<Size>,
+
+    /// Prints JSON: columns, points, left_out, seconds, coexistence, backend, adapter
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed.
+#[derive(Debug, Serialize)]
+struct Summary<'a> {
+    columns: u32,
+    branches: Vec<&'static str>,
+    points: usize,
+    left_out: u64,
+    seconds: f64,
+    /// The ranges in which the branches differ; only where there are two.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    coexistence: Option<Vec<Coexistence>>,
+    backend: &'a str,
+    adapter: &'a str,
+}
+
+/// Runs the command.
+pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
+    let spec = args.spec()?;
+    pictures::format_of(&args.out)?;
+    let npz = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
+    let [Some(picture), Some(data)] = files::prepare([Some(args.out.as_path()), Some(npz.as_path())])? else {
+        unreachable!("two paths give two outputs")
+    };
+    let backend = args.open()?;
+    let began = Instant::now();
+    let branches = spec.sweep.branches().len() as u64;
+    let work = u64::from(spec.x.count()) * branches * (1 + u64::from(spec.spectrum));
+    let diagram = diagram(&spec, &*backend, &Progress::of_cells("computing", work))?;
+    let summary = Summary::new(&diagram, began.elapsed().as_secs_f64());
+    let figure = diagram_figure(&diagram);
+    let size = args.size.unwrap_or_else(|| diagram_size(&diagram));
+    let drawn = figure.draw(size, &diagram.config()).map_err(CliError::input)?;
+    files::write(&data, |file| write_diagram(&diagram, file))?;
+    pictures::write(&drawn, &picture)?;
+    note(&format!("written: {} and {}", picture.path().display(), data.path().display()));
+    if args.json { print_json(&summary) } else { print(&summary.text(&diagram)) }
+}
+
+/// A diagram is wider than a phase portrait.
+fn diagram_size(diagram: &Diagram) -> Size {
+    let height = if diagram.spec.spectrum { 1560 } else { 1080 };
+    let more = 90 * (diagram.branches.len() as u32 - 1);
+    Size::new(defaults::WIDE_FIGURE, height + more).expect("the sizes of diagrams are sizes")
+}
+
+impl BifurcationArgs {
+    /// The checked specification.
+    fn spec(&self) -> Result<DiagramSpec, CliError> {
+        if let (Some(start), false) = (self.start, self.sweep.is_carried()) {
+            return Err(CliError::Input(anyhow!(
+                "--start {start} has no effect, since --sweep {} starts every column by itself: drop it, or give the \
+                 start to --sweep",
+                self.sweep
+            )));
+        }
+        let default = if self.section == Section::Strobe { Reading::X2 } else { Reading::VBefore };
+        let probe = Probe::new(self.section, self.record.unwrap_or(default)).map_err(CliError::input)?;
+        let spec = DiagramSpec {
+            x: self.x,
+            parameters: self.system.parameters_beside("--x", &self.x.to_string(), self.x.quantity())?,
+            sweep: self.sweep,
+            start: self.start.unwrap_or(Start::Rest),
+            probe,
+            schedule: DiagramSpec::schedule(self.transient, self.observe, self.max_period),
+            capacity: self.points.unwrap_or_else(|| self.observe.saturating_mul(defaults::POINTS_PER_PERIOD)),
+            spectrum: self.spectrum,
+        };
+        spec.check().map_err(CliError::input)?;
+        Ok(spec)
+    }
+
+    /// The back end; a carried sweep has no use for any but the CPU.
+    fn open(&self) -> Result<Box<dyn Backend>, CliError> {
+        if !self.sweep.is_carried() {
+            return self.backend.open();
+        }
+        let asked = match (&self.backend.adapter, self.backend.backend) {
+            (Some(adapter), _) => Some(format!("--adapter {adapter}")),
+            (None, BackendName::Gpu) => Some("--backend gpu".to_owned()),
+            (None, BackendName::Auto | BackendName::Cpu) => None,
+        };
+        if let Some(asked) = asked {
+            return Err(CliError::Input(anyhow!(
+                "--sweep {} is a sequence and computed on the CPU: drop {asked}, or choose --sweep rest or symmetric",
+                self.sweep
+            )));
+        }
+        let cpu = backend::open(Choice::Cpu, None)?;
+        note(&format!("computing on {}: {}; a carried sweep is a sequence", cpu.name(), cpu.adapter()));
+        Ok(cpu)
+    }
+}
+
+impl<'a> Summary<'a> {
+    fn new(diagram: &'a Diagram, seconds: f64) -> Self {
+        let traces = diagram.branches.iter().flat_map(|branch| &branch.traces);
+        Summary {
+            columns: diagram.spec.x.count(),
+            branches: diagram.branches.iter().map(|branch| branch.direction.name()).collect(),
+            points: traces.map(|trace| trace.readings.len()).sum(),
+            left_out: diagram.left_out(),
+            seconds,
+            coexistence: (diagram.branches.len() == 2).then(|| diagram.coexistence()),
+            backend: &diagram.provenance.backend,
+            adapter: &diagram.provenance.adapter,
+        }
+    }
+
+    fn text(&self, diagram: &Diagram) -> String {
+        let mut lines =
+            vec![format!("{} columns and {} points in {:.2} s", self.columns, self.points, self.seconds)];
+        if self.left_out > 0 {
+            lines.push(format!("{} points beyond --points were left out", self.left_out));
+        }
+        let name = diagram.spec.x.quantity().name();
+        for range in self.coexistence.iter().flatten() {
+            let pairs: Vec<String> = (range.pairs.iter().take(3))
+                .map(|pair| match pair.first == pair.second {
+                    true => format!("two different {} motions", pair.first),
+                    false => format!("{} (down) and {} (up)", pair.first, pair.second),
+                })
+                .collect();
+            lines.push(format!(
+                "coexistence for {name} from {:.6} to {:.6} ({} columns): {}",
+                range.from,
+                range.until,
+                range.columns,
+                pairs.join("; ")
+            ));
+        }
+        if self.coexistence.as_ref().is_some_and(Vec::is_empty) {
+            lines.push("the two branches agree everywhere".to_owned());
+        }
+        lines.join("\n")
+    }
+}

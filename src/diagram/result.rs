@@ -1,0 +1,50 @@
+//! A computed diagram.
+
+use serde::Serialize;
+
+use super::spec::{DiagramSpec, Direction};
+use crate::analysis::Trace;
+use crate::plane::Provenance;
+
+/// The columns of a diagram that were computed in one go.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// How they follow each other.
+    pub direction: Direction,
+    /// One trace per column, in the order in which the axis is written.
+    pub traces: Vec<Trace>,
+    /// The four Lyapunov exponents of every column per forcing period, largest first, −∞ for a direction that is lost;
+    /// NaN where there are none.
+    pub spectrum: Option<Vec<[f64; 4]>>,
+}
+
+/// A computed bifurcation diagram.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagram {
+    /// What was asked.
+    pub spec: DiagramSpec,
+    /// What computed it.
+    pub provenance: Provenance,
+    /// One branch, or the falling and the rising one.
+    pub branches: Vec<Branch>,
+}
+
+impl Diagram {
+    /// The configuration text that files carry: the specification and its provenance, as JSON.
+    pub fn config(&self) -> String {
+        #[derive(Serialize)]
+        struct Config<'a> {
+            #[serde(flatten)]
+            provenance: &'a Provenance,
+            #[serde(flatten)]
+            spec: &'a DiagramSpec,
+        }
+        serde_json::to_string(&Config { provenance: &self.provenance, spec: &self.spec })
+            .expect("a specification and its provenance are plain data")
+    }
+
+    /// Readings that were left out for want of room, over all columns.
+    pub fn left_out(&self) -> u64 {
+        self.branches.iter().flat_map(|branch| &branch.traces).map(|trace| u64::from(trace.left_out)).sum()
+    }
+}

@@ -1,0 +1,222 @@
+//! Bifurcation diagrams: what is read on a section over a parameter, with the motions along the top, chatter and
+//! sticking shaded, and the Lyapunov exponents below.
+
+mod windows;
+
+use self::windows::Columns;
+use super::canvas::Colour;
+use super::colours::{CHATTERING, INK, MUTED, OTHER_BRANCH, STEADY_BLUE, STICKING};
+use super::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Strip};
+use super::frame::{AxisTitle, Frame};
+use super::paint::Paint;
+use super::scale::Scale;
+use super::symbols;
+use super::text::Text;
+use crate::analysis::{CHATTER_RUN, Section};
+use crate::diagram::{Branch, Diagram, Direction, SweepAxis};
+use crate::plane::Quantity;
+
+/// Lengths in em.
+const DOT: f64 = 0.055;
+const FEW_DOT: f64 = 0.16;
+const EXPONENT: f64 = 0.08;
+const LEVEL: f64 = 0.06;
+/// Diagrams with fewer columns have larger dots.
+const FEW_COLUMNS: u32 = 300;
+/// The share of the lowest exponents that the panel of exponents may leave out.
+const LEFT_OUT: f64 = 0.02;
+
+/// The colours of the four exponents, largest first.
+const EXPONENTS: [Colour; 4] = [INK, image::Rgb([0x27, 0x6d, 0xad]), image::Rgb([0x0d, 0x7a, 0x63]), MUTED];
+
+/// Draws a diagram as a figure, over its Lyapunov exponents if it has them.
+pub fn diagram_figure(diagram: &Diagram) -> Figure {
+    let spec = &diagram.spec;
+    let varied = |quantity| quantity == spec.x.quantity();
+    let mut title = symbols::equations(&spec.parameters, varied);
+    title.extend(beginning(diagram));
+    let mut rows = vec![Row { panels: vec![section_panel(diagram)], weight: 1.0 }];
+    if diagram.branches.iter().any(|branch| branch.spectrum.is_some()) {
+        rows.push(Row { panels: vec![exponent_panel(diagram)], weight: 0.62 });
+    }
+    Figure { title, rows, key: key(diagram), notes: notes(diagram), width: 58.0 }
+}
+
+/// How the columns begin, in pieces that belong together.
+fn beginning(diagram: &Diagram) -> Vec<Text> {
+    let spec = &diagram.spec;
+    let varied = |component| spec.x.quantity() == Quantity::Start(component);
+    match diagram.branches.as_slice() {
+        [Branch { direction: Direction::Each, .. }] => {
+            let crate::diagram::Sweep::Each(start) = spec.sweep else { return Vec::new() };
+            symbols::start(start, varied)
+        }
+        branches => {
+            let names: Vec<&str> = branches.iter().map(|branch| branch.direction.name()).collect();
+            let mut pieces = vec![format!("state carried {},", names.join(" and ")).into()];
+            pieces.extend(symbols::start(spec.start, varied));
+            pieces
+        }
+    }
+}
+
+fn columns(axis: &SweepAxis) -> Columns {
+    let [first, last] = axis.ends();
+    Columns { first, step: if first > last { -axis.step() } else { axis.step().max(f64::MIN_POSITIVE) } }
+}
+
+/// The scale of the axis, as written, half a column beyond its ends.
+fn scale(axis: &SweepAxis) -> Scale {
+    let [first, last] = axis.ends();
+    if axis.count() == 1 {
+        return Scale::around([first], 0.05);
+    }
+    let half = 0.5 * columns(axis).step;
+    Scale::new(first - half, last + half)
+}
+
+fn colour(direction: Direction) -> Colour {
+    if direction == Direction::Up { OTHER_BRANCH } else { STEADY_BLUE }
+}
+
+fn section_panel(diagram: &Diagram) -> Panel {
+    let spec = &diagram.spec;
+    let columns = columns(&spec.x);
+    let values = spec.x.values();
+    let readings =
+        || diagram.branches.iter().flat_map(|b| &b.traces).flat_map(|trace| trace.readings.iter().copied());
+    let frame = Frame {
+        x: scale(&spec.x),
+        y: Scale::around(readings(), 0.04),
+        x_title: symbols::axis_title(spec.x.quantity()),
+        y_title: symbols::reading_title(diagram.spec.probe.reading),
+    };
+    let mut marks = Vec::new();
+    for branch in &diagram.branches {
+        let [chatter, sticking] = columns.bands(&branch.traces);
+        marks.extend(chatter.into_iter().map(|x| Mark::Band { x, colour: CHATTERING }));
+        marks.extend(sticking.into_iter().map(|x| Mark::Band { x, colour: STICKING }));
+    }
+    let diameter = if spec.x.count() < FEW_COLUMNS { FEW_DOT } else { DOT };
+    for branch in &diagram.branches {
+        let traces = values.iter().zip(&branch.traces);
+        let points = traces.flat_map(|(&x, trace)| trace.readings.iter().map(move |&y| [x, y])).collect();
+        marks.push(Mark::Dots { points, diameter, colour: colour(branch.direction) });
+    }
+    let strip = |branch: &Branch| Strip {
+        stretches: columns.stretches(&branch.traces),
+        labels: columns.labels(&branch.traces),
+        name: (diagram.branches.len() > 1).then(|| branch.direction.name().into()),
+    };
+    let strips = diagram.branches.iter().map(strip).collect();
+    Panel { caption: None, frame, marks, strips, weight: 1.0 }
+}
+
+fn exponent_panel(diagram: &Diagram) -> Panel {
+    let spec = &diagram.spec;
+    let values = spec.x.values();
+    let mut marks = vec![Mark::Level { y: 0.0, width: LEVEL, colour: MUTED }];
+    let mut finite: Vec<f64> = Vec::new();
+    for branch in &diagram.branches {
+        let Some(spectrum) = &branch.spectrum else { continue };
+        for (which, &colour) in EXPONENTS.iter().enumerate().rev() {
+            // An exponent of −∞ interrupts its line.
+            let exponent = |exponents: &[f64; 4]| {
+                let value = exponents[which];
+                if value.is_finite() { value } else { f64::NAN }
+            };
+            let points: Vec<[f64; 2]> =
+                values.iter().zip(spectrum).map(|(&x, exponents)| [x, exponent(exponents)]).collect();
+            finite.extend(points.iter().map(|point| point[1]).filter(|value| value.is_finite()));
+            marks.push(Mark::Line { points, width: EXPONENT, colour });
+        }
+    }
+    finite.sort_by(f64::total_cmp);
+    let shown = &finite[(LEFT_OUT * finite.len() as f64) as usize..];
+    let short = Text::new().italic("λ").upright(" per ").italic("T");
+    Panel {
+        caption: None,
+        frame: Frame {
+            x: scale(&spec.x),
+            y: Scale::around(shown.iter().copied().chain([0.0]), 0.06),
+            x_title: symbols::axis_title(spec.x.quantity()),
+            y_title: AxisTitle { long: "Lyapunov exponents per forcing period".into(), short },
+        },
+        marks,
+        strips: Vec::new(),
+        weight: 1.0,
+    }
+}
+
+fn key(diagram: &Diagram) -> Vec<KeyEntry> {
+    let mut key = Vec::new();
+    if diagram.branches.len() > 1 {
+        for branch in &diagram.branches {
+            let over = if branch.direction == Direction::Up { ", drawn over down" } else { "" };
+            let name = format!("{}{over}", branch.direction.name()).into();
+            key.push(KeyEntry { sample: Sample::Dot(colour(branch.direction)), name });
+        }
+    }
+    let bands: Vec<_> =
+        diagram.branches.iter().map(|branch| columns(&diagram.spec.x).bands(&branch.traces)).collect();
+    let marked = |which: usize| bands.iter().any(|bands| !bands[which].is_empty());
+    if marked(0) {
+        key.push(KeyEntry { sample: Sample::Fill(Paint::plain(CHATTERING)), name: "chatter".into() });
+    }
+    if marked(1) {
+        key.push(KeyEntry { sample: Sample::Fill(Paint::plain(STICKING)), name: "sticking".into() });
+    }
+    if diagram.branches.iter().any(|branch| branch.spectrum.is_some()) {
+        for (number, &colour) in (1..).zip(&EXPONENTS) {
+            let name = Text::new().italic("λ").subscript(number.to_string());
+            key.push(KeyEntry { sample: Sample::Line(colour), name });
+        }
+    }
+    key
+}
+
+/// The section in words.
+fn where_read(section: Section) -> Text {
+    let sign = match section {
+        Section::A => " = +",
+        Section::B => " = −",
+        Section::Strobe => return "at forcing phase 0.".into(),
+    };
+    Text::from("at impacts at ").italic("x").subscript("1").upright(sign).italic("δ").upright(".")
+}
+
+fn notes(diagram: &Diagram) -> Vec<Text> {
+    let schedule = diagram.spec.schedule;
+    let mut notes: Vec<Text> = vec![
+        format!("After {} forcing periods, {} are shown", schedule.transient, schedule.observe).into(),
+        where_read(diagram.spec.probe.section),
+    ];
+    notes.push(
+        Text::new()
+            .italic("N")
+            .upright("-")
+            .italic("p")
+            .upright("-")
+            .italic("q")
+            .upright(": ")
+            .italic("N")
+            .upright(" forcing periods,"),
+    );
+    let impacts = |count: &str, sign: &str, end: &str| {
+        let stop =
+            Text::new().italic("x").subscript("1").upright(format!(" = {sign}")).italic("δ").upright(end);
+        Text::new().italic(count).upright(" impacts at ").then(stop)
+    };
+    notes.push(impacts("p", "−", ","));
+    notes.push(impacts("q", "+", "."));
+    let bands = diagram.branches.iter().map(|branch| columns(&diagram.spec.x).bands(&branch.traces));
+    if bands.into_iter().any(|[chatter, _]| !chatter.is_empty()) {
+        notes.push(format!("Chatter: {CHATTER_RUN} or more impacts in a row at one stop,").into());
+        notes.push("each slower than the one before.".into());
+    }
+    if diagram.left_out() > 0 {
+        let capacity = diagram.spec.capacity;
+        notes.push(format!("Of each column the first {capacity} points are shown.").into());
+    }
+    notes
+}

@@ -1,0 +1,118 @@
+//! Which motions a branch shows along the axis: stretches of equal columns, and the windows that get a name.
+
+use crate::analysis::{CHATTER_RUN, Trace};
+use crate::render::colours::paint_of;
+use crate::render::figure::{Stretch, StripLabel};
+use crate::render::motion::Motion;
+
+/// Interruptions of a window that are shorter than this share of the axis do not end it.
+const INTERRUPTION: f64 = 0.004;
+
+/// Columns in a row that have something in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Run<K> {
+    kind: K,
+    first: usize,
+    last: usize,
+}
+
+fn runs<K: PartialEq + Copy>(kinds: impl Iterator<Item = K>) -> Vec<Run<K>> {
+    let mut runs: Vec<Run<K>> = Vec::new();
+    for (i, kind) in kinds.enumerate() {
+        match runs.last_mut().filter(|run| run.kind == kind) {
+            Some(run) => run.last = i,
+            None => runs.push(Run { kind, first: i, last: i }),
+        }
+    }
+    runs
+}
+
+/// The places of columns on the axis: each reaches half a column to either side.
+pub(super) struct Columns {
+    pub first: f64,
+    pub step: f64,
+}
+
+impl Columns {
+    fn span(&self, first: usize, last: usize) -> [f64; 2] {
+        let at = |i: f64| self.first + self.step * i;
+        [at(first as f64 - 0.5), at(last as f64 + 0.5)]
+    }
+
+    /// The colours of the motions.
+    pub fn stretches(&self, traces: &[Trace]) -> Vec<Stretch> {
+        let motions = traces.iter().map(|trace| Motion::of(&trace.verdict));
+        let stretch =
+            |run: &Run<Motion>| Stretch { x: self.span(run.first, run.last), paint: paint_of(run.kind) };
+        runs(motions).iter().map(stretch).collect()
+    }
+
+    /// The names of the motions, in full and by label alone.
+    pub fn labels(&self, traces: &[Trace]) -> Vec<StripLabel> {
+        let gap = (INTERRUPTION * traces.len() as f64) as usize;
+        let mut windows: Vec<Run<Motion>> = Vec::new();
+        for run in runs(traces.iter().map(|trace| Motion::of(&trace.verdict))) {
+            // A window goes on after an interruption; what interrupted it, and got a window of its own, is absorbed.
+            let resumed = windows.iter().rposition(|w| w.kind == run.kind && run.first - w.last - 1 <= gap);
+            match resumed {
+                Some(i) => {
+                    windows[i].last = run.last;
+                    windows.truncate(i + 1);
+                }
+                None => windows.push(run),
+            }
+        }
+        let label = |window: &Run<Motion>| {
+            let verdict = &traces[window.last].verdict;
+            let names = vec![Motion::name(verdict).into(), verdict.label().into()];
+            StripLabel { x: self.span(window.first, window.last), names }
+        };
+        windows.iter().map(label).collect()
+    }
+
+    /// Where impacts chatter without sticking, and where the first mass sticks.
+    pub fn bands(&self, traces: &[Trace]) -> [Vec<[f64; 2]>; 2] {
+        let sticks = |trace: &Trace| {
+            use crate::analysis::Regime::{AperiodicSticking, PeriodicSticking};
+            matches!(trace.verdict.regime, PeriodicSticking | AperiodicSticking)
+        };
+        let chatters = |trace: &Trace| trace.rebounds >= CHATTER_RUN && !sticks(trace);
+        let bands = |is: &dyn Fn(&Trace) -> bool| {
+            let there = runs(traces.iter().map(is)).into_iter().filter(|run| run.kind);
+            there.map(|run| self.span(run.first, run.last)).collect()
+        };
+        [bands(&chatters), bands(&sticks)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::Regime;
+    use crate::render::example::verdict;
+
+    fn traces(motions: &[(u16, usize)]) -> Vec<Trace> {
+        let trace = |&(n, count): &(u16, usize)| {
+            let verdict = verdict(Regime::Periodic, [n, n, n], false);
+            vec![Trace { verdict, readings: Vec::new(), left_out: 0, rebounds: u32::from(n) }; count]
+        };
+        motions.iter().flat_map(trace).collect()
+    }
+
+    #[test]
+    fn short_interruptions_do_not_end_a_window() {
+        let columns = Columns { first: 0.0, step: 1.0 };
+        let traces = traces(&[(1, 400), (2, 1), (1, 1), (3, 1), (1, 97), (2, 500)]);
+        let labels = columns.labels(&traces);
+        let spans: Vec<[f64; 2]> = labels.iter().map(|label| label.x).collect();
+        assert_eq!(spans, [[-0.5, 499.5], [499.5, 999.5]]);
+        assert_eq!(columns.stretches(&traces).len(), 6);
+    }
+
+    #[test]
+    fn chatter_is_marked() {
+        let columns = Columns { first: 5.0, step: -0.5 };
+        let [chatter, sticking] = columns.bands(&traces(&[(1, 2), (6, 2), (2, 1)]));
+        assert_eq!((chatter, sticking), (vec![[4.25, 3.25]], vec![]));
+    }
+}

@@ -1,0 +1,118 @@
+//! A bifurcation diagram: independent columns in tiles on a back end, carried ones one after the other on the CPU.
+
+use rayon::prelude::*;
+
+use super::{SweepError, provenance};
+use crate::analysis::Trace;
+use crate::backend::{Backend, BackendError, Cpu, Job, Watch, trace};
+use crate::diagram::{Branch, Diagram, DiagramSpec, Direction};
+use crate::model::System;
+use crate::theory::Spectrum;
+
+/// Computes a bifurcation diagram.
+///
+/// Columns that begin by themselves are computed in tiles on the back end; a branch whose state is carried along is a
+/// sequence, computed on the CPU whatever the back end, both branches at the same time. The Lyapunov spectrum is
+/// computed on the CPU, from where each column ended and over as many periods as its section was read.
+///
+/// # Errors
+/// A specification or a system that cannot be used, or what the back end could not do; nothing is kept of a diagram that
+/// the watch ended.
+pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> Result<Diagram, SweepError> {
+    spec.check()?;
+    let systems: Vec<System> = (0..spec.x.count())
+        .map(|column| System::new(spec.parameters_at(column)))
+        .collect::<Result<_, _>>()?;
+    let branches: Vec<Branch> = (spec.sweep.branches().par_iter())
+        .map(|&direction| {
+            let traces = match direction {
+                Direction::Each => each(spec, &systems, backend, watch)?,
+                Direction::Down => carried(spec, &systems, true, watch)?,
+                Direction::Up => carried(spec, &systems, false, watch)?,
+            };
+            Ok(Branch { direction, traces, spectrum: None })
+        })
+        .collect::<Result<_, SweepError>>()?;
+    let branches = if spec.spectrum { with_spectra(spec, &systems, branches, watch)? } else { branches };
+    let provenance = if spec.sweep.is_carried() { provenance(&Cpu) } else { provenance(backend) };
+    Ok(Diagram { spec: spec.clone(), provenance, branches })
+}
+
+fn each(
+    spec: &DiagramSpec,
+    systems: &[System],
+    backend: &dyn Backend,
+    watch: &dyn Watch,
+) -> Result<Vec<Trace>, SweepError> {
+    let jobs: Vec<Job> = (0..)
+        .zip(systems)
+        .map(|(column, &system)| Job { system, start: spec.start_at(column).state(&system) })
+        .collect();
+    let mut traces = Vec::new();
+    for tile in jobs.chunks(backend.tile().max(1)) {
+        if watch.cancelled() {
+            return Err(BackendError::Cancelled.into());
+        }
+        traces.extend(backend.trace(tile, &spec.schedule, spec.probe, spec.capacity, watch)?);
+    }
+    Ok(traces)
+}
+
+/// Every column begins where the one before it ended; where that is beyond a stop of this column, on the stop.
+fn carried(
+    spec: &DiagramSpec,
+    systems: &[System],
+    falling: bool,
+    watch: &dyn Watch,
+) -> Result<Vec<Trace>, SweepError> {
+    let mut traces: Vec<Option<Trace>> = vec![None; systems.len()];
+    let mut last: Option<[f64; 4]> = None;
+    for column in spec.x.order(falling) {
+        if watch.cancelled() {
+            return Err(BackendError::Cancelled.into());
+        }
+        let system = systems[column as usize];
+        let delta = system.parameters().delta;
+        let start = match last.filter(|state| state.iter().all(|value| value.is_finite())) {
+            Some([x1, x2, v1, v2]) => [x1.clamp(-delta, delta), x2, v1, v2],
+            None => spec.start.state(&system),
+        };
+        let trace = trace::<f64>(&Job { system, start }, &spec.schedule, spec.probe, spec.capacity);
+        last = Some(trace.verdict.state);
+        traces[column as usize] = Some(trace);
+        watch.finished(1);
+    }
+    Ok(traces.into_iter().flatten().collect())
+}
+
+fn with_spectra(
+    spec: &DiagramSpec,
+    systems: &[System],
+    branches: Vec<Branch>,
+    watch: &dyn Watch,
+) -> Result<Vec<Branch>, SweepError> {
+    let spectra = |branch: Branch| {
+        let spectrum = systems
+            .par_iter()
+            .zip(&branch.traces)
+            .map(|(system, trace)| {
+                if watch.cancelled() {
+                    return Err(BackendError::Cancelled.into());
+                }
+                let exponents = spectrum(system, trace, spec.schedule.observe);
+                watch.finished(1);
+                Ok(exponents)
+            })
+            .collect::<Result<_, SweepError>>()?;
+        Ok(Branch { spectrum: Some(spectrum), ..branch })
+    };
+    branches.into_iter().map(spectra).collect()
+}
+
+/// The four exponents per forcing period, NaN where the trajectory could not be followed.
+fn spectrum(system: &System, trace: &Trace, observe: u32) -> [f64; 4] {
+    let state = trace.verdict.state;
+    let delta = system.parameters().delta;
+    let start = [state[0].clamp(-delta, delta), state[1], state[2], state[3]];
+    Spectrum::of(system, start, 0, observe).map_or([f64::NAN; 4], |spectrum| spectrum.per_period)
+}
