@@ -35,3 +35,8 @@ pub use scheme::{
 };
 pub use section::Section;
 pub use sine::{Convention, Sine};
+
+/// The numbers that the GPU's shaders share.
+pub(crate) mod constants {
+    pub use super::controlled::{LONGEST_PASSAGE, RUNAWAY, SETTLING};
+}
