@@ -93,7 +93,7 @@ fn controlled_force(force: f32) {
 fn controlled_note(taken: Move) {
     controlled.moves = controlled.moves + 1u;
     if trajectory.contact != CONTACT_FREE {
-        controlled.stuck = 1u;
+        controlled.stuck = controlled.iterates + 1u;
     }
     let meets = taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER;
     if meets && taken.velocity != 0.0 {
@@ -228,7 +228,6 @@ fn controlled_schedule_on() {
         controlled.progress = PROGRESS_OBSERVED;
         controlled.impacts = 0u;
         controlled.peak = 0.0;
-        controlled.stuck = 0u;
         deviations_seed();
         tangent = deviations_leaving();
         observer.spread = spread_about(trajectory.point);
@@ -299,6 +298,11 @@ fn controlled_is_symmetric(period: u32) -> bool {
     return symmetric;
 }
 
+// Whether the first mass rested on a stop in the last so many iterates.
+fn controlled_has_stuck_for(iterates: u32) -> bool {
+    return controlled.stuck > 0u && controlled.stuck + iterates > controlled.iterates;
+}
+
 fn controlled_regime(period: u32) -> u32 {
     if controlled.progress == PROGRESS_FAILED {
         return REGIME_FAILED;
@@ -310,9 +314,9 @@ fn controlled_regime(period: u32) -> u32 {
         return REGIME_UNRESOLVED;
     }
     if period > 0u {
-        return select(REGIME_PERIODIC, REGIME_PERIODIC_STICKING, controlled.stuck == 1u);
+        return select(REGIME_PERIODIC, REGIME_PERIODIC_STICKING, controlled_has_stuck_for(period));
     }
-    if controlled.stuck == 1u {
+    if controlled_has_stuck_for(controlled.observed) {
         return REGIME_APERIODIC_STICKING;
     }
     if observer.exponent.batches == 0u || controlled.erased == 1u {

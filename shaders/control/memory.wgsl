@@ -37,7 +37,7 @@ fn memory_push(point: vec4<f32>, turns: f32, at_b: u32, at_a: u32) {
         if away > RETURNED {
             memory.returning[m - 1u] = memory.seen;
         }
-        if away > SETTLED {
+        if away > AT_REST {
             memory.settled[m - 1u] = memory.seen;
         }
     }

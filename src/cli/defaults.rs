@@ -81,3 +81,9 @@ pub const DIAGRAM_OBSERVE: u32 = 300;
 
 /// Points that are kept of a column for every period observed.
 pub const POINTS_PER_PERIOD: u32 = 16;
+
+/// The first controlled iterate of a cell of a map.
+pub const CONTROL_MAP_FROM: u32 = 200;
+
+/// Iterates of a cell of a map under control.
+pub const CONTROL_MAP_ITERATES: u32 = 1200;

@@ -4,6 +4,8 @@ use anyhow::anyhow;
 use clap::{Args, ValueEnum};
 use impact_atlas::control::{Convention, DelaySetting, PulseSetting, Scheme, Sign, SineSetting, Target};
 
+use impact_atlas::plane::Axis;
+
 use super::{CliError, defaults};
 
 /// A control method by name.
@@ -172,6 +174,20 @@ impl MethodArgs {
         };
         scheme.check().map_err(CliError::input)?;
         Ok(scheme)
+    }
+
+    /// Refuses settings that an axis varies.
+    pub fn refuse_varied(&self, axes: &[(&str, Axis)]) -> Result<(), CliError> {
+        for (option, axis) in axes {
+            let Some(setting) = axis.control() else { continue };
+            let name = setting.name().replace('_', "-");
+            if let Some((given, _)) = self.given().into_iter().find(|(given, _)| *given == name) {
+                return Err(CliError::Input(anyhow!(
+                    "--{given} has no effect, since {option} {axis} varies it: drop one of the two"
+                )));
+            }
+        }
+        Ok(())
     }
 
     /// The first option that was given.

@@ -6,6 +6,7 @@ mod adapters;
 mod bifurcation;
 mod classify;
 mod control;
+mod control_map;
 mod defaults;
 mod error;
 mod files;

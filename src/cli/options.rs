@@ -4,10 +4,12 @@ use anyhow::anyhow;
 use clap::{Args, ValueEnum};
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{self, Backend, Choice};
+use impact_atlas::control::ControlSchedule;
 use impact_atlas::model::{Parameters, System};
-use impact_atlas::plane::{Axis, Plane, Quantity, Start};
+use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity, Start};
 use impact_atlas::theory::symmetric_start;
 
+use super::method::{MethodArgs, MethodName};
 use super::values::{Assignment, parse};
 use super::{CliError, defaults, note};
 
@@ -176,6 +178,28 @@ impl PlaneArgs {
                 max_period: self.max_period,
                 fixed_periods: self.fixed_periods,
             },
+        };
+        plane.check().map_err(CliError::input)?;
+        Ok(plane)
+    }
+
+    /// The checked plane under control.
+    pub fn control_plane(
+        &self,
+        method: MethodName,
+        settings: &MethodArgs,
+        iterates: ControlSchedule,
+    ) -> Result<ControlPlane, CliError> {
+        let (x, y) = (self.x.unwrap_or(defaults::X), self.y.unwrap_or(defaults::Y));
+        let axes = [("--x", x), ("--y", y)];
+        settings.refuse_varied(&axes)?;
+        let plane = ControlPlane {
+            x,
+            y,
+            parameters: self.system.parameters(&axes)?,
+            start: self.start.unwrap_or_else(|| default_start(&[x, y])),
+            control: settings.scheme(method)?,
+            iterates,
         };
         plane.check().map_err(CliError::input)?;
         Ok(plane)

@@ -145,7 +145,8 @@ pub struct Controlled<T, D = ()> {
     impacts: u32,
     impacts_total: u32,
     peak: T,
-    stuck: bool,
+    /// 1 + the returns before the first mass last rested on a stop; 0 if it never did.
+    stuck: u32,
     /// Whether control has erased a deviation altogether: the motion has no exponent then.
     erased: bool,
     escapes: u32,
@@ -176,7 +177,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             impacts: 0,
             impacts_total: 0,
             peak: T::zero(),
-            stuck: false,
+            stuck: 0,
             erased: false,
             escapes: 0,
             effort: T::zero(),
@@ -259,12 +260,12 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     ) {
         self.moves += 1;
         if taken.free == T::zero() {
-            self.stuck = true;
+            self.stuck = self.iterates + 1;
         }
         let (impact, complete) = match taken.event {
             Event::Impact(impact) => (impact, false),
             Event::Caught { impact, complete_chatter } => {
-                self.stuck = true;
+                self.stuck = self.iterates + 1;
                 (impact, complete_chatter)
             }
             Event::Strobe => return self.strobe(),
@@ -430,7 +431,6 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             self.progress = Progress::Observed;
             self.impacts = 0;
             self.peak = T::zero();
-            self.stuck = false;
             self.deviations = Deviations::seed();
             self.tangent = self.deviations.leaving(flight, &self.trajectory);
             self.spread = Spread::about(&self.trajectory.point);
@@ -499,11 +499,16 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             Progress::Failed => Regime::Failed,
             Progress::Lost if self.at_b == 0 => Regime::NoImpact,
             Progress::Lost | Progress::Settling | Progress::Runaway => Regime::Unresolved,
-            _ if period > 0 && self.stuck => Regime::PeriodicSticking,
+            _ if period > 0 && self.has_stuck_for(period) => Regime::PeriodicSticking,
             _ if period > 0 => Regime::Periodic,
-            _ if self.stuck => Regime::AperiodicSticking,
+            _ if self.has_stuck_for(self.observed) => Regime::AperiodicSticking,
             _ => self.irregular(),
         }
+    }
+
+    /// Whether the first mass rested on a stop in the last so many iterates.
+    fn has_stuck_for(&self, iterates: u32) -> bool {
+        self.stuck > 0 && self.stuck + iterates > self.iterates
     }
 
     /// The regime of a motion that does not return; see [`Observer`](crate::analysis::Observer).

@@ -25,7 +25,7 @@ pub struct Memory<T> {
     pub seen: u32,
     /// For each period m − 1: the first iterate from which on every point lay within [`RETURNED`] of the one m before.
     pub returning: [u32; LONGEST],
-    /// The same within [`Real::SETTLED`].
+    /// The same within [`Real::AT_REST`], closely enough that a slow approach is not taken for a motion.
     pub settled: [u32; LONGEST],
 }
 
@@ -61,7 +61,7 @@ impl<T: Real> Memory<T> {
             if away > T::of(RETURNED) {
                 self.returning[m - 1] = self.seen;
             }
-            if away > T::of(T::SETTLED) {
+            if away > T::of(T::AT_REST) {
                 self.settled[m - 1] = self.seen;
             }
         }

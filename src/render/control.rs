@@ -8,7 +8,7 @@ use super::scale::Scale;
 use super::symbols;
 use super::text::Text;
 use crate::analysis::Reading;
-use crate::control::{ControlSchedule, Convention, History, Scheme, Sign};
+use crate::control::{ControlQuantity, ControlSchedule, Convention, History, Scheme, Sign};
 use crate::model::System;
 use crate::plane::Start;
 
@@ -164,7 +164,7 @@ impl ControlPicture<'_> {
         if let Some(last) = title.last_mut() {
             *last = last.clone().upright(";");
         }
-        title.extend(describe(self.scheme));
+        title.extend(describe(self.scheme, |_| false));
         title
     }
 
@@ -189,48 +189,51 @@ const CAPTIONS: [&str; 7] = [
     "time series under control",
 ];
 
-/// A scheme in words, in pieces that belong together.
-pub(super) fn describe(scheme: &Scheme) -> Vec<Text> {
+/// A scheme in words, in pieces that belong together, without the settings of which `varied` says so.
+pub(super) fn describe(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool) -> Vec<Text> {
+    use ControlQuantity as Q;
     let number = symbols::number;
-    let equation =
-        |letter: &str, value: f64| Text::new().italic(letter).upright(format!(" = {}", number(value)));
-    let separated = |text: Text| text.upright(",");
-    match scheme {
+    let setting = |quantity, value: f64| {
+        let text = symbols::control_symbol(quantity).upright(format!(" = {}", number(value)));
+        (!varied(quantity)).then_some(text)
+    };
+    let (method, settings): (&str, Vec<Option<Text>>) = match scheme {
         Scheme::Sine(sine) => {
-            let convention = match sine.convention {
-                Convention::Kick => "sine kick,",
-                Convention::Force => "sine force,",
-                Convention::ForceLocal => "sine force from each impact,",
+            let method = match sine.convention {
+                Convention::Kick => "sine kick",
+                Convention::Force => "sine force",
+                Convention::ForceLocal => "sine force from each impact",
             };
-            vec![
-                convention.into(),
-                separated(
-                    Text::new().italic("B").subscript("0").upright(format!(" = {}", number(sine.amplitude))),
-                ),
-                separated(equation("α", sine.alpha)),
-                separated(equation("Δ", sine.dead_band)),
-                equation("γ", sine.gamma),
-            ]
+            let settings = [
+                (Q::Amplitude, sine.amplitude),
+                (Q::Alpha, sine.alpha),
+                (Q::DeadBand, sine.dead_band),
+                (Q::Gamma, sine.gamma),
+            ];
+            (method, settings.map(|(quantity, value)| setting(quantity, value)).to_vec())
         }
-        Scheme::Pulse(pulse) => vec![
-            "period pulse,".into(),
-            separated(equation("P", f64::from(pulse.period))),
-            equation("E", pulse.noise),
-        ],
+        Scheme::Pulse(pulse) => {
+            let settings = [setting(Q::Period, f64::from(pulse.period)), setting(Q::Noise, pulse.noise)];
+            ("period pulse", settings.to_vec())
+        }
         Scheme::Delay(delay) => {
             let [g, ..] = delay.gains;
-            let alike = delay.gains.iter().all(|&gain| gain == g);
-            let gains = if alike {
-                equation("g", g)
+            let gain = if delay.gains.iter().all(|&gain| gain == g) {
+                setting(Q::Gain, g)
             } else {
                 let listed: Vec<String> = delay.gains.iter().map(|&gain| number(gain)).collect();
-                Text::new().italic("G").upright(format!(" = diag({})", listed.join("; ")))
+                Some(Text::new().italic("G").upright(format!(" = diag({})", listed.join("; "))))
             };
-            let sign = match delay.sign {
-                Sign::Stabilising => "delayed feedback,",
-                Sign::Printed => "delayed feedback, printed sign,",
+            let method = match delay.sign {
+                Sign::Stabilising => "delayed feedback",
+                Sign::Printed => "delayed feedback, printed sign",
             };
-            vec![sign.into(), separated(gains), equation("p", f64::from(delay.delay))]
+            (method, vec![gain, setting(Q::Delay, f64::from(delay.delay))])
         }
-    }
+    };
+    let mut pieces = vec![Text::from(method)];
+    pieces.extend(settings.into_iter().flatten());
+    let last = pieces.len() - 1;
+    pieces.iter_mut().take(last).for_each(|piece| *piece = piece.clone().upright(","));
+    pieces
 }

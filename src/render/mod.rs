@@ -8,6 +8,7 @@
 mod canvas;
 mod colours;
 mod control;
+mod convergence;
 mod diagram;
 #[cfg(test)]
 mod example;
@@ -30,6 +31,7 @@ mod ticks;
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
 pub use control::{ControlPicture, Response};
+pub use convergence::convergence_map;
 pub use diagram::diagram_figure;
 pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, StripLabel, TooSmall};
 pub use frame::{AxisTitle, Frame};
@@ -38,7 +40,7 @@ pub use motion::Motion;
 pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};
 pub use paint::Paint;
 pub use picture::Picture;
-pub use regions::region_map;
+pub use regions::{control_map, region_map};
 pub use scale::Scale;
 pub use size::{Size, SizeError};
 pub use text::Text;

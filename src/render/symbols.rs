@@ -25,7 +25,7 @@ pub(super) fn symbol(quantity: Quantity) -> Text {
 }
 
 /// The symbol of a setting of a control method.
-fn control_symbol(setting: ControlQuantity) -> Text {
+pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
     let letter = |letter: &str| Text::new().italic(letter);
     match setting {
         ControlQuantity::Gain => letter("g"),

@@ -2,6 +2,7 @@
 
 mod delay;
 mod force;
+mod maps;
 mod pulse;
 mod sine;
 

@@ -9,12 +9,14 @@ use self::census::Census;
 use self::layout::Layout;
 use super::canvas::{Anchor, Canvas, Point};
 use super::colours::INK;
+use super::control::describe;
 use super::frame::Frame;
 use super::picture::Picture;
 use super::scale::Scale;
 use super::size::Size;
 use super::symbols;
-use crate::plane::RegionMap;
+use super::text::Text;
+use crate::plane::{ControlMap, Plane, Quantity, RegionMap};
 
 /// Draws a computed plane.
 ///
@@ -23,14 +25,32 @@ use crate::plane::RegionMap;
 /// fewer pixels than the plane has cells shows the most frequent motion of each pixel. The legend names the
 /// motions by descending share of the plane. Small pictures do without the least needed words.
 pub fn region_map(map: &RegionMap, size: Size) -> Picture {
+    draw(map, &names::title(&map.plane), map.config(), size)
+}
+
+/// Draws the motions that the cells of a plane reach under control, like [`region_map`].
+pub fn control_map(map: &ControlMap, size: Size) -> Picture {
+    draw(&map.motions(), &control_title(map), map.config(), size)
+}
+
+/// The fixed parameters, the start and the method, in pieces that belong together.
+pub(super) fn control_title(map: &ControlMap) -> Vec<Text> {
+    let plane = &map.plane;
+    let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
+    let mut title = names::title(&plane.plane());
+    title.last_mut().into_iter().for_each(|last| *last = last.clone().upright(";"));
+    title.extend(describe(&plane.control, |setting| varied(Quantity::Control(setting))));
+    title
+}
+
+fn draw(map: &RegionMap, title: &[Text], config: String, size: Size) -> Picture {
     let census = Census::of(map);
     let frame = frame(map);
     let em = size.em();
-    let layout = Layout::of(map, &census, &frame, size);
+    let layout = Layout::of(title, &census, &frame, size);
     let (width, height) = (layout.plot.width as u32, layout.plot.height as u32);
     let regions = raster::draw(map, &census, width, height, em);
 
-    let config = map.config();
     let mut canvas = Canvas::new(size, &config);
     canvas.image(layout.plot, &regions);
     if let Some(placed) = &layout.frame {
@@ -47,7 +67,11 @@ pub fn region_map(map: &RegionMap, size: Size) -> Picture {
 }
 
 fn frame(map: &RegionMap) -> Frame {
-    let plane = &map.plane;
+    frame_of(&map.plane)
+}
+
+/// The axes of a plane.
+pub(super) fn frame_of(plane: &Plane) -> Frame {
     Frame {
         x: Scale::of(&plane.x),
         y: Scale::of(&plane.y),
@@ -139,7 +163,7 @@ mod tests {
         for (width, height) in [(200, 150), (640, 480)] {
             let size = Size::new(width, height).unwrap();
             let census = Census::of(&map);
-            let plot = Layout::of(&map, &census, &frame(&map), size).plot;
+            let plot = Layout::of(&names::title(&map.plane), &census, &frame(&map), size).plot;
             let [x, y, width, height] = [plot.x, plot.y, plot.width, plot.height].map(|length| length as u32);
             let expected = raster::draw(&map, &census, width, height, size.em());
             let pixels = region_map(&map, size).pixels();

@@ -20,7 +20,7 @@ mod diagram;
 mod read;
 mod write;
 
-pub use control::write_control;
+pub use control::{write_control, write_control_map};
 pub use diagram::write_diagram;
 pub use read::{ReadError, read_map};
 pub use write::write_map;
