@@ -13,8 +13,11 @@
 //! |---|---|
 //! | [`model`] | parameters and their ranges, the equations of motion, the constants of linear flight |
 //! | [`dynamics`] | flight, contact, impact, chatter, sticking: a [`Trajectory`](dynamics::Trajectory) moves from event to event |
-//! | [`analysis`] | periodicity, Lyapunov exponents, regimes; the analytic 1-1-1 motion |
+//! | [`analysis`] | periodicity, the largest Lyapunov exponent, regimes |
+//! | [`theory`] | exact periodic motions, multipliers, normal forms, Lyapunov spectra |
+//! | [`control`] | suppressing chaos: sine force, period pulse, delayed feedback, at each return to the section σ |
 //! | [`plane`] | axes, starts, planes, region maps |
+//! | [`curves`] | bifurcation curves of a plane, by continuation |
 //! | [`diagram`] | bifurcation diagrams: axis, sweep, section; branches and where they coexist |
 //! | [`backend`] | one trait; the CPU in f64 on every core, the GPU in f32; only its folder `gpu` names wgpu |
 //! | [`store`], [`render`] | files and pictures; they know planes, never back ends |
@@ -67,6 +70,30 @@
 //! standard error from sixteen batches. Where there is no period, a growth of more than
 //! e⁵ that is significant is chaos; a growth within e^±3 on strobe points that scatter alike early and late is
 //! quasi-periodic; everything else is unresolved, and says so.
+//!
+//! *A second look.* Beside a Neimark–Sacker curve a spiral is slow; what is still undecided, or neutral, goes on for
+//! eight transients more.
+//!
+//! # Theory
+//!
+//! *Motions.* A periodic motion is the sequence of its impacts. From one to the next the flight is an exact matrix, so
+//! the times and states of all impacts satisfy four equations each; Newton's method solves them, for stable and unstable
+//! motions alike, and a symmetric motion is solved as half of itself. Whether the system moves like that is then asked
+//! of the certified flight. The 1-1-1 symmetric motion needs no iteration.
+//!
+//! *Stability.* The Jacobian of an impact follows from the same equations; the product over the impacts has the Floquet
+//! multipliers. Truncated power series carried along the same path give the derivatives up to the third, exactly, and with
+//! them the normal-form coefficients that tell super- from subcritical.
+//!
+//! *Curves.* Matching equations and the condition of a bifurcation are solved together and followed by
+//! pseudo-arclength continuation. Where to begin is read from a map: each region's motion is refined and followed along
+//! both axes until it loses stability or grazes. Determinants serve as conditions, so that nothing happens to them where
+//! multipliers meet; the points of codimension two are zeros of further functions along the curve.
+//!
+//! *What the paper prints differently.* For δ in \[0.5352, 0.5602\] it lets the 1-1-1 symmetric motion lose stability in a
+//! supercritical and a reverse subcritical Neimark–Sacker bifurcation and a pitchfork in turn. Here the Neimark–Sacker
+//! curve begins in a 1:1 resonance on a fold, at (ω, δ) = (1.485, 0.5523), rises to (1.845, 0.6844), falls to (2.508,
+//! 0.5422) and rises again: no stability is lost by it below δ = 0.5422. The fold comes down to (1.464, 0.5482).
 //!
 //! # Limits
 //!

@@ -1,54 +1,17 @@
 //! The command line from outside: results, refusals, exit codes, what is and is not written.
 
+mod program;
+
 use std::fs;
 use std::io::Read;
-use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use impact_atlas::plane::Start;
 use impact_atlas::store::read_map;
+use program::{json, keys, names, program, refuses, run, run_in, stderr, stdout};
 use serde_json::Value;
 use tempfile::tempdir;
-
-fn program() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_impact-atlas"))
-}
-
-fn run_in(folder: &Path, arguments: &[&str]) -> Output {
-    program().args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn run(arguments: &[&str]) -> Output {
-    run_in(tempdir().unwrap().path(), arguments)
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-fn json(output: &Output) -> Value {
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(output));
-    serde_json::from_str(&stdout(output)).unwrap()
-}
-
-fn keys(value: &Value) -> Vec<&str> {
-    let mut keys: Vec<&str> = value.as_object().unwrap().keys().map(String::as_str).collect();
-    keys.sort_unstable();
-    keys
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort_unstable();
-    names
-}
 
 /// A map that takes a moment only.
 const SMALL: [&str; 8] =
@@ -57,20 +20,6 @@ const SMALL: [&str; 8] =
 fn small_map(more: &[&str]) -> Vec<&'static str> {
     let all = ["map", "--backend", "cpu"].iter().chain(&SMALL).chain(more);
     all.map(|text| &*text.to_string().leak()).collect()
-}
-
-/// Checks that the input is refused with all of `parts` in the message, and that nothing was written.
-fn refuses(arguments: &[&str], parts: &[&str]) {
-    let folder = tempdir().unwrap();
-    let output = run_in(folder.path(), arguments);
-    let message = stderr(&output);
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    for part in parts {
-        assert!(message.contains(part), "{arguments:?}: no `{part}` in {message}");
-    }
-    assert!(!message.contains("panicked"), "{message}");
-    assert_eq!(stdout(&output), "", "{arguments:?}");
-    assert_eq!(names(folder.path()), [""; 0], "{arguments:?}");
 }
 
 #[test]

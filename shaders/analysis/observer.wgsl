@@ -167,7 +167,11 @@ fn observer_regime() -> u32 {
         return REGIME_NO_IMPACT;
     }
     if recurrence_holds_for(observer_proof()) {
-        return select(REGIME_PERIODIC, REGIME_PERIODIC_STICKING, observer.stuck == 1u);
+        if observer.stuck == 1u {
+            return REGIME_PERIODIC_STICKING;
+        }
+        let impacts = observer.recurrence.p + observer.recurrence.q;
+        return select(REGIME_PERIODIC, REGIME_NO_IMPACT, impacts == 0u);
     }
     if observer.stuck == 1u {
         return REGIME_APERIODIC_STICKING;

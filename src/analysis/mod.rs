@@ -12,7 +12,7 @@ mod trace;
 
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
-pub use regime::{INFINITELY_MANY, Regime, Verdict};
+pub use regime::{INFINITELY_MANY, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
 pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
 pub(crate) use spread::Spread;

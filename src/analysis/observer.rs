@@ -314,6 +314,8 @@ impl<T: Real> Observer<T> {
             _ if self.recurrence.holds_for(self.proof()) => {
                 if self.stuck {
                     Regime::PeriodicSticking
+                } else if self.recurrence.p + self.recurrence.q == 0 {
+                    Regime::NoImpact
                 } else {
                     Regime::Periodic
                 }

@@ -104,11 +104,16 @@ impl Verdict {
     /// "N-p-q" where periodic (∞ for infinitely many impacts), the regime's name elsewhere.
     pub fn label(&self) -> String {
         if self.regime.is_periodic() {
-            format!("{}-{}-{}", self.n, Count(self.p), Count(self.q))
+            motion_label(u32::from(self.n), self.p, self.q)
         } else {
             self.regime.name().to_owned()
         }
     }
+}
+
+/// "N-p-q" of a periodic motion, with ∞ for [`INFINITELY_MANY`] impacts.
+pub fn motion_label(n: u32, p: u16, q: u16) -> String {
+    format!("{n}-{}-{}", Count(p), Count(q))
 }
 
 /// An impact count as it is printed: a number, or ∞.

@@ -1,10 +1,12 @@
 //! Back ends: one trait, the CPU's f64 reference and the GPU's f32 kernel behind it.
 
 mod cpu;
+mod decide;
 mod gpu;
 mod select;
 
 pub use cpu::{Cpu, follow, follow_controlled, trace};
+pub use decide::{SECOND_LOOK, decide};
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use select::{Choice, open};
 

@@ -3,7 +3,7 @@
 use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Backend, Job};
+use impact_atlas::backend::{Backend, Job, decide};
 use impact_atlas::plane::Start;
 use serde::Serialize;
 
@@ -85,7 +85,7 @@ pub fn run(args: &ClassifyArgs) -> Result<(), CliError> {
     let progress = Progress::of_trajectory();
     let classification = abandonable(move || -> Result<_, CliError> {
         let backend = options.open()?;
-        let verdicts = backend.run(&[Job { system, start }], &schedule, &Interruptible)?;
+        let verdicts = decide(&*backend, &[Job { system, start }], &schedule, &Interruptible)?;
         let verdict = verdicts.first().ok_or_else(|| anyhow!("the back end gave no verdict"));
         Ok(Classification::new(verdict.map_err(CliError::Machine)?, &*backend))
     })??;

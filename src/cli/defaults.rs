@@ -32,11 +32,17 @@ pub const TRAJECTORY_TRANSIENT: u32 = 1000;
 /// Forcing periods for which a single trajectory is observed.
 pub const TRAJECTORY_OBSERVE: u32 = 500;
 
+/// Forcing periods over which Lyapunov exponents are measured.
+pub const SPECTRUM_OBSERVE: u32 = 10_000;
+
 /// Forcing periods of an orbit.
 pub const ORBIT_PERIODS: u32 = 20;
 
 /// Points of an orbit in each forcing period.
 pub const ORBIT_SAMPLES: u32 = 200;
+
+/// Largest N of the motions whose bifurcation curves are computed.
+pub const CURVES_MAX_PERIOD: u32 = 2;
 
 /// The picture's size in pixels.
 pub const PICTURE_SIZE: &str = "1600x1200";

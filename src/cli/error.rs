@@ -12,6 +12,9 @@ pub enum CliError {
     /// A check did not hold: exit code 1.
     #[error("the check did not hold: {0}")]
     CheckFailed(String),
+    /// What was asked for is not there: exit code 1.
+    #[error("{0}")]
+    NotFound(String),
     /// The input is wrong: exit code 2.
     #[error("error: {0:#}")]
     Input(anyhow::Error),
@@ -42,7 +45,7 @@ impl CliError {
     /// What the process ends with.
     pub fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
-            CliError::CheckFailed(_) => 1,
+            CliError::CheckFailed(_) | CliError::NotFound(_) => 1,
             CliError::Input(_) => 2,
             CliError::Machine(_) | CliError::Bug(_) => 3,
             CliError::Interrupted => 130,

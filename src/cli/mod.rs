@@ -11,14 +11,18 @@ mod defaults;
 mod error;
 mod files;
 mod interrupt;
+mod lyapunov;
 mod map;
 mod method;
+mod motion;
+mod multipliers;
 mod options;
 mod orbit;
 mod panics;
 mod pictures;
 mod progress;
 mod report;
+mod symmetric;
 mod terminal;
 mod validate;
 mod values;
@@ -41,7 +45,7 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done, 1 a check did not hold, 2 the input is wrong, 3 the machine cannot do it, 130 interrupted.";
+Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2 the input is wrong, 3 the machine cannot do it, 130 interrupted.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -50,6 +54,9 @@ enum Command {
     Orbit(orbit::OrbitArgs),
     Control(control::ControlArgs),
     Bifurcation(bifurcation::BifurcationArgs),
+    Symmetric(symmetric::SymmetricArgs),
+    Motion(motion::MotionArgs),
+    Lyapunov(lyapunov::LyapunovArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
 }
@@ -63,6 +70,9 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Orbit(args) => orbit::run(args),
         Command::Control(args) => control::run(args),
         Command::Bifurcation(args) => bifurcation::run(args),
+        Command::Symmetric(args) => symmetric::run(args),
+        Command::Motion(args) => motion::run(args),
+        Command::Lyapunov(args) => lyapunov::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use impact_atlas::analysis::Regime;
 use impact_atlas::model::{Parameter, Parameters};
 use impact_atlas::plane::{Plane, Provenance, RegionMap};
-use impact_atlas::validate::{Agreement, Check, Share, Spread, Thresholds, WorstCell};
+use impact_atlas::validate::{Agreement, Boundaries, Check, Share, Spread, Thresholds, WorstCell};
 use serde::Serialize;
 
 use super::CliError;
@@ -22,6 +22,8 @@ pub struct Report<'a> {
     codes: [&'static str; 8],
     #[serde(flatten)]
     agreement: &'a Agreement,
+    /// The map's boundaries against the bifurcation curves, where those were asked for.
+    boundaries: Option<Boundaries>,
     worst: Vec<Suspect>,
 }
 
@@ -68,8 +70,18 @@ impl<'a> Report<'a> {
             candidate: &candidate.provenance,
             codes: Regime::ALL.map(Regime::name),
             agreement,
+            boundaries: None,
             worst: agreement.worst.iter().map(suspect).collect(),
         }
+    }
+
+    /// The same report with the map's boundaries held against the bifurcation curves.
+    pub fn with_boundaries(mut self, boundaries: Boundaries) -> Self {
+        let check = boundaries.check();
+        self.holds &= check.holds;
+        self.checks.push(check);
+        self.boundaries = Some(boundaries);
+        self
     }
 
     /// Success if every check holds, otherwise which do not.
@@ -114,7 +126,28 @@ impl<'a> Report<'a> {
         let failed = agreement.failed;
         writeln!(to, "failed cells: {} reference, {} candidate\n", failed.reference, failed.candidate)?;
         self.write_worst(to)?;
+        self.write_boundaries(to)?;
         self.write_checks(to)
+    }
+
+    fn write_boundaries(&self, to: &mut String) -> std::fmt::Result {
+        let Some(boundaries) = &self.boundaries else { return Ok(()) };
+        writeln!(
+            to,
+            "bifurcation curves and the map's boundaries: distances in cells, where the map shows the motion"
+        )?;
+        writeln!(
+            to,
+            "  {:<40}{:>8}{:>8}{:>9}{:>8}{:>8}",
+            "", "places", "shown", "median", "95 %", "largest"
+        )?;
+        for curve in &boundaries.curves {
+            let Some(Spread { cells, median, p95, max }) = curve.distance else { continue };
+            let symmetry = if curve.symmetric { "symmetric" } else { "unsymmetric" };
+            let name = format!("{} {symmetry}, {}", curve.motion, curve.kind.name());
+            writeln!(to, "  {name:<40}{:>8}{cells:>8}{median:>9.2}{p95:>8.2}{max:>8.2}", curve.places)?;
+        }
+        writeln!(to)
     }
 
     fn write_confusion(&self, to: &mut String) -> std::fmt::Result {

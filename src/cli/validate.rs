@@ -2,10 +2,12 @@
 
 use clap::{Args, value_parser};
 use impact_atlas::backend::{self, Choice};
+use impact_atlas::curves::{self, bifurcation_curves};
 use impact_atlas::plane::{Axis, Plane};
 use impact_atlas::sweep::sweep;
-use impact_atlas::validate::{Thresholds, compare_continued, continue_strays};
+use impact_atlas::validate::{Thresholds, boundaries, compare_continued, continue_strays};
 
+use super::interrupt::abandonable;
 use super::options::{BackendArgs, BackendName, PlaneArgs};
 use super::progress::Progress;
 use super::report::Report;
@@ -21,6 +23,7 @@ use super::{CliError, defaults, note};
 Examples:
   impact-atlas validate
   impact-atlas validate --cells 2000 --adapter llvmpipe --json
+  impact-atlas validate --curves --cells 480000
   impact-atlas validate --x omega=0.2:0.5:60 --y r=0.5:0.8:40 --set delta=0.2")]
 pub struct ValidateArgs {
     #[command(flatten)]
@@ -33,6 +36,12 @@ pub struct ValidateArgs {
     #[command(flatten)]
     backend: BackendArgs,
 
+    /// Also holds the reference map's boundaries against the bifurcation curves
+    ///
+    /// Both axes must be parameters. The distances are in cells; the median over all curves must be at most one.
+    #[arg(long)]
+    curves: bool,
+
     /// Prints the whole report as JSON
     #[arg(long)]
     json: bool,
@@ -42,6 +51,9 @@ pub struct ValidateArgs {
 pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
     let plane = args.plane()?;
     plane.check().map_err(CliError::input)?;
+    if args.curves {
+        curves::check(&plane).map_err(CliError::input)?;
+    }
     let candidate = args.candidate().open()?;
     let reference = backend::open(Choice::Cpu, None)?;
     note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
@@ -54,6 +66,13 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
 
     let report =
         Report::new(&ours, &theirs, &agreement, &Thresholds::default(), args.backend.adapter.as_deref());
+    let report = if args.curves {
+        let map = ours.clone();
+        let curves = abandonable(move || bifurcation_curves(&map, defaults::CURVES_MAX_PERIOD))?;
+        report.with_boundaries(boundaries(&ours, &curves.map_err(CliError::input)?))
+    } else {
+        report
+    };
     if args.json {
         print_json(&report)?
     } else {

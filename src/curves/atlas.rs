@@ -10,9 +10,9 @@ use super::condition::Kind;
 use super::curve::Curve;
 use super::no_impact::no_impact_curve;
 use super::seeds::seeds;
-use super::trace::trace;
+use super::trace::{Traced, trace};
 use super::unknowns::Span;
-use crate::plane::{Axis, Quantity, RegionMap};
+use crate::plane::{Axis, Plane, Quantity, RegionMap};
 use crate::theory::Pattern;
 
 /// An event this near to a curve of its kind and motion lies on it; in sides of the plane.
@@ -40,12 +40,45 @@ pub enum CurvesError {
 /// # Errors
 /// [`CurvesError`] where an axis is not a range of a parameter.
 pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<Vec<Curve>, CurvesError> {
-    let spans = [span(&map.plane.x)?, span(&map.plane.y)?];
+    let spans = spans(&map.plane)?;
     let seeds = seeds(map, max_period);
     let events: Vec<Event> = seeds
         .par_iter()
         .flat_map(|seed| spans.par_iter().flat_map(|&span| events(&seed.motion, &seed.parameters, span)))
         .collect();
+    let mut curves = Vec::new();
+    let mut open = events;
+    // Curves that begin at special points of others are followed in their turn.
+    while !open.is_empty() {
+        let groups = grouped(std::mem::take(&mut open));
+        let traced: Vec<Traced> =
+            groups.into_par_iter().flat_map_iter(|group| traced(&group, &curves, spans)).collect();
+        for Traced { curve, offspring } in traced {
+            open.extend(offspring);
+            curves.push(curve);
+        }
+    }
+    curves.retain(|curve| curve.points.iter().any(|point| point.bounding));
+    curves = without_twins(curves, spans);
+    curves.extend(no_impact_curve(map, spans));
+    Ok(curves)
+}
+
+/// The two parameters of a plane.
+fn spans(plane: &Plane) -> Result<[Span; 2], CurvesError> {
+    Ok([span(&plane.x)?, span(&plane.y)?])
+}
+
+/// Whether a plane can have curves: whether both of its axes are ranges of parameters.
+///
+/// # Errors
+/// [`CurvesError`] with the axis that is not.
+pub fn check(plane: &Plane) -> Result<(), CurvesError> {
+    spans(plane).map(drop)
+}
+
+/// Events of one kind and motion together, in the order of their first.
+fn grouped(events: Vec<Event>) -> Vec<Vec<Event>> {
     let mut groups: Vec<Vec<Event>> = Vec::new();
     let mut index: HashMap<(Kind, Pattern), usize> = HashMap::new();
     for event in events {
@@ -55,11 +88,7 @@ pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<Vec<Curve>
         });
         groups[group].push(event);
     }
-    let mut curves: Vec<Curve> =
-        groups.into_par_iter().flat_map_iter(|group| traced(&group, spans)).collect();
-    curves = without_twins(curves, spans);
-    curves.extend(no_impact_curve(map, spans));
-    Ok(curves)
+    groups
 }
 
 fn span(axis: &Axis) -> Result<Span, CurvesError> {
@@ -71,17 +100,29 @@ fn span(axis: &Axis) -> Result<Span, CurvesError> {
     }
 }
 
-/// The curves of one kind and motion, each once.
-fn traced(events: &[Event], spans: [Span; 2]) -> Vec<Curve> {
-    let mut curves: Vec<Curve> = Vec::new();
+/// The curves of one kind and motion that are not known yet, each once.
+fn traced(events: &[Event], known: &[Curve], spans: [Span; 2]) -> Vec<Traced> {
+    let mut found: Vec<Traced> = Vec::new();
     for event in events {
         let place = spans.map(|span| span.share(event.parameters.get(span.parameter)));
-        if curves.iter().any(|curve| distance(curve, place, spans) < SAME) {
+        let own = known.iter().filter(|curve| is_of(curve, event));
+        if own
+            .chain(found.iter().map(|traced| &traced.curve))
+            .any(|curve| distance(curve, place, spans) < SAME)
+        {
             continue;
         }
-        curves.extend(trace(event, spans));
+        found.extend(trace(event, spans));
     }
-    curves
+    found
+}
+
+/// Whether a curve is of an event's kind and motion.
+fn is_of(curve: &Curve, event: &Event) -> bool {
+    let (motion, pattern) = (&curve.motion, &event.pattern);
+    curve.kind == event.kind
+        && (motion.n, motion.p, motion.q, motion.symmetric)
+            == (pattern.n(), pattern.p(), pattern.q(), pattern.mirrored)
 }
 
 /// Mirrored motions have the same curves; one of each is kept.

@@ -1,11 +1,10 @@
 //! A motion followed in one parameter, and the bifurcations met on the way.
 
-use std::f64::consts::PI;
-
 use nalgebra::{Complex, DVector, Matrix4};
 
 use super::condition::{Kind, split, test_function};
 use super::locus::Branch;
+use super::parting::parting;
 use super::path::PathPoint;
 use super::touch::{Touch, arrival_speeds, nearest, touches};
 use super::unknowns::{Span, Unknowns};
@@ -168,15 +167,10 @@ impl Event {
     fn of_simpler_motion(self) -> Self {
         let motion =
             PeriodicMotion { pattern: self.pattern.clone(), sections: self.sections.clone(), residual: 0.0 };
-        let Some(pattern) = motion.part(2) else { return self };
+        let Some((pattern, differences)) = parting(&motion) else { return self };
         let count = pattern.stops.len();
-        let mirror = if pattern.mirrored { -1.0 } else { 1.0 };
-        let turned = f64::from(pattern.half_turns) * PI;
-        let repeats = (0..count).all(|i| {
-            let (a, b) = (&self.sections[i], &self.sections[i + count]);
-            let again = Section::new(mirror * a[0], mirror * a[1], mirror * a[2], a[3] + turned);
-            (b - again).amax() < 1e-3 * (1.0 + a.amax())
-        });
+        let near = |(a, difference): (&Section, &Section)| difference.amax() < 1e-3 * (1.0 + a.amax());
+        let repeats = self.sections.iter().zip(&differences).all(near);
         if !repeats {
             return self;
         }

@@ -152,6 +152,9 @@ pub enum End {
     /// One of its impacts comes to nothing.
     #[serde(rename = "an impact of the motion comes to nothing")]
     ImpactVanishes,
+    /// Its motion goes over into the simpler one that it was born from, and the path into its twin's.
+    #[serde(rename = "the motion becomes a simpler one")]
+    Simplifies,
     /// Newton's method does not converge however short the step.
     #[serde(rename = "cannot be followed further")]
     Stalled,

@@ -10,6 +10,7 @@ mod condition;
 mod curve;
 mod locus;
 mod no_impact;
+mod parting;
 mod path;
 mod seeds;
 mod special;
@@ -17,6 +18,6 @@ mod touch;
 mod trace;
 mod unknowns;
 
-pub use atlas::{CurvesError, bifurcation_curves};
+pub use atlas::{CurvesError, bifurcation_curves, check};
 pub use condition::Kind;
 pub use curve::{Criticality, Curve, CurveMotion, CurvePoint, End, Special};

@@ -89,7 +89,7 @@ fn traced(reach: &Reach, start: [f64; 2]) -> Option<(Vec<[f64; 2]>, Curve)> {
         })
         .collect();
     let motion = CurveMotion { n: 1, p: 0, q: 0, symmetric: true };
-    (shares.len() > 1).then(|| {
+    (shares.len() > 1).then_some({
         (shares, Curve { kind: Kind::Grazing, motion, touches: None, points, ends: [first_end, second_end] })
     })
 }

@@ -14,7 +14,7 @@ const SMALLEST: f64 = 5e-4;
 /// The most impacts of a motion.
 const MOST_IMPACTS: u32 = 40;
 /// Seeds of a region: in so many of its rows.
-const ROWS: usize = 3;
+const ROWS: usize = 6;
 
 /// A motion at a point of the plane.
 #[derive(Clone, Debug)]

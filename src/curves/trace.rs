@@ -6,10 +6,12 @@ use super::branch::{Event, multipliers_at};
 use super::condition::{Kind, split};
 use super::curve::{Criticality, Curve, CurveMotion, CurvePoint, End, Special};
 use super::locus::Locus;
+use super::parting::passed;
 use super::path::PathPoint;
 use super::special::{Monitor, monitors};
 use super::touch::{arrival_speeds, touches};
 use super::unknowns::{Span, Unknowns};
+use crate::model::{Flight, Parameters};
 use crate::theory::{PeriodicMotion, flip_coefficient, fly, neimark_sacker_coefficient};
 
 /// The longest step, in sides of the plane.
@@ -18,6 +20,8 @@ const LONGEST: f64 = 0.01;
 const FIRST: f64 = 1e-3;
 /// The shortest step.
 const SHORTEST: f64 = 1e-7;
+/// The fewest points of a curve.
+const LEAST_POINTS: usize = 3;
 /// The most points in one direction.
 const MOST_POINTS: usize = 3000;
 /// A step over which the path turns by more than this cosine is halved.
@@ -35,13 +39,49 @@ const CROSSED: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
     pub point: CurvePoint,
+    pub motion: PeriodicMotion,
+    pub parameters: Parameters,
     pub monitors: Vec<Monitor>,
     /// Why the path cannot go beyond it, if it is already beyond the end.
     pub beyond: Option<(End, Option<Special>)>,
 }
 
+impl Seen {
+    /// The same place with the name of a special point, if there is one.
+    fn named(mut self, special: Option<Special>) -> Self {
+        self.point.special = special.or(self.point.special);
+        self
+    }
+
+    /// The other bifurcation of the same motion that begins at a special point, if there is one.
+    ///
+    /// At a strong resonance the two critical multipliers of a fold, or of a period doubling, are the limit of a
+    /// Neimark–Sacker pair.
+    fn offspring(&self, kind: Kind) -> Option<Event> {
+        let begins = match self.point.special? {
+            Special::Resonance11 => kind == Kind::Fold,
+            Special::Resonance12 => matches!(kind, Kind::PeriodDoubling | Kind::Pitchfork),
+            _ => false,
+        };
+        begins.then(|| Event {
+            kind: Kind::NeimarkSacker,
+            pattern: self.motion.pattern.clone(),
+            sections: self.motion.sections.clone(),
+            parameters: self.parameters,
+            touch: None,
+        })
+    }
+}
+
+/// A curve, and the bifurcations that begin at its special points.
+#[derive(Clone, Debug)]
+pub(super) struct Traced {
+    pub curve: Curve,
+    pub offspring: Vec<Event>,
+}
+
 /// The curve through a bifurcation; none if it cannot be begun.
-pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Curve> {
+pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Traced> {
     let locus = Locus {
         unknowns: Unknowns {
             pattern: event.pattern.clone(),
@@ -58,29 +98,36 @@ pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Curve> {
     let start =
         PathPoint::near(&locus, guess.clone(), last).or_else(|| PathPoint::near(&locus, guess, last - 1))?;
     let seen = look(&locus, &start)?;
-    if seen.beyond.is_some() {
-        return None;
-    }
-    let ((mut points, first_end), (after, second_end)) = rayon::join(
+    let seen = match seen.beyond {
+        None => seen,
+        Some((End::Resonance11 | End::Resonance12, special)) => seen.named(special),
+        Some(_) => return None,
+    };
+    let ((mut places, first_end), (after, second_end)) = rayon::join(
         || follow(&locus, start.reversed(), seen.clone()),
         || follow(&locus, start.clone(), seen.clone()),
     );
-    points.reverse();
-    points.push(seen.point.clone());
+    places.reverse();
+    places.push(seen.clone());
     if first_end != End::Closes {
-        points.extend(after);
+        places.extend(after);
     }
+    if places.len() < LEAST_POINTS {
+        return None;
+    }
+    let offspring = places.iter().filter_map(|place| place.offspring(event.kind)).collect();
     let pattern = &event.pattern;
-    Some(Curve {
+    let curve = Curve {
         kind: event.kind,
         motion: CurveMotion { n: pattern.n(), p: pattern.p(), q: pattern.q(), symmetric: pattern.mirrored },
         touches: event.touch.map(|touch| touch.stop),
-        points,
+        points: places.into_iter().map(|place| place.point).collect(),
         ends: [first_end, second_end],
-    })
+    };
+    Some(Traced { curve, offspring })
 }
 
-fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<CurvePoint>, End) {
+fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<Seen>, End) {
     let mut points = Vec::new();
     let (mut here, mut seen) = (start.clone(), first);
     let mut ds = FIRST;
@@ -94,14 +141,18 @@ fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<CurvePoint>, End
             }
             continue;
         };
-        if let Some(beyond) = looked.beyond {
-            let (point, end) = end_point(locus, &here, ds, beyond);
+        let beyond = |there: &Seen| {
+            let passed = passed(&seen.motion, &there.motion);
+            there.beyond.or(passed.then_some((End::Simplifies, None)))
+        };
+        if let Some(reason) = beyond(&looked) {
+            let (point, end) = end_point(locus, &here, ds, reason, beyond);
             points.extend(specials(locus, &here, &seen, ds, &looked).into_iter().filter(|_| point.is_none()));
             points.extend(point);
             return (points, end);
         }
         points.extend(specials(locus, &here, &seen, ds, &looked));
-        points.push(looked.point.clone());
+        points.push(looked.clone());
         if points.len() > 10 && came_round(locus, &start, &here, &next) {
             return (points, End::Closes);
         }
@@ -125,20 +176,21 @@ fn end_point(
     locus: &Locus,
     here: &PathPoint,
     ds: f64,
-    beyond: (End, Option<Special>),
-) -> (Option<CurvePoint>, End) {
+    reason: (End, Option<Special>),
+    beyond: impl Fn(&Seen) -> Option<(End, Option<Special>)>,
+) -> (Option<Seen>, End) {
     let (mut inside, mut outside) = (0.0, ds);
-    let (mut last, mut reason) = (None, beyond);
+    let (mut last, mut reason) = (None, reason);
     for _ in 0..BISECTIONS {
         if outside - inside < PLACED {
             break;
         }
         let middle = 0.5 * (inside + outside);
         let Some(seen) = here.advanced(locus, middle).and_then(|point| look(locus, &point)) else { break };
-        match seen.beyond {
+        match beyond(&seen) {
             None => {
                 inside = middle;
-                last = Some(seen.point);
+                last = Some(seen);
             }
             Some(beyond) => {
                 outside = middle;
@@ -147,22 +199,21 @@ fn end_point(
         }
     }
     let (end, special) = reason;
-    let point = last.map(|point| CurvePoint { special: special.or(point.special), ..point });
-    (point, end)
+    (last.map(|seen| seen.named(special)), end)
 }
 
 /// The special points between two points of a path.
-fn specials(locus: &Locus, here: &PathPoint, seen: &Seen, ds: f64, next: &Seen) -> Vec<CurvePoint> {
-    let mut found: Vec<(f64, CurvePoint)> = Vec::new();
+fn specials(locus: &Locus, here: &PathPoint, seen: &Seen, ds: f64, next: &Seen) -> Vec<Seen> {
+    let mut found: Vec<(f64, Seen)> = Vec::new();
     for (before, after) in seen.monitors.iter().zip(&next.monitors) {
         let (Some(a), Some(b)) = (before.value, after.value) else { continue };
         if a * b >= 0.0 {
             continue;
         }
-        let value_at = |s: f64| -> Option<(CurvePoint, f64)> {
+        let value_at = |s: f64| -> Option<(Seen, f64)> {
             let seen = look(locus, &here.advanced(locus, s)?)?;
             let value = seen.monitors.iter().find(|monitor| monitor.special == before.special)?.value?;
-            Some((seen.point, value))
+            Some((seen, value))
         };
         let (mut low, mut high) = (0.0, ds);
         let mut place = None;
@@ -180,7 +231,7 @@ fn specials(locus: &Locus, here: &PathPoint, seen: &Seen, ds: f64, next: &Seen) 
                 break;
             }
         }
-        found.extend(place.map(|(s, point)| (s, CurvePoint { special: Some(before.special), ..point })));
+        found.extend(place.map(|(s, point)| (s, point.named(Some(before.special)))));
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.into_iter().map(|(_, point)| point).collect()
@@ -212,7 +263,7 @@ fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
     };
     let monitors = monitors(locus, at, &system, &motion, coefficient, &critical, &others);
     let beyond = beyond(locus, &at.y, &system, &motion, &critical);
-    Some(Seen { point, monitors, beyond })
+    Some(Seen { point, parameters: *parameters, monitors, beyond, motion })
 }
 
 /// Why a curve ends before this point, if it does.
@@ -244,6 +295,6 @@ fn beyond(
     let crossed = touches(system, pattern, &motion.sections)
         .iter()
         .any(|touch| touch.gap < -CROSSED && !own(touch.arc, touch.phase));
-    let certified = locus.kind == Kind::Grazing || fly(system, motion).is_ok();
+    let certified = locus.kind == Kind::Grazing || fly(&Flight::new(system), motion).is_ok();
     (crossed || !certified).then_some((End::Grazes, Some(Special::Grazing)))
 }

@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 
 use super::{SweepError, provenance};
-use crate::backend::{Backend, BackendError, Job, Watch};
+use crate::backend::{Backend, BackendError, Job, Watch, decide};
 use crate::model::{System, SystemError};
 use crate::plane::{Plane, RegionMap};
 
@@ -27,7 +27,7 @@ pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<
             return Err(BackendError::Cancelled.into());
         }
         let jobs = jobs(plane, first..cells.min(first + tile as u64))?;
-        verdicts.extend(backend.run(&jobs, &plane.schedule, watch)?);
+        verdicts.extend(decide(backend, &jobs, &plane.schedule, watch)?);
     }
     Ok(RegionMap { plane: plane.clone(), provenance: provenance(backend), verdicts })
 }

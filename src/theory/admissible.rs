@@ -8,7 +8,7 @@ use super::flow::{PHASE, V1_PLUS, V2, X2};
 use super::motion::PeriodicMotion;
 use super::newton::next;
 use crate::dynamics::{Event, Stop, Trajectory};
-use crate::model::{Flight, System};
+use crate::model::Flight;
 
 /// How far an impact may be from where the solution has it, relative to states of order one.
 const TOLERANCE: f64 = 1e-8;
@@ -62,8 +62,7 @@ pub(crate) struct Flown {
 /// Follows every arc of a motion with the certified flight of the simulation.
 ///
 /// Each arc begins anew at its impact, so that unstable motions are followed as well as stable ones.
-pub(crate) fn fly(system: &System, motion: &PeriodicMotion) -> Result<Flown, Inadmissible> {
-    let flight = Flight::new(system);
+pub(crate) fn fly(flight: &Flight<f64>, motion: &PeriodicMotion) -> Result<Flown, Inadmissible> {
     let mut flown = Flown { at_phase_zero: None };
     for (i, section) in motion.sections.iter().enumerate() {
         let stop = motion.pattern.stops[i];
@@ -74,11 +73,11 @@ pub(crate) fn fly(system: &System, motion: &PeriodicMotion) -> Result<Flown, Ina
         }
         let scale = 1.0 + velocity.abs() + due.section[V1_PLUS].abs();
         let start = [stop.side::<f64>() * flight.delta, section[X2], velocity, section[V2]];
-        let mut trajectory = Trajectory::at_phase(&flight, start, wrapped(section[PHASE]));
+        let mut trajectory = Trajectory::at_phase(flight, start, wrapped(section[PHASE]));
         let time = (due.section[PHASE] - section[PHASE]) / flight.omega;
         let mut elapsed = 0.0;
         loop {
-            let taken = trajectory.advance(&flight, &mut ());
+            let taken = trajectory.advance(flight, &mut ());
             elapsed += taken.time;
             let speed = (due.section[V1_PLUS] / flight.r.max(0.1)).abs() + TOLERANCE;
             // A time is as uncertain as the place is over the speed.

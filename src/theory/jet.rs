@@ -89,8 +89,8 @@ fn arc(flow: &Flow, from: f64, sections: &Jets<4>, time: f64, to: f64) -> Option
     let mut left = Jet([0.0; TERMS]);
     let mut reached = arrival;
     for _ in 1..TERMS {
-        for k in 1..TERMS {
-            left.0[k] -= reached[k][generator::X1] / speed;
+        for (left, reached) in left.0.iter_mut().zip(&reached).skip(1) {
+            *left -= reached[generator::X1] / speed;
         }
         reached = flown(flow, &arrival, left);
     }

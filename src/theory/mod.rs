@@ -6,9 +6,11 @@
 //! of the simulation then decides whether the system really moves like that. Everything is in f64.
 
 mod admissible;
+mod cyclic;
 mod flow;
 mod impact_map;
 mod jet;
+mod label;
 mod matching;
 mod motion;
 mod multipliers;
@@ -16,7 +18,9 @@ pub(crate) mod newton;
 mod normal_form;
 mod pattern;
 mod seeding;
+mod settled;
 mod spectrum;
+mod strobe;
 mod symmetric;
 
 pub use admissible::Inadmissible;
@@ -24,13 +28,16 @@ pub(crate) use admissible::fly;
 pub(crate) use flow::Flow;
 pub use flow::Section;
 pub use impact_map::{NoReturn, Return, impact_map};
+pub use label::{Label, LabelError};
 pub use matching::Node;
 pub use motion::{NoMotion, PeriodicMotion};
 pub(crate) use multipliers::{eigenvalues, turn};
 pub use normal_form::{flip_coefficient, fold_coefficient, neimark_sacker_coefficient};
 pub use pattern::Pattern;
-pub use seeding::{Label, NotFound, Search, labelled_motion, settled_motion};
+pub use seeding::{NotFound, Search, labelled_motion, settled_motion};
+pub use settled::SettledMotion;
 pub use spectrum::{Spectrum, SpectrumFailed};
+pub use strobe::StrobeMotion;
 pub use symmetric::{
     NoSymmetricMotion, SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target,
 };

@@ -7,11 +7,12 @@ use thiserror::Error;
 
 use super::admissible::{Inadmissible, fly};
 use super::flow::{Flow, PHASE, Section};
-use super::multipliers::{eigenvalues, turn};
+use super::multipliers::{STABLE, eigenvalues, ordered, turn};
 use super::newton;
 use super::pattern::Pattern;
 use crate::dynamics::Stop;
-use crate::model::System;
+use crate::model::generator::{V1, V2, X1, X2};
+use crate::model::{Flight, System};
 
 /// A periodic motion with finitely many impacts, stable or not: a solution of the matching equations of its pattern.
 ///
@@ -46,7 +47,7 @@ impl PeriodicMotion {
         let flow = Flow::new(system);
         let (sections, residual) = newton::solve(&flow, pattern, guess).ok_or(NoMotion::NotConverged)?;
         let motion = PeriodicMotion { pattern: pattern.clone(), sections, residual }.normalised();
-        fly(system, &motion)?;
+        fly(&Flight::new(system), &motion)?;
         Ok(motion.reduced(&flow))
     }
 
@@ -133,6 +134,24 @@ impl PeriodicMotion {
         self.sections[0].into()
     }
 
+    /// (x1, x2, v1, v2) at forcing phase 0, from the impact before it.
+    pub fn at_phase_zero(&self, system: &System) -> [f64; 4] {
+        let flow = Flow::new(system);
+        let begins = self.sections[0][PHASE];
+        let mut half_turns = (begins / PI).ceil();
+        if half_turns.rem_euclid(2.0) != 0.0 && !self.pattern.mirrored {
+            half_turns += 1.0;
+        }
+        // Half a turn off, a symmetric motion's mirror image is met.
+        let side = if half_turns.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
+        let phase = half_turns * PI;
+        let last = self.sections.iter().rposition(|section| section[PHASE] <= phase).unwrap_or(0);
+        let section = &self.sections[last];
+        let start = flow.lifted(self.pattern.stops[last], section);
+        let z = flow.over((phase - section[PHASE]) / flow.omega) * start;
+        [X1, X2, V1, V2].map(|k| side * z[k] + 0.0)
+    }
+
     /// Eigenvalues of the half map of a symmetric motion, largest modulus first: flight over N/2 forcing periods with its
     /// impacts, then the mirror.
     ///
@@ -151,11 +170,11 @@ impl PeriodicMotion {
     pub fn multipliers(&self, system: &System) -> Option<[Complex<f64>; 4]> {
         let half =
             turn(&Flow::new(system), &self.pattern, &self.sections).and_then(|map| eigenvalues(&map))?;
-        Some(if self.pattern.mirrored { half.map(|value| value * value) } else { half })
+        Some(if self.pattern.mirrored { ordered(half.map(|value| value * value)) } else { half })
     }
 
     /// Whether all Floquet multipliers lie within the unit circle; none where there are none.
     pub fn is_stable(&self, system: &System) -> Option<bool> {
-        Some(self.multipliers(system)?.iter().all(|value| value.norm() < 1.0))
+        Some(self.multipliers(system)?.iter().all(|value| value.norm() < STABLE))
     }
 }

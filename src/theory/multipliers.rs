@@ -9,6 +9,10 @@ use super::pattern::Pattern;
 /// The most sweeps of the eigenvalue iteration.
 const MOST_SWEEPS: usize = 10_000;
 
+/// A multiplier counts as within the unit circle below this modulus: a neutral one, as of the conservative system
+/// (r = 1, ζ = 0), is not called stable by the chance of rounding.
+pub(super) const STABLE: f64 = 1.0 - 1e-9;
+
 /// The Jacobian of one turn around a motion on the section of its first impact: of one period, or of half of it
 /// followed by the mirror where the pattern is mirrored.
 ///
@@ -26,7 +30,11 @@ pub(crate) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Opti
 /// The eigenvalues, largest modulus first; of a complex pair the one with the positive imaginary part first.
 pub(crate) fn eigenvalues(matrix: &Matrix4<f64>) -> Option<[Complex<f64>; 4]> {
     let schur = Schur::try_new(*matrix, f64::EPSILON, MOST_SWEEPS)?;
-    let mut values: [Complex<f64>; 4] = schur.complex_eigenvalues().into();
+    Some(ordered(schur.complex_eigenvalues().into()))
+}
+
+/// The same numbers, largest modulus first; of a complex pair the one with the positive imaginary part first.
+pub(super) fn ordered(mut values: [Complex<f64>; 4]) -> [Complex<f64>; 4] {
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
-    Some(values)
+    values
 }

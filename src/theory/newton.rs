@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::cyclic;
 use super::flow::{Flow, PHASE, Section};
 use super::matching::{Arc, Node};
 use super::pattern::Pattern;
@@ -71,7 +72,7 @@ pub(crate) fn solve(flow: &Flow, pattern: &Pattern, guess: &[Section]) -> Option
         if !size.is_finite() {
             return None;
         }
-        let step = derivative(&joined, pattern).lu().solve(&residuals)?;
+        let step = cyclic::solve(&joined, pattern)?;
         let mut share = 1.0;
         let mut accepted = false;
         for _ in 0..MOST_HALVINGS {

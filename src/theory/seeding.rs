@@ -3,10 +3,12 @@
 use thiserror::Error;
 
 use super::flow::{PHASE, Section};
+use super::label::Label;
 use super::motion::{NoMotion, PeriodicMotion};
 use super::pattern::Pattern;
-use crate::dynamics::{ImpactEvent, Stop, record};
-use crate::model::{Parameter, System};
+use super::symmetric::symmetric_motions;
+use crate::dynamics::{Event, ImpactEvent, Stop, Trajectory, record};
+use crate::model::{Flight, Parameter, System};
 
 /// Close returns of one orbit from which Newton's method is tried.
 const TRIES: usize = 60;
@@ -16,19 +18,12 @@ const CLOSE: f64 = 1.0;
 const APART: f64 = 1e-2;
 /// Orbits from scattered starts that are searched as well.
 const SCATTERED: u32 = 12;
+/// Moves in one forcing period beyond which an orbit is not searched: all steps, and more impacts than a label has.
+const MOST_MOVES: u32 = 1 << 18;
+/// The most impacts of one orbit that are searched.
+const MOST_SEARCHED: usize = 1 << 20;
 /// Relative changes of ω at which a neighbouring motion is looked for, to be followed back.
 const NEIGHBOURS: [f64; 10] = [0.005, -0.005, 0.015, -0.015, 0.04, -0.04, 0.08, -0.08, 0.15, -0.15];
-
-/// The label of a periodic motion that is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Label {
-    /// N, forcing periods.
-    pub n: u32,
-    /// p, impacts at Ā.
-    pub p: u32,
-    /// q, impacts at A.
-    pub q: u32,
-}
 
 /// How a motion is searched for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,10 +39,9 @@ pub struct Search {
 /// No motion of a label was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error(
-    "no {n}-{p}-{q} motion was found here: none of {tried} close returns of {orbits} orbits leads to one, and none \
+    "no {label} motion was found here: none of {tried} close returns of {orbits} orbits leads to one, and none \
      at neighbouring frequencies that could be followed back; try another --start, or parameters nearer to where \
-     the motion is stable",
-    n = .label.n, p = .label.p, q = .label.q
+     the motion is stable"
 )]
 pub struct NotFound {
     /// The label.
@@ -71,7 +65,8 @@ pub fn settled_motion(system: &System, state: [f64; 4], n: u32) -> Result<Period
     PeriodicMotion::refine(system, &pattern, &guess)
 }
 
-/// A motion with a label, stable or not: from close returns of simulated orbits, or followed from a neighbouring ω.
+/// A motion with a label, stable or not: from close returns of simulated orbits, followed from a neighbouring ω, or (1-1-1,
+/// symmetric) in closed form.
 ///
 /// # Errors
 /// [`NotFound`] if none of the searched orbits comes close to one.
@@ -97,6 +92,13 @@ pub fn labelled_motion(system: &System, label: Label, search: &Search) -> Result
             return Ok(motion);
         }
     }
+    // The symmetric 1-1-1 motion needs no guess.
+    if label == (Label { n: 1, p: 1, q: 1 })
+        && let Ok(solutions) = symmetric_motions(system)
+        && let Some(solution) = solutions.into_iter().find(|solution| solution.at_phase_zero.is_ok())
+    {
+        return Ok(solution.motion);
+    }
     Err(NotFound { label, tried, orbits })
 }
 
@@ -117,7 +119,7 @@ fn among_returns(
     search: &Search,
     tries: usize,
 ) -> (Option<PeriodicMotion>, usize) {
-    let impacts = record(system, start, search.transient, search.observe, 0).impacts;
+    let impacts = impacts(system, start, search);
     let mut tried: Vec<Section> = Vec::new();
     for first in close_returns(system, &impacts, label) {
         let count = (label.p + label.q) as usize;
@@ -127,7 +129,7 @@ fn among_returns(
         }
         tried.push(guess[0]);
         if let Ok(motion) = PeriodicMotion::refine(system, &pattern, &guess)
-            && motion.label() == format!("{}-{}-{}", label.n, label.p, label.q)
+            && motion.label() == label.to_string()
         {
             return (Some(motion), tried.len());
         }
@@ -136,6 +138,43 @@ fn among_returns(
         }
     }
     (None, tried.len())
+}
+
+/// The impacts of an orbit in the window that is searched, as far as it can be followed.
+fn impacts(system: &System, start: [f64; 4], search: &Search) -> Vec<ImpactEvent> {
+    let flight = Flight::new(system);
+    let mut trajectory = Trajectory::new(&flight, start);
+    let mut found = Vec::new();
+    for period in 0..search.transient.saturating_add(search.observe) {
+        let mut moves = 0;
+        loop {
+            let taken = trajectory.advance(&flight, &mut ());
+            moves += 1;
+            if moves > MOST_MOVES || found.len() >= MOST_SEARCHED {
+                return found;
+            }
+            let impact = match taken.event {
+                Event::Strobe => break,
+                Event::Impact(impact) => impact,
+                Event::Caught { impact, .. } if impact.velocity_before != 0.0 => impact,
+                _ => continue,
+            };
+            if period < search.transient {
+                continue;
+            }
+            let elapsed = f64::from(trajectory.step) * flight.h + trajectory.offset;
+            found.push(ImpactEvent {
+                time: f64::from(period) * system.period() + elapsed,
+                stop: impact.stop,
+                velocity_before: impact.velocity_before,
+                velocity_after: impact.velocity_after,
+                x2: trajectory.point.x2,
+                v2: trajectory.point.v2,
+                phase: flight.omega * elapsed,
+            });
+        }
+    }
+    found
 }
 
 /// Where an orbit comes back to its section after N periods and the right impacts, closest first.

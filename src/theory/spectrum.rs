@@ -7,7 +7,7 @@ use crate::dynamics::{Contact, Event, Stop, Tangent, Trajectory};
 use crate::model::{Flight, System};
 
 /// Batches that the observation is cut into for the standard error.
-pub const BATCHES: u32 = 16;
+const BATCHES: u32 = 16;
 
 /// The frame is made orthogonal again after so many time constants of the fastest motion, at the latest.
 const REACH: f64 = 2.0;
@@ -25,7 +25,7 @@ const MOST_MOVES: u32 = 1 << 24;
 pub struct Spectrum {
     /// The exponents per forcing period.
     pub per_period: [f64; 4],
-    /// Their standard errors per forcing period, from the scatter of [`BATCHES`] batches; 0 for a lost direction.
+    /// Their standard errors per forcing period, from the scatter of sixteen batches; 0 for a lost direction.
     pub standard_error: [f64; 4],
     /// Directions that are lost: so many exponents are −∞.
     pub lost: u32,
@@ -41,7 +41,9 @@ pub struct Spectrum {
 
 /// The trajectory could not be followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("the trajectory was given up after {periods} forcing periods: {reason}")]
+#[error(
+    "the trajectory was given up after {periods} forcing periods: {reason}; try another --start, lower r or raise omega"
+)]
 pub struct SpectrumFailed {
     /// Forcing periods that were completed.
     pub periods: u32,
@@ -184,12 +186,12 @@ impl Gauge {
                 self.orthogonalise();
             }
             Event::Caught { impact, complete_chatter } => {
-                if counts {
-                    self.impacts += u64::from(impact.velocity_before != 0.0);
-                    self.iterates = self
-                        .iterates
-                        .filter(|_| !complete_chatter)
-                        .map(|count| count + u64::from(impact.stop == Stop::A));
+                // The mass may also come to rest without an impact.
+                if counts && impact.velocity_before != 0.0 {
+                    self.impacts += 1;
+                    if impact.stop == Stop::A {
+                        self.iterates = self.iterates.filter(|_| !complete_chatter).map(|count| count + 1);
+                    }
                 }
                 self.lose(2);
                 self.orthogonalise();
@@ -209,6 +211,10 @@ impl Gauge {
         self.since = 0.0;
         let columns: [_; 4] = self.frame.map(|t| nalgebra::Vector4::new(t.x1, t.x2, t.v1, t.v2));
         let (q, r) = Matrix4::from_columns(&columns).qr().unpack();
+        // So little restitution that its square is lost in rounding is none.
+        let kept = 4 - self.lost as usize;
+        let vanished = (0..kept).filter(|&j| r[(j, j)] == 0.0).count();
+        self.lose(self.lost + vanished as u32);
         for j in 0..4 {
             if j >= 4 - self.lost as usize {
                 self.frame[j] = Tangent { x1: 0.0, x2: 0.0, v1: 0.0, v2: 0.0 };
@@ -229,17 +235,17 @@ impl Gauge {
     fn spectrum(self, system: &System, batches: &[[f64; 4]], batch_periods: u32) -> Spectrum {
         let count = batches.len() as f64;
         let per_batch = f64::from(batch_periods);
-        let mut per_period = [f64::NEG_INFINITY; 4];
-        let mut standard_error = [0.0; 4];
+        let mut measured = [(f64::NEG_INFINITY, 0.0); 4];
         for j in 0..4 - self.lost as usize {
             let mean = batches.iter().map(|batch| batch[j]).sum::<f64>() / count;
             let square = batches.iter().map(|batch| (batch[j] - mean).powi(2)).sum::<f64>() / (count - 1.0);
-            per_period[j] = mean / per_batch;
-            standard_error[j] = (square / count).sqrt() / per_batch;
+            measured[j] = (mean / per_batch, (square / count).sqrt() / per_batch);
         }
+        // Exponents that are equal but for their errors come in any order.
+        measured.sort_by(|a, b| b.0.total_cmp(&a.0));
         Spectrum {
-            per_period,
-            standard_error,
+            per_period: measured.map(|(exponent, _)| exponent),
+            standard_error: measured.map(|(_, error)| error),
             lost: self.lost,
             periods: batch_periods * batches.len() as u32,
             period: system.period(),

@@ -11,7 +11,7 @@ use super::motion::PeriodicMotion;
 use super::newton;
 use super::pattern::Pattern;
 use crate::dynamics::Stop;
-use crate::model::System;
+use crate::model::{Flight, System};
 
 /// How far a start on the symmetric motion is moved off it, so that an unstable one is left; non-dimensional.
 pub const NUDGE: f64 = 1e-3;
@@ -56,7 +56,7 @@ pub enum NoSymmetricMotion {
     Singular,
 }
 
-/// Both solutions of (5), in the order of their distance in phase before and after the middle of the two.
+/// Both solutions of (5): one phase before and one after that at which x1 would reach farthest.
 ///
 /// With Φ the flight over half a period from (x1, x2, v1, v2), Γs and Γc what forcing at phase τ adds to it, and
 /// D = diag(1, 1, −r, 1), the state just after the impact at A is s = −(I + DΦ)⁻¹ D (Γs sin τ + Γc cos τ); s₁ = δ
@@ -87,18 +87,19 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
     if amplitude < delta {
         return Err(NoSymmetricMotion::OutOfReach { amplitude, delta });
     }
+    let flight = Flight::new(system);
     let middle = sine[0].atan2(cosine[0]);
     let apart = (delta / amplitude).acos();
     Ok([middle - apart, middle + apart].map(|phase| {
         let tau = wrapped(phase);
         let (sin, cos) = tau.sin_cos();
         let state = sine * sin + cosine * cos;
-        solution(system, &flow, Section::new(state[2], state[1], state[3], tau))
+        solution(&flight, &flow, Section::new(state[2], state[1], state[3], tau))
     }))
 }
 
 /// One solution, and whether the system follows it.
-fn solution(system: &System, flow: &Flow, section: Section) -> SymmetricMotion {
+fn solution(flight: &Flight<f64>, flow: &Flow, section: Section) -> SymmetricMotion {
     let pattern = Pattern { stops: vec![Stop::A], half_turns: 1, mirrored: true };
     let sections = vec![section];
     let residual = newton::residual(&newton::arcs(flow, &pattern, &sections)).amax();
@@ -107,7 +108,7 @@ fn solution(system: &System, flow: &Flow, section: Section) -> SymmetricMotion {
     let at_phase_zero = if velocity == 0.0 && flow.r > 0.0 {
         Err(Inadmissible::WrongVelocity { stop: Stop::A, velocity })
     } else {
-        fly(system, &motion).and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(Stop::B)))
+        fly(flight, &motion).and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(Stop::B)))
     };
     SymmetricMotion { motion, at_phase_zero }
 }

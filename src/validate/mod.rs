@@ -12,14 +12,20 @@
 //! [`continue_strays`] the reference goes on from the *candidate's* end state for a whole number of periods of the
 //! motion, and how far it moves is the cell's difference. A stray that was not continued, or that did not stay on a
 //! motion with the label, counts with its whole difference.
+//!
+//! # Boundaries
+//! Theory and simulation are compared too: [`boundaries`] measures how many cells lie between bifurcation curves and the
+//! boundaries of the regions that a map shows.
 
 mod agreement;
+mod boundaries;
 mod compare;
 mod continuation;
 mod spread;
 mod thresholds;
 
 pub use agreement::{Agreement, FailedCells, Fault, RegimeAgreement, WorstCell};
+pub use boundaries::{Boundaries, BoundaryAgreement, boundaries};
 pub use compare::{compare, compare_continued};
 pub use continuation::{Continued, continue_strays, strays};
 pub use spread::{Share, Spread};

@@ -44,7 +44,7 @@ impl Check {
         Check { name, value, bound, at_least: true, holds: value.is_none_or(|value| value >= bound) }
     }
 
-    fn at_most(name: &'static str, value: Option<f64>, bound: f64) -> Self {
+    pub(super) fn at_most(name: &'static str, value: Option<f64>, bound: f64) -> Self {
         Check { name, value, bound, at_least: false, holds: value.is_none_or(|value| value <= bound) }
     }
 }

@@ -101,20 +101,22 @@ fn a_wrong_jacobian_is_noticed() {
     assert!((other - simulated).amax() > 1e-6 * jacobian.amax());
 }
 
+/// The state so many forcing periods later; phase 0 both times.
+pub fn strobe(system: &System, state: [f64; 4], periods: u32) -> [f64; 4] {
+    let flight = Flight::new(system);
+    let mut trajectory = Trajectory::new(&flight, state);
+    for _ in 0..periods {
+        while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
+    }
+    trajectory.point.state()
+}
+
 /// A perturbation of a stable motion decays by its leading multiplier per period.
 #[test]
 fn multipliers_are_the_decay_of_perturbations() {
     for (omega, delta) in [(3.7, 0.1), (3.5, 0.1), (1.72, 0.1), (2.95, 0.1)] {
         let system = at(omega, delta);
-        let flight = Flight::new(&system);
-        let strobe = |mut state: [f64; 4], periods: u32| {
-            for _ in 0..periods {
-                let mut trajectory = Trajectory::new(&flight, state);
-                while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
-                state = trajectory.point.state();
-            }
-            state
-        };
+        let strobe = |state: [f64; 4], periods: u32| strobe(&system, state, periods);
         let fixed = strobe([0.0; 4], 20_000);
         let n = if omega == 2.95 { 2 } else { 1 };
         let motion = settled_motion(&system, fixed, n).unwrap();

@@ -2,6 +2,7 @@
 
 mod jacobians;
 mod motions;
+mod robustness;
 mod spectra;
 
 use impact_atlas::model::{Parameters, System};

@@ -1,0 +1,156 @@
+//! `impact-atlas lyapunov`: all four Lyapunov exponents of a trajectory.
+
+use clap::Args;
+use impact_atlas::analysis::Schedule;
+use impact_atlas::model::System;
+use impact_atlas::plane::Start;
+use impact_atlas::theory::Spectrum;
+use serde::Serialize;
+
+use super::interrupt::abandonable;
+use super::multipliers::note_cpu;
+use super::options::SystemArgs;
+use super::progress::Progress;
+use super::terminal::{print, print_json};
+use super::values::parse;
+use super::{CliError, defaults};
+
+/// Measures all four Lyapunov exponents of one trajectory
+///
+/// Natural logarithm, largest first, in three units: per forcing period, per unit of (non-dimensional) time, and per
+/// iterate of the impact map (one return to stop A, x1 = +delta, just after an impact), which is the paper's unit.
+/// The standard error is per forcing period, from the scatter of 16 batches. An exponent of minus infinity is a
+/// direction that is lost: complete chatter and sticking forget the place and velocity of the first mass (two
+/// directions), an impact with r = 0 forgets one. The sum of the four is known exactly, as the contraction of volume:
+/// −T tr(M⁻¹C) + 2 ln r × (impacts per forcing period). Computed in double precision on the CPU. Exit code 1 if the
+/// trajectory cannot be followed.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  impact-atlas lyapunov --set omega=2.83
+  impact-atlas lyapunov --set omega=3.03 --transient 5000 --observe 50000 --json")]
+pub struct LyapunovArgs {
+    #[command(flatten)]
+    system: SystemArgs,
+
+    /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
+    #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
+        allow_hyphen_values = true)]
+    start: Start,
+
+    /// Forcing periods before the measurement
+    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
+    transient: u32,
+
+    /// Forcing periods of the measurement, rounded up to a multiple of 16; a quarter as many go before it, in which
+    /// the tangent vectors turn into their directions
+    #[arg(long, value_name = "P", default_value_t = defaults::SPECTRUM_OBSERVE)]
+    observe: u32,
+
+    /// Prints JSON; null for minus infinity (see lost_directions), and per iterate where there are no returns to stop
+    /// A or infinitely many
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed; every quantity non-dimensional.
+#[derive(Debug, Serialize)]
+struct Exponents {
+    exponents_per_period: [Option<f64>; 4],
+    exponents_per_iterate: Option<[Option<f64>; 4]>,
+    exponents_per_time: [Option<f64>; 4],
+    /// Per forcing period.
+    standard_error: [Option<f64>; 4],
+    standard_error_per_time: [Option<f64>; 4],
+    lost_directions: u32,
+    iterates: Option<u64>,
+    impacts: u64,
+    periods: u32,
+    period: f64,
+    /// The sum of the four per forcing period, and what it must be.
+    sum_per_period: Option<f64>,
+    sum_identity: Option<f64>,
+}
+
+/// Runs the command.
+pub fn run(args: &LyapunovArgs) -> Result<(), CliError> {
+    let (transient, observe) = (args.transient, args.observe);
+    let schedule = Schedule { transient, observe, max_period: defaults::MAX_PERIOD, fixed_periods: true };
+    schedule.check().map_err(CliError::input)?;
+    let (system, start) = args.system.system_and_start(args.start)?;
+    note_cpu();
+    let progress = Progress::of_trajectory();
+    let spectrum = abandonable(move || Spectrum::of(&system, start, transient, observe))?;
+    drop(progress);
+    let spectrum = spectrum.map_err(|failed| CliError::NotFound(failed.to_string()))?;
+    let exponents = Exponents::new(&system, &spectrum);
+    if args.json { print_json(&exponents) } else { print(&exponents.text()) }
+}
+
+impl Exponents {
+    fn new(system: &System, spectrum: &Spectrum) -> Self {
+        let finite = |values: [f64; 4]| values.map(|value| value.is_finite().then_some(value));
+        let kept = 4 - spectrum.lost as usize;
+        let errors = |values: [f64; 4]| std::array::from_fn(|j| (j < kept).then_some(values[j]));
+        let whole = spectrum.lost == 0;
+        Exponents {
+            exponents_per_period: finite(spectrum.per_period),
+            exponents_per_iterate: spectrum.per_iterate().map(finite),
+            exponents_per_time: finite(spectrum.per_time()),
+            standard_error: errors(spectrum.standard_error),
+            standard_error_per_time: errors(spectrum.standard_error.map(|error| error / spectrum.period)),
+            lost_directions: spectrum.lost,
+            iterates: spectrum.iterates,
+            impacts: spectrum.impacts,
+            periods: spectrum.periods,
+            period: spectrum.period,
+            sum_per_period: whole.then(|| spectrum.per_period.iter().sum()),
+            sum_identity: whole.then(|| spectrum.sum_identity(system)),
+        }
+    }
+
+    fn text(&self) -> String {
+        let mut lines = vec![format!(
+            "{:<12}{:>16}{:>16}{:>16}{:>16}",
+            "exponent", "per period", "± (period)", "per time", "per iterate"
+        )];
+        for j in 0..4 {
+            let Some(per_period) = self.exponents_per_period[j] else {
+                let why = if self.lost_directions == 2 {
+                    "complete chatter or sticking forgets the place and velocity of the first mass"
+                } else {
+                    "an impact without rebound forgets the velocity of the first mass"
+                };
+                lines.push(format!("{:<12}{:>16}  (minus infinity): {why}", j + 1, "lost"));
+                continue;
+            };
+            let per_iterate = self.exponents_per_iterate.and_then(|values| values[j]);
+            let number = |value: Option<f64>| value.map_or("–".to_owned(), |value| format!("{value:.6}"));
+            lines.push(format!(
+                "{:<12}{per_period:>16.6}{:>16}{:>16}{:>16}",
+                j + 1,
+                self.standard_error[j].map_or("–".to_owned(), |error| format!("{error:.1e}")),
+                number(self.exponents_per_time[j]),
+                number(per_iterate)
+            ));
+        }
+        lines.push(match (self.sum_per_period, self.sum_identity) {
+            (Some(sum), Some(identity)) => format!(
+                "sum per period              {sum:.9}\n\
+                 -T tr(M^-1 C) + 2 ln r × impacts per period   {identity:.9}"
+            ),
+            _ => "sum per period              minus infinity".to_owned(),
+        });
+        let returns = match self.iterates {
+            Some(0) => "no return to stop A, and so no exponent per iterate".to_owned(),
+            Some(iterates) => format!("{iterates} iterates of the impact map"),
+            None => "infinitely many returns to stop A (complete chatter), and so no exponent per iterate"
+                .to_owned(),
+        };
+        lines.push(format!(
+            "natural logarithm; {} forcing periods of {:.6}, {} impacts, {returns}",
+            self.periods, self.period, self.impacts
+        ));
+        lines.join("\n")
+    }
+}

@@ -1,0 +1,240 @@
+//! `impact-atlas motion`: a periodic motion, solved exactly.
+
+use anyhow::anyhow;
+use clap::Args;
+use impact_atlas::analysis::{Regime, Schedule, Verdict};
+use impact_atlas::backend::{Backend, Cpu, Job};
+use impact_atlas::dynamics::Stop;
+use impact_atlas::model::System;
+use impact_atlas::plane::Start;
+use impact_atlas::theory::{Label, PeriodicMotion, Search, SettledMotion, StrobeMotion, labelled_motion};
+use serde::Serialize;
+
+use super::interrupt::{Interruptible, abandonable};
+use super::multipliers::{self, note_cpu, pairs};
+use super::options::SystemArgs;
+use super::progress::Progress;
+use super::terminal::{print, print_json};
+use super::values::parse;
+use super::{CliError, defaults};
+
+/// Solves for a periodic motion, stable or not, with its Floquet multipliers
+///
+/// Without --label, the trajectory is followed until it is periodic, and its motion is refined by Newton's method.
+/// With --label, a motion of that label is searched for among the close returns of the trajectory, of others from
+/// scattered starts, and at neighbouring frequencies; it need not be stable. A motion with sticking is solved as a
+/// fixed point of the strobe map (the state at forcing phase 0 to that N periods later): the directions that sticking
+/// forgets have multiplier 0.
+///
+/// The section is (v1+, x2, v2, tau) just after an impact at stop A, x1 = +delta (the hardest one where the motion
+/// sticks), or at stop B where A is never struck; tau is the forcing phase. Computed in double precision on the CPU.
+/// Exit code 1 if the trajectory leads to no periodic motion, or no motion of the label is found.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  impact-atlas motion --set omega=1.65
+  impact-atlas motion --set omega=2.83 --label 1-2-1 --json
+  impact-atlas motion --set omega=0.25 --set delta=0.545")]
+pub struct MotionArgs {
+    #[command(flatten)]
+    system: SystemArgs,
+
+    /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
+    #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
+        allow_hyphen_values = true)]
+    start: Start,
+
+    /// Searches for a motion of this label: N forcing periods, p impacts at x1 = -delta, q impacts at x1 = +delta
+    #[arg(long, value_name = "N-p-q", value_parser = parse::<Label>, allow_hyphen_values = true)]
+    label: Option<Label>,
+
+    /// Forcing periods before the observation, or the search
+    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
+    transient: u32,
+
+    /// Forcing periods of the observation, or the search
+    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_OBSERVE)]
+    observe: u32,
+
+    /// Largest N looked for in N-p-q
+    #[arg(long, value_name = "N", default_value_t = defaults::MAX_PERIOD, conflicts_with = "label")]
+    max_period: u32,
+
+    /// Prints JSON; p and q are 65535 for infinitely many impacts (complete chatter), multipliers null where an
+    /// impact grazes
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed; every quantity non-dimensional.
+#[derive(Debug, Serialize)]
+struct Motion {
+    label: String,
+    n: u32,
+    p: u32,
+    q: u32,
+    symmetric: bool,
+    stable: Option<bool>,
+    sticking: bool,
+    section: Option<[f64; 4]>,
+    section_stop: Option<String>,
+    multipliers: Option<[[f64; 2]; 4]>,
+    half_multipliers: Option<[[f64; 2]; 4]>,
+    state: [f64; 4],
+    residual: f64,
+    method: &'static str,
+}
+
+/// Runs the command.
+pub fn run(args: &MotionArgs) -> Result<(), CliError> {
+    let schedule = Schedule {
+        transient: args.transient,
+        observe: args.observe,
+        max_period: args.max_period,
+        fixed_periods: false,
+    };
+    schedule.check().map_err(CliError::input)?;
+    let (system, start) = args.system.system_and_start(args.start)?;
+    let label = args.label;
+    note_cpu();
+    let progress = Progress::of_trajectory();
+    let motion = abandonable(move || match label {
+        Some(label) => named(&system, start, &schedule, label),
+        None => reached(&system, start, &schedule),
+    })??;
+    drop(progress);
+    if args.json { print_json(&motion) } else { print(&motion.text()) }
+}
+
+/// The motion of a label.
+fn named(system: &System, start: [f64; 4], schedule: &Schedule, label: Label) -> Result<Motion, CliError> {
+    let search = Search { start, transient: schedule.transient, observe: schedule.observe };
+    let motion =
+        labelled_motion(system, label, &search).map_err(|error| CliError::NotFound(error.to_string()))?;
+    Ok(Motion::of_impacts(system, &motion))
+}
+
+/// The motion that a start leads to.
+fn reached(system: &System, start: [f64; 4], schedule: &Schedule) -> Result<Motion, CliError> {
+    let verdicts = Cpu.run(&[Job { system: *system, start }], schedule, &Interruptible)?;
+    let verdict =
+        verdicts.first().ok_or_else(|| CliError::Machine(anyhow!("the back end gave no verdict")))?;
+    if let Some(elsewhere) = elsewhere(verdict) {
+        return Err(CliError::NotFound(elsewhere));
+    }
+    let settled = SettledMotion::of(system, verdict).map_err(|error| {
+        CliError::NotFound(format!(
+            "the trajectory settles on a {} motion, but {error}: raise --transient, so that it comes closer",
+            verdict.label()
+        ))
+    })?;
+    Ok(match settled {
+        SettledMotion::Impacts(motion) => Motion::of_impacts(system, &motion),
+        SettledMotion::Strobe(motion) => Motion::of_strobe(&motion),
+    })
+}
+
+/// What a trajectory leads to instead of a periodic motion, and what can be done about it.
+fn elsewhere(verdict: &Verdict) -> Option<String> {
+    let exponent = verdict.lyapunov;
+    let other = "ask for a motion by its --label, stable or not, or try another --start";
+    // Impacts early in the observation that ceased leave a period without any.
+    let ceased = verdict.regime == Regime::Periodic && verdict.p == 0 && verdict.q == 0;
+    Some(match if ceased { Regime::NoImpact } else { verdict.regime } {
+        Regime::Periodic | Regime::PeriodicSticking => return None,
+        Regime::Chaotic => format!(
+            "this start leads to chaos (largest Lyapunov exponent {exponent:.4} per forcing period), not to a \
+             periodic motion: {other}"
+        ),
+        Regime::QuasiPeriodic => {
+            format!("this start leads to a quasi-periodic motion, not to a periodic one: {other}")
+        }
+        Regime::NoImpact => format!(
+            "this start leads to a motion without impact, of which there is nothing to \
+             solve: {other}"
+        ),
+        Regime::AperiodicSticking => {
+            "this start leads to sticking without a period: raise --transient, --observe or \
+             --max-period, or try another --start"
+                .to_owned()
+        }
+        Regime::Unresolved => format!(
+            "no period was found from this start in {} forcing periods: raise --transient, --observe or \
+             --max-period, or {other}",
+            verdict.periods
+        ),
+        Regime::Failed => format!(
+            "the trajectory was given up after {} forcing periods, with more impacts in one of them than can be \
+             followed: lower r or raise omega, or try another --start",
+            verdict.periods
+        ),
+    })
+}
+
+impl Motion {
+    fn of_impacts(system: &System, motion: &PeriodicMotion) -> Self {
+        Motion {
+            label: motion.label(),
+            n: motion.pattern.n(),
+            p: motion.pattern.p(),
+            q: motion.pattern.q(),
+            symmetric: motion.is_symmetric(),
+            stable: motion.is_stable(system),
+            sticking: false,
+            section: Some(motion.section().map(|value| value + 0.0)),
+            section_stop: Some(motion.pattern.stops[0].to_string()),
+            multipliers: motion.multipliers(system).map(pairs),
+            half_multipliers: motion.half_multipliers(system).map(pairs),
+            state: motion.at_phase_zero(system),
+            residual: motion.residual,
+            method: "impact sequence",
+        }
+    }
+
+    fn of_strobe(motion: &StrobeMotion) -> Self {
+        Motion {
+            label: motion.label(),
+            n: motion.n,
+            p: motion.p.into(),
+            q: motion.q.into(),
+            symmetric: motion.symmetric,
+            stable: motion.is_stable(),
+            sticking: motion.sticking,
+            section: motion.section.map(|(_, section)| section),
+            section_stop: motion.section.map(|(stop, _)| stop.to_string()),
+            multipliers: motion.multipliers().map(pairs),
+            half_multipliers: motion.half_multipliers().map(pairs),
+            state: motion.state,
+            residual: motion.residual,
+            method: "strobe map",
+        }
+    }
+
+    fn text(&self) -> String {
+        let symmetry = if self.symmetric { "symmetric" } else { "unsymmetric" };
+        let sticking = if self.sticking { ", with sticking" } else { "" };
+        let stability = multipliers::stability(self.stable);
+        let stop = self.section_stop.as_deref().unwrap_or("A");
+        let never = if stop == Stop::B.to_string() { " (stop A is never struck)" } else { "" };
+        let section =
+            self.section.map_or_else(|| "none: there is no impact".to_owned(), multipliers::section);
+        let mut text = format!(
+            "{}, {symmetry}{sticking}, {stability}\n\
+             section at stop {stop}           {section}{never}\n\
+             multipliers                 {}",
+            self.label,
+            multipliers::text(self.multipliers.as_ref())
+        );
+        if let Some(half) = &self.half_multipliers {
+            text += &format!("\nhalf multipliers            {}", multipliers::text(Some(half)));
+        }
+        text += &format!(
+            "\nstate at forcing phase 0    {}\n\
+             solved by                   Newton's method on the {}, residual {:.1e}",
+            multipliers::state(self.state),
+            self.method,
+            self.residual
+        );
+        text
+    }
+}
