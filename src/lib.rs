@@ -22,6 +22,7 @@
 //! | [`backend`] | one trait; the CPU in f64 on every core, the GPU in f32; only its folder `gpu` names wgpu |
 //! | [`store`], [`render`] | files and pictures; they know planes, never back ends |
 //! | [`sweep`], [`validate`] | a plane or a diagram on a back end; two back ends against each other |
+//! | [`reproduce`] | the figures of the paper and what it prints, computed again |
 //!
 //! The command line is the binary's. `shaders/` has the file names of `src/`; the constants that the two share are
 //! generated from Rust when the shader is assembled.
@@ -110,6 +111,7 @@ pub mod dynamics;
 pub mod model;
 pub mod plane;
 pub mod render;
+pub mod reproduce;
 pub mod store;
 pub mod sweep;
 pub mod theory;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The rooms of src/, lowest first; a room may use those of the rows above its own.
-const ORDER: [&[&str]; 13] = [
+const ORDER: [&[&str]; 14] = [
     &["model"],
     &["dynamics"],
     &["analysis"],
@@ -20,6 +20,7 @@ const ORDER: [&[&str]; 13] = [
     &["store", "render"],
     &["sweep"],
     &["validate"],
+    &["reproduce"],
     &["cli"],
 ];
 

@@ -93,3 +93,6 @@ pub const CONTROL_MAP_FROM: u32 = 200;
 
 /// Iterates of a cell of a map under control.
 pub const CONTROL_MAP_ITERATES: u32 = 1200;
+
+/// The folder of the paper's figures.
+pub const REPRODUCTION: &str = "reproduction";

@@ -22,6 +22,7 @@ mod panics;
 mod pictures;
 mod progress;
 mod report;
+mod reproduce;
 mod symmetric;
 mod terminal;
 mod validate;
@@ -57,6 +58,7 @@ enum Command {
     Symmetric(symmetric::SymmetricArgs),
     Motion(motion::MotionArgs),
     Lyapunov(lyapunov::LyapunovArgs),
+    Reproduce(reproduce::ReproduceArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
 }
@@ -73,6 +75,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Symmetric(args) => symmetric::run(args),
         Command::Motion(args) => motion::run(args),
         Command::Lyapunov(args) => lyapunov::run(args),
+        Command::Reproduce(args) => reproduce::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

@@ -20,6 +20,8 @@ const CELLS: &str = "{msg} {bar:30} {percent:>3} % of {human_len} cells, {eta} l
 /// A single trajectory may settle at any time, so that nobody knows how long it takes.
 const TRAJECTORY: &str = "{spinner} following the trajectory, {elapsed}";
 
+const FIGURE: &str = "{spinner} {msg}, {elapsed}";
+
 /// A bar on standard error that goes away when it is dropped; it also hands on Ctrl-C.
 #[derive(Debug)]
 pub struct Progress {
@@ -36,6 +38,11 @@ impl Progress {
     /// A sign of life while one trajectory is followed.
     pub fn of_trajectory() -> Self {
         Progress::new(None, TRAJECTORY, "")
+    }
+
+    /// A sign of life while figure after figure is made.
+    pub fn of_figure(message: &str) -> Self {
+        Progress::new(None, FIGURE, message)
     }
 
     fn new(length: Option<u64>, template: &str, message: &str) -> Self {

@@ -109,10 +109,13 @@ fn with_spectra(
     branches.into_iter().map(spectra).collect()
 }
 
-/// The four exponents per forcing period, NaN where the trajectory could not be followed.
+/// The four exponents per forcing period, largest first whatever their statistical error, NaN where the trajectory could not be followed.
 fn spectrum(system: &System, trace: &Trace, observe: u32) -> [f64; 4] {
     let state = trace.verdict.state;
     let delta = system.parameters().delta;
     let start = [state[0].clamp(-delta, delta), state[1], state[2], state[3]];
-    Spectrum::of(system, start, 0, observe).map_or([f64::NAN; 4], |spectrum| spectrum.per_period)
+    let mut exponents =
+        Spectrum::of(system, start, 0, observe).map_or([f64::NAN; 4], |spectrum| spectrum.per_period);
+    exponents.sort_by(|a, b| b.total_cmp(a));
+    exponents
 }

@@ -17,12 +17,11 @@ use crate::diagram::{Branch, Diagram, Direction, SweepAxis};
 use crate::plane::Quantity;
 
 /// Lengths in em.
-const DOT: f64 = 0.055;
-const FEW_DOT: f64 = 0.16;
+const DOT: std::ops::RangeInclusive<f64> = 0.055..=0.16;
 const EXPONENT: f64 = 0.08;
 const LEVEL: f64 = 0.06;
-/// Diagrams with fewer columns have larger dots.
-const FEW_COLUMNS: u32 = 300;
+/// The sum of the dots of all columns side by side, as far as their sizes permit.
+const DOTS_ABREAST: f64 = 35.0;
 /// The share of the lowest exponents that the panel of exponents may leave out.
 const LEFT_OUT: f64 = 0.02;
 
@@ -97,7 +96,7 @@ fn section_panel(diagram: &Diagram) -> Panel {
         marks.extend(chatter.into_iter().map(|x| Mark::Band { x, colour: CHATTERING }));
         marks.extend(sticking.into_iter().map(|x| Mark::Band { x, colour: STICKING }));
     }
-    let diameter = if spec.x.count() < FEW_COLUMNS { FEW_DOT } else { DOT };
+    let diameter = (DOTS_ABREAST / f64::from(spec.x.count())).clamp(*DOT.start(), *DOT.end());
     for branch in &diagram.branches {
         let traces = values.iter().zip(&branch.traces);
         let points = traces.flat_map(|(&x, trace)| trace.readings.iter().map(move |&y| [x, y])).collect();

@@ -110,7 +110,7 @@ impl Orbit<'_> {
         if of == Reading::X1 {
             let at = |impact: &ImpactEvent| [periods(impact.time), self.stop(impact.stop)];
             let points: Vec<[f64; 2]> = self.recording.impacts.iter().map(at).collect();
-            let diameter = if points.len() > 60 { 0.5 * IMPACT } else { IMPACT };
+            let diameter = if points.len() > 24 { 0.5 * IMPACT } else { IMPACT };
             marks.push(Mark::Dots { points, diameter, colour: STRIKING });
         }
         panel(frame, marks, 1.35)

@@ -1,0 +1,214 @@
+//! How motions gain and lose stability as ω falls.
+
+use nalgebra::Complex;
+
+use super::bench::PaperPoint;
+use crate::model::{Parameters, System};
+use crate::theory::{
+    PeriodicMotion, SymmetricMotion, flip_coefficient, neimark_sacker_coefficient, settled_motion,
+    symmetric_motions,
+};
+
+/// What the motion is like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum State {
+    /// No physical motion.
+    None,
+    /// Every multiplier of the half map within the unit circle.
+    Stable,
+    /// A real one beyond −1: the pitchfork was passed.
+    BeyondMinusOne,
+    /// A real one beyond +1.
+    BeyondOne,
+    /// A complex pair outside: the Neimark–Sacker bifurcation was passed.
+    PairOutside,
+}
+
+impl State {
+    pub fn name(self) -> &'static str {
+        match self {
+            State::None => "none",
+            State::Stable => "stable",
+            State::BeyondMinusOne => "unstable, multiplier beyond −1",
+            State::BeyondOne => "unstable, multiplier beyond +1",
+            State::PairOutside => "unstable, complex pair outside",
+        }
+    }
+}
+
+/// A change at a frequency, with falling ω.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Change {
+    pub omega: f64,
+    pub before: State,
+    pub after: State,
+    /// Whether what is lost is taken over by something stable; none where that has no meaning or no answer.
+    pub supercritical: Option<bool>,
+}
+
+impl Change {
+    /// "stable → Neimark–Sacker (supercritical) at ω = 2.5750", or the like.
+    pub fn words(&self) -> String {
+        let states = [self.before, self.after];
+        let kind = if self.before == State::None {
+            "it appears"
+        } else if self.after == State::None {
+            "it ceases to exist"
+        } else if states.contains(&State::PairOutside) {
+            "Neimark–Sacker"
+        } else if states.contains(&State::BeyondMinusOne) {
+            "pitchfork"
+        } else {
+            "fold"
+        };
+        let turn = if self.after == State::Stable { "regains stability" } else { "loses stability" };
+        let turn = if states.contains(&State::None) { "" } else { turn };
+        let gap = if turn.is_empty() { "" } else { ": " };
+        let kind = format!("{turn}{gap}{kind}");
+        let criticality = match self.supercritical {
+            Some(true) => " (supercritical)",
+            Some(false) => " (subcritical)",
+            None => "",
+        };
+        format!("{kind}{criticality} at ω = {:.4}", self.omega)
+    }
+}
+
+fn system(omega: f64, delta: f64) -> System {
+    System::new(Parameters { omega, delta, ..Parameters::default() })
+        .expect("the paper's plane is within the physical range")
+}
+
+/// The physical motion with the smaller multipliers, and its system.
+fn motion(omega: f64, delta: f64) -> Option<(System, SymmetricMotion)> {
+    let system = system(omega, delta);
+    let physical = symmetric_motions(&system).ok()?.into_iter().filter(|motion| motion.at_phase_zero.is_ok());
+    let steadiest =
+        physical.min_by(|a, b| a.spectral_radius(&system).total_cmp(&b.spectral_radius(&system)))?;
+    Some((system, steadiest))
+}
+
+/// What the physical 1-1-1 symmetric motion is like.
+pub(super) fn state(omega: f64, delta: f64) -> State {
+    let Some((system, motion)) = motion(omega, delta) else { return State::None };
+    let Some([largest, ..]) = motion.motion.half_multipliers(&system) else { return State::None };
+    match largest {
+        value if value.norm() < 1.0 => State::Stable,
+        Complex { re, im } if im == 0.0 && re < 0.0 => State::BeyondMinusOne,
+        Complex { im, .. } if im == 0.0 => State::BeyondOne,
+        _ => State::PairOutside,
+    }
+}
+
+/// The changes from `high` down to `low`, looked for at so many frequencies and then located by bisection.
+pub(super) fn changes(delta: f64, high: f64, low: f64, count: u32) -> Vec<Change> {
+    let at = |i: u32| high + (low - high) * f64::from(i) / f64::from(count);
+    let mut changes = Vec::new();
+    let mut before = state(high, delta);
+    for i in 1..=count {
+        let after = state(at(i), delta);
+        if after != before {
+            let omega = located(delta, at(i - 1), at(i), before);
+            changes.push(Change {
+                omega,
+                before,
+                after,
+                supercritical: criticality(delta, omega, before, after),
+            });
+        }
+        before = after;
+    }
+    changes
+}
+
+/// Where the motion stops being like `first`, between two frequencies.
+fn located(delta: f64, mut from: f64, mut until: f64, first: State) -> f64 {
+    for _ in 0..45 {
+        let middle = 0.5 * (from + until);
+        if state(middle, delta) == first {
+            from = middle;
+        } else {
+            until = middle;
+        }
+    }
+    0.5 * (from + until)
+}
+
+fn criticality(delta: f64, omega: f64, before: State, after: State) -> Option<bool> {
+    let states = [before, after];
+    if !states.contains(&State::Stable) {
+        return None;
+    }
+    let (system, motion) = motion(omega, delta)?;
+    if states.contains(&State::PairOutside) {
+        let [largest, ..] = motion.motion.half_multipliers(&system)?;
+        return neimark_sacker_coefficient(&system, &motion.motion, largest.arg().abs()).map(|c| c < 0.0);
+    }
+    if states.contains(&State::BeyondMinusOne) {
+        return flip_coefficient(&system, &motion.motion).map(|c| c > 0.0);
+    }
+    None
+}
+
+/// Where a motion loses its stability.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Loss {
+    /// N-p-q.
+    pub label: String,
+    pub omega: f64,
+    /// The multiplier of largest modulus there.
+    pub multiplier: Complex<f64>,
+}
+
+impl Loss {
+    /// What becomes of it.
+    pub fn kind(&self) -> &'static str {
+        match self.multiplier {
+            Complex { re, im } if im == 0.0 && re < 0.0 => "by a multiplier −1 (period doubling)",
+            Complex { im, .. } if im == 0.0 => "by a multiplier +1",
+            _ => "by a complex pair (Neimark–Sacker)",
+        }
+    }
+}
+
+/// The frequencies that a motion is followed over, and the halvings that locate its loss.
+const STEPS: u32 = 200;
+const HALVINGS: u32 = 40;
+
+/// Follows the motion on which a point settles to another frequency, and says where it loses its stability.
+///
+/// None where it settles on no periodic motion, or keeps its stability, or ceases to exist first.
+pub(super) fn lost(point: &PaperPoint, until: f64) -> Option<Loss> {
+    let verdict = point.verdict();
+    if !verdict.regime.is_periodic() {
+        return None;
+    }
+    let mut motion = settled_motion(&point.system(), verdict.state, verdict.n.into()).ok()?;
+    let at = |omega: f64, from: &PeriodicMotion| {
+        let system = system(omega, point.delta);
+        let motion = PeriodicMotion::refine(&system, &from.pattern, &from.sections).ok()?;
+        let [largest, ..] = motion.multipliers(&system)?;
+        Some((motion, largest))
+    };
+    let mut stable = point.omega;
+    for i in 1..=STEPS {
+        let omega = point.omega + (until - point.omega) * f64::from(i) / f64::from(STEPS);
+        let (next, largest) = at(omega, &motion)?;
+        if largest.norm() < 1.0 {
+            (motion, stable) = (next, omega);
+            continue;
+        }
+        let (mut unstable, mut multiplier) = (omega, largest);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (stable + unstable);
+            let (next, largest) = at(middle, &motion)?;
+            if largest.norm() < 1.0 {
+                (motion, stable) = (next, middle);
+            } else {
+                (unstable, multiplier) = (middle, largest);
+            }
+        }
+        return Some(Loss { label: motion.label(), omega: 0.5 * (stable + unstable), multiplier });
+    }
+    None
+}
