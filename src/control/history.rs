@@ -6,6 +6,9 @@ use crate::dynamics::{
 };
 use crate::model::Flight;
 
+/// Samples nearer to an impact than this, in units of their distance, are left out.
+const NEAR: f64 = 1e-3;
+
 /// Everything that happened at the returns to σ, and the flight of the last iterates.
 #[derive(Clone, Debug)]
 pub struct History {
@@ -57,10 +60,13 @@ impl<D: Drive<f64>> Witness<f64, D> for History {
             return;
         }
         let end = self.time + taken.time;
-        while self.next as f64 * self.interval < end {
+        let near = NEAR * self.interval;
+        let strikes = matches!(taken.event, Event::Impact(_) | Event::Caught { .. });
+        while (self.next as f64) * self.interval < end {
             let at = self.next as f64 * self.interval;
             self.next += 1;
-            if at <= self.time && self.recording.impacts.last().is_some_and(|last| last.time == self.time) {
+            let begins = self.recording.impacts.last().is_some_and(|last| at < last.time + near);
+            if begins || (strikes && at > end - near) {
                 // The impact stands there already.
                 continue;
             }

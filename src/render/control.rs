@@ -72,12 +72,15 @@ impl ControlPicture<'_> {
             }
         }
         rows.extend(time.map(|panel| Row { panels: vec![panel], weight: 0.62 }));
-        let mut key = vec![KeyEntry {
-            sample: Sample::Line(STRIKING),
-            name: Text::from("control on, ").italic("n").upright(format!(" = {}", self.schedule.from)),
-        }];
+        let mut key = vec![self.switch_key()];
         key.extend(orbit_key(&after, &orbit));
-        Figure { title: self.title(), rows, key, notes: self.notes(), width: 60.0 }
+        Figure { title: self.title(|_| false), rows, key, notes: self.notes(), width: 60.0 }
+    }
+
+    /// What the line at the first controlled iterate stands for.
+    pub fn switch_key(&self) -> KeyEntry {
+        let name = Text::from("control on, ").italic("n").upright(format!(" = {}", self.schedule.from));
+        KeyEntry { sample: Sample::Line(STRIKING), name }
     }
 
     /// A response against the iterate.
@@ -157,14 +160,14 @@ impl ControlPicture<'_> {
         }
     }
 
-    /// The system, the start and the method.
-    pub fn title(&self) -> Vec<Text> {
+    /// The system, the start and the method, without the settings of which `varied` says so.
+    pub fn title(&self, varied: impl Fn(ControlQuantity) -> bool) -> Vec<Text> {
         let mut title = symbols::equations(self.system.parameters(), |_| false);
         title.extend(symbols::start(self.start, |_| false));
         if let Some(last) = title.last_mut() {
             *last = last.clone().upright(";");
         }
-        title.extend(describe(self.scheme, |_| false));
+        title.extend(describe(self.scheme, varied));
         title
     }
 

@@ -3,7 +3,9 @@
 use serde_json::Value;
 
 use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
-use super::{PORTRAIT, Plot, RESPONSES, Run, STARTS, TAU, TIME, components, draw, motion, settings, start};
+use super::{
+    FROM, PORTRAIT, Plot, RESPONSES, Run, STARTS, TAU, TIME, components, draw, motion, settings, start,
+};
 use crate::analysis::Reading;
 use crate::backend::Watch;
 use crate::control::{DelaySetting, Scheme, Sign};
@@ -150,7 +152,8 @@ impl PaperFigure for Figure21 {
             holds,
         ));
         let plots: Vec<_> = runs.iter().map(|run| (run, TAU)).collect();
-        Ok(Produced { pictures: vec![("", draw(&plots, None, &config_of(self))?)], claims })
+        let picture = draw(&plots, Some([FROM - 200, FROM + 1400]), &config_of(self))?;
+        Ok(Produced { pictures: vec![("", picture)], claims })
     }
 }
 

@@ -13,7 +13,9 @@ use serde_json::{Value, json};
 use super::Claim;
 use super::bench::WIDTH;
 use crate::analysis::Reading;
-use crate::control::{ControlSchedule, History, Outcome, Scheme, Target, control, converged_at, multipliers};
+use crate::control::{
+    ControlQuantity, ControlSchedule, History, Outcome, Scheme, Target, control, converged_at, multipliers,
+};
 use crate::model::{Parameters, System};
 use crate::plane::Start;
 use crate::render::{
@@ -126,12 +128,21 @@ const RESPONSES: [Plot; 5] = [
 /// Draws plots of runs, two to a row, lettered.
 fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Result<Picture, TooSmall> {
     let system = system();
+    let gain = |run: &Run| match run.scheme {
+        Scheme::Delay(delay) => Some(delay.gains[0]),
+        Scheme::Sine(_) | Scheme::Pulse(_) => None,
+    };
+    let first = plots.first().map(|(run, _)| *run);
+    let alike = plots.iter().all(|(run, _)| gain(run) == first.and_then(gain));
     let mut key: Vec<KeyEntry> = Vec::new();
     let mut rows: Vec<Row> = Vec::new();
     for (letter, (run, plot)) in ('a'..).zip(plots) {
         let picture = run.picture(&system, ["", ""]);
         let mut panel: Panel = match plot {
-            Plot::Response(of) => picture.response(*of, range),
+            Plot::Response(of) => {
+                key.insert(0, picture.switch_key());
+                picture.response(*of, range)
+            }
             Plot::Section(axes, settled) => picture.section(*axes, *settled),
             Plot::Flight(panel) => {
                 key = orbit_key(&[*panel], &picture.orbit()).into_iter().chain(key).collect();
@@ -139,7 +150,12 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Resu
             }
         };
         panel.weight = 1.0;
-        panel.caption = Some(Text::from(format!("({letter})")));
+        let varied = gain(run).filter(|_| !alike).map(|g| format!(" = {g}"));
+        let caption = Text::from(format!("({letter}) "));
+        panel.caption = Some(match varied {
+            Some(value) => caption.italic("g").upright(value),
+            None => caption,
+        });
         match rows.last_mut().filter(|row| row.panels.len() < 2) {
             Some(row) => row.panels.push(panel),
             None => rows.push(Row { panels: vec![panel], weight: 0.75 }),
@@ -151,7 +167,8 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Resu
             distinct.push(entry);
         }
     }
-    let title = plots.first().map_or_else(Vec::new, |(run, _)| run.picture(&system, ["", ""]).title());
+    let varied = |setting| !alike && setting == ControlQuantity::Gain;
+    let title = first.map_or_else(Vec::new, |run| run.picture(&system, ["", ""]).title(varied));
     let figure = Figure { title, rows, key: distinct, notes: Vec::new(), width: 60.0 };
     figure.draw(figure.natural_size(WIDTH), &config.to_string())
 }
