@@ -23,7 +23,7 @@ pub struct Memory<T> {
     pub at_a: [u32; DEPTH],
     /// Points ever seen.
     pub seen: u32,
-    /// For each period m − 1: the first iterate from which on every point lay within [`RETURNED`] of the one m before.
+    /// For each period m − 1: the first iterate from which on every point lay within 1e-4 of the one m before.
     pub returning: [u32; LONGEST],
     /// The same within [`Real::AT_REST`], closely enough that a slow approach is not taken for a motion.
     pub settled: [u32; LONGEST],

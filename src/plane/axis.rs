@@ -121,10 +121,9 @@ impl Axis {
             parameter.check(last)?;
         }
         let axis = Axis { quantity, first, last, count };
-        if let Quantity::Control(setting) = quantity {
-            if setting.is_whole() && axis.values().iter().any(|value| value.fract() != 0.0 || *value < 0.0) {
-                return Err(AxisError::NotWhole { name, first, last, count });
-            }
+        let whole = axis.control().is_some_and(ControlQuantity::is_whole);
+        if whole && axis.values().iter().any(|value| value.fract() != 0.0 || *value < 0.0) {
+            return Err(AxisError::NotWhole { name, first, last, count });
         }
         Ok(axis)
     }
