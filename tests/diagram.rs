@@ -3,9 +3,9 @@
 use std::io::Cursor;
 
 use impact_atlas::analysis::{CHATTER_RUN, Probe, Reading, Regime, Section};
-use impact_atlas::backend::{Backend, Cpu, Gpu, Unwatched};
-use impact_atlas::diagram::{Diagram, DiagramError, DiagramSpec, Sweep};
-use impact_atlas::model::Parameters;
+use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched};
+use impact_atlas::diagram::{Diagram, DiagramError, DiagramSpec, ExponentUnit, Sweep};
+use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::Start;
 use impact_atlas::render::{Size, diagram_figure};
 use impact_atlas::store::write_diagram;
@@ -20,7 +20,7 @@ fn spec(x: &str, sweep: &str, parameters: Parameters) -> DiagramSpec {
         probe: Probe::new(Section::A, Reading::VBefore).unwrap(),
         schedule: DiagramSpec::schedule(400, 40, 16),
         capacity: 200,
-        spectrum: false,
+        spectrum: None,
     }
 }
 
@@ -104,6 +104,28 @@ fn chatter_and_full_buffers_are_told_alike() {
     }
 }
 
+/// An adapter's portions of work depend on its speed at the moment; what it reads does not.
+#[test]
+fn the_same_bits_for_any_tile() {
+    let spec = spec("omega=1.2:3.6:10", "rest", at(0.1));
+    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
+    let jobs: Vec<Job> = (0..10)
+        .map(|column| Job { system: System::new(spec.parameters_at(column)).unwrap(), start: [0.0; 4] })
+        .collect();
+    let backends: [&dyn Backend; 2] = [&Cpu, &gpu];
+    for backend in backends {
+        let trace = |jobs: &[Job]| {
+            backend.trace(jobs, &spec.schedule, spec.probe, spec.capacity, &Unwatched).unwrap()
+        };
+        let whole = trace(&jobs);
+        let parts: Vec<_> = jobs.chunks(3).flat_map(trace).collect();
+        // As text, in which every bit counts and NaN equals NaN.
+        assert_eq!(format!("{whole:?}"), format!("{parts:?}"), "{}", backend.name());
+        assert!(whole.iter().any(|trace| trace.verdict.regime == Regime::Chaotic));
+        assert_eq!(trace(&[]), []);
+    }
+}
+
 /// At δ = 0.6 the motion without impact and 1-1-1 coexist: from high ω down nothing strikes, from low ω up 1-1-1 holds
 /// until it ends in a fold.
 #[test]
@@ -134,7 +156,8 @@ fn the_order_of_writing_does_not_matter() {
 
 #[test]
 fn spectra_belong_to_the_motion() {
-    let spec = DiagramSpec { spectrum: true, ..spec("omega=2.83:3.83:3", "rest", at(0.1)) };
+    let spec =
+        DiagramSpec { spectrum: Some(ExponentUnit::Period), ..spec("omega=2.83:3.83:3", "rest", at(0.1)) };
     let diagram = computed(&spec, &Cpu);
     let spectrum = diagram.branches[0].spectrum.as_ref().unwrap();
     for (exponents, trace) in spectrum.iter().zip(&diagram.branches[0].traces) {
@@ -142,6 +165,11 @@ fn spectra_belong_to_the_motion() {
         assert!((exponents[0] - f64::from(trace.verdict.lyapunov)).abs() < 0.1, "{exponents:?}");
     }
     assert!(spectrum[0][0] > 0.1 && spectrum[2][0] < -0.01, "chaos, then order: {spectrum:?}");
+    // 1-1-1 returns to A once a period; chaos at ω = 2.83 returns less often.
+    let iterates = computed(&DiagramSpec { spectrum: Some(ExponentUnit::Iterate), ..spec }, &Cpu);
+    let per_iterate = iterates.branches[0].spectrum.as_ref().unwrap();
+    assert_eq!(per_iterate[2], spectrum[2]);
+    assert!(per_iterate[0][0] > 0.0 && per_iterate[0] != spectrum[0]);
 }
 
 #[test]
@@ -167,7 +195,8 @@ fn array<'a>(archive: &'a mut Archive, name: &str) -> npyz::NpyFile<impl std::io
 
 #[test]
 fn files_hold_everything() {
-    let spec = DiagramSpec { spectrum: true, ..spec("omega=3.9:3.1:5", "both", at(0.1)) };
+    let spec =
+        DiagramSpec { spectrum: Some(ExponentUnit::Period), ..spec("omega=3.9:3.1:5", "both", at(0.1)) };
     let diagram = computed(&spec, &Cpu);
     let mut file = Cursor::new(Vec::new());
     write_diagram(&diagram, &mut file).unwrap();

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub enum Regime {
     /// None of the others could be established in the periods given.
     Unresolved = 0,
-    /// No impact and no contact in the observed window.
+    /// No contact in the observed window, or none any more once the motion had settled, or provably never again.
     NoImpact = 1,
     /// N-p-q periodic motion, free of sticking.
     Periodic = 2,

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::anyhow;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use impact_atlas::analysis::{Probe, Reading, Section};
 use impact_atlas::backend::{self, Backend, Choice};
-use impact_atlas::diagram::{Coexistence, Diagram, DiagramSpec, Sweep, SweepAxis};
+use impact_atlas::diagram::{Coexistence, Diagram, DiagramSpec, ExponentUnit, Sweep, SweepAxis};
 use impact_atlas::plane::Start;
 use impact_atlas::render::{Size, diagram_figure};
 use impact_atlas::store::write_diagram;
@@ -29,7 +29,7 @@ use super::{CliError, defaults, files, note, pictures};
 #[command(after_help = "\
 Examples:
   impact-atlas bifurcation --x omega=5:0.2:2000 --set delta=0.1 --out fig6a.png
-  impact-atlas bifurcation --x omega=5:1:1000 --set delta=0.6 --sweep both --spectrum --out fig6d.svg
+  impact-atlas bifurcation --x omega=5:1:1000 --set delta=0.6 --sweep both --spectrum=iterate --out fig6d.svg
   impact-atlas bifurcation --x delta=0.02:0.6:800 --set omega=2 --section strobe --record x2 --data d.npz
   impact-atlas bifurcation --x v1=-1:1:500 --set omega=2.5 --set delta=0.6 --sweep rest --json")]
 pub struct BifurcationArgs {
@@ -79,9 +79,11 @@ pub struct BifurcationArgs {
     #[arg(long, value_name = "K")]
     points: Option<u32>,
 
-    /// Computes all four Lyapunov exponents of every column, on the CPU, and draws them below
-    #[arg(long)]
-    spectrum: bool,
+    /// Computes all four Lyapunov exponents of every column, on the CPU, and draws them below, per forcing period, per
+    /// iterate of the impact map (the paper's unit) or per unit of time
+    #[arg(long, value_enum, value_name = "UNIT", num_args = 0..=1, default_missing_value = "period",
+        require_equals = true)]
+    spectrum: Option<SpectrumUnit>,
 
     #[command(flatten)]
     backend: BackendArgs,
@@ -101,6 +103,27 @@ pub struct BifurcationArgs {
     /// Prints JSON: columns, points, left_out, seconds, coexistence, backend, adapter
     #[arg(long)]
     json: bool,
+}
+
+/// A unit of Lyapunov exponents by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SpectrumUnit {
+    /// Per forcing period
+    Period,
+    /// Per iterate of the impact map
+    Iterate,
+    /// Per unit of non-dimensional time
+    Time,
+}
+
+impl From<SpectrumUnit> for ExponentUnit {
+    fn from(unit: SpectrumUnit) -> Self {
+        match unit {
+            SpectrumUnit::Period => ExponentUnit::Period,
+            SpectrumUnit::Iterate => ExponentUnit::Iterate,
+            SpectrumUnit::Time => ExponentUnit::Time,
+        }
+    }
 }
 
 /// What is printed.
@@ -129,7 +152,7 @@ pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
     let backend = args.open()?;
     let began = Instant::now();
     let branches = spec.sweep.branches().len() as u64;
-    let work = u64::from(spec.x.count()) * branches * (1 + u64::from(spec.spectrum));
+    let work = u64::from(spec.x.count()) * branches * (1 + u64::from(spec.spectrum.is_some()));
     let diagram = diagram(&spec, &*backend, &Progress::of_cells("computing", work))?;
     let summary = Summary::new(&diagram, began.elapsed().as_secs_f64());
     let figure = diagram_figure(&diagram);
@@ -143,7 +166,7 @@ pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
 
 /// A diagram is wider than a phase portrait.
 fn diagram_size(diagram: &Diagram) -> Size {
-    let height = if diagram.spec.spectrum { 1560 } else { 1080 };
+    let height = if diagram.spec.spectrum.is_some() { 1560 } else { 1080 };
     let more = 90 * (diagram.branches.len() as u32 - 1);
     Size::new(defaults::WIDE_FIGURE, height + more).expect("the sizes of diagrams are sizes")
 }
@@ -168,7 +191,7 @@ impl BifurcationArgs {
             probe,
             schedule: DiagramSpec::schedule(self.transient, self.observe, self.max_period),
             capacity: self.points.unwrap_or_else(|| self.observe.saturating_mul(defaults::POINTS_PER_PERIOD)),
-            spectrum: self.spectrum,
+            spectrum: self.spectrum.map(ExponentUnit::from),
         };
         spec.check().map_err(CliError::input)?;
         Ok(spec)

@@ -72,10 +72,10 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Orbit(args) => orbit::run(args),
         Command::Control(args) => control::run(args),
         Command::Bifurcation(args) => bifurcation::run(args),
+        Command::Reproduce(args) => reproduce::run(args),
         Command::Symmetric(args) => symmetric::run(args),
         Command::Motion(args) => motion::run(args),
         Command::Lyapunov(args) => lyapunov::run(args),
-        Command::Reproduce(args) => reproduce::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
     })

@@ -11,10 +11,11 @@ use impact_atlas::reproduce::{
 };
 use impact_atlas::store::Output;
 
+use super::interrupt::{self, Interruptible};
 use super::pictures::{self, Format};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, defaults, files, interrupt, note};
+use super::{CliError, defaults, files, note};
 
 /// Makes the paper's figures again and checks what it prints
 ///
@@ -116,9 +117,15 @@ fn finished(folder: &Path, figure: &dyn PaperFigure, format: Option<Format>) -> 
     (finished.config == config_of(figure) && finished.pictures.iter().all(there)).then_some(finished)
 }
 
-fn make(folder: &Path, figure: &dyn PaperFigure, format: Format, place: &str) -> Result<(), CliError> {
+fn make(
+    folder: &Path,
+    figure: &'static dyn PaperFigure,
+    format: Format,
+    place: &str,
+) -> Result<(), CliError> {
     let progress = Progress::of_figure(place);
-    let produced = figure.produce(&progress).map_err(|error| match error {
+    let produced = interrupt::abandonable(move || figure.produce(&Interruptible))?;
+    let produced = produced.map_err(|error| match error {
         ReproduceError::Sweep(error) => error.into(),
         ReproduceError::Picture(error) => CliError::machine(error),
     })?;

@@ -169,7 +169,7 @@ mod tests {
                 probe: Probe::new(Section::A, Reading::VBefore).unwrap(),
                 schedule: DiagramSpec::schedule(10, 10, 4),
                 capacity: 10,
-                spectrum: false,
+                spectrum: None,
             },
             provenance: Provenance { version: "1".into(), backend: "cpu".into(), adapter: "none".into() },
             branches: vec![branch(Direction::Down, down), branch(Direction::Up, up)],

@@ -8,4 +8,4 @@ mod spec;
 pub use axis::SweepAxis;
 pub use coexistence::{Coexistence, Pair};
 pub use result::{Branch, Diagram};
-pub use spec::{DiagramError, DiagramSpec, Direction, Sweep};
+pub use spec::{DiagramError, DiagramSpec, Direction, ExponentUnit, Sweep};

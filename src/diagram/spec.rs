@@ -10,6 +10,7 @@ use super::axis::SweepAxis;
 use crate::analysis::{Probe, Schedule, ScheduleError};
 use crate::model::{Parameter, ParameterError, Parameters};
 use crate::plane::{Component, Quantity, Start, StartError};
+use crate::theory::Spectrum;
 
 /// How the columns of a diagram begin.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -126,8 +127,40 @@ pub struct DiagramSpec {
     pub schedule: Schedule,
     /// The most readings that are kept of one column.
     pub capacity: u32,
-    /// Whether the Lyapunov spectrum is computed as well.
-    pub spectrum: bool,
+    /// The unit of the Lyapunov spectrum, if that is computed as well.
+    pub spectrum: Option<ExponentUnit>,
+}
+
+/// What Lyapunov exponents are counted by; natural logarithm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ExponentUnit {
+    /// The forcing period.
+    Period,
+    /// An iterate of the impact map σ→σ, the paper's unit; there is none without impacts at A, or with infinitely many.
+    Iterate,
+    /// The unit of (non-dimensional) time.
+    Time,
+}
+
+impl ExponentUnit {
+    /// The exponents of a spectrum in this unit, as they are; NaN where it has no meaning.
+    pub fn of(self, spectrum: &Spectrum) -> [f64; 4] {
+        match self {
+            ExponentUnit::Period => spectrum.per_period,
+            ExponentUnit::Iterate => spectrum.per_iterate().unwrap_or([f64::NAN; 4]),
+            ExponentUnit::Time => spectrum.per_time(),
+        }
+    }
+
+    /// The unit in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            ExponentUnit::Period => "forcing period",
+            ExponentUnit::Iterate => "iterate",
+            ExponentUnit::Time => "unit of time",
+        }
+    }
 }
 
 impl DiagramSpec {

@@ -17,7 +17,7 @@ impl Scale {
     /// # Panics
     /// If the two are not different numbers.
     pub fn new(first: f64, last: f64) -> Self {
-        assert!(first < last || first > last, "a scale needs two different ends, not {first} and {last}");
+        assert!((first - last).abs() > 0.0, "a scale needs two different ends, not {first} and {last}");
         Scale { first, last, only: None }
     }
 

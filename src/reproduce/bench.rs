@@ -146,9 +146,10 @@ pub(super) fn draw(plots: &[Plot], beside: usize, config: &str) -> Result<Pictur
     }
     let height = match beside {
         1 => 620,
-        _ => 800,
+        2 => 800,
+        _ => 680,
     };
     let size = Size::new(WIDTH, 130 + height * rows.len() as u32).expect("a few rows make a size");
-    let width = 29.0 * beside.max(2) as f64;
+    let width = if beside > 2 { 70.0 } else { 58.0 };
     Figure { title: Vec::new(), rows, key, notes: Vec::new(), width }.draw(size, config)
 }

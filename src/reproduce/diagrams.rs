@@ -8,7 +8,7 @@ use super::orbits::{CHAOS, largest_exponent};
 use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
 use crate::analysis::{Probe, Reading, Section};
 use crate::backend::{Cpu, Watch};
-use crate::diagram::{DiagramSpec, Sweep};
+use crate::diagram::{DiagramSpec, ExponentUnit, Sweep};
 use crate::model::Parameters;
 use crate::plane::Start;
 use crate::render::{Size, diagram_figure};
@@ -33,7 +33,7 @@ fn spec(delta: f64) -> DiagramSpec {
         probe: Probe { section: Section::A, reading: Reading::VBefore },
         schedule: DiagramSpec::schedule(1000, 200, 32),
         capacity: 3200,
-        spectrum: true,
+        spectrum: Some(ExponentUnit::Iterate),
     }
 }
 
@@ -43,7 +43,7 @@ impl PaperFigure for Figure6 {
     }
 
     fn caption(&self) -> &'static str {
-        "Velocity before impact and Lyapunov exponents over the forcing frequency: (a) δ = 0.1, (c) δ = 0.545, (d) δ = 0.6."
+        "Velocity before impact and Lyapunov exponents per iterate over the forcing frequency: (a) δ = 0.1, (c) δ = 0.545, (d) δ = 0.6."
     }
 
     fn config(&self) -> Value {

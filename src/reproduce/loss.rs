@@ -94,8 +94,8 @@ pub(super) fn state(omega: f64, delta: f64) -> State {
     let Some([largest, ..]) = motion.motion.half_multipliers(&system) else { return State::None };
     match largest {
         value if value.norm() < 1.0 => State::Stable,
-        Complex { re, im } if im == 0.0 && re < 0.0 => State::BeyondMinusOne,
-        Complex { im, .. } if im == 0.0 => State::BeyondOne,
+        Complex { re, im: 0.0 } if re < 0.0 => State::BeyondMinusOne,
+        Complex { im: 0.0, .. } => State::BeyondOne,
         _ => State::PairOutside,
     }
 }
@@ -164,8 +164,8 @@ impl Loss {
     /// What becomes of it.
     pub fn kind(&self) -> &'static str {
         match self.multiplier {
-            Complex { re, im } if im == 0.0 && re < 0.0 => "by a multiplier −1 (period doubling)",
-            Complex { im, .. } if im == 0.0 => "by a multiplier +1",
+            Complex { re, im: 0.0 } if re < 0.0 => "by a multiplier −1 (period doubling)",
+            Complex { im: 0.0, .. } => "by a multiplier +1",
             _ => "by a complex pair (Neimark–Sacker)",
         }
     }
@@ -211,4 +211,28 @@ pub(super) fn lost(point: &PaperPoint, until: f64) -> Option<Loss> {
         return Some(Loss { label: motion.label(), omega: 0.5 * (stable + unstable), multiplier });
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_printed_pitchfork_is_met() {
+        let found = changes(0.1, 3.8, 3.6, 10);
+        assert_eq!(found.len(), 1);
+        assert_eq!((found[0].before, found[0].after), (State::Stable, State::BeyondMinusOne));
+        assert!((found[0].omega - 3.6907).abs() < 1e-4 && found[0].supercritical == Some(true), "{found:?}");
+        assert!(found[0].words().starts_with("loses stability: pitchfork (supercritical) at ω = 3.690"));
+        assert_eq!(changes(0.1, 3.8, 3.7, 10), [], "nothing happens above");
+    }
+
+    #[test]
+    fn a_motion_is_followed_to_its_loss() {
+        let loss = lost(&PaperPoint::new(1.63, 0.1), 1.62).unwrap();
+        assert_eq!((&*loss.label, loss.kind()), ("2-4-4", "by a multiplier −1 (period doubling)"));
+        assert!((1.626..1.627).contains(&loss.omega), "{loss:?}");
+        assert_eq!(lost(&PaperPoint::new(1.63, 0.1), 1.629), None, "it is stable there");
+        assert_eq!(lost(&PaperPoint::new(2.83, 0.1), 2.8), None, "chaos has no motion to follow");
+    }
 }

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::{SweepError, provenance};
 use crate::analysis::Trace;
 use crate::backend::{Backend, BackendError, Cpu, Job, Watch, trace};
-use crate::diagram::{Branch, Diagram, DiagramSpec, Direction};
+use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
 use crate::model::System;
 use crate::theory::Spectrum;
 
@@ -33,7 +33,10 @@ pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> 
             Ok(Branch { direction, traces, spectrum: None })
         })
         .collect::<Result<_, SweepError>>()?;
-    let branches = if spec.spectrum { with_spectra(spec, &systems, branches, watch)? } else { branches };
+    let branches = match spec.spectrum {
+        Some(unit) => with_spectra(spec, unit, &systems, branches, watch)?,
+        None => branches,
+    };
     let provenance = if spec.sweep.is_carried() { provenance(&Cpu) } else { provenance(backend) };
     Ok(Diagram { spec: spec.clone(), provenance, branches })
 }
@@ -87,6 +90,7 @@ fn carried(
 
 fn with_spectra(
     spec: &DiagramSpec,
+    unit: ExponentUnit,
     systems: &[System],
     branches: Vec<Branch>,
     watch: &dyn Watch,
@@ -99,7 +103,7 @@ fn with_spectra(
                 if watch.cancelled() {
                     return Err(BackendError::Cancelled.into());
                 }
-                let exponents = spectrum(system, trace, spec.schedule.observe);
+                let exponents = exponents(system, trace, spec.schedule.observe, unit);
                 watch.finished(1);
                 Ok(exponents)
             })
@@ -109,13 +113,13 @@ fn with_spectra(
     branches.into_iter().map(spectra).collect()
 }
 
-/// The four exponents per forcing period, largest first whatever their statistical error, NaN where the trajectory could not be followed.
-fn spectrum(system: &System, trace: &Trace, observe: u32) -> [f64; 4] {
+/// The four exponents, largest first whatever their statistical error, NaN where the trajectory could not be followed.
+fn exponents(system: &System, trace: &Trace, observe: u32, unit: ExponentUnit) -> [f64; 4] {
     let state = trace.verdict.state;
     let delta = system.parameters().delta;
     let start = [state[0].clamp(-delta, delta), state[1], state[2], state[3]];
-    let mut exponents =
-        Spectrum::of(system, start, 0, observe).map_or([f64::NAN; 4], |spectrum| spectrum.per_period);
+    let spectrum = Spectrum::of(system, start, 0, observe);
+    let mut exponents = spectrum.map_or([f64::NAN; 4], |spectrum| unit.of(&spectrum));
     exponents.sort_by(|a, b| b.total_cmp(a));
     exponents
 }

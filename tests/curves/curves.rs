@@ -1,17 +1,22 @@
 //! What the curves are.
 
-use impact_atlas::curves::{Criticality, CurvesError, End, Kind, Special, bifurcation_curves};
+use impact_atlas::curves::{Criticality, CurvePoint, CurvesError, End, Kind, Special, bifurcation_curves};
+use impact_atlas::dynamics::{Stop, record};
 use impact_atlas::model::{Parameters, System};
-use impact_atlas::theory::symmetric_motions;
+use impact_atlas::theory::{symmetric_motions, symmetric_start};
 
 use super::{crossings, curves, map, of};
 
 /// The half map's multipliers of the physical symmetric motion.
 fn half_multipliers(omega: f64, delta: f64) -> Vec<(f64, f64)> {
+    half_multipliers_where_physical(omega, delta).expect("a physical motion")
+}
+
+fn half_multipliers_where_physical(omega: f64, delta: f64) -> Option<Vec<(f64, f64)>> {
     let system = System::new(Parameters { omega, delta, ..Parameters::default() }).unwrap();
-    let solutions = symmetric_motions(&system).unwrap();
-    let motion = &solutions.iter().find(|s| s.at_phase_zero.is_ok()).expect("a physical motion").motion;
-    motion.half_multipliers(&system).unwrap().iter().map(|m| (m.re, m.im)).collect()
+    let solutions = symmetric_motions(&system).ok()?;
+    let motion = &solutions.iter().find(|s| s.at_phase_zero.is_ok())?.motion;
+    Some(motion.half_multipliers(&system)?.iter().map(|m| (m.re, m.im)).collect())
 }
 
 #[test]
@@ -111,4 +116,45 @@ fn the_same_map_gives_the_same_curves() {
 fn planes_that_have_no_curves_are_refused() {
     let start = bifurcation_curves(&map("omega=3:4:4", "r=0.8:0.8:1", Parameters::default()), 2);
     assert_eq!(start, Err(CurvesError::SingleValue("r")));
+}
+
+/// Just beyond the curve a supercritical loss leaves the trajectory near the motion, a subcritical one throws it far away.
+#[test]
+fn soft_and_hard_losses_of_stability_are_told_apart() {
+    let found = curves(&map("omega=1.3:2.8:50", "delta=0.5:0.7:30", Parameters::default()));
+    let torus = of(&found, Kind::NeimarkSacker, "1-1-1", true)[0];
+    let strays = |point: &CurvePoint| {
+        let is_unstable = |delta: &f64| {
+            half_multipliers_where_physical(point.x, *delta)
+                .is_some_and(|values| values.iter().any(|(re, im)| re.hypot(*im) > 1.0))
+        };
+        let unstable = [3e-4, -3e-4].map(|step| point.y + step).into_iter().find(is_unstable)?;
+        let system =
+            System::new(Parameters { omega: point.x, delta: unstable, ..Parameters::default() }).unwrap();
+        let start = symmetric_start(&system)?;
+        let impacts = record(&system, start, 20_000, 200, 0).impacts;
+        let x2 = impacts.iter().filter(|impact| impact.stop == Stop::A).map(|impact| impact.x2);
+        let (low, high) = x2.fold((f64::MAX, f64::MIN), |(low, high), x2| (low.min(x2), high.max(x2)));
+        Some(if low > high { f64::INFINITY } else { high - low })
+    };
+    let (mut soft, mut hard) = (0, 0);
+    for point in torus.points.iter().filter(|point| point.special.is_none()).step_by(9) {
+        // Close to where the one turns into the other both are in between.
+        if (point.x - 1.587).abs() < 0.06 {
+            continue;
+        }
+        let Some(away) = strays(point) else { continue };
+        match point.criticality {
+            Some(Criticality::Supercritical) => {
+                assert!(away < 0.3, "soft at {}, {}: {away}", point.x, point.y);
+                soft += 1;
+            }
+            Some(Criticality::Subcritical) => {
+                assert!(away > 0.3, "hard at {}, {}: {away}", point.x, point.y);
+                hard += 1;
+            }
+            None => {}
+        }
+    }
+    assert!(soft > 5 && hard > 1, "{soft} {hard}");
 }

@@ -88,7 +88,7 @@ fn the_symmetric_motion_is_solved_or_refused_anywhere() {
 fn spectra_are_numbers_anywhere() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     let (mut measured, mut worst) = (0, 0.0f64);
-    for _ in 0..500 {
+    for _ in 0..150 {
         let system = any_system(&mut rng);
         let context = *system.parameters();
         let Ok(spectrum) = Spectrum::of(&system, [0.0; 4], 8, 16) else { continue };
@@ -110,7 +110,7 @@ fn spectra_are_numbers_anywhere() {
             measured += 1;
         }
     }
-    assert!(measured > 100, "{measured}");
+    assert!(measured > 30, "{measured}");
     println!("{measured} sums, worst {worst:.1e}");
 }
 
@@ -189,7 +189,7 @@ fn settled_motions_are_the_simulated_ones() {
 
 #[test]
 fn settled_motions_are_solved_or_refused_anywhere() {
-    let cells = settled(4, 200, any_system);
+    let cells = settled(4, 60, any_system);
     let (mut solved, mut refused) = (0, 0);
     for (system, verdict) in &cells {
         let context = system.parameters();

@@ -13,7 +13,7 @@ use super::scale::Scale;
 use super::symbols;
 use super::text::Text;
 use crate::analysis::{CHATTER_RUN, Section};
-use crate::diagram::{Branch, Diagram, Direction, SweepAxis};
+use crate::diagram::{Branch, Diagram, Direction, ExponentUnit, SweepAxis};
 use crate::plane::Quantity;
 
 /// Lengths in em.
@@ -132,14 +132,20 @@ fn exponent_panel(diagram: &Diagram) -> Panel {
     }
     finite.sort_by(f64::total_cmp);
     let shown = &finite[(LEFT_OUT * finite.len() as f64) as usize..];
-    let short = Text::new().italic("λ").upright(" per ").italic("T");
+    let unit = spec.spectrum.unwrap_or(ExponentUnit::Period);
+    let short = match unit {
+        ExponentUnit::Period => Text::new().italic("λ").upright(" per ").italic("T"),
+        ExponentUnit::Iterate | ExponentUnit::Time => {
+            Text::new().italic("λ").upright(format!(" per {}", unit.name()))
+        }
+    };
     Panel {
         caption: None,
         frame: Frame {
             x: scale(&spec.x),
             y: Scale::around(shown.iter().copied().chain([0.0]), 0.06),
             x_title: symbols::axis_title(spec.x.quantity()),
-            y_title: AxisTitle { long: "Lyapunov exponents per forcing period".into(), short },
+            y_title: AxisTitle { long: format!("Lyapunov exponents per {}", unit.name()).into(), short },
         },
         marks,
         strips: Vec::new(),

@@ -17,7 +17,7 @@ use crate::diagram::Diagram;
 /// | `rebounds` | u32 | branch, x | the longest row of impacts at one stop, each slower than the one before |
 /// | `regime`, `n`, `p`, `q`, `symmetric`, `lyapunov` | as in a map | branch, x | what the column settled on |
 /// | `state` | f64 | branch, x, 4 | (x1, x2, v1, v2) at the end, at forcing phase 0 |
-/// | `spectrum` | f64 | branch, x, 4 | the Lyapunov exponents per forcing period, if they were asked for |
+/// | `spectrum` | f64 | branch, x, 4 | the Lyapunov exponents in the unit of `config`, if they were asked for |
 /// | `config` | text | (none) | everything needed to compute the diagram again; the branches are in its order |
 ///
 /// # Errors

@@ -1,0 +1,261 @@
+//! The commands that draw, from outside: orbits, bifurcation diagrams, the paper's figures.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+use tempfile::tempdir;
+
+fn run_in(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_impact-atlas")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn done(folder: &Path, arguments: &[&str]) -> Output {
+    let output = run_in(folder, arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
+    output
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort_unstable();
+    names
+}
+
+/// Checks that the input is refused with all of `parts` in the message, and that nothing was written.
+fn refuses(arguments: &[&str], parts: &[&str]) {
+    let folder = tempdir().unwrap();
+    let output = run_in(folder.path(), arguments);
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    for part in parts {
+        assert!(message.contains(part), "{arguments:?}: no `{part}` in {message}");
+    }
+    assert!(!message.contains("panicked"), "{message}");
+    assert_eq!((stdout(&output).as_str(), names(folder.path())), ("", vec![]), "{arguments:?}");
+}
+
+/// The configuration in a PNG's text chunk.
+fn config_of_png(path: &Path) -> Value {
+    let reader =
+        png::Decoder::new(std::io::BufReader::new(fs::File::open(path).unwrap())).read_info().unwrap();
+    let [chunk] = &reader.info().utf8_text[..] else { panic!("one text chunk") };
+    serde_json::from_str(&chunk.get_text().unwrap()).unwrap()
+}
+
+#[test]
+fn orbits_are_drawn_as_pixels_and_as_vectors() {
+    let folder = tempdir().unwrap();
+    let at =
+        ["orbit", "--set", "omega=3.7", "--transient", "300", "--periods", "2", "--section-periods", "50"];
+    let panels = ["--panel", "portrait", "--panel", "time", "--panel", "section:x2,v2", "--panel", "strobe"];
+    done(folder.path(), &[&at[..], &panels, &["--out", "o.png", "--size", "1400x1100"]].concat());
+    done(folder.path(), &[&at[..], &panels, &["--out", "o.svg", "--impacts", "i.csv"]].concat());
+    assert_eq!(names(folder.path()), ["i.csv", "o.png", "o.svg"]);
+    let svg = fs::read_to_string(folder.path().join("o.svg")).unwrap();
+    for words in
+        ["(a) phase portrait", "(b) time series", "impact Poincaré section", "strobe section", "stops "]
+    {
+        assert!(svg.contains(words), "{words}");
+    }
+    let config = config_of_png(&folder.path().join("o.png"));
+    assert_eq!(config["panels"][2], "section:x2,v2");
+    // The command that the picture carries makes the same picture.
+    let command: Vec<&str> = config["command"].as_str().unwrap().split_whitespace().skip(1).collect();
+    done(folder.path(), &[&command[..], &["--out", "again.png", "--size", "1400x1100"]].concat());
+    let bytes = |name: &str| fs::read(folder.path().join(name)).unwrap();
+    assert!(bytes("o.png") == bytes("again.png"));
+    done(
+        folder.path(),
+        &[&command[..], &["--zoom", "t=0.5:1", "--out", "z.png", "--size", "1400x1100"]].concat(),
+    );
+    assert!(bytes("o.png") != bytes("z.png"));
+}
+
+#[test]
+fn plots_that_cannot_be_are_refused() {
+    let orbit = |more: &[&'static str]| [&["orbit", "--out", "o.png"], more].concat();
+    refuses(&orbit(&["--panel", "phase"]), &["`phase`", "portrait, portrait2, time"]);
+    refuses(&orbit(&["--panel", "strobe:tau,x2"]), &["tau", "strobe section"]);
+    refuses(&orbit(&["--zoom", "t=2:1"]), &["t=2:1", "empty"]);
+    refuses(&orbit(&["--zoom", "tau=1:2"]), &["--zoom tau=1:2", "no panel"]);
+    refuses(&orbit(&["--zoom", "t=1:2", "--zoom", "t=1:3"]), &["t=1:2", "t=1:3", "two ranges"]);
+    refuses(&orbit(&["--size", "100x80", "--transient", "1"]), &["100 × 80", "at least"]);
+    refuses(&["orbit", "--out", "o.jpg"], &["o.jpg", ".png or .svg"]);
+    refuses(&["orbit", "--out", "o.svg", "--impacts", "o.svg"], &["two results"]);
+    refuses(&["orbit", "--panel", "time"], &["--out"]);
+}
+
+/// Rebounds without loss against a pressing force accumulate beyond any bound.
+#[test]
+fn a_hopeless_orbit_is_given_up() {
+    let folder = tempdir().unwrap();
+    let hopeless = ["orbit", "--set", "r=1", "--set", "zeta=20", "--set", "omega=0.02", "--transient", "4"];
+    let output = run_in(folder.path(), &[&hopeless[..], &["--impacts", "i.csv", "--out", "o.png"]].concat());
+    assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
+    assert!(stderr(&output).contains("given up in forcing period"), "{}", stderr(&output));
+    assert_eq!(names(folder.path()), [""; 0]);
+}
+
+const COLUMNS: [&str; 7] = ["bifurcation", "--x", "omega=3.9:3.1:9", "--transient", "200", "--observe", "20"];
+
+#[test]
+fn a_diagram_is_drawn_stored_and_summed_up() {
+    let folder = tempdir().unwrap();
+    let more = ["--backend", "cpu", "--spectrum", "--out", "d.svg", "--json"];
+    let output = done(folder.path(), &[&COLUMNS[..], &more].concat());
+    assert_eq!(names(folder.path()), ["d.npz", "d.svg"]);
+    let summary: Value = serde_json::from_str(&stdout(&output)).unwrap();
+    assert_eq!((&summary["columns"], &summary["points"]), (&9.into(), &180.into()));
+    assert_eq!((&summary["backend"], &summary["coexistence"]), (&"cpu".into(), &Value::Null));
+    let svg = fs::read_to_string(folder.path().join("d.svg")).unwrap();
+    for words in ["forcing frequency ", "velocity before impact ", "1-1-1 symmetric", "λ"] {
+        assert!(svg.contains(words), "{words}");
+    }
+    // The axis runs as written: the first value is at the left.
+    let place = |label: &str| {
+        let text = svg.lines().find(|line| line.contains(&format!(">{label}<"))).unwrap();
+        let x = text.split("x=\"").nth(1).unwrap().split('"').next().unwrap();
+        x.parse::<f64>().unwrap()
+    };
+    assert!(place("3.8") < place("3.2"));
+}
+
+#[test]
+fn carried_sweeps_state_where_motions_coexist() {
+    let folder = tempdir().unwrap();
+    let both = ["bifurcation", "--x", "omega=4.1:2.7:15", "--set", "delta=0.6", "--sweep", "both"];
+    let more = ["--start", "symmetric", "--transient", "300", "--observe", "20"];
+    let output = done(folder.path(), &[&both[..], &more].concat());
+    let text = stdout(&output);
+    assert!(text.contains("coexistence for omega from 2.7"), "{text}");
+    assert!(text.contains("no impact (down) and 1-1-1 symmetric (up)"), "{text}");
+    assert!(stderr(&output).contains("a carried sweep is a sequence"), "{}", stderr(&output));
+    assert_eq!(names(folder.path()), ["bifurcation.npz", "bifurcation.png"]);
+    assert_eq!(config_of_png(&folder.path().join("bifurcation.png"))["sweep"], "both");
+}
+
+#[test]
+fn diagrams_that_cannot_be_are_refused() {
+    let diagram = |more: &[&'static str]| [&COLUMNS[..], more].concat();
+    refuses(&["bifurcation"], &["--x"]);
+    refuses(&["bifurcation", "--x", "omgea=5:1:9"], &["omgea", "omega, delta"]);
+    refuses(&["bifurcation", "--x", "omega=1:1:9"], &["empty"]);
+    refuses(&["bifurcation", "--x", "r=1.5:0.5:9"], &["r = 1.5", "between 0 and 1"]);
+    refuses(&diagram(&["--set", "omega=3"]), &["--set omega=3", "--x omega=3.9:3.1:9"]);
+    refuses(&diagram(&["--sweep", "sideways"]), &["sideways", "rest, symmetric"]);
+    refuses(&diagram(&["--start", "rest"]), &["--start rest", "no effect"]);
+    refuses(&diagram(&["--sweep", "down", "--backend", "gpu"]), &["--backend gpu", "sequence"]);
+    refuses(&diagram(&["--section", "C"]), &["`C`", "strobe"]);
+    refuses(&diagram(&["--section", "strobe", "--record", "tau"]), &["tau", "strobe section"]);
+    refuses(&diagram(&["--record", "v3"]), &["`v3`", "v_before"]);
+    refuses(&diagram(&["--points", "0"]), &["0 points", "1 point"]);
+    refuses(&diagram(&["--out", "d.png", "--data", "d.png"]), &["two results"]);
+    refuses(&diagram(&["--out", "d.pdf"]), &["d.pdf", ".svg"]);
+    refuses(&["bifurcation", "--x", "v1=-1:1:9", "--sweep", "up"], &["--sweep up", "--sweep rest"]);
+    refuses(&diagram(&["--size", "200x100"]), &["200 × 100", "at least"]);
+}
+
+#[test]
+fn a_map_may_be_vectors() {
+    let folder = tempdir().unwrap();
+    let small =
+        ["map", "--backend", "cpu", "--x", "omega=2.8:3.8:6", "--y", "delta=0.1:0.3:4", "--out", "m.svg"];
+    done(folder.path(), &[&small[..], &["--transient", "50", "--observe", "50"]].concat());
+    assert_eq!(names(folder.path()), ["m.npz", "m.svg"]);
+    let svg = fs::read_to_string(folder.path().join("m.svg")).unwrap();
+    assert!(svg.contains("half clearance") && svg.contains("<metadata id=\"impact-atlas\">"));
+}
+
+#[test]
+fn the_papers_figures_are_made_once() {
+    let folder = tempdir().unwrap();
+    let arguments = ["reproduce", "--out", "paper", "--figure", "7", "--figure", "10"];
+    let first = done(folder.path(), &arguments);
+    let paper = folder.path().join("paper");
+    assert_eq!(
+        names(&paper),
+        ["fig07.json", "fig07.png", "fig10.json", "fig10.png", "report.json", "report.md"]
+    );
+    assert!(!stderr(&first).contains("already there"));
+    let report =
+        || -> Value { serde_json::from_slice(&fs::read(paper.join("report.json")).unwrap()).unwrap() };
+    let claims = report();
+    let mut keys: Vec<&String> = claims[0].as_object().unwrap().keys().collect();
+    keys.sort_unstable();
+    assert_eq!(keys, ["claim", "computed", "figure", "note", "printed", "verdict"]);
+    assert!(claims.as_array().unwrap().iter().all(|claim| claim["verdict"] == "agrees"), "{claims}");
+    assert!(stdout(&first).starts_with("7 claims: 7 agree"), "{}", stdout(&first));
+
+    // Nothing is made again, unless its picture is gone or was made with something else.
+    let again = stderr(&done(folder.path(), &arguments));
+    assert_eq!(again.matches("already there").count(), 2, "{again}");
+    fs::remove_file(paper.join("fig07.png")).unwrap();
+    let other = fs::read_to_string(paper.join("fig10.json")).unwrap().replacen(
+        "\"omega\": 1.72",
+        "\"omega\": 1.73",
+        1,
+    );
+    fs::write(paper.join("fig10.json"), other).unwrap();
+    let remade = stderr(&done(folder.path(), &arguments));
+    assert!(!remade.contains("already there"), "{remade}");
+    assert_eq!(report(), claims);
+    assert_eq!(config_of_png(&paper.join("fig07.png"))["figure"], 7);
+
+    // A report covers whatever is there.
+    let more = done(folder.path(), &["reproduce", "--out", "paper", "--figure", "11", "--json"]);
+    let all: Value = serde_json::from_str(&stdout(&more)).unwrap();
+    assert_eq!(all.as_array().unwrap().len(), 10);
+    assert!(all.as_array().unwrap().iter().any(|claim| claim["verdict"] == "differs"));
+    let svg = done(folder.path(), &["reproduce", "--out", "vectors", "--figure", "10", "--svg"]);
+    assert!(!stderr(&svg).contains("already there"));
+    assert_eq!(
+        names(&folder.path().join("vectors")),
+        ["fig10.json", "fig10.svg", "report.json", "report.md"]
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_whole_figures_alone() {
+    let folder = tempdir().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_impact-atlas"));
+    command.args(["reproduce", "--figure", "5", "--out", "paper"]).current_dir(folder.path());
+    let mut child = command.stderr(std::process::Stdio::null()).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(700));
+    assert!(child.try_wait().unwrap().is_none(), "over too soon");
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert_eq!(names(&folder.path().join("paper")), [""; 0]);
+}
+
+#[test]
+fn figures_that_are_not_there_are_refused() {
+    refuses(&["reproduce", "--figure", "4"], &["figure 4", "5, 6, 7"]);
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("file"), "kept").unwrap();
+    let output = run_in(folder.path(), &["reproduce", "--figure", "7", "--out", "file"]);
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    assert!(stderr(&output).contains("not a directory"), "{}", stderr(&output));
+    assert_eq!(names(folder.path()), ["file"]);
+}
+
+#[test]
+fn help_has_examples() {
+    let folder = tempdir().unwrap();
+    for command in ["orbit", "bifurcation", "reproduce"] {
+        let text = stdout(&done(folder.path(), &[command, "--help"]));
+        assert!(text.contains(&format!("  impact-atlas {command} --")), "{text}");
+    }
+}
