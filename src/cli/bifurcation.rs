@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use anyhow::anyhow;
 use clap::{Args, ValueEnum};
-use impact_atlas::analysis::{Probe, Reading, Section};
+use impact_atlas::analysis::{Probe, Reading, Regime, Section};
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::diagram::{Coexistence, Diagram, DiagramSpec, ExponentUnit, Sweep, SweepAxis};
 use impact_atlas::plane::Start;
@@ -100,7 +100,7 @@ pub struct BifurcationArgs {
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size)]
     size: Option<Size>,
 
-    /// Prints JSON: columns, points, left_out, seconds, coexistence, backend, adapter
+    /// Prints JSON: columns, branches, points, left_out, failed, seconds, coexistence, backend, adapter
     #[arg(long)]
     json: bool,
 }
@@ -133,6 +133,8 @@ struct Summary<'a> {
     branches: Vec<&'static str>,
     points: usize,
     left_out: u64,
+    /// Columns whose trajectory was given up.
+    failed: usize,
     seconds: f64,
     /// The ranges in which the branches differ; only where there are two.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -221,12 +223,13 @@ impl BifurcationArgs {
 
 impl<'a> Summary<'a> {
     fn new(diagram: &'a Diagram, seconds: f64) -> Self {
-        let traces = diagram.branches.iter().flat_map(|branch| &branch.traces);
+        let traces = || diagram.branches.iter().flat_map(|branch| &branch.traces);
         Summary {
             columns: diagram.spec.x.count(),
             branches: diagram.branches.iter().map(|branch| branch.direction.name()).collect(),
-            points: traces.map(|trace| trace.readings.len()).sum(),
+            points: traces().map(|trace| trace.readings.len()).sum(),
             left_out: diagram.left_out(),
+            failed: traces().filter(|trace| trace.verdict.regime == Regime::Failed).count(),
             seconds,
             coexistence: (diagram.branches.len() == 2).then(|| diagram.coexistence()),
             backend: &diagram.provenance.backend,
@@ -235,10 +238,17 @@ impl<'a> Summary<'a> {
     }
 
     fn text(&self, diagram: &Diagram) -> String {
-        let mut lines =
-            vec![format!("{} columns and {} points in {:.2} s", self.columns, self.points, self.seconds)];
+        let mut lines = vec![format!(
+            "{} and {} points in {:.2} s",
+            columns(self.columns as usize),
+            self.points,
+            self.seconds
+        )];
         if self.left_out > 0 {
             lines.push(format!("{} points beyond --points were left out", self.left_out));
+        }
+        if self.failed > 0 {
+            lines.push(format!("{} given up: too many impacts in one forcing period", columns(self.failed)));
         }
         let name = diagram.spec.x.quantity().name();
         for range in self.coexistence.iter().flatten() {
@@ -249,10 +259,10 @@ impl<'a> Summary<'a> {
                 })
                 .collect();
             lines.push(format!(
-                "coexistence for {name} from {:.6} to {:.6} ({} columns): {}",
+                "coexistence for {name} from {:.6} to {:.6} ({}): {}",
                 range.from,
                 range.until,
-                range.columns,
+                columns(range.columns),
                 pairs.join("; ")
             ));
         }
@@ -261,4 +271,8 @@ impl<'a> Summary<'a> {
         }
         lines.join("\n")
     }
+}
+
+fn columns(count: usize) -> String {
+    if count == 1 { "1 column".to_owned() } else { format!("{count} columns") }
 }

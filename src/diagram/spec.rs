@@ -244,8 +244,8 @@ pub enum DiagramError {
     Sweep(String),
     /// Nothing, or too much, would be kept.
     #[error(
-        "{columns} columns with up to {capacity} points each cannot be kept: give 1 point or more, and at most {} \
-         in all",
+        "{columns} columns with up to {capacity} points each cannot be kept: give --points 1 or more, and at most {} in \
+         all (by default 16 for each period observed)",
         DiagramSpec::LARGEST
     )]
     Capacity {

@@ -16,6 +16,8 @@ const TITLE: f64 = 1.1;
 const TITLE_GAP: f64 = 0.6;
 /// What the outermost labels may stand out at the upper and the right end, in em.
 const OVERHANG: f64 = 0.7;
+/// What the outermost label at the right end may stand out at most: a part of it into the margin.
+const WIDEST_OVERHANG: f64 = 1.5;
 
 /// What stands along an axis: in full, and as short as possible where space is scarce.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,11 +76,19 @@ impl Frame {
         let title = if titles { (TITLE_GAP + TITLE) * em } else { 0.0 };
         let top = (space.y + OVERHANG * em).round();
         let bottom = (space.bottom() - (TICK + GAP + 1.0) * em - title).round();
-        let right = (space.right() - OVERHANG * em).round();
+        let mut right = (space.right() - OVERHANG * em).round();
         let y_ticks = fitting_ticks(self.y, bottom - top, |_| 2.0 * em);
         let labels = widest(&y_ticks, em);
         let left = (space.x + (title + labels + (GAP + TICK) * em).max(left)).round();
-        let x_ticks = fitting_ticks(self.x, right - left, |ticks| widest(ticks, em) + 1.2 * em);
+        let x_ticks_to =
+            |right: f64| fitting_ticks(self.x, right - left, |ticks| widest(ticks, em) + 1.2 * em);
+        let mut x_ticks = x_ticks_to(right);
+        // A long label at the right end takes what it needs from the plot.
+        let excess = overhang(self.x, &x_ticks, right - left, em) - WIDEST_OVERHANG * em;
+        if excess > 0.0 {
+            right = (right - excess).round();
+            x_ticks = x_ticks_to(right);
+        }
         let plot = Rect { x: left, y: top, width: right - left, height: bottom - top };
         let useful = plot.width >= 8.0 * em && plot.height >= 6.0 * em;
         useful.then_some(Placed { plot, x_ticks, y_ticks, titles })
@@ -160,6 +170,14 @@ fn fitting_ticks(scale: Scale, length: f64, room: impl Fn(&Ticks) -> f64) -> Tic
     let candidates = (1..=MOST_LABELS).rev().map(|most| scale.ticks(most));
     let mut fitting = candidates.filter(fits);
     fitting.next().unwrap_or_else(|| scale.ticks(1))
+}
+
+/// How far the labels stand out at the right end of an axis of a length.
+fn overhang(scale: Scale, ticks: &Ticks, length: f64, em: f64) -> f64 {
+    let end = |(value, label): &(f64, String)| {
+        scale.fraction(*value) * length + Text::from(&**label).width(em) / 2.0 - length
+    };
+    ticks.labelled.iter().map(end).fold(0.0, f64::max)
 }
 
 fn widest(ticks: &Ticks, em: f64) -> f64 {

@@ -126,7 +126,7 @@ fn narrow_range(changes: &[Change]) -> Vec<Claim> {
     let found = losses(changes);
     let printed = "Neimark–Sacker, Neimark–Sacker, pitchfork, in turn with falling ω";
     let claim = "(c) how 1-1-1 symmetric loses and regains its stability at δ = 0.545";
-    let order = Claim::new(6, claim, printed, sequence(&found), in_turn(&found));
+    let order = Claim::new(6, claim, printed, sequence(&found), in_turn(changes));
     let criticality = |number: usize, printed: &str, supercritical: bool| {
         let change = found.get(number).filter(|change| is_pair(change));
         let computed = change.map_or_else(|| "none".to_owned(), Change::words);
@@ -140,7 +140,7 @@ fn narrow_range(changes: &[Change]) -> Vec<Claim> {
             holds,
         )
     };
-    let [from, until] = range(|delta| in_turn(&losses(&self::changes(delta, RANGE.0, RANGE.1, RANGE.2))));
+    let [from, until] = range(|delta| in_turn(&self::changes(delta, RANGE.0, RANGE.1, RANGE.2)));
     vec![
         order,
         criticality(0, "supercritical", true),
@@ -175,14 +175,13 @@ fn is_pair(change: &Change) -> bool {
     [change.before, change.after].contains(&State::PairOutside)
 }
 
-/// Whether the motion loses its stability to a complex pair, regains it from one, and loses it in a pitchfork.
-fn in_turn(losses: &[Change]) -> bool {
-    let [first, second, third, ..] = losses else { return false };
-    let falls = |change: &Change| change.before == State::Stable;
-    falls(first)
-        && is_pair(first)
-        && !falls(second)
-        && is_pair(second)
+/// Whether the motion loses its stability to a complex pair, regains it from one, and loses it in a pitchfork, with
+/// nothing else in between.
+fn in_turn(changes: &[Change]) -> bool {
+    let first = changes.iter().position(|change| change.before == State::Stable).unwrap_or(changes.len());
+    let [first, second, third, ..] = &changes[first..] else { return false };
+    first.after == State::PairOutside
+        && [second.before, second.after] == [State::PairOutside, State::Stable]
         && third.after == State::BeyondMinusOne
 }
 

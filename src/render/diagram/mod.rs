@@ -127,6 +127,8 @@ fn exponent_panel(diagram: &Diagram) -> Panel {
             let points: Vec<[f64; 2]> =
                 values.iter().zip(spectrum).map(|(&x, exponents)| [x, exponent(exponents)]).collect();
             finite.extend(points.iter().map(|point| point[1]).filter(|value| value.is_finite()));
+            let alone = points.windows(3).filter(|p| p[0][1].is_nan() && p[2][1].is_nan()).map(|p| p[1]);
+            marks.push(Mark::Dots { points: alone.collect(), diameter: 1.5 * EXPONENT, colour });
             marks.push(Mark::Line { points, width: EXPONENT, colour });
         }
     }
@@ -224,4 +226,76 @@ fn notes(diagram: &Diagram) -> Vec<Text> {
         notes.push(format!("Of each column the first {capacity} points are shown.").into());
     }
     notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::{Probe, Reading, Regime, Trace};
+    use crate::diagram::{DiagramSpec, Sweep};
+    use crate::model::Parameters;
+    use crate::plane::{Provenance, Start};
+    use crate::render::example::verdict;
+    use crate::render::figure::tests::faults;
+    use crate::render::size::Size;
+
+    /// A diagram with every kind of column; readings of `spread` about `level`.
+    fn diagram(x: &str, sweep: Sweep, level: f64, spread: f64) -> Diagram {
+        let spec = DiagramSpec {
+            x: x.parse().unwrap(),
+            parameters: Parameters { zeta: 1.0 / 3.0, mu_k: 2.0 / 3.0, ..Parameters::default() },
+            sweep,
+            start: Start::State([1.0 / 30.0, -2.0 / 3.0, 0.0, 1e-7]),
+            probe: Probe::new(Section::B, Reading::VAfter).unwrap(),
+            schedule: DiagramSpec::schedule(1000, 300, 32),
+            capacity: 4,
+            spectrum: Some(ExponentUnit::Iterate),
+        };
+        let count = spec.x.count();
+        let trace = |i: u32| {
+            let regime = Regime::ALL[(8 * i / count) as usize];
+            let readings = (0..4).map(|k| level + spread * f64::from((i * k) % 7)).collect();
+            Trace { verdict: verdict(regime, [1, 2, 2], true), readings, left_out: i % 3, rebounds: i % 11 }
+        };
+        let exponents = |i: u32| {
+            [
+                0.1,
+                -0.2,
+                f64::from(i % 5) - 9.0,
+                if i.is_multiple_of(2) { f64::NEG_INFINITY } else { f64::NAN },
+            ]
+        };
+        let branch = |&direction: &Direction| Branch {
+            direction,
+            traces: (0..count).map(trace).collect(),
+            spectrum: Some((0..count).map(exponents).collect()),
+        };
+        let branches = spec.sweep.branches().iter().map(branch).collect();
+        let provenance = Provenance { version: "1".into(), backend: "cpu".into(), adapter: "none".into() };
+        Diagram { spec, provenance, branches }
+    }
+
+    #[test]
+    fn diagrams_of_every_kind_are_drawn_whole() {
+        let each = Sweep::Each(Start::State([1.0 / 30.0, -2.0 / 3.0, 0.0, 1e-7]));
+        for (x, sweep, level, spread) in [
+            ("omega=5:0.2:400", Sweep::Both, 0.1, 0.07),
+            ("mu_m=0.1:0.9:40", Sweep::Down, -1000.0, 1e-5),
+            ("v1=-1e-7:3e-7:9", each, 0.0, 1e-9),
+            ("omega=3.7:3.7:1", each, 0.3, 0.0),
+        ] {
+            let diagram = diagram(x, sweep, level, spread);
+            for size in [(2000, 1560), (1200, 1000), (3000, 1800)] {
+                let size = Size::new(size.0, size.1).unwrap();
+                let picture = diagram_figure(&diagram).draw(size, &diagram.config()).unwrap();
+                assert_eq!(faults(&picture, size), [""; 0], "{x}, {size:?}");
+                let mut expected = vec!["λ", "forcing periods"];
+                if diagram.spec.x.count() > 8 {
+                    expected.extend(["Chatter: 5 or more", "first 4 points"]);
+                }
+                let missing = expected.into_iter().find(|words| !picture.svg().contains(words));
+                assert_eq!(missing, None, "{x}");
+            }
+        }
+    }
 }

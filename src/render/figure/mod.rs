@@ -30,6 +30,8 @@ const NOTE: f64 = 0.9;
 const NOTE_ROW: f64 = 1.3;
 /// What ticks and titles take at the left of a plot at most, so that the title above it fits.
 const LEFT: f64 = 7.0;
+/// The sizes of text that are tried, as shares of the one that suits the width.
+const TEXT_SIZES: [f64; 5] = [1.0, 0.9, 0.8, 0.7, 0.6];
 /// The smallest text, in pixels.
 const SMALLEST_EM: f64 = 9.5;
 
@@ -142,8 +144,13 @@ impl Figure {
         }
     }
 
+    /// The layout with the largest text that leaves room for the plots.
     fn layout(&self, size: Size) -> Option<Layout<'_>> {
-        let em = (f64::from(size.width()) / self.width).max(SMALLEST_EM);
+        let usual = f64::from(size.width()) / self.width;
+        TEXT_SIZES.iter().find_map(|share| self.layout_with(size, (share * usual).max(SMALLEST_EM)))
+    }
+
+    fn layout_with(&self, size: Size, em: f64) -> Option<Layout<'_>> {
         let width = f64::from(size.width()) - 2.0 * MARGIN * em;
         let text_width = width - LEFT * em;
         let title = Text::wrap(self.title.clone(), em, text_width);
@@ -249,4 +256,4 @@ impl Panel {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -73,7 +73,7 @@ fn boxes(group: &Group, texts: &mut Vec<Box>, others: &mut Vec<Box>) {
 }
 
 /// What is wrong with a picture: words that are clipped or overlap, shapes beyond the canvas.
-fn faults(picture: &Picture, size: Size) -> Vec<String> {
+pub(in crate::render) fn faults(picture: &Picture, size: Size) -> Vec<String> {
     let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
     let tree = Tree::from_str(picture.svg(), &options).unwrap();
     let (mut texts, mut others) = (Vec::new(), Vec::new());

@@ -254,3 +254,52 @@ fn distinct(points: &[[f64; 2]], frame: &Frame) -> usize {
     cells.dedup();
     cells.len()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::record;
+    use crate::model::Parameters;
+    use crate::render::figure::tests::faults;
+
+    #[test]
+    fn orbits_of_every_kind_are_drawn_whole() {
+        let names = ["portrait", "time", "portrait2", "section", "section-b:x2,v2", "strobe", "time:v1"];
+        let panels: Vec<OrbitPanel> = names.iter().map(|name| name.parse().unwrap()).collect();
+        let start = Start::State([1.0 / 30.0, -1.0 / 7.0, 1e-9, 0.0]);
+        // Periodic, chaotic, sticking, without impact, clamped.
+        for (omega, delta) in [(3.7, 0.1), (2.83, 0.1), (0.25, 0.545), (3.0, 5.0), (3.0, 0.0)] {
+            let system = System::new(Parameters { omega, delta, ..Parameters::default() }).unwrap();
+            let recording = record(&system, [0.0; 4], 100, 2, 100);
+            let sections = record(&system, [0.0; 4], 100, 60, 1);
+            let orbit = Orbit { system: &system, recording: &recording, sections: &sections };
+            for count in [1, 2, 4, 7] {
+                let zooms: Vec<Zoom> =
+                    if count == 2 { vec!["t=0.25:0.75".parse().unwrap()] } else { Vec::new() };
+                let figure = orbit_figure(&orbit, start, &panels[..count], &zooms);
+                let size = figure.natural_size(1200);
+                let picture = figure.draw(size, "{}").unwrap();
+                assert_eq!(faults(&picture, size), [""; 0], "ω = {omega}, δ = {delta}, {count} plots");
+                assert_eq!(picture.svg().contains("sticking"), omega == 0.25 && count > 1);
+            }
+        }
+    }
+
+    #[test]
+    fn points_of_a_section_are_the_impacts() {
+        let system = System::new(Parameters::default()).unwrap();
+        let recording = record(&system, [0.0; 4], 2000, 5, 1);
+        let orbit = Orbit { system: &system, recording: &recording, sections: &recording };
+        let points = |panel: &str| match &orbit.panel(panel.parse().unwrap(), &[]).marks[..] {
+            [Mark::Dots { points, .. }] => points.clone(),
+            marks => panic!("{marks:?}"),
+        };
+        let at_a = points("section:tau,v_after");
+        assert_eq!(at_a.len(), 5);
+        assert!(at_a.iter().all(|[tau, v]| (tau - 1.802134).abs() < 1e-6 && (v + 0.345457).abs() < 1e-6));
+        // The motion is symmetric: at Ā it is the mirror image, half a cycle later.
+        let at_b = points("section-b:x2,v_before");
+        assert!(at_b.iter().all(|[x2, v]| (x2 - 0.006341).abs() < 1e-6 && (v + 0.345457 / 0.8).abs() < 1e-6));
+        assert_eq!(points("strobe").len(), 6);
+    }
+}
