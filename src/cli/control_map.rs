@@ -27,7 +27,7 @@ pub struct ControlMapArgs {
     /// Axes may vary the settings of the method too: gain, delay; amplitude, alpha, dead_band, gamma, phase; period,
     /// noise; target_v1, target_x2, target_v2, target_tau. See `impact-atlas control --help` for what they are.
     #[arg(long, value_name = "METHOD", value_enum, help_heading = "Control",
-        conflicts_with_all = ["transient", "observe", "max_period", "fixed_periods"])]
+        conflicts_with_all = ["transient", "observe", "max_period", "fixed_periods", "curves"])]
     pub control: Option<MethodName>,
 
     /// The first iterate that is controlled

@@ -14,6 +14,9 @@ pub const Y: Axis =
 /// Cells that `validate` computes of the default plane: 400 × 300.
 pub const VALIDATED_CELLS: u32 = 120_000;
 
+/// Cells of the default plane from which bifurcation curves are begun: 160 × 120.
+pub const CURVES_CELLS: u32 = 19_200;
+
 /// The picture.
 pub const PICTURE: &str = "map.png";
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
 use impact_atlas::plane::RegionMap;
-use impact_atlas::render::{self, Size};
+use impact_atlas::render::Picture;
 use impact_atlas::store::{self, Output};
 use serde::Serialize;
 
@@ -41,8 +41,8 @@ fn place(path: &Path) -> PathBuf {
 }
 
 /// Writes a map's data and its picture; neither unless both could be made.
-pub fn write_map(map: &RegionMap, size: Size, data: &Output, picture: &Output) -> Result<(), CliError> {
-    let bytes = pictures::encoded(&render::region_map(map, size), pictures::format_of(picture.path())?)?;
+pub fn write_map(map: &RegionMap, drawn: &Picture, data: &Output, picture: &Output) -> Result<(), CliError> {
+    let bytes = pictures::encoded(drawn, pictures::format_of(picture.path())?)?;
     interrupt::check()?;
     write(data, |file| store::write_map(map, file))?;
     write(picture, |file| file.write_all(&bytes))

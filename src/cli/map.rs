@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use clap::Args;
+use clap::{Args, ValueEnum, value_parser};
+use impact_atlas::analysis::Schedule;
 use impact_atlas::plane::RegionMap;
-use impact_atlas::render::Size;
+use impact_atlas::render::{Shown, Size, region_map, region_map_with_curves};
 use impact_atlas::sweep::sweep;
 use serde::{Serialize, Serializer};
 
@@ -14,7 +15,7 @@ use super::options::{BackendArgs, PlaneArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::parse_size;
-use super::{CliError, defaults, files, note, pictures};
+use super::{CliError, curve_list, curves, defaults, files, note, pictures};
 
 /// Computes what every cell of a parameter plane settles on, as a picture and as data
 ///
@@ -24,6 +25,7 @@ use super::{CliError, defaults, files, note, pictures};
 Examples:
   impact-atlas map
   impact-atlas map --x omega=2.4:3.8:400 --y r=0.5:0.95:300 --set delta=0.1 --out r.png
+  impact-atlas map --curves --curves-out curves.csv
   impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --out basins.png
   impact-atlas map --control delay --x omega=2.6:3:200 --y gain=0:1:150 --out delay.png --times times.png
   impact-atlas map --control pulse --x target_v1=-0.5:-0.1:200 --y target_tau=1:3:150 --set omega=2.83")]
@@ -49,9 +51,41 @@ pub struct MapArgs {
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, default_value = defaults::PICTURE_SIZE)]
     size: Size,
 
+    /// Draws bifurcation curves over the map, and names them: those that bound what can be observed, or all of them
+    #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
+        default_missing_value = "bounding")]
+    curves: Option<Which>,
+
+    /// Largest N of the motions N-p-q whose curves are computed
+    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
+        value_parser = value_parser!(u32).range(1..=i64::from(Schedule::LARGEST_PERIOD)))]
+    curves_max_period: u32,
+
+    /// Writes every point of every curve, as `curves` does
+    #[arg(long, value_name = "FILE.csv", requires = "curves")]
+    curves_out: Option<PathBuf>,
+
     /// Prints JSON: cells, impacts, seconds, impacts_per_second, regimes, backend, adapter
     #[arg(long)]
     json: bool,
+}
+
+/// Which parts of the curves are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Which {
+    /// Where the motion is stable on one side of the curve
+    Bounding,
+    /// Everywhere
+    All,
+}
+
+impl Which {
+    fn shown(self) -> Shown {
+        match self {
+            Which::Bounding => Shown::Bounding,
+            Which::All => Shown::All,
+        }
+    }
 }
 
 /// What is printed.
@@ -82,15 +116,35 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let plane = args.plane.plane()?;
     pictures::format_of(&args.out)?;
     let npz = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
-    let [Some(picture), Some(data)] = files::prepare([Some(args.out.as_path()), Some(npz.as_path())])? else {
+    if args.curves.is_some() {
+        impact_atlas::curves::check(&plane).map_err(CliError::input)?;
+    }
+    let paths = [Some(args.out.as_path()), Some(npz.as_path()), args.curves_out.as_deref()];
+    let [Some(picture), Some(data), table] = files::prepare(paths)? else {
         unreachable!("two paths give two outputs")
     };
     let backend = args.backend.open()?;
     let began = Instant::now();
     let map = sweep(&plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
-    let summary = Summary::new(&map, began.elapsed().as_secs_f64());
-    files::write_map(&map, args.size, &data, &picture)?;
+    let seconds = began.elapsed().as_secs_f64();
+    let (map, curves) = match args.curves {
+        None => (map, None),
+        Some(which) => {
+            let (map, curves) = curves::of_map(map, args.curves_max_period)?;
+            (map, Some((curves, which)))
+        }
+    };
+    let drawn = match &curves {
+        None => region_map(&map, args.size),
+        Some((curves, which)) => region_map_with_curves(&map, curves, which.shown(), args.size),
+    };
+    files::write_map(&map, &drawn, &data, &picture)?;
+    if let (Some(table), Some((curves, _))) = (&table, &curves) {
+        curve_list::write_csv(table, curves, &plane)?;
+        note(&format!("written: {}", table.path().display()));
+    }
     note(&format!("written: {} and {}", picture.path().display(), data.path().display()));
+    let summary = Summary::new(&map, seconds);
     if args.json { print_json(&summary) } else { print(&summary.text()) }
 }
 

@@ -7,6 +7,8 @@ mod bifurcation;
 mod classify;
 mod control;
 mod control_map;
+mod curve_list;
+mod curves;
 mod defaults;
 mod error;
 mod files;
@@ -55,6 +57,7 @@ enum Command {
     Orbit(orbit::OrbitArgs),
     Control(control::ControlArgs),
     Bifurcation(bifurcation::BifurcationArgs),
+    Curves(curves::CurvesArgs),
     Symmetric(symmetric::SymmetricArgs),
     Motion(motion::MotionArgs),
     Lyapunov(lyapunov::LyapunovArgs),
@@ -73,6 +76,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Control(args) => control::run(args),
         Command::Bifurcation(args) => bifurcation::run(args),
         Command::Reproduce(args) => reproduce::run(args),
+        Command::Curves(args) => curves::run(args),
         Command::Symmetric(args) => symmetric::run(args),
         Command::Motion(args) => motion::run(args),
         Command::Lyapunov(args) => lyapunov::run(args),

@@ -122,9 +122,9 @@ impl BackendArgs {
     }
 }
 
-/// A plane.
+/// The axes of a plane, what is fixed on it, and how its cells begin.
 #[derive(Debug, Args)]
-pub struct PlaneArgs {
+pub struct AxesArgs {
     /// Horizontal axis, ends included [default: omega=0.2:5:800]
     ///
     /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2.
@@ -145,6 +145,52 @@ pub struct PlaneArgs {
     /// is left, and rest elsewhere. The plane is multistable: what a map shows depends on its start.
     #[arg(long, value_name = "START", value_parser = parse::<Start>, allow_hyphen_values = true)]
     start: Option<Start>,
+}
+
+impl AxesArgs {
+    /// The checked plane whose cells run by `schedule`.
+    pub fn plane(&self, schedule: Schedule) -> Result<Plane, CliError> {
+        let (x, y) = (self.x.unwrap_or(defaults::X), self.y.unwrap_or(defaults::Y));
+        let plane = Plane {
+            x,
+            y,
+            parameters: self.system.parameters(&[("--x", x), ("--y", y)])?,
+            start: self.start.unwrap_or_else(|| default_start(&[x, y])),
+            schedule,
+        };
+        plane.check().map_err(CliError::input)?;
+        Ok(plane)
+    }
+
+    /// The plane with about `cells` cells; where there is no such number and no axis is given, with `default` ones.
+    pub fn plane_of(&self, schedule: Schedule, cells: Option<u32>, default: u32) -> Result<Plane, CliError> {
+        let plane = self.plane(schedule)?;
+        let default = (self.x.is_none() && self.y.is_none()).then_some(default);
+        Ok(match cells.or(default) {
+            Some(cells) => with_cells(plane, cells),
+            None => plane,
+        })
+    }
+}
+
+/// The same plane with about so many cells, in about the same proportion; an axis of one value keeps it.
+fn with_cells(plane: Plane, cells: u32) -> Plane {
+    let resized = |axis: Axis, count: f64| match axis.count {
+        1 => axis,
+        _ => Axis { count: (count.round() as u32).clamp(2, Axis::LARGEST), ..axis },
+    };
+    let (x, y) = (f64::from(plane.x.count), f64::from(plane.y.count));
+    let rows = if plane.x.count == 1 { f64::from(cells) } else { (f64::from(cells) * y / x).sqrt() };
+    let y = resized(plane.y, rows);
+    let x = resized(plane.x, f64::from(cells) / f64::from(y.count));
+    Plane { x, y, ..plane }
+}
+
+/// A plane and how long its cells run.
+#[derive(Debug, Args)]
+pub struct PlaneArgs {
+    #[command(flatten)]
+    axes: AxesArgs,
 
     /// Forcing periods before the observation
     #[arg(long, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
@@ -166,21 +212,7 @@ pub struct PlaneArgs {
 impl PlaneArgs {
     /// The checked plane.
     pub fn plane(&self) -> Result<Plane, CliError> {
-        let (x, y) = (self.x.unwrap_or(defaults::X), self.y.unwrap_or(defaults::Y));
-        let plane = Plane {
-            x,
-            y,
-            parameters: self.system.parameters(&[("--x", x), ("--y", y)])?,
-            start: self.start.unwrap_or_else(|| default_start(&[x, y])),
-            schedule: Schedule {
-                transient: self.transient,
-                observe: self.observe,
-                max_period: self.max_period,
-                fixed_periods: self.fixed_periods,
-            },
-        };
-        plane.check().map_err(CliError::input)?;
-        Ok(plane)
+        self.axes.plane(self.schedule())
     }
 
     /// The checked plane under control.
@@ -190,14 +222,14 @@ impl PlaneArgs {
         settings: &MethodArgs,
         iterates: ControlSchedule,
     ) -> Result<ControlPlane, CliError> {
-        let (x, y) = (self.x.unwrap_or(defaults::X), self.y.unwrap_or(defaults::Y));
+        let (x, y) = (self.axes.x.unwrap_or(defaults::X), self.axes.y.unwrap_or(defaults::Y));
         let axes = [("--x", x), ("--y", y)];
         settings.refuse_varied(&axes)?;
         let plane = ControlPlane {
             x,
             y,
-            parameters: self.system.parameters(&axes)?,
-            start: self.start.unwrap_or_else(|| default_start(&[x, y])),
+            parameters: self.axes.system.parameters(&axes)?,
+            start: self.axes.start.unwrap_or_else(|| default_start(&[x, y])),
             control: settings.scheme(method)?,
             iterates,
         };
@@ -205,9 +237,18 @@ impl PlaneArgs {
         Ok(plane)
     }
 
-    /// Whether both axes are left at their defaults.
-    pub fn default_axes(&self) -> bool {
-        self.x.is_none() && self.y.is_none()
+    /// See [`AxesArgs::plane_of`].
+    pub fn plane_of(&self, cells: Option<u32>, default: u32) -> Result<Plane, CliError> {
+        self.axes.plane_of(self.schedule(), cells, default)
+    }
+
+    fn schedule(&self) -> Schedule {
+        Schedule {
+            transient: self.transient,
+            observe: self.observe,
+            max_period: self.max_period,
+            fixed_periods: self.fixed_periods,
+        }
     }
 }
 

@@ -22,6 +22,9 @@ const TRAJECTORY: &str = "{spinner} following the trajectory, {elapsed}";
 
 const FIGURE: &str = "{spinner} {msg}, {elapsed}";
 
+/// Nobody knows how long the curves are.
+const CURVES: &str = "{spinner} following the bifurcation curves, {elapsed}";
+
 /// A bar on standard error that goes away when it is dropped; it also hands on Ctrl-C.
 #[derive(Debug)]
 pub struct Progress {
@@ -43,6 +46,11 @@ impl Progress {
     /// A sign of life while figure after figure is made.
     pub fn of_figure(message: &str) -> Self {
         Progress::new(None, FIGURE, message)
+    }
+
+    /// A sign of life while bifurcation curves are followed.
+    pub fn of_curves() -> Self {
+        Progress::new(None, CURVES, "")
     }
 
     fn new(length: Option<u64>, template: &str, message: &str) -> Self {

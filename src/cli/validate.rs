@@ -3,7 +3,7 @@
 use clap::{Args, value_parser};
 use impact_atlas::backend::{self, Choice};
 use impact_atlas::curves::{self, bifurcation_curves};
-use impact_atlas::plane::{Axis, Plane};
+use impact_atlas::plane::Plane;
 use impact_atlas::sweep::sweep;
 use impact_atlas::validate::{Thresholds, boundaries, compare_continued, continue_strays};
 
@@ -49,7 +49,7 @@ pub struct ValidateArgs {
 
 /// Runs the command.
 pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
-    let plane = args.plane()?;
+    let plane = args.plane.plane_of(args.cells, defaults::VALIDATED_CELLS)?;
     plane.check().map_err(CliError::input)?;
     if args.curves {
         curves::check(&plane).map_err(CliError::input)?;
@@ -82,16 +82,6 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
 }
 
 impl ValidateArgs {
-    /// The plane with as many cells as are asked for.
-    fn plane(&self) -> Result<Plane, CliError> {
-        let plane = self.plane.plane()?;
-        let default = self.plane.default_axes().then_some(defaults::VALIDATED_CELLS);
-        Ok(match self.cells.or(default) {
-            Some(cells) => with_cells(plane, cells),
-            None => plane,
-        })
-    }
-
     /// What is held against the reference: the GPU, unless the CPU is asked for.
     fn candidate(&self) -> BackendArgs {
         let backend = match self.backend.backend {
@@ -100,19 +90,6 @@ impl ValidateArgs {
         };
         BackendArgs { backend, ..self.backend.clone() }
     }
-}
-
-/// The same plane with about so many cells, in about the same proportion; an axis of one value keeps it.
-fn with_cells(plane: Plane, cells: u32) -> Plane {
-    let resized = |axis: Axis, count: f64| match axis.count {
-        1 => axis,
-        _ => Axis { count: (count.round() as u32).clamp(2, Axis::LARGEST), ..axis },
-    };
-    let (x, y) = (f64::from(plane.x.count), f64::from(plane.y.count));
-    let rows = if plane.x.count == 1 { f64::from(cells) } else { (f64::from(cells) * y / x).sqrt() };
-    let y = resized(plane.y, rows);
-    let x = resized(plane.x, f64::from(cells) / f64::from(y.count));
-    Plane { x, y, ..plane }
 }
 
 #[cfg(test)]
@@ -129,7 +106,8 @@ mod tests {
 
     fn counts(options: &[&str]) -> (u32, u32) {
         let wrapper = Wrapper::parse_from([&["validate"], options].concat());
-        let plane = wrapper.args.plane().unwrap();
+        let args = wrapper.args;
+        let plane = args.plane.plane_of(args.cells, defaults::VALIDATED_CELLS).unwrap();
         (plane.x.count, plane.y.count)
     }
 

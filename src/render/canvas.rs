@@ -198,13 +198,71 @@ impl Canvas {
 
     /// Writes a line of text, its capitals centred on the height of `at`.
     pub fn text(&mut self, text: &Text, at: Point, anchor: Anchor, size: f64, colour: Colour) {
-        self.write_text(text, at, anchor, size, colour, None);
+        self.write_text(text, at, anchor, size, colour, &[]);
     }
 
     /// Writes a line of text that runs upwards, its capitals centred on `at` from left to right.
     pub fn rising_text(&mut self, text: &Text, at: Point, anchor: Anchor, size: f64, colour: Colour) {
         let turn = format!("rotate(-90 {} {})", number(at.x), number(at.y));
-        self.write_text(text, at, anchor, size, colour, Some(turn));
+        self.write_text(text, at, anchor, size, colour, &[("transform", &turn)]);
+    }
+
+    /// Writes a line of text like [`Canvas::text`], with a rim of some width and colour around its letters.
+    pub fn haloed_text(
+        &mut self,
+        text: &Text,
+        at: Point,
+        anchor: Anchor,
+        size: f64,
+        colour: Colour,
+        (rim, around): (f64, Colour),
+    ) {
+        let (rim, around) = (number(rim), hex(around));
+        let halo = [
+            ("stroke", &*around),
+            ("stroke-width", &*rim),
+            ("stroke-linejoin", "round"),
+            ("paint-order", "stroke"),
+        ];
+        self.write_text(text, at, anchor, size, colour, &halo);
+    }
+
+    /// Draws a line through points, with dashes and gaps of the given lengths unless there are none.
+    pub fn stroke(&mut self, points: &[Point], width: f64, colour: Colour, dashes: &[f64]) {
+        let [first, rest @ ..] = points else { return };
+        let mut path = format!("M{} {}", number(first.x), number(first.y));
+        for point in rest {
+            path.push_str(&format!("L{} {}", number(point.x), number(point.y)));
+        }
+        let lengths: Vec<String> = dashes.iter().map(|&length| number(length)).collect();
+        let (colour, width, lengths) = (hex(colour), number(width), lengths.join(" "));
+        let element = self
+            .xml
+            .create_element("path")
+            .with_attributes([
+                ("d", &*path),
+                ("fill", "none"),
+                ("stroke", &colour),
+                ("stroke-width", &width),
+                ("stroke-linejoin", "round"),
+            ])
+            .with_attributes((!dashes.is_empty()).then_some(("stroke-dasharray", &*lengths)));
+        element.write_empty().expect(IN_MEMORY);
+        self.line_break();
+    }
+
+    /// Draws a disc with an edge.
+    pub fn disc(&mut self, at: Point, radius: f64, fill: Colour, width: f64, edge: Colour) {
+        let element = self.xml.create_element("circle").with_attributes([
+            ("cx", &*number(at.x)),
+            ("cy", &number(at.y)),
+            ("r", &number(radius)),
+            ("fill", &hex(fill)),
+            ("stroke", &hex(edge)),
+            ("stroke-width", &number(width)),
+        ]);
+        element.write_empty().expect(IN_MEMORY);
+        self.line_break();
     }
 
     /// The finished document.
@@ -232,7 +290,7 @@ impl Canvas {
         anchor: Anchor,
         size: f64,
         colour: Colour,
-        turn: Option<String>,
+        more: &[(&str, &str)],
     ) {
         let element = self
             .xml
@@ -245,7 +303,7 @@ impl Canvas {
                 ("text-anchor", anchor.name()),
                 ("xml:space", "preserve"),
             ])
-            .with_attributes(turn.as_deref().map(|turn| ("transform", turn)));
+            .with_attributes(more.iter().copied());
         let spans = |xml: &mut Writer<Vec<u8>>| {
             let mut drop = 0.0;
             for span in text.spans() {

@@ -1,6 +1,7 @@
 //! A plane to draw in tests: many motions, thin regions, long names.
 
 use crate::analysis::{INFINITELY_MANY, Regime, Schedule, Verdict};
+use crate::curves::{Criticality, Curve, CurveMotion, CurvePoint, End, Kind, Special};
 use crate::model::Parameters;
 use crate::plane::{Plane, Provenance, RegionMap, Start};
 
@@ -47,6 +48,42 @@ pub(super) fn map(columns: u32, rows: u32) -> RegionMap {
         let y = f64::from(row) / f64::from(rows - 1);
         motion(x, y, column * 31 + row * 17)
     })
+}
+
+/// Curves over a plane of any extent: one that turns from sub- to supercritical, two that bound and one that does not.
+pub(super) fn curves(map: &RegionMap) -> Vec<Curve> {
+    let curve = |kind, counts: [u32; 3], bounding, height: fn(f64) -> f64| {
+        let [n, p, q] = counts;
+        let point = |i: u32| {
+            let share = f64::from(i) / 100.0;
+            let (x, y) = (&map.plane.x, &map.plane.y);
+            let critical = match kind {
+                Kind::Fold | Kind::Grazing => None,
+                Kind::NeimarkSacker if i < 50 => Some(Criticality::Subcritical),
+                _ => Some(Criticality::Supercritical),
+            };
+            CurvePoint {
+                x: x.first + share * (x.last - x.first),
+                y: y.first + height(share) * (y.last - y.first),
+                criticality: critical,
+                bounding,
+                special: (i == 50 && kind == Kind::NeimarkSacker).then_some(Special::Chenciner),
+            }
+        };
+        Curve {
+            kind,
+            motion: CurveMotion { n, p, q, symmetric: true },
+            touches: None,
+            points: (0..=100).map(point).collect(),
+            ends: [End::LeavesPlane; 2],
+        }
+    };
+    vec![
+        curve(Kind::NeimarkSacker, [1, 1, 1], true, |x| 0.6 + 0.3 * (x - 0.5).powi(2)),
+        curve(Kind::Pitchfork, [1, 1, 1], true, |x| 0.2 + 0.2 * x),
+        curve(Kind::Fold, [1, 1, 1], true, |x| 0.9 - 0.1 * x),
+        curve(Kind::Grazing, [1, 3, 3], false, |x| 0.5 - 0.1 * x),
+    ]
 }
 
 fn motion(x: f64, y: f64, cell: u32) -> Verdict {

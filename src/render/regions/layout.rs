@@ -3,6 +3,7 @@
 use super::census::Census;
 use super::names;
 use crate::render::canvas::{Point, Rect};
+use crate::render::curves::Key;
 use crate::render::frame::{Frame, Placed};
 use crate::render::legend::Legend;
 use crate::render::size::Size;
@@ -14,6 +15,8 @@ pub(super) const TITLE_ROW: f64 = 1.4;
 const MARGIN: f64 = 1.0;
 /// The space between plot and legend, in em.
 const LEGEND_GAP: f64 = 1.3;
+/// The space between legend and key, in em.
+const KEY_GAP: f64 = 0.7;
 /// The most rows of a legend.
 const MOST_ROWS: usize = 24;
 /// The most lines of a title.
@@ -40,13 +43,15 @@ pub(super) struct Layout {
     pub legend: Option<PlacedLegend>,
 }
 
-/// A legend that has found its place.
+/// A legend that has found its place, and the key to lines below it.
 #[derive(Debug)]
 pub(super) struct PlacedLegend {
     pub legend: Legend,
     pub at: Point,
     pub width: f64,
     pub columns: usize,
+    pub key_at: Point,
+    pub key_columns: usize,
 }
 
 /// What a picture shows besides the regions and their axes.
@@ -86,8 +91,8 @@ impl Detail {
 
 impl Layout {
     /// The layout with the most detail that fits.
-    pub fn of(title: &[Text], census: &Census, frame: &Frame, size: Size) -> Self {
-        let attempt = |detail| Attempt { title, census, frame, size, em: size.em() }.layout(detail);
+    pub fn of(title: &[Text], census: &Census, frame: &Frame, key: &Key, size: Size) -> Self {
+        let attempt = |detail| Attempt { title, census, frame, key, size, em: size.em() }.layout(detail);
         Detail::LADDER.into_iter().find_map(attempt).unwrap_or_else(|| Layout::bare(size))
     }
 
@@ -103,6 +108,7 @@ struct Attempt<'a> {
     title: &'a [Text],
     census: &'a Census,
     frame: &'a Frame,
+    key: &'a Key,
     size: Size,
     em: f64,
 }
@@ -144,16 +150,18 @@ impl Attempt<'_> {
         let em = self.em;
         let notes = if wanted.definition { names::definition().to_vec() } else { Vec::new() };
         let plot_height = self.frame.place(space, em, axis_titles)?.plot.height;
-        let rows = Legend::rows_in(plot_height, notes.len(), em).min(MOST_ROWS);
+        let key_height = self.key_height(1);
+        let rows = Legend::rows_in(plot_height - key_height, notes.len(), em).min(MOST_ROWS);
         let legend = self.legend(rows, wanted, notes)?;
-        let width = legend.width(1, em);
+        let width = legend.width(1, em).max(self.key.width(em));
         if width > WIDEST_LEGEND * f64::from(self.size.width()) {
             return None;
         }
         let left = Rect { width: space.width - width - LEGEND_GAP * em, ..space };
         let placed = self.frame.place(left, em, axis_titles)?;
         let at = Point { x: space.right() - width, y: placed.plot.y - 0.25 * em };
-        Some((placed, PlacedLegend { legend, at, width, columns: 1 }))
+        let key_at = Point { x: at.x, y: at.y + legend.height(1, em) + KEY_GAP * em };
+        Some((placed, PlacedLegend { legend, at, width, columns: 1, key_at, key_columns: 1 }))
     }
 
     fn legend_below(
@@ -169,20 +177,31 @@ impl Attempt<'_> {
             Vec::new()
         };
         let most = HIGHEST_LEGEND * f64::from(self.size.height());
-        let in_column = Legend::rows_in(most, notes.len(), em);
         // The legend stands under the plot, whose width does not depend on its height but for the labels.
         let width = self.frame.place(space, em, axis_titles)?.plot.width;
         let columns = self.legend(MOST_ROWS, wanted, Vec::new())?.columns_in(width, em);
+        let key_columns = self.key.columns_in(width, em);
+        let key_height = self.key_height(key_columns);
+        let in_column = Legend::rows_in(most - key_height, notes.len(), em);
         let legend = self.legend((in_column * columns).min(MOST_ROWS), wanted, notes)?;
-        let height = legend.height(columns, em);
-        if legend.width(columns, em) > width || height > most {
+        let height = legend.height(columns, em) + key_height;
+        if legend.width(columns, em) > width || self.key.width(em) > width || height > most {
             return None;
         }
         let above = Rect { height: space.height - height - LEGEND_GAP * em, ..space };
         let placed = self.frame.place(above, em, axis_titles)?;
         let Rect { x, width, .. } = placed.plot;
         let at = Point { x, y: space.bottom() - height };
-        Some((placed, PlacedLegend { legend, at, width, columns }))
+        let key_at = Point { x, y: space.bottom() - key_height + KEY_GAP * em };
+        Some((placed, PlacedLegend { legend, at, width, columns, key_at, key_columns }))
+    }
+
+    /// The height of the key with the space above it.
+    fn key_height(&self, columns: usize) -> f64 {
+        match self.key.height(columns, self.em) {
+            0.0 => 0.0,
+            height => height + KEY_GAP * self.em,
+        }
     }
 
     /// The legend in at most `rows` rows.

@@ -10,12 +10,14 @@ use self::layout::Layout;
 use super::canvas::{Anchor, Canvas, Point};
 use super::colours::INK;
 use super::control::describe;
+use super::curves::{Overlay, Shown};
 use super::frame::Frame;
 use super::picture::Picture;
 use super::scale::Scale;
 use super::size::Size;
 use super::symbols;
 use super::text::Text;
+use crate::curves::Curve;
 use crate::plane::{ControlMap, Plane, Quantity, RegionMap};
 
 /// Draws a computed plane.
@@ -25,12 +27,12 @@ use crate::plane::{ControlMap, Plane, Quantity, RegionMap};
 /// fewer pixels than the plane has cells shows the most frequent motion of each pixel. The legend names the
 /// motions by descending share of the plane. Small pictures do without the least needed words.
 pub fn region_map(map: &RegionMap, size: Size) -> Picture {
-    draw(map, &names::title(&map.plane), map.config(), size)
+    draw(map, &names::title(&map.plane), map.config(), None, size)
 }
 
 /// Draws the motions that the cells of a plane reach under control, like [`region_map`].
 pub fn control_map(map: &ControlMap, size: Size) -> Picture {
-    draw(&map.motions(), &control_title(map), map.config(), size)
+    draw(&map.motions(), &control_title(map), map.config(), None, size)
 }
 
 /// The fixed parameters, the start and the method, in pieces that belong together.
@@ -43,16 +45,30 @@ pub(super) fn control_title(map: &ControlMap) -> Vec<Text> {
     title
 }
 
-fn draw(map: &RegionMap, title: &[Text], config: String, size: Size) -> Picture {
+/// Draws a computed plane like [`region_map`], with its bifurcation curves over it.
+///
+/// Lines tell the kinds apart and, by dashes, what is subcritical; points of codimension two are marked, and a key
+/// explains both. Curves are named where there is room beside them, by abbreviation and motion or, on the plane of the
+/// paper's Fig. 5, as there; so are the regions of that plane.
+pub fn region_map_with_curves(map: &RegionMap, curves: &[Curve], shown: Shown, size: Size) -> Picture {
+    let overlay = Overlay::new(map, curves, shown);
+    draw(map, &names::title(&map.plane), map.config(), Some(&overlay), size)
+}
+
+fn draw(map: &RegionMap, title: &[Text], config: String, overlay: Option<&Overlay>, size: Size) -> Picture {
+    let key = overlay.map(Overlay::key).unwrap_or_default();
     let census = Census::of(map);
     let frame = frame(map);
     let em = size.em();
-    let layout = Layout::of(title, &census, &frame, size);
+    let layout = Layout::of(title, &census, &frame, &key, size);
     let (width, height) = (layout.plot.width as u32, layout.plot.height as u32);
     let regions = raster::draw(map, &census, width, height, em);
 
     let mut canvas = Canvas::new(size, &config);
     canvas.image(layout.plot, &regions);
+    if let Some(overlay) = overlay {
+        overlay.draw(&mut canvas, layout.plot, &frame, em);
+    }
     if let Some(placed) = &layout.frame {
         frame.draw(&mut canvas, placed, em);
     }
@@ -62,6 +78,7 @@ fn draw(map: &RegionMap, title: &[Text], config: String, size: Size) -> Picture 
     }
     if let Some(legend) = &layout.legend {
         legend.legend.draw(&mut canvas, legend.at, legend.width, legend.columns, em);
+        key.draw(&mut canvas, legend.key_at, legend.key_columns, em);
     }
     Picture::new(size, config, canvas.finish())
 }
@@ -88,6 +105,7 @@ mod tests {
     use super::*;
     use crate::analysis::Regime;
     use crate::plane::Start;
+    use crate::render::curves::Key;
     use crate::render::{example, font};
 
     const SIZES: [(u32, u32); 12] = [
@@ -134,27 +152,72 @@ mod tests {
 
     #[test]
     fn words_are_inside_the_picture_and_apart() {
-        let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
         for map in strained() {
             for (width, height) in SIZES {
                 let size = Size::new(width, height).unwrap();
-                let picture = region_map(&map, size);
-                let tree = Tree::from_str(picture.svg(), &options).unwrap();
-                let mut words = Vec::new();
-                texts(tree.root(), &mut words);
-                let plane = format!("{} × {}, {width} × {height}", map.plane.x, map.plane.y);
-                assert!(!words.is_empty() || width < 200, "{plane}");
-                for (i, word) in words.iter().enumerate() {
-                    let inside = word.left() >= 0.0
-                        && word.top() >= 0.0
-                        && word.right() <= width as f32
-                        && word.bottom() <= height as f32;
-                    assert!(inside, "{plane}: {word:?} is clipped");
-                    let other = words[..i].iter().find(|other| other.intersect(word).is_some());
-                    assert!(other.is_none(), "{plane}: {word:?} overlaps {other:?}");
+                assert_apart(&map, &region_map(&map, size), size);
+                if map.plane.x.count > 2 {
+                    let curves = example::curves(&map);
+                    assert_apart(&map, &region_map_with_curves(&map, &curves, Shown::All, size), size);
                 }
             }
         }
+    }
+
+    fn assert_apart(map: &RegionMap, picture: &Picture, size: Size) {
+        let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
+        let (width, height) = (size.width(), size.height());
+        let tree = Tree::from_str(picture.svg(), &options).unwrap();
+        let mut words = Vec::new();
+        texts(tree.root(), &mut words);
+        let plane = format!("{} × {}, {width} × {height}", map.plane.x, map.plane.y);
+        assert!(!words.is_empty() || width < 200, "{plane}");
+        for (i, word) in words.iter().enumerate() {
+            let inside = word.left() >= 0.0
+                && word.top() >= 0.0
+                && word.right() <= width as f32
+                && word.bottom() <= height as f32;
+            assert!(inside, "{plane}: {word:?} is clipped");
+            let other = words[..i].iter().find(|other| other.intersect(word).is_some());
+            assert!(other.is_none(), "{plane}: {word:?} overlaps {other:?}");
+        }
+    }
+
+    #[test]
+    fn curves_are_named_and_explained() {
+        let map = example::map(80, 60);
+        let curves = example::curves(&map);
+        let size = Size::new(1200, 900).unwrap();
+        let said = |picture: &Picture, words: &str| picture.svg().contains(&format!(">{words}<"));
+        let bare = region_map(&map, size);
+        let bounding = region_map_with_curves(&map, &curves, Shown::Bounding, size);
+        let all = region_map_with_curves(&map, &curves, Shown::All, size);
+        for words in
+            ["L1", "L2", "L3", "F 1-1-1", "R1", "Neimark–Sacker (NS)", "subcritical", "codimension two"]
+        {
+            assert!(said(&bounding, words) && said(&all, words) && !said(&bare, words), "{words}");
+        }
+        for words in ["grazing (G)", "G 1-3-3"] {
+            assert!(!said(&bounding, words) && said(&all, words), "{words} does not bound anything");
+        }
+        let mut other = map;
+        other.plane.parameters.r = 0.7;
+        let numbered = region_map_with_curves(&other, &curves, Shown::Bounding, size);
+        assert!(said(&numbered, "PF 1-1-1") && !said(&numbered, "L3") && !said(&numbered, "R1"));
+        assert!(said(&numbered, "NS 1-1-1"));
+    }
+
+    #[test]
+    fn dashes_tell_what_is_subcritical() {
+        let map = example::map(80, 60);
+        let curves = example::curves(&map);
+        let size = Size::new(1200, 900).unwrap();
+        let dashed = |curves: &[Curve]| {
+            let picture = region_map_with_curves(&map, curves, Shown::Bounding, size);
+            picture.svg().matches("stroke-dasharray").count()
+        };
+        // The Neimark–Sacker curve is first: one dashed part of it, and the key's sample.
+        assert_eq!((dashed(&curves[..1]), dashed(&curves[1..2])), (2, 0));
     }
 
     #[test]
@@ -163,7 +226,8 @@ mod tests {
         for (width, height) in [(200, 150), (640, 480)] {
             let size = Size::new(width, height).unwrap();
             let census = Census::of(&map);
-            let plot = Layout::of(&names::title(&map.plane), &census, &frame(&map), size).plot;
+            let plot =
+                Layout::of(&names::title(&map.plane), &census, &frame(&map), &Key::default(), size).plot;
             let [x, y, width, height] = [plot.x, plot.y, plot.width, plot.height].map(|length| length as u32);
             let expected = raster::draw(&map, &census, width, height, size.em());
             let pixels = region_map(&map, size).pixels();

@@ -1,0 +1,136 @@
+//! Bifurcation curves in words, as JSON and as a table.
+
+use impact_atlas::curves::{Criticality, Curve, CurvePoint, End, Kind, Named, named};
+use impact_atlas::plane::Plane;
+use impact_atlas::store::Output;
+use serde::Serialize;
+
+use super::{CliError, files};
+
+/// The columns of the table of points.
+pub const COLUMNS: [&str; 9] =
+    ["curve", "kind", "motion", "x", "y", "criticality", "point", "symmetric", "bounding"];
+
+/// What is said about a curve in JSON.
+#[derive(Debug, Serialize)]
+pub struct CurveSummary {
+    /// From 1; the curve in the table, where it has no name.
+    number: usize,
+    name: Option<String>,
+    kind: Kind,
+    motion: String,
+    symmetric: bool,
+    points: usize,
+    ends: [End; 2],
+    /// The shares of its points; all zero for folds and grazing.
+    criticality: Shares,
+    /// The share of its points where the motion is stable on one side.
+    bounding: f64,
+    special_points: Vec<SpecialPoint>,
+}
+
+#[derive(Debug, Serialize)]
+struct Shares {
+    supercritical: f64,
+    subcritical: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct SpecialPoint {
+    point: &'static str,
+    x: f64,
+    y: f64,
+}
+
+/// What is said about all curves of a plane.
+pub fn summaries(curves: &[Curve], plane: &Plane) -> Vec<CurveSummary> {
+    let names = named(curves, plane);
+    let of = |index: usize| names.iter().filter(move |stretch| stretch.curve == index);
+    curves.iter().enumerate().map(|(index, curve)| CurveSummary::new(index, curve, of(index))).collect()
+}
+
+impl CurveSummary {
+    fn new<'a>(index: usize, curve: &Curve, stretches: impl Iterator<Item = &'a Named>) -> Self {
+        let mut names: Vec<&str> = stretches.filter_map(|stretch| stretch.name.as_deref()).collect();
+        names.sort_unstable();
+        names.dedup();
+        let share = |wanted: &dyn Fn(&CurvePoint) -> bool| {
+            curve.points.iter().filter(|point| wanted(point)).count() as f64 / curve.points.len() as f64
+        };
+        let special = |point: &CurvePoint| {
+            point.special.map(|special| SpecialPoint { point: special.name(), x: point.x, y: point.y })
+        };
+        CurveSummary {
+            number: index + 1,
+            name: (!names.is_empty()).then(|| names.join("/")),
+            kind: curve.kind,
+            motion: curve.motion.label(),
+            symmetric: curve.motion.symmetric,
+            points: curve.points.len(),
+            ends: curve.ends,
+            criticality: Shares {
+                supercritical: share(&|point| point.criticality == Some(Criticality::Supercritical)),
+                subcritical: share(&|point| point.criticality == Some(Criticality::Subcritical)),
+            },
+            bounding: share(&|point| point.bounding),
+            special_points: curve.points.iter().filter_map(special).collect(),
+        }
+    }
+
+    fn text(&self) -> String {
+        let symmetric = match (self.motion.as_str(), self.symmetric) {
+            ("no impact", _) => "",
+            (_, true) => " symmetric",
+            (_, false) => " unsymmetric",
+        };
+        let title = format!("{} of {}{symmetric}", self.kind.name(), self.motion);
+        let criticality = match (self.criticality.supercritical, self.criticality.subcritical) {
+            (0.0, 0.0) => String::new(),
+            (share, 0.0) if share > 0.0 => ", supercritical".to_owned(),
+            (0.0, _) => ", subcritical".to_owned(),
+            (share, _) => format!(", {:.0} % supercritical", 100.0 * share),
+        };
+        let name = self.name.as_deref().unwrap_or("");
+        let mut lines =
+            vec![format!("{:>3}  {name:<6} {title:<42} {:>5} points{criticality}", self.number, self.points)];
+        lines.extend(
+            self.special_points.iter().map(|s| format!("{:13}{} at {:.6}, {:.6}", "", s.point, s.x, s.y)),
+        );
+        lines.join("\n")
+    }
+}
+
+/// The curves in words, a line each and one for every special point.
+pub fn text(summaries: &[CurveSummary], plane: &Plane) -> String {
+    let count = match summaries.len() {
+        0 => "no bifurcation curve".to_owned(),
+        1 => "1 bifurcation curve".to_owned(),
+        count => format!("{count} bifurcation curves"),
+    };
+    let (x, y) = (plane.x.quantity.name(), plane.y.quantity.name());
+    let mut lines = vec![format!("{count}; special points at {x}, {y}")];
+    lines.extend(summaries.iter().map(CurveSummary::text));
+    lines.join("\n")
+}
+
+/// Writes every point of every curve.
+pub fn write_csv(output: &Output, curves: &[Curve], plane: &Plane) -> Result<(), CliError> {
+    let stretches = named(curves, plane);
+    let rows = stretches.iter().flat_map(|stretch| {
+        let curve = &curves[stretch.curve];
+        curve.points[stretch.points.clone()].iter().map(|point| {
+            (
+                stretch.identifier(),
+                curve.kind.name(),
+                curve.motion.label(),
+                point.x,
+                point.y,
+                point.criticality.map_or("", Criticality::name),
+                point.special.map_or("ordinary", |special| special.name()),
+                curve.motion.symmetric,
+                point.bounding,
+            )
+        })
+    });
+    files::write_csv(output, COLUMNS, rows)
+}

@@ -1,0 +1,51 @@
+//! What the paper calls the curves and regions of its Fig. 5.
+
+use super::condition::Kind;
+use super::curve::{Criticality, Curve, CurveMotion, CurvePoint};
+use crate::analysis::{Regime, Verdict};
+use crate::model::{Parameter, Parameters};
+use crate::plane::{Plane, Quantity};
+
+/// Whether the paper's names have a meaning on a plane: ω and δ vary, and everything else is as in the paper.
+pub fn is_plane_of_paper(plane: &Plane) -> bool {
+    let varied = |parameter| [plane.x.quantity, plane.y.quantity].contains(&Quantity::Parameter(parameter));
+    let paper = Parameters::default();
+    let others = Parameter::ALL.into_iter().filter(|&p| !matches!(p, Parameter::Omega | Parameter::Delta));
+    varied(Parameter::Omega)
+        && varied(Parameter::Delta)
+        && others.into_iter().all(|parameter| plane.parameters.get(parameter) == paper.get(parameter))
+}
+
+/// The paper's name of a curve at one of its points, L1 to L7, by motion, kind and criticality; none for most curves.
+pub(super) fn paper_name(curve: &Curve, point: &CurvePoint) -> Option<&'static str> {
+    let CurveMotion { n, p, q, symmetric } = curve.motion;
+    match (curve.kind, [n, p, q], symmetric) {
+        (Kind::NeimarkSacker, [1, 1, 1], true) => point.criticality.map(|criticality| match criticality {
+            Criticality::Supercritical => "L1",
+            Criticality::Subcritical => "L2",
+        }),
+        (Kind::Pitchfork, [1, 1, 1], true) => Some("L3"),
+        (Kind::NeimarkSacker, [1, 1, 1], false) => Some("L4"),
+        (Kind::Fold, [1, 2, 2], true) => Some("L5"),
+        (Kind::Pitchfork, [1, 2, 2], true) => Some("L6"),
+        (Kind::PeriodDoubling, [1, 2, 2], false) => Some("L7"),
+        _ => None,
+    }
+}
+
+/// The paper's name of the region of a motion that repeats, R1, R2, R4, R5 or R6; none for most motions.
+///
+/// R3 and R7, where nothing repeats soon, are told apart by what is beside them and not by a cell alone.
+pub fn paper_region(verdict: &Verdict) -> Option<&'static str> {
+    if verdict.regime != Regime::Periodic {
+        return None;
+    }
+    match ([verdict.n, verdict.p, verdict.q], verdict.symmetric) {
+        ([1, 1, 1], true) => Some("R1"),
+        ([1, 1, 1], false) => Some("R2"),
+        ([1, 2, 2], true) => Some("R4"),
+        ([1, 2, 2], false) => Some("R5"),
+        ([n, p, q], _) if n > 1 && n.is_power_of_two() && p == 2 * n && q == p => Some("R6"),
+        _ => None,
+    }
+}

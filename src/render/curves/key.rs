@@ -1,0 +1,98 @@
+//! What the lines and marks of curves mean.
+
+use super::style::{CASING, KINDS, Line, names};
+use crate::curves::Kind;
+use crate::render::canvas::{Anchor, Canvas, Point};
+use crate::render::colours::{INK, MUTED};
+use crate::render::text::Text;
+
+/// The lengths of the key, in em.
+const ROW: f64 = 1.4;
+const SAMPLE: f64 = 1.7;
+const GAP: f64 = 0.6;
+const COLUMN_GAP: f64 = 1.6;
+const HEADING: f64 = 0.9;
+/// The radius of a mark.
+pub(super) const MARK: f64 = 0.2;
+
+/// A key to lines and marks: the kinds drawn, and what else there is to explain.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::render) struct Key {
+    pub(super) kinds: Vec<Kind>,
+    pub(super) subcritical: bool,
+    pub(super) marks: bool,
+}
+
+#[derive(Clone, Copy)]
+enum Row {
+    Kind(Kind),
+    Subcritical,
+    Mark,
+}
+
+impl Key {
+    fn rows(&self) -> Vec<(Row, Text)> {
+        let kinds = KINDS.into_iter().filter(|kind| self.kinds.contains(kind)).map(|kind| {
+            let [name, short] = names(kind);
+            (Row::Kind(kind), format!("{name} ({short})").into())
+        });
+        let subcritical = self.subcritical.then(|| (Row::Subcritical, "subcritical".into()));
+        let marks = self.marks.then(|| (Row::Mark, "codimension two".into()));
+        kinds.chain(subcritical).chain(marks).collect()
+    }
+
+    /// How many columns fit into a width.
+    pub fn columns_in(&self, width: f64, em: f64) -> usize {
+        (((width + COLUMN_GAP * em) / (self.width(em) + COLUMN_GAP * em)) as usize).max(1)
+    }
+
+    /// The width of one column.
+    pub fn width(&self, em: f64) -> f64 {
+        let rows = self.rows();
+        let names = rows.iter().map(|(_, name)| (SAMPLE + GAP) * em + name.width(em));
+        names.fold(heading().width(HEADING * em), f64::max)
+    }
+
+    /// The height in a number of columns; nothing if there is nothing to explain.
+    pub fn height(&self, columns: usize, em: f64) -> f64 {
+        match self.rows().len() {
+            0 => 0.0,
+            rows => (1 + rows.div_ceil(columns)) as f64 * ROW * em,
+        }
+    }
+
+    /// Draws the key with its upper left corner at `at`.
+    pub fn draw(&self, canvas: &mut Canvas, at: Point, columns: usize, em: f64) {
+        let rows = self.rows();
+        if rows.is_empty() {
+            return;
+        }
+        let middle = |row: usize| at.y + (row as f64 + 0.5) * ROW * em;
+        canvas.text(&heading(), Point { x: at.x, y: middle(0) }, Anchor::Start, HEADING * em, MUTED);
+        let in_column = rows.len().div_ceil(columns);
+        for (i, (row, name)) in rows.iter().enumerate() {
+            let left = at.x + (i / in_column) as f64 * (self.width(em) + COLUMN_GAP * em);
+            let y = middle(1 + i % in_column);
+            let ends = [Point { x: left, y }, Point { x: left + SAMPLE * em, y }];
+            match row {
+                Row::Kind(kind) => draw_line(canvas, &ends, &Line::of(*kind, em)),
+                Row::Subcritical => draw_line(canvas, &ends, &Line::subcritical(MUTED, em)),
+                Row::Mark => draw_mark(canvas, Point { x: left + SAMPLE * em / 2.0, y }, em),
+            }
+            canvas.text(name, Point { x: left + (SAMPLE + GAP) * em, y }, Anchor::Start, em, INK);
+        }
+    }
+}
+
+fn heading() -> Text {
+    "bifurcation".into()
+}
+
+fn draw_line(canvas: &mut Canvas, points: &[Point], line: &Line) {
+    canvas.stroke(points, line.width, line.colour, &line.dashes);
+}
+
+/// Draws the mark of a special point.
+pub(super) fn draw_mark(canvas: &mut Canvas, at: Point, em: f64) {
+    canvas.disc(at, MARK * em, CASING, 0.08 * em, INK);
+}

@@ -1,0 +1,221 @@
+//! Bifurcation curves over a plane: lines that tell kinds apart, their names, special points, and a key.
+
+mod geometry;
+mod key;
+mod labels;
+mod regions;
+mod style;
+
+pub(super) use self::key::Key;
+
+use self::geometry::{about, crosses, length, overlap, within};
+use self::labels::Wanted;
+use self::style::{CASING, Line};
+use super::canvas::{Anchor, Canvas, Point, Rect};
+use super::colours::INK;
+use super::frame::Frame;
+use super::text::Text;
+use crate::curves::{Criticality, Curve, CurvePoint, Kind, Named, named};
+use crate::plane::RegionMap;
+
+/// The sizes of names: the paper's, other curves' and regions', in em.
+const PAPER_SIZE: f64 = 1.0;
+const OTHER_SIZE: f64 = 0.78;
+/// No name is set smaller, in pixels.
+const READABLE: f64 = 8.0;
+const REGION_SIZE: f64 = 1.15;
+/// A region's name is set smaller, down to this, where its region is narrow, and left out where that is not enough.
+const SMALLEST_REGION_SIZE: f64 = 0.8;
+/// The clearance that a region's name needs, in text sizes.
+const REGION_CLEARANCE: f64 = 0.4;
+/// The light around a name, in text sizes.
+const HALO: f64 = 0.22;
+
+/// The width of the line that leads to a name, without and with its casing, and the radius of its end, in em.
+const LEADER: [f64; 2] = [0.06, 0.2];
+const END_OF_LEADER: f64 = 0.13;
+
+/// Which parts of the curves are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// Where the motion is stable on one side: the borders of what can be observed.
+    Bounding,
+    /// All of every curve.
+    All,
+}
+
+/// Curves to be drawn over a plane.
+#[derive(Clone, Debug)]
+pub(super) struct Overlay<'a> {
+    map: &'a RegionMap,
+    curves: &'a [Curve],
+    names: Vec<Named>,
+    shown: Shown,
+}
+
+/// A part of a curve that looks the same all along, in pixels.
+struct Piece<'a> {
+    curve: &'a Curve,
+    name: Option<&'a str>,
+    criticality: Option<Criticality>,
+    line: Vec<Point>,
+}
+
+impl<'a> Overlay<'a> {
+    /// The curves of a map.
+    pub fn new(map: &'a RegionMap, curves: &'a [Curve], shown: Shown) -> Self {
+        Overlay { map, curves, names: named(curves, &map.plane), shown }
+    }
+
+    fn shows(&self, point: &CurvePoint) -> bool {
+        self.shown == Shown::All || point.bounding
+    }
+
+    /// The key to what is drawn.
+    pub fn key(&self) -> Key {
+        let shown = |kind: Option<Kind>, wanted: &dyn Fn(&CurvePoint) -> bool| {
+            let curves = self.curves.iter().filter(|curve| kind.is_none_or(|kind| curve.kind == kind));
+            curves.flat_map(|curve| &curve.points).any(|point| self.shows(point) && wanted(point))
+        };
+        Key {
+            kinds: style::KINDS.into_iter().filter(|&kind| shown(Some(kind), &|_| true)).collect(),
+            subcritical: shown(None, &|point| point.criticality == Some(Criticality::Subcritical)),
+            marks: shown(None, &|point| point.special.is_some()),
+        }
+    }
+
+    /// Draws lines, marks and names over a plot.
+    pub fn draw(&self, canvas: &mut Canvas, plot: Rect, frame: &Frame, em: f64) {
+        let place = |point: &CurvePoint| Point {
+            x: plot.x + frame.x.fraction(point.x) * plot.width,
+            y: plot.bottom() - frame.y.fraction(point.y) * plot.height,
+        };
+        let mut pieces = self.pieces(place);
+        // Short lines above long ones.
+        pieces.sort_by(|a, b| length(&b.line).total_cmp(&length(&a.line)));
+        let styled = |piece: &Piece| Line::of_curve(piece.curve, piece.criticality, em);
+        for piece in &pieces {
+            canvas.stroke(&piece.line, styled(piece).cased, CASING, &[]);
+        }
+        for piece in &pieces {
+            let line = styled(piece);
+            canvas.stroke(&piece.line, line.width, line.colour, &line.dashes);
+        }
+        let special: Vec<Point> = self
+            .curves
+            .iter()
+            .flat_map(|curve| &curve.points)
+            .filter(|point| point.special.is_some() && self.shows(point))
+            .map(place)
+            .collect();
+        for &at in &special {
+            key::draw_mark(canvas, at, em);
+        }
+        let mut taken: Vec<Rect> =
+            special.iter().map(|&at| about(at, 2.4 * key::MARK * em, 2.4 * key::MARK * em)).collect();
+        let lines: Vec<&[Point]> = pieces.iter().map(|piece| &*piece.line).collect();
+        self.draw_region_names(canvas, plot, em, &lines, &mut taken);
+        draw_curve_names(canvas, plot, em, &pieces, &lines, taken);
+    }
+
+    /// The parts to be drawn; each reaches to the beginning of the next, so that no line is broken.
+    fn pieces(&self, place: impl Fn(&CurvePoint) -> Point) -> Vec<Piece<'_>> {
+        let mut pieces = Vec::new();
+        for stretch in &self.names {
+            let curve = &self.curves[stretch.curve];
+            let own = &curve.points[stretch.points.clone()];
+            let mut first = stretch.points.start;
+            for run in own.chunk_by(|a, b| a.criticality == b.criticality && self.shows(a) == self.shows(b)) {
+                let last = first + run.len();
+                if self.shows(&run[0]) {
+                    let points = &curve.points[first..(last + 1).min(curve.points.len())];
+                    pieces.push(Piece {
+                        curve,
+                        name: stretch.name.as_deref(),
+                        criticality: run[0].criticality,
+                        line: points.iter().map(&place).collect(),
+                    });
+                }
+                first = last;
+            }
+        }
+        pieces
+    }
+
+    fn draw_region_names(
+        &self,
+        canvas: &mut Canvas,
+        plot: Rect,
+        em: f64,
+        lines: &[&[Point]],
+        taken: &mut Vec<Rect>,
+    ) {
+        for region in regions::region_names(self.map, self.curves, &self.names, plot) {
+            let text = Text::from(region.name);
+            let size = |clearance: f64| (REGION_SIZE * em).min(clearance / REGION_CLEARANCE);
+            let boxed = |place: &regions::Place| {
+                let size = size(place.clearance);
+                let rect = about(place.at, text.width(size) + 0.3 * size, labels::HEIGHT * size);
+                (place.at, size, rect)
+            };
+            let candidates = || {
+                let large =
+                    region.places.iter().take_while(|at| size(at.clearance) >= SMALLEST_REGION_SIZE * em);
+                let free = |rect| within(rect, plot) && !taken.iter().any(|&other| overlap(rect, other));
+                large.map(boxed).filter(move |&(_, _, rect)| free(rect))
+            };
+            let off_all_lines =
+                |rect| lines.iter().all(|line| line.windows(2).all(|l| !crosses(rect, l[0], l[1])));
+            // A narrow region has its name over its borders.
+            let found =
+                candidates().find(|&(_, _, rect)| off_all_lines(rect)).or_else(|| candidates().next());
+            let Some((at, size, rect)) = found else { continue };
+            canvas.haloed_text(&text, at, Anchor::Middle, size, INK, (HALO * size, CASING));
+            taken.push(rect);
+        }
+    }
+}
+
+fn draw_curve_names(
+    canvas: &mut Canvas,
+    plot: Rect,
+    em: f64,
+    pieces: &[Piece],
+    lines: &[&[Point]],
+    mut taken: Vec<Rect>,
+) {
+    // The paper's names first, then the longest.
+    let mut order: Vec<&Piece> = pieces.iter().collect();
+    order.sort_by_key(|piece| piece.name.is_none());
+    let mut said: Vec<(*const Curve, &str)> = Vec::new();
+    for piece in order {
+        let entry = (std::ptr::from_ref(piece.curve), piece.name.unwrap_or_default());
+        if said.contains(&entry) {
+            continue;
+        }
+        let [_, short] = style::names(piece.curve.kind);
+        let (text, size) = match piece.name {
+            Some(name) => (Text::from(name.replace('\'', "′")), PAPER_SIZE * em),
+            None => (
+                Text::from(format!("{short} {}", piece.curve.motion.label())),
+                (OTHER_SIZE * em).max(READABLE),
+            ),
+        };
+        let wanted = Wanted { line: &piece.line, width: text.width(size), size };
+        let space = labels::Plot { rect: plot, lines, taken: &taken };
+        // Only a name that the paper gives, and only at the longest of its curves, is worth a leader.
+        let led = || piece.name.filter(|name| !name.ends_with('\'')).and_then(|_| space.led(&wanted));
+        let Some(place) = space.beside(&wanted).or_else(led) else { continue };
+        let colour = style::colour(piece.curve.kind);
+        if let Some((from, to)) = place.leader {
+            canvas.stroke(&[from, to], LEADER[1] * em, CASING, &[]);
+            canvas.stroke(&[from, to], LEADER[0] * em, colour, &[]);
+            canvas.disc(from, END_OF_LEADER * em, colour, LEADER[0] * em, CASING);
+        }
+        let at =
+            Point { x: place.rect.x + place.rect.width / 2.0, y: place.rect.y + place.rect.height / 2.0 };
+        canvas.haloed_text(&text, at, Anchor::Middle, size, colour, (HALO * size, CASING));
+        said.push(entry);
+        taken.push(place.rect);
+    }
+}
