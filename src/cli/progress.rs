@@ -20,10 +20,10 @@ const CELLS: &str = "{msg} {bar:30} {percent:>3} % of {human_len} cells, {eta} l
 /// A single trajectory may settle at any time, so that nobody knows how long it takes.
 const TRAJECTORY: &str = "{spinner} following the trajectory, {elapsed}";
 
+const FIGURE: &str = "{spinner} {msg}, {elapsed}";
+
 /// Nobody knows how long the curves are.
 const CURVES: &str = "{spinner} following the bifurcation curves, {elapsed}";
-
-const FIGURE: &str = "{spinner} {msg}, {elapsed}";
 
 /// A bar on standard error that goes away when it is dropped; it also hands on Ctrl-C.
 #[derive(Debug)]
@@ -43,14 +43,14 @@ impl Progress {
         Progress::new(None, TRAJECTORY, "")
     }
 
-    /// A sign of life while bifurcation curves are followed.
-    pub fn of_curves() -> Self {
-        Progress::new(None, CURVES, "")
-    }
-
     /// A sign of life while figure after figure is made.
     pub fn of_figure(message: &str) -> Self {
         Progress::new(None, FIGURE, message)
+    }
+
+    /// A sign of life while bifurcation curves are followed.
+    pub fn of_curves() -> Self {
+        Progress::new(None, CURVES, "")
     }
 
     fn new(length: Option<u64>, template: &str, message: &str) -> Self {
