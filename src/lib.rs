@@ -15,6 +15,7 @@
 //! | [`dynamics`] | flight, contact, impact, chatter, sticking: a [`Trajectory`](dynamics::Trajectory) moves from event to event |
 //! | [`analysis`] | periodicity, the largest Lyapunov exponent, regimes |
 //! | [`theory`] | exact periodic motions, multipliers, normal forms, Lyapunov spectra |
+//! | [`control`] | suppressing chaos: sine force, period pulse, delayed feedback, at each return to the section σ |
 //! | [`plane`] | axes, starts, planes, region maps |
 //! | [`curves`] | bifurcation curves of a plane, by continuation |
 //! | [`diagram`] | bifurcation diagrams: axis, sweep, section; branches and where they coexist |
@@ -103,6 +104,7 @@
 
 pub mod analysis;
 pub mod backend;
+pub mod control;
 pub mod curves;
 pub mod diagram;
 pub mod dynamics;

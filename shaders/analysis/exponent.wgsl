@@ -19,10 +19,16 @@ fn exponent_at_strobe() {
     let length = tangent_length(tangent);
     if length > 0.0 && is_finite(length) {
         tangent = tangent * (1.0 / length);
-        observer.exponent.growth = observer.exponent.growth + log(length);
+        exponent_add(log(length));
     } else {
         tangent = tangent_seed();
+        exponent_add(0.0);
     }
+}
+
+// Adds the growth of one period (or iterate), ln of a factor.
+fn exponent_add(growth: f32) {
+    observer.exponent.growth = observer.exponent.growth + growth;
     observer.exponent.filled = observer.exponent.filled + 1u;
     if observer.exponent.filled < observer.exponent.batch_periods {
         return;
@@ -30,10 +36,10 @@ fn exponent_at_strobe() {
     if observer.exponent.aligning > 0u {
         observer.exponent.aligning = observer.exponent.aligning - 1u;
     } else {
-        let growth = observer.exponent.growth;
+        let batch = observer.exponent.growth;
         observer.exponent.batches = observer.exponent.batches + 1u;
-        observer.exponent.sum = observer.exponent.sum + growth;
-        observer.exponent.squares = observer.exponent.squares + growth * growth;
+        observer.exponent.sum = observer.exponent.sum + batch;
+        observer.exponent.squares = observer.exponent.squares + batch * batch;
     }
     observer.exponent.filled = 0u;
     observer.exponent.growth = 0.0;

@@ -42,6 +42,15 @@ fn trajectory_new(start: vec4<f32>) -> Trajectory {
     return Trajectory(point, point, 0u, select(CONTACT_FREE, CONTACT_CLAMPED, clamped), 0u, 0.0);
 }
 
+// A trajectory that goes on from a point at a time `offset` after the beginning of a step.
+fn trajectory_from_point(point: Point, contact: u32, step: u32, offset: f32) -> Trajectory {
+    var ahead = point;
+    if contact == CONTACT_FREE {
+        ahead = point_flown(point, flight.h - offset, 1.0);
+    }
+    return Trajectory(point, ahead, 0u, contact, step, offset);
+}
+
 // Moves on to the next event, the end of the step at the latest; `carry` says whether the tangent comes along.
 fn advance(carry: bool) -> Move {
     if trajectory.contact == CONTACT_FREE {

@@ -50,10 +50,17 @@ impl<T: Real> Exponent<T> {
         let length = tangent.length();
         if length > T::zero() && length.is_finite() {
             *tangent = tangent.scaled(T::one() / length);
-            self.growth = self.growth + length.ln();
+            self.add(length.ln());
         } else {
             *tangent = Tangent::seed();
+            self.add(T::zero());
         }
+    }
+
+    /// Adds the growth of one period (or iterate), ln of a factor.
+    #[inline(always)]
+    pub fn add(&mut self, growth: T) {
+        self.growth = self.growth + growth;
         self.filled += 1;
         if self.filled < self.batch_periods {
             return;

@@ -10,10 +10,12 @@ mod section;
 mod spread;
 mod trace;
 
+pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
 pub use regime::{INFINITELY_MANY, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
 pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
+pub(crate) use spread::Spread;
 pub use trace::{Trace, Tracer};
 
 /// The numbers that the GPU's shaders share.

@@ -27,14 +27,14 @@ pub const STATIONARY: f64 = 1.25;
 
 impl<T: Real> Spread<T> {
     /// Begins at a strobe point.
-    pub fn about(point: &Point<T>) -> Self {
+    pub fn about<D>(point: &Point<T, D>) -> Self {
         let none = Moments { x2: T::zero(), v2: T::zero(), square: T::zero() };
         Spread { x2: point.x2, v2: point.v2, early: none, late: none }
     }
 
     /// Adds a strobe point to the earlier or the later half.
     #[inline(always)]
-    pub fn at_strobe(&mut self, point: &Point<T>, late: bool) {
+    pub fn at_strobe<D>(&mut self, point: &Point<T, D>, late: bool) {
         let x2 = point.x2 - self.x2;
         let v2 = point.v2 - self.v2;
         let moments = if late { &mut self.late } else { &mut self.early };

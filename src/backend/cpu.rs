@@ -2,8 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::{Backend, BackendError, Job, Watch};
+use super::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::analysis::{Observer, Probe, Schedule, Trace, Tracer, Verdict};
+use crate::control::{ControlSchedule, Outcome, control};
 use crate::dynamics::{Event, Trajectory};
 use crate::model::{Flight, Real};
 
@@ -43,13 +44,22 @@ impl Backend for Cpu {
     ) -> Result<Vec<Trace>, BackendError> {
         each(jobs, watch, |job| trace::<f64>(job, schedule, probe, capacity))
     }
+
+    fn control(
+        &self,
+        jobs: &[ControlJob],
+        schedule: &ControlSchedule,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Outcome>, BackendError> {
+        each(jobs, watch, |job| follow_controlled::<f64>(job, schedule))?.into_iter().collect()
+    }
 }
 
 /// Does every job on one of the pool's threads, until the watch ends it.
-fn each<R: Send>(
-    jobs: &[Job],
+fn each<J: Sync, R: Send>(
+    jobs: &[J],
     watch: &dyn Watch,
-    work: impl Fn(&Job) -> R + Sync,
+    work: impl Fn(&J) -> R + Sync,
 ) -> Result<Vec<R>, BackendError> {
     let results: Option<Vec<R>> = jobs
         .par_iter()
@@ -63,6 +73,19 @@ fn each<R: Send>(
         })
         .collect();
     results.ok_or(BackendError::Cancelled)
+}
+
+/// Follows one trajectory under control in the given precision; in f32 it does what the GPU does.
+///
+/// # Errors
+/// [`BackendError::Unsupported`] where a force would need too many steps in one forcing period.
+pub fn follow_controlled<T: Real>(
+    job: &ControlJob,
+    schedule: &ControlSchedule,
+) -> Result<Outcome, BackendError> {
+    let ControlJob { job: Job { system, start }, controller } = job;
+    control::<T, _>(system, *start, controller, schedule, &mut ())
+        .map_err(|error| BackendError::Unsupported(error.to_string()))
 }
 
 /// Follows one trajectory in the given precision; in f32 it does what the GPU does.

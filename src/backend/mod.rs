@@ -5,7 +5,7 @@ mod decide;
 mod gpu;
 mod select;
 
-pub use cpu::{Cpu, follow, trace};
+pub use cpu::{Cpu, follow, follow_controlled, trace};
 pub use decide::{SECOND_LOOK, decide};
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use select::{Choice, open};
@@ -15,6 +15,7 @@ use std::fmt::Debug;
 use thiserror::Error;
 
 use crate::analysis::{Probe, Schedule, Trace, Verdict};
+use crate::control::{ControlSchedule, Controller, Outcome};
 use crate::model::System;
 
 /// One trajectory to follow: a system and its start at forcing phase 0.
@@ -24,6 +25,15 @@ pub struct Job {
     pub system: System,
     /// (x1, x2, v1, v2) at forcing phase 0; non-dimensional, |x1| ≤ δ.
     pub start: [f64; 4],
+}
+
+/// One trajectory to control.
+#[derive(Clone, Copy, Debug)]
+pub struct ControlJob {
+    /// The system and the start.
+    pub job: Job,
+    /// What controls it.
+    pub controller: Controller<f64>,
 }
 
 /// Hears how a run goes on, and may end it.
@@ -66,6 +76,17 @@ pub trait Backend: Debug + Sync {
     fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch)
     -> Result<Vec<Verdict>, BackendError>;
 
+    /// Follows every job under control and gives one outcome per job, in order.
+    ///
+    /// # Errors
+    /// As [`Backend::run`], and [`BackendError::Unsupported`] for a method that this back end does not have.
+    fn control(
+        &self,
+        jobs: &[ControlJob],
+        schedule: &ControlSchedule,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Outcome>, BackendError>;
+
     /// Follows every job and reads a section while it is observed: at most the first `capacity` passages of each, in
     /// order.
     ///
@@ -90,6 +111,9 @@ pub enum BackendError {
     /// No adapter is there, or none that matches.
     #[error("{0}")]
     NoAdapter(String),
+    /// The back end does not have what is asked for.
+    #[error("{0}")]
+    Unsupported(String),
     /// The device failed: lost, out of memory, or a refused shader.
     #[error("the GPU could not finish: {0}")]
     Device(String),

@@ -62,6 +62,26 @@ pub const NARROW_FIGURE: u32 = 1000;
 /// The width of a figure of several plots or a diagram, in pixels.
 pub const WIDE_FIGURE: u32 = 2000;
 
+/// The first controlled iterate of a single run, as in the paper.
+pub const CONTROL_FROM: u32 = 2000;
+
+/// Iterates of a single controlled run.
+pub const CONTROL_ITERATES: u32 = 4000;
+
+/// Iterates whose flight is drawn at the end of a controlled run.
+pub const CONTROL_PORTRAIT: u32 = 12;
+
+/// α of the sine force.
+pub const ALPHA: f64 = 0.1;
+
+/// Δ of the sine force: just above the distance of the 1-2-1 motion's phase from the paper's target.
+pub const DEAD_BAND: f64 = 0.0055;
+
+/// g of delayed feedback.
+pub const GAIN: f64 = 0.5;
+
+/// The frequency of the target motion.
+pub const REFERENCE: f64 = 3.7;
 /// The picture of a bifurcation diagram.
 pub const DIAGRAM: &str = "bifurcation.png";
 
@@ -70,6 +90,12 @@ pub const DIAGRAM_OBSERVE: u32 = 300;
 
 /// Points that are kept of a column for every period observed.
 pub const POINTS_PER_PERIOD: u32 = 16;
+
+/// The first controlled iterate of a cell of a map.
+pub const CONTROL_MAP_FROM: u32 = 200;
+
+/// Iterates of a cell of a map under control.
+pub const CONTROL_MAP_ITERATES: u32 = 1200;
 
 /// The folder of the paper's figures.
 pub const REPRODUCTION: &str = "reproduction";

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use impact_atlas::backend::BackendError;
-use impact_atlas::sweep::SweepError;
+use impact_atlas::sweep::{ControlSweepError, SweepError};
 use thiserror::Error;
 
 /// Why a command did not do what was asked; everything but a check that does not hold leaves nothing written.
@@ -68,6 +68,19 @@ impl From<SweepError> for CliError {
             SweepError::Backend(error) => error.into(),
             SweepError::Memory { .. } => CliError::machine(error),
             SweepError::Plane(_) | SweepError::Diagram(_) | SweepError::System(_) => CliError::input(error),
+        }
+    }
+}
+
+impl From<ControlSweepError> for CliError {
+    fn from(error: ControlSweepError) -> Self {
+        match error {
+            ControlSweepError::Backend(error @ BackendError::Unsupported(_)) => CliError::input(error),
+            ControlSweepError::Backend(error) => error.into(),
+            ControlSweepError::Memory { .. } => CliError::machine(error),
+            ControlSweepError::Plane(_) | ControlSweepError::System(_) | ControlSweepError::Control(_) => {
+                CliError::input(error)
+            }
         }
     }
 }

@@ -10,6 +10,7 @@ use impact_atlas::render::{Shown, Size, region_map, region_map_with_curves};
 use impact_atlas::sweep::sweep;
 use serde::{Serialize, Serializer};
 
+use super::control_map::{self, ControlMapArgs};
 use super::options::{BackendArgs, PlaneArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
@@ -25,13 +26,18 @@ Examples:
   impact-atlas map
   impact-atlas map --x omega=2.4:3.8:400 --y r=0.5:0.95:300 --set delta=0.1 --out r.png
   impact-atlas map --curves --curves-out curves.csv
-  impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --out basins.png")]
+  impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --out basins.png
+  impact-atlas map --control delay --x omega=2.6:3:200 --y gain=0:1:150 --out delay.png --times times.png
+  impact-atlas map --control pulse --x target_v1=-0.5:-0.1:200 --y target_tau=1:3:150 --set omega=2.83")]
 pub struct MapArgs {
     #[command(flatten)]
     plane: PlaneArgs,
 
     #[command(flatten)]
     backend: BackendArgs,
+
+    #[command(flatten)]
+    control: ControlMapArgs,
 
     /// The picture, a PNG or SVG file
     #[arg(long, value_name = "FILE", default_value = defaults::PICTURE)]
@@ -95,12 +101,18 @@ struct Summary<'a> {
     adapter: &'a str,
 }
 
-fn in_order<S: Serializer>(regimes: &[(&str, u64); 8], serializer: S) -> Result<S::Ok, S::Error> {
+pub fn in_order<S: Serializer>(regimes: &[(&str, u64); 8], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(regimes.iter().copied())
 }
 
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), CliError> {
+    if let Some(method) = args.control.control {
+        let data = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
+        let MapArgs { plane, backend, control, size, json, .. } = args;
+        return control_map::run(method, control, plane, backend, [args.out.clone(), data], *size, *json);
+    }
+    args.control.refuse_settings()?;
     let plane = args.plane.plane()?;
     pictures::format_of(&args.out)?;
     let npz = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));

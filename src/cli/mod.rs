@@ -5,6 +5,8 @@
 mod adapters;
 mod bifurcation;
 mod classify;
+mod control;
+mod control_map;
 mod curve_list;
 mod curves;
 mod defaults;
@@ -13,6 +15,7 @@ mod files;
 mod interrupt;
 mod lyapunov;
 mod map;
+mod method;
 mod motion;
 mod multipliers;
 mod options;
@@ -52,6 +55,7 @@ enum Command {
     Map(map::MapArgs),
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
+    Control(control::ControlArgs),
     Bifurcation(bifurcation::BifurcationArgs),
     Curves(curves::CurvesArgs),
     Symmetric(symmetric::SymmetricArgs),
@@ -69,6 +73,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Map(args) => map::run(args),
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
+        Command::Control(args) => control::run(args),
         Command::Bifurcation(args) => bifurcation::run(args),
         Command::Reproduce(args) => reproduce::run(args),
         Command::Curves(args) => curves::run(args),

@@ -4,10 +4,12 @@ use anyhow::anyhow;
 use clap::{Args, ValueEnum};
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{self, Backend, Choice};
+use impact_atlas::control::ControlSchedule;
 use impact_atlas::model::{Parameters, System};
-use impact_atlas::plane::{Axis, Plane, Quantity, Start};
+use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity, Start};
 use impact_atlas::theory::symmetric_start;
 
+use super::method::{MethodArgs, MethodName};
 use super::values::{Assignment, parse};
 use super::{CliError, defaults, note};
 
@@ -211,6 +213,28 @@ impl PlaneArgs {
     /// The checked plane.
     pub fn plane(&self) -> Result<Plane, CliError> {
         self.axes.plane(self.schedule())
+    }
+
+    /// The checked plane under control.
+    pub fn control_plane(
+        &self,
+        method: MethodName,
+        settings: &MethodArgs,
+        iterates: ControlSchedule,
+    ) -> Result<ControlPlane, CliError> {
+        let (x, y) = (self.axes.x.unwrap_or(defaults::X), self.axes.y.unwrap_or(defaults::Y));
+        let axes = [("--x", x), ("--y", y)];
+        settings.refuse_varied(&axes)?;
+        let plane = ControlPlane {
+            x,
+            y,
+            parameters: self.axes.system.parameters(&axes)?,
+            start: self.axes.start.unwrap_or_else(|| default_start(&[x, y])),
+            control: settings.scheme(method)?,
+            iterates,
+        };
+        plane.check().map_err(CliError::input)?;
+        Ok(plane)
     }
 
     /// See [`AxesArgs::plane_of`].

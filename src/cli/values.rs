@@ -75,6 +75,20 @@ pub fn parse_size(text: &str) -> Result<Size, String> {
     Size::new(width, height).map_err(|error| error.to_string())
 }
 
+/// Reads a range of iterates, `FIRST:LAST`.
+pub fn parse_range(text: &str) -> Result<[u32; 2], String> {
+    let ends = text
+        .split_once(':')
+        .and_then(|(first, last)| Some([first.trim().parse().ok()?, last.trim().parse().ok()?]));
+    match ends {
+        None => Err(format!("`{text}` is not a range of iterates: write FIRST:LAST, for example 1990:2100")),
+        Some([first, last]) if first >= last => {
+            Err(format!("the range `{text}` is empty: the first iterate must be less than the last"))
+        }
+        Some(range) => Ok(range),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -96,7 +96,7 @@ fn span(axis: &Axis) -> Result<Span, CurvesError> {
     match axis.quantity {
         Quantity::Parameter(_) if axis.first == axis.last => Err(CurvesError::SingleValue(name)),
         Quantity::Parameter(parameter) => Ok(Span { parameter, first: axis.first, last: axis.last }),
-        Quantity::Start(_) => Err(CurvesError::NotAParameter(name)),
+        Quantity::Start(_) | Quantity::Control(_) => Err(CurvesError::NotAParameter(name)),
     }
 }
 

@@ -3,7 +3,9 @@
 use nalgebra::{DMatrix, DVector, RowDVector};
 
 /// The most Newton steps of one correction.
-const MOST_STEPS: usize = 10;
+const MOST_STEPS: usize = 14;
+/// A step that is more than this share of the one before asks for new derivatives.
+const SLOW: f64 = 0.1;
 /// A correction below this is the last one, and so is a residual.
 const CONVERGED: f64 = 1e-9;
 /// The share of an unknown's size by which it is moved for a central difference.
@@ -46,6 +48,8 @@ pub(super) struct PathPoint {
     pub y: DVector<f64>,
     /// A unit vector.
     pub tangent: DVector<f64>,
+    /// The derivatives of the equations here; they serve for the next correction as well.
+    jacobian: DMatrix<f64>,
 }
 
 impl PathPoint {
@@ -54,21 +58,56 @@ impl PathPoint {
     pub fn near(equations: &impl Equations, guess: DVector<f64>, fixed: usize) -> Option<Self> {
         let mut border = DVector::zeros(guess.len());
         border[fixed] = 1.0;
-        let y = corrected(equations, guess, &border)?;
-        let tangent = tangent(equations, &y, &border)?;
-        Some(PathPoint { y, tangent })
+        let jacobian = equations.jacobian(&guess)?;
+        PathPoint::corrected(equations, guess, &border, &jacobian)
     }
 
     /// The same point, the other way.
     pub fn reversed(&self) -> Self {
-        PathPoint { y: self.y.clone(), tangent: -&self.tangent }
+        PathPoint { tangent: -&self.tangent, ..self.clone() }
     }
 
     /// The solution on the plane a length `ds` ahead; around turning points as elsewhere.
     pub fn advanced(&self, equations: &impl Equations, ds: f64) -> Option<Self> {
-        let y = corrected(equations, &self.y + &self.tangent * ds, &self.tangent)?;
-        let tangent = tangent(equations, &y, &self.tangent)?;
-        Some(PathPoint { y, tangent })
+        PathPoint::corrected(equations, &self.y + &self.tangent * ds, &self.tangent, &self.jacobian)
+    }
+
+    /// Newton's method on the hyperplane through the guess with normal `border`.
+    ///
+    /// Derivatives are dear and change little from point to point: those at hand are used until they no longer bring the
+    /// correction down fast.
+    fn corrected(
+        equations: &impl Equations,
+        guess: DVector<f64>,
+        border: &DVector<f64>,
+        near: &DMatrix<f64>,
+    ) -> Option<Self> {
+        let mut y = guess;
+        let mut factors = bordered(near, border).lu();
+        let mut before = f64::INFINITY;
+        for _ in 0..MOST_STEPS {
+            let residual = equations.residual(&y)?;
+            let size = residual.amax();
+            let mut right = residual.insert_row(y.len() - 1, 0.0);
+            if !factors.solve_mut(&mut right) {
+                return None;
+            }
+            let step = right.amax();
+            if !step.is_finite() || step > 1.0 {
+                return None;
+            }
+            y -= right;
+            if step < CONVERGED && size < CONVERGED {
+                let jacobian = equations.jacobian(&y)?;
+                let tangent = tangent(&jacobian, border)?;
+                return Some(PathPoint { y, tangent, jacobian });
+            }
+            if step > SLOW * before {
+                factors = bordered(&equations.jacobian(&y)?, border).lu();
+            }
+            before = step;
+        }
+        None
     }
 
     /// How straight the path is from here to there: the cosine of the turn.
@@ -77,39 +116,18 @@ impl PathPoint {
     }
 }
 
-/// Newton's method on the hyperplane through the guess with normal `border`.
-fn corrected(equations: &impl Equations, guess: DVector<f64>, border: &DVector<f64>) -> Option<DVector<f64>> {
-    let mut y = guess;
-    for _ in 0..MOST_STEPS {
-        let residual = equations.residual(&y)?;
-        let size = residual.amax();
-        let mut right = residual.insert_row(y.len() - 1, 0.0);
-        if !bordered(equations.jacobian(&y)?, border).lu().solve_mut(&mut right) {
-            return None;
-        }
-        let step = right.amax();
-        if !step.is_finite() || step > 1.0 {
-            return None;
-        }
-        y -= right;
-        if step < CONVERGED && size < CONVERGED {
-            return Some(y);
-        }
-    }
-    None
-}
-
-fn tangent(equations: &impl Equations, y: &DVector<f64>, border: &DVector<f64>) -> Option<DVector<f64>> {
-    let mut tangent = DVector::zeros(y.len());
-    tangent[y.len() - 1] = 1.0;
-    let solved = bordered(equations.jacobian(y)?, border).lu().solve_mut(&mut tangent);
+/// The unit null vector of the derivatives on the side of `border`.
+fn tangent(jacobian: &DMatrix<f64>, border: &DVector<f64>) -> Option<DVector<f64>> {
+    let mut tangent = DVector::zeros(border.len());
+    tangent[border.len() - 1] = 1.0;
+    let solved = bordered(jacobian, border).lu().solve_mut(&mut tangent);
     let length = tangent.norm();
     (solved && length.is_finite() && length > 0.0).then(|| tangent / length)
 }
 
-fn bordered(jacobian: DMatrix<f64>, border: &DVector<f64>) -> DMatrix<f64> {
+fn bordered(jacobian: &DMatrix<f64>, border: &DVector<f64>) -> DMatrix<f64> {
     let last = jacobian.nrows();
-    let mut matrix = jacobian.insert_row(last, 0.0);
+    let mut matrix = jacobian.clone().insert_row(last, 0.0);
     matrix.set_row(last, &RowDVector::from_iterator(border.len(), border.iter().copied()));
     matrix
 }

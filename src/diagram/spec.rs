@@ -184,6 +184,9 @@ impl DiagramSpec {
         }
         self.schedule.check()?;
         self.parameters.check()?;
+        if let Quantity::Control(setting) = self.x.quantity() {
+            return Err(DiagramError::Control(setting.name()));
+        }
         let varies_start = matches!(self.x.quantity(), Quantity::Start(_));
         if varies_start && self.sweep.is_carried() {
             return Err(DiagramError::CarriedStart {
@@ -210,7 +213,7 @@ impl DiagramSpec {
     pub fn parameters_at(&self, column: u32) -> Parameters {
         match self.x.quantity() {
             Quantity::Parameter(parameter) => self.parameters.with(parameter, self.x.value(column)),
-            Quantity::Start(_) => self.parameters,
+            Quantity::Start(_) | Quantity::Control(_) => self.parameters,
         }
     }
 
@@ -221,7 +224,7 @@ impl DiagramSpec {
             Sweep::Down | Sweep::Up | Sweep::Both => self.start,
         };
         match self.x.quantity() {
-            Quantity::Parameter(_) => start,
+            Quantity::Parameter(_) | Quantity::Control(_) => start,
             Quantity::Start(component) => start_with(start, component, self.x.value(column)),
         }
     }
@@ -251,6 +254,12 @@ pub enum DiagramError {
         /// Readings of each.
         capacity: u32,
     },
+    /// Diagrams are of motion without control.
+    #[error(
+        "axis {0} is a setting of a control method, and a diagram has none: choose a parameter or a component of \
+         the start, or draw a map --control"
+    )]
+    Control(&'static str),
     /// A carried state has no start that could be varied.
     #[error("--sweep {sweep} carries the state along, and --x {axis} varies the start: choose --sweep rest")]
     CarriedStart {

@@ -1,5 +1,6 @@
 //! The next contact with a stop, approached from the safe side: no impact can be missed.
 
+use super::drive::Drive;
 use super::point::{Motion, Point};
 use crate::model::{Flight, Real};
 
@@ -8,7 +9,7 @@ use crate::model::{Flight, Real};
 /// x1 lies within h⁴/384·max|x1''''| of its cubic Hermite interpolant, and that within the hull of its four
 /// Bézier points.
 #[inline(always)]
-pub fn clears<T: Real>(flight: &Flight<T>, from: &Point<T>, to: &Point<T>) -> bool {
+pub fn clears<T: Real, D: Drive<T>>(flight: &Flight<T>, from: &Point<T, D>, to: &Point<T, D>) -> bool {
     let third = flight.h * T::of(1.0 / 3.0);
     let h2 = flight.h * flight.h;
     let room = flight.delta - (h2 * h2) * T::of(HERMITE) * from.bound(flight);
@@ -20,7 +21,7 @@ pub fn clears<T: Real>(flight: &Flight<T>, from: &Point<T>, to: &Point<T>) -> bo
 /// A time for which free flight from `point` provably stays between the stops: `window` if it does so for all of
 /// it, else a time just short of the first contact (0 at the contact itself, moving outwards).
 #[inline(always)]
-pub fn safe_time<T: Real>(flight: &Flight<T>, point: &Point<T>, motion: &Motion<T>, window: T) -> T {
+pub fn safe_time<T: Real, D>(flight: &Flight<T>, point: &Point<T, D>, motion: &Motion<T>, window: T) -> T {
     let at_a =
         safe_from_stop(flight.delta - point.x1, point.v1, motion.acceleration, motion, T::one(), window);
     let at_b =
@@ -30,7 +31,7 @@ pub fn safe_time<T: Real>(flight: &Flight<T>, point: &Point<T>, motion: &Motion<
 
 /// The time left to a stop, if it is so short that its square is lost in rounding; 0 if the stop is touched.
 #[inline(always)]
-pub fn imminent<T: Real>(flight: &Flight<T>, point: &Point<T>, side: T) -> Option<T> {
+pub fn imminent<T: Real, D: Drive<T>>(flight: &Flight<T>, point: &Point<T, D>, side: T) -> Option<T> {
     let gap = flight.delta - side * point.x1;
     let speed = side * point.v1;
     if flight.rate * gap.abs() < T::of(T::IMMINENT) * speed {
@@ -43,7 +44,7 @@ pub fn imminent<T: Real>(flight: &Flight<T>, point: &Point<T>, side: T) -> Optio
 /// Whether a mass on its stop leaves it with a speed that rounding cannot tell from 0, against a force that presses
 /// it back: the hop would be lost in rounding.
 #[inline(always)]
-fn is_held<T: Real>(flight: &Flight<T>, point: &Point<T>, side: T) -> bool {
+fn is_held<T: Real, D: Drive<T>>(flight: &Flight<T>, point: &Point<T, D>, side: T) -> bool {
     point.v1.abs() <= unresolved(flight) && side * point.motion(flight, T::one()).acceleration > T::zero()
 }
 

@@ -2,12 +2,14 @@
 
 mod chatter;
 mod contact;
+mod drive;
 mod point;
 mod recording;
 mod series;
 mod tangent;
 mod trajectory;
 
+pub use drive::{Drive, DriveSeries, Phasor};
 pub use point::Point;
 pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record};
 pub use tangent::{Tangent, Variation};

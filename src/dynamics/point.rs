@@ -1,11 +1,12 @@
 //! A point of the motion and its free flight, as exact as the arithmetic.
 
+use super::drive::{Drive, DriveSeries};
 use super::series::{INVERSE_FACTORIALS, Series, axpy};
 use crate::model::{Flight, Real};
 
-/// State and forcing phasor at one instant; non-dimensional.
+/// State and forcing phasor at one instant, and that of a second force where there is one; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point<T> {
+pub struct Point<T, D = ()> {
     /// Displacement of the first mass.
     pub x1: T,
     /// Displacement of the second mass.
@@ -18,6 +19,8 @@ pub struct Point<T> {
     pub sin: T,
     /// Cosine of the forcing phase.
     pub cos: T,
+    /// What else drives the first mass; `()` is nothing.
+    pub drive: D,
 }
 
 /// How the first mass moves for the next instants.
@@ -34,9 +37,11 @@ pub struct Motion<T> {
 impl<T: Real> Point<T> {
     /// A point at forcing phase 0.
     pub fn at_phase_zero([x1, x2, v1, v2]: [T; 4]) -> Self {
-        Point { x1, x2, v1, v2, sin: T::zero(), cos: T::one() }
+        Point { x1, x2, v1, v2, sin: T::zero(), cos: T::one(), drive: () }
     }
+}
 
+impl<T: Real, D: Drive<T>> Point<T, D> {
     /// (x1, x2, v1, v2).
     #[inline(always)]
     pub fn state(&self) -> [T; 4] {
@@ -48,9 +53,10 @@ impl<T: Real> Point<T> {
     pub fn stepped(&self, flight: &Flight<T>) -> Self {
         let [c0, c1, c2, c3] = &flight.phi;
         let row = |i: usize| {
-            (c0[i] * self.x1 + c1[i] * self.x2)
+            let value = (c0[i] * self.x1 + c1[i] * self.x2)
                 + (c2[i] * self.v1 + c3[i] * self.v2)
-                + (flight.gamma_sin[i] * self.sin + flight.gamma_cos[i] * self.cos)
+                + (flight.gamma_sin[i] * self.sin + flight.gamma_cos[i] * self.cos);
+            self.drive.carried(i, value)
         };
         Point {
             x1: row(0),
@@ -59,6 +65,7 @@ impl<T: Real> Point<T> {
             v2: row(3),
             sin: self.sin * flight.turn_cos + self.cos * flight.turn_sin,
             cos: self.cos * flight.turn_cos - self.sin * flight.turn_sin,
+            drive: self.drive.stepped(),
         }
     }
 
@@ -74,6 +81,8 @@ impl<T: Real> Point<T> {
         let mut before = [self.v1, self.v2];
         let first = series.first(flight, [self.x1, self.x2], before);
         let mut last = axpy(self.sin, force, first);
+        let mut drive = self.drive.series(s);
+        last[0] = drive.forced(last[0], s * free);
         let mut phasor = [self.cos * turn, -(self.sin * turn)];
         let mut velocity = before;
         let mut mean = before;
@@ -85,12 +94,13 @@ impl<T: Real> Point<T> {
             velocity = axpy(weight, last, velocity);
             mean = axpy(lower, last, mean);
             phase = axpy(weight, phasor, phase);
+            drive.next(weight);
             let negligible;
             (power, negligible) = series.grow(power, k);
             if negligible {
                 break;
             }
-            let forced = [phasor[0] * force[0], phasor[0] * force[1]];
+            let forced = [drive.forced(phasor[0] * force[0], s * free), phasor[0] * force[1]];
             let next = series.next(before, last, forced);
             before = last;
             last = next;
@@ -103,6 +113,7 @@ impl<T: Real> Point<T> {
             v2: velocity[1],
             sin: phase[0],
             cos: phase[1],
+            drive: drive.end(),
         }
     }
 
@@ -138,14 +149,15 @@ impl<T: Real> Point<T> {
             v2: self.v2 + a2 * s,
             sin: self.sin + self.cos * turn,
             cos: self.cos - self.sin * turn,
+            drive: self.drive.nudged(s),
         }
     }
 
     /// x1'' and x2'' of Eq. (2).
     #[inline(always)]
-    fn accelerations(&self, flight: &Flight<T>) -> (T, T) {
+    pub fn accelerations(&self, flight: &Flight<T>) -> (T, T) {
         let coupling = (self.x2 - self.x1) + flight.coupling_damping * (self.v2 - self.v1);
-        let a1 = coupling + flight.force1 * self.sin;
+        let a1 = self.drive.pushed(coupling + flight.force1 * self.sin);
         let a2 = (flight.force2 * self.sin - flight.ground_stiffness * self.x2)
             - (flight.ground_damping * self.v2 + flight.inverse_mass * coupling);
         (a1, a2)
@@ -158,8 +170,10 @@ impl<T: Real> Point<T> {
         let (acceleration, a2) = self.accelerations(flight);
         Motion {
             acceleration,
-            jerk: ((self.v2 - self.v1) + flight.coupling_damping * (a2 - free * acceleration))
-                + flight.force1 * flight.omega * self.cos,
+            jerk: self.drive.jerked(
+                ((self.v2 - self.v1) + flight.coupling_damping * (a2 - free * acceleration))
+                    + flight.force1 * flight.omega * self.cos,
+            ),
             bound: self.bound(flight),
         }
     }
@@ -168,8 +182,9 @@ impl<T: Real> Point<T> {
     #[inline(always)]
     pub fn bound(&self, flight: &Flight<T>) -> T {
         let [b0, b1, b2, b3] = flight.bound;
-        (b0 * self.x1.abs() + b1 * self.x2.abs())
+        let bound = (b0 * self.x1.abs() + b1 * self.x2.abs())
             + (b2 * self.v1.abs() + b3 * self.v2.abs())
-            + flight.bound_forcing
+            + flight.bound_forcing;
+        self.drive.bounded(bound)
     }
 }

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::chatter;
 use super::contact;
+use super::drive::Drive;
 use super::point::{Motion, Point};
 use super::tangent::Variation;
 use crate::model::{Flight, Real};
@@ -104,11 +105,11 @@ pub struct Move<T> {
 ///
 /// Time is never summed up: the place is a step within the forcing period and an offset within the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Trajectory<T> {
+pub struct Trajectory<T, D = ()> {
     /// The present state and forcing phasor.
-    pub point: Point<T>,
+    pub point: Point<T, D>,
     /// Where the present step ends if nothing more is met on the way; known while the first mass flies.
-    ahead: Point<T>,
+    ahead: Point<T, D>,
     /// Kicks that were added to it, each with its rounding.
     kicks: u32,
     /// What the first mass touches.
@@ -137,10 +138,28 @@ impl<T: Real> Trajectory<T> {
         let steps = phase / std::f64::consts::TAU * f64::from(flight.steps);
         let step = (steps as u32).min(flight.steps - 1);
         let (sin, cos) = phase.sin_cos();
-        let point = Point { x1, x2, v1, v2, sin: T::of(sin), cos: T::of(cos) };
+        let point = Point { x1, x2, v1, v2, sin: T::of(sin), cos: T::of(cos), drive: () };
         let offset = T::of((steps - f64::from(step)) * flight.h.widen());
-        let ahead = point.flown(flight, flight.h - offset, T::one());
-        Trajectory { point, ahead, kicks: 0, contact: Contact::Free, step, offset }
+        Trajectory::from_point(flight, point, Contact::Free, step, offset)
+    }
+}
+
+impl<T: Real, D: Drive<T>> Trajectory<T, D> {
+    /// A trajectory that goes on from a point at a time `offset`, 0 ≤ offset < h, after the beginning of a step.
+    ///
+    /// The point's phasor must be that of this time.
+    pub fn from_point(
+        flight: &Flight<T>,
+        point: Point<T, D>,
+        contact: Contact,
+        step: u32,
+        offset: T,
+    ) -> Self {
+        let ahead = match contact {
+            Contact::Free => point.flown(flight, flight.h - offset, T::one()),
+            Contact::Stuck(_) | Contact::Clamped => point,
+        };
+        Trajectory { point, ahead, kicks: 0, contact, step, offset }
     }
 
     /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none.

@@ -163,7 +163,7 @@ fn kick(system: &System, h: f64) -> [[f64; 4]; KICK_TERMS] {
 }
 
 /// See [`Flight::bound`]: the larger of what free flight and sticking need, component by component.
-fn bounds(system: &System, h: f64) -> ([f64; 4], f64) {
+pub(super) fn bounds(system: &System, h: f64) -> ([f64; 4], f64) {
     let free = generator::free(system);
     let stuck = generator::stuck(system);
     let acceleration: RowVector6<f64> = free.row(V1).into_owned();

@@ -67,12 +67,40 @@ impl System {
         let a2 = a * a;
         let a4 = a2 * a2;
         system.rate = (a4 * a4).norm().powf(0.125).max(omega);
-        let half_steps = (0.5 * system.rate * system.period() / Self::STEP).ceil();
+        system.divide()?;
+        Ok(system)
+    }
+
+    /// Cuts the forcing period into steps short enough for the fastest motion.
+    fn divide(&mut self) -> Result<(), SystemError> {
+        let half_steps = (0.5 * self.rate * self.period() / Self::STEP).ceil();
         if half_steps.is_nan() || half_steps > f64::from(Self::MOST_STEPS / 2) {
+            let Parameters { omega, zeta, .. } = self.parameters;
             return Err(SystemError::TooStiff { omega, zeta });
         }
-        system.steps = 2 * half_steps as u32;
-        Ok(system)
+        self.steps = 2 * half_steps as u32;
+        Ok(())
+    }
+
+    /// The same system, in steps short enough for a drive of frequency γω too, `ratio` = γ ≥ 0.
+    ///
+    /// # Errors
+    /// [`SystemError::TooStiff`] where one forcing period would hold too many of them.
+    pub fn following(mut self, ratio: f64) -> Result<Self, SystemError> {
+        let frequency = ratio * self.parameters.omega;
+        if frequency > self.rate || frequency.is_nan() {
+            self.rate = frequency;
+            self.divide()?;
+        }
+        Ok(self)
+    }
+
+    /// The same masses, springs and dampers under nothing but a unit force of frequency γω on the first mass.
+    pub(super) fn driven(mut self, ratio: f64) -> Self {
+        self.parameters.omega *= ratio;
+        self.force1 = 1.0;
+        self.force2 = 0.0;
+        self
     }
 
     /// The same system without forcing; ω stays as the clock that counts periods.

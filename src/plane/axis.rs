@@ -6,6 +6,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::control::ControlQuantity;
 use crate::model::{Parameter, ParameterError};
 
 /// A component of the start state, at forcing phase 0; non-dimensional.
@@ -50,6 +51,8 @@ pub enum Quantity {
     Parameter(Parameter),
     /// A component of the start.
     Start(Component),
+    /// A setting of a control method.
+    Control(ControlQuantity),
 }
 
 impl Quantity {
@@ -58,6 +61,7 @@ impl Quantity {
         match self {
             Quantity::Parameter(parameter) => parameter.name(),
             Quantity::Start(component) => component.name(),
+            Quantity::Control(setting) => setting.name(),
         }
     }
 }
@@ -68,6 +72,9 @@ impl FromStr for Quantity {
     fn from_str(name: &str) -> Result<Self, AxisError> {
         if let Some(component) = Component::ALL.into_iter().find(|c| c.name() == name) {
             return Ok(Quantity::Start(component));
+        }
+        if let Some(setting) = ControlQuantity::ALL.into_iter().find(|c| c.name() == name) {
+            return Ok(Quantity::Control(setting));
         }
         name.parse().map(Quantity::Parameter).map_err(|_| AxisError::UnknownName(name.to_owned()))
     }
@@ -113,7 +120,12 @@ impl Axis {
             parameter.check(first)?;
             parameter.check(last)?;
         }
-        Ok(Axis { quantity, first, last, count })
+        let axis = Axis { quantity, first, last, count };
+        let whole = axis.control().is_some_and(ControlQuantity::is_whole);
+        if whole && axis.values().iter().any(|value| value.fract() != 0.0 || *value < 0.0) {
+            return Err(AxisError::NotWhole { name, first, last, count });
+        }
+        Ok(axis)
     }
 
     /// The value at index `i`; the ends are exact.
@@ -122,6 +134,14 @@ impl Axis {
             return self.last;
         }
         self.first + (self.last - self.first) * f64::from(i) / f64::from(self.count - 1)
+    }
+
+    /// The setting of a control method that the axis varies, if it does.
+    pub fn control(&self) -> Option<ControlQuantity> {
+        match self.quantity {
+            Quantity::Control(setting) => Some(setting),
+            Quantity::Parameter(_) | Quantity::Start(_) => None,
+        }
     }
 
     /// All values, in order.
@@ -163,7 +183,8 @@ pub enum AxisError {
     /// Neither a parameter nor a component of the start.
     #[error(
         "unknown axis `{0}`; an axis is one of the parameters omega, delta, zeta, r, mu_m, mu_k, mu_c, f20 \
-         or a component of the start x1, x2, v1, v2"
+         or a component of the start x1, x2, v1, v2 (or, with --control, a setting of the method: gain, delay, \
+         amplitude, alpha, dead_band, gamma, phase, period, noise, target_v1, target_x2, target_v2, target_tau)"
     )]
     UnknownName(String),
     /// An end is NaN or infinite.
@@ -193,6 +214,20 @@ pub enum AxisError {
         name: &'static str,
         /// The count that was asked for.
         count: u64,
+    },
+    /// Whole numbers are wanted.
+    #[error(
+        "axis {name}={first}:{last}:{count} has values that are not whole numbers: choose a COUNT so that all are"
+    )]
+    NotWhole {
+        /// The axis.
+        name: &'static str,
+        /// Its first value.
+        first: f64,
+        /// Its last value.
+        last: f64,
+        /// How many values.
+        count: u32,
     },
     /// Two ends but one value.
     #[error("axis {name}={first}:{last} has two ends but a COUNT of 1: give 2 or more, or equal ends")]

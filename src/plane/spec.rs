@@ -40,7 +40,15 @@ impl Plane {
         if self.cells() > Self::LARGEST {
             return Err(PlaneError::TooLarge { x: self.x.count, y: self.y.count });
         }
+        if let Some(setting) = [&self.x, &self.y].into_iter().find_map(|axis| axis.control()) {
+            return Err(PlaneError::NoControl(setting.name()));
+        }
         self.schedule.check()?;
+        self.check_cells()
+    }
+
+    /// Checks parameters and starts, whatever else an axis varies.
+    pub(super) fn check_cells(&self) -> Result<(), PlaneError> {
         self.parameters.check()?;
         self.check_starts()
     }
@@ -74,7 +82,7 @@ impl Plane {
         [(&self.x, column), (&self.y, row)].into_iter().fold(self.parameters, |parameters, (axis, i)| {
             match axis.quantity {
                 Quantity::Parameter(parameter) => parameters.with(parameter, axis.value(i)),
-                Quantity::Start(_) => parameters,
+                Quantity::Start(_) | Quantity::Control(_) => parameters,
             }
         })
     }
@@ -83,7 +91,7 @@ impl Plane {
     pub fn start_at(&self, column: u32, row: u32) -> Start {
         [(&self.x, column), (&self.y, row)].into_iter().fold(self.start, |start, (axis, i)| {
             match (axis.quantity, start) {
-                (Quantity::Parameter(_), start) => start,
+                (Quantity::Parameter(_) | Quantity::Control(_), start) => start,
                 (Quantity::Start(component), start) => {
                     let mut state = if let Start::State(state) = start { state } else { [0.0; 4] };
                     state[component.index()] = axis.value(i);
@@ -100,6 +108,9 @@ pub enum PlaneError {
     /// Both axes vary the same thing.
     #[error("both axes are {0}: choose two different names")]
     SameAxis(&'static str),
+    /// An axis varies a setting of a control method, and there is none.
+    #[error("axis {0} is a setting of a control method: choose one with --control sine, pulse or delay")]
+    NoControl(&'static str),
     /// More cells than [`Plane::LARGEST`].
     #[error("a plane of {x} × {y} cells is too large: at most {} cells are accepted", Plane::LARGEST)]
     TooLarge {

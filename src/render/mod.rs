@@ -7,6 +7,8 @@
 
 mod canvas;
 mod colours;
+mod control;
+mod convergence;
 mod curves;
 mod diagram;
 #[cfg(test)]
@@ -29,6 +31,8 @@ mod ticks;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
+pub use control::{ControlPicture, Response};
+pub use convergence::convergence_map;
 pub use curves::Shown;
 pub use diagram::diagram_figure;
 pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, StripLabel, TooSmall};
@@ -38,7 +42,7 @@ pub use motion::Motion;
 pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};
 pub use paint::Paint;
 pub use picture::Picture;
-pub use regions::{region_map, region_map_with_curves};
+pub use regions::{control_map, region_map, region_map_with_curves};
 pub use scale::Scale;
 pub use size::{Size, SizeError};
 pub use text::Text;

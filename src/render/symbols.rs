@@ -3,6 +3,7 @@
 use super::frame::AxisTitle;
 use super::text::Text;
 use crate::analysis::Reading;
+use crate::control::ControlQuantity;
 use crate::model::{Parameter, Parameters};
 use crate::plane::{Component, Quantity, Start};
 
@@ -19,6 +20,27 @@ pub(super) fn symbol(quantity: Quantity) -> Text {
         Quantity::Start(Component::X2) => letter("x", "2"),
         Quantity::Start(Component::V1) => letter("v", "1"),
         Quantity::Start(Component::V2) => letter("v", "2"),
+        Quantity::Control(setting) => control_symbol(setting),
+    }
+}
+
+/// The symbol of a setting of a control method.
+pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
+    let letter = |letter: &str| Text::new().italic(letter);
+    match setting {
+        ControlQuantity::Gain => letter("g"),
+        ControlQuantity::Delay => letter("p"),
+        ControlQuantity::Amplitude => letter("B"),
+        ControlQuantity::Alpha => letter("α"),
+        ControlQuantity::DeadBand => letter("Δ"),
+        ControlQuantity::Gamma => letter("γ"),
+        ControlQuantity::Phase => letter("φ"),
+        ControlQuantity::Period => letter("P"),
+        ControlQuantity::Noise => letter("E"),
+        ControlQuantity::TargetV1 => letter("v").subscript("1").superscript("+"),
+        ControlQuantity::TargetX2 => letter("x").subscript("2"),
+        ControlQuantity::TargetV2 => letter("v").subscript("2"),
+        ControlQuantity::TargetTau => letter("τ").subscript("0"),
     }
 }
 
@@ -30,6 +52,7 @@ pub(super) fn axis_title(quantity: Quantity) -> AxisTitle {
         Quantity::Start(Component::X2) => "start displacement of the second mass",
         Quantity::Start(Component::V1) => "start velocity of the first mass",
         Quantity::Start(Component::V2) => "start velocity of the second mass",
+        Quantity::Control(setting) => setting.description(),
     };
     let short = symbol(quantity);
     AxisTitle { long: Text::from(description).upright(" ").then(short.clone()), short }

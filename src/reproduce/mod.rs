@@ -6,6 +6,7 @@
 mod bench;
 mod chatter;
 mod claim;
+mod control;
 mod diagrams;
 mod loss;
 mod orbits;
@@ -64,6 +65,15 @@ pub fn registry() -> Vec<&'static dyn PaperFigure> {
         &chatter::Figure12,
         &chatter::Figure13,
         &sections::Figure14,
+        &control::Figure15,
+        &control::Figure16,
+        &control::Figure17,
+        &control::Figure18,
+        &control::Figure19,
+        &control::Figure20,
+        &control::Figure21,
+        &control::Figure22,
+        &control::Figure23,
     ]
 }
 

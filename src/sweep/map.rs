@@ -33,7 +33,7 @@ pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<
 }
 
 /// Refuses time scales that are too far apart before anything is computed: they are so on the border first.
-fn check_border(plane: &Plane) -> Result<(), SystemError> {
+pub(super) fn check_border(plane: &Plane) -> Result<(), SystemError> {
     let (columns, rows) = (plane.x.count, plane.y.count);
     let horizontal = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
     let vertical = (0..rows).flat_map(|row| [(0, row), (columns - 1, row)]);
@@ -90,6 +90,15 @@ mod tests {
             assert!(jobs.len() <= self.tile.max(1), "a tile of {} jobs", jobs.len());
             watch.finished(jobs.len() as u64);
             Ok(jobs.iter().map(echo).collect())
+        }
+
+        fn control(
+            &self,
+            _: &[crate::backend::ControlJob],
+            _: &crate::control::ControlSchedule,
+            _: &dyn Watch,
+        ) -> Result<Vec<crate::control::Outcome>, BackendError> {
+            unreachable!("nothing is controlled here")
         }
 
         fn trace(

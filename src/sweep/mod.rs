@@ -1,5 +1,6 @@
 //! Whole planes and diagrams on one back end.
 
+mod control;
 mod diagram;
 mod map;
 
@@ -10,6 +11,7 @@ use crate::diagram::DiagramError;
 use crate::model::SystemError;
 use crate::plane::{PlaneError, Provenance};
 
+pub use control::{ControlSweepError, sweep_control};
 pub use diagram::diagram;
 pub use map::sweep;
 

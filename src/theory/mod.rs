@@ -38,4 +38,6 @@ pub use seeding::{NotFound, Search, labelled_motion, settled_motion};
 pub use settled::SettledMotion;
 pub use spectrum::{Spectrum, SpectrumFailed};
 pub use strobe::StrobeMotion;
-pub use symmetric::{NoSymmetricMotion, SymmetricMotion, symmetric_motions, symmetric_start};
+pub use symmetric::{
+    NoSymmetricMotion, SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target,
+};

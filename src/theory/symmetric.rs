@@ -118,17 +118,22 @@ fn solution(flight: &Flight<f64>, flow: &Flow, section: Section) -> SymmetricMot
 ///
 /// Of two physical solutions the one with the smaller multipliers is taken.
 pub fn symmetric_start(system: &System) -> Option<[f64; 4]> {
-    let radius = |motion: &SymmetricMotion| motion.spectral_radius(system);
-    let [x1, x2, v1, v2] = match symmetric_motions(system).ok()? {
-        [a, b] if a.at_phase_zero.is_ok() && b.at_phase_zero.is_ok() => {
-            if radius(&a) <= radius(&b) {
-                a.at_phase_zero
-            } else {
-                b.at_phase_zero
-            }
-        }
-        [a, b] => a.at_phase_zero.or(b.at_phase_zero),
-    }
-    .ok()?;
+    let [x1, x2, v1, v2] = stable_branch(system)?.at_phase_zero.ok()?;
     Some([x1, x2 + NUDGE, v1, v2])
+}
+
+/// The fixed point (v1+, x2, v2, τ) of the same motion on σ, where it exists and is physical.
+pub fn symmetric_target(system: &System) -> Option<[f64; 4]> {
+    stable_branch(system).map(|motion| motion.motion.section())
+}
+
+fn stable_branch(system: &System) -> Option<SymmetricMotion> {
+    let radius = |motion: &SymmetricMotion| motion.spectral_radius(system);
+    let [a, b] = symmetric_motions(system).ok()?;
+    match (a.at_phase_zero.is_ok(), b.at_phase_zero.is_ok()) {
+        (true, true) => Some(if radius(&a) <= radius(&b) { a } else { b }),
+        (true, false) => Some(a),
+        (false, true) => Some(b),
+        (false, false) => None,
+    }
 }

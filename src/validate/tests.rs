@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::analysis::{Probe, Regime, Schedule, Trace, Verdict};
-use crate::backend::{Backend, BackendError, Job, Unwatched, Watch};
+use crate::backend::{Backend, BackendError, ControlJob, Job, Unwatched, Watch};
+use crate::control::{ControlSchedule, Outcome};
 use crate::model::Parameters;
 use crate::plane::{Plane, Provenance, RegionMap, Start};
 
@@ -175,6 +176,15 @@ impl Backend for Attractor {
         assert!(jobs.len() <= self.tile());
         assert_eq!((schedule.transient, schedule.observe % 2, schedule.fixed_periods), (0, 0, true));
         Ok(jobs.iter().map(|job| self.follow(job)).collect())
+    }
+
+    fn control(
+        &self,
+        _: &[ControlJob],
+        _: &ControlSchedule,
+        _: &dyn Watch,
+    ) -> Result<Vec<Outcome>, BackendError> {
+        unreachable!("nothing is controlled here")
     }
 
     fn trace(

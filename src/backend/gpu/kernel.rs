@@ -1,5 +1,6 @@
 //! The kernel on its device: a tile of trajectories, dispatched in bounded portions until all are finished.
 
+use std::marker::PhantomData;
 use std::sync::{OnceLock, mpsc};
 use std::time::{Duration, Instant};
 
@@ -8,10 +9,14 @@ use rayon::prelude::*;
 use wgpu::util::DeviceExt;
 
 use super::adapters::Found;
-use super::layout::{Dispatch, Flight, Kick, OBSERVER_BYTES, Schedule, Trace, TraceDispatch, Verdict};
-use super::shader::{WORKGROUP, follow_source, trace_source};
+use super::layout::{
+    CONTROLLED_BYTES, Control, ControlDispatch, ControlSchedule, Dispatch, Flight, Kick, OBSERVER_BYTES,
+    Outcome, Record, Schedule, Trace, TraceDispatch, Verdict,
+};
+use super::shader::{WORKGROUP, control_source, follow_source, trace_source};
 use crate::analysis;
-use crate::backend::{BackendError, Job, Watch};
+use crate::backend::{BackendError, ControlJob, Job, Watch};
+use crate::control::{self, DEPTH, LONGEST};
 use crate::model::{self, Real};
 
 /// How long one dispatch should take; a display driver kills one of a few seconds.
@@ -23,9 +28,12 @@ const HARDWARE_BUDGET: u32 = 1 << 14;
 /// Loop iterations in one move: the loop of the moves itself, and every place where a series is summed. Lanes that
 /// diverge go through all of them, one after the other.
 const ITERATIONS: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
-/// The most moves of one dispatch on a software adapter: Mesa's stop every loop in silence after 65,535 iterations
+/// The same under control: a return to the section sums three more series, moves what is remembered, and compares.
+const CONTROL_ITERATIONS: u32 =
+    ITERATIONS + 4 * <f32 as Real>::ORDER as u32 + 5 * DEPTH as u32 + 4 * LONGEST as u32;
+/// Loop iterations of one dispatch on a software adapter: Mesa's stop every loop in silence after 65,535 iterations
 /// of all the loops in an invocation. (The kernel counts a trajectory that was cut short as failed.)
-const SOFTWARE_BUDGET: u32 = 65_535 / ITERATIONS;
+const SOFTWARE_ITERATIONS: u32 = 65_535;
 /// Trajectories of one tile.
 const HARDWARE_TILE: usize = 1 << 18;
 const SOFTWARE_TILE: usize = 1 << 13;
@@ -39,12 +47,18 @@ pub struct Kernel {
     follow: wgpu::ComputePipeline,
     /// Compiled when it is first needed.
     trace: OnceLock<wgpu::ComputePipeline>,
+    /// The same.
+    control: OnceLock<wgpu::ComputePipeline>,
     software: bool,
 }
 
 /// What a tile of trajectories is followed with.
 struct Program<'a, D> {
     pipeline: &'a wgpu::ComputePipeline,
+    /// Bytes of a trajectory's state.
+    state: u64,
+    /// Loop iterations in one move.
+    iterations: u32,
     /// Buffers beyond those that every kernel has, in the order of their bindings.
     more: &'a [&'a wgpu::Buffer],
     /// The uniforms of one dispatch: of so many trajectories, so many moves, the first or a later one.
@@ -73,7 +87,14 @@ impl Kernel {
         let (device, queue) = pollster::block_on(found.adapter.request_device(&descriptor))
             .map_err(|error| BackendError::Device(error.to_string()))?;
         let follow = compiled(&device, "follow", follow_source())?;
-        Ok(Kernel { device, queue, follow, trace: OnceLock::new(), software: found.report.is_software() })
+        Ok(Kernel {
+            device,
+            queue,
+            follow,
+            trace: OnceLock::new(),
+            control: OnceLock::new(),
+            software: found.report.is_software(),
+        })
     }
 
     /// Trajectories that one call of [`Kernel::run`] takes at most.
@@ -102,7 +123,72 @@ impl Kernel {
             begin,
             row: ROW * WORKGROUP,
         };
-        self.drive(jobs, &Program { pipeline: &self.follow, more: &[], dispatch: &dispatch }, watch)
+        let program = self.observing(&self.follow, &[], &dispatch);
+        Ok(self.drive::<_, Verdict>(jobs, &program, watch)?.iter().map(Verdict::widen).collect())
+    }
+
+    /// A kernel that carries observers and gives verdicts.
+    fn observing<'a, D>(
+        &self,
+        pipeline: &'a wgpu::ComputePipeline,
+        more: &'a [&'a wgpu::Buffer],
+        dispatch: &'a dyn Fn(Portion) -> D,
+    ) -> Program<'a, D> {
+        Program { pipeline, state: OBSERVER_BYTES, iterations: ITERATIONS, more, dispatch }
+    }
+
+    /// Trajectories that one call of [`Kernel::control`] takes at most.
+    pub fn control_tile(&self) -> usize {
+        let binding = self.device.limits().max_storage_buffer_binding_size;
+        self.tile().min((binding / CONTROLLED_BYTES) as usize)
+    }
+
+    /// Follows one tile of trajectories under control.
+    pub fn control(
+        &self,
+        jobs: &[ControlJob],
+        schedule: &control::ControlSchedule,
+        watch: &dyn Watch,
+    ) -> Result<Vec<control::Outcome>, BackendError> {
+        if jobs.is_empty() {
+            return Ok(Vec::new());
+        }
+        let pipeline = match self.control.get() {
+            Some(pipeline) => pipeline,
+            None => {
+                let pipeline = compiled(&self.device, "control_trajectories", control_source())?;
+                self.control.get_or_init(|| pipeline)
+            }
+        };
+        let controls: Vec<Control> = jobs
+            .par_iter()
+            .map(|ControlJob { job: Job { system, .. }, controller }| {
+                Control::new(controller, system, &model::Flight::new(system))
+            })
+            .collect();
+        let controls = guarded(&self.device, || {
+            self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: None,
+                contents: bytemuck::cast_slice(&controls),
+                usage: wgpu::BufferUsages::STORAGE,
+            })
+        })?;
+        let dispatch = |Portion { count, budget, begin }| ControlDispatch {
+            schedule: ControlSchedule::new(schedule),
+            count,
+            budget,
+            begin,
+            row: ROW * WORKGROUP,
+        };
+        let program = Program {
+            pipeline,
+            state: CONTROLLED_BYTES,
+            iterations: CONTROL_ITERATIONS,
+            more: &[&controls],
+            dispatch: &dispatch,
+        };
+        let jobs: Vec<Job> = jobs.iter().map(|job| job.job).collect();
+        Ok(self.drive::<_, Outcome>(&jobs, &program, watch)?.iter().map(Outcome::widen).collect())
     }
 
     /// Follows one tile of trajectories and reads a section while they are observed.
@@ -141,14 +227,15 @@ impl Kernel {
             capacity,
             unused: 0,
         };
-        let program = Program { pipeline, more: &[&traces, &readings], dispatch: &dispatch };
-        let verdicts = self.drive(jobs, &program, watch)?;
+        let more = [&traces, &readings];
+        let program = self.observing(pipeline, &more, &dispatch);
+        let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
         let traces: Vec<Trace> = guarded(&self.device, || self.fetch(&traces))??;
         let readings: Vec<f32> = guarded(&self.device, || self.fetch(&readings))??;
-        let of_cell = |((verdict, trace), readings): ((analysis::Verdict, &Trace), &[f32])| {
+        let of_cell = |((verdict, trace), readings): ((Verdict, &Trace), &[f32])| {
             let kept = trace.passages.min(capacity);
             analysis::Trace {
-                verdict,
+                verdict: verdict.widen(),
                 readings: readings[..kept as usize].iter().map(|&value| f64::from(value)).collect(),
                 left_out: trace.passages - kept,
                 rebounds: trace.rebounds.longest,
@@ -163,18 +250,18 @@ impl Kernel {
     }
 
     /// Follows one tile of trajectories with a kernel, in portions of bounded time.
-    fn drive<D: Pod>(
+    fn drive<D: Pod, R: Record>(
         &self,
         jobs: &[Job],
         program: &Program<'_, D>,
         watch: &dyn Watch,
-    ) -> Result<Vec<analysis::Verdict>, BackendError> {
+    ) -> Result<Vec<R>, BackendError> {
         if jobs.is_empty() {
             return Ok(Vec::new());
         }
-        let tile = guarded(&self.device, || Tile::new(self, program, jobs))?;
-        let most = if self.software { SOFTWARE_BUDGET } else { HARDWARE_BUDGET };
-        let mut budget = FIRST_BUDGET;
+        let tile = guarded(&self.device, || Tile::<R>::new(self, program, jobs))?;
+        let most = if self.software { SOFTWARE_ITERATIONS / program.iterations } else { HARDWARE_BUDGET };
+        let mut budget = FIRST_BUDGET.min(most);
         let mut unfinished: Vec<u32> = (0..jobs.len() as u32).collect();
         let mut verdicts = Vec::new();
         let mut begin = 1;
@@ -191,7 +278,7 @@ impl Kernel {
             budget = next_budget(budget, began.elapsed(), most);
             begin = 0;
         }
-        Ok(verdicts.iter().map(Verdict::widen).collect())
+        Ok(verdicts)
     }
 
     /// Reads a buffer of the device.
@@ -272,7 +359,8 @@ fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> R) -> Result<R, Back
 }
 
 /// The buffers of one tile.
-struct Tile {
+struct Tile<R> {
+    record: PhantomData<R>,
     bind_group: wgpu::BindGroup,
     dispatch: wgpu::Buffer,
     unfinished: wgpu::Buffer,
@@ -280,7 +368,7 @@ struct Tile {
     readback: wgpu::Buffer,
 }
 
-impl Tile {
+impl<R: Record> Tile<R> {
     fn new<D: Pod>(kernel: &Kernel, program: &Program<'_, D>, jobs: &[Job]) -> Self {
         let device = &kernel.device;
         let constants: Vec<model::Flight<f32>> =
@@ -288,7 +376,7 @@ impl Tile {
         let flights: Vec<Flight> = constants.iter().map(Flight::new).collect();
         let kicks: Vec<Kick> = constants.iter().map(Kick::new).collect();
         let starts: Vec<[f32; 4]> = jobs.iter().map(|job| job.start.map(|value| value as f32)).collect();
-        let pending = vec![Verdict::PENDING; jobs.len()];
+        let pending = vec![R::PENDING; jobs.len()];
         let filled = |contents: &[u8], usage: wgpu::BufferUsages| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
         };
@@ -300,7 +388,7 @@ impl Tile {
         let kicks = filled(bytemuck::cast_slice(&kicks), storage);
         let starts = filled(bytemuck::cast_slice(&starts), storage);
         let unfinished = empty(device, 4 * cells, storage | wgpu::BufferUsages::COPY_DST);
-        let observers = empty(device, OBSERVER_BYTES * cells, storage);
+        let observers = empty(device, program.state * cells, storage);
         let verdicts = filled(bytemuck::cast_slice(&pending), storage | wgpu::BufferUsages::COPY_SRC);
         let readback =
             empty(device, verdicts.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
@@ -314,7 +402,7 @@ impl Tile {
             layout: &program.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
-        Tile { bind_group, dispatch, unfinished, verdicts, readback }
+        Tile { record: PhantomData, bind_group, dispatch, unfinished, verdicts, readback }
     }
 
     /// One portion of moves for the unfinished trajectories; all the tile's verdicts come back.
@@ -324,7 +412,7 @@ impl Tile {
         program: &Program<'_, D>,
         portion: Portion,
         unfinished: &[u32],
-    ) -> Result<Vec<Verdict>, BackendError> {
+    ) -> Result<Vec<R>, BackendError> {
         kernel.queue.write_buffer(&self.dispatch, 0, bytemuck::bytes_of(&(program.dispatch)(portion)));
         kernel.queue.write_buffer(&self.unfinished, 0, bytemuck::cast_slice(unfinished));
         let mut encoder = kernel.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());

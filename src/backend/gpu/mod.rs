@@ -9,8 +9,9 @@ mod shader;
 
 use std::fmt;
 
-use super::{Backend, BackendError, Job, Watch};
+use super::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::analysis::{Probe, Schedule, Trace, Verdict};
+use crate::control::{ControlSchedule, Controller, Convention, Outcome};
 
 pub use adapters::{AdapterReport, adapters};
 
@@ -84,6 +85,26 @@ impl Backend for Gpu {
         Ok(verdicts)
     }
 
+    fn control(
+        &self,
+        jobs: &[ControlJob],
+        schedule: &ControlSchedule,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Outcome>, BackendError> {
+        if jobs.iter().any(|job| !has_kernel_for(&job.controller)) {
+            return Err(BackendError::Unsupported(
+                "on the GPU a sine force is in phase with the forcing, gamma = 1 and phase = 0: use --backend cpu \
+                 for any other"
+                    .to_owned(),
+            ));
+        }
+        let mut outcomes = Vec::with_capacity(jobs.len());
+        for tile in jobs.chunks(self.kernel.control_tile()) {
+            outcomes.extend(self.kernel.control(tile, schedule, watch)?);
+        }
+        Ok(outcomes)
+    }
+
     fn trace(
         &self,
         jobs: &[Job],
@@ -97,5 +118,17 @@ impl Backend for Gpu {
             traces.extend(self.kernel.trace(tile, schedule, probe, capacity, watch)?);
         }
         Ok(traces)
+    }
+}
+
+/// A force in phase with the forcing is a change of it; any other would be a second phasor.
+fn has_kernel_for(controller: &Controller<f64>) -> bool {
+    match controller {
+        Controller::Sine(sine) => match sine.convention {
+            Convention::Kick => true,
+            Convention::Force => sine.ratio == 1.0 && sine.phase == 0.0,
+            Convention::ForceLocal => false,
+        },
+        Controller::None | Controller::Pulse(_) | Controller::Delay(_) => true,
     }
 }

@@ -2,9 +2,11 @@
 
 use std::fmt::{Debug, Write};
 
-use super::layout::KICK_TERMS;
+use super::layout::{KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE};
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Regime, Section, Stage};
+use crate::control::constants as control;
+use crate::control::{Convention, DEPTH, LONGEST, NEVER, Progress};
 use crate::dynamics::constants as dynamics;
 use crate::model::Real;
 
@@ -23,6 +25,23 @@ pub fn trace_source() -> String {
         include_str!("../../../shaders/analysis/section.wgsl"),
         include_str!("../../../shaders/analysis/trace.wgsl"),
         include_str!("../../../shaders/kernels/trace.wgsl"),
+    ]
+    .join("\n")
+}
+
+/// The source of the kernel `control_trajectories`.
+pub fn control_source() -> String {
+    [
+        common().as_str(),
+        include_str!("../../../shaders/control/section.wgsl"),
+        include_str!("../../../shaders/control/memory.wgsl"),
+        include_str!("../../../shaders/control/method.wgsl"),
+        include_str!("../../../shaders/control/sine.wgsl"),
+        include_str!("../../../shaders/control/pulse.wgsl"),
+        include_str!("../../../shaders/control/delay.wgsl"),
+        include_str!("../../../shaders/control/deviation.wgsl"),
+        include_str!("../../../shaders/control/controlled.wgsl"),
+        include_str!("../../../shaders/kernels/control.wgsl"),
     ]
     .join("\n")
 }
@@ -59,6 +78,10 @@ fn constants() -> String {
         let name = constant("SECTION", section);
         writeln!(source, "const {name} = {}u;", section as u32).expect("a string takes anything");
     }
+    for progress in Progress::ALL {
+        let name = constant("PROGRESS", progress);
+        writeln!(source, "const {name} = {}u;", progress as u32).expect("a string takes anything");
+    }
     for reading in Reading::ALL {
         let name = constant("READING", reading);
         writeln!(source, "const {name} = {}u;", reading as u32).expect("a string takes anything");
@@ -79,6 +102,17 @@ fn constants() -> String {
         ("SETTLED_OBSERVATION", analysis::SETTLED_OBSERVATION),
         ("MOST_KICKS", dynamics::MOST_KICKS),
         ("MOST_MOVES", analysis::MOST_MOVES),
+        ("DEPTH", DEPTH as u32),
+        ("LONGEST", LONGEST as u32),
+        ("LONGEST_PASSAGE", control::LONGEST_PASSAGE),
+        ("CONTROL_SETTLING", control::SETTLING),
+        ("NEVER", NEVER),
+        ("METHOD_NONE", METHOD_NONE),
+        ("METHOD_SINE", METHOD_SINE),
+        ("METHOD_PULSE", METHOD_PULSE),
+        ("METHOD_DELAY", METHOD_DELAY),
+        ("CONVENTION_KICK", Convention::Kick as u32),
+        ("CONVENTION_FORCE", Convention::Force as u32),
     ];
     for (name, value) in integers {
         writeln!(source, "const {name} = {value}u;").expect("a string takes anything");
@@ -93,7 +127,12 @@ fn constants() -> String {
         ("AT_REST", <f32 as Real>::AT_REST),
         ("EPSILON", epsilon),
         ("SQRT_EPSILON", f64::from(f32::EPSILON.sqrt())),
+        ("PI", std::f64::consts::PI),
         ("TAU", std::f64::consts::TAU),
+        ("HALF_PI", std::f64::consts::FRAC_PI_2),
+        ("INVERSE_TAU", 1.0 / std::f64::consts::TAU),
+        ("TWO_OVER_PI", std::f64::consts::FRAC_2_PI),
+        ("RUNAWAY", control::RUNAWAY),
         ("THIRD", 1.0 / 3.0),
         ("TWELFTH", 1.0 / 12.0),
         ("TWO_THIRDS", 2.0 / 3.0),
@@ -149,7 +188,7 @@ mod tests {
 
     #[test]
     fn the_shaders_are_valid_and_need_no_feature() {
-        for source in [follow_source(), trace_source()] {
+        for source in [follow_source(), trace_source(), control_source()] {
             let module = naga::front::wgsl::parse_str(&source)
                 .unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
             let all = naga::valid::ValidationFlags::all();

@@ -2,7 +2,6 @@
 
 use super::census::Census;
 use super::names;
-use crate::plane::RegionMap;
 use crate::render::canvas::{Point, Rect};
 use crate::render::curves::Key;
 use crate::render::frame::{Frame, Placed};
@@ -92,8 +91,8 @@ impl Detail {
 
 impl Layout {
     /// The layout with the most detail that fits.
-    pub fn of(map: &RegionMap, census: &Census, frame: &Frame, key: &Key, size: Size) -> Self {
-        let attempt = |detail| Attempt { map, census, frame, key, size, em: size.em() }.layout(detail);
+    pub fn of(title: &[Text], census: &Census, frame: &Frame, key: &Key, size: Size) -> Self {
+        let attempt = |detail| Attempt { title, census, frame, key, size, em: size.em() }.layout(detail);
         Detail::LADDER.into_iter().find_map(attempt).unwrap_or_else(|| Layout::bare(size))
     }
 
@@ -106,7 +105,7 @@ impl Layout {
 }
 
 struct Attempt<'a> {
-    map: &'a RegionMap,
+    title: &'a [Text],
     census: &'a Census,
     frame: &'a Frame,
     key: &'a Key,
@@ -123,11 +122,7 @@ impl Attempt<'_> {
             Rect { x: margin, y: margin, width: width - 2.0 * margin, height: height - 2.0 * margin };
         // The title starts above the plot, whose left edge is not known yet: ticks and titles take at most this.
         let title_width = space.width - 7.0 * em;
-        let title = if detail.title {
-            Text::wrap(names::title(&self.map.plane), em, title_width)
-        } else {
-            Vec::new()
-        };
+        let title = if detail.title { Text::wrap(self.title.to_vec(), em, title_width) } else { Vec::new() };
         let fits = title.len() <= MOST_TITLE_LINES && title.iter().all(|line| line.width(em) <= title_width);
         if !fits {
             return None;

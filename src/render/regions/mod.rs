@@ -9,14 +9,16 @@ use self::census::Census;
 use self::layout::Layout;
 use super::canvas::{Anchor, Canvas, Point};
 use super::colours::INK;
+use super::control::describe;
 use super::curves::{Overlay, Shown};
 use super::frame::Frame;
 use super::picture::Picture;
 use super::scale::Scale;
 use super::size::Size;
 use super::symbols;
+use super::text::Text;
 use crate::curves::Curve;
-use crate::plane::RegionMap;
+use crate::plane::{ControlMap, Plane, Quantity, RegionMap};
 
 /// Draws a computed plane.
 ///
@@ -25,7 +27,22 @@ use crate::plane::RegionMap;
 /// fewer pixels than the plane has cells shows the most frequent motion of each pixel. The legend names the
 /// motions by descending share of the plane. Small pictures do without the least needed words.
 pub fn region_map(map: &RegionMap, size: Size) -> Picture {
-    picture(map, None, size)
+    draw(map, &names::title(&map.plane), map.config(), None, size)
+}
+
+/// Draws the motions that the cells of a plane reach under control, like [`region_map`].
+pub fn control_map(map: &ControlMap, size: Size) -> Picture {
+    draw(&map.motions(), &control_title(map), map.config(), None, size)
+}
+
+/// The fixed parameters, the start and the method, in pieces that belong together.
+pub(super) fn control_title(map: &ControlMap) -> Vec<Text> {
+    let plane = &map.plane;
+    let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
+    let mut title = names::title(&plane.plane());
+    title.last_mut().into_iter().for_each(|last| *last = last.clone().upright(";"));
+    title.extend(describe(&plane.control, |setting| varied(Quantity::Control(setting))));
+    title
 }
 
 /// Draws a computed plane like [`region_map`], with its bifurcation curves over it.
@@ -34,19 +51,19 @@ pub fn region_map(map: &RegionMap, size: Size) -> Picture {
 /// explains both. Curves are named where there is room beside them, by abbreviation and motion or, on the plane of the
 /// paper's Fig. 5, as there; so are the regions of that plane.
 pub fn region_map_with_curves(map: &RegionMap, curves: &[Curve], shown: Shown, size: Size) -> Picture {
-    picture(map, Some(&Overlay::new(map, curves, shown)), size)
+    let overlay = Overlay::new(map, curves, shown);
+    draw(map, &names::title(&map.plane), map.config(), Some(&overlay), size)
 }
 
-fn picture(map: &RegionMap, overlay: Option<&Overlay>, size: Size) -> Picture {
+fn draw(map: &RegionMap, title: &[Text], config: String, overlay: Option<&Overlay>, size: Size) -> Picture {
     let key = overlay.map(Overlay::key).unwrap_or_default();
     let census = Census::of(map);
     let frame = frame(map);
     let em = size.em();
-    let layout = Layout::of(map, &census, &frame, &key, size);
+    let layout = Layout::of(title, &census, &frame, &key, size);
     let (width, height) = (layout.plot.width as u32, layout.plot.height as u32);
     let regions = raster::draw(map, &census, width, height, em);
 
-    let config = map.config();
     let mut canvas = Canvas::new(size, &config);
     canvas.image(layout.plot, &regions);
     if let Some(overlay) = overlay {
@@ -67,7 +84,11 @@ fn picture(map: &RegionMap, overlay: Option<&Overlay>, size: Size) -> Picture {
 }
 
 fn frame(map: &RegionMap) -> Frame {
-    let plane = &map.plane;
+    frame_of(&map.plane)
+}
+
+/// The axes of a plane.
+pub(super) fn frame_of(plane: &Plane) -> Frame {
     Frame {
         x: Scale::of(&plane.x),
         y: Scale::of(&plane.y),
@@ -205,7 +226,8 @@ mod tests {
         for (width, height) in [(200, 150), (640, 480)] {
             let size = Size::new(width, height).unwrap();
             let census = Census::of(&map);
-            let plot = Layout::of(&map, &census, &frame(&map), &Key::default(), size).plot;
+            let plot =
+                Layout::of(&names::title(&map.plane), &census, &frame(&map), &Key::default(), size).plot;
             let [x, y, width, height] = [plot.x, plot.y, plot.width, plot.height].map(|length| length as u32);
             let expected = raster::draw(&map, &census, width, height, size.em());
             let pixels = region_map(&map, size).pixels();

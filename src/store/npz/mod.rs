@@ -15,10 +15,12 @@
 //!
 //! Rows run along y, the first row is the first y value. The same map gives the same bytes.
 
+mod control;
 mod diagram;
 mod read;
 mod write;
 
+pub use control::{write_control, write_control_map};
 pub use diagram::write_diagram;
 pub use read::{ReadError, read_map};
 pub use write::write_map;

@@ -6,6 +6,7 @@ use npyz::{AutoSerialize, DType, WriteOptions, WriterBuilder};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
+use crate::analysis::Verdict;
 use crate::plane::RegionMap;
 
 /// Writes a map as a NumPy archive; `numpy.load` reads it, without pickles.
@@ -20,8 +21,21 @@ pub fn write_map(map: &RegionMap, to: impl Write + Seek) -> io::Result<()> {
 pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + Seek) -> io::Result<()> {
     let plane = &map.plane;
     let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
-    let verdicts = || map.verdicts.iter();
     let mut archive = Archive::new(to);
+    write_verdicts(&mut archive, cells, &map.verdicts)?;
+    archive.array("x", &[plane.x.count.into()], plane.x.values())?;
+    archive.array("y", &[plane.y.count.into()], plane.y.values())?;
+    archive.text("config", config)?;
+    archive.finish()
+}
+
+/// Writes one array per field of the cells' verdicts.
+pub(super) fn write_verdicts<W: Write + Seek>(
+    archive: &mut Archive<W>,
+    cells: [u64; 2],
+    verdicts: &[Verdict],
+) -> io::Result<()> {
+    let verdicts = || verdicts.iter();
     archive.array("regime", &cells, verdicts().map(|v| v.regime.code()))?;
     archive.array("n", &cells, verdicts().map(|v| v.n))?;
     archive.array("p", &cells, verdicts().map(|v| v.p))?;
@@ -31,11 +45,7 @@ pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + 
     archive.array("state", &[cells[0], cells[1], 4], verdicts().flat_map(|v| v.state))?;
     archive.array("impacts", &cells, verdicts().map(|v| v.impacts))?;
     archive.array("peak_impact_velocity", &cells, verdicts().map(|v| v.peak_impact_velocity))?;
-    archive.array("periods", &cells, verdicts().map(|v| v.periods))?;
-    archive.array("x", &[plane.x.count.into()], plane.x.values())?;
-    archive.array("y", &[plane.y.count.into()], plane.y.values())?;
-    archive.text("config", config)?;
-    archive.finish()
+    archive.array("periods", &cells, verdicts().map(|v| v.periods))
 }
 
 /// An archive under way.

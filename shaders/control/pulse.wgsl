@@ -1,0 +1,33 @@
+// Period pulses that bring every P-th point back to the target.
+
+fn pulse_act(seen: Seen) -> Action {
+    if !pulse_is_due(seen) {
+        return action_none();
+    }
+    let p = control.point;
+    let errors = vec4(
+        pulse_uniform(seen.controlled, 0u),
+        pulse_uniform(seen.controlled, 1u),
+        pulse_uniform(seen.controlled, 2u),
+        pulse_uniform(seen.controlled, 3u),
+    );
+    return action_correcting(
+        section_minus(vec4(p[0], p[1], p[2], p[3]), seen.section) - control.noise * errors,
+    );
+}
+
+fn pulse_is_due(seen: Seen) -> bool {
+    return seen.controlled % control.period == 0u;
+}
+
+// A number between -1 and 1 that depends on nothing but seed, iterate and component.
+fn pulse_uniform(iterate: u32, component: u32) -> f32 {
+    let mixed = pulse_hash(pulse_hash(control.seed ^ (iterate * 4u + component)) + iterate);
+    return f32(mixed >> 8u) * (1.0 / 8388608.0) - 1.0;
+}
+
+fn pulse_hash(value: u32) -> u32 {
+    let state = value * 747796405u + 2891336453u;
+    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}

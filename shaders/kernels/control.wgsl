@@ -1,0 +1,69 @@
+// Follows trajectories under control, one per invocation, a bounded number of moves per dispatch.
+
+struct ControlDispatch {
+    schedule: ControlSchedule,
+    // Trajectories in this dispatch.
+    count: u32,
+    // Moves that each of them may make.
+    budget: u32,
+    // 1 in the first dispatch of a tile, which begins the trajectories; 0 in those that resume them.
+    begin: u32,
+    // Invocations in one row of workgroups.
+    row: u32,
+}
+
+@group(0) @binding(0) var<uniform> dispatch: ControlDispatch;
+@group(0) @binding(1) var<storage, read> flights: array<Flight>;
+@group(0) @binding(2) var<storage, read> kicks: array<Kick>;
+@group(0) @binding(3) var<storage, read> starts: array<vec4<f32>>;
+// Which cells are not finished yet.
+@group(0) @binding(4) var<storage, read> unfinished: array<u32>;
+@group(0) @binding(5) var<storage, read_write> states: array<Controlled>;
+@group(0) @binding(6) var<storage, read_write> outcomes: array<Outcome>;
+@group(0) @binding(7) var<storage, read> controls: array<Control>;
+
+@compute @workgroup_size(WORKGROUP)
+fn control_trajectories(@builtin(global_invocation_id) id: vec3<u32>) {
+    let index = id.y * dispatch.row + id.x;
+    if id.x >= dispatch.row || index >= dispatch.count {
+        return;
+    }
+    cell = unfinished[index];
+    flight = flights[cell];
+    control = controls[cell];
+    control_schedule = dispatch.schedule;
+    if dispatch.begin == 1u {
+        controlled_begin(starts[cell]);
+    } else {
+        controlled = states[cell];
+        trajectory = controlled.trajectory;
+        let t = controlled.tangent;
+        tangent = vec4(t[0], t[1], t[2], t[3]);
+        adapted = controlled.adapted;
+        memory = controlled.memory;
+        deviations = controlled.deviations;
+        observer.exponent = controlled.exponent;
+        observer.spread = controlled.spread;
+        controlled_force(controlled.force);
+    }
+    var taken = 0u;
+    while taken < dispatch.budget && controlled.progress <= PROGRESS_OBSERVED {
+        controlled_note(advance(controlled.progress == PROGRESS_OBSERVED));
+        taken = taken + 1u;
+    }
+    // Some drivers end every loop in silence after so many iterations; what they cut short must not pass for a result.
+    if taken < dispatch.budget && controlled.progress <= PROGRESS_OBSERVED {
+        controlled.progress = PROGRESS_FAILED;
+    }
+    controlled.trajectory = trajectory;
+    controlled.tangent = array<f32, 4>(tangent.x, tangent.y, tangent.z, tangent.w);
+    controlled.adapted = adapted;
+    controlled.memory = memory;
+    controlled.deviations = deviations;
+    controlled.exponent = observer.exponent;
+    controlled.spread = observer.spread;
+    states[cell] = controlled;
+    if controlled.progress > PROGRESS_OBSERVED {
+        outcomes[cell] = controlled_outcome();
+    }
+}

@@ -1,0 +1,299 @@
+//! `impact-atlas control`: one trajectory under control.
+
+use std::path::PathBuf;
+
+use anyhow::anyhow;
+use clap::Args;
+use impact_atlas::analysis::{Observer, Schedule};
+use impact_atlas::control::{
+    ControlSchedule, Controller, History, Outcome, Scheme, control, converged_at, multipliers,
+};
+use impact_atlas::model::{Flight, Parameters, System};
+use impact_atlas::plane::Start;
+use impact_atlas::render::{ControlPicture, Size};
+use impact_atlas::store;
+use serde::Serialize;
+
+use super::method::{MethodArgs, MethodName};
+use super::options::SystemArgs;
+use super::progress::Progress;
+use super::terminal::{print, print_json};
+use super::values::{parse, parse_range, parse_size};
+use super::{CliError, defaults, files, interrupt, note, pictures};
+
+/// The most iterates of one run.
+const MOST: u32 = 2_000_000;
+
+/// Suppresses chaos by one of three methods, and says what is reached and at what cost
+///
+/// Computed in double precision on the CPU. Control acts at the returns to the impact Poincaré section: just after an
+/// impact at stop A, x1 = +delta, at X = (v1+, x2, v2, tau). An iterate is one return. A correction that would lead off
+/// the section (v1+ > 0, into the stop) is left out altogether and counted as an escape. A corrected phase is a jump
+/// in time, so that N of a label N-p-q is the flight time in forcing periods, rounded.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  impact-atlas control delay --set omega=2.83 --gain 0.5 --out delay.png
+  impact-atlas control delay --set omega=2.83 --gain 0.1 --json
+  impact-atlas control pulse --set omega=2.83 --reference 3.7 --out pulse.png --data pulse.npz
+  impact-atlas control sine --set omega=2.83 --alpha 0.1 --dead-band 0.0055 --iterates 6000 --out sine.png
+  impact-atlas control sine --set omega=2.83 --convention force --alpha 0.05 --dead-band 0.0001 --json")]
+pub struct ControlArgs {
+    /// The method
+    #[arg(value_enum)]
+    method: MethodName,
+
+    #[command(flatten)]
+    system: SystemArgs,
+
+    /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
+    #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
+        allow_hyphen_values = true)]
+    start: Start,
+
+    /// The first iterate that is controlled
+    #[arg(long, value_name = "N", default_value_t = defaults::CONTROL_FROM)]
+    from: u32,
+
+    /// Iterates altogether
+    #[arg(long, value_name = "K", default_value_t = defaults::CONTROL_ITERATES)]
+    iterates: u32,
+
+    /// How near the final points count as converged
+    #[arg(long, value_name = "T", default_value_t = 1e-6, allow_negative_numbers = true)]
+    tolerance: f64,
+
+    #[command(flatten)]
+    settings: MethodArgs,
+
+    /// Draws the time responses and the motion under control, a PNG or SVG file
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+
+    /// The iterates that the time responses show [default: all]
+    #[arg(long, value_name = "FIRST:LAST", value_parser = parse_range, requires = "out")]
+    range: Option<[u32; 2]>,
+
+    /// The figure's size in pixels [default: as its plots need]
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, requires = "out")]
+    size: Option<Size>,
+
+    /// Writes every return and the flight at the end, an npz file
+    #[arg(long, value_name = "FILE.npz")]
+    data: Option<PathBuf>,
+
+    /// Prints JSON: method, label_before, label_after, fixed_point, converged_at, effort, period_two, escapes and more
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is printed; every quantity non-dimensional.
+#[derive(Debug, Serialize)]
+struct Report {
+    method: &'static str,
+    label_before: String,
+    label_after: String,
+    /// X = (v1+, x2, v2, τ) if every iterate ends there.
+    fixed_point: Option<[f64; 4]>,
+    /// Iterates from switching control on until the points stay within the tolerance of the final ones.
+    converged_at: Option<u32>,
+    /// Mean length of a correction, or mean |B| of a force.
+    effort: f32,
+    /// The two points of a period-two motion.
+    period_two: Option<[[f64; 4]; 2]>,
+    escapes: u32,
+    /// Iterates in one period of the motion reached.
+    period: Option<u32>,
+    /// B, or the length of the correction, at the end.
+    signal: f32,
+    /// What the method aims at: X0, or one component of it.
+    target: Option<Vec<f64>>,
+    /// The largest Lyapunov exponent under control per forcing period, where there is one.
+    lyapunov: f32,
+    /// (re, im) of the multipliers of the controlled fixed point, B as it is at the end.
+    multipliers: Option<Vec<[f64; 2]>>,
+    runaway: bool,
+    iterates: usize,
+}
+
+/// What it takes to make the results again.
+#[derive(Debug, Serialize)]
+struct Config<'a> {
+    version: &'a str,
+    parameters: &'a Parameters,
+    start: Start,
+    control: &'a Scheme,
+    schedule: ControlSchedule,
+}
+
+/// Runs the command.
+pub fn run(args: &ControlArgs) -> Result<(), CliError> {
+    let scheme = args.settings.scheme(args.method)?;
+    let schedule = ControlSchedule { from: args.from, iterates: args.iterates, fixed: true };
+    schedule.check().map_err(CliError::input)?;
+    check_lengths(args)?;
+    let (system, start) = args.system.system_and_start(args.start)?;
+    if system.parameters().delta == 0.0 {
+        return Err(CliError::Input(anyhow!(
+            "with delta = 0 there are no impacts to control at: raise delta"
+        )));
+    }
+    let controller = scheme.resolve(&system).map_err(CliError::input)?;
+    if let Some(ratio) = scheme.force_ratio() {
+        system.following(ratio).map_err(CliError::input)?;
+    }
+    if let Some(out) = &args.out {
+        pictures::format_of(out)?;
+    }
+    let [out, data] = files::prepare([args.out.as_deref(), args.data.as_deref()])?;
+    note("computing on cpu: f64");
+    let progress = Progress::of_trajectory();
+    let (history, outcome, before) = interrupt::abandonable(move || {
+        let last = schedule.iterates.saturating_sub(defaults::CONTROL_PORTRAIT);
+        let mut history = History::new(last, system.period() / f64::from(defaults::DRAWN_SAMPLES));
+        let outcome = control::<f64, _>(&system, start, &controller, &schedule, &mut history);
+        (history, outcome, label_before(&system, start))
+    })?;
+    drop(progress);
+    let outcome = outcome.map_err(CliError::input)?;
+    if history.returns.len() <= args.from as usize {
+        return Err(CliError::Input(anyhow!(
+            "control from iterate {} was never switched on: the motion ({before}) reaches stop A only {} times",
+            args.from,
+            history.returns.len()
+        )));
+    }
+    let report = Report::new(args, &system, &controller, &history, &outcome, before)?;
+    let config = Config {
+        version: env!("CARGO_PKG_VERSION"),
+        parameters: system.parameters(),
+        start: args.start,
+        control: &scheme,
+        schedule,
+    };
+    let config = serde_json::to_string(&config).map_err(CliError::machine)?;
+    let picture = ControlPicture {
+        system: &system,
+        start: args.start,
+        scheme: &scheme,
+        schedule,
+        history: &history,
+        labels: [&report.label_before, &report.label_after],
+    };
+    if let Some(output) = &out {
+        let figure = picture.figure(args.range);
+        let size = args.size.unwrap_or_else(|| figure.natural_size(defaults::WIDE_FIGURE));
+        pictures::write(&figure.draw(size, &config).map_err(CliError::input)?, output)?;
+        note(&format!("written: {}", output.path().display()));
+    }
+    if let Some(output) = &data {
+        files::write(output, |file| store::write_control(&history, &config, file))?;
+        note(&format!("written: {}", output.path().display()));
+    }
+    if args.json { print_json(&report) } else { print(&report.text()) }
+}
+
+fn check_lengths(args: &ControlArgs) -> Result<(), CliError> {
+    if args.iterates > MOST {
+        return Err(CliError::Input(anyhow!(
+            "{} iterates are too many for one recorded run: at most {MOST} are accepted",
+            args.iterates
+        )));
+    }
+    if !(args.tolerance > 0.0 && args.tolerance < 1.0) {
+        return Err(CliError::Input(anyhow!(
+            "--tolerance {} is out of range: it must be between 0 and 1",
+            args.tolerance
+        )));
+    }
+    match args.range {
+        Some([_, last]) if last >= args.iterates => Err(CliError::Input(anyhow!(
+            "--range ends at iterate {last}, but the run has only iterates 0 to {}",
+            args.iterates - 1
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// What the trajectory is without control.
+fn label_before(system: &System, start: [f64; 4]) -> String {
+    let schedule = Schedule {
+        transient: defaults::TRAJECTORY_TRANSIENT,
+        observe: defaults::TRAJECTORY_OBSERVE,
+        max_period: defaults::MAX_PERIOD,
+        fixed_periods: false,
+    };
+    let flight = Flight::new(system);
+    let mut observer = Observer::new(&flight, &schedule, start);
+    observer.follow(&flight, &schedule);
+    observer.verdict(&flight).label()
+}
+
+impl Report {
+    fn new(
+        args: &ControlArgs,
+        system: &System,
+        controller: &Controller<f64>,
+        history: &History,
+        outcome: &Outcome,
+        before: String,
+    ) -> Result<Self, CliError> {
+        let returns = &history.returns;
+        let point = |back: usize| returns[returns.len() - 1 - back].section.components;
+        let fixed_point = (outcome.period == 1).then(|| point(0));
+        let mut held = *controller;
+        if let Controller::Sine(sine) = &mut held {
+            sine.amplitude = f64::from(outcome.signal);
+        }
+        let found = match fixed_point {
+            Some(fixed) => multipliers(system, &held, fixed).map_err(CliError::input)?,
+            None => None,
+        };
+        let target = match controller {
+            Controller::Sine(sine) => Some(vec![sine.target]),
+            Controller::Pulse(pulse) => Some(pulse.target.components.to_vec()),
+            Controller::None | Controller::Delay(_) => None,
+        };
+        Ok(Report {
+            method: match args.method {
+                MethodName::Sine => "sine",
+                MethodName::Pulse => "pulse",
+                MethodName::Delay => "delay",
+            },
+            label_before: before,
+            label_after: if outcome.runaway { "runaway".to_owned() } else { outcome.verdict.label() },
+            fixed_point,
+            converged_at: converged_at(returns, args.from, outcome.period, args.tolerance),
+            effort: outcome.effort,
+            period_two: (outcome.period == 2).then(|| [point(1), point(0)]),
+            escapes: outcome.escapes,
+            period: (outcome.period > 0).then_some(outcome.period),
+            signal: outcome.signal,
+            target,
+            lyapunov: outcome.verdict.lyapunov,
+            multipliers: found.map(|found| found.iter().map(|value| [value.re, value.im]).collect()),
+            runaway: outcome.runaway,
+            iterates: returns.len(),
+        })
+    }
+
+    fn text(&self) -> String {
+        let mut lines = vec![
+            format!("before control  {}", self.label_before),
+            format!("under control   {}", self.label_after),
+        ];
+        let point =
+            |[v1, x2, v2, tau]: [f64; 4]| format!("v1+ {v1:.9}, x2 {x2:.9}, v2 {v2:.9}, tau {tau:.9}");
+        lines.extend(self.fixed_point.map(|fixed| format!("fixed point     {}", point(fixed))));
+        if let Some([a, b]) = self.period_two {
+            lines.push(format!("period two      {}\n                {}", point(a), point(b)));
+        }
+        lines.extend(
+            self.converged_at.map(|n| format!("converged       {n} iterates after control was switched on")),
+        );
+        lines
+            .push(format!("control signal  {:.6e} at the end, mean effort {:.6e}", self.signal, self.effort));
+        lines.push(format!("escapes         {}", self.escapes));
+        lines.join("\n")
+    }
+}

@@ -1,0 +1,271 @@
+//! The options of the control methods, which `control` and `map` share.
+
+use anyhow::anyhow;
+use clap::{Args, ValueEnum};
+use impact_atlas::control::{Convention, DelaySetting, PulseSetting, Scheme, Sign, SineSetting, Target};
+
+use impact_atlas::plane::Axis;
+
+use super::{CliError, defaults};
+
+/// A control method by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MethodName {
+    /// A sine force on the first mass with an adapted amplitude
+    Sine,
+    /// Period pulses that bring every P-th point back to the target
+    Pulse,
+    /// Delayed feedback of the points on the section
+    Delay,
+}
+
+impl MethodName {
+    fn name(self) -> &'static str {
+        match self {
+            MethodName::Sine => "sine",
+            MethodName::Pulse => "pulse",
+            MethodName::Delay => "delay",
+        }
+    }
+}
+
+/// What the sine force is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ConventionName {
+    /// At each return to the section v1+ is changed by B sin(γωt + φ), t the time since the last return
+    Kick,
+    /// A force B sin(γθ + φ) on the first mass between impacts, θ the phase of the forcing
+    Force,
+    /// A force B sin(γωt + φ) on the first mass between impacts, t counted from each impact at stop A
+    ForceLocal,
+}
+
+/// The sign of delayed feedback.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SignName {
+    /// X(n+1) = F(X(n)) + G (X(n) − X(n−p)), which stabilises
+    Stabilising,
+    /// X(n+1) = F(X(n)) + G (X(n−p) − X(n)), as Eq. (30) is printed
+    Printed,
+}
+
+/// A component of the section point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+pub enum ComponentName {
+    /// v1+, the velocity of the first mass after the impact
+    VAfter,
+    /// x2
+    X2,
+    /// v2
+    V2,
+    /// τ, the forcing phase at the impact
+    Tau,
+}
+
+/// The settings of the three methods.
+#[derive(Debug, Args)]
+pub struct MethodArgs {
+    /// sine: what u = B sin(γωt + φ) is [default: kick]
+    #[arg(long, value_enum, help_heading = "Sine")]
+    convention: Option<ConventionName>,
+
+    /// sine: the amplitude B before the first adaptation [default: 0]
+    #[arg(long, value_name = "B", help_heading = "Sine", allow_negative_numbers = true)]
+    amplitude: Option<f64>,
+
+    /// sine: the weight of the adaptation, 0 to 1; 0 keeps B constant [default: 0.1]
+    ///
+    /// B(n+1) = B(n) + α |e(n+1)|, and α changes its sign whenever |e(n+1)/e(n)| > 1.
+    #[arg(long, value_name = "ALPHA", help_heading = "Sine", allow_negative_numbers = true)]
+    alpha: Option<f64>,
+
+    /// sine: the error below which B is left alone [default: 0.0055]
+    #[arg(long, value_name = "DELTA", help_heading = "Sine", allow_negative_numbers = true)]
+    dead_band: Option<f64>,
+
+    /// sine: frequency of the force in units of the forcing's [default: 1]
+    #[arg(long, value_name = "GAMMA", help_heading = "Sine", allow_negative_numbers = true)]
+    gamma: Option<f64>,
+
+    /// sine: phase φ of the force in radians [default: 0]
+    #[arg(long, value_name = "PHI", help_heading = "Sine", allow_negative_numbers = true)]
+    phase: Option<f64>,
+
+    /// sine: the component of the section point that is held to the target [default: tau]
+    #[arg(long, value_enum, help_heading = "Sine")]
+    component: Option<ComponentName>,
+
+    /// pulse: the period P of the pulses in iterates [default: 1]
+    #[arg(long, value_name = "P", help_heading = "Pulse")]
+    period: Option<u32>,
+
+    /// pulse: the largest error E of a measured component [default: 0]
+    #[arg(long, value_name = "E", help_heading = "Pulse", allow_negative_numbers = true)]
+    noise: Option<f64>,
+
+    /// pulse: what the errors are drawn from [default: 1]
+    #[arg(long, value_name = "SEED", help_heading = "Pulse")]
+    seed: Option<u32>,
+
+    /// delay: the gain g of all four components, 0 to 1 [default: 0.5]
+    #[arg(long, value_name = "G", help_heading = "Delay", allow_negative_numbers = true)]
+    gain: Option<f64>,
+
+    /// delay: the diagonal of G, for v1+, x2, v2 and τ
+    #[arg(
+        long,
+        value_name = "G1,G2,G3,G4",
+        value_delimiter = ',',
+        num_args = 1,
+        conflicts_with = "gain",
+        help_heading = "Delay",
+        allow_hyphen_values = true
+    )]
+    gains: Option<Vec<f64>>,
+
+    /// delay: the delay p in iterates, 1 to 8 [default: 1]
+    #[arg(long, value_name = "p", help_heading = "Delay")]
+    delay: Option<u32>,
+
+    /// delay: the sign of the feedback [default: stabilising]
+    #[arg(long, value_enum, help_heading = "Delay")]
+    sign: Option<SignName>,
+
+    /// sine, pulse: the frequency at which the 1-1-1 motion is the target [default: 3.7]
+    #[arg(long, value_name = "OMEGA", help_heading = "Target", allow_negative_numbers = true)]
+    reference: Option<f64>,
+
+    /// sine, pulse: the target itself: one number (sine) or v1+,x2,v2,tau
+    #[arg(
+        long,
+        value_name = "X0",
+        value_delimiter = ',',
+        num_args = 1,
+        conflicts_with = "reference",
+        help_heading = "Target",
+        allow_hyphen_values = true
+    )]
+    target: Option<Vec<f64>>,
+}
+
+impl MethodArgs {
+    /// The checked scheme of a method; options of another method are refused.
+    pub fn scheme(&self, method: MethodName) -> Result<Scheme, CliError> {
+        if let Some((option, _)) = self.given().into_iter().find(|(_, of)| !of.contains(&method)) {
+            return Err(CliError::Input(anyhow!("--{option} has no effect on {}: drop it", method.name())));
+        }
+        let scheme = match method {
+            MethodName::Sine => Scheme::Sine(self.sine()?),
+            MethodName::Pulse => Scheme::Pulse(PulseSetting {
+                period: self.period.unwrap_or(1),
+                target: self.target(4)?,
+                noise: self.noise.unwrap_or(0.0),
+                seed: self.seed.unwrap_or(1),
+            }),
+            MethodName::Delay => Scheme::Delay(DelaySetting {
+                gains: self.gains()?,
+                delay: self.delay.unwrap_or(1),
+                sign: match self.sign {
+                    Some(SignName::Printed) => Sign::Printed,
+                    Some(SignName::Stabilising) | None => Sign::Stabilising,
+                },
+            }),
+        };
+        scheme.check().map_err(CliError::input)?;
+        Ok(scheme)
+    }
+
+    /// Refuses settings that an axis varies.
+    pub fn refuse_varied(&self, axes: &[(&str, Axis)]) -> Result<(), CliError> {
+        for (option, axis) in axes {
+            let Some(setting) = axis.control() else { continue };
+            let name = setting.name().replace('_', "-");
+            if let Some((given, _)) = self.given().into_iter().find(|(given, _)| *given == name) {
+                return Err(CliError::Input(anyhow!(
+                    "--{given} has no effect, since {option} {axis} varies it: drop one of the two"
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    /// The first option that was given.
+    pub fn any(&self) -> Option<&'static str> {
+        self.given().first().map(|(option, _)| *option)
+    }
+
+    /// The options that were given, with the methods that have them.
+    fn given(&self) -> Vec<(&'static str, &'static [MethodName])> {
+        use MethodName::{Delay, Pulse, Sine};
+        let options: [(&'static str, bool, &'static [MethodName]); 16] = [
+            ("convention", self.convention.is_some(), &[Sine]),
+            ("amplitude", self.amplitude.is_some(), &[Sine]),
+            ("alpha", self.alpha.is_some(), &[Sine]),
+            ("dead-band", self.dead_band.is_some(), &[Sine]),
+            ("gamma", self.gamma.is_some(), &[Sine]),
+            ("phase", self.phase.is_some(), &[Sine]),
+            ("component", self.component.is_some(), &[Sine]),
+            ("period", self.period.is_some(), &[Pulse]),
+            ("noise", self.noise.is_some(), &[Pulse]),
+            ("seed", self.seed.is_some(), &[Pulse]),
+            ("gain", self.gain.is_some(), &[Delay]),
+            ("gains", self.gains.is_some(), &[Delay]),
+            ("delay", self.delay.is_some(), &[Delay]),
+            ("sign", self.sign.is_some(), &[Delay]),
+            ("reference", self.reference.is_some(), &[Sine, Pulse]),
+            ("target", self.target.is_some(), &[Sine, Pulse]),
+        ];
+        options.into_iter().filter(|(_, given, _)| *given).map(|(option, _, of)| (option, of)).collect()
+    }
+
+    fn sine(&self) -> Result<SineSetting, CliError> {
+        let component = match self.component.unwrap_or(ComponentName::Tau) {
+            ComponentName::VAfter => 0,
+            ComponentName::X2 => 1,
+            ComponentName::V2 => 2,
+            ComponentName::Tau => 3,
+        };
+        let mut target = self.target(1)?;
+        target.given.swap(0, component);
+        Ok(SineSetting {
+            convention: match self.convention.unwrap_or(ConventionName::Kick) {
+                ConventionName::Kick => Convention::Kick,
+                ConventionName::Force => Convention::Force,
+                ConventionName::ForceLocal => Convention::ForceLocal,
+            },
+            amplitude: self.amplitude.unwrap_or(0.0),
+            alpha: self.alpha.unwrap_or(defaults::ALPHA),
+            dead_band: self.dead_band.unwrap_or(defaults::DEAD_BAND),
+            gamma: self.gamma.unwrap_or(1.0),
+            phase: self.phase.unwrap_or(0.0),
+            component,
+            target,
+        })
+    }
+
+    fn gains(&self) -> Result<[f64; 4], CliError> {
+        let Some(gains) = &self.gains else { return Ok([self.gain.unwrap_or(defaults::GAIN); 4]) };
+        gains.as_slice().try_into().map_err(|_| {
+            CliError::Input(anyhow!(
+                "--gains has {} numbers: give four, for v1+, x2, v2 and tau",
+                gains.len()
+            ))
+        })
+    }
+
+    /// The target, from so many numbers or from a reference motion; a single number comes first.
+    fn target(&self, count: usize) -> Result<Target, CliError> {
+        let reference = self.reference.unwrap_or(defaults::REFERENCE);
+        let mut given = [None; 4];
+        if let Some(values) = &self.target {
+            if values.len() != count {
+                let wanted =
+                    if count == 1 { "one, for --component" } else { "four, for v1+, x2, v2 and tau" };
+                return Err(CliError::Input(anyhow!("--target has {} numbers: give {wanted}", values.len())));
+            }
+            given.iter_mut().zip(values).for_each(|(given, value)| *given = Some(*value));
+        }
+        Ok(Target { reference, given })
+    }
+}

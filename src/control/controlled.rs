@@ -1,0 +1,530 @@
+//! A trajectory under control, followed from return to return on σ to its outcome.
+
+use super::deviation::Deviations;
+use super::memory::{LONGEST, Memory, added};
+use super::method::{Action, Controller, Method, Seen, length};
+use super::outcome::{NEVER, Outcome};
+use super::schedule::ControlSchedule;
+use super::section::Section;
+use crate::analysis::constants::{CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SIGNIFICANCE};
+use crate::analysis::{Exponent, INFINITELY_MANY, Regime, Spread, Verdict};
+use crate::dynamics::{Contact, Drive, Event, Move, Phasor, Stop, Tangent, Trajectory, Variation};
+use crate::model::{Flight, Real};
+
+/// Forcing periods without an impact at A after which σ counts as never reached.
+pub const LONGEST_PASSAGE: u32 = 1000;
+
+/// A component of a point on σ larger than this is beyond all bounds: static deflections are of order one.
+pub const RUNAWAY: f64 = 1e3;
+
+/// Iterates for which a settled motion must have kept returning before it finishes early.
+pub const SETTLING: u32 = 64;
+
+/// A drive that a controller can set.
+pub trait Actuated<T>: Drive<T> {
+    /// The drive with amplitude `b` and the given sine and cosine of its phase.
+    #[must_use]
+    fn actuated(&self, b: T, phase: [T; 2]) -> Self;
+}
+
+/// Nothing to set: methods that change the section point only.
+impl<T> Actuated<T> for () {
+    #[inline(always)]
+    fn actuated(&self, _: T, _: [T; 2]) -> Self {}
+}
+
+impl<T: Real> Actuated<T> for Phasor<'_, T> {
+    #[inline(always)]
+    fn actuated(&self, b: T, phase: [T; 2]) -> Self {
+        Phasor::new(self.constants, b, phase)
+    }
+}
+
+/// Where a controlled trajectory is in its schedule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u32)]
+pub enum Progress {
+    /// Not observed: before control, and while the controlled motion settles.
+    Settling = 0,
+    /// Observed, with a deviation carried along.
+    Observed = 1,
+    /// At the end of its schedule.
+    Done = 2,
+    /// σ was not reached any more.
+    Lost = 3,
+    /// Given up: a non-finite state, or too many moves in one period.
+    Failed = 4,
+    /// Control has driven the points on σ beyond all bounds.
+    Runaway = 5,
+}
+
+impl Progress {
+    /// Every value, in the order of the codes that the GPU gets generated from here.
+    pub const ALL: [Progress; 6] = [
+        Progress::Settling,
+        Progress::Observed,
+        Progress::Done,
+        Progress::Lost,
+        Progress::Failed,
+        Progress::Runaway,
+    ];
+}
+
+/// What happened at one return to σ; everything is non-dimensional.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Return<T> {
+    /// The iterate n: 0 at the first return.
+    pub iterate: u32,
+    /// The point as it arrived, F(X(n−1)).
+    pub arrived: Section<T>,
+    /// The point as corrected, X(n).
+    pub section: Section<T>,
+    /// The control signal: B, or the length of the correction that was wanted.
+    pub signal: T,
+    /// Whether the correction was left out because it led off the section.
+    pub escaped: bool,
+    /// Impacts at Ā since the last return; [`INFINITELY_MANY`] with complete chatter.
+    pub at_b: u32,
+    /// Forcing periods since the last return.
+    pub turns: T,
+}
+
+/// Hears how a controlled trajectory goes on.
+pub trait Witness<T, D> {
+    /// A move went from `before` to `after`; where it met σ, control has yet to act.
+    #[inline(always)]
+    fn moved(
+        &mut self,
+        flight: &Flight<T>,
+        before: &Trajectory<T, D>,
+        taken: &Move<T>,
+        after: &Trajectory<T, D>,
+    ) {
+        let _ = (flight, before, taken, after);
+    }
+
+    /// σ was met, and control has acted.
+    #[inline(always)]
+    fn returned(&mut self, met: &Return<T>) {
+        let _ = met;
+    }
+}
+
+/// Nobody hears.
+impl<T, D> Witness<T, D> for () {}
+
+/// A trajectory under control.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Controlled<T, D = ()> {
+    /// The trajectory.
+    pub trajectory: Trajectory<T, D>,
+    tangent: Tangent<T>,
+    controller: Controller<T>,
+    /// The last points on σ.
+    pub memory: Memory<T>,
+    deviations: Deviations<T>,
+    exponent: Exponent<T>,
+    spread: Spread<T>,
+    /// Where it is in its schedule.
+    pub progress: Progress,
+    /// Returns to σ so far.
+    iterates: u32,
+    /// Iterates observed so far.
+    observed: u32,
+    /// Forcing periods of the observed iterates.
+    observed_turns: T,
+    /// Forcing periods since the start.
+    periods: u32,
+    /// Forcing periods since the last return.
+    passage: u32,
+    /// Moves since the last strobe.
+    moves: u32,
+    at_b: u32,
+    /// The mirror image of the last impact at Ā.
+    mirrored: Section<T>,
+    impacts: u32,
+    impacts_total: u32,
+    peak: T,
+    /// 1 + the returns before the first mass last rested on a stop; 0 if it never did.
+    stuck: u32,
+    /// Whether control has erased a deviation altogether: the motion has no exponent then.
+    erased: bool,
+    escapes: u32,
+    effort: T,
+    signal: T,
+}
+
+impl<T: Real, D: Actuated<T>> Controlled<T, D> {
+    /// Begins with a trajectory.
+    pub fn new(trajectory: Trajectory<T, D>, controller: Controller<T>, schedule: &ControlSchedule) -> Self {
+        Controlled {
+            trajectory,
+            tangent: Tangent::seed(),
+            controller,
+            memory: Memory::new(),
+            deviations: Deviations::seed(),
+            exponent: Exponent::over(schedule.observed()),
+            spread: Spread::about(&trajectory.point),
+            progress: Progress::Settling,
+            iterates: 0,
+            observed: 0,
+            observed_turns: T::zero(),
+            periods: 0,
+            passage: 0,
+            moves: 0,
+            at_b: 0,
+            mirrored: Section::new([T::zero(); 4]),
+            impacts: 0,
+            impacts_total: 0,
+            peak: T::zero(),
+            stuck: 0,
+            erased: false,
+            escapes: 0,
+            effort: T::zero(),
+            signal: T::zero(),
+        }
+    }
+
+    /// Follows the trajectory to its end.
+    #[inline(always)]
+    pub fn follow(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &ControlSchedule,
+        witness: &mut impl Witness<T, D>,
+    ) {
+        loop {
+            match self.progress {
+                Progress::Settling => {
+                    self.advance(flight, schedule, (), |_, ()| (), witness);
+                }
+                Progress::Observed => {
+                    let keep = |controlled: &mut Self, tangent| controlled.tangent = tangent;
+                    self.advance(flight, schedule, self.tangent, keep, witness);
+                }
+                _ => return,
+            }
+        }
+    }
+
+    /// Applies the force that the controller sets at the present point, and nothing else.
+    pub fn force(&mut self, flight: &Flight<T>) {
+        let section = Section::of(flight, &self.trajectory);
+        let turns = T::zero();
+        let seen = Seen { section, turns, periods: 0, controlled: 0, memory: &self.memory };
+        let Action { force, phase, .. } = self.controller.act(&seen);
+        let Trajectory { mut point, contact, step, offset, .. } = self.trajectory;
+        point.drive = point.drive.actuated(force, phase);
+        self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
+    }
+
+    /// Follows the trajectory for so many returns at most, without observing it; whether it made them.
+    pub fn iterate(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &ControlSchedule,
+        returns: u32,
+        witness: &mut impl Witness<T, D>,
+    ) -> bool {
+        let end = self.iterates + returns;
+        while self.iterates < end && self.progress <= Progress::Observed {
+            self.advance(flight, schedule, (), |_, ()| (), witness);
+        }
+        self.iterates == end
+    }
+
+    #[inline(always)]
+    fn advance<V: Variation<T>>(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &ControlSchedule,
+        mut variation: V,
+        keep: impl Fn(&mut Self, V),
+        witness: &mut impl Witness<T, D>,
+    ) {
+        let mut trajectory = self.trajectory;
+        let taken = trajectory.advance(flight, &mut variation);
+        witness.moved(flight, &self.trajectory, &taken, &trajectory);
+        self.trajectory = trajectory;
+        keep(self, variation);
+        self.note(flight, schedule, &taken, witness);
+    }
+
+    #[inline(always)]
+    fn note(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &ControlSchedule,
+        taken: &Move<T>,
+        witness: &mut impl Witness<T, D>,
+    ) {
+        self.moves += 1;
+        if taken.free == T::zero() {
+            self.stuck = self.iterates + 1;
+        }
+        let (impact, complete) = match taken.event {
+            Event::Impact(impact) => (impact, false),
+            Event::Caught { impact, complete_chatter } => {
+                self.stuck = self.iterates + 1;
+                (impact, complete_chatter)
+            }
+            Event::Strobe => return self.strobe(),
+            Event::Flight | Event::StepEnd | Event::HalfPeriod | Event::Released(_) => {
+                if self.moves > MOST_MOVES {
+                    self.progress = Progress::Failed;
+                }
+                return;
+            }
+        };
+        if impact.velocity_before == T::zero() {
+            return;
+        }
+        let count = if complete { u32::from(INFINITELY_MANY) } else { 1 };
+        self.impacts += 1;
+        self.impacts_total = self.impacts_total.saturating_add(1);
+        let speed = impact.velocity_before.abs();
+        self.peak = if speed > self.peak { speed } else { self.peak };
+        match impact.stop {
+            Stop::A => self.arrive(flight, schedule, count, witness),
+            Stop::B => {
+                self.at_b = added(self.at_b, count);
+                self.mirrored = Section::mirrored(flight, &self.trajectory);
+            }
+        }
+    }
+
+    fn strobe(&mut self) {
+        self.moves = 0;
+        self.periods += 1;
+        self.passage += 1;
+        if !self.trajectory.point.state().iter().all(|value| value.is_finite()) {
+            self.progress = Progress::Failed;
+        } else if self.passage > LONGEST_PASSAGE || self.trajectory.contact == Contact::Clamped {
+            self.progress = Progress::Lost;
+        }
+    }
+
+    /// A return to σ.
+    #[inline(always)]
+    fn arrive(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &ControlSchedule,
+        at_a: u32,
+        witness: &mut impl Witness<T, D>,
+    ) {
+        let arrived = Section::of(flight, &self.trajectory);
+        if !arrived.is_finite() {
+            self.progress = Progress::Failed;
+            return;
+        }
+        let turns = self.turns_to(&arrived);
+        let on = self.iterates >= schedule.from;
+        if self.iterates == schedule.from {
+            self.memory.start_over();
+        }
+        let seen = Seen {
+            section: arrived,
+            turns,
+            periods: self.periods,
+            controlled: if on { self.iterates - schedule.from } else { 0 },
+            memory: &self.memory,
+        };
+        let observing = self.progress == Progress::Observed;
+        let deviation = self.deviations.arrived(flight, &self.trajectory, &self.tangent);
+        let mut action = if on { self.controller.act(&seen) } else { Action::none() };
+        let mut section = arrived.plus(&action.correction);
+        let escaped = section.components[0] > T::zero();
+        if escaped {
+            section = arrived;
+            self.escapes += 1;
+            action.correction = [T::zero(); 4];
+        }
+        if observing {
+            let deviation =
+                if escaped { deviation } else { self.deviations.passed(&self.controller, &seen, deviation) };
+            self.deviations.push(deviation);
+        }
+        self.memory.push(section, turns, self.at_b, at_a);
+        self.signal = action.signal;
+        if on {
+            self.effort = self.effort + (length(&action.correction) + action.force.abs());
+            self.go_on_from(flight, &section, &action);
+        }
+        witness.returned(&Return {
+            iterate: self.iterates,
+            arrived,
+            section,
+            signal: action.signal,
+            escaped,
+            at_b: self.at_b,
+            turns,
+        });
+        self.iterates += 1;
+        self.passage = 0;
+        self.at_b = 0;
+        if self.progress == Progress::Runaway {
+            return;
+        }
+        if observing {
+            self.observe(flight, turns, schedule);
+        }
+        if on {
+            self.schedule_on(flight, schedule);
+        }
+    }
+
+    /// Forcing periods since the last return.
+    fn turns_to(&self, arrived: &Section<T>) -> T {
+        if self.memory.seen == 0 {
+            return T::zero();
+        }
+        let from = self.memory.points[0].components[3];
+        T::of(f64::from(self.passage)) + (arrived.components[3] - from) * T::of(1.0 / std::f64::consts::TAU)
+    }
+
+    /// Leaves σ from a corrected point, under a force.
+    fn go_on_from(&mut self, flight: &Flight<T>, section: &Section<T>, action: &Action<T>) {
+        let zero = T::zero();
+        let drive = self.trajectory.point.drive.actuated(action.force, action.phase);
+        if section.distance(&Section::new([zero; 4])) > T::of(RUNAWAY) {
+            self.progress = Progress::Runaway;
+            return;
+        }
+        let unchanged = action.correction.iter().all(|&value| value == zero);
+        if unchanged && drive == self.trajectory.point.drive {
+            return;
+        }
+        if unchanged {
+            let Trajectory { mut point, contact, step, offset, .. } = self.trajectory;
+            point.drive = drive;
+            self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
+        } else {
+            let resting = self.trajectory.contact != Contact::Free;
+            self.trajectory = section.trajectory(flight, resting, drive);
+        }
+    }
+
+    /// Adds an iterate to the exponent.
+    fn observe(&mut self, flight: &Flight<T>, turns: T, schedule: &ControlSchedule) {
+        self.observed += 1;
+        self.observed_turns = self.observed_turns + turns;
+        match self.deviations.growth() {
+            Some(growth) => self.exponent.add(growth),
+            None => self.erased = true,
+        }
+        let half = schedule.observed() / 2;
+        if self.observed <= 2 * half {
+            self.spread.at_strobe(&self.trajectory.point, self.observed > half);
+        }
+        self.tangent = self.deviations.leaving(flight, &self.trajectory);
+    }
+
+    /// Goes on to the next part of the schedule where it is due.
+    fn schedule_on(&mut self, flight: &Flight<T>, schedule: &ControlSchedule) {
+        let settled = !schedule.fixed && self.controller.is_at_rest() && self.memory.is_settled(SETTLING);
+        if self.iterates >= schedule.iterates || settled {
+            self.progress = Progress::Done;
+        } else if self.progress == Progress::Settling
+            && self.iterates >= schedule.iterates - schedule.observed()
+        {
+            self.progress = Progress::Observed;
+            self.impacts = 0;
+            self.peak = T::zero();
+            self.deviations = Deviations::seed();
+            self.tangent = self.deviations.leaving(flight, &self.trajectory);
+            self.spread = Spread::about(&self.trajectory.point);
+        }
+    }
+
+    /// What the trajectory settled on.
+    pub fn outcome(&self, schedule: &ControlSchedule) -> Outcome {
+        let controlled = self.iterates.saturating_sub(schedule.from);
+        let period = self.period(controlled);
+        let regime = self.regime(period);
+        let [n, p, q] = if period > 0 { self.memory.counts(period) } else { [0; 3] };
+        let symmetric = period > 0 && n % 2 == 1 && p == q && self.is_symmetric(period);
+        let point = if period > 0 { self.memory.hardest(period) } else { self.memory.points[0] };
+        let measured = self.exponent.batches > 0 && !self.erased && self.observed_turns > T::zero();
+        let lyapunov = if measured {
+            let periods = self.observed_turns / T::of(f64::from(self.observed));
+            self.exponent.per_period() / periods
+        } else {
+            T::zero()
+        };
+        let since = if period > 0 { self.memory.returning[period as usize - 1] } else { 0 };
+        Outcome {
+            verdict: Verdict {
+                regime,
+                n: n as u16,
+                p: p as u16,
+                q: q as u16,
+                symmetric,
+                lyapunov: lyapunov.widen() as f32,
+                state: point.components.map(T::widen),
+                impacts: self.impacts,
+                impacts_total: self.impacts_total,
+                peak_impact_velocity: self.peak.widen() as f32,
+                periods: self.periods,
+            },
+            period,
+            iterates: self.iterates,
+            converged_at: if period > 0 { since.saturating_sub(schedule.from) } else { NEVER },
+            signal: self.signal.widen() as f32,
+            runaway: self.progress == Progress::Runaway,
+            escapes: self.escapes,
+            effort: if controlled > 0 {
+                (self.effort / T::of(f64::from(controlled))).widen() as f32
+            } else {
+                0.0
+            },
+        }
+    }
+
+    /// The period of the motion in iterates, 0 if there is none.
+    fn period(&self, controlled: u32) -> u32 {
+        if self.progress != Progress::Done {
+            return 0;
+        }
+        self.memory.period((controlled / 4).min(SETTLING))
+    }
+
+    fn is_symmetric(&self, period: u32) -> bool {
+        let points = &self.memory.points[..(period as usize).min(LONGEST)];
+        points.iter().any(|point| point.distance(&self.mirrored) <= T::of(RETURNED))
+    }
+
+    fn regime(&self, period: u32) -> Regime {
+        match self.progress {
+            Progress::Failed => Regime::Failed,
+            Progress::Lost if self.at_b == 0 => Regime::NoImpact,
+            Progress::Lost | Progress::Settling | Progress::Runaway => Regime::Unresolved,
+            _ if period > 0 && self.has_stuck_for(period) => Regime::PeriodicSticking,
+            _ if period > 0 => Regime::Periodic,
+            _ if self.has_stuck_for(self.observed) => Regime::AperiodicSticking,
+            _ => self.irregular(),
+        }
+    }
+
+    /// Whether the first mass rested on a stop in the last so many iterates.
+    fn has_stuck_for(&self, iterates: u32) -> bool {
+        self.stuck > 0 && self.stuck + iterates > self.iterates
+    }
+
+    /// The regime of a motion that does not return; see [`Observer`](crate::analysis::Observer).
+    fn irregular(&self) -> Regime {
+        let exponent = &self.exponent;
+        if exponent.batches == 0 || self.erased {
+            return Regime::Unresolved;
+        }
+        let growth = exponent.total_growth();
+        let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
+        if growth > T::of(CHAOTIC_GROWTH) && significant {
+            Regime::Chaotic
+        } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observed / 2) {
+            Regime::QuasiPeriodic
+        } else {
+            Regime::Unresolved
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! A small deviation of the points on σ, carried through flight and control: whether neighbours part.
+
+use super::memory::DEPTH;
+use super::method::{Controller, Seen};
+use crate::dynamics::{Contact, Drive, Tangent, Trajectory};
+use crate::model::{Flight, Real};
+
+/// The deviations of the last points (v1+, x2, v2, τ), the present one first; non-dimensional.
+///
+/// Feedback remembers, so that a deviation of the controlled map is one of all the points that it remembers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviations<T> {
+    points: [[T; 4]; DEPTH],
+}
+
+impl<T: Real> Deviations<T> {
+    /// The deviation every observation begins with: all components of the present point alike.
+    pub fn seed() -> Self {
+        let mut points = [[T::zero(); 4]; DEPTH];
+        points[0] = [T::of(0.5); 4];
+        Deviations { points }
+    }
+
+    /// The deviation, at fixed time, of the trajectory that leaves the present point.
+    ///
+    /// A point met later by δτ/ω was, at the same time, that much of its motion behind.
+    pub fn leaving<D: Drive<T>>(&self, flight: &Flight<T>, trajectory: &Trajectory<T, D>) -> Tangent<T> {
+        let [v1, x2, v2, tau] = self.points[0];
+        let shift = tau / flight.omega;
+        let rate = rates(flight, trajectory);
+        Tangent {
+            x1: -(rate[0] * shift),
+            x2: x2 - rate[1] * shift,
+            v1: v1 - rate[2] * shift,
+            v2: v2 - rate[3] * shift,
+        }
+    }
+
+    /// The deviation of the point at which a trajectory with this tangent vector arrives.
+    pub fn arrived<D: Drive<T>>(
+        &self,
+        flight: &Flight<T>,
+        trajectory: &Trajectory<T, D>,
+        tangent: &Tangent<T>,
+    ) -> [T; 4] {
+        let rate = rates(flight, trajectory);
+        let shift = if rate[0] == T::zero() { T::zero() } else { -(tangent.x1 / rate[0]) };
+        [
+            tangent.v1 + rate[2] * shift,
+            tangent.x2 + rate[1] * shift,
+            tangent.v2 + rate[3] * shift,
+            flight.omega * shift,
+        ]
+    }
+
+    /// What control makes of the deviation of an arriving point.
+    pub fn passed(&self, controller: &Controller<T>, seen: &Seen<T>, arrived: [T; 4]) -> [T; 4] {
+        match controller {
+            Controller::None => arrived,
+            Controller::Sine(sine) => sine.deviated(seen, &self.points[0], arrived),
+            Controller::Pulse(pulse) if pulse.is_due(seen) => [T::zero(); 4],
+            Controller::Pulse(_) => arrived,
+            Controller::Delay(delay) => {
+                let past = &self.points[delay.delay as usize];
+                let feedback = delay.feedback(&added(&self.points[0], &past.map(|value| -value)));
+                added(&arrived, &feedback)
+            }
+        }
+    }
+
+    /// Takes in the deviation of the present point.
+    pub fn push(&mut self, deviation: [T; 4]) {
+        for i in (1..DEPTH).rev() {
+            self.points[i] = self.points[i - 1];
+        }
+        self.points[0] = deviation;
+    }
+
+    /// ln of the factor by which the deviation has grown since the last call; it is brought back to unit length.
+    ///
+    /// `None` where it is lost altogether, as a pulse does; it starts afresh then.
+    pub fn growth(&mut self) -> Option<T> {
+        let mut squares = T::zero();
+        for [a, b, c, d] in self.points {
+            squares = squares + ((a * a + b * b) + (c * c + d * d));
+        }
+        let length = squares.sqrt();
+        if !(length > T::zero() && length.is_finite()) {
+            *self = Deviations::seed();
+            return None;
+        }
+        let factor = T::one() / length;
+        self.points = self.points.map(|point| point.map(|value| value * factor));
+        Some(length.ln())
+    }
+}
+
+/// The rates of (x1, x2, v1, v2) at a trajectory's present point.
+fn rates<T: Real, D: Drive<T>>(flight: &Flight<T>, trajectory: &Trajectory<T, D>) -> [T; 4] {
+    let point = &trajectory.point;
+    let (a1, a2) = point.accelerations(flight);
+    let a1 = if trajectory.contact == Contact::Free { a1 } else { T::zero() };
+    [point.v1, point.v2, a1, a2]
+}
+
+fn added<T: Real>(a: &[T; 4], b: &[T; 4]) -> [T; 4] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
+}

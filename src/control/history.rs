@@ -1,0 +1,117 @@
+//! A controlled trajectory written down: every return to σ, and its flight at the end.
+
+use super::controlled::{Return, Witness};
+use crate::dynamics::{
+    Contact, Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Stop, Trajectory,
+};
+use crate::model::Flight;
+
+/// Samples nearer to an impact than this, in units of their distance, are left out.
+const NEAR: f64 = 1e-3;
+
+/// Everything that happened at the returns to σ, and the flight of the last iterates.
+#[derive(Clone, Debug)]
+pub struct History {
+    /// The returns, in order.
+    pub returns: Vec<Return<f64>>,
+    /// The flight from iterate `from` on; times are non-dimensional and count from its beginning.
+    pub recording: Recording,
+    from: u32,
+    interval: f64,
+    time: f64,
+    next: u64,
+}
+
+impl History {
+    /// Records flight from the return `from` on, with a sample each `interval` of time.
+    pub fn new(from: u32, interval: f64) -> Self {
+        let recording = Recording::default();
+        History { returns: Vec::new(), recording, from, interval, time: 0.0, next: 0 }
+    }
+
+    fn is_recording(&self) -> bool {
+        self.returns.last().is_some_and(|last| last.iterate >= self.from)
+    }
+
+    fn impact<D>(&mut self, impact: Impact<f64>, flight: &Flight<f64>, after: &Trajectory<f64, D>) {
+        if impact.velocity_before != 0.0 {
+            self.recording.impacts.push(ImpactEvent {
+                time: self.time,
+                stop: impact.stop,
+                velocity_before: impact.velocity_before,
+                velocity_after: impact.velocity_after,
+                x2: after.point.x2,
+                v2: after.point.v2,
+                phase: super::section::phase_of(flight, after.step, after.offset),
+            });
+        }
+    }
+}
+
+impl<D: Drive<f64>> Witness<f64, D> for History {
+    fn moved(
+        &mut self,
+        flight: &Flight<f64>,
+        before: &Trajectory<f64, D>,
+        taken: &Move<f64>,
+        after: &Trajectory<f64, D>,
+    ) {
+        if !self.is_recording() {
+            return;
+        }
+        let end = self.time + taken.time;
+        let near = NEAR * self.interval;
+        let strikes = matches!(taken.event, Event::Impact(_) | Event::Caught { .. });
+        while (self.next as f64) * self.interval < end {
+            let at = self.next as f64 * self.interval;
+            self.next += 1;
+            let begins = self.recording.impacts.last().is_some_and(|last| at < last.time + near);
+            if begins || (strikes && at > end - near) {
+                // The impact stands there already.
+                continue;
+            }
+            let [x1, x2, v1, v2] = before.point.flown(flight, (at - self.time).max(0.0), taken.free).state();
+            self.recording.samples.push(Sample { time: at, x1, x2, v1, v2 });
+        }
+        self.time = end;
+        if let (Contact::Stuck(stop), None) = (before.contact, self.recording.sticks.last()) {
+            self.recording.sticks.push(Stick { stop, from: 0.0, until: end });
+        }
+        if let (Contact::Stuck(_), Some(stick)) = (before.contact, self.recording.sticks.last_mut()) {
+            stick.until = end;
+        }
+        match taken.event {
+            Event::Impact(impact) => self.impact(impact, flight, after),
+            Event::Caught { impact, .. } => {
+                self.impact(impact, flight, after);
+                self.recording.sticks.push(Stick { stop: impact.stop, from: end, until: end });
+            }
+            _ => {}
+        }
+    }
+
+    fn returned(&mut self, met: &Return<f64>) {
+        // A kick changes the velocity that the impact left behind.
+        if let Some(last) = self.recording.impacts.last_mut().filter(|last| last.stop == Stop::A) {
+            last.velocity_after = met.section.components[0];
+        }
+        self.returns.push(*met);
+    }
+}
+
+/// Iterates from switching control on until the points stay within `tolerance` of the last `period` of them, which
+/// repeat; `None` where they do not.
+pub fn converged_at(returns: &[Return<f64>], from: u32, period: u32, tolerance: f64) -> Option<u32> {
+    let period = period as usize;
+    let controlled = returns.get(from as usize..)?;
+    if period == 0 || controlled.len() <= 2 * period {
+        return None;
+    }
+    let end = controlled.len();
+    let away = |n: usize| {
+        let twin = end - 1 - (end - 1 - n) % period;
+        controlled[n].section.distance(&controlled[twin].section)
+    };
+    let first = (0..end).rev().take_while(|&n| away(n) <= tolerance).last()?;
+    (end - first > 2 * period).then_some(first as u32)
+}

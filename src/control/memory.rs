@@ -1,0 +1,132 @@
+//! The last points on σ, and whether they repeat.
+
+use super::section::Section;
+use crate::analysis::{INFINITELY_MANY, constants::RETURNED};
+use crate::model::Real;
+
+/// The largest number of iterates in one period of a controlled motion that is looked for, and the longest delay.
+pub const LONGEST: usize = 8;
+
+/// Points that are remembered: the present one and those that it is compared with.
+pub const DEPTH: usize = LONGEST + 1;
+
+/// The last points on σ, the present one first, with what lay before each of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Memory<T> {
+    /// The points, as corrected.
+    pub points: [Section<T>; DEPTH],
+    /// The forcing periods from the point before.
+    pub turns: [T; DEPTH],
+    /// Impacts at Ā since the point before; [`INFINITELY_MANY`] with complete chatter.
+    pub at_b: [u32; DEPTH],
+    /// Impacts at A since the point before: 1, or [`INFINITELY_MANY`].
+    pub at_a: [u32; DEPTH],
+    /// Points ever seen.
+    pub seen: u32,
+    /// For each period m − 1: the first iterate from which on every point lay within 1e-4 of the one m before.
+    pub returning: [u32; LONGEST],
+    /// The same within [`Real::AT_REST`], closely enough that a slow approach is not taken for a motion.
+    pub settled: [u32; LONGEST],
+}
+
+impl<T: Real> Memory<T> {
+    /// A memory of nothing.
+    pub fn new() -> Self {
+        Memory {
+            points: [Section::new([T::zero(); 4]); DEPTH],
+            turns: [T::zero(); DEPTH],
+            at_b: [0; DEPTH],
+            at_a: [0; DEPTH],
+            seen: 0,
+            returning: [0; LONGEST],
+            settled: [0; LONGEST],
+        }
+    }
+
+    /// Takes in the present point.
+    pub fn push(&mut self, point: Section<T>, turns: T, at_b: u32, at_a: u32) {
+        for i in (1..DEPTH).rev() {
+            self.points[i] = self.points[i - 1];
+            self.turns[i] = self.turns[i - 1];
+            self.at_b[i] = self.at_b[i - 1];
+            self.at_a[i] = self.at_a[i - 1];
+        }
+        self.points[0] = point;
+        self.turns[0] = turns;
+        self.at_b[0] = at_b;
+        self.at_a[0] = at_a;
+        self.seen += 1;
+        for m in 1..=LONGEST {
+            let away = if self.seen > m as u32 { point.distance(&self.points[m]) } else { T::one() };
+            if away > T::of(RETURNED) {
+                self.returning[m - 1] = self.seen;
+            }
+            if away > T::of(T::AT_REST) {
+                self.settled[m - 1] = self.seen;
+            }
+        }
+    }
+
+    /// Forgets that anything ever returned: what went before was under other rules.
+    pub fn start_over(&mut self) {
+        self.returning = [self.seen; LONGEST];
+        self.settled = [self.seen; LONGEST];
+    }
+
+    /// The least period m whose points have kept returning for `proof` iterates, and at least three times; 0 if none.
+    pub fn period(&self, proof: u32) -> u32 {
+        Self::least(&self.returning, self.seen, proof)
+    }
+
+    /// Whether the points have settled for `proof` iterates.
+    pub fn is_settled(&self, proof: u32) -> bool {
+        Self::least(&self.settled, self.seen, proof) > 0
+    }
+
+    fn least(since: &[u32; LONGEST], seen: u32, proof: u32) -> u32 {
+        for m in 1..=LONGEST as u32 {
+            let kept = seen - since[m as usize - 1];
+            if kept >= proof && kept >= 3 * m {
+                return m;
+            }
+        }
+        0
+    }
+
+    /// N, p and q of one period of `period` iterates; N is the time in forcing periods, to the nearest whole number.
+    pub fn counts(&self, period: u32) -> [u32; 3] {
+        let mut turns = T::zero();
+        let mut p = 0;
+        let mut q = 0;
+        for i in 0..period as usize {
+            turns = turns + self.turns[i];
+            p = added(p, self.at_b[i]);
+            q = added(q, self.at_a[i]);
+        }
+        let n = (turns + T::of(0.5)).floor().widen() as u32;
+        [n, p, q]
+    }
+
+    /// The point of one period that is the hardest impact: which of them is met last says nothing.
+    pub fn hardest(&self, period: u32) -> Section<T> {
+        let mut hardest = self.points[0];
+        for i in 1..period as usize {
+            if self.points[i].components[0] < hardest.components[0] {
+                hardest = self.points[i];
+            }
+        }
+        hardest
+    }
+}
+
+impl<T: Real> Default for Memory<T> {
+    fn default() -> Self {
+        Memory::new()
+    }
+}
+
+/// The sum of two impact counts, either of which may be infinite.
+pub fn added(a: u32, b: u32) -> u32 {
+    let infinite = u32::from(INFINITELY_MANY);
+    if a == infinite || b == infinite { infinite } else { (a + b).min(infinite - 1) }
+}

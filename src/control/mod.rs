@@ -1,0 +1,42 @@
+//! Suppressing chaos: the three control methods of sections 6 and 8, acting at each return to the section σ.
+//!
+//! A [`Controlled`] trajectory flies from one impact at A to the next. At each of them its [`Controller`] sees the point
+//! X = (v1+, x2, v2, τ) that it has arrived at and answers with a correction of it, or with a force on the first mass
+//! until the next. A correction that would lead off the section (v1+ > 0: the first mass would move into its stop) is left
+//! out altogether, and counted as an escape.
+
+mod controlled;
+mod delay;
+mod deviation;
+mod history;
+mod memory;
+mod method;
+mod multipliers;
+mod outcome;
+mod pulse;
+mod run;
+mod schedule;
+mod scheme;
+mod section;
+mod sine;
+
+pub use controlled::{Actuated, Controlled, Progress, Return, Witness};
+pub use delay::Delay;
+pub use history::{History, converged_at};
+pub use memory::{DEPTH, LONGEST, Memory};
+pub use method::{Action, Controller, Method, Seen};
+pub use multipliers::multipliers;
+pub use outcome::{NEVER, Outcome};
+pub use pulse::Pulse;
+pub use run::control;
+pub use schedule::{ControlSchedule, ControlScheduleError};
+pub use scheme::{
+    ControlError, ControlQuantity, DelaySetting, PulseSetting, Scheme, Sign, SineSetting, Target,
+};
+pub use section::Section;
+pub use sine::{Convention, Sine};
+
+/// The numbers that the GPU's shaders share.
+pub(crate) mod constants {
+    pub use super::controlled::{LONGEST_PASSAGE, RUNAWAY, SETTLING};
+}

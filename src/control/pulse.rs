@@ -1,0 +1,67 @@
+//! Period pulses that bring every P-th point back to the target: Eqs. (26) to (29).
+
+use super::method::{Action, Method, Seen};
+use super::section::Section;
+use crate::model::Real;
+
+/// The period pulse at work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pulse<T> {
+    /// P, iterates from one pulse to the next.
+    pub period: u32,
+    /// X0.
+    pub target: Section<T>,
+    /// E: each component of X is measured with an error of up to so much.
+    pub noise: T,
+    /// What the errors are drawn from.
+    pub seed: u32,
+}
+
+impl<T: Real> Method<T> for Pulse<T> {
+    /// Q = X(n) − X0 is taken away, X(n) as measured.
+    #[inline(always)]
+    fn act(&mut self, seen: &Seen<T>) -> Action<T> {
+        if !self.is_due(seen) {
+            return Action::none();
+        }
+        let mut correction = self.target.minus(&seen.section);
+        for (i, value) in correction.iter_mut().enumerate() {
+            *value = *value - self.noise * uniform(self.seed, seen.controlled, i as u32);
+        }
+        Action::correcting(correction)
+    }
+}
+
+impl<T: Real> Pulse<T> {
+    /// Whether a pulse falls on this iterate.
+    pub fn is_due(&self, seen: &Seen<T>) -> bool {
+        seen.controlled.is_multiple_of(self.period)
+    }
+}
+
+/// A number between −1 and 1 that depends on nothing but these three: two rounds of the PCG hash.
+fn uniform<T: Real>(seed: u32, iterate: u32, component: u32) -> T {
+    let mixed = hash(hash(seed ^ iterate.wrapping_mul(4).wrapping_add(component)).wrapping_add(iterate));
+    T::of(f64::from(mixed >> 8)) * T::of(1.0 / 8_388_608.0) - T::one()
+}
+
+fn hash(value: u32) -> u32 {
+    let state = value.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    (word >> 22) ^ word
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_fill_their_range_evenly() {
+        let drawn: Vec<f64> = (0..4000).map(|i| uniform(7, i / 4, i % 4)).collect();
+        let mean = drawn.iter().sum::<f64>() / 4000.0;
+        let square = drawn.iter().map(|x| x * x).sum::<f64>() / 4000.0;
+        assert!(drawn.iter().all(|x| (-1.0..1.0).contains(x)));
+        assert!(mean.abs() < 0.03 && (square - 1.0 / 3.0).abs() < 0.02, "{mean} {square}");
+        assert_ne!(uniform::<f64>(7, 3, 1), uniform::<f64>(8, 3, 1));
+    }
+}

@@ -1,0 +1,114 @@
+//! A sine force on the first mass, its amplitude adapted: Eqs. (21) to (23).
+
+use std::f64::consts::TAU;
+
+use super::method::{Action, Method, Seen};
+use super::section::{Section, TAU_INDEX, short_way, sine_and_cosine};
+use crate::model::Real;
+
+/// What u = B sin(γωt + φ) is; print leaves it open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[repr(u32)]
+pub enum Convention {
+    /// A kick: at each return to σ, a time t after the last one, v1+ is changed by u.
+    Kick = 0,
+    /// A force on the first mass between impacts; γωt is γ times the phase of the forcing.
+    Force = 1,
+    /// A force on the first mass between impacts; t counts from each impact at A.
+    ForceLocal = 2,
+}
+
+/// The adapted sine force at work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sine<T> {
+    /// What u is.
+    pub convention: Convention,
+    /// B.
+    pub amplitude: T,
+    /// α, with its present sign.
+    pub weight: T,
+    /// Δ.
+    pub dead_band: T,
+    /// γ.
+    pub ratio: T,
+    /// φ in turns.
+    pub phase: T,
+    /// Which component of X is held to the target.
+    pub component: usize,
+    /// The target.
+    pub target: T,
+    /// |e| of the last iterate, negative before the first.
+    pub error: T,
+}
+
+impl<T: Real> Method<T> for Sine<T> {
+    /// Adapts B to the error, and kicks or sets the force.
+    ///
+    /// |e| < Δ leaves B alone; otherwise α changes its sign where |e(n+1)/e(n)| > 1, and B(n+1) = B(n) + α |e(n+1)|.
+    #[inline(always)]
+    fn act(&mut self, seen: &Seen<T>) -> Action<T> {
+        let error = self.error_of(&seen.section);
+        if error >= self.dead_band {
+            if self.error >= T::zero() && error > self.error {
+                self.weight = -self.weight;
+            }
+            self.amplitude = self.amplitude + self.weight * error;
+        }
+        self.error = error;
+        let tau = seen.section.components[TAU_INDEX] * T::of(1.0 / TAU);
+        match self.convention {
+            Convention::Kick => {
+                let [sin, _] = sine_and_cosine(self.angle(self.ratio * seen.turns));
+                let kick = self.amplitude * sin;
+                let z = T::zero();
+                Action { correction: [kick, z, z, z], force: z, phase: [z, T::one()], signal: self.amplitude }
+            }
+            Convention::Force => {
+                let periods = T::of(f64::from(seen.periods));
+                self.force(self.ratio * periods - (self.ratio * periods).floor() + self.ratio * tau)
+            }
+            Convention::ForceLocal => self.force(T::zero()),
+        }
+    }
+}
+
+impl<T: Real> Sine<T> {
+    /// |e|.
+    fn error_of(&self, section: &Section<T>) -> T {
+        let error = section.components[self.component] - self.target;
+        if self.component == TAU_INDEX { short_way(error).abs() } else { error.abs() }
+    }
+
+    /// An angle given in turns, with φ, between 0 and 2π.
+    fn angle(&self, turns: T) -> T {
+        let turns = turns + self.phase;
+        T::of(TAU) * (turns - turns.floor())
+    }
+
+    fn force(&self, turns: T) -> Action<T> {
+        Action {
+            correction: [T::zero(); 4],
+            force: self.amplitude,
+            phase: sine_and_cosine(self.angle(turns)),
+            signal: self.amplitude,
+        }
+    }
+
+    /// Whether B stays as it is: it is not adapted, or the last error was within the dead band.
+    pub fn is_at_rest(&self) -> bool {
+        self.weight == T::zero() || (self.error >= T::zero() && self.error < self.dead_band)
+    }
+
+    /// How a deviation (δX(n), then δX(n+1) as it arrives) passes the kick, B and α taken as they are.
+    pub fn deviated(&self, seen: &Seen<T>, before: &[T; 4], arrived: [T; 4]) -> [T; 4] {
+        if self.convention != Convention::Kick {
+            return arrived;
+        }
+        let [_, cos] = sine_and_cosine(self.angle(self.ratio * seen.turns));
+        let later = arrived[TAU_INDEX] - before[TAU_INDEX];
+        let mut deviated = arrived;
+        deviated[0] = arrived[0] + self.amplitude * cos * (self.ratio * later);
+        deviated
+    }
+}

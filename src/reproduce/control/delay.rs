@@ -1,0 +1,231 @@
+//! Figs. 19 to 23: delayed feedback.
+
+use serde_json::Value;
+
+use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
+use super::{
+    FROM, PORTRAIT, Plot, RESPONSES, Run, STARTS, TAU, TIME, components, draw, motion, settings, start,
+};
+use crate::analysis::Reading;
+use crate::backend::Watch;
+use crate::control::{DelaySetting, Scheme, Sign};
+use crate::plane::Start;
+
+const ITERATES: u32 = 4000;
+const LONG: u32 = 6000;
+const PRINTED: [&str; 4] = ["-0.41959444", "-0.02899695", "0.02903516", "1.80121257"];
+const HALF: f64 = 0.5;
+/// The gains of Fig. 21, and those that are called more effective.
+const GAINS: [f64; 4] = [0.8, 0.6, 0.3, 0.25];
+const EFFECTIVE: [f64; 3] = [0.3, 0.4, 0.5];
+const LARGE: f64 = 0.97;
+const LARGEST: &str = "0.9677";
+const SMALL: f64 = 0.1;
+
+const fn feedback(gain: f64, sign: Sign) -> Scheme {
+    Scheme::Delay(DelaySetting { gains: [gain; 4], delay: 1, sign })
+}
+
+const fn stabilising(gain: f64) -> Scheme {
+    feedback(gain, Sign::Stabilising)
+}
+
+fn is_captured(run: &Run) -> bool {
+    run.outcome.verdict.label() == "1-2-1"
+}
+
+/// How many of the starts reach the 1-2-1 motion.
+fn captures(gain: f64) -> usize {
+    (0..STARTS).filter(|&number| is_captured(&Run::new(stabilising(gain), LONG, start(number)))).count()
+}
+
+/// Time responses.
+pub(in super::super) struct Figure19;
+
+impl PaperFigure for Figure19 {
+    fn number(&self) -> u32 {
+        19
+    }
+
+    fn caption(&self) -> &'static str {
+        "Time responses under delayed feedback, g = 0.5, p = 1, ω = 2.83: (a) length of the correction, (b) τ, (c) x1'+, \
+         (d) x2, (e) x2'; control from iterate 2000."
+    }
+
+    fn config(&self) -> Value {
+        settings(&[stabilising(HALF), feedback(HALF, Sign::Printed)], ITERATES)
+    }
+
+    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+        let run = Run::new(stabilising(HALF), ITERATES, Start::Rest);
+        let point = is_captured(&run).then(|| run.point());
+        let mut claims = components(19, "fixed point X*", PRINTED, point, 5e-6);
+        let printed_sign = feedback(HALF, Sign::Printed);
+        let largest = point.and_then(|point| Run::largest_multiplier(&printed_sign, point));
+        let ended = Run::new(printed_sign, ITERATES, Start::Rest).label();
+        claims.push(
+            Claim::new(
+                19,
+                "Eq. (30) as printed, G (X(n−p) − X(n)), reaches the fixed point",
+                "1-2-1",
+                format!("{ended}; largest multiplier {:.4}", largest.unwrap_or(f64::NAN)),
+                ended == "1-2-1",
+            )
+            .noted("the opposite sign, G (X(n) − X(n−p)), stabilises and is used everywhere here"),
+        );
+        let plots: Vec<_> = RESPONSES.iter().map(|&plot| (&run, plot)).collect();
+        Ok(Produced { pictures: vec![("", draw(&plots, None, &config_of(self))?)], claims })
+    }
+}
+
+/// The motion.
+pub(in super::super) struct Figure20;
+
+impl PaperFigure for Figure20 {
+    fn number(&self) -> u32 {
+        20
+    }
+
+    fn caption(&self) -> &'static str {
+        "The motion under delayed feedback, g = 0.5, ω = 2.83: (a) phase portrait, (b) time series."
+    }
+
+    fn config(&self) -> Value {
+        settings(&[stabilising(HALF)], ITERATES)
+    }
+
+    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+        let run = Run::new(stabilising(HALF), ITERATES, Start::Rest);
+        let claims = vec![motion(20, "phase portrait under control", "1-2-1", &run)];
+        let picture = draw(&[(&run, PORTRAIT), (&run, TIME)], None, &config_of(self))?;
+        Ok(Produced { pictures: vec![("", picture)], claims })
+    }
+}
+
+/// The transitional process with different gains.
+pub(in super::super) struct Figure21;
+
+impl PaperFigure for Figure21 {
+    fn number(&self) -> u32 {
+        21
+    }
+
+    fn caption(&self) -> &'static str {
+        "τ under delayed feedback, ω = 2.83: (a) g = 0.8, (b) g = 0.6, (c) g = 0.3, (d) g = 0.25; control from iterate 2000."
+    }
+
+    fn config(&self) -> Value {
+        settings(&GAINS.map(stabilising), LONG)
+    }
+
+    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+        // The largest gain captures the fewest starts: the others follow it.
+        let first = Run::first(stabilising(GAINS[0]), LONG, STARTS, is_captured);
+        let runs: Vec<Run> =
+            GAINS.iter().map(|&gain| Run::new(stabilising(gain), LONG, first.start)).collect();
+        let time = |gain: f64| Run::new(stabilising(gain), LONG, first.start).time();
+        let shown = |time: Option<u32>| time.map_or_else(|| "never".to_owned(), |time| time.to_string());
+        let mut claims: Vec<Claim> = GAINS
+            .iter()
+            .zip(&runs)
+            .map(|(&gain, run)| {
+                let claim = motion(21, &format!("motion with g = {gain}"), "1-2-1", run);
+                claim.noted(format!(
+                    "converged after {} iterates; {} of {STARTS} starts are captured",
+                    shown(run.time()),
+                    captures(gain)
+                ))
+            })
+            .collect();
+        let effective = EFFECTIVE.map(time);
+        let others = GAINS.iter().filter(|gain| !EFFECTIVE.contains(gain)).map(|&gain| time(gain));
+        let others: Vec<Option<u32>> = others.collect();
+        let slowest = effective.iter().map(|time| time.unwrap_or(u32::MAX)).max();
+        let holds = others.iter().all(|time| time.is_none_or(|time| Some(time) > slowest));
+        let listed =
+            |times: &[Option<u32>]| times.iter().map(|&time| shown(time)).collect::<Vec<_>>().join(", ");
+        claims.push(Claim::new(
+            21,
+            "iterates to convergence: g = 0.3, 0.4, 0.5 against 0.8, 0.6, 0.25",
+            "fewer",
+            format!("{} against {}", listed(&effective), listed(&others)),
+            holds,
+        ));
+        let plots: Vec<_> = runs.iter().map(|run| (run, TAU)).collect();
+        let picture = draw(&plots, Some([FROM - 200, FROM + 1400]), &config_of(self))?;
+        Ok(Produced { pictures: vec![("", picture)], claims })
+    }
+}
+
+/// A gain that is too large.
+pub(in super::super) struct Figure22;
+
+impl PaperFigure for Figure22 {
+    fn number(&self) -> u32 {
+        22
+    }
+
+    fn caption(&self) -> &'static str {
+        "Delayed feedback with g = 0.97, ω = 2.83: (a) τ; (b), (c) projected sections of the first iterates under control; \
+         (d) phase portrait at the end."
+    }
+
+    fn config(&self) -> Value {
+        settings(&[stabilising(LARGE)], LONG)
+    }
+
+    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+        let run = Run::first(stabilising(LARGE), LONG, STARTS, is_captured);
+        let fixed = Run::new(stabilising(HALF), ITERATES, Start::Rest).point();
+        let modulus = |gain: f64| Run::largest_multiplier(&stabilising(gain), fixed).unwrap_or(f64::NAN);
+        let largest: f64 = LARGEST.parse().expect("a printed number is a number");
+        let stable = modulus(largest + 1e-3) < 1.0;
+        let claims = vec![
+            Claim::new(
+                22,
+                "the fixed point cannot be reached for g above",
+                LARGEST,
+                format!("|μ| = {:.4} at g = {LARGE}, {:.4} at g = 1", modulus(LARGE), modulus(1.0)),
+                !stable,
+            )
+            .noted("each multiplier λ of F gives μ² − (λ + g) μ + g = 0, whose roots have the product g: stable up to 1"),
+            Claim::new(22, "attractor with g = 0.97", "invariant circle", run.label(), run.label() == "quasi-periodic")
+                .noted(format!(
+                    "{} of {STARTS} starts are captured, slowly; the others run away; the slow spiral of a few hundred \
+                     iterates looks like a circle",
+                    captures(LARGE)
+                )),
+        ];
+        let plots = [
+            (&run, TAU),
+            (&run, Plot::Section([Reading::Tau, Reading::VAfter], 60)),
+            (&run, Plot::Section([Reading::X2, Reading::V2], 60)),
+            (&run, PORTRAIT),
+        ];
+        Ok(Produced { pictures: vec![("", draw(&plots, None, &config_of(self))?)], claims })
+    }
+}
+
+/// A gain that is too small.
+pub(in super::super) struct Figure23;
+
+impl PaperFigure for Figure23 {
+    fn number(&self) -> u32 {
+        23
+    }
+
+    fn caption(&self) -> &'static str {
+        "Delayed feedback with g = 0.1, ω = 2.83: (a) τ, (b) phase portrait of the 2-4-2 motion."
+    }
+
+    fn config(&self) -> Value {
+        settings(&[stabilising(SMALL)], ITERATES)
+    }
+
+    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+        let run = Run::new(stabilising(SMALL), ITERATES, Start::Rest);
+        let claims = vec![motion(23, "motion with g = 0.1", "2-4-2", &run)];
+        let picture = draw(&[(&run, TAU), (&run, PORTRAIT)], None, &config_of(self))?;
+        Ok(Produced { pictures: vec![("", picture)], claims })
+    }
+}

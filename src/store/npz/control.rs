@@ -1,0 +1,53 @@
+//! A control run as a NumPy archive.
+
+use std::io::{self, Seek, Write};
+
+use super::write::{Archive, write_verdicts};
+use crate::control::History;
+use crate::plane::ControlMap;
+
+/// Writes a control run as a NumPy archive: at each return to σ `iterate` (u32), `section` (f64, n × 4: v1+, x2, v2, τ),
+/// `arrived` (the same before the correction), `signal` (f64: B, or the length of the correction), `escaped` (u8);
+/// `trajectory` (f64, m × 5: time, x1, x2, v1, v2) of the flight at the end; `config`, what it takes to make it again.
+///
+/// # Errors
+/// What the file system reports.
+pub fn write_control(history: &History, config: &str, to: impl Write + Seek) -> io::Result<()> {
+    let mut archive = Archive::new(to);
+    let returns = &history.returns;
+    let count = returns.len() as u64;
+    archive.array("iterate", &[count], returns.iter().map(|met| met.iterate))?;
+    archive.array("section", &[count, 4], returns.iter().flat_map(|met| met.section.components))?;
+    archive.array("arrived", &[count, 4], returns.iter().flat_map(|met| met.arrived.components))?;
+    archive.array("signal", &[count], returns.iter().map(|met| met.signal))?;
+    archive.array("escaped", &[count], returns.iter().map(|met| u8::from(met.escaped)))?;
+    let samples = &history.recording.samples;
+    let rows = samples.iter().flat_map(|s| [s.time, s.x1, s.x2, s.v1, s.v2]);
+    archive.array("trajectory", &[samples.len() as u64, 5], rows)?;
+    archive.text("config", config)?;
+    archive.finish()
+}
+
+/// Writes a plane under control as a NumPy archive: the arrays of a map, `state` being the point (v1+, x2, v2, τ) on σ,
+/// and `period` (u32: iterates in one period of the motion, 0 if none), `iterates`, `converged_at` (u32: iterates after
+/// control was switched on, 4294967295 for never), `escapes` (u32), `effort`, `signal` (f32), `runaway` (u8).
+///
+/// # Errors
+/// What the file system reports.
+pub fn write_control_map(map: &ControlMap, to: impl Write + Seek) -> io::Result<()> {
+    let mut archive = Archive::new(to);
+    let cells = [u64::from(map.plane.y.count), u64::from(map.plane.x.count)];
+    write_verdicts(&mut archive, cells, &map.motions().verdicts)?;
+    let outcomes = || map.outcomes.iter();
+    archive.array("period", &cells, outcomes().map(|o| o.period))?;
+    archive.array("iterates", &cells, outcomes().map(|o| o.iterates))?;
+    archive.array("converged_at", &cells, outcomes().map(|o| o.converged_at))?;
+    archive.array("escapes", &cells, outcomes().map(|o| o.escapes))?;
+    archive.array("effort", &cells, outcomes().map(|o| o.effort))?;
+    archive.array("signal", &cells, outcomes().map(|o| o.signal))?;
+    archive.array("runaway", &cells, outcomes().map(|o| u8::from(o.runaway)))?;
+    archive.array("x", &[map.plane.x.count.into()], map.plane.x.values())?;
+    archive.array("y", &[map.plane.y.count.into()], map.plane.y.values())?;
+    archive.text("config", &map.config())?;
+    archive.finish()
+}

@@ -1,0 +1,134 @@
+//! The sine force as a real force between impacts: exact flight, and what it reaches.
+
+use impact_atlas::control::{ControlSchedule, Controlled, Controller, Convention, Section, multipliers};
+use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Trajectory};
+use impact_atlas::model::{Drive, Flight, Parameters, System};
+
+use super::{Returns, away, run, sine, starts, system};
+
+#[test]
+fn a_force_in_phase_is_a_change_of_the_forcing() {
+    let mut stronger = system();
+    stronger.force1 += -0.3877;
+    let flight = Flight::new(&stronger);
+    let schedule = ControlSchedule { from: 0, iterates: 40, fixed: true };
+    let start = Section::new([-0.3, 0.01, 0.02, 1.9]);
+    let follow = |flight: &Flight<f64>| {
+        let mut controlled =
+            Controlled::new(start.trajectory(flight, false, ()), Controller::None, &schedule);
+        let mut returns = Returns::default();
+        controlled.follow(flight, &schedule, &mut returns);
+        returns.0
+    };
+    let changed = follow(&flight);
+
+    let flight = Flight::new(&system());
+    let drive = Drive::new(&system(), &flight, 1.0);
+    let (sin, cos) = 1.9_f64.sin_cos();
+    let none = Phasor::new(&drive, -0.3877, [sin, cos]);
+    let controller = sine(Convention::Force, -0.3877, 0.0, 0.0).resolve(&system()).unwrap();
+    let mut controlled = Controlled::new(start.trajectory(&flight, false, none), controller, &schedule);
+    let mut forced = Returns::default();
+    controlled.follow(&flight, &schedule, &mut forced);
+    assert_eq!(forced.0.len(), 40);
+    for (a, b) in forced.0.iter().zip(&changed).take(12) {
+        assert!(away(a.section.components, b.section.components) < 1e-10, "{a:?} {b:?}");
+    }
+    let unforced = follow(&flight);
+    assert!(away(unforced[0].section.components, changed[0].section.components) > 1e-3);
+}
+
+/// Eq. (2) with a force B sin θ, θ' = γω, on the first mass, by a thousand Runge-Kutta steps.
+fn integrated(system: &System, mut y: [f64; 4], time: f64, b: f64, gamma: f64, phases: [f64; 2]) -> [f64; 4] {
+    let omega = system.parameters().omega;
+    let rates = |y: [f64; 4], t: f64| {
+        let [x1, x2, v1, v2] = y;
+        let forcing = (omega * t + phases[0]).sin();
+        let coupling = (x2 - x1) + system.coupling_damping * (v2 - v1);
+        let a1 = coupling + system.force1 * forcing + b * (gamma * omega * t + phases[1]).sin();
+        let ground = system.ground_stiffness * x2 + system.ground_damping * v2;
+        [v1, v2, a1, system.force2 * forcing - system.inverse_mass * coupling - ground]
+    };
+    let steps = 1000;
+    let h = time / f64::from(steps);
+    let moved = |y: [f64; 4], k: [f64; 4], s: f64| std::array::from_fn(|i| y[i] + s * k[i]);
+    for step in 0..steps {
+        let t = f64::from(step) * h;
+        let k1 = rates(y, t);
+        let k2 = rates(moved(y, k1, h / 2.0), t + h / 2.0);
+        let k3 = rates(moved(y, k2, h / 2.0), t + h / 2.0);
+        let k4 = rates(moved(y, k3, h), t + h);
+        y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+    }
+    y
+}
+
+#[test]
+fn flight_under_a_second_frequency_is_exact() {
+    let parameters = Parameters { omega: 2.83, delta: 50.0, f20: 0.3, mu_c: 0.3, ..Parameters::default() };
+    for gamma in [0.37, 1.0, 2.5, 7.0] {
+        let system = System::new(parameters).unwrap().following(gamma).unwrap();
+        let flight = Flight::new(&system);
+        let drive = Drive::new(&system, &flight, gamma);
+        let phase = 0.7_f64;
+        let phasor = Phasor::new(&drive, 0.8, [phase.sin(), phase.cos()]);
+        let point = Point { x1: 0.1, x2: -0.2, v1: 0.5, v2: 0.3, sin: 0.0, cos: 1.0, drive: phasor };
+        let mut trajectory = Trajectory::from_point(&flight, point, Contact::Free, 0, 0.0);
+        let mut time = 0.0;
+        loop {
+            let taken = trajectory.advance(&flight, &mut ());
+            time += taken.time;
+            if taken.event == Event::Strobe {
+                break;
+            }
+        }
+        let expected = integrated(&system, point.state(), time, 0.8, gamma, [0.0, phase]);
+        assert!(away(trajectory.point.state(), expected) < 1e-9, "γ = {gamma}");
+        let within = integrated(&system, point.state(), 0.6 * flight.h, 0.8, gamma, [0.0, phase]);
+        assert!(away(point.flown(&flight, 0.6 * flight.h, 1.0).state(), within) < 1e-12, "γ = {gamma}");
+        let unforced = integrated(&system, point.state(), time, 0.0, gamma, [0.0, phase]);
+        assert!(away(expected, unforced) > 1e-2, "the force does nothing");
+    }
+}
+
+#[test]
+fn impacts_under_a_second_frequency_are_on_the_stops() {
+    let system = system().following(2.5).unwrap();
+    let flight = Flight::new(&system);
+    let drive = Drive::new(&system, &flight, 2.5);
+    let phasor = Phasor::new(&drive, 0.8, [0.0, 1.0]);
+    let point = Point { x1: 0.0, x2: 0.0, v1: 0.5, v2: 0.0, sin: 0.0, cos: 1.0, drive: phasor };
+    let mut trajectory = Trajectory::from_point(&flight, point, Contact::Free, 0, 0.0);
+    let mut impacts = 0;
+    for _ in 0..20_000 {
+        let taken = trajectory.advance(&flight, &mut ());
+        assert!(trajectory.point.x1.abs() <= flight.delta * (1.0 + 1e-12));
+        impacts += u32::from(matches!(taken.event, Event::Impact(_)));
+    }
+    assert!(impacts > 1000, "{impacts}");
+}
+
+#[test]
+fn the_force_in_phase_holds_the_target_with_the_known_amplitude() {
+    let runs: Vec<_> =
+        starts(10).map(|start| run(&sine(Convention::Force, 0.0, 0.05, 1e-4), 6000, start)).collect();
+    let held: Vec<_> = runs.iter().filter(|(outcome, _)| outcome.period == 1).collect();
+    assert!(held.len() >= 3, "{}", held.len());
+    for (outcome, returns) in held {
+        let last = returns.last().unwrap();
+        assert_eq!((outcome.verdict.label().as_str(), outcome.verdict.symmetric), ("1-1-1", false));
+        assert!((last.signal + 0.3877).abs() < 1e-4, "{last:?}");
+        assert!((last.section.components[3] - 1.802134).abs() < 1e-4);
+        let controller = sine(Convention::Force, last.signal, 0.0, 0.0).resolve(&system()).unwrap();
+        let largest = multipliers(&system(), &controller, last.section.components).unwrap().unwrap()[0];
+        assert!(largest.norm() < 1.0, "{largest}");
+    }
+}
+
+#[test]
+fn the_force_counted_from_each_impact_does_not_converge() {
+    for start in starts(6) {
+        let (outcome, _) = run(&sine(Convention::ForceLocal, 0.0, 0.05, 1e-3), 4000, start);
+        assert_ne!(outcome.period, 1, "{outcome:?}");
+    }
+}

@@ -1,0 +1,225 @@
+//! Maps under control: the GPU's against the CPU's, held to what `validate` demands of a plain map.
+
+use impact_atlas::analysis::{Schedule, Trace, Verdict};
+use impact_atlas::backend::{
+    Backend, BackendError, ControlJob, Cpu, Gpu, Job, Unwatched, Watch, follow_controlled,
+};
+use impact_atlas::control::{
+    ControlSchedule, Controller, Convention, NEVER, Outcome, PulseSetting, Scheme, Section, Sign,
+};
+use impact_atlas::dynamics::Event;
+use impact_atlas::model::{Flight, Parameter, Parameters, System};
+use impact_atlas::plane::{ControlMap, ControlPlane, Start};
+use impact_atlas::sweep::sweep_control;
+use impact_atlas::validate::{Agreement, Thresholds, compare};
+
+use super::{FIXED_POINT, TARGET, away, delay, sine, system};
+
+fn plane(control: Scheme, x: &str, y: &str) -> ControlPlane {
+    ControlPlane {
+        x: x.parse().unwrap(),
+        y: y.parse().unwrap(),
+        parameters: Parameters { omega: 2.83, ..Parameters::default() },
+        start: Start::Rest,
+        control,
+        iterates: ControlSchedule { from: 30, iterates: 330, fixed: false },
+    }
+}
+
+/// (x1, x2, v1, v2) at forcing phase 0 beside the unstable 1-2-1 motion: on it, rounding would decide whether it is left.
+fn beside_the_motion() -> [f64; 4] {
+    let flight = Flight::new(&system());
+    let mut trajectory = Section::new(FIXED_POINT).trajectory(&flight, false, ());
+    while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
+    let [x1, x2, v1, v2] = trajectory.point.state();
+    [x1, x2 + 1e-3, v1, v2]
+}
+
+/// From a chaotic transient the smallest rounding error decides which motion captures a cell; from the neighbourhood of
+/// one, the gain does.
+fn feedback() -> ControlPlane {
+    let mut plane = plane(delay(0.5, Sign::Stabilising), "omega=2.81:2.85:11", "gain=0.14:0.5:10");
+    plane.start = Start::State(beside_the_motion());
+    plane.iterates = ControlSchedule { from: 2, iterates: 2000, fixed: false };
+    plane
+}
+
+fn map(plane: &ControlPlane, backend: &dyn Backend) -> ControlMap {
+    sweep_control(plane, backend, &Unwatched).unwrap()
+}
+
+fn agreement(plane: &ControlPlane, candidate: &dyn Backend) -> Agreement {
+    compare(&map(plane, &Cpu).motions(), &map(plane, candidate).motions())
+}
+
+fn gpu() -> Gpu {
+    Gpu::open(None).expect("an adapter is there, if only a software one")
+}
+
+/// The reference with something done to its jobs or in its arithmetic.
+#[derive(Debug)]
+struct Altered(fn(&ControlJob, &ControlSchedule) -> Outcome);
+
+impl Backend for Altered {
+    fn name(&self) -> &'static str {
+        "cpu"
+    }
+
+    fn adapter(&self) -> String {
+        "altered".to_owned()
+    }
+
+    fn tile(&self) -> usize {
+        50
+    }
+
+    fn run(&self, _: &[Job], _: &Schedule, _: &dyn Watch) -> Result<Vec<Verdict>, BackendError> {
+        unreachable!("everything is controlled here")
+    }
+
+    fn trace(
+        &self,
+        _: &[Job],
+        _: &Schedule,
+        _: impact_atlas::analysis::Probe,
+        _: u32,
+        _: &dyn Watch,
+    ) -> Result<Vec<Trace>, BackendError> {
+        unreachable!("everything is controlled here")
+    }
+
+    fn control(
+        &self,
+        jobs: &[ControlJob],
+        schedule: &ControlSchedule,
+        _: &dyn Watch,
+    ) -> Result<Vec<Outcome>, BackendError> {
+        Ok(jobs.iter().map(|job| (self.0)(job, schedule)).collect())
+    }
+}
+
+fn single_precision(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
+    follow_controlled::<f32>(job, schedule).unwrap()
+}
+
+fn restitution_a_little_low(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
+    let parameters = job.job.system.parameters();
+    let system = System::new(parameters.with(Parameter::R, parameters.r - 1e-3)).unwrap();
+    follow_controlled::<f64>(&ControlJob { job: Job { system, ..job.job }, ..*job }, schedule).unwrap()
+}
+
+fn feedback_forgotten(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
+    follow_controlled::<f64>(&ControlJob { controller: Controller::None, ..*job }, schedule).unwrap()
+}
+
+#[test]
+fn feedback_agrees_on_cpu_and_gpu() {
+    let plane = feedback();
+    let (ours, theirs) = (map(&plane, &Cpu), map(&plane, &gpu()));
+    let agreement = compare(&ours.motions(), &theirs.motions());
+    assert!(
+        agreement.holds(&Thresholds::default()),
+        "{:#?}\n{:?}",
+        agreement.checks(&Thresholds::default()),
+        agreement.worst
+    );
+    assert!(agreement.inside.cells > 40, "too few cells to compare: {:?}", agreement.inside);
+    let both = ours.outcomes.iter().zip(&theirs.outcomes);
+    let of = |label: &str| ours.outcomes.iter().filter(|o| o.verdict.label() == label).count();
+    assert!(of("1-2-1") > 40 && of("2-4-2") > 15, "{} and {}", of("1-2-1"), of("2-4-2"));
+    let times: Vec<f64> = both
+        .filter(|(a, b)| [a, b].map(|o| o.verdict.label()) == ["1-2-1", "1-2-1"])
+        .map(|(a, b)| f64::from(a.converged_at) - f64::from(b.converged_at))
+        .collect();
+    let alike = times.iter().filter(|difference| difference.abs() <= 1.0).count();
+    assert!(alike as f64 > 0.95 * times.len() as f64, "{times:?}");
+    assert!(theirs.outcomes.iter().all(|o| o.converged_at != NEVER || o.period == 0));
+}
+
+#[test]
+fn what_is_wrong_does_not_agree() {
+    let holds = |candidate: fn(&ControlJob, &ControlSchedule) -> Outcome| {
+        agreement(&feedback(), &Altered(candidate)).holds(&Thresholds::default())
+    };
+    assert!(holds(single_precision));
+    assert!(!holds(restitution_a_little_low));
+    assert!(!holds(feedback_forgotten));
+}
+
+#[test]
+fn pulses_kicks_and_forces_agree_cell_by_cell() {
+    let pulse = Scheme::Pulse(PulseSetting { period: 1, target: TARGET, noise: 0.0, seed: 1 });
+    let planes = [
+        (plane(pulse, "target_v1=-0.45:-0.25:6", "target_tau=1.4:2.2:4"), 1e-5),
+        (plane(sine(Convention::Force, 0.0, 0.0, 0.0), "omega=2.8:2.86:4", "amplitude=-0.46:-0.41:3"), 1e-4),
+    ];
+    let gpu = gpu();
+    for (plane, tolerance) in planes {
+        let (ours, theirs) = (map(&plane, &Cpu), map(&plane, &gpu));
+        for (a, b) in ours.outcomes.iter().zip(&theirs.outcomes) {
+            assert_eq!(a.verdict.label(), b.verdict.label(), "{plane:?}\n{a:?}\n{b:?}");
+            assert_eq!(a.period, b.period);
+            assert!(away(a.verdict.state, b.verdict.state) < tolerance, "{a:?}\n{b:?}");
+            assert!((a.signal - b.signal).abs() < 1e-3 * a.signal.abs(), "{a:?}\n{b:?}");
+        }
+        let distinct = away(ours.outcomes[0].verdict.state, ours.outcomes.last().unwrap().verdict.state);
+        assert!(distinct > 1e-2, "the plane is one point");
+    }
+}
+
+#[test]
+fn the_kick_agrees_on_where_the_motion_is_held() {
+    let mut kicked =
+        plane(sine(Convention::Kick, 0.0, 0.0, 0.0), "omega=2.826:2.836:4", "amplitude=0.02:0.3:6");
+    kicked.start = Start::State(beside_the_motion());
+    kicked.iterates = ControlSchedule { from: 1, iterates: 600, fixed: false };
+    let (ours, theirs) = (map(&kicked, &Cpu), map(&kicked, &gpu()));
+    let held = |map: &ControlMap| -> Vec<bool> {
+        map.outcomes.iter().map(|outcome| outcome.verdict.label() == "1-2-1").collect()
+    };
+    assert_eq!(held(&ours), held(&theirs));
+    assert!(held(&ours).contains(&true) && held(&ours).contains(&false));
+    for (a, b) in ours.outcomes.iter().zip(&theirs.outcomes).filter(|(a, _)| a.verdict.label() == "1-2-1") {
+        assert!(away(a.verdict.state, b.verdict.state) < 1e-5, "{a:?}\n{b:?}");
+    }
+}
+
+#[test]
+fn forces_that_the_gpu_does_not_have_are_refused() {
+    let local = plane(sine(Convention::ForceLocal, 0.1, 0.0, 0.0), "omega=2.8:2.86:2", "delta=0.1:0.2:2");
+    let refused = sweep_control(&local, &gpu(), &Unwatched).unwrap_err().to_string();
+    assert!(refused.contains("--backend cpu"), "{refused}");
+    assert_eq!(map(&local, &Cpu).outcomes.len(), 4);
+}
+
+#[test]
+fn outcomes_do_not_depend_on_tiles_or_threads() {
+    let plane = plane(delay(0.5, Sign::Stabilising), "omega=2.6:3:7", "gain=0:1:5");
+    let whole = map(&plane, &Cpu);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let in_tiles = pool
+        .install(|| map(&plane, &Altered(|job, schedule| follow_controlled::<f64>(job, schedule).unwrap())));
+    assert_eq!(whole.outcomes, in_tiles.outcomes);
+}
+
+#[test]
+fn planes_that_cannot_be_controlled_are_refused() {
+    let refused = |plane: ControlPlane| sweep_control(&plane, &Cpu, &Unwatched).unwrap_err().to_string();
+    let feedback = delay(0.5, Sign::Stabilising);
+    let pulse = Scheme::Pulse(PulseSetting { period: 1, target: TARGET, noise: 0.0, seed: 1 });
+    assert!(refused(plane(feedback, "gain=0.1:1.5:4", "omega=2.8:3:2")).contains("gain = 1.5"));
+    assert!(
+        refused(plane(feedback, "alpha=0.1:0.5:4", "omega=2.8:3:2")).contains("delay has no setting alpha")
+    );
+    assert!(refused(plane(pulse, "period=0:3:4", "omega=2.8:3:2")).contains("period = 0"));
+    assert!(refused(plane(feedback, "gain=0.1:0.5:4", "gain=0.1:0.5:4")).contains("both axes"));
+    let mut nowhere = plane(pulse, "zeta=0.1:0.2:2", "r=0.7:0.8:2");
+    nowhere.control = Scheme::Pulse(PulseSetting {
+        period: 1,
+        target: impact_atlas::control::Target { reference: 0.3, ..TARGET },
+        noise: 0.0,
+        seed: 1,
+    });
+    assert!(refused(nowhere).contains("reference"));
+    assert!("period=1:2:3".parse::<impact_atlas::plane::Axis>().unwrap_err().to_string().contains("whole"));
+}
