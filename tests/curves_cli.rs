@@ -129,8 +129,12 @@ fn the_papers_curves_have_its_names_and_are_the_same_every_time() {
         let curve = of.get(name).unwrap_or_else(|| panic!("no {name}"));
         assert!(curve.iter().all(|row| row.kind == kind && row.motion == motion), "{name}");
     }
-    assert!(of["L1"].iter().all(|row| row.criticality == "supercritical"));
-    assert!(of["L2"].iter().all(|row| row.criticality == "subcritical"));
+    // At a degenerate end there is none.
+    let only = |name: &str, kind: &str| {
+        let known = of[name].iter().filter(|row| !row.criticality.is_empty());
+        known.clone().count() > 2 && known.clone().all(|row| row.criticality == kind)
+    };
+    assert!(only("L1", "supercritical") && only("L2", "subcritical"));
     assert!(of["L5"].iter().all(|row| row.criticality.is_empty()), "folds are neither");
     // The paper's pitchfork at δ = 0.1.
     let crossing = of["L3"].windows(2).find(|pair| (pair[0].y - 0.1) * (pair[1].y - 0.1) <= 0.0).unwrap();
@@ -164,7 +168,10 @@ fn the_papers_curves_have_its_names_and_are_the_same_every_time() {
     assert!(named.contains(&"L1/L2") && named.contains(&"L3") && named.contains(&"L7"), "{named:?}");
     let torus = list.iter().find(|curve| curve["name"] == "L1/L2").unwrap();
     let shares = ["supercritical", "subcritical"].map(|side| torus["criticality"][side].as_f64().unwrap());
-    assert!(shares[0] > 0.5 && shares[1] > 0.1 && (shares[0] + shares[1] - 1.0).abs() < 1e-12, "{shares:?}");
+    assert!(
+        shares[0] > 0.5 && shares[1] > 0.1 && (0.95..=1.0).contains(&(shares[0] + shares[1])),
+        "{shares:?}"
+    );
     let special = |row: &&Row| row.point != "ordinary" && ["L1", "L2"].contains(&&*row.curve);
     let in_table: Vec<(&str, f64)> =
         rows.iter().filter(special).map(|row| (row.point.as_str(), row.x)).collect();
@@ -216,7 +223,7 @@ fn planes_that_cannot_have_curves_are_refused() {
     refuses(&["map", "--curves-out", "c.csv"], "--curves");
     refuses(&["map", "--curves-max-period", "3"], "--curves");
     refuses(&["map", "--curves=some"], "some");
-    refuses(&["map", "--curves", "--curves-out", "map.png"], "two results");
+    refuses(&["map", "--curves", "--curves-out", "map.png"], "name it with .csv");
 }
 
 #[test]

@@ -93,6 +93,7 @@ impl CurveSummary {
         let name = self.name.as_deref().unwrap_or("");
         let mut lines =
             vec![format!("{:>3}  {name:<6} {title:<42} {:>5} points{criticality}", self.number, self.points)];
+        lines.push(format!("{:13}from: {}; to: {}", "", self.ends[0].name(), self.ends[1].name()));
         lines.extend(
             self.special_points.iter().map(|s| format!("{:13}{} at {:.6}, {:.6}", "", s.point, s.x, s.y)),
         );

@@ -70,6 +70,7 @@ pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
     };
     let plane = args.axes.plane_of(schedule, args.cells, defaults::CURVES_CELLS)?;
     curves::check(&plane).map_err(CliError::input)?;
+    files::check_csv(args.out.as_deref())?;
     let [output] = files::prepare([args.out.as_deref()])?;
     let backend = args.backend.open()?;
     let map = sweep(&plane, &*backend, &Progress::of_cells("looking for motions", plane.cells()))?;

@@ -30,6 +30,18 @@ pub fn prepare<const N: usize>(paths: [Option<&Path>; N]) -> Result<[Option<Outp
     Ok(outputs)
 }
 
+/// Refuses a name for a table that would be taken for something else.
+pub fn check_csv(path: Option<&Path>) -> Result<(), CliError> {
+    let other = |path: &&Path| path.extension().is_some_and(|found| !found.eq_ignore_ascii_case("csv"));
+    match path.filter(other) {
+        Some(path) => Err(CliError::Input(anyhow!(
+            "cannot write a table to `{}`: curves are CSV files, name it with .csv",
+            path.display()
+        ))),
+        None => Ok(()),
+    }
+}
+
 /// The same for every way of writing a path.
 fn place(path: &Path) -> PathBuf {
     if let Ok(existing) = path.canonicalize() {

@@ -63,6 +63,8 @@ struct Exponents {
     standard_error: [Option<f64>; 4],
     standard_error_per_time: [Option<f64>; 4],
     lost_directions: u32,
+    #[serde(skip)]
+    clamped: bool,
     iterates: Option<u64>,
     impacts: u64,
     periods: u32,
@@ -100,6 +102,7 @@ impl Exponents {
             standard_error: errors(spectrum.standard_error),
             standard_error_per_time: errors(spectrum.standard_error.map(|error| error / spectrum.period)),
             lost_directions: spectrum.lost,
+            clamped: system.parameters().delta == 0.0,
             iterates: spectrum.iterates,
             impacts: spectrum.impacts,
             periods: spectrum.periods,
@@ -116,7 +119,9 @@ impl Exponents {
         )];
         for j in 0..4 {
             let Some(per_period) = self.exponents_per_period[j] else {
-                let why = if self.lost_directions == 2 {
+                let why = if self.clamped {
+                    "the stops hold the first mass, whose place and velocity do not count"
+                } else if self.lost_directions == 2 {
                     "complete chatter or sticking forgets the place and velocity of the first mass"
                 } else {
                     "an impact without rebound forgets the velocity of the first mass"

@@ -115,6 +115,7 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     args.control.refuse_settings()?;
     let plane = args.plane.plane()?;
     pictures::format_of(&args.out)?;
+    files::check_csv(args.curves_out.as_deref())?;
     let npz = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
     if args.curves.is_some() {
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;

@@ -3,7 +3,7 @@
 use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Regime, Schedule, Verdict};
-use impact_atlas::backend::{Backend, Cpu, Job};
+use impact_atlas::backend::{Cpu, Job, decide};
 use impact_atlas::dynamics::Stop;
 use impact_atlas::model::System;
 use impact_atlas::plane::Start;
@@ -108,6 +108,10 @@ pub fn run(args: &MotionArgs) -> Result<(), CliError> {
 
 /// The motion of a label.
 fn named(system: &System, start: [f64; 4], schedule: &Schedule, label: Label) -> Result<Motion, CliError> {
+    if system.parameters().delta == 0.0 {
+        let why = "the stops hold the first mass (delta = 0), and nothing can move between them";
+        return Err(CliError::NotFound(format!("there is no {label} motion: {why}; choose delta above 0")));
+    }
     let search = Search { start, transient: schedule.transient, observe: schedule.observe };
     let motion =
         labelled_motion(system, label, &search).map_err(|error| CliError::NotFound(error.to_string()))?;
@@ -116,7 +120,7 @@ fn named(system: &System, start: [f64; 4], schedule: &Schedule, label: Label) ->
 
 /// The motion that a start leads to.
 fn reached(system: &System, start: [f64; 4], schedule: &Schedule) -> Result<Motion, CliError> {
-    let verdicts = Cpu.run(&[Job { system: *system, start }], schedule, &Interruptible)?;
+    let verdicts = decide(&Cpu, &[Job { system: *system, start }], schedule, &Interruptible)?;
     let verdict =
         verdicts.first().ok_or_else(|| CliError::Machine(anyhow!("the back end gave no verdict")))?;
     if let Some(elsewhere) = elsewhere(verdict) {
@@ -138,9 +142,7 @@ fn reached(system: &System, start: [f64; 4], schedule: &Schedule) -> Result<Moti
 fn elsewhere(verdict: &Verdict) -> Option<String> {
     let exponent = verdict.lyapunov;
     let other = "ask for a motion by its --label, stable or not, or try another --start";
-    // Impacts early in the observation that ceased leave a period without any.
-    let ceased = verdict.regime == Regime::Periodic && verdict.p == 0 && verdict.q == 0;
-    Some(match if ceased { Regime::NoImpact } else { verdict.regime } {
+    Some(match verdict.regime {
         Regime::Periodic | Regime::PeriodicSticking => return None,
         Regime::Chaotic => format!(
             "this start leads to chaos (largest Lyapunov exponent {exponent:.4} per forcing period), not to a \

@@ -18,7 +18,9 @@ pub fn pairs(values: [Complex<f64>; 4]) -> [[f64; 2]; 4] {
 
 /// Complex numbers as text.
 pub fn text(values: Option<&[[f64; 2]; 4]>) -> String {
-    let Some(values) = values else { return "none: an impact grazes, and there is no derivative".to_owned() };
+    let Some(values) = values else {
+        return "none: an impact grazes, or they are beyond all numbers".to_owned();
+    };
     let texts = values.map(|[re, im]| {
         let re = number(re, 6);
         match im {

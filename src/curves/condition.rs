@@ -1,27 +1,22 @@
 //! What defines a bifurcation: a function of a motion that vanishes there.
 
 use nalgebra::{Complex, Matrix4, Matrix6};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::theory::{Flow, Pattern, Section, turn};
 
 /// The kind of a bifurcation; of a symmetric motion in terms of its half map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// A multiplier +1: the motion ends, in a saddle-node.
-    #[serde(rename = "fold")]
     Fold,
     /// A multiplier −1.
-    #[serde(rename = "period doubling")]
     PeriodDoubling,
     /// A multiplier −1 of the half map: a symmetric motion gives rise to two mirrored ones.
-    #[serde(rename = "pitchfork")]
     Pitchfork,
     /// A complex pair of multipliers of modulus 1.
-    #[serde(rename = "Neimark-Sacker")]
     NeimarkSacker,
     /// The orbit just touches a stop.
-    #[serde(rename = "grazing")]
     Grazing,
 }
 
@@ -41,6 +36,12 @@ impl Kind {
     pub fn smooth(pattern: &Pattern) -> [Kind; 3] {
         let flip = if pattern.mirrored { Kind::Pitchfork } else { Kind::PeriodDoubling };
         [Kind::Fold, flip, Kind::NeimarkSacker]
+    }
+}
+
+impl Serialize for Kind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
     }
 }
 

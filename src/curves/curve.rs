@@ -1,6 +1,6 @@
 //! A bifurcation curve, point by point.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::condition::Kind;
 use crate::dynamics::Stop;
@@ -98,6 +98,8 @@ pub enum Special {
     FoldNeimarkSacker,
     /// A multiplier −1 beside a pair on the unit circle.
     FlipNeimarkSacker,
+    /// Two pairs on the unit circle.
+    DoubleNeimarkSacker,
     /// A Neimark–Sacker bifurcation turns from super- to subcritical.
     Chenciner,
     /// A period doubling, or pitchfork, turns from super- to subcritical.
@@ -108,6 +110,8 @@ pub enum Special {
     GrazingFold,
     /// On a grazing curve, a multiplier is −1.
     GrazingFlip,
+    /// On a grazing curve, a pair lies on the unit circle.
+    GrazingNeimarkSacker,
 }
 
 impl Special {
@@ -122,43 +126,59 @@ impl Special {
             Special::FoldFlip => "fold-flip",
             Special::FoldNeimarkSacker => "fold-Neimark-Sacker",
             Special::FlipNeimarkSacker => "flip-Neimark-Sacker",
+            Special::DoubleNeimarkSacker => "double Neimark-Sacker",
             Special::Chenciner => "Chenciner",
             Special::GeneralisedFlip => "generalised flip",
             Special::Grazing => "grazing",
             Special::GrazingFold => "grazing-fold",
             Special::GrazingFlip => "grazing-flip",
+            Special::GrazingNeimarkSacker => "grazing-Neimark-Sacker",
         }
     }
 }
 
 /// Why a curve ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum End {
     /// It leaves the plane.
-    #[serde(rename = "leaves the plane")]
     LeavesPlane,
     /// It comes back to where it began.
-    #[serde(rename = "closes on itself")]
     Closes,
     /// A Neimark–Sacker pair meets at +1.
-    #[serde(rename = "1:1 resonance: the pair of multipliers meets at +1")]
     Resonance11,
     /// A Neimark–Sacker pair meets at −1.
-    #[serde(rename = "1:2 resonance: the pair of multipliers meets at -1")]
     Resonance12,
     /// Its motion touches a stop on the way.
-    #[serde(rename = "the motion grazes a stop in flight")]
     Grazes,
     /// One of its impacts comes to nothing.
-    #[serde(rename = "an impact of the motion comes to nothing")]
     ImpactVanishes,
     /// Its motion goes over into the simpler one that it was born from, and the path into its twin's.
-    #[serde(rename = "the motion becomes a simpler one")]
     Simplifies,
     /// Newton's method does not converge however short the step.
-    #[serde(rename = "cannot be followed further")]
     Stalled,
     /// It has more points than are computed.
-    #[serde(rename = "longer than is computed")]
     TooLong,
+}
+
+impl End {
+    /// Why, in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            End::LeavesPlane => "leaves the plane",
+            End::Closes => "closes on itself",
+            End::Resonance11 => "1:1 resonance: the pair of multipliers meets at +1",
+            End::Resonance12 => "1:2 resonance: the pair of multipliers meets at -1",
+            End::Grazes => "the motion grazes a stop in flight",
+            End::ImpactVanishes => "an impact of the motion comes to nothing",
+            End::Simplifies => "the motion becomes a simpler one",
+            End::Stalled => "cannot be followed further",
+            End::TooLong => "longer than is computed",
+        }
+    }
+}
+
+impl Serialize for End {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
 }

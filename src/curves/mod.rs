@@ -9,6 +9,7 @@ mod branch;
 mod condition;
 mod curve;
 mod locus;
+mod look;
 mod naming;
 mod no_impact;
 mod paper;

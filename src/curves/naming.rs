@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::curve::Curve;
+use super::curve::{Criticality, Curve};
 use super::paper::{is_plane_of_paper, paper_name};
 use crate::plane::{Axis, Plane};
 
@@ -32,8 +32,9 @@ pub fn named(curves: &[Curve], plane: &Plane) -> Vec<Named> {
     let paper = is_plane_of_paper(plane);
     let mut stretches = Vec::new();
     for (index, curve) in curves.iter().enumerate() {
-        let names: Vec<Option<&str>> =
-            curve.points.iter().map(|point| paper_name(curve, point).filter(|_| paper)).collect();
+        let names: Vec<Option<&str>> = criticalities(curve)
+            .map(|criticality| paper_name(curve, criticality).filter(|_| paper))
+            .collect();
         let mut first = 0;
         for run in names.chunk_by(|a, b| a == b) {
             let points = first..first + run.len();
@@ -59,6 +60,16 @@ pub fn named(curves: &[Curve], plane: &Plane) -> Vec<Named> {
     stretches.into_iter().map(|(stretch, _)| stretch).collect()
 }
 
+/// The criticality of every point; that of a neighbour where a point has none of its own.
+fn criticalities(curve: &Curve) -> impl Iterator<Item = Option<Criticality>> {
+    let known = || curve.points.iter().map(|point| point.criticality);
+    let first = known().flatten().next();
+    known().scan(first, |last, own| {
+        *last = own.or(*last);
+        Some(*last)
+    })
+}
+
 /// The length of a stretch, in sides of the plane.
 fn length(curve: &Curve, points: Range<usize>, plane: &Plane) -> f64 {
     let share = |axis: &Axis, distance: f64| distance / (axis.last - axis.first);
@@ -71,7 +82,7 @@ fn length(curve: &Curve, points: Range<usize>, plane: &Plane) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::condition::Kind;
-    use super::super::curve::{Criticality, CurveMotion, CurvePoint, End};
+    use super::super::curve::{CurveMotion, CurvePoint, End};
     use super::*;
     use crate::analysis::Schedule;
     use crate::model::Parameters;

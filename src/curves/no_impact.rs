@@ -85,7 +85,8 @@ fn traced(reach: &Reach, start: [f64; 2]) -> Option<(Vec<[f64; 2]>, Curve)> {
         .map(|&share| {
             let parameters = reach.parameters(share);
             let [x, y] = reach.spans.map(|span| parameters.get(span.parameter));
-            CurvePoint { x, y, criticality: None, bounding: true, special: None }
+            let bounding = parameters.zeta > 0.0;
+            CurvePoint { x, y, criticality: None, bounding, special: None }
         })
         .collect();
     let motion = CurveMotion { n: 1, p: 0, q: 0, symmetric: true };
@@ -102,7 +103,9 @@ fn follow(reach: &Reach, start: PathPoint) -> (Vec<[f64; 2]>, End) {
         let Some(next) = here.advanced(reach, ds).filter(|next| here.straightness(next) > 0.95) else {
             ds *= 0.5;
             if ds < 1e-7 {
-                return (found, End::Stalled);
+                // A parameter's physical range can end at the border.
+                let at_border = here.y.iter().any(|share| !(1e-5..=1.0 - 1e-5).contains(share));
+                return (found, if at_border { End::LeavesPlane } else { End::Stalled });
             }
             continue;
         };
@@ -116,7 +119,7 @@ fn follow(reach: &Reach, start: PathPoint) -> (Vec<[f64; 2]>, End) {
             continue;
         }
         found.push(share);
-        if found.len() > 10 && (&next.y - &start.y).norm() < ds {
+        if found.len() > 10 && (&next.y - &start.y).norm() < ds && start.straightness(&next) > 0.95 {
             return (found, End::Closes);
         }
         here = next;

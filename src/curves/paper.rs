@@ -1,7 +1,7 @@
 //! What the paper calls the curves and regions of its Fig. 5.
 
 use super::condition::Kind;
-use super::curve::{Criticality, Curve, CurveMotion, CurvePoint};
+use super::curve::{Criticality, Curve, CurveMotion};
 use crate::analysis::{Regime, Verdict};
 use crate::model::{Parameter, Parameters};
 use crate::plane::{Plane, Quantity};
@@ -16,11 +16,11 @@ pub fn is_plane_of_paper(plane: &Plane) -> bool {
         && others.into_iter().all(|parameter| plane.parameters.get(parameter) == paper.get(parameter))
 }
 
-/// The paper's name of a curve at one of its points, L1 to L7, by motion, kind and criticality; none for most curves.
-pub(super) fn paper_name(curve: &Curve, point: &CurvePoint) -> Option<&'static str> {
+/// The paper's name of a curve where it has some criticality, L1 to L7, by motion and kind; none for most curves.
+pub(super) fn paper_name(curve: &Curve, criticality: Option<Criticality>) -> Option<&'static str> {
     let CurveMotion { n, p, q, symmetric } = curve.motion;
     match (curve.kind, [n, p, q], symmetric) {
-        (Kind::NeimarkSacker, [1, 1, 1], true) => point.criticality.map(|criticality| match criticality {
+        (Kind::NeimarkSacker, [1, 1, 1], true) => criticality.map(|criticality| match criticality {
             Criticality::Supercritical => "L1",
             Criticality::Subcritical => "L2",
         }),

@@ -8,6 +8,10 @@ const MOST_STEPS: usize = 14;
 const SLOW: f64 = 0.1;
 /// A correction below this is the last one, and so is a residual.
 const CONVERGED: f64 = 1e-9;
+/// The farthest that a solution may be from a guess that nothing is known of.
+const FARTHEST: f64 = 1.0;
+/// The share of a step by which the path may bend aside on it.
+const ASIDE: f64 = 0.3;
 /// The share of an unknown's size by which it is moved for a central difference.
 const DIFFERENCE: f64 = 1e-6;
 
@@ -22,7 +26,8 @@ pub(super) trait Equations {
     }
 }
 
-/// Central differences of some equations with respect to some of the unknowns, a column each.
+/// Differences of some equations with respect to some of the unknowns, a column each; central ones where both sides are
+/// in the domain.
 pub(super) fn differences(
     y: &DVector<f64>,
     unknowns: std::ops::Range<usize>,
@@ -33,11 +38,17 @@ pub(super) fn differences(
     for j in unknowns {
         let h = DIFFERENCE * (1.0 + y[j].abs());
         moved[j] = y[j] + h;
-        let above = function(&moved)?;
+        let above = function(&moved);
         moved[j] = y[j] - h;
-        let below = function(&moved)?;
+        let below = function(&moved);
         moved[j] = y[j];
-        columns.push((above - below) / (2.0 * h));
+        // At the end of a parameter's physical range there is but one side.
+        columns.push(match (above, below) {
+            (Some(above), Some(below)) => (above - below) / (2.0 * h),
+            (Some(above), None) => (above - function(y)?) / h,
+            (None, Some(below)) => (function(y)? - below) / h,
+            (None, None) => return None,
+        });
     }
     Some(DMatrix::from_columns(&columns))
 }
@@ -59,7 +70,7 @@ impl PathPoint {
         let mut border = DVector::zeros(guess.len());
         border[fixed] = 1.0;
         let jacobian = equations.jacobian(&guess)?;
-        PathPoint::corrected(equations, guess, &border, &jacobian)
+        PathPoint::corrected(equations, guess, &border, &jacobian, FARTHEST)
     }
 
     /// The same point, the other way.
@@ -69,20 +80,22 @@ impl PathPoint {
 
     /// The solution on the plane a length `ds` ahead; around turning points as elsewhere.
     pub fn advanced(&self, equations: &impl Equations, ds: f64) -> Option<Self> {
-        PathPoint::corrected(equations, &self.y + &self.tangent * ds, &self.tangent, &self.jacobian)
+        let reach = ASIDE * ds + 10.0 * CONVERGED;
+        PathPoint::corrected(equations, &self.y + &self.tangent * ds, &self.tangent, &self.jacobian, reach)
     }
 
     /// Newton's method on the hyperplane through the guess with normal `border`.
     ///
-    /// Derivatives are dear and change little from point to point: those at hand are used until they no longer bring the
+    /// A solution farther than `reach` from the guess is refused. Derivatives are dear and change little from point to point: those at hand are used until they no longer bring the
     /// correction down fast.
     fn corrected(
         equations: &impl Equations,
         guess: DVector<f64>,
         border: &DVector<f64>,
         near: &DMatrix<f64>,
+        reach: f64,
     ) -> Option<Self> {
-        let mut y = guess;
+        let mut y = guess.clone();
         let mut factors = bordered(near, border).lu();
         let mut before = f64::INFINITY;
         for _ in 0..MOST_STEPS {
@@ -93,11 +106,15 @@ impl PathPoint {
                 return None;
             }
             let step = right.amax();
-            if !step.is_finite() || step > 1.0 {
+            if !step.is_finite() || step > FARTHEST {
                 return None;
             }
             y -= right;
             if step < CONVERGED && size < CONVERGED {
+                // Farther off lies another path.
+                if (&y - &guess).norm() > reach {
+                    return None;
+                }
                 let jacobian = equations.jacobian(&y)?;
                 let tangent = tangent(&jacobian, border)?;
                 return Some(PathPoint { y, tangent, jacobian });

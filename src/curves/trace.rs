@@ -1,18 +1,13 @@
 //! A bifurcation curve followed through the plane, with the special points on it.
 
-use nalgebra::{Complex, DVector};
-
-use super::branch::{Event, multipliers_at};
-use super::condition::{Kind, split};
-use super::curve::{Criticality, Curve, CurveMotion, CurvePoint, End, Special};
+use super::branch::Event;
+use super::condition::Kind;
+use super::curve::{Curve, CurveMotion, End};
 use super::locus::Locus;
+use super::look::{Reason, Seen, look};
 use super::parting::passed;
 use super::path::PathPoint;
-use super::special::{Monitor, monitors};
-use super::touch::{arrival_speeds, touches};
 use super::unknowns::{Span, Unknowns};
-use crate::model::{Flight, Parameters};
-use crate::theory::{PeriodicMotion, flip_coefficient, fly, neimark_sacker_coefficient};
 
 /// The longest step, in sides of the plane.
 const LONGEST: f64 = 0.01;
@@ -32,46 +27,10 @@ const BISECTIONS: usize = 50;
 const ZERO: f64 = 1e-3;
 /// Places are found to this length.
 const PLACED: f64 = 1e-8;
-/// The part of a motion's own size by which a stop may be crossed before it counts.
-const CROSSED: f64 = 1e-9;
-
-/// What is known of a point of a path.
-#[derive(Clone, Debug)]
-pub(super) struct Seen {
-    pub point: CurvePoint,
-    pub motion: PeriodicMotion,
-    pub parameters: Parameters,
-    pub monitors: Vec<Monitor>,
-    /// Why the path cannot go beyond it, if it is already beyond the end.
-    pub beyond: Option<(End, Option<Special>)>,
-}
-
-impl Seen {
-    /// The same place with the name of a special point, if there is one.
-    fn named(mut self, special: Option<Special>) -> Self {
-        self.point.special = special.or(self.point.special);
-        self
-    }
-
-    /// The other bifurcation of the same motion that begins at a special point, if there is one.
-    ///
-    /// At a strong resonance the two critical multipliers of a fold, or of a period doubling, are the limit of a
-    /// Neimark–Sacker pair.
-    fn offspring(&self, kind: Kind) -> Option<Event> {
-        let begins = match self.point.special? {
-            Special::Resonance11 => kind == Kind::Fold,
-            Special::Resonance12 => matches!(kind, Kind::PeriodDoubling | Kind::Pitchfork),
-            _ => false,
-        };
-        begins.then(|| Event {
-            kind: Kind::NeimarkSacker,
-            pattern: self.motion.pattern.clone(),
-            sections: self.motion.sections.clone(),
-            parameters: self.parameters,
-            touch: None,
-        })
-    }
-}
+/// Nearer to the border than this, in sides of the plane, a path that cannot be followed has left.
+const AT_BORDER: f64 = 1e-5;
+/// Points nearer to each other than this, in sides of the plane, are dropped where a path stalls.
+const CROWDED: f64 = 1e-6;
 
 /// A curve, and the bifurcations that begin at its special points.
 #[derive(Clone, Debug)]
@@ -107,9 +66,15 @@ pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Traced> {
         || follow(&locus, start.reversed(), seen.clone()),
         || follow(&locus, start.clone(), seen.clone()),
     );
+    let seen = [(&places, first_end), (&after, second_end)]
+        .into_iter()
+        .filter(|(points, _)| points.is_empty())
+        .fold(seen, |seen, (_, (end, special))| seen.ending(end, special));
     places.reverse();
-    places.push(seen.clone());
-    if first_end != End::Closes {
+    places.push(seen);
+    let (first_end, second_end) = (first_end.0, second_end.0);
+    let closed = first_end == End::Closes;
+    if !closed {
         places.extend(after);
     }
     if places.len() < LEAST_POINTS {
@@ -122,14 +87,15 @@ pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Traced> {
         motion: CurveMotion { n: pattern.n(), p: pattern.p(), q: pattern.q(), symmetric: pattern.mirrored },
         touches: event.touch.map(|touch| touch.stop),
         points: places.into_iter().map(|place| place.point).collect(),
-        ends: [first_end, second_end],
+        ends: [first_end, if closed { first_end } else { second_end }],
     };
     Some(Traced { curve, offspring })
 }
 
-fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<Seen>, End) {
+/// The points of a path beyond its start, and why it ends.
+fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<Seen>, Reason) {
     let mut points = Vec::new();
-    let (mut here, mut seen) = (start.clone(), first);
+    let (mut here, mut seen) = (start.clone(), first.clone());
     let mut ds = FIRST;
     while points.len() < MOST_POINTS {
         let ahead = here.advanced(locus, ds).filter(|next| here.straightness(next) > STRAIGHT);
@@ -137,7 +103,7 @@ fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<Seen>, End) {
         else {
             ds *= 0.5;
             if ds < SHORTEST {
-                return (points, End::Stalled);
+                return stalled(locus, &here, points);
             }
             continue;
         };
@@ -146,39 +112,61 @@ fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<Seen>, End) {
             there.beyond.or(passed.then_some((End::Simplifies, None)))
         };
         if let Some(reason) = beyond(&looked) {
-            let (point, end) = end_point(locus, &here, ds, reason, beyond);
-            points.extend(specials(locus, &here, &seen, ds, &looked).into_iter().filter(|_| point.is_none()));
-            points.extend(point);
-            return (points, end);
+            let (last, (end, special)) = end_point(locus, &here, ds, reason, beyond);
+            if let Some((ds, last)) = last {
+                points.extend(specials(locus, &here, &seen, ds, &last));
+                points.push(last);
+            }
+            if let Some(last) = points.pop() {
+                points.push(last.ending(end, special));
+            }
+            return (points, (end, special));
         }
         points.extend(specials(locus, &here, &seen, ds, &looked));
-        points.push(looked.clone());
-        if points.len() > 10 && came_round(locus, &start, &here, &next) {
-            return (points, End::Closes);
+        if points.len() > 10 && came_round(&start, &here, &next) {
+            points.push(first);
+            return (points, (End::Closes, None));
         }
+        points.push(looked.clone());
         (here, seen) = (next, looked);
         ds = (ds * 1.3).min(LONGEST);
     }
-    (points, End::TooLong)
+    (points, (End::TooLong, None))
 }
 
-/// Whether the start lies between two points that follow each other.
-fn came_round(locus: &Locus, start: &PathPoint, here: &PathPoint, next: &PathPoint) -> bool {
-    let from = locus.unknowns.parameters_at();
-    let parameters = |point: &PathPoint| point.y.rows(from, 2).into_owned();
-    let step = (parameters(next) - parameters(here)).norm();
-    let whole = (&next.y - &here.y).norm();
-    (parameters(next) - parameters(start)).norm() <= step && (&next.y - &start.y).norm() <= 2.0 * whole
+/// What is left of a path that cannot be followed further: it may have reached the border, where the parameters'
+/// physical range can end, and it may have crept.
+fn stalled(locus: &Locus, here: &PathPoint, mut points: Vec<Seen>) -> (Vec<Seen>, Reason) {
+    let shares = here.y.rows(locus.unknowns.parameters_at(), 2);
+    if shares.iter().any(|share| !(AT_BORDER..=1.0 - AT_BORDER).contains(share)) {
+        return (points, (End::LeavesPlane, None));
+    }
+    let place = |seen: &Seen| locus.unknowns.shares(&seen.parameters);
+    while let [.., before, last] = &points[..]
+        && (place(last) - place(before)).norm() < CROWDED
+    {
+        points.pop();
+    }
+    (points, (End::Stalled, None))
 }
 
-/// The last point of a curve, on the way to a point that is beyond its end, and why it ends.
+/// Whether the path has just passed its start, in the direction in which it began.
+fn came_round(start: &PathPoint, here: &PathPoint, next: &PathPoint) -> bool {
+    let step = (&next.y - &here.y).norm();
+    let away = &start.y - &here.y;
+    let along = away.dot(&here.tangent);
+    let aside = (away - &here.tangent * along).norm();
+    start.straightness(next) > STRAIGHT && (0.0..=1.1 * step).contains(&along) && aside < 0.2 * step
+}
+
+/// The last point of a curve on the way to a point that is beyond its end, with its distance, and why it ends.
 fn end_point(
     locus: &Locus,
     here: &PathPoint,
     ds: f64,
-    reason: (End, Option<Special>),
-    beyond: impl Fn(&Seen) -> Option<(End, Option<Special>)>,
-) -> (Option<Seen>, End) {
+    reason: Reason,
+    beyond: impl Fn(&Seen) -> Option<Reason>,
+) -> (Option<(f64, Seen)>, Reason) {
     let (mut inside, mut outside) = (0.0, ds);
     let (mut last, mut reason) = (None, reason);
     for _ in 0..BISECTIONS {
@@ -190,7 +178,7 @@ fn end_point(
         match beyond(&seen) {
             None => {
                 inside = middle;
-                last = Some(seen);
+                last = Some((middle, seen));
             }
             Some(beyond) => {
                 outside = middle;
@@ -198,8 +186,7 @@ fn end_point(
             }
         }
     }
-    let (end, special) = reason;
-    (last.map(|seen| seen.named(special)), end)
+    (last, reason)
 }
 
 /// The special points between two points of a path.
@@ -235,66 +222,4 @@ fn specials(locus: &Locus, here: &PathPoint, seen: &Seen, ds: f64, next: &Seen) 
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.into_iter().map(|(_, point)| point).collect()
-}
-
-/// Everything about a point of a path; none where it cannot be told.
-fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
-    let unknowns = &locus.unknowns;
-    let system = unknowns.system(&at.y)?;
-    let sections = unknowns.sections(&at.y);
-    let motion = PeriodicMotion { pattern: unknowns.pattern.clone(), sections, residual: 0.0 };
-    let multipliers = multipliers_at(unknowns, &at.y)?;
-    let (critical, others) = split(locus.kind, &multipliers);
-    let coefficient = match locus.kind {
-        Kind::Fold | Kind::Grazing => None,
-        Kind::PeriodDoubling | Kind::Pitchfork => flip_coefficient(&system, &motion),
-        Kind::NeimarkSacker => {
-            neimark_sacker_coefficient(&system, &motion, critical[0].arg().abs()).map(|re_d| -re_d)
-        }
-    };
-    let parameters = system.parameters();
-    let point = CurvePoint {
-        x: parameters.get(unknowns.spans[0].parameter),
-        y: parameters.get(unknowns.spans[1].parameter),
-        criticality: coefficient
-            .map(|c| if c > 0.0 { Criticality::Supercritical } else { Criticality::Subcritical }),
-        bounding: others.iter().all(|value| value.norm() < 1.0),
-        special: None,
-    };
-    let monitors = monitors(locus, at, &system, &motion, coefficient, &critical, &others);
-    let beyond = beyond(locus, &at.y, &system, &motion, &critical);
-    Some(Seen { point, parameters: *parameters, monitors, beyond, motion })
-}
-
-/// Why a curve ends before this point, if it does.
-fn beyond(
-    locus: &Locus,
-    y: &DVector<f64>,
-    system: &crate::model::System,
-    motion: &PeriodicMotion,
-    critical: &[Complex<f64>],
-) -> Option<(End, Option<Special>)> {
-    let from = locus.unknowns.parameters_at();
-    if y.rows(from, 2).iter().any(|share| !(0.0..=1.0).contains(share)) {
-        return Some((End::LeavesPlane, None));
-    }
-    if locus.kind == Kind::NeimarkSacker && critical[0].im.abs() < 1e-9 {
-        return Some(if critical[0].re > 0.0 {
-            (End::Resonance11, Some(Special::Resonance11))
-        } else {
-            (End::Resonance12, Some(Special::Resonance12))
-        });
-    }
-    let pattern = &motion.pattern;
-    if arrival_speeds(system, pattern, &motion.sections).iter().any(|&speed| speed < 0.0) {
-        return Some((End::ImpactVanishes, Some(Special::Grazing)));
-    }
-    let own = |arc: usize, phase: f64| {
-        locus.touch.is_some_and(|(its_arc, _)| its_arc == arc && (phase - locus.touch_phase(y)).abs() < 1e-3)
-    };
-    let crossed = touches(system, pattern, &motion.sections)
-        .iter()
-        .any(|touch| touch.gap < -CROSSED && !own(touch.arc, touch.phase));
-    let certified = locus.kind == Kind::Grazing || fly(&Flight::new(system), motion).is_ok();
-    (crossed || !certified).then_some((End::Grazes, Some(Special::Grazing)))
 }

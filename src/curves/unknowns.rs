@@ -43,12 +43,18 @@ impl Unknowns {
 
     /// The vector of a motion.
     pub fn pack(&self, sections: &[Section], extra: &[f64], parameters: &Parameters) -> DVector<f64> {
-        let shares = self.spans.iter().map(|span| span.share(parameters.get(span.parameter)));
+        let shares = self.shares(parameters);
         let values = sections.iter().flat_map(|section| section.iter().copied().collect::<Vec<_>>());
         DVector::from_iterator(
             self.parameters_at() + self.spans.len(),
-            values.chain(extra.iter().copied()).chain(shares),
+            values.chain(extra.iter().copied()).chain(shares.iter().copied()),
         )
+    }
+
+    /// Where parameters stand on the spans.
+    pub fn shares(&self, parameters: &Parameters) -> DVector<f64> {
+        let share = |span: &Span| span.share(parameters.get(span.parameter));
+        DVector::from_iterator(self.spans.len(), self.spans.iter().map(share))
     }
 
     /// The parameters.

@@ -6,7 +6,7 @@ use super::flow::{PHASE, Section};
 use super::label::Label;
 use super::motion::{NoMotion, PeriodicMotion};
 use super::pattern::Pattern;
-use super::symmetric::symmetric_motions;
+use super::symmetric::stable_branch;
 use crate::dynamics::{Event, ImpactEvent, Stop, Trajectory, record};
 use crate::model::{Flight, Parameter, System};
 
@@ -94,8 +94,7 @@ pub fn labelled_motion(system: &System, label: Label, search: &Search) -> Result
     }
     // The symmetric 1-1-1 motion needs no guess.
     if label == (Label { n: 1, p: 1, q: 1 })
-        && let Ok(solutions) = symmetric_motions(system)
-        && let Some(solution) = solutions.into_iter().find(|solution| solution.at_phase_zero.is_ok())
+        && let Some(solution) = stable_branch(system)
     {
         return Ok(solution.motion);
     }

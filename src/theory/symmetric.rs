@@ -162,7 +162,7 @@ pub fn symmetric_target(system: &System) -> Option<[f64; 4]> {
     stable_branch(system).map(|motion| motion.motion.section())
 }
 
-fn stable_branch(system: &System) -> Option<SymmetricMotion> {
+pub(super) fn stable_branch(system: &System) -> Option<SymmetricMotion> {
     let radius = |motion: &SymmetricMotion| motion.spectral_radius(system);
     let [a, b] = symmetric_motions(system).ok()?;
     match (a.at_phase_zero.is_ok(), b.at_phase_zero.is_ok()) {

@@ -36,6 +36,8 @@ pub struct BoundaryAgreement {
 /// All curves against all boundaries.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Boundaries {
+    /// Places on all curves where a motion is stable on one side.
+    pub places: u64,
     /// The distances of all places of all curves, in cells.
     pub distance: Option<Spread>,
     /// The curves that bound regions of the map, each for itself.
@@ -47,15 +49,24 @@ pub struct Boundaries {
 /// Places are measured in cells, the distance from one cell to the next being one along either axis. Curves along
 /// which the map nowhere shows the motion are left out.
 pub fn boundaries(map: &RegionMap, curves: &[Curve]) -> Boundaries {
-    let distance = Spread::of(curves.iter().flat_map(|curve| distances(map, curve).1).collect());
+    let distances: Vec<(u64, Vec<f64>)> = curves.iter().map(|curve| distances(map, curve)).collect();
+    let places = distances.iter().map(|(places, _)| places).sum();
+    let distance = Spread::of(distances.into_iter().flat_map(|(_, distances)| distances).collect());
     let curves = curves.iter().map(|curve| along(map, curve)).filter(|along| along.compared > 0).collect();
-    Boundaries { distance, curves }
+    Boundaries { places, distance, curves }
 }
 
 impl Boundaries {
     /// The median of all distances against the largest that is accepted.
+    ///
+    /// Curves of which no place could be compared agree with nothing.
     pub fn check(&self) -> Check {
-        Check::at_most("curves, median distance in cells", self.distance.map(|d| d.median), LARGEST_MEDIAN)
+        let median = match self.distance {
+            Some(distance) => Some(distance.median),
+            None if self.places > 0 => Some(f64::INFINITY),
+            None => None,
+        };
+        Check::at_most("curves, median distance in cells", median, LARGEST_MEDIAN)
     }
 }
 

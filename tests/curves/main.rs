@@ -2,6 +2,7 @@
 
 mod boundaries;
 mod curves;
+mod invariants;
 
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{Cpu, Unwatched};
