@@ -103,9 +103,9 @@ impl Exponents {
             notes.push("Exponents of −∞ are not drawn.".into());
         }
         if self.none && unit == Some(ExponentUnit::Iterate) {
-            notes.push("There are none per iterate where no impact".into());
-            let at = Text::from("is at ").italic("x").subscript("1").upright(" = +").italic("δ");
-            notes.push(at.upright(", or infinitely many are."));
+            notes.push("No exponents per iterate without impacts".into());
+            let at = Text::from("at ").italic("x").subscript("1").upright(" = +").italic("δ");
+            notes.push(at.upright(", or with infinitely many."));
         }
         notes
     }

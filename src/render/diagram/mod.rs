@@ -246,7 +246,7 @@ pub(super) mod tests {
                         "Chatter: 5 or more",
                         "first 4 points",
                         "Exponents of −∞",
-                        "none per iterate",
+                        "No exponents per iterate",
                     ]);
                 }
                 let missing = expected.into_iter().find(|words| !picture.svg().contains(words));
