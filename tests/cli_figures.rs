@@ -160,6 +160,10 @@ fn diagrams_that_cannot_be_are_refused() {
     refuses(&diagram(&["--section", "C"]), &["`C`", "strobe"]);
     refuses(&diagram(&["--section", "strobe", "--record", "tau"]), &["tau", "strobe section"]);
     refuses(&diagram(&["--record", "v3"]), &["`v3`", "v_before"]);
+    refuses(
+        &["bifurcation", "--x", "omega=3.9:3.1:9", "--observe", "0"],
+        &["observation of 0 forcing periods"],
+    );
     refuses(&diagram(&["--points", "0"]), &["0 points", "--points 1"]);
     refuses(&diagram(&["--out", "d.png", "--data", "d.png"]), &["two results"]);
     refuses(&diagram(&["--out", "d.pdf"]), &["d.pdf", ".svg"]);

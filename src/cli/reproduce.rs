@@ -157,11 +157,10 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
 fn summary(claims: &[&Claim]) -> String {
     let of = |outcome: Outcome| claims.iter().filter(move |claim| claim.verdict == outcome);
     let mut lines = vec![format!(
-        "{} claims: {} agree, {} differ, {} not checked",
+        "{} claims: {} agree, {} differ",
         claims.len(),
         of(Outcome::Agrees).count(),
-        of(Outcome::Differs).count(),
-        of(Outcome::NotChecked).count()
+        of(Outcome::Differs).count()
     )];
     lines.extend(of(Outcome::Differs).map(|claim| {
         format!(

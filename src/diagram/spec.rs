@@ -177,12 +177,12 @@ impl DiagramSpec {
     /// # Errors
     /// The first thing that cannot be used, with its value and the remedy.
     pub fn check(&self) -> Result<(), DiagramError> {
+        self.schedule.check()?;
         let branches = self.sweep.branches().len() as u64;
         let readings = branches * u64::from(self.x.count()) * u64::from(self.capacity);
         if self.capacity == 0 || readings > Self::LARGEST {
             return Err(DiagramError::Capacity { columns: self.x.count(), capacity: self.capacity });
         }
-        self.schedule.check()?;
         self.parameters.check()?;
         if let Quantity::Control(setting) = self.x.quantity() {
             return Err(DiagramError::Control(setting.name()));

@@ -28,6 +28,9 @@ const FIXED_POINT: [(&str, &str); 4] =
 /// How far the printed fixed point may be from the closed form; non-dimensional.
 const FIXED_POINT_TOLERANCE: f64 = 5e-6;
 
+/// How near to a stop a motion turns back that a drawing shows as touching it, as a share of δ.
+const TOUCHING: f64 = 0.02;
+
 /// The claim that a point has a printed motion.
 pub(super) fn settles(figure: u32, point: &PaperPoint, printed: &str) -> (Claim, Verdict) {
     let verdict = point.verdict();
@@ -139,22 +142,25 @@ impl PaperFigure for Figure8 {
             |gap: Option<f64>| gap.map_or_else(|| "no near miss".to_owned(), |gap| format!("{gap:.2e}"));
         let doubles = lost(&DOUBLED, Self::UNTIL).map_or_else(String::new, |loss| {
             format!(
-                "; before it touches, {} loses its stability at ω = {:.5}, {}",
+                "; before it would touch, {} loses its stability at ω = {:.5}, {}",
                 loss.label,
                 loss.omega,
                 loss.kind()
             )
         });
-        let grazes = near.is_some_and(|gap| gap < 1e-3 * GRAZING.delta);
+        let grazes = near.is_some_and(|gap| gap < TOUCHING * GRAZING.delta);
+        let claim = format!("the motion at {} grazes a stop", GRAZING.words());
+        let share = near.map_or(f64::NAN, |gap| 100.0 * gap / GRAZING.delta);
         claims.push(
-            Claim::new(
-                8,
-                "ω = 2.93193 grazes a stop: distance of the nearest miss",
-                "0",
-                computed(near),
-                grazes,
-            )
-            .noted(format!("{} at ω = 2.95{doubles}", computed(far))),
+            Claim::new(8, claim, "grazing", format!("turns back {} before a stop", computed(near)), grazes).noted(
+                format!(
+                    "{share:.1} % of δ, held to {} %, about the width of a line in the portrait: it does not touch yet; \
+                     {} at ω = {}{doubles}",
+                    100.0 * TOUCHING,
+                    computed(far),
+                    DOUBLED.omega
+                ),
+            ),
         );
         claims.push(largest_exponent(8, &CHAOS, Self::PERIODS, "positive", |mean, error| mean > 5.0 * error));
         Ok(Produced { pictures: pictures(self, &Self::PLOTS, 2)?, claims })
@@ -178,12 +184,17 @@ pub(super) fn largest_exponent(
             let scale =
                 if spectrum.per_period[0] == 0.0 { 1.0 } else { exponents[0] / spectrum.per_period[0] };
             let error = spectrum.standard_error[0] * scale.abs();
-            let computed = format!("{:+.4} ± {error:.4}", exponents[0]);
+            let computed = format!("{} ± {}", rounded(exponents[0]), rounded(error).trim_start_matches('+'));
             Claim::new(figure, claim, printed, computed, holds(exponents[0], error))
-                .noted(format!("all four: {}", exponents.map(|value| format!("{value:+.4}")).join(", ")))
+                .noted(format!("all four: {}", exponents.map(rounded).join(", ")))
         }
         None => Claim::new(figure, claim, printed, "none", false),
     }
+}
+
+/// A signed number in four decimals, in powers of ten where those would show little but zeros.
+fn rounded(value: f64) -> String {
+    if value == 0.0 || value.abs() >= 1e-3 { format!("{value:+.4}") } else { format!("{value:+.0e}") }
 }
 
 /// How near to a stop the first mass turns back without touching it, over two periods of the motion; δ is the unit's

@@ -33,11 +33,10 @@ pub fn markdown(figures: &[Finished]) -> String {
             .to_owned(),
         String::new(),
         format!(
-            "{} claims: {} agree, {} differ, {} were not checked.",
+            "{} claims: {} agree, {} differ.",
             claims().count(),
             count(Outcome::Agrees),
-            count(Outcome::Differs),
-            count(Outcome::NotChecked)
+            count(Outcome::Differs)
         ),
         String::new(),
         "| figure | claim | printed | computed | verdict | note |".to_owned(),
@@ -77,7 +76,6 @@ mod tests {
         let claims = vec![
             Claim::new(7, "motion", "1-1-1", "1-1-1", true),
             Claim::number(7, "|v|", "0.5", Some(0.9)).noted("why"),
-            Claim::unchecked(7, "x", "1", "not legible"),
         ];
         let finished = Finished {
             figure: 7,
@@ -87,7 +85,7 @@ mod tests {
             claims,
         };
         let text = markdown(&[finished]);
-        assert!(text.contains("3 claims: 1 agree, 1 differ, 1 were not checked."), "{text}");
+        assert!(text.contains("2 claims: 1 agree, 1 differ."), "{text}");
         assert!(text.contains(r"| Fig. 7 | \|v\| | 0.5 | 0.900 | differs | why |"), "{text}");
         assert!(text.contains("![Fig. 7](fig07.png)") && text.contains("A caption."), "{text}");
     }

@@ -1,33 +1,27 @@
 //! Bifurcation diagrams: what is read on a section over a parameter, with the motions along the top, chatter and
 //! sticking shaded, and the Lyapunov exponents below.
 
+mod exponents;
 mod windows;
 
+use self::exponents::{Exponents, exponent_panel};
 use self::windows::Columns;
 use super::canvas::Colour;
-use super::colours::{CHATTERING, INK, MUTED, OTHER_BRANCH, STEADY_BLUE, STICKING};
+use super::colours::{CHATTERING, OTHER_BRANCH, STEADY_BLUE, STICKING};
 use super::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Strip};
-use super::frame::{AxisTitle, Frame};
+use super::frame::Frame;
 use super::paint::Paint;
 use super::scale::Scale;
 use super::symbols;
 use super::text::Text;
 use crate::analysis::{CHATTER_RUN, Section};
-use crate::diagram::{Branch, Diagram, Direction, ExponentUnit, SweepAxis};
+use crate::diagram::{Branch, Diagram, Direction, SweepAxis};
 use crate::plane::Quantity;
 
 /// Lengths in em.
 const DOT: std::ops::RangeInclusive<f64> = 0.055..=0.16;
-const EXPONENT: f64 = 0.08;
-const LEVEL: f64 = 0.06;
 /// The sum of the dots of all columns side by side, as far as their sizes permit.
 const DOTS_ABREAST: f64 = 35.0;
-/// The share of the lowest exponents that the panel of exponents may leave out.
-const LEFT_OUT: f64 = 0.02;
-
-/// The colours of the four exponents, largest first.
-const EXPONENTS: [Colour; 4] = [INK, image::Rgb([0x27, 0x6d, 0xad]), image::Rgb([0x0d, 0x7a, 0x63]), MUTED];
-
 /// Draws a diagram as a figure, over its Lyapunov exponents if it has them.
 pub fn diagram_figure(diagram: &Diagram) -> Figure {
     let spec = &diagram.spec;
@@ -111,50 +105,6 @@ fn section_panel(diagram: &Diagram) -> Panel {
     Panel { caption: None, frame, marks, strips, weight: 1.0 }
 }
 
-fn exponent_panel(diagram: &Diagram) -> Panel {
-    let spec = &diagram.spec;
-    let values = spec.x.values();
-    let mut marks = vec![Mark::Level { y: 0.0, width: LEVEL, colour: MUTED }];
-    let mut finite: Vec<f64> = Vec::new();
-    for branch in &diagram.branches {
-        let Some(spectrum) = &branch.spectrum else { continue };
-        for (which, &colour) in EXPONENTS.iter().enumerate().rev() {
-            // An exponent of −∞ interrupts its line.
-            let exponent = |exponents: &[f64; 4]| {
-                let value = exponents[which];
-                if value.is_finite() { value } else { f64::NAN }
-            };
-            let points: Vec<[f64; 2]> =
-                values.iter().zip(spectrum).map(|(&x, exponents)| [x, exponent(exponents)]).collect();
-            finite.extend(points.iter().map(|point| point[1]).filter(|value| value.is_finite()));
-            let alone = points.windows(3).filter(|p| p[0][1].is_nan() && p[2][1].is_nan()).map(|p| p[1]);
-            marks.push(Mark::Dots { points: alone.collect(), diameter: 1.5 * EXPONENT, colour });
-            marks.push(Mark::Line { points, width: EXPONENT, colour });
-        }
-    }
-    finite.sort_by(f64::total_cmp);
-    let shown = &finite[(LEFT_OUT * finite.len() as f64) as usize..];
-    let unit = spec.spectrum.unwrap_or(ExponentUnit::Period);
-    let short = match unit {
-        ExponentUnit::Period => Text::new().italic("λ").upright(" per ").italic("T"),
-        ExponentUnit::Iterate | ExponentUnit::Time => {
-            Text::new().italic("λ").upright(format!(" per {}", unit.name()))
-        }
-    };
-    Panel {
-        caption: None,
-        frame: Frame {
-            x: scale(&spec.x),
-            y: Scale::around(shown.iter().copied().chain([0.0]), 0.06),
-            x_title: symbols::axis_title(spec.x.quantity()),
-            y_title: AxisTitle { long: format!("Lyapunov exponents per {}", unit.name()).into(), short },
-        },
-        marks,
-        strips: Vec::new(),
-        weight: 1.0,
-    }
-}
-
 fn key(diagram: &Diagram) -> Vec<KeyEntry> {
     let mut key = Vec::new();
     if diagram.branches.len() > 1 {
@@ -174,7 +124,7 @@ fn key(diagram: &Diagram) -> Vec<KeyEntry> {
         key.push(KeyEntry { sample: Sample::Fill(Paint::plain(STICKING)), name: "sticking".into() });
     }
     if diagram.branches.iter().any(|branch| branch.spectrum.is_some()) {
-        for (number, &colour) in (1..).zip(&EXPONENTS) {
+        for (number, &colour) in (1..).zip(&exponents::COLOURS) {
             let name = Text::new().italic("λ").subscript(number.to_string());
             key.push(KeyEntry { sample: Sample::Line(colour), name });
         }
@@ -225,14 +175,15 @@ fn notes(diagram: &Diagram) -> Vec<Text> {
         let capacity = diagram.spec.capacity;
         notes.push(format!("Of each column the first {capacity} points are shown.").into());
     }
+    notes.extend(Exponents::of(diagram).notes(diagram.spec.spectrum));
     notes
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::analysis::{Probe, Reading, Regime, Trace};
-    use crate::diagram::{DiagramSpec, Sweep};
+    use crate::diagram::{DiagramSpec, ExponentUnit, Sweep};
     use crate::model::Parameters;
     use crate::plane::{Provenance, Start};
     use crate::render::example::verdict;
@@ -240,7 +191,7 @@ mod tests {
     use crate::render::size::Size;
 
     /// A diagram with every kind of column; readings of `spread` about `level`.
-    fn diagram(x: &str, sweep: Sweep, level: f64, spread: f64) -> Diagram {
+    pub(super) fn diagram(x: &str, sweep: Sweep, level: f64, spread: f64) -> Diagram {
         let spec = DiagramSpec {
             x: x.parse().unwrap(),
             parameters: Parameters { zeta: 1.0 / 3.0, mu_k: 2.0 / 3.0, ..Parameters::default() },
@@ -291,7 +242,12 @@ mod tests {
                 assert_eq!(faults(&picture, size), [""; 0], "{x}, {size:?}");
                 let mut expected = vec!["λ", "forcing periods"];
                 if diagram.spec.x.count() > 8 {
-                    expected.extend(["Chatter: 5 or more", "first 4 points"]);
+                    expected.extend([
+                        "Chatter: 5 or more",
+                        "first 4 points",
+                        "Exponents of −∞",
+                        "No exponents per iterate",
+                    ]);
                 }
                 let missing = expected.into_iter().find(|words| !picture.svg().contains(words));
                 assert_eq!(missing, None, "{x}");

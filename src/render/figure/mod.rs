@@ -32,6 +32,9 @@ const NOTE_ROW: f64 = 1.3;
 const LEFT: f64 = 7.0;
 /// The sizes of text that are tried, as shares of the one that suits the width.
 const TEXT_SIZES: [f64; 5] = [1.0, 0.9, 0.8, 0.7, 0.6];
+/// How far a caption may reach beyond its plot, in em, and the smallest share of the text's size that makes it fit.
+const BEYOND: f64 = 0.5;
+const CAPTION_LEAST: f64 = 0.75;
 /// The smallest text, in pixels.
 const SMALLEST_EM: f64 = 9.5;
 
@@ -119,7 +122,7 @@ impl Figure {
         }
         let panels = self.rows.iter().flat_map(|row| &row.panels);
         for (panel, placed) in panels.zip(&layout.panels) {
-            panel.draw(&mut canvas, placed, em);
+            panel.draw(&mut canvas, placed, em, layout.caption);
         }
         key::draw(&mut canvas, &layout.key, Point { x: layout.left, y: layout.key_top }, em);
         for (line, text) in layout.notes.iter().enumerate() {
@@ -171,7 +174,19 @@ impl Figure {
         let space = Rect { x: MARGIN * em, y: top, width, height: key_top - key_gap - top };
         let panels = self.place(space, em)?;
         let left = panels.first().map_or(space.x, |placed| placed.plot.x);
-        Some(Layout { em, left, title, panels, key, key_top, notes, notes_top })
+        let caption = self.caption_size(&panels, em)?;
+        Some(Layout { em, left, title, panels, caption, key, key_top, notes, notes_top })
+    }
+
+    /// The text size at which every caption fits above its plot.
+    fn caption_size(&self, placed: &[Placed], em: f64) -> Option<f64> {
+        let panels = self.rows.iter().flat_map(|row| &row.panels).zip(placed);
+        let shares = panels.filter_map(|(panel, placed)| {
+            let room = placed.plot.width + BEYOND * em;
+            panel.caption.as_ref().map(|caption| room / caption.width(em))
+        });
+        let share = shares.fold(1.0, f64::min);
+        (share >= CAPTION_LEAST).then_some(share * em)
     }
 
     /// Places every panel; plots that stand above each other, one to a row, share their left edge.
@@ -211,6 +226,8 @@ struct Layout<'a> {
     left: f64,
     title: Vec<Text>,
     panels: Vec<Placed>,
+    /// The size of captions in pixels.
+    caption: f64,
     key: Vec<Vec<&'a KeyEntry>>,
     key_top: f64,
     notes: Vec<Text>,
@@ -241,7 +258,7 @@ impl Panel {
         caption + strip::height(&self.strips, em)
     }
 
-    fn draw(&self, canvas: &mut Canvas, placed: &Placed, em: f64) {
+    fn draw(&self, canvas: &mut Canvas, placed: &Placed, em: f64, caption_size: f64) {
         let plot = Plot { frame: &self.frame, rect: placed.plot, em };
         for mark in &self.marks {
             plot.draw(canvas, mark);
@@ -250,7 +267,7 @@ impl Panel {
         strip::draw(canvas, &plot, &self.strips, em);
         if let Some(caption) = &self.caption {
             let y = placed.plot.y - strip::height(&self.strips, em) - 0.75 * em;
-            canvas.text(caption, Point { x: placed.plot.x, y }, Anchor::Start, em, INK);
+            canvas.text(caption, Point { x: placed.plot.x, y }, Anchor::Start, caption_size, INK);
         }
     }
 }

@@ -111,6 +111,21 @@ fn words_are_apart_and_everything_is_inside() {
 }
 
 #[test]
+fn long_captions_are_made_to_fit() {
+    for (length, fits) in [(20, true), (34, true), (400, false)] {
+        let mut figure = figure(1, 3, 0);
+        for panel in &mut figure.rows[0].panels {
+            panel.caption = Some("n".repeat(length).as_str().into());
+        }
+        let size = figure.natural_size(2000);
+        match figure.draw(size, "{}") {
+            Ok(picture) => assert_eq!((faults(&picture, size), fits), (Vec::new(), true), "{length}"),
+            Err(_) => assert!(!fits, "{length}"),
+        }
+    }
+}
+
+#[test]
 fn faults_are_found() {
     let size = Size::new(300, 200).unwrap();
     let mut canvas = Canvas::new(size, "{}");

@@ -1,0 +1,134 @@
+//! The panel of Lyapunov exponents, and what it leaves out.
+
+use crate::diagram::{Diagram, ExponentUnit};
+use crate::render::canvas::Colour;
+use crate::render::colours::{INK, MUTED};
+use crate::render::figure::{Mark, Panel};
+use crate::render::frame::{AxisTitle, Frame};
+use crate::render::scale::Scale;
+use crate::render::symbols;
+use crate::render::text::Text;
+
+/// Lengths in em.
+const LINE: f64 = 0.08;
+const LEVEL: f64 = 0.06;
+/// The share of the lowest exponents that the panel of exponents may leave out, if they would take more room than this
+/// share of what the others take.
+const LEFT_OUT: f64 = 0.02;
+const ROOM: f64 = 0.5;
+
+/// The colours of the four exponents, largest first.
+pub(super) const COLOURS: [Colour; 4] =
+    [INK, image::Rgb([0x27, 0x6d, 0xad]), image::Rgb([0x0d, 0x7a, 0x63]), MUTED];
+
+/// The exponents of every column, largest first.
+pub(super) fn exponent_panel(diagram: &Diagram) -> Panel {
+    let spec = &diagram.spec;
+    let values = spec.x.values();
+    let mut marks = vec![Mark::Level { y: 0.0, width: LEVEL, colour: MUTED }];
+    for branch in &diagram.branches {
+        let Some(spectrum) = &branch.spectrum else { continue };
+        for (which, &colour) in COLOURS.iter().enumerate().rev() {
+            // An exponent of −∞ interrupts its line.
+            let exponent = |exponents: &[f64; 4]| {
+                let value = exponents[which];
+                if value.is_finite() { value } else { f64::NAN }
+            };
+            let points: Vec<[f64; 2]> =
+                values.iter().zip(spectrum).map(|(&x, exponents)| [x, exponent(exponents)]).collect();
+            let alone = points.windows(3).filter(|p| p[0][1].is_nan() && p[2][1].is_nan()).map(|p| p[1]);
+            marks.push(Mark::Dots { points: alone.collect(), diameter: 1.5 * LINE, colour });
+            marks.push(Mark::Line { points, width: LINE, colour });
+        }
+    }
+    let shown = Exponents::of(diagram).shown;
+    let unit = spec.spectrum.unwrap_or(ExponentUnit::Period);
+    let short = match unit {
+        ExponentUnit::Period => Text::new().italic("λ").upright(" per ").italic("T"),
+        ExponentUnit::Iterate | ExponentUnit::Time => {
+            Text::new().italic("λ").upright(format!(" per {}", unit.name()))
+        }
+    };
+    Panel {
+        caption: None,
+        frame: Frame {
+            x: super::scale(&spec.x),
+            y: Scale::around(shown.iter().copied().chain([0.0]), 0.06),
+            x_title: symbols::axis_title(spec.x.quantity()),
+            y_title: AxisTitle { long: format!("Lyapunov exponents per {}", unit.name()).into(), short },
+        },
+        marks,
+        strips: Vec::new(),
+        weight: 1.0,
+    }
+}
+
+/// What the panel of exponents shows of them.
+pub(super) struct Exponents {
+    /// The finite ones that are shown, in rising order.
+    shown: Vec<f64>,
+    /// Whether lower ones are left out.
+    cut: bool,
+    /// Whether some are −∞.
+    lost: bool,
+    /// Whether some columns have none.
+    none: bool,
+}
+
+impl Exponents {
+    pub fn of(diagram: &Diagram) -> Self {
+        let all =
+            || diagram.branches.iter().filter_map(|branch| branch.spectrum.as_ref()).flatten().flatten();
+        let mut shown: Vec<f64> = all().copied().filter(|value| value.is_finite()).collect();
+        shown.sort_by(f64::total_cmp);
+        let rest = (LEFT_OUT * shown.len() as f64) as usize;
+        let cut = match shown[..] {
+            [lowest, .., highest] => shown[rest] - lowest > ROOM * (highest.max(0.0) - shown[rest]),
+            _ => false,
+        };
+        if cut {
+            shown.drain(..rest);
+        }
+        let lost = all().any(|&value| value == f64::NEG_INFINITY);
+        Exponents { shown, cut, lost, none: all().any(|value| value.is_nan()) }
+    }
+
+    /// What the panel does not show, and why.
+    pub fn notes(&self, unit: Option<ExponentUnit>) -> Vec<Text> {
+        let mut notes: Vec<Text> = Vec::new();
+        if self.cut {
+            notes.push("The lowest exponents are below the panel.".into());
+        }
+        if self.lost {
+            notes.push("Exponents of −∞ are not drawn.".into());
+        }
+        if self.none && unit == Some(ExponentUnit::Iterate) {
+            notes.push("No exponents per iterate without impacts".into());
+            let at = Text::from("at ").italic("x").subscript("1").upright(" = +").italic("δ");
+            notes.push(at.upright(", or with infinitely many."));
+        }
+        notes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagram::Sweep;
+    use crate::render::diagram::tests::diagram;
+
+    #[test]
+    fn only_exponents_far_below_are_left_out() {
+        let with = |lowest: f64| {
+            let mut diagram = diagram("omega=5:0.2:100", Sweep::Down, 0.1, 0.07);
+            let mut spectrum = vec![[0.5, -0.5, -1.0, -1.5]; 100];
+            spectrum[7][3] = lowest;
+            diagram.branches[0].spectrum = Some(spectrum);
+            Exponents::of(&diagram)
+        };
+        let (near, far) = (with(-2.0), with(-20.0));
+        assert_eq!((near.cut, near.shown[0]), (false, -2.0));
+        assert_eq!((far.cut, far.shown[0]), (true, -1.5));
+        assert_eq!((near.notes(None).len(), far.notes(None).len()), (0, 1));
+    }
+}
