@@ -157,10 +157,11 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
 fn summary(claims: &[&Claim]) -> String {
     let of = |outcome: Outcome| claims.iter().filter(move |claim| claim.verdict == outcome);
     let mut lines = vec![format!(
-        "{} claims: {} agree, {} differ",
+        "{} claims: {} agree, {} differ, {} cannot be checked",
         claims.len(),
         of(Outcome::Agrees).count(),
-        of(Outcome::Differs).count()
+        of(Outcome::Differs).count(),
+        of(Outcome::NotChecked).count()
     )];
     lines.extend(of(Outcome::Differs).map(|claim| {
         format!(

@@ -11,6 +11,9 @@ pub enum Outcome {
     /// It does not.
     #[serde(rename = "differs")]
     Differs,
+    /// It cannot be checked.
+    #[serde(rename = "not checked")]
+    NotChecked,
 }
 
 impl Outcome {
@@ -19,6 +22,7 @@ impl Outcome {
         match self {
             Outcome::Agrees => "agrees",
             Outcome::Differs => "differs",
+            Outcome::NotChecked => "not checked",
         }
     }
 
@@ -90,6 +94,17 @@ impl Claim {
             claim.note = format!("off by {off:.1e}, held to {tolerance:.0e}");
         }
         claim
+    }
+
+    /// A claim that cannot be checked, and why.
+    pub fn unchecked(
+        figure: u32,
+        claim: impl Into<String>,
+        printed: impl Into<String>,
+        why: impl Into<String>,
+    ) -> Self {
+        let claim = Claim::new(figure, claim, printed, "", false).noted(why);
+        Claim { verdict: Outcome::NotChecked, ..claim }
     }
 
     /// The same claim with a note.

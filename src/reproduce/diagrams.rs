@@ -98,6 +98,8 @@ fn claims() -> Vec<Claim> {
     let computed = format!("{} at 2.582, {} at 2.57", between[0].name(), between[1].name());
     let claim = "(d) the Neimark–Sacker bifurcation at δ = 0.6 lies between ω = 2.582 and 2.57";
     claims.push(Claim::new(6, claim, "stable at 2.582, an invariant circle at 2.57", computed, holds));
+    let illegible = "its δ is not legible in the text of the paper";
+    claims.push(Claim::unchecked(6, "(b)", "a diagram at another δ", illegible));
     claims
 }
 

@@ -33,10 +33,11 @@ pub fn markdown(figures: &[Finished]) -> String {
             .to_owned(),
         String::new(),
         format!(
-            "{} claims: {} agree, {} differ.",
+            "{} claims: {} agree, {} differ, {} cannot be checked.",
             claims().count(),
             count(Outcome::Agrees),
-            count(Outcome::Differs)
+            count(Outcome::Differs),
+            count(Outcome::NotChecked)
         ),
         String::new(),
         "| figure | claim | printed | computed | verdict | note |".to_owned(),
@@ -76,6 +77,7 @@ mod tests {
         let claims = vec![
             Claim::new(7, "motion", "1-1-1", "1-1-1", true),
             Claim::number(7, "|v|", "0.5", Some(0.9)).noted("why"),
+            Claim::unchecked(7, "x", "1", "not legible"),
         ];
         let finished = Finished {
             figure: 7,
@@ -85,7 +87,7 @@ mod tests {
             claims,
         };
         let text = markdown(&[finished]);
-        assert!(text.contains("2 claims: 1 agree, 1 differ."), "{text}");
+        assert!(text.contains("3 claims: 1 agree, 1 differ, 1 cannot be checked."), "{text}");
         assert!(text.contains(r"| Fig. 7 | \|v\| | 0.5 | 0.900 | differs | why |"), "{text}");
         assert!(text.contains("![Fig. 7](fig07.png)") && text.contains("A caption."), "{text}");
     }
