@@ -171,6 +171,20 @@ fn maps_that_cannot_be_controlled_are_refused() {
 }
 
 #[test]
+fn settings_that_an_axis_replaces_are_refused() {
+    let map = |more: &[&'static str]| [&["map", "--control"], more].concat();
+    let feedback = ["delay", "--y", "gain=0:1:3"];
+    refuses(&map(&[&feedback[..], &["--gains", "0.1,0.2,0.3,0.4"]].concat()), &["--gains", "--y gain=0:1:3"]);
+    let sine = ["sine", "--y", "target_tau=1:2:3"];
+    refuses(&map(&[&sine[..], &["--reference", "3.8"]].concat()), &["--reference", "--y target_tau=1:2:3"]);
+    refuses(&map(&[&sine[..], &["--target", "1.8"]].concat()), &["--target", "--y target_tau=1:2:3"]);
+    // Of pulses an axis varies one component, and the rest stays.
+    let rest =
+        ["pulse", "--y", "target_tau=1:2:3", "--x", "target_v1=-0.3:-0.2:2", "--target=-0.3,0,0,1", "--json"];
+    assert_eq!(json(&run(&map(&rest)))["cells"], 6);
+}
+
+#[test]
 fn a_map_under_control_is_validated() {
     let plane =
         ["validate", "--control", "pulse", "--x", "target_v1=-0.45:-0.25:6", "--y", "target_tau=1.4:2.2:4"];

@@ -113,6 +113,7 @@ mod tests {
             "--control pulse --x omega=2.8:2.9:3 --y period=1:4:4 --target=-0.3,0.01,0.02,1.8 --start=0,0.1,0,0",
             "--control sine --x dead_band=0:0.1:3 --y amplitude=-0.3:0.3:4 --convention force --phase -1.5",
             "--control sine --x omega=2.8:2.9:3 --y gamma=0.5:2:4 --component v_after --target -0.3 --alpha 0.05",
+            "--control sine --x omega=2.8:2.9:3 --y target_tau=1:2:4 --alpha 0.05",
         ] {
             let plane = self::plane(words);
             let command = command(&plane, 2, 1, "--backend cpu");

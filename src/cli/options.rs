@@ -232,7 +232,7 @@ impl PlaneArgs {
     ) -> Result<ControlPlane, CliError> {
         let (x, y) = (self.axes.x.unwrap_or(defaults::X), self.axes.y.unwrap_or(defaults::Y));
         let axes = [("--x", x), ("--y", y)];
-        settings.refuse_varied(&axes)?;
+        settings.refuse_varied(method, &axes)?;
         let plane = ControlPlane {
             x,
             y,

@@ -119,11 +119,10 @@ impl<'a> Report<'a> {
         writeln!(to, "symmetry agrees             {}\n", share(agreement.symmetry))?;
         writeln!(to, "end states of equal periodic motions, largest difference of a component")?;
         writeln!(to, "  {}", spread(agreement.end_state))?;
-        writeln!(
-            to,
-            "  {} of them on another branch or phase, continued on the reference",
-            agreement.continued
-        )?;
+        if let Asked::Free(_) = self.plane {
+            let continued = agreement.continued;
+            writeln!(to, "  {continued} of them on another branch or phase, continued on the reference")?;
+        }
         let failed = agreement.failed;
         writeln!(to, "failed cells: {} reference, {} candidate\n", failed.reference, failed.candidate)?;
         self.write_worst(to)?;
