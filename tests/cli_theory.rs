@@ -125,17 +125,31 @@ fn solutions_that_are_not_physical_say_why_with_numbers() {
         );
         solutions.iter().map(|solution| solution["reason"].to_string()).collect::<Vec<_>>().join("\n")
     };
-    let conservative = reasons(&["r=1", "zeta=0"]);
-    assert!(
-        conservative.contains("wrong velocity sign") && conservative.contains("v1 = 2.89547"),
-        "{conservative}"
-    );
-    assert!(
-        conservative.contains("crosses a stop") && conservative.contains("phase 4.8668"),
-        "{conservative}"
-    );
+    let outwards = reasons(&["omega=2.83"]);
+    assert!(outwards.contains("wrong velocity sign") && outwards.contains("v1 = 0.06194795"), "{outwards}");
+    let through = reasons(&["omega=1"]);
+    assert!(through.contains("crosses a stop") && through.contains("at phase"), "{through}");
     let dead = reasons(&["r=0"]);
     assert!(dead.contains("stop A"), "{dead}");
+}
+
+/// Where the matrix of the matching conditions has no inverse, the solutions are there all the same.
+#[test]
+fn conservative_and_resonant_motions_are_solved() {
+    let conservative = result("symmetric", &["r=1", "zeta=0"], &[]);
+    let resonant = result("symmetric", &["zeta=0", "omega=1.618033988749895"], &[]);
+    let half_pi = std::f64::consts::FRAC_PI_2;
+    for (found, solution, expected) in [
+        (&conservative, 0, [-0.394536861, -0.005976267, 0.0, half_pi]),
+        (&conservative, 1, [-0.045458036, -0.008257280, 0.0, 3.0 * half_pi]),
+        (&resonant, 0, [-0.431469120, -0.016025659, -0.087266463, half_pi]),
+    ] {
+        let solution = &found["solutions"][solution];
+        assert_eq!(solution["physical"], true, "{found}");
+        for (k, value) in expected.iter().enumerate() {
+            assert!((solution["section"][k].as_f64().unwrap() - value).abs() < 1e-8, "{found}");
+        }
+    }
 }
 
 #[test]

@@ -31,6 +31,9 @@ pub struct ClassifyArgs {
     start: Start,
 
     /// Forcing periods before the observation
+    ///
+    /// A trajectory that is still undecided after the observation, or neutral, goes on for eight times as long and is
+    /// observed again: beside a Neimark-Sacker curve spirals are slow.
     #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
     transient: u32,
 

@@ -201,6 +201,9 @@ pub struct PlaneArgs {
     axes: AxesArgs,
 
     /// Forcing periods before the observation
+    ///
+    /// A cell that is still undecided after the observation, or neutral, goes on for eight times as long and is
+    /// observed again: beside a Neimark-Sacker curve spirals are slow.
     #[arg(long, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
     transient: u32,
 

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{Matrix4, Vector4};
+use nalgebra::{Matrix4, Matrix4x5, Vector4};
 use thiserror::Error;
 
 use super::admissible::{Inadmissible, fly, wrapped};
-use super::flow::{Flow, Section};
+use super::flow::{Flow, PHASE, Section};
 use super::motion::PeriodicMotion;
 use super::newton;
 use super::pattern::Pattern;
@@ -56,11 +56,13 @@ pub enum NoSymmetricMotion {
     Singular,
 }
 
-/// Both solutions of (5): one phase before and one after that at which x1 would reach farthest.
+/// Both solutions of (5), in the order of τ.
 ///
 /// With Φ the flight over half a period from (x1, x2, v1, v2), Γs and Γc what forcing at phase τ adds to it, and
-/// D = diag(1, 1, −r, 1), the state just after the impact at A is s = −(I + DΦ)⁻¹ D (Γs sin τ + Γc cos τ); s₁ = δ
-/// fixes τ.
+/// D = diag(1, 1, −r, 1), the state s just after the impact at A satisfies (I + DΦ) s + D (Γs sin τ + Γc cos τ) = 0 with
+/// s₁ = δ: four equations for (x2, v1, v2, sin τ, cos τ). Their solutions are a straight line, which
+/// sin² τ + cos² τ = 1 meets twice. I + DΦ itself is singular at a resonance without damping, and wherever r = 1 and
+/// ζ = 0; the line is not.
 ///
 /// # Errors
 /// [`NoSymmetricMotion`] where no real τ solves it.
@@ -70,32 +72,65 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
     if delta == 0.0 {
         return Err(NoSymmetricMotion::Clamped);
     }
-    let half = flow.over(PI / flow.omega);
-    let restitution = Matrix4::from_diagonal(&Vector4::new(1.0, 1.0, -flow.r, 1.0));
-    let phi: Matrix4<f64> = half.fixed_view::<4, 4>(0, 0).into_owned();
-    let matching = (Matrix4::identity() + restitution * phi).lu();
-    let solve = |j: usize| -> Option<Vector4<f64>> {
-        let gamma: Vector4<f64> = half.fixed_view::<4, 1>(0, j).into_owned();
-        matching.solve(&(-(restitution * gamma)))
-    };
-    let (Some(sine), Some(cosine)) = (solve(4), solve(5)) else { return Err(NoSymmetricMotion::Singular) };
-    // sine₁ sin τ + cosine₁ cos τ = δ
-    let amplitude = sine[0].hypot(cosine[0]);
-    if !amplitude.is_finite() {
-        return Err(NoSymmetricMotion::Singular);
-    }
-    if amplitude < delta {
-        return Err(NoSymmetricMotion::OutOfReach { amplitude, delta });
+    let line = Line::of_matching(&flow).ok_or(NoSymmetricMotion::Singular)?;
+    let nearest = line.point[3].hypot(line.point[4]);
+    if nearest > 1.0 {
+        return Err(NoSymmetricMotion::OutOfReach { amplitude: delta / nearest, delta });
     }
     let flight = Flight::new(system);
-    let middle = sine[0].atan2(cosine[0]);
-    let apart = (delta / amplitude).acos();
-    Ok([middle - apart, middle + apart].map(|phase| {
-        let tau = wrapped(phase);
-        let (sin, cos) = tau.sin_cos();
-        let state = sine * sin + cosine * cos;
-        solution(&flight, &flow, Section::new(state[2], state[1], state[3], tau))
-    }))
+    let half_chord = (1.0 - nearest * nearest).sqrt();
+    let mut sections = [-half_chord, half_chord].map(|along| {
+        let [x2, v1, v2, sin, cos]: [f64; 5] = line.at(along).into();
+        // Without restitution the first mass leaves the stop from rest, whatever rounding says.
+        let v1 = if flow.r == 0.0 { 0.0 } else { v1 };
+        Section::new(v1, x2, v2, wrapped(sin.atan2(cos)))
+    });
+    sections.sort_by(|a, b| a[PHASE].total_cmp(&b[PHASE]));
+    let solutions = sections.map(|section| solution(&flight, &flow, section));
+    let scale = |section: &Section| 1.0 + section.amax();
+    let solved = |solution: &SymmetricMotion| {
+        solution.motion.residual <= ACCEPTED * scale(&solution.motion.sections[0])
+    };
+    if solutions.iter().all(solved) { Ok(solutions) } else { Err(NoSymmetricMotion::Singular) }
+}
+
+/// The largest residual of the matching equations that a solution in closed form may leave, for states of order one.
+const ACCEPTED: f64 = 1e-8;
+
+/// The solutions (x2, v1, v2, sin τ, cos τ) of the matching equations, before sin² τ + cos² τ = 1.
+struct Line {
+    /// Its point nearest to (sin τ, cos τ) = 0 in those two.
+    point: Vector5,
+    /// Its direction, of unit length in (sin τ, cos τ).
+    direction: Vector5,
+}
+
+type Vector5 = nalgebra::SVector<f64, 5>;
+
+impl Line {
+    fn of_matching(flow: &Flow) -> Option<Self> {
+        let half = flow.over(PI / flow.omega);
+        let restitution = Matrix4::from_diagonal(&Vector4::new(1.0, 1.0, -flow.r, 1.0));
+        let phi: Matrix4<f64> = half.fixed_view::<4, 4>(0, 0).into_owned();
+        let matching = Matrix4::identity() + restitution * phi;
+        let gamma = |j: usize| -> Vector4<f64> { restitution * half.fixed_view::<4, 1>(0, j) };
+        let column = |j: usize| -> Vector4<f64> { matching.column(j).into_owned() };
+        let matrix = Matrix4x5::from_columns(&[column(1), column(2), column(3), gamma(4), gamma(5)]);
+        let point: Vector5 = matrix.svd(true, true).solve(&(column(0) * -flow.delta), 0.0).ok()?;
+        // The null vector of four rows in five dimensions: their cross product.
+        let minor = |j: usize| matrix.remove_column(j).determinant();
+        let null = Vector5::from_fn(|j, _| if j % 2 == 0 { minor(j) } else { -minor(j) });
+        let direction = null / null[3].hypot(null[4]);
+        if !direction.iter().chain(point.iter()).all(|value| value.is_finite()) {
+            return None;
+        }
+        let point = point - direction * (direction[3] * point[3] + direction[4] * point[4]);
+        Some(Line { point, direction })
+    }
+
+    fn at(&self, along: f64) -> Vector5 {
+        self.point + self.direction * along
+    }
 }
 
 /// One solution, and whether the system follows it.

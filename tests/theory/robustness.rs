@@ -64,6 +64,8 @@ fn the_symmetric_motion_is_solved_or_refused_anywhere() {
             let section = motion.section();
             assert!(section.iter().all(|value| value.is_finite()), "{context:?}: {section:?}");
             assert!(section[3] >= 0.0 && section[3] < std::f64::consts::TAU, "{context:?}: {section:?}");
+            let size = section.iter().fold(1.0f64, |size, value| size.max(value.abs()));
+            assert!(motion.residual < 1e-7 * size, "{context:?}: {:.1e}", motion.residual);
             assert!(finite(motion.half_multipliers(&system)), "{context:?}");
             assert!(finite(motion.multipliers(&system)), "{context:?}");
             match solution.at_phase_zero {
