@@ -6,8 +6,9 @@ use impact_atlas::control::{ControlQuantity, ControlSchedule};
 use impact_atlas::model::{Parameter, Parameters};
 use impact_atlas::plane::{ControlPlane, Quantity};
 
-use super::method::{MethodArgs, MethodName, spelled};
+use super::method::{MethodArgs, MethodName};
 use super::options::PlaneArgs;
+use super::spelled::spelled;
 use super::{CliError, defaults};
 
 /// Control of every cell of a plane.

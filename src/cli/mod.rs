@@ -27,6 +27,7 @@ mod pictures;
 mod progress;
 mod report;
 mod reproduce;
+mod spelled;
 mod symmetric;
 mod terminal;
 mod validate;
