@@ -169,3 +169,37 @@ fn maps_that_cannot_be_controlled_are_refused() {
     refuses(&["map", "--times", "t.png"], &["--control"]);
     refuses(&["bifurcation", "--x", "gain=0:1:4"], &["gain"]);
 }
+
+#[test]
+fn settings_that_an_axis_replaces_are_refused() {
+    let map = |more: &[&'static str]| [&["map", "--control"], more].concat();
+    let feedback = ["delay", "--y", "gain=0:1:3"];
+    refuses(&map(&[&feedback[..], &["--gains", "0.1,0.2,0.3,0.4"]].concat()), &["--gains", "--y gain=0:1:3"]);
+    let sine = ["sine", "--y", "target_tau=1:2:3"];
+    refuses(&map(&[&sine[..], &["--reference", "3.8"]].concat()), &["--reference", "--y target_tau=1:2:3"]);
+    refuses(&map(&[&sine[..], &["--target", "1.8"]].concat()), &["--target", "--y target_tau=1:2:3"]);
+    // Of pulses an axis varies one component, and the rest stays.
+    let rest =
+        ["pulse", "--y", "target_tau=1:2:3", "--x", "target_v1=-0.3:-0.2:2", "--target=-0.3,0,0,1", "--json"];
+    assert_eq!(json(&run(&map(&rest)))["cells"], 6);
+}
+
+#[test]
+fn a_map_under_control_is_validated() {
+    let plane =
+        ["validate", "--control", "pulse", "--x", "target_v1=-0.45:-0.25:6", "--y", "target_tau=1.4:2.2:4"];
+    let asked =
+        |more: &[&'static str]| [&plane[..], &CHAOS, &["--from", "30", "--iterates", "330"], more].concat();
+    let report = json(&run(&asked(&["--backend", "gpu", "--json"])));
+    assert_eq!((&report["holds"], &report["candidate"]["backend"]), (&true.into(), &"gpu".into()));
+    assert_eq!((&report["cells"], &report["plane"]["control"]["method"]), (&24.into(), &"pulse".into()));
+    assert!(report["end_state"]["max"].as_f64().unwrap() < 1e-5, "{report}");
+    let fewer = json(&run(&asked(&["--backend", "cpu", "--cells", "6", "--json"])));
+    assert_eq!((&fewer["cells"], &fewer["end_state"]["max"]), (&6.into(), &0.0.into()));
+
+    refuses(&["validate", "--gain", "0.3"], &["--gain", "--control"]);
+    refuses(&["validate", "--control", "delay", "--y", "gain=0:2:4", "--cells", "16"], &["gain = 2"]);
+    refuses(&["validate", "--control", "delay", "--curves"], &["--curves"]);
+    let local = ["--control", "sine", "--convention", "force-local", "--cells", "4"];
+    refuses(&[&["validate"], &local[..]].concat(), &["--backend cpu"]);
+}

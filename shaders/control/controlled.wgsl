@@ -199,6 +199,8 @@ fn controlled_go_on_from(section: vec4<f32>, action: Action) {
             trajectory_from_point(trajectory.point, trajectory.contact, trajectory.step, trajectory.offset);
     } else {
         trajectory = section_trajectory(section, trajectory.contact != CONTACT_FREE);
+        // A phase that jumps back time and again never passes a strobe.
+        controlled.moves = 0u;
     }
 }
 

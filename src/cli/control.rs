@@ -36,8 +36,8 @@ Examples:
   impact-atlas control delay --set omega=2.83 --gain 0.5 --out delay.png
   impact-atlas control delay --set omega=2.83 --gain 0.1 --json
   impact-atlas control pulse --set omega=2.83 --reference 3.7 --out pulse.png --data pulse.npz
-  impact-atlas control sine --set omega=2.83 --alpha 0.1 --dead-band 0.0055 --iterates 6000 --out sine.png
-  impact-atlas control sine --set omega=2.83 --convention force --alpha 0.05 --dead-band 0.0001 --json")]
+  impact-atlas control sine --set omega=2.83 --alpha 0.1 --dead-band 0.0055 --iterates 12000 --out sine.png
+  impact-atlas control sine --set omega=2.83 --convention force --alpha 0.05 --dead-band 0.0001 --iterates 8000 --json")]
 pub struct ControlArgs {
     /// The method
     #[arg(value_enum)]
@@ -97,6 +97,7 @@ struct Report {
     fixed_point: Option<[f64; 4]>,
     /// Iterates from switching control on until the points stay within the tolerance of the final ones.
     converged_at: Option<u32>,
+    tolerance: f64,
     /// Mean length of a correction, or mean |B| of a force.
     effort: f32,
     /// The two points of a period-two motion.
@@ -130,8 +131,8 @@ struct Config<'a> {
 pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     let scheme = args.settings.scheme(args.method)?;
     let schedule = ControlSchedule { from: args.from, iterates: args.iterates, fixed: true };
-    schedule.check().map_err(CliError::input)?;
     check_lengths(args)?;
+    schedule.check().map_err(CliError::input)?;
     let (system, start) = args.system.system_and_start(args.start)?;
     if system.parameters().delta == 0.0 {
         return Err(CliError::Input(anyhow!(
@@ -264,6 +265,7 @@ impl Report {
             label_after: if outcome.runaway { "runaway".to_owned() } else { outcome.verdict.label() },
             fixed_point,
             converged_at: converged_at(returns, args.from, outcome.period, args.tolerance),
+            tolerance: args.tolerance,
             effort: outcome.effort,
             period_two: (outcome.period == 2).then(|| [point(1), point(0)]),
             escapes: outcome.escapes,
@@ -288,9 +290,14 @@ impl Report {
         if let Some([a, b]) = self.period_two {
             lines.push(format!("period two      {}\n                {}", point(a), point(b)));
         }
-        lines.extend(
-            self.converged_at.map(|n| format!("converged       {n} iterates after control was switched on")),
-        );
+        match (self.converged_at, self.period) {
+            (Some(n), _) => lines.push(format!("converged       {n} iterates after control was switched on")),
+            (None, Some(_)) => lines.push(format!(
+                "converged       not to within {:e} yet: give more --iterates, or a larger --tolerance",
+                self.tolerance
+            )),
+            (None, None) => {}
+        }
         lines
             .push(format!("control signal  {:.6e} at the end, mean effort {:.6e}", self.signal, self.effort));
         lines.push(format!("escapes         {}", self.escapes));

@@ -3,66 +3,31 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::control::{ControlSchedule, NEVER};
-use impact_atlas::plane::{ControlMap, ControlPlane};
+use impact_atlas::control::NEVER;
+use impact_atlas::plane::ControlMap;
 use impact_atlas::render::{self, Size};
 use impact_atlas::store::{self, Output};
 use impact_atlas::sweep::sweep_control;
 use serde::Serialize;
 
+use super::controlled::ControlledArgs;
 use super::map::in_order;
-use super::method::{MethodArgs, MethodName};
+use super::method::MethodName;
 use super::options::{BackendArgs, PlaneArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, defaults, files, interrupt, note, pictures};
+use super::{CliError, files, interrupt, note, pictures};
 
-/// Control of every cell of a map.
+/// Control of every cell of a map, and what is drawn of it.
 #[derive(Debug, Args)]
 pub struct ControlMapArgs {
-    /// Controls every cell by a method, and maps what is reached
-    ///
-    /// Axes may vary the settings of the method too: gain, delay; amplitude, alpha, dead_band, gamma, phase; period,
-    /// noise; target_v1, target_x2, target_v2, target_tau. See `impact-atlas control --help` for what they are.
-    #[arg(long, value_name = "METHOD", value_enum, help_heading = "Control",
-        conflicts_with_all = ["transient", "observe", "max_period", "fixed_periods", "curves"])]
-    pub control: Option<MethodName>,
-
-    /// The first iterate that is controlled
-    #[arg(long, value_name = "N", default_value_t = defaults::CONTROL_MAP_FROM, requires = "control",
-        help_heading = "Control")]
-    from: u32,
-
-    /// Iterates altogether; a cell that has settled under control finishes early
-    #[arg(long, value_name = "K", default_value_t = defaults::CONTROL_MAP_ITERATES, requires = "control",
-        help_heading = "Control")]
-    iterates: u32,
+    #[command(flatten)]
+    pub cells: ControlledArgs,
 
     /// Draws how many iterates control took, a PNG or SVG file
     #[arg(long, value_name = "FILE", requires = "control", help_heading = "Control")]
     times: Option<PathBuf>,
-
-    #[command(flatten)]
-    settings: MethodArgs,
-}
-
-impl ControlMapArgs {
-    /// Refuses settings of a method where there is none.
-    pub fn refuse_settings(&self) -> Result<(), CliError> {
-        match self.settings.any() {
-            Some(option) => Err(CliError::Input(anyhow!(
-                "--{option} has no effect without control: drop it or choose a method with --control"
-            ))),
-            None => Ok(()),
-        }
-    }
-
-    fn plane(&self, method: MethodName, plane: &PlaneArgs) -> Result<ControlPlane, CliError> {
-        let iterates = ControlSchedule { from: self.from, iterates: self.iterates, fixed: false };
-        plane.control_plane(method, &self.settings, iterates)
-    }
 }
 
 /// What is printed.
@@ -94,7 +59,7 @@ pub fn run(
     size: Size,
     json: bool,
 ) -> Result<(), CliError> {
-    let plane = args.plane(method, plane)?;
+    let plane = args.cells.plane(method, plane)?;
     pictures::format_of(&out)?;
     if let Some(times) = &args.times {
         pictures::format_of(times)?;

@@ -107,12 +107,12 @@ pub fn in_order<S: Serializer>(regimes: &[(&str, u64); 8], serializer: S) -> Res
 
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), CliError> {
-    if let Some(method) = args.control.control {
+    if let Some(method) = args.control.cells.control {
         let data = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
         let MapArgs { plane, backend, control, size, json, .. } = args;
         return control_map::run(method, control, plane, backend, [args.out.clone(), data], *size, *json);
     }
-    args.control.refuse_settings()?;
+    args.control.cells.refuse_settings()?;
     let plane = args.plane.plane()?;
     pictures::format_of(&args.out)?;
     files::check_csv(args.curves_out.as_deref())?;

@@ -2,7 +2,9 @@
 
 use anyhow::anyhow;
 use clap::{Args, ValueEnum};
-use impact_atlas::control::{Convention, DelaySetting, PulseSetting, Scheme, Sign, SineSetting, Target};
+use impact_atlas::control::{
+    ControlQuantity, Convention, DelaySetting, PulseSetting, Scheme, Sign, SineSetting, Target,
+};
 
 use impact_atlas::plane::Axis;
 
@@ -176,12 +178,19 @@ impl MethodArgs {
         Ok(scheme)
     }
 
-    /// Refuses settings that an axis varies.
-    pub fn refuse_varied(&self, axes: &[(&str, Axis)]) -> Result<(), CliError> {
+    /// Refuses settings of a method that an axis varies.
+    pub fn refuse_varied(&self, method: MethodName, axes: &[(&str, Axis)]) -> Result<(), CliError> {
         for (option, axis) in axes {
             let Some(setting) = axis.control() else { continue };
             let name = setting.name().replace('_', "-");
-            if let Some((given, _)) = self.given().into_iter().find(|(given, _)| *given == name) {
+            // What else the axis replaces altogether: of pulses it varies only one component of the target.
+            let replaced: &[&str] = match setting {
+                ControlQuantity::Gain => &["gains"],
+                _ if name.starts_with("target-") && method == MethodName::Sine => &["reference", "target"],
+                _ => &[],
+            };
+            let without_effect = |given: &str| given == name || replaced.contains(&given);
+            if let Some((given, _)) = self.given().into_iter().find(|(given, _)| without_effect(given)) {
                 return Err(CliError::Input(anyhow!(
                     "--{given} has no effect, since {option} {axis} varies it: drop one of the two"
                 )));

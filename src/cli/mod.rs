@@ -3,10 +3,12 @@
 //! Results go to standard output, everything else to standard error.
 
 mod adapters;
+mod asked;
 mod bifurcation;
 mod classify;
 mod control;
 mod control_map;
+mod controlled;
 mod curve_list;
 mod curves;
 mod defaults;
@@ -25,6 +27,7 @@ mod pictures;
 mod progress;
 mod report;
 mod reproduce;
+mod spelled;
 mod symmetric;
 mod terminal;
 mod validate;

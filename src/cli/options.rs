@@ -4,7 +4,7 @@ use anyhow::anyhow;
 use clap::{Args, ValueEnum};
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{self, Backend, Choice};
-use impact_atlas::control::ControlSchedule;
+use impact_atlas::control::{ControlQuantity, ControlSchedule};
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity, Start};
 use impact_atlas::theory::symmetric_start;
@@ -165,25 +165,33 @@ impl AxesArgs {
     /// The plane with about `cells` cells; where there is no such number and no axis is given, with `default` ones.
     pub fn plane_of(&self, schedule: Schedule, cells: Option<u32>, default: u32) -> Result<Plane, CliError> {
         let plane = self.plane(schedule)?;
-        let default = (self.x.is_none() && self.y.is_none()).then_some(default);
-        Ok(match cells.or(default) {
-            Some(cells) => with_cells(plane, cells),
+        Ok(match self.cells(cells, default) {
+            Some(cells) => {
+                let [x, y] = with_cells([plane.x, plane.y], cells);
+                Plane { x, y, ..plane }
+            }
             None => plane,
         })
     }
+
+    /// How many cells are wanted, if not those of the axes.
+    fn cells(&self, cells: Option<u32>, default: u32) -> Option<u32> {
+        cells.or((self.x.is_none() && self.y.is_none()).then_some(default))
+    }
 }
 
-/// The same plane with about so many cells, in about the same proportion; an axis of one value keeps it.
-fn with_cells(plane: Plane, cells: u32) -> Plane {
-    let resized = |axis: Axis, count: f64| match axis.count {
-        1 => axis,
-        _ => Axis { count: (count.round() as u32).clamp(2, Axis::LARGEST), ..axis },
+/// The same axes with about so many cells, in about the same proportion; one of one value, or of whole numbers, keeps
+/// its values.
+fn with_cells([x, y]: [Axis; 2], cells: u32) -> [Axis; 2] {
+    let kept = |axis: Axis| axis.count == 1 || axis.control().is_some_and(ControlQuantity::is_whole);
+    let resized = |axis: Axis, count: f64| match kept(axis) {
+        true => axis,
+        false => Axis { count: (count.round() as u32).clamp(2, Axis::LARGEST), ..axis },
     };
-    let (x, y) = (f64::from(plane.x.count), f64::from(plane.y.count));
-    let rows = if plane.x.count == 1 { f64::from(cells) } else { (f64::from(cells) * y / x).sqrt() };
-    let y = resized(plane.y, rows);
-    let x = resized(plane.x, f64::from(cells) / f64::from(y.count));
-    Plane { x, y, ..plane }
+    let (cells, columns) = (f64::from(cells), f64::from(x.count));
+    let rows = if kept(x) { cells / columns } else { (cells * f64::from(y.count) / columns).sqrt() };
+    let y = resized(y, rows);
+    [resized(x, cells / f64::from(y.count)), y]
 }
 
 /// A plane and how long its cells run.
@@ -227,7 +235,7 @@ impl PlaneArgs {
     ) -> Result<ControlPlane, CliError> {
         let (x, y) = (self.axes.x.unwrap_or(defaults::X), self.axes.y.unwrap_or(defaults::Y));
         let axes = [("--x", x), ("--y", y)];
-        settings.refuse_varied(&axes)?;
+        settings.refuse_varied(method, &axes)?;
         let plane = ControlPlane {
             x,
             y,
@@ -238,6 +246,13 @@ impl PlaneArgs {
         };
         plane.check().map_err(CliError::input)?;
         Ok(plane)
+    }
+
+    /// The plane under control with as many cells as [`AxesArgs::plane_of`] gives it.
+    pub fn resized(&self, plane: ControlPlane, cells: Option<u32>, default: u32) -> ControlPlane {
+        let Some(cells) = self.axes.cells(cells, default) else { return plane };
+        let [x, y] = with_cells([plane.x, plane.y], cells);
+        ControlPlane { x, y, ..plane }
     }
 
     /// See [`AxesArgs::plane_of`].

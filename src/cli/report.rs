@@ -3,19 +3,19 @@
 use std::fmt::Write;
 
 use impact_atlas::analysis::Regime;
-use impact_atlas::model::{Parameter, Parameters};
-use impact_atlas::plane::{Plane, Provenance, RegionMap};
+use impact_atlas::plane::Provenance;
 use impact_atlas::validate::{Agreement, Boundaries, Check, Share, Spread, Thresholds, WorstCell};
 use serde::Serialize;
 
 use super::CliError;
+use super::asked::Asked;
 
 /// Everything that `validate` says.
 #[derive(Debug, Serialize)]
 pub struct Report<'a> {
     holds: bool,
     checks: Vec<Check>,
-    plane: &'a Plane,
+    plane: Asked<'a>,
     reference: &'a Provenance,
     candidate: &'a Provenance,
     /// The regimes in the order of the rows and columns of `confusion`.
@@ -41,33 +41,33 @@ struct Suspect {
 }
 
 impl<'a> Report<'a> {
-    /// The report on two maps of a plane; `adapter` is how the candidate's adapter was chosen.
+    /// The report on two computations of a plane; `adapter` is how the candidate's adapter was chosen.
     pub fn new(
-        reference: &'a RegionMap,
-        candidate: &'a RegionMap,
+        plane: Asked<'a>,
+        [reference, candidate]: [&'a Provenance; 2],
         agreement: &'a Agreement,
         thresholds: &Thresholds,
         adapter: Option<&str>,
     ) -> Self {
-        let plane = &reference.plane;
+        let [x, y] = plane.axes();
         let chosen = adapter.map(|text| format!(" --adapter {}", quoted(text))).unwrap_or_default();
-        let candidate_options = format!("--backend {}{chosen}", candidate.provenance.backend);
+        let candidate_options = format!("--backend {}{chosen}", candidate.backend);
         let suspect = |cell: &WorstCell| Suspect {
-            x: plane.x.value(cell.column),
-            y: plane.y.value(cell.row),
+            x: x.value(cell.column),
+            y: y.value(cell.row),
             fault: cell.fault.name(),
             reference: cell.reference.label(),
             candidate: cell.candidate.label(),
             difference: cell.difference,
-            reference_command: classify(plane, cell, "--backend cpu"),
-            candidate_command: classify(plane, cell, &candidate_options),
+            reference_command: plane.command(cell.column, cell.row, "--backend cpu"),
+            candidate_command: plane.command(cell.column, cell.row, &candidate_options),
         };
         Report {
             holds: agreement.holds(thresholds),
             checks: agreement.checks(thresholds),
             plane,
-            reference: &reference.provenance,
-            candidate: &candidate.provenance,
+            reference,
+            candidate,
             codes: Regime::ALL.map(Regime::name),
             agreement,
             boundaries: None,
@@ -106,7 +106,8 @@ impl<'a> Report<'a> {
 
     fn write(&self, to: &mut String) -> std::fmt::Result {
         let agreement = self.agreement;
-        writeln!(to, "{} cells: {} by {}", agreement.cells, self.plane.x, self.plane.y)?;
+        let [x, y] = self.plane.axes();
+        writeln!(to, "{} cells: {x} by {y}", agreement.cells)?;
         writeln!(to, "reference  {}: {}", self.reference.backend, self.reference.adapter)?;
         writeln!(to, "candidate  {}: {}\n", self.candidate.backend, self.candidate.adapter)?;
         self.write_confusion(to)?;
@@ -118,11 +119,10 @@ impl<'a> Report<'a> {
         writeln!(to, "symmetry agrees             {}\n", share(agreement.symmetry))?;
         writeln!(to, "end states of equal periodic motions, largest difference of a component")?;
         writeln!(to, "  {}", spread(agreement.end_state))?;
-        writeln!(
-            to,
-            "  {} of them on another branch or phase, continued on the reference",
-            agreement.continued
-        )?;
+        if let Asked::Free(_) = self.plane {
+            let continued = agreement.continued;
+            writeln!(to, "  {continued} of them on another branch or phase, continued on the reference")?;
+        }
         let failed = agreement.failed;
         writeln!(to, "failed cells: {} reference, {} candidate\n", failed.reference, failed.candidate)?;
         self.write_worst(to)?;
@@ -179,7 +179,7 @@ impl<'a> Report<'a> {
     }
 
     fn write_worst(&self, to: &mut String) -> std::fmt::Result {
-        let (x, y) = (self.plane.x.quantity.name(), self.plane.y.quantity.name());
+        let [x, y] = self.plane.axes().map(|axis| axis.quantity.name());
         for cell in &self.worst {
             let difference = cell.difference.map(|d| format!(", difference {d:.1e}")).unwrap_or_default();
             writeln!(
@@ -227,26 +227,6 @@ fn spread(spread: Option<Spread>) -> String {
     }
 }
 
-/// The command that follows a cell's trajectory alone.
-fn classify(plane: &Plane, cell: &WorstCell, backend: &str) -> String {
-    let parameters = plane.parameters_at(cell.column, cell.row);
-    let named = |p: Parameter| matches!(p, Parameter::Omega | Parameter::Delta);
-    let sets: String = Parameter::ALL
-        .into_iter()
-        .filter(|&p| named(p) || parameters.get(p) != Parameters::default().get(p))
-        .map(|p| format!(" --set {p}={}", parameters.get(p)))
-        .collect();
-    let schedule = plane.schedule;
-    let fixed = if schedule.fixed_periods { " --fixed-periods" } else { "" };
-    format!(
-        "impact-atlas classify{sets} --start {} --transient {} --observe {} --max-period {}{fixed} {backend} --json",
-        plane.start_at(cell.column, cell.row),
-        schedule.transient,
-        schedule.observe,
-        schedule.max_period
-    )
-}
-
 /// A word for the shell.
 fn quoted(text: &str) -> String {
     format!("'{}'", text.replace('\'', r"'\''"))
@@ -256,7 +236,8 @@ fn quoted(text: &str) -> String {
 mod tests {
     use clap::Parser;
     use impact_atlas::analysis::{Schedule, Verdict};
-    use impact_atlas::plane::Start;
+    use impact_atlas::model::Parameters;
+    use impact_atlas::plane::{Plane, RegionMap, Start};
     use impact_atlas::validate::compare;
 
     use super::*;
@@ -291,11 +272,21 @@ mod tests {
         RegionMap { plane, provenance, verdicts: vec![verdict(1); 20] }
     }
 
+    fn report<'a>(
+        ours: &'a RegionMap,
+        theirs: &'a RegionMap,
+        agreement: &'a Agreement,
+        adapter: Option<&str>,
+    ) -> Report<'a> {
+        let made = [&ours.provenance, &theirs.provenance];
+        Report::new(Asked::Free(&ours.plane), made, agreement, &Thresholds::default(), adapter)
+    }
+
     #[test]
     fn agreement_is_success() {
         let (ours, theirs) = (map("cpu"), map("gpu"));
         let agreement = compare(&ours, &theirs);
-        let report = Report::new(&ours, &theirs, &agreement, &Thresholds::default(), None);
+        let report = report(&ours, &theirs, &agreement, None);
         assert!(report.verdict().is_ok());
         assert!(!report.text().contains("DOES NOT HOLD"));
     }
@@ -305,7 +296,7 @@ mod tests {
         let (ours, mut theirs) = (map("cpu"), map("gpu"));
         theirs.verdicts[15] = verdict(2);
         let agreement = compare(&ours, &theirs);
-        let report = Report::new(&ours, &theirs, &agreement, &Thresholds::default(), Some("it's"));
+        let report = report(&ours, &theirs, &agreement, Some("it's"));
 
         let error = report.verdict().unwrap_err();
         assert!(matches!(error, CliError::CheckFailed(_)));

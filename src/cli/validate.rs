@@ -4,10 +4,15 @@ use clap::{Args, value_parser};
 use impact_atlas::backend::{self, Choice};
 use impact_atlas::curves::{self, bifurcation_curves};
 use impact_atlas::plane::Plane;
-use impact_atlas::sweep::sweep;
-use impact_atlas::validate::{Thresholds, boundaries, compare_continued, continue_strays};
+use impact_atlas::sweep::{sweep, sweep_control};
+use impact_atlas::validate::{
+    Thresholds, boundaries, compare_continued, compare_controlled, continue_strays,
+};
 
+use super::asked::Asked;
+use super::controlled::ControlledArgs;
 use super::interrupt::abandonable;
+use super::method::MethodName;
 use super::options::{BackendArgs, BackendName, PlaneArgs};
 use super::progress::Progress;
 use super::report::Report;
@@ -18,13 +23,16 @@ use super::{CliError, defaults, note};
 ///
 /// Exit code 0 if agreement holds, 1 if it does not. Agreement means the same regime and the same N-p-q; it is
 /// counted apart inside regions (cells whose eight neighbours are like them in the reference) and on boundaries.
+/// With --control every cell is controlled. From a chaotic start the smallest rounding error decides which motion captures
+/// a cell: choose a start, or a method, for which it does not.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   impact-atlas validate
   impact-atlas validate --cells 2000 --adapter llvmpipe --json
   impact-atlas validate --curves --cells 480000
-  impact-atlas validate --x omega=0.2:0.5:60 --y r=0.5:0.8:40 --set delta=0.2")]
+  impact-atlas validate --x omega=0.2:0.5:60 --y r=0.5:0.8:40 --set delta=0.2
+  impact-atlas validate --control pulse --x target_v1=-0.45:-0.25:40 --y target_tau=1.4:2.2:30 --set omega=2.83")]
 pub struct ValidateArgs {
     #[command(flatten)]
     plane: PlaneArgs,
@@ -35,6 +43,9 @@ pub struct ValidateArgs {
 
     #[command(flatten)]
     backend: BackendArgs,
+
+    #[command(flatten)]
+    control: ControlledArgs,
 
     /// Also holds the reference map's boundaries against the bifurcation curves
     ///
@@ -49,6 +60,10 @@ pub struct ValidateArgs {
 
 /// Runs the command.
 pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
+    if let Some(method) = args.control.control {
+        return controlled(args, method);
+    }
+    args.control.refuse_settings()?;
     let plane = args.plane.plane_of(args.cells, defaults::VALIDATED_CELLS)?;
     plane.check().map_err(CliError::input)?;
     if args.curves {
@@ -64,8 +79,10 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
     let continued = continue_strays(&ours, &theirs, &*reference, &Progress::of_cells("continuing", strays))?;
     let agreement = compare_continued(&ours, &theirs, &continued);
 
+    let made = [&ours.provenance, &theirs.provenance];
+    let asked = Asked::Free(&ours.plane);
     let report =
-        Report::new(&ours, &theirs, &agreement, &Thresholds::default(), args.backend.adapter.as_deref());
+        Report::new(asked, made, &agreement, &Thresholds::default(), args.backend.adapter.as_deref());
     let report = if args.curves {
         let map = ours.clone();
         let curves = abandonable(move || bifurcation_curves(&map, defaults::CURVES_MAX_PERIOD))?;
@@ -73,8 +90,32 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
     } else {
         report
     };
-    if args.json {
-        print_json(&report)?
+    told(&report, args.json)
+}
+
+/// The same under control.
+fn controlled(args: &ValidateArgs, method: MethodName) -> Result<(), CliError> {
+    let plane = args.control.plane(method, &args.plane)?;
+    let plane = args.plane.resized(plane, args.cells, defaults::VALIDATED_CELLS);
+    plane.check().map_err(CliError::input)?;
+    let candidate = args.candidate().open()?;
+    let reference = backend::open(Choice::Cpu, None)?;
+    note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
+
+    let cells = plane.plane().cells();
+    let theirs = sweep_control(&plane, &*candidate, &Progress::of_cells("candidate", cells))?;
+    let ours = sweep_control(&plane, &*reference, &Progress::of_cells("reference", cells))?;
+    let agreement = compare_controlled(&ours, &theirs);
+    let made = [&ours.provenance, &theirs.provenance];
+    let asked = Asked::Controlled(&plane);
+    let adapter = args.backend.adapter.as_deref();
+    told(&Report::new(asked, made, &agreement, &Thresholds::default(), adapter), args.json)
+}
+
+/// Prints a report; success if every check in it holds.
+fn told(report: &Report, json: bool) -> Result<(), CliError> {
+    if json {
+        print_json(report)?
     } else {
         print(&report.text())?
     }

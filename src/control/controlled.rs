@@ -1,5 +1,6 @@
 //! A trajectory under control, followed from return to return on σ to its outcome.
 
+use super::actuated::Actuated;
 use super::deviation::Deviations;
 use super::memory::{LONGEST, Memory, added};
 use super::method::{Action, Controller, Method, Seen, length};
@@ -8,7 +9,7 @@ use super::schedule::ControlSchedule;
 use super::section::Section;
 use crate::analysis::constants::{CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SIGNIFICANCE};
 use crate::analysis::{Exponent, INFINITELY_MANY, Regime, Spread, Verdict};
-use crate::dynamics::{Contact, Drive, Event, Move, Phasor, Stop, Tangent, Trajectory, Variation};
+use crate::dynamics::{Contact, Event, Impact, Move, Stop, Tangent, Trajectory, Variation};
 use crate::model::{Flight, Real};
 
 /// Forcing periods without an impact at A after which σ counts as never reached.
@@ -19,26 +20,6 @@ pub const RUNAWAY: f64 = 1e3;
 
 /// Iterates for which a settled motion must have kept returning before it finishes early.
 pub const SETTLING: u32 = 64;
-
-/// A drive that a controller can set.
-pub trait Actuated<T>: Drive<T> {
-    /// The drive with amplitude `b` and the given sine and cosine of its phase.
-    #[must_use]
-    fn actuated(&self, b: T, phase: [T; 2]) -> Self;
-}
-
-/// Nothing to set: methods that change the section point only.
-impl<T> Actuated<T> for () {
-    #[inline(always)]
-    fn actuated(&self, _: T, _: [T; 2]) -> Self {}
-}
-
-impl<T: Real> Actuated<T> for Phasor<'_, T> {
-    #[inline(always)]
-    fn actuated(&self, b: T, phase: [T; 2]) -> Self {
-        Phasor::new(self.constants, b, phase)
-    }
-}
 
 /// Where a controlled trajectory is in its schedule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -115,10 +96,10 @@ impl<T, D> Witness<T, D> for () {}
 
 /// A trajectory under control.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Controlled<T, D = ()> {
+pub struct Controlled<T: Real, D: Actuated<T> = ()> {
     /// The trajectory.
     pub trajectory: Trajectory<T, D>,
-    tangent: Tangent<T>,
+    tangent: D::Deviation,
     controller: Controller<T>,
     /// The last points on σ.
     pub memory: Memory<T>,
@@ -137,7 +118,7 @@ pub struct Controlled<T, D = ()> {
     periods: u32,
     /// Forcing periods since the last return.
     passage: u32,
-    /// Moves since the last strobe.
+    /// Moves since the last strobe or correction.
     moves: u32,
     at_b: u32,
     /// The mirror image of the last impact at Ā.
@@ -159,7 +140,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     pub fn new(trajectory: Trajectory<T, D>, controller: Controller<T>, schedule: &ControlSchedule) -> Self {
         Controlled {
             trajectory,
-            tangent: Tangent::seed(),
+            tangent: trajectory.point.drive.deviating(Tangent::seed(), T::zero()),
             controller,
             memory: Memory::new(),
             deviations: Deviations::seed(),
@@ -262,20 +243,29 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         if taken.free == T::zero() {
             self.stuck = self.iterates + 1;
         }
-        let (impact, complete) = match taken.event {
-            Event::Impact(impact) => (impact, false),
+        match taken.event {
+            Event::Impact(impact) => self.impact(flight, schedule, &impact, false, witness),
             Event::Caught { impact, complete_chatter } => {
                 self.stuck = self.iterates + 1;
-                (impact, complete_chatter)
+                self.impact(flight, schedule, &impact, complete_chatter, witness);
             }
-            Event::Strobe => return self.strobe(),
-            Event::Flight | Event::StepEnd | Event::HalfPeriod | Event::Released(_) => {
-                if self.moves > MOST_MOVES {
-                    self.progress = Progress::Failed;
-                }
-                return;
-            }
-        };
+            Event::Strobe => self.strobe(),
+            Event::Flight | Event::StepEnd | Event::HalfPeriod | Event::Released(_) => {}
+        }
+        if self.moves > MOST_MOVES {
+            self.progress = Progress::Failed;
+        }
+    }
+
+    #[inline(always)]
+    fn impact(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &ControlSchedule,
+        impact: &Impact<T>,
+        complete: bool,
+        witness: &mut impl Witness<T, D>,
+    ) {
         if impact.velocity_before == T::zero() {
             return;
         }
@@ -331,7 +321,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             memory: &self.memory,
         };
         let observing = self.progress == Progress::Observed;
-        let deviation = self.deviations.arrived(flight, &self.trajectory, &self.tangent);
+        let deviation = self.deviations.arrived(flight, &self.trajectory, &D::tangent(&self.tangent));
         let mut action = if on { self.controller.act(&seen) } else { Action::none() };
         let mut section = arrived.plus(&action.correction);
         let escaped = section.components[0] > T::zero();
@@ -402,6 +392,8 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         } else {
             let resting = self.trajectory.contact != Contact::Free;
             self.trajectory = section.trajectory(flight, resting, drive);
+            // A phase that jumps back time and again never passes a strobe.
+            self.moves = 0;
         }
     }
 
@@ -417,7 +409,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         if self.observed <= 2 * half {
             self.spread.at_strobe(&self.trajectory.point, self.observed > half);
         }
-        self.tangent = self.deviations.leaving(flight, &self.trajectory);
+        self.tangent = self.deviations.leaving(flight, &self.trajectory, &self.controller);
     }
 
     /// Goes on to the next part of the schedule where it is due.
@@ -432,7 +424,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             self.impacts = 0;
             self.peak = T::zero();
             self.deviations = Deviations::seed();
-            self.tangent = self.deviations.leaving(flight, &self.trajectory);
+            self.tangent = self.deviations.leaving(flight, &self.trajectory, &self.controller);
             self.spread = Spread::about(&self.trajectory.point);
         }
     }

@@ -1,5 +1,6 @@
 //! A small deviation of the points on σ, carried through flight and control: whether neighbours part.
 
+use super::actuated::Actuated;
 use super::memory::DEPTH;
 use super::method::{Controller, Seen};
 use crate::dynamics::{Contact, Drive, Tangent, Trajectory};
@@ -23,17 +24,28 @@ impl<T: Real> Deviations<T> {
 
     /// The deviation, at fixed time, of the trajectory that leaves the present point.
     ///
-    /// A point met later by δτ/ω was, at the same time, that much of its motion behind.
-    pub fn leaving<D: Drive<T>>(&self, flight: &Flight<T>, trajectory: &Trajectory<T, D>) -> Tangent<T> {
+    /// A point met later by δτ/ω was, at the same time, that much of its motion behind; and so was a force that begins
+    /// with it.
+    pub fn leaving<D: Actuated<T>>(
+        &self,
+        flight: &Flight<T>,
+        trajectory: &Trajectory<T, D>,
+        controller: &Controller<T>,
+    ) -> D::Deviation {
         let [v1, x2, v2, tau] = self.points[0];
         let shift = tau / flight.omega;
         let rate = rates(flight, trajectory);
-        Tangent {
+        let tangent = Tangent {
             x1: -(rate[0] * shift),
             x2: x2 - rate[1] * shift,
             v1: v1 - rate[2] * shift,
             v2: v2 - rate[3] * shift,
-        }
+        };
+        let lag = match controller {
+            Controller::Sine(sine) => sine.lag(tau),
+            Controller::None | Controller::Pulse(_) | Controller::Delay(_) => T::zero(),
+        };
+        trajectory.point.drive.deviating(tangent, lag)
     }
 
     /// The deviation of the point at which a trajectory with this tangent vector arrives.

@@ -5,6 +5,7 @@
 //! until the next. A correction that would lead off the section (v1+ > 0: the first mass would move into its stop) is left
 //! out altogether, and counted as an escape.
 
+mod actuated;
 mod controlled;
 mod delay;
 mod deviation;
@@ -20,7 +21,8 @@ mod scheme;
 mod section;
 mod sine;
 
-pub use controlled::{Actuated, Controlled, Progress, Return, Witness};
+pub use actuated::{Actuated, Lagging};
+pub use controlled::{Controlled, Progress, Return, Witness};
 pub use delay::Delay;
 pub use history::{History, converged_at};
 pub use memory::{DEPTH, LONGEST, Memory};

@@ -2,7 +2,8 @@
 
 use nalgebra::{Complex, DMatrix};
 
-use super::controlled::{Actuated, Controlled, Return, Witness};
+use super::actuated::Actuated;
+use super::controlled::{Controlled, Return, Witness};
 use super::memory::{DEPTH, LONGEST};
 use super::method::Controller;
 use super::schedule::ControlSchedule;

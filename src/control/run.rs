@@ -1,6 +1,7 @@
 //! A whole run under control, in either precision.
 
-use super::controlled::{Actuated, Controlled, Witness};
+use super::actuated::Actuated;
+use super::controlled::{Controlled, Witness};
 use super::method::Controller;
 use super::outcome::Outcome;
 use super::schedule::ControlSchedule;

@@ -118,7 +118,7 @@ impl Target {
         if let Some(tau) = tau.filter(|tau| !(0.0..std::f64::consts::TAU).contains(tau)) {
             return Err(ControlError::TargetPhase(tau));
         }
-        Ok(Parameter::Omega.check(self.reference)?)
+        Parameter::Omega.check(self.reference).map_err(ControlError::Reference)
     }
 }
 
@@ -443,8 +443,8 @@ pub enum ControlError {
     #[error("the target phase tau = {0} is out of range: tau must be between 0 and 2π (6.2832)")]
     TargetPhase(f64),
     /// The reference frequency cannot be used.
-    #[error("the reference frequency cannot be used: {0}")]
-    Reference(#[from] ParameterError),
+    #[error("the reference frequency cannot be used")]
+    Reference(#[source] ParameterError),
     /// The system cannot be followed.
     #[error(transparent)]
     System(#[from] SystemError),

@@ -100,6 +100,14 @@ impl<T: Real> Sine<T> {
         self.weight == T::zero() || (self.error >= T::zero() && self.error < self.dead_band)
     }
 
+    /// How far a force is behind in phase on a trajectory that has met A later, by `later` of the forcing's phase.
+    pub fn lag(&self, later: T) -> T {
+        match self.convention {
+            Convention::Kick | Convention::Force => T::zero(),
+            Convention::ForceLocal => self.ratio * later,
+        }
+    }
+
     /// How a deviation (δX(n), then δX(n+1) as it arrives) passes the kick, B and α taken as they are.
     pub fn deviated(&self, seen: &Seen<T>, before: &[T; 4], arrived: [T; 4]) -> [T; 4] {
         if self.convention != Convention::Kick {

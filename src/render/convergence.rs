@@ -84,6 +84,14 @@ impl LogScale {
     fn colour(&self, value: f64) -> Colour {
         ramp(self.fraction(value))
     }
+
+    /// The numbers of iterates beside the bar: none, powers of ten, and the most, each `apart` from the others.
+    fn labels(&self, apart: f64) -> Vec<f64> {
+        let powers = std::iter::successors(Some(10.0), |power| Some(10.0 * power));
+        let below =
+            powers.take_while(|&power| self.fraction(power + 1.0) <= 1.0 - apart && power < self.most);
+        std::iter::once(0.0).chain(below).chain([self.most - 1.0]).collect()
+    }
 }
 
 fn ramp(fraction: f64) -> Colour {
@@ -133,10 +141,8 @@ fn draw_bar(canvas: &mut Canvas, plot: Rect, scale: &LogScale, em: f64) {
         let at = Point { x: bar.right() + 0.7 * em, y };
         canvas.text(&symbols::number(value).into(), at, Anchor::Start, em, INK);
     };
-    let mut value = 0.0;
-    while value < scale.most {
+    for value in scale.labels(1.5 * em / bar.height) {
         label(canvas, value);
-        value = if value == 0.0 { 10.0 } else { 10.0 * value };
     }
     let middle = Point { x: bar.right() + 5.2 * em, y: bar.y + bar.height / 2.0 };
     canvas.rising_text(&"iterates to convergence".into(), middle, Anchor::Middle, 1.1 * em, INK);
@@ -158,5 +164,12 @@ mod tests {
         let lightness = |Rgb([r, g, b]): Colour| 2 * u32::from(r) + 7 * u32::from(g) + u32::from(b);
         let steps: Vec<u32> = (0..20).map(|i| lightness(ramp(f64::from(i) / 19.0))).collect();
         assert!(steps.windows(2).all(|pair| pair[0] < pair[1]), "{steps:?}");
+    }
+
+    #[test]
+    fn both_ends_of_the_bar_are_labelled() {
+        assert_eq!(LogScale { most: 10.0 }.labels(0.05), [0.0, 9.0]);
+        assert_eq!(LogScale { most: 1300.0 }.labels(0.05), [0.0, 10.0, 100.0, 1299.0]);
+        assert_eq!(LogScale { most: 4000.0 }.labels(0.05), [0.0, 10.0, 100.0, 1000.0, 3999.0]);
     }
 }

@@ -13,6 +13,9 @@
 //! motion, and how far it moves is the cell's difference. A stray that was not continued, or that did not stay on a
 //! motion with the label, counts with its whole difference.
 //!
+//! # Under control
+//! [`compare_controlled`] holds two maps under control to the same: the motions reached, and their points on σ.
+//!
 //! # Boundaries
 //! Theory and simulation are compared too: [`boundaries`] measures how many cells lie between bifurcation curves and the
 //! boundaries of the regions that a map shows.
@@ -21,6 +24,7 @@ mod agreement;
 mod boundaries;
 mod compare;
 mod continuation;
+mod controlled;
 mod spread;
 mod thresholds;
 
@@ -28,6 +32,7 @@ pub use agreement::{Agreement, FailedCells, Fault, RegimeAgreement, WorstCell};
 pub use boundaries::{Boundaries, BoundaryAgreement, boundaries};
 pub use compare::{compare, compare_continued};
 pub use continuation::{Continued, continue_strays, strays};
+pub use controlled::compare_controlled;
 pub use spread::{Share, Spread};
 pub use thresholds::{Check, Thresholds};
 

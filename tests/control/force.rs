@@ -1,6 +1,8 @@
 //! The sine force as a real force between impacts: exact flight, and what it reaches.
 
-use impact_atlas::control::{ControlSchedule, Controlled, Controller, Convention, Section, multipliers};
+use impact_atlas::control::{
+    ControlSchedule, Controlled, Controller, Convention, Scheme, Section, control, multipliers,
+};
 use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Trajectory};
 use impact_atlas::model::{Drive, Flight, Parameters, System};
 
@@ -131,4 +133,37 @@ fn the_force_counted_from_each_impact_does_not_converge() {
         let (outcome, _) = run(&sine(Convention::ForceLocal, 0.0, 0.05, 1e-3), 4000, start);
         assert_ne!(outcome.period, 1, "{outcome:?}");
     }
+}
+
+/// ln of the largest multiplier per forcing period, and the exponent of a run that ends there.
+fn exponents(convention: Convention, phase: f64, lag_forgotten: bool) -> [f64; 2] {
+    let system = System::new(Parameters::default()).unwrap();
+    let mut scheme = sine(convention, -0.3, 0.0, 0.0);
+    if let Scheme::Sine(setting) = &mut scheme {
+        setting.phase = phase;
+    }
+    let controller = scheme.resolve(&system).unwrap();
+    let schedule = ControlSchedule { from: 50, iterates: 4050, fixed: true };
+    let mut returns = Returns::default();
+    let outcome = control::<f64, _>(&system, [0.0; 4], &controller, &schedule, &mut returns).unwrap();
+    assert_eq!(outcome.verdict.label(), "1-1-1");
+    let fixed = returns.0.last().unwrap().section.components;
+    let Controller::Sine(mut held) = controller else { unreachable!("a sine force was asked for") };
+    if lag_forgotten {
+        // The same force on the same motion, but in phase with the forcing: as if a later impact did not delay it.
+        held.convention = Convention::Force;
+        held.phase = (held.phase - fixed[3] / std::f64::consts::TAU).rem_euclid(1.0);
+    }
+    let largest = multipliers(&system, &Controller::Sine(held), fixed).unwrap().unwrap()[0];
+    [f64::from(outcome.verdict.lyapunov), largest.norm().ln()]
+}
+
+#[test]
+fn exponents_are_those_of_the_multipliers() {
+    for convention in [Convention::Force, Convention::ForceLocal] {
+        let [measured, predicted] = exponents(convention, 1.5, false);
+        assert!((measured - predicted).abs() < 2e-3, "{convention:?}: {measured}, {predicted}");
+    }
+    let [measured, predicted] = exponents(Convention::ForceLocal, 1.5, true);
+    assert!((measured - predicted).abs() > 5e-2, "{measured}, {predicted}");
 }

@@ -11,7 +11,7 @@ use impact_atlas::dynamics::Event;
 use impact_atlas::model::{Flight, Parameter, Parameters, System};
 use impact_atlas::plane::{ControlMap, ControlPlane, Start};
 use impact_atlas::sweep::sweep_control;
-use impact_atlas::validate::{Agreement, Thresholds, compare};
+use impact_atlas::validate::{Agreement, Thresholds, compare_controlled};
 
 use super::{FIXED_POINT, TARGET, away, delay, sine, system};
 
@@ -49,7 +49,7 @@ fn map(plane: &ControlPlane, backend: &dyn Backend) -> ControlMap {
 }
 
 fn agreement(plane: &ControlPlane, candidate: &dyn Backend) -> Agreement {
-    compare(&map(plane, &Cpu).motions(), &map(plane, candidate).motions())
+    compare_controlled(&map(plane, &Cpu), &map(plane, candidate))
 }
 
 fn gpu() -> Gpu {
@@ -116,7 +116,7 @@ fn feedback_forgotten(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
 fn feedback_agrees_on_cpu_and_gpu() {
     let plane = feedback();
     let (ours, theirs) = (map(&plane, &Cpu), map(&plane, &gpu()));
-    let agreement = compare(&ours.motions(), &theirs.motions());
+    let agreement = compare_controlled(&ours, &theirs);
     assert!(
         agreement.holds(&Thresholds::default()),
         "{:#?}\n{:?}",
@@ -144,6 +144,27 @@ fn what_is_wrong_does_not_agree() {
     assert!(holds(single_precision));
     assert!(!holds(restitution_a_little_low));
     assert!(!holds(feedback_forgotten));
+}
+
+fn a_turn_ahead(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
+    let mut outcome = follow_controlled::<f64>(job, schedule).unwrap();
+    outcome.verdict.state[3] += std::f64::consts::TAU;
+    outcome
+}
+
+fn half_a_turn_ahead(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
+    let mut outcome = follow_controlled::<f64>(job, schedule).unwrap();
+    outcome.verdict.state[3] += std::f64::consts::PI;
+    outcome
+}
+
+#[test]
+fn phases_are_compared_the_short_way_round() {
+    let pulse = Scheme::Pulse(PulseSetting { period: 1, target: TARGET, noise: 0.0, seed: 1 });
+    let plane = plane(pulse, "target_v1=-0.45:-0.25:3", "target_tau=1.4:2.2:3");
+    let largest = |candidate| agreement(&plane, &Altered(candidate)).end_state.unwrap().max;
+    assert!(largest(a_turn_ahead) < 1e-12);
+    assert!(largest(half_a_turn_ahead) > 3.0);
 }
 
 #[test]

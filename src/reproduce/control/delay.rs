@@ -34,9 +34,13 @@ fn is_captured(run: &Run) -> bool {
     run.outcome.verdict.label() == "1-2-1"
 }
 
-/// How many of the starts reach the 1-2-1 motion.
-fn captures(gain: f64) -> usize {
-    (0..STARTS).filter(|&number| is_captured(&Run::new(stabilising(gain), LONG, start(number)))).count()
+/// How many of the starts end like that.
+fn ends(gain: f64, like: impl Fn(&Run) -> bool) -> usize {
+    (0..STARTS).filter(|&number| like(&Run::new(stabilising(gain), LONG, start(number)))).count()
+}
+
+fn shown(time: Option<u32>) -> String {
+    time.map_or_else(|| "never".to_owned(), |time| time.to_string())
 }
 
 /// Time responses.
@@ -124,7 +128,6 @@ impl PaperFigure for Figure21 {
         let runs: Vec<Run> =
             GAINS.iter().map(|&gain| Run::new(stabilising(gain), LONG, first.start)).collect();
         let time = |gain: f64| Run::new(stabilising(gain), LONG, first.start).time();
-        let shown = |time: Option<u32>| time.map_or_else(|| "never".to_owned(), |time| time.to_string());
         let mut claims: Vec<Claim> = GAINS
             .iter()
             .zip(&runs)
@@ -133,7 +136,7 @@ impl PaperFigure for Figure21 {
                 claim.noted(format!(
                     "converged after {} iterates; {} of {STARTS} starts are captured",
                     shown(run.time()),
-                    captures(gain)
+                    ends(gain, is_captured)
                 ))
             })
             .collect();
@@ -191,9 +194,11 @@ impl PaperFigure for Figure22 {
             .noted("each multiplier λ of F gives μ² − (λ + g) μ + g = 0, whose roots have the product g: stable up to 1"),
             Claim::new(22, "attractor with g = 0.97", "invariant circle", run.label(), run.label() == "quasi-periodic")
                 .noted(format!(
-                    "{} of {STARTS} starts are captured, slowly; the others run away; the slow spiral of a few hundred \
-                     iterates looks like a circle",
-                    captures(LARGE)
+                    "{} of {STARTS} starts are captured, {} run away; the run shown converged after {} iterates: cut \
+                     short, its slow spiral looks like a circle",
+                    ends(LARGE, is_captured),
+                    ends(LARGE, |run| run.outcome.runaway),
+                    shown(run.time())
                 )),
         ];
         let plots = [

@@ -1,0 +1,24 @@
+//! Two maps under control.
+
+use super::agreement::Agreement;
+use super::compare::compare;
+use crate::control::Section;
+use crate::plane::ControlMap;
+
+/// Compares the motions that two maps of the same plane under control reach.
+///
+/// End states are points on σ, the hardest impact of a period, their phases taken the short way round. Nothing is
+/// continued: mirrored twins count with their whole difference.
+///
+/// # Panics
+/// If the maps are not of the same plane.
+pub fn compare_controlled(reference: &ControlMap, candidate: &ControlMap) -> Agreement {
+    assert_eq!(reference.plane, candidate.plane, "only maps of the same plane can be compared");
+    let ours = reference.motions();
+    let mut theirs = candidate.motions();
+    for (a, b) in ours.verdicts.iter().zip(&mut theirs.verdicts) {
+        let away = Section::new(b.state).minus(&Section::new(a.state));
+        b.state = std::array::from_fn(|i| a.state[i] + away[i]);
+    }
+    compare(&ours, &theirs)
+}
