@@ -137,7 +137,9 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     };
     let drawn = match &curves {
         None => region_map(&map, args.size),
-        Some((curves, which)) => region_map_with_curves(&map, curves, which.shown(), args.size),
+        Some((curves, which)) => {
+            region_map_with_curves(&map, curves, which.shown(), args.curves_max_period, args.size)
+        }
     };
     files::write_map(&map, &drawn, &data, &picture)?;
     if let (Some(table), Some((curves, _))) = (&table, &curves) {

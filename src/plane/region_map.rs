@@ -1,6 +1,7 @@
 //! A computed plane: one verdict per cell, and where it came from.
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use super::spec::Plane;
 use crate::analysis::{Regime, Verdict};
@@ -40,6 +41,17 @@ impl RegionMap {
 
     /// The configuration text that files carry: the plane and its provenance, as JSON.
     pub fn config(&self) -> String {
+        self.configuration().to_string()
+    }
+
+    /// The same with something more that a file shows, under a name of its own.
+    pub fn config_with(&self, name: &str, value: Value) -> String {
+        let mut configuration = self.configuration();
+        configuration[name] = value;
+        configuration.to_string()
+    }
+
+    fn configuration(&self) -> Value {
         #[derive(Serialize)]
         struct Config<'a> {
             #[serde(flatten)]
@@ -47,7 +59,7 @@ impl RegionMap {
             #[serde(flatten)]
             plane: &'a Plane,
         }
-        serde_json::to_string(&Config { provenance: &self.provenance, plane: &self.plane })
+        serde_json::to_value(Config { provenance: &self.provenance, plane: &self.plane })
             .expect("a plane and its provenance are plain data")
     }
 }

@@ -46,7 +46,7 @@ impl PaperFigure for Figure5 {
         let map = sweep(&plane(), &Cpu, watch)?;
         let size = Size::new(1600, 1200).expect("a size");
         let curves = bifurcation_curves(&map, CURVES).expect("both axes are ranges of parameters");
-        let picture = region_map_with_curves(&map, &curves, Shown::Bounding, size);
+        let picture = region_map_with_curves(&map, &curves, Shown::Bounding, CURVES, size);
         let mut claims = regions(&map);
         claims.extend(mirrored());
         claims.extend(lines(&curves));

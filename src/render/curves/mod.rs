@@ -44,6 +44,16 @@ pub enum Shown {
     All,
 }
 
+impl Shown {
+    /// The name in configurations, and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Shown::Bounding => "bounding",
+            Shown::All => "all",
+        }
+    }
+}
+
 /// Curves to be drawn over a plane.
 #[derive(Clone, Debug)]
 pub(super) struct Overlay<'a> {

@@ -5,6 +5,8 @@ mod layout;
 mod names;
 mod raster;
 
+use serde_json::json;
+
 use self::census::Census;
 use self::layout::Layout;
 use super::canvas::{Anchor, Canvas, Point};
@@ -49,10 +51,18 @@ pub(super) fn control_title(map: &ControlMap) -> Vec<Text> {
 ///
 /// Lines tell the kinds apart and, by dashes, what is subcritical; points of codimension two are marked, and a key
 /// explains both. Curves are named where there is room beside them, by abbreviation and motion or, on the plane of the
-/// paper's Fig. 5, as there; so are the regions of that plane.
-pub fn region_map_with_curves(map: &RegionMap, curves: &[Curve], shown: Shown, size: Size) -> Picture {
+/// paper's Fig. 5, as there; so are the regions of that plane. `max_period` is the largest N of the motions whose curves
+/// were computed; the picture carries it with the map's configuration.
+pub fn region_map_with_curves(
+    map: &RegionMap,
+    curves: &[Curve],
+    shown: Shown,
+    max_period: u32,
+    size: Size,
+) -> Picture {
     let overlay = Overlay::new(map, curves, shown);
-    draw(map, &names::title(&map.plane), map.config(), Some(&overlay), size)
+    let config = map.config_with("curves", json!({ "shown": shown.name(), "max_period": max_period }));
+    draw(map, &names::title(&map.plane), config, Some(&overlay), size)
 }
 
 fn draw(map: &RegionMap, title: &[Text], config: String, overlay: Option<&Overlay>, size: Size) -> Picture {
@@ -158,7 +168,7 @@ mod tests {
                 assert_apart(&map, &region_map(&map, size), size);
                 if map.plane.x.count > 2 {
                     let curves = example::curves(&map);
-                    assert_apart(&map, &region_map_with_curves(&map, &curves, Shown::All, size), size);
+                    assert_apart(&map, &region_map_with_curves(&map, &curves, Shown::All, 2, size), size);
                 }
             }
         }
@@ -190,8 +200,8 @@ mod tests {
         let size = Size::new(1200, 900).unwrap();
         let said = |picture: &Picture, words: &str| picture.svg().contains(&format!(">{words}<"));
         let bare = region_map(&map, size);
-        let bounding = region_map_with_curves(&map, &curves, Shown::Bounding, size);
-        let all = region_map_with_curves(&map, &curves, Shown::All, size);
+        let bounding = region_map_with_curves(&map, &curves, Shown::Bounding, 2, size);
+        let all = region_map_with_curves(&map, &curves, Shown::All, 2, size);
         for words in
             ["L1", "L2", "L3", "F 1-1-1", "R1", "Neimark–Sacker (NS)", "subcritical", "codimension two"]
         {
@@ -202,7 +212,7 @@ mod tests {
         }
         let mut other = map;
         other.plane.parameters.r = 0.7;
-        let numbered = region_map_with_curves(&other, &curves, Shown::Bounding, size);
+        let numbered = region_map_with_curves(&other, &curves, Shown::Bounding, 2, size);
         assert!(said(&numbered, "PF 1-1-1") && !said(&numbered, "L3") && !said(&numbered, "R1"));
         assert!(said(&numbered, "NS 1-1-1"));
     }
@@ -213,7 +223,7 @@ mod tests {
         let curves = example::curves(&map);
         let size = Size::new(1200, 900).unwrap();
         let dashed = |curves: &[Curve]| {
-            let picture = region_map_with_curves(&map, curves, Shown::Bounding, size);
+            let picture = region_map_with_curves(&map, curves, Shown::Bounding, 2, size);
             picture.svg().matches("stroke-dasharray").count()
         };
         // The Neimark–Sacker curve is first: one dashed part of it, and the key's sample.
