@@ -1,15 +1,17 @@
-//! A trajectory under control, followed from return to return on σ to its outcome.
+//! A trajectory under control: what each of its moves and its returns to σ changes, and its outcome.
 
 use super::actuated::Actuated;
 use super::deviation::Deviations;
 use super::memory::{LONGEST, Memory, added};
 use super::method::{Action, Controller, Method, Seen, length};
 use super::outcome::{NEVER, Outcome};
+use super::progress::Progress;
 use super::schedule::ControlSchedule;
 use super::section::Section;
+use super::witness::{Return, Witness};
 use crate::analysis::constants::{CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SIGNIFICANCE};
 use crate::analysis::{Exponent, INFINITELY_MANY, Regime, Spread, Verdict};
-use crate::dynamics::{Contact, Event, Impact, Move, Stop, Tangent, Trajectory, Variation};
+use crate::dynamics::{Contact, Event, Impact, Move, Stop, Tangent, Trajectory};
 use crate::model::{Flight, Real};
 
 /// Forcing periods without an impact at A after which σ counts as never reached.
@@ -21,85 +23,12 @@ pub const RUNAWAY: f64 = 1e3;
 /// Iterates for which a settled motion must have kept returning before it finishes early.
 pub const SETTLING: u32 = 64;
 
-/// Where a controlled trajectory is in its schedule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[repr(u32)]
-pub enum Progress {
-    /// Not observed: before control, and while the controlled motion settles.
-    Settling = 0,
-    /// Observed, with a deviation carried along.
-    Observed = 1,
-    /// At the end of its schedule.
-    Done = 2,
-    /// σ was not reached any more.
-    Lost = 3,
-    /// Given up: a non-finite state, or too many moves in one period.
-    Failed = 4,
-    /// Control has driven the points on σ beyond all bounds.
-    Runaway = 5,
-}
-
-impl Progress {
-    /// Every value, in the order of the codes that the GPU gets generated from here.
-    pub const ALL: [Progress; 6] = [
-        Progress::Settling,
-        Progress::Observed,
-        Progress::Done,
-        Progress::Lost,
-        Progress::Failed,
-        Progress::Runaway,
-    ];
-}
-
-/// What happened at one return to σ; everything is non-dimensional.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Return<T> {
-    /// The iterate n: 0 at the first return.
-    pub iterate: u32,
-    /// The point as it arrived, F(X(n−1)).
-    pub arrived: Section<T>,
-    /// The point as corrected, X(n).
-    pub section: Section<T>,
-    /// The control signal: B, or the length of the correction that was wanted.
-    pub signal: T,
-    /// Whether the correction was left out because it led off the section.
-    pub escaped: bool,
-    /// Impacts at Ā since the last return; [`INFINITELY_MANY`] with complete chatter.
-    pub at_b: u32,
-    /// Forcing periods since the last return.
-    pub turns: T,
-}
-
-/// Hears how a controlled trajectory goes on.
-pub trait Witness<T, D> {
-    /// A move went from `before` to `after`; where it met σ, control has yet to act.
-    #[inline(always)]
-    fn moved(
-        &mut self,
-        flight: &Flight<T>,
-        before: &Trajectory<T, D>,
-        taken: &Move<T>,
-        after: &Trajectory<T, D>,
-    ) {
-        let _ = (flight, before, taken, after);
-    }
-
-    /// σ was met, and control has acted.
-    #[inline(always)]
-    fn returned(&mut self, met: &Return<T>) {
-        let _ = met;
-    }
-}
-
-/// Nobody hears.
-impl<T, D> Witness<T, D> for () {}
-
 /// A trajectory under control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controlled<T: Real, D: Actuated<T> = ()> {
     /// The trajectory.
     pub trajectory: Trajectory<T, D>,
-    tangent: D::Deviation,
+    pub(super) tangent: D::Deviation,
     controller: Controller<T>,
     /// The last points on σ.
     pub memory: Memory<T>,
@@ -109,7 +38,7 @@ pub struct Controlled<T: Real, D: Actuated<T> = ()> {
     /// Where it is in its schedule.
     pub progress: Progress,
     /// Returns to σ so far.
-    iterates: u32,
+    pub(super) iterates: u32,
     /// Iterates observed so far.
     observed: u32,
     /// Forcing periods of the observed iterates.
@@ -166,28 +95,6 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         }
     }
 
-    /// Follows the trajectory to its end.
-    #[inline(always)]
-    pub fn follow(
-        &mut self,
-        flight: &Flight<T>,
-        schedule: &ControlSchedule,
-        witness: &mut impl Witness<T, D>,
-    ) {
-        loop {
-            match self.progress {
-                Progress::Settling => {
-                    self.advance(flight, schedule, (), |_, ()| (), witness);
-                }
-                Progress::Observed => {
-                    let keep = |controlled: &mut Self, tangent| controlled.tangent = tangent;
-                    self.advance(flight, schedule, self.tangent, keep, witness);
-                }
-                _ => return,
-            }
-        }
-    }
-
     /// Applies the force that the controller sets at the present point, and nothing else.
     pub fn force(&mut self, flight: &Flight<T>) {
         let section = Section::of(flight, &self.trajectory);
@@ -199,40 +106,8 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
     }
 
-    /// Follows the trajectory for so many returns at most, without observing it; whether it made them.
-    pub fn iterate(
-        &mut self,
-        flight: &Flight<T>,
-        schedule: &ControlSchedule,
-        returns: u32,
-        witness: &mut impl Witness<T, D>,
-    ) -> bool {
-        let end = self.iterates + returns;
-        while self.iterates < end && self.progress <= Progress::Observed {
-            self.advance(flight, schedule, (), |_, ()| (), witness);
-        }
-        self.iterates == end
-    }
-
     #[inline(always)]
-    fn advance<V: Variation<T>>(
-        &mut self,
-        flight: &Flight<T>,
-        schedule: &ControlSchedule,
-        mut variation: V,
-        keep: impl Fn(&mut Self, V),
-        witness: &mut impl Witness<T, D>,
-    ) {
-        let mut trajectory = self.trajectory;
-        let taken = trajectory.advance(flight, &mut variation);
-        witness.moved(flight, &self.trajectory, &taken, &trajectory);
-        self.trajectory = trajectory;
-        keep(self, variation);
-        self.note(flight, schedule, &taken, witness);
-    }
-
-    #[inline(always)]
-    fn note(
+    pub(super) fn note(
         &mut self,
         flight: &Flight<T>,
         schedule: &ControlSchedule,

@@ -1,6 +1,6 @@
 //! A controlled trajectory written down: every return to σ, and its flight at the end.
 
-use super::controlled::{Return, Witness};
+use super::witness::{Return, Witness};
 use crate::dynamics::{
     Contact, Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Stop, Trajectory,
 };

@@ -92,4 +92,31 @@ impl<T: Real> Controller<T> {
             Controller::None | Controller::Pulse(_) | Controller::Delay(_) => true,
         }
     }
+
+    /// A controller rounded to another precision.
+    pub fn rounded(controller: &Controller<f64>) -> Self {
+        match controller {
+            Controller::None => Controller::None,
+            Controller::Sine(sine) => Controller::Sine(Sine {
+                convention: sine.convention,
+                amplitude: T::of(sine.amplitude),
+                weight: T::of(sine.weight),
+                dead_band: T::of(sine.dead_band),
+                ratio: T::of(sine.ratio),
+                phase: T::of(sine.phase),
+                component: sine.component,
+                target: T::of(sine.target),
+                error: T::of(sine.error),
+            }),
+            Controller::Pulse(pulse) => Controller::Pulse(Pulse {
+                period: pulse.period,
+                target: Section::new(pulse.target.components.map(T::of)),
+                noise: T::of(pulse.noise),
+                seed: pulse.seed,
+            }),
+            Controller::Delay(delay) => {
+                Controller::Delay(Delay { gains: delay.gains.map(T::of), delay: delay.delay })
+            }
+        }
+    }
 }

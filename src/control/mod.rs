@@ -9,26 +9,30 @@ mod actuated;
 mod controlled;
 mod delay;
 mod deviation;
+mod follow;
 mod history;
 mod memory;
 mod method;
 mod multipliers;
 mod outcome;
+mod progress;
 mod pulse;
 mod run;
 mod schedule;
 mod scheme;
 mod section;
 mod sine;
+mod witness;
 
 pub use actuated::{Actuated, Lagging};
-pub use controlled::{Controlled, Progress, Return, Witness};
+pub use controlled::Controlled;
 pub use delay::Delay;
 pub use history::{History, converged_at};
 pub use memory::{DEPTH, LONGEST, Memory};
 pub use method::{Action, Controller, Method, Seen};
 pub use multipliers::multipliers;
 pub use outcome::{NEVER, Outcome};
+pub use progress::Progress;
 pub use pulse::Pulse;
 pub use run::control;
 pub use schedule::{ControlSchedule, ControlScheduleError};
@@ -37,6 +41,7 @@ pub use scheme::{
 };
 pub use section::Section;
 pub use sine::{Convention, Sine};
+pub use witness::{Return, Witness};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {

@@ -3,11 +3,12 @@
 use nalgebra::{Complex, DMatrix};
 
 use super::actuated::Actuated;
-use super::controlled::{Controlled, Return, Witness};
+use super::controlled::Controlled;
 use super::memory::{DEPTH, LONGEST};
 use super::method::Controller;
 use super::schedule::ControlSchedule;
 use super::section::Section;
+use super::witness::{Return, Witness};
 use crate::dynamics::{Contact, Phasor, Point, Trajectory};
 use crate::model::{Drive, Flight, System, SystemError};
 

@@ -1,11 +1,12 @@
 //! A whole run under control, in either precision.
 
 use super::actuated::Actuated;
-use super::controlled::{Controlled, Witness};
+use super::controlled::Controlled;
 use super::method::Controller;
 use super::outcome::Outcome;
 use super::schedule::ControlSchedule;
 use super::sine::Convention;
+use super::witness::Witness;
 use crate::dynamics::{Contact, Phasor, Point, Trajectory};
 use crate::model::{Drive, Flight, Real, System, SystemError};
 

@@ -1,0 +1,80 @@
+//! What is asked of the device itself: to compile, to hold buffers, to read them back, and to say what it refuses.
+
+use std::sync::mpsc;
+
+use bytemuck::Pod;
+
+use super::Kernel;
+use crate::backend::BackendError;
+
+impl Kernel {
+    /// Reads a buffer of the device.
+    pub(super) fn fetch<T: Pod>(&self, buffer: &wgpu::Buffer) -> Result<Vec<T>, BackendError> {
+        let readback =
+            empty(&self.device, buffer.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, buffer.size());
+        self.queue.submit([encoder.finish()]);
+        self.mapped(&readback)
+    }
+
+    /// What is in a buffer that can be mapped, once everything submitted is done.
+    pub(super) fn mapped<T: Pod>(&self, readback: &wgpu::Buffer) -> Result<Vec<T>, BackendError> {
+        let (sender, receiver) = mpsc::channel();
+        readback.map_async(wgpu::MapMode::Read, .., move |result| {
+            // The receiver is gone only if waiting failed, which is reported by itself.
+            let _ = sender.send(result);
+        });
+        let device_error = |error: &dyn std::fmt::Display| BackendError::Device(error.to_string());
+        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| device_error(&error))?;
+        receiver
+            .recv()
+            .map_err(|_| BackendError::Device("the device was lost".to_owned()))?
+            .map_err(|error| device_error(&error))?;
+        let values = {
+            let mapped = readback.get_mapped_range(..).map_err(|error| device_error(&error))?;
+            bytemuck::pod_collect_to_vec(&mapped)
+        };
+        readback.unmap();
+        Ok(values)
+    }
+}
+
+/// Compiles a kernel.
+pub fn compiled(
+    device: &wgpu::Device,
+    name: &str,
+    source: String,
+) -> Result<wgpu::ComputePipeline, BackendError> {
+    guarded(device, || {
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(name),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        });
+        device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(name),
+            layout: None,
+            module: &module,
+            entry_point: Some(name),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        })
+    })
+}
+
+pub fn empty(device: &wgpu::Device, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
+}
+
+/// Runs something on a device, and turns what it refuses into an error instead of a panic.
+pub fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> R) -> Result<R, BackendError> {
+    let invalid = device.push_error_scope(wgpu::ErrorFilter::Validation);
+    let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+    let result = work();
+    let memory = pollster::block_on(memory.pop());
+    let invalid = pollster::block_on(invalid.pop());
+    match memory.or(invalid) {
+        Some(error) => Err(BackendError::Device(error.to_string())),
+        None => Ok(result),
+    }
+}

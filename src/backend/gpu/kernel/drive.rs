@@ -1,0 +1,91 @@
+//! The driver of every kernel: a tile dispatched in portions of bounded time until all of it is finished.
+
+use std::time::{Duration, Instant};
+
+use bytemuck::Pod;
+
+use super::Kernel;
+use super::device::guarded;
+use super::tile::Tile;
+use crate::backend::gpu::layout::Record;
+use crate::backend::{BackendError, Job, Watch};
+use crate::model::Real;
+
+/// How long one dispatch should take; a display driver kills one of a few seconds.
+const PORTION: Duration = Duration::from_millis(200);
+/// Moves of the first dispatch, before its speed is known.
+const FIRST_BUDGET: u32 = 128;
+/// The most moves of one dispatch on hardware.
+const HARDWARE_BUDGET: u32 = 1 << 14;
+/// Loop iterations in one move: the loop of the moves itself, and every place where a series is summed. Lanes that
+/// diverge go through all of them, one after the other.
+pub const ITERATIONS: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
+/// Loop iterations of one dispatch on a software adapter: Mesa's stop every loop in silence after 65,535 iterations
+/// of all the loops in an invocation. (The kernel counts a trajectory that was cut short as failed.)
+const SOFTWARE_ITERATIONS: u32 = 65_535;
+/// Workgroups in one row of a dispatch; every adapter takes at least 65,535.
+pub const ROW: u32 = 1 << 15;
+
+/// What a tile of trajectories is followed with.
+pub struct Program<'a, D> {
+    pub pipeline: &'a wgpu::ComputePipeline,
+    /// Bytes of a trajectory's state.
+    pub state: u64,
+    /// Loop iterations in one move.
+    pub iterations: u32,
+    /// Buffers beyond those that every kernel has, in the order of their bindings.
+    pub more: &'a [&'a wgpu::Buffer],
+    /// The uniforms of one dispatch: of so many trajectories, so many moves, the first or a later one.
+    pub dispatch: &'a dyn Fn(Portion) -> D,
+}
+
+/// One dispatch of a tile.
+#[derive(Clone, Copy)]
+pub struct Portion {
+    /// Trajectories.
+    pub count: u32,
+    /// Moves of each.
+    pub budget: u32,
+    /// 1 in the first dispatch, 0 in those that resume it.
+    pub begin: u32,
+}
+
+impl Kernel {
+    /// Follows one tile of trajectories with a kernel, in portions of bounded time.
+    pub(super) fn drive<D: Pod, R: Record>(
+        &self,
+        jobs: &[Job],
+        program: &Program<'_, D>,
+        watch: &dyn Watch,
+    ) -> Result<Vec<R>, BackendError> {
+        if jobs.is_empty() {
+            return Ok(Vec::new());
+        }
+        let tile = guarded(&self.device, || Tile::<R>::new(self, program, jobs))?;
+        let most = if self.software { SOFTWARE_ITERATIONS / program.iterations } else { HARDWARE_BUDGET };
+        let mut budget = FIRST_BUDGET.min(most);
+        let mut unfinished: Vec<u32> = (0..jobs.len() as u32).collect();
+        let mut verdicts = Vec::new();
+        let mut begin = 1;
+        while !unfinished.is_empty() {
+            if watch.cancelled() {
+                return Err(BackendError::Cancelled);
+            }
+            let began = Instant::now();
+            let portion = Portion { count: unfinished.len() as u32, budget, begin };
+            verdicts = guarded(&self.device, || tile.dispatch(self, program, portion, &unfinished))??;
+            let before = unfinished.len();
+            unfinished.retain(|&cell| verdicts[cell as usize].is_pending());
+            watch.finished((before - unfinished.len()) as u64);
+            budget = next_budget(budget, began.elapsed(), most);
+            begin = 0;
+        }
+        Ok(verdicts)
+    }
+}
+
+/// The moves of the next dispatch, so that it takes about [`PORTION`]; at most twice the last.
+fn next_budget(budget: u32, took: Duration, most: u32) -> u32 {
+    let factor = (PORTION.as_secs_f64() / took.as_secs_f64().max(1e-6)).clamp(0.1, 2.0);
+    ((f64::from(budget) * factor) as u32).clamp(1, most)
+}

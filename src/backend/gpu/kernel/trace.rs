@@ -1,0 +1,76 @@
+//! The kernel `trace`: trajectories to their verdicts and what was read on a section.
+
+use super::Kernel;
+use super::device::{compiled, empty, guarded};
+use super::drive::{Portion, ROW};
+use crate::analysis;
+use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
+use crate::backend::gpu::shader::{WORKGROUP, trace_source};
+use crate::backend::{BackendError, Job, Watch};
+
+impl Kernel {
+    /// Trajectories that one call of [`Kernel::trace`] takes at most.
+    pub fn trace_tile(&self, capacity: u32) -> usize {
+        let binding = self.device.limits().max_storage_buffer_binding_size;
+        let cells = binding / (4 * u64::from(capacity.max(1)));
+        self.tile().min(cells.max(1) as usize)
+    }
+
+    /// Follows one tile of trajectories and reads a section while they are observed.
+    pub fn trace(
+        &self,
+        jobs: &[Job],
+        schedule: &analysis::Schedule,
+        probe: analysis::Probe,
+        capacity: u32,
+        watch: &dyn Watch,
+    ) -> Result<Vec<analysis::Trace>, BackendError> {
+        if jobs.is_empty() {
+            return Ok(Vec::new());
+        }
+        let pipeline = match self.trace.get() {
+            Some(pipeline) => pipeline,
+            None => {
+                let pipeline = compiled(&self.device, "trace", trace_source())?;
+                self.trace.get_or_init(|| pipeline)
+            }
+        };
+        let cells = jobs.len() as u64;
+        let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+        let [traces, readings] = guarded(&self.device, || {
+            let traces = empty(&self.device, size_of::<Trace>() as u64 * cells, storage);
+            [traces, empty(&self.device, 4 * u64::from(capacity) * cells, storage)]
+        })?;
+        let dispatch = |Portion { count, budget, begin }| TraceDispatch {
+            schedule: Schedule::new(schedule),
+            count,
+            budget,
+            begin,
+            row: ROW * WORKGROUP,
+            section: probe.section as u32,
+            reading: probe.reading as u32,
+            capacity,
+            unused: 0,
+        };
+        let more = [&traces, &readings];
+        let program = self.observing(pipeline, &more, &dispatch);
+        let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
+        let traces: Vec<Trace> = guarded(&self.device, || self.fetch(&traces))??;
+        let readings: Vec<f32> = guarded(&self.device, || self.fetch(&readings))??;
+        let of_cell = |((verdict, trace), readings): ((Verdict, &Trace), &[f32])| {
+            let kept = trace.passages.min(capacity);
+            analysis::Trace {
+                verdict: verdict.widen(),
+                readings: readings[..kept as usize].iter().map(|&value| f64::from(value)).collect(),
+                left_out: trace.passages - kept,
+                rebounds: trace.rebounds.longest,
+            }
+        };
+        Ok(verdicts
+            .into_iter()
+            .zip(&traces)
+            .zip(readings.chunks_exact(capacity as usize))
+            .map(of_cell)
+            .collect())
+    }
+}

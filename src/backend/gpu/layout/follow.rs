@@ -1,0 +1,107 @@
+//! What the kernel `follow` reads and writes.
+
+use bytemuck::{Pod, Zeroable};
+
+use super::record::Record;
+use crate::analysis::{self, Regime};
+
+/// `Schedule` in shaders/analysis/observer.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Schedule {
+    pub transient: u32,
+    pub observe: u32,
+    pub max_period: u32,
+    pub fixed_periods: u32,
+}
+
+impl Schedule {
+    /// A schedule as the shader reads it.
+    pub fn new(schedule: &analysis::Schedule) -> Self {
+        Schedule {
+            transient: schedule.transient,
+            observe: schedule.observe,
+            max_period: schedule.max_period,
+            fixed_periods: u32::from(schedule.fixed_periods),
+        }
+    }
+}
+
+/// `Dispatch` in shaders/kernels/follow.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Dispatch {
+    pub schedule: Schedule,
+    pub count: u32,
+    pub budget: u32,
+    pub begin: u32,
+    pub row: u32,
+}
+
+/// `Verdict` in shaders/analysis/observer.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Verdict {
+    pub regime: u32,
+    pub n: u32,
+    pub p: u32,
+    pub q: u32,
+    pub symmetric: u32,
+    pub lyapunov: f32,
+    pub state: [f32; 4],
+    pub impacts: u32,
+    pub impacts_total: u32,
+    pub peak_impact_velocity: f32,
+    pub periods: u32,
+}
+
+impl Verdict {
+    /// What the buffer holds until the shader has written a verdict: no regime has this code.
+    pub const PENDING: Verdict = Verdict {
+        regime: u32::MAX,
+        n: 0,
+        p: 0,
+        q: 0,
+        symmetric: 0,
+        lyapunov: 0.0,
+        state: [0.0; 4],
+        impacts: 0,
+        impacts_total: 0,
+        peak_impact_velocity: 0.0,
+        periods: 0,
+    };
+
+    /// Whether the shader has not written it yet.
+    pub fn is_pending(&self) -> bool {
+        self.regime == Self::PENDING.regime
+    }
+
+    /// The verdict with its values widened; a code that no regime has counts as failed.
+    pub fn widen(&self) -> analysis::Verdict {
+        let regime = u8::try_from(self.regime).ok().and_then(Regime::from_code).unwrap_or(Regime::Failed);
+        analysis::Verdict {
+            regime,
+            n: self.n as u16,
+            p: self.p as u16,
+            q: self.q as u16,
+            symmetric: self.symmetric != 0,
+            lyapunov: self.lyapunov,
+            state: self.state.map(f64::from),
+            impacts: self.impacts,
+            impacts_total: self.impacts_total,
+            peak_impact_velocity: self.peak_impact_velocity,
+            periods: self.periods,
+        }
+    }
+}
+
+impl Record for Verdict {
+    const PENDING: Self = Verdict::PENDING;
+
+    fn is_pending(&self) -> bool {
+        Verdict::is_pending(self)
+    }
+}
+
+/// Bytes of `Observer` in shaders/analysis/observer.wgsl, which only the shader reads and writes.
+pub const OBSERVER_BYTES: u64 = 4 * (16 + 4 + 12 + 7 + 8 + 9);

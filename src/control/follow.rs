@@ -1,0 +1,65 @@
+//! The loop that takes a controlled trajectory from move to move.
+
+use super::actuated::Actuated;
+use super::controlled::Controlled;
+use super::progress::Progress;
+use super::schedule::ControlSchedule;
+use super::witness::Witness;
+use crate::dynamics::Variation;
+use crate::model::{Flight, Real};
+
+impl<T: Real, D: Actuated<T>> Controlled<T, D> {
+    /// Follows the trajectory to its end.
+    #[inline(always)]
+    pub fn follow(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &ControlSchedule,
+        witness: &mut impl Witness<T, D>,
+    ) {
+        loop {
+            match self.progress {
+                Progress::Settling => {
+                    self.advance(flight, schedule, (), |_, ()| (), witness);
+                }
+                Progress::Observed => {
+                    let keep = |controlled: &mut Self, tangent| controlled.tangent = tangent;
+                    self.advance(flight, schedule, self.tangent, keep, witness);
+                }
+                _ => return,
+            }
+        }
+    }
+
+    /// Follows the trajectory for so many returns at most, without observing it; whether it made them.
+    pub fn iterate(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &ControlSchedule,
+        returns: u32,
+        witness: &mut impl Witness<T, D>,
+    ) -> bool {
+        let end = self.iterates + returns;
+        while self.iterates < end && self.progress <= Progress::Observed {
+            self.advance(flight, schedule, (), |_, ()| (), witness);
+        }
+        self.iterates == end
+    }
+
+    #[inline(always)]
+    fn advance<V: Variation<T>>(
+        &mut self,
+        flight: &Flight<T>,
+        schedule: &ControlSchedule,
+        mut variation: V,
+        keep: impl Fn(&mut Self, V),
+        witness: &mut impl Witness<T, D>,
+    ) {
+        let mut trajectory = self.trajectory;
+        let taken = trajectory.advance(flight, &mut variation);
+        witness.moved(flight, &self.trajectory, &taken, &trajectory);
+        self.trajectory = trajectory;
+        keep(self, variation);
+        self.note(flight, schedule, &taken, witness);
+    }
+}

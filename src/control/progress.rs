@@ -1,0 +1,31 @@
+//! Where a controlled trajectory is in its schedule.
+
+/// Where a controlled trajectory is in its schedule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u32)]
+pub enum Progress {
+    /// Not observed: before control, and while the controlled motion settles.
+    Settling = 0,
+    /// Observed, with a deviation carried along.
+    Observed = 1,
+    /// At the end of its schedule.
+    Done = 2,
+    /// σ was not reached any more.
+    Lost = 3,
+    /// Given up: a non-finite state, or too many moves in one period.
+    Failed = 4,
+    /// Control has driven the points on σ beyond all bounds.
+    Runaway = 5,
+}
+
+impl Progress {
+    /// Every value, in the order of the codes that the GPU gets generated from here.
+    pub const ALL: [Progress; 6] = [
+        Progress::Settling,
+        Progress::Observed,
+        Progress::Done,
+        Progress::Lost,
+        Progress::Failed,
+        Progress::Runaway,
+    ];
+}

@@ -1,0 +1,124 @@
+//! What is asked of a control method: checked settings, before any system is known.
+
+mod error;
+mod quantity;
+mod settings;
+mod target;
+
+use serde::{Deserialize, Serialize};
+
+use super::delay::Delay;
+use super::method::Controller;
+use super::pulse::Pulse;
+use super::section::Section;
+use super::sine::{Convention, Sine};
+use crate::model::System;
+
+pub use error::ControlError;
+pub use quantity::ControlQuantity;
+pub use settings::{DelaySetting, PulseSetting, Sign, SineSetting};
+pub use target::Target;
+
+/// A control method with its settings.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", tag = "method")]
+pub enum Scheme {
+    /// An adapted sine force, Eqs. (21) to (23).
+    Sine(SineSetting),
+    /// Period pulses, Eqs. (26) to (29).
+    Pulse(PulseSetting),
+    /// Delayed feedback, Eq. (30).
+    Delay(DelaySetting),
+}
+
+impl Scheme {
+    /// The name of the method.
+    pub fn method(&self) -> &'static str {
+        match self {
+            Scheme::Sine(_) => "sine",
+            Scheme::Pulse(_) => "pulse",
+            Scheme::Delay(_) => "delay",
+        }
+    }
+
+    /// The same scheme with one setting changed (not checked); `None` if the method has no such setting.
+    #[must_use]
+    pub fn with(mut self, quantity: ControlQuantity, value: f64) -> Option<Self> {
+        use ControlQuantity as Q;
+        match (&mut self, quantity) {
+            (Scheme::Delay(delay), Q::Gain) => delay.gains = [value; 4],
+            (Scheme::Delay(delay), Q::Delay) => delay.delay = value as u32,
+            (Scheme::Sine(sine), Q::Amplitude) => sine.amplitude = value,
+            (Scheme::Sine(sine), Q::Alpha) => sine.alpha = value,
+            (Scheme::Sine(sine), Q::DeadBand) => sine.dead_band = value,
+            (Scheme::Sine(sine), Q::Gamma) => sine.gamma = value,
+            (Scheme::Sine(sine), Q::Phase) => sine.phase = value,
+            (Scheme::Pulse(pulse), Q::Period) => pulse.period = value as u32,
+            (Scheme::Pulse(pulse), Q::Noise) => pulse.noise = value,
+            (Scheme::Sine(SineSetting { target, component, .. }), quantity)
+                if quantity.target_index() == Some(*component) =>
+            {
+                target.given[*component] = Some(value);
+            }
+            (Scheme::Pulse(PulseSetting { target, .. }), quantity) => {
+                target.given[quantity.target_index()?] = Some(value);
+            }
+            _ => return None,
+        }
+        Some(self)
+    }
+
+    /// Checks every setting.
+    ///
+    /// # Errors
+    /// The first setting that is out of range, with its value.
+    pub fn check(&self) -> Result<(), ControlError> {
+        match self {
+            Scheme::Sine(sine) => sine.check(),
+            Scheme::Pulse(pulse) => pulse.check(),
+            Scheme::Delay(delay) => delay.check(),
+        }
+    }
+
+    /// γ, if the scheme is a force between impacts.
+    pub fn force_ratio(&self) -> Option<f64> {
+        match self {
+            Scheme::Sine(sine) if sine.convention != Convention::Kick => Some(sine.gamma),
+            _ => None,
+        }
+    }
+
+    /// The method at work on a system.
+    ///
+    /// # Errors
+    /// A setting that is out of range, or a target that does not exist.
+    pub fn resolve(&self, system: &System) -> Result<Controller<f64>, ControlError> {
+        self.check()?;
+        Ok(match self {
+            Scheme::Sine(sine) => Controller::Sine(Sine {
+                convention: sine.convention,
+                amplitude: sine.amplitude,
+                weight: sine.alpha,
+                dead_band: sine.dead_band,
+                ratio: sine.gamma,
+                phase: (sine.phase / std::f64::consts::TAU).rem_euclid(1.0),
+                component: sine.component,
+                target: sine.target.resolve(system, &[sine.component])?[sine.component],
+                error: -1.0,
+            }),
+            Scheme::Pulse(pulse) => Controller::Pulse(Pulse {
+                period: pulse.period,
+                target: Section::new(pulse.target.resolve(system, &[0, 1, 2, 3])?),
+                noise: pulse.noise,
+                seed: pulse.seed,
+            }),
+            Scheme::Delay(delay) => Controller::Delay(Delay {
+                gains: match delay.sign {
+                    Sign::Stabilising => delay.gains,
+                    Sign::Printed => delay.gains.map(|gain| -gain),
+                },
+                delay: delay.delay,
+            }),
+        })
+    }
+}
