@@ -39,6 +39,15 @@ impl Step {
         }
     }
 
+    /// The next smaller step.
+    fn smaller(self) -> Self {
+        match self.digit {
+            1 => Step { digit: 5, power: self.power - 1 },
+            2 => Step { digit: 1, power: self.power },
+            _ => Step { digit: 2, power: self.power },
+        }
+    }
+
     /// A multiple of the step, as exact as a decimal fraction can be.
     fn times(self, count: i64) -> f64 {
         let units = (self.digit * count) as f64;
@@ -59,7 +68,11 @@ impl Ticks {
         if !(1e-290..1e300).contains(&(high - low)) {
             return Ticks { labelled: Vec::new(), minor: Vec::new(), exponent: 0 };
         }
-        let step = Step::at_least((high - low) / most.max(1) as f64);
+        let mut step = Step::at_least((high - low) / most.max(1) as f64);
+        // One label alone gives no scale.
+        while step.multiples(low, high).count() < 2 {
+            step = step.smaller();
+        }
         let exponent = exponent(low.abs().max(high.abs()));
         let decimals = (exponent - step.power).max(0) as usize;
         let label = |count: i64| {
@@ -97,6 +110,12 @@ mod tests {
         assert_eq!(labels(0.02, 0.8, 8), ["0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8"]);
         assert_eq!(labels(-1.0, 1.0, 4), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
         assert_eq!(labels(0.0, 1000.0, 5), ["0", "200", "400", "600", "800", "1000"]);
+    }
+
+    #[test]
+    fn there_are_two_labels_at_least() {
+        assert_eq!(labels(-0.045, 0.032, 2), ["−0.04", "−0.02", "0.00", "0.02"]);
+        assert_eq!(labels(1.1, 1.9, 1).len(), 4);
     }
 
     #[test]
