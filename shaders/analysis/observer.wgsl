@@ -41,6 +41,22 @@ struct Verdict {
 var<private> observer: Observer;
 var<private> schedule: Schedule;
 
+// Goes on with an observer that was stored.
+fn observer_resume(saved: Observer) {
+    observer = saved;
+    trajectory = saved.trajectory;
+    let t = saved.tangent;
+    tangent = vec4(t[0], t[1], t[2], t[3]);
+}
+
+// The observer as it is to be stored.
+fn observer_saved() -> Observer {
+    var saved = observer;
+    saved.trajectory = trajectory;
+    saved.tangent = array<f32, 4>(tangent.x, tangent.y, tangent.z, tangent.w);
+    return saved;
+}
+
 // Begins at forcing phase 0. While an observer works, `trajectory` and `tangent` hold what it will store.
 fn observer_begin(start: vec4<f32>) {
     trajectory = trajectory_new(start);

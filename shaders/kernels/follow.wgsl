@@ -33,10 +33,7 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
     if dispatch.begin == 1u {
         observer_begin(starts[cell]);
     } else {
-        observer = observers[cell];
-        trajectory = observer.trajectory;
-        let t = observer.tangent;
-        tangent = vec4(t[0], t[1], t[2], t[3]);
+        observer_resume(observers[cell]);
     }
     var taken = 0u;
     while taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
@@ -47,9 +44,7 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
     if taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
         observer.stage = STAGE_FAILED;
     }
-    observer.trajectory = trajectory;
-    observer.tangent = array<f32, 4>(tangent.x, tangent.y, tangent.z, tangent.w);
-    observers[cell] = observer;
+    observers[cell] = observer_saved();
     if observer.stage > STAGE_OBSERVATION {
         verdicts[cell] = observer_verdict();
     }

@@ -44,10 +44,7 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
         rebounds = Rebounds(0.0, 0u, 0u);
         passages = 0u;
     } else {
-        observer = observers[cell];
-        trajectory = observer.trajectory;
-        let t = observer.tangent;
-        tangent = vec4(t[0], t[1], t[2], t[3]);
+        observer_resume(observers[cell]);
         rebounds = traces[cell].rebounds;
         passages = traces[cell].passages;
     }
@@ -65,9 +62,7 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
     if taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
         observer.stage = STAGE_FAILED;
     }
-    observer.trajectory = trajectory;
-    observer.tangent = array<f32, 4>(tangent.x, tangent.y, tangent.z, tangent.w);
-    observers[cell] = observer;
+    observers[cell] = observer_saved();
     traces[cell] = Trace(rebounds, passages);
     if observer.stage > STAGE_OBSERVATION {
         verdicts[cell] = observer_verdict();
