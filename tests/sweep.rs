@@ -1,8 +1,7 @@
 //! Whole planes, cut up in different ways.
 
 use impact_atlas::analysis::{Probe, Schedule, Trace, Verdict};
-use impact_atlas::backend::{Backend, BackendError, ControlJob, Cpu, Gpu, Job, Unwatched, Watch};
-use impact_atlas::control::{ControlSchedule, Outcome};
+use impact_atlas::backend::{Backend, BackendError, Cpu, Gpu, Job, Unwatched, Watch};
 use impact_atlas::model::Parameters;
 use impact_atlas::plane::{Plane, Start};
 use impact_atlas::sweep::sweep;
@@ -31,15 +30,6 @@ impl Backend for Tiled<'_> {
         watch: &dyn Watch,
     ) -> Result<Vec<Verdict>, BackendError> {
         self.1.run(jobs, schedule, watch)
-    }
-
-    fn control(
-        &self,
-        _: &[ControlJob],
-        _: &ControlSchedule,
-        _: &dyn Watch,
-    ) -> Result<Vec<Outcome>, BackendError> {
-        unreachable!("nothing is controlled here")
     }
 
     fn trace(

@@ -1,8 +1,7 @@
 //! The validation against back ends that are right, rounded, and wrong on purpose.
 
-use impact_atlas::analysis::{Probe, Schedule, Trace, Verdict};
-use impact_atlas::backend::{Backend, BackendError, ControlJob, Cpu, Job, Unwatched, Watch, follow};
-use impact_atlas::control::{ControlSchedule, Outcome};
+use impact_atlas::analysis::{Schedule, Verdict};
+use impact_atlas::backend::{Backend, BackendError, Cpu, Job, Unwatched, Watch, follow};
 use impact_atlas::model::{Parameter, Parameters, System};
 use impact_atlas::plane::{Plane, Start};
 use impact_atlas::sweep::sweep;
@@ -27,26 +26,6 @@ impl Backend for Altered {
 
     fn run(&self, jobs: &[Job], schedule: &Schedule, _: &dyn Watch) -> Result<Vec<Verdict>, BackendError> {
         Ok(jobs.iter().map(|job| (self.0)(job, schedule)).collect())
-    }
-
-    fn control(
-        &self,
-        _: &[ControlJob],
-        _: &ControlSchedule,
-        _: &dyn Watch,
-    ) -> Result<Vec<Outcome>, BackendError> {
-        unreachable!("nothing is controlled here")
-    }
-
-    fn trace(
-        &self,
-        _: &[Job],
-        _: &Schedule,
-        _: Probe,
-        _: u32,
-        _: &dyn Watch,
-    ) -> Result<Vec<Trace>, BackendError> {
-        unreachable!("planes have no sections")
     }
 }
 

@@ -82,24 +82,28 @@ pub trait Backend: Debug + Sync {
     /// As [`Backend::run`], and [`BackendError::Unsupported`] for a method that this back end does not have.
     fn control(
         &self,
-        jobs: &[ControlJob],
-        schedule: &ControlSchedule,
-        watch: &dyn Watch,
-    ) -> Result<Vec<Outcome>, BackendError>;
+        _jobs: &[ControlJob],
+        _schedule: &ControlSchedule,
+        _watch: &dyn Watch,
+    ) -> Result<Vec<Outcome>, BackendError> {
+        Err(BackendError::Unsupported(format!("{} follows nothing under control", self.name())))
+    }
 
     /// Follows every job and reads a section while it is observed: at most the first `capacity` passages of each, in
     /// order.
     ///
     /// # Errors
-    /// Those of [`Backend::run`].
+    /// Those of [`Backend::run`], and [`BackendError::Unsupported`] where this back end reads no sections.
     fn trace(
         &self,
-        jobs: &[Job],
-        schedule: &Schedule,
-        probe: Probe,
-        capacity: u32,
-        watch: &dyn Watch,
-    ) -> Result<Vec<Trace>, BackendError>;
+        _jobs: &[Job],
+        _schedule: &Schedule,
+        _probe: Probe,
+        _capacity: u32,
+        _watch: &dyn Watch,
+    ) -> Result<Vec<Trace>, BackendError> {
+        Err(BackendError::Unsupported(format!("{} reads no sections", self.name())))
+    }
 }
 
 /// Why a back end gave no verdicts.

@@ -57,7 +57,7 @@ mod tests {
     use std::sync::atomic::{AtomicU64, Ordering};
 
     use super::*;
-    use crate::analysis::{Probe, Regime, Schedule, Trace, Verdict};
+    use crate::analysis::{Regime, Schedule, Verdict};
     use crate::backend::Unwatched;
     use crate::model::Parameters;
     use crate::plane::Start;
@@ -90,26 +90,6 @@ mod tests {
             assert!(jobs.len() <= self.tile.max(1), "a tile of {} jobs", jobs.len());
             watch.finished(jobs.len() as u64);
             Ok(jobs.iter().map(echo).collect())
-        }
-
-        fn control(
-            &self,
-            _: &[crate::backend::ControlJob],
-            _: &crate::control::ControlSchedule,
-            _: &dyn Watch,
-        ) -> Result<Vec<crate::control::Outcome>, BackendError> {
-            unreachable!("nothing is controlled here")
-        }
-
-        fn trace(
-            &self,
-            _jobs: &[Job],
-            _schedule: &Schedule,
-            _probe: Probe,
-            _capacity: u32,
-            _watch: &dyn Watch,
-        ) -> Result<Vec<Trace>, BackendError> {
-            unreachable!("a plane has no sections")
         }
     }
 

@@ -1,9 +1,8 @@
 //! Maps made by hand, good ones and ones that must not pass.
 
 use super::*;
-use crate::analysis::{Probe, Regime, Schedule, Trace, Verdict};
-use crate::backend::{Backend, BackendError, ControlJob, Job, Unwatched, Watch};
-use crate::control::{ControlSchedule, Outcome};
+use crate::analysis::{Regime, Schedule, Verdict};
+use crate::backend::{Backend, BackendError, Job, Unwatched, Watch};
 use crate::model::Parameters;
 use crate::plane::{Plane, Provenance, RegionMap, Start};
 
@@ -176,26 +175,6 @@ impl Backend for Attractor {
         assert!(jobs.len() <= self.tile());
         assert_eq!((schedule.transient, schedule.observe % 2, schedule.fixed_periods), (0, 0, true));
         Ok(jobs.iter().map(|job| self.follow(job)).collect())
-    }
-
-    fn control(
-        &self,
-        _: &[ControlJob],
-        _: &ControlSchedule,
-        _: &dyn Watch,
-    ) -> Result<Vec<Outcome>, BackendError> {
-        unreachable!("nothing is controlled here")
-    }
-
-    fn trace(
-        &self,
-        _: &[Job],
-        _: &Schedule,
-        _: Probe,
-        _: u32,
-        _: &dyn Watch,
-    ) -> Result<Vec<Trace>, BackendError> {
-        unreachable!("planes have no sections")
     }
 }
 
