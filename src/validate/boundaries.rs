@@ -49,11 +49,19 @@ pub struct Boundaries {
 /// Places are measured in cells, the distance from one cell to the next being one along either axis. Curves along
 /// which the map nowhere shows the motion are left out.
 pub fn boundaries(map: &RegionMap, curves: &[Curve]) -> Boundaries {
-    let distances: Vec<(u64, Vec<f64>)> = curves.iter().map(|curve| distances(map, curve)).collect();
-    let places = distances.iter().map(|(places, _)| places).sum();
-    let distance = Spread::of(distances.into_iter().flat_map(|(_, distances)| distances).collect());
-    let curves = curves.iter().map(|curve| along(map, curve)).filter(|along| along.compared > 0).collect();
-    Boundaries { places, distance, curves }
+    let mut all = Boundaries { places: 0, distance: None, curves: Vec::new() };
+    let mut distances = Vec::new();
+    for curve in curves {
+        let places = places(map, curve);
+        let own: Vec<f64> = places.iter().filter_map(|&place| distance(map, &curve.motion, place)).collect();
+        all.places += places.len() as u64;
+        distances.extend_from_slice(&own);
+        if !own.is_empty() {
+            all.curves.push(BoundaryAgreement::new(curve, places.len() as u64, own));
+        }
+    }
+    all.distance = Spread::of(distances);
+    all
 }
 
 impl Boundaries {
@@ -70,23 +78,18 @@ impl Boundaries {
     }
 }
 
-fn along(map: &RegionMap, curve: &Curve) -> BoundaryAgreement {
-    let (places, distances) = distances(map, curve);
-    BoundaryAgreement {
-        kind: curve.kind,
-        motion: curve.motion.label(),
-        symmetric: curve.motion.symmetric,
-        places,
-        compared: distances.len() as u64,
-        distance: Spread::of(distances),
+impl BoundaryAgreement {
+    /// The agreement of a curve with so many places, and the distances of those that can be compared.
+    fn new(curve: &Curve, places: u64, distances: Vec<f64>) -> Self {
+        BoundaryAgreement {
+            kind: curve.kind,
+            motion: curve.motion.label(),
+            symmetric: curve.motion.symmetric,
+            places,
+            compared: distances.len() as u64,
+            distance: Spread::of(distances),
+        }
     }
-}
-
-/// How many places of a curve bound its motion, and the distances of those that can be compared.
-fn distances(map: &RegionMap, curve: &Curve) -> (u64, Vec<f64>) {
-    let places = places(map, curve);
-    let found = places.iter().filter_map(|&place| distance(map, &curve.motion, place)).collect();
-    (places.len() as u64, found)
 }
 
 /// Places half a cell apart on the parts of a curve that bound its motion, in cells from the first.
