@@ -75,10 +75,11 @@ fn traced(reach: &Reach, start: [f64; 2]) -> Option<(Vec<[f64; 2]>, Curve)> {
     let (mut shares, first_end) = follow(reach, first.reversed());
     shares.reverse();
     shares.push([first.y[0], first.y[1]]);
-    let (after, second_end) = follow(reach, first);
-    if first_end != End::Closes {
-        shares.extend(after);
-    }
+    let (after, second_end) = match first_end {
+        End::Closes => (Vec::new(), End::Closes),
+        _ => follow(reach, first),
+    };
+    shares.extend(after);
     shares.retain(|share| share.iter().all(|s| (0.0..=1.0).contains(s)));
     let points = shares
         .iter()
@@ -118,10 +119,11 @@ fn follow(reach: &Reach, start: PathPoint) -> (Vec<[f64; 2]>, End) {
             ds *= 0.5;
             continue;
         }
-        found.push(share);
-        if found.len() > 10 && (&next.y - &start.y).norm() < ds && start.straightness(&next) > 0.95 {
+        if found.len() > 10 && start.lies_between(&here, &next) {
+            found.push([start.y[0], start.y[1]]);
             return (found, End::Closes);
         }
+        found.push(share);
         here = next;
         ds = (ds * 1.3).min(STEP);
     }

@@ -12,6 +12,8 @@ const CONVERGED: f64 = 1e-9;
 const FARTHEST: f64 = 1.0;
 /// The share of a step by which the path may bend aside on it.
 const ASIDE: f64 = 0.3;
+/// Paths with at least this cosine between them go the same way.
+const PARALLEL: f64 = 0.97;
 /// The share of an unknown's size by which it is moved for a central difference.
 const DIFFERENCE: f64 = 1e-6;
 
@@ -125,6 +127,15 @@ impl PathPoint {
             before = step;
         }
         None
+    }
+
+    /// Whether a path that goes from `here` to `next` passes this point in this point's own direction.
+    pub fn lies_between(&self, here: &Self, next: &Self) -> bool {
+        let step = (&next.y - &here.y).norm();
+        let away = &self.y - &here.y;
+        let along = away.dot(&here.tangent);
+        let aside = (away - &here.tangent * along).norm();
+        self.straightness(next) > PARALLEL && (0.0..=1.1 * step).contains(&along) && aside < 0.2 * step
     }
 
     /// How straight the path is from here to there: the cosine of the turn.

@@ -123,7 +123,7 @@ fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<Seen>, Reason) {
             return (points, (end, special));
         }
         points.extend(specials(locus, &here, &seen, ds, &looked));
-        if points.len() > 10 && came_round(&start, &here, &next) {
+        if points.len() > 10 && start.lies_between(&here, &next) {
             points.push(first);
             return (points, (End::Closes, None));
         }
@@ -148,15 +148,6 @@ fn stalled(locus: &Locus, here: &PathPoint, mut points: Vec<Seen>) -> (Vec<Seen>
         points.pop();
     }
     (points, (End::Stalled, None))
-}
-
-/// Whether the path has just passed its start, in the direction in which it began.
-fn came_round(start: &PathPoint, here: &PathPoint, next: &PathPoint) -> bool {
-    let step = (&next.y - &here.y).norm();
-    let away = &start.y - &here.y;
-    let along = away.dot(&here.tangent);
-    let aside = (away - &here.tangent * along).norm();
-    start.straightness(next) > STRAIGHT && (0.0..=1.1 * step).contains(&along) && aside < 0.2 * step
 }
 
 /// The last point of a curve on the way to a point that is beyond its end, with its distance, and why it ends.
