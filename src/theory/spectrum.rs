@@ -3,11 +3,9 @@
 use nalgebra::Matrix4;
 use thiserror::Error;
 
+use crate::analysis::constants::{ALIGNING, BATCHES};
 use crate::dynamics::{Contact, Event, Stop, Tangent, Trajectory};
 use crate::model::{Flight, System};
-
-/// Batches that the observation is cut into for the standard error.
-const BATCHES: u32 = 16;
 
 /// The frame is made orthogonal again after so many time constants of the fastest motion, at the latest.
 const REACH: f64 = 2.0;
@@ -78,7 +76,7 @@ impl Spectrum {
         }
         // The frame turns into the exponents' directions before anything is counted.
         let batch_periods = observe.div_ceil(BATCHES).max(1);
-        let aligning = batch_periods * (BATCHES / 4);
+        let aligning = batch_periods * (BATCHES / ALIGNING);
         let mut batches = Vec::new();
         for period in 0..aligning + batch_periods * BATCHES {
             if period >= aligning && (period - aligning).is_multiple_of(batch_periods) {
