@@ -1,7 +1,5 @@
 //! A computed diagram.
 
-use serde::Serialize;
-
 use super::spec::{DiagramSpec, Direction};
 use crate::analysis::Trace;
 use crate::plane::Provenance;
@@ -32,15 +30,7 @@ pub struct Diagram {
 impl Diagram {
     /// The configuration text that files carry: the specification and its provenance, as JSON.
     pub fn config(&self) -> String {
-        #[derive(Serialize)]
-        struct Config<'a> {
-            #[serde(flatten)]
-            provenance: &'a Provenance,
-            #[serde(flatten)]
-            spec: &'a DiagramSpec,
-        }
-        serde_json::to_string(&Config { provenance: &self.provenance, spec: &self.spec })
-            .expect("a specification and its provenance are plain data")
+        self.provenance.configuration(&self.spec).to_string()
     }
 
     /// Readings that were left out for want of room, over all columns.

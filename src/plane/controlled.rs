@@ -99,15 +99,7 @@ impl ControlMap {
 
     /// The configuration text that files carry: the plane and its provenance, as JSON.
     pub fn config(&self) -> String {
-        #[derive(Serialize)]
-        struct Config<'a> {
-            #[serde(flatten)]
-            provenance: &'a Provenance,
-            #[serde(flatten)]
-            plane: &'a ControlPlane,
-        }
-        serde_json::to_string(&Config { provenance: &self.provenance, plane: &self.plane })
-            .expect("a plane and its provenance are plain data")
+        self.provenance.configuration(&self.plane).to_string()
     }
 }
 

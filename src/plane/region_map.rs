@@ -17,6 +17,23 @@ pub struct Provenance {
     pub adapter: String,
 }
 
+impl Provenance {
+    /// The configuration that files carry: what was asked, and what computed it.
+    ///
+    /// # Panics
+    /// If what was asked is not plain data.
+    pub fn configuration(&self, asked: &impl Serialize) -> Value {
+        #[derive(Serialize)]
+        struct Configuration<'a, S> {
+            #[serde(flatten)]
+            provenance: &'a Provenance,
+            #[serde(flatten)]
+            asked: &'a S,
+        }
+        serde_json::to_value(Configuration { provenance: self, asked }).expect("what was asked is plain data")
+    }
+}
+
 /// A computed plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionMap {
@@ -41,25 +58,13 @@ impl RegionMap {
 
     /// The configuration text that files carry: the plane and its provenance, as JSON.
     pub fn config(&self) -> String {
-        self.configuration().to_string()
+        self.provenance.configuration(&self.plane).to_string()
     }
 
     /// The same with something more that a file shows, under a name of its own.
     pub fn config_with(&self, name: &str, value: Value) -> String {
-        let mut configuration = self.configuration();
+        let mut configuration = self.provenance.configuration(&self.plane);
         configuration[name] = value;
         configuration.to_string()
-    }
-
-    fn configuration(&self) -> Value {
-        #[derive(Serialize)]
-        struct Config<'a> {
-            #[serde(flatten)]
-            provenance: &'a Provenance,
-            #[serde(flatten)]
-            plane: &'a Plane,
-        }
-        serde_json::to_value(Config { provenance: &self.provenance, plane: &self.plane })
-            .expect("a plane and its provenance are plain data")
     }
 }
