@@ -1,5 +1,8 @@
 //! The commands that draw, from outside: orbits, bifurcation diagrams, the paper's figures.
 
+#[allow(dead_code, reason = "every suite runs the program, and no suite needs all that others do")]
+mod program;
+
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -7,43 +10,12 @@ use std::process::{Command, Output};
 use serde_json::Value;
 use tempfile::tempdir;
 
-fn run_in(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_impact-atlas")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
+use program::{names, refuses, run_in, stderr, stdout};
 
 fn done(folder: &Path, arguments: &[&str]) -> Output {
     let output = run_in(folder, arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
     output
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort_unstable();
-    names
-}
-
-/// Checks that the input is refused with all of `parts` in the message, and that nothing was written.
-fn refuses(arguments: &[&str], parts: &[&str]) {
-    let folder = tempdir().unwrap();
-    let output = run_in(folder.path(), arguments);
-    let message = stderr(&output);
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    for part in parts {
-        assert!(message.contains(part), "{arguments:?}: no `{part}` in {message}");
-    }
-    assert!(!message.contains("panicked"), "{message}");
-    assert_eq!((stdout(&output).as_str(), names(folder.path())), ("", vec![]), "{arguments:?}");
 }
 
 /// The configuration in a PNG's text chunk.

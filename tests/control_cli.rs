@@ -1,42 +1,13 @@
 //! `control` and `map --control` from outside: results, refusals, exit codes, what is and is not written.
 
-use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
+#[allow(dead_code, reason = "every suite runs the program, and no suite needs all that others do")]
+mod program;
 
-use serde_json::Value;
+use std::fs;
+
 use tempfile::tempdir;
 
-fn run_in(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_impact-atlas")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn run(arguments: &[&str]) -> Output {
-    run_in(tempdir().unwrap().path(), arguments)
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-fn json(output: &Output) -> Value {
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(output));
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-/// Checks that the input is refused with all of `parts` in the message, and that nothing was written.
-fn refuses(arguments: &[&str], parts: &[&str]) {
-    let folder = tempdir().unwrap();
-    let output = run_in(folder.path(), arguments);
-    let message = stderr(&output);
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    for part in parts {
-        assert!(message.contains(part), "{arguments:?}: no `{part}` in {message}");
-    }
-    assert!(!message.contains("panicked"), "{message}");
-    assert!(output.stdout.is_empty(), "{arguments:?}");
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "{arguments:?}");
-}
+use program::{json, refuses, run, run_in, stderr};
 
 const CHAOS: [&str; 2] = ["--set", "omega=2.83"];
 
