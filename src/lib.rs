@@ -114,5 +114,6 @@ pub mod render;
 pub mod reproduce;
 pub mod store;
 pub mod sweep;
+pub mod system;
 pub mod theory;
 pub mod validate;

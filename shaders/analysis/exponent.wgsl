@@ -18,7 +18,7 @@ fn exponent_over(observe: u32) -> Exponent {
 fn exponent_at_strobe() {
     let length = tangent_length(tangent);
     if length > 0.0 && is_finite(length) {
-        tangent = tangent * (1.0 / length);
+        tangent = state_scaled(1.0 / length, tangent);
         exponent_add(log(length));
     } else {
         tangent = tangent_seed();

@@ -46,7 +46,7 @@ impl<T: Real> Exponent<T> {
     ///
     /// A vector that was lost altogether (sticking can do that) starts afresh.
     #[inline(always)]
-    pub fn at_strobe(&mut self, tangent: &mut Tangent<T>) {
+    pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>) {
         let length = tangent.length();
         if length > T::zero() && length.is_finite() {
             *tangent = tangent.scaled(T::one() / length);

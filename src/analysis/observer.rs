@@ -7,8 +7,8 @@ use super::regime::{Regime, Verdict};
 use super::schedule::Schedule;
 use super::spread::Spread;
 use crate::dynamics::constants::MOST_MOVES;
-use crate::dynamics::{Contact, Event, Move, Stop, Tangent, Trajectory, Variation};
-use crate::model::{Flight, Real};
+use crate::dynamics::{Event, Move, Stop, Tangent, Trajectory, Variation};
+use crate::model::{Flight, Real, State};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
 /// one that is called symmetric; absolute for states of order one and less, relative above. Both back ends use it.
@@ -50,12 +50,12 @@ impl Stage {
 
 /// A trajectory and everything that is noted about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Observer<T> {
-    trajectory: Trajectory<T>,
-    tangent: Tangent<T>,
-    recurrence: Recurrence<T>,
+pub struct Observer<T, const N: usize> {
+    trajectory: Trajectory<T, N>,
+    tangent: Tangent<T, N>,
+    recurrence: Recurrence<T, N>,
     exponent: Exponent<T>,
-    spread: Spread<T>,
+    spread: Spread<T, N>,
     stage: Stage,
     /// Forcing periods since the start.
     periods: u32,
@@ -75,14 +75,14 @@ pub struct Observer<T> {
     stuck: bool,
 }
 
-impl<T: Real> Observer<T> {
-    /// Begins at forcing phase 0 with (x1, x2, v1, v2), |x1| ≤ δ.
-    pub fn new(flight: &Flight<T>, schedule: &Schedule, start: [T; 4]) -> Self {
+impl<T: Real, const N: usize> Observer<T, N> {
+    /// Begins at forcing phase 0 with a state within the stops.
+    pub fn new(flight: &Flight<T, N>, schedule: &Schedule, start: State<T, N>) -> Self {
         let trajectory = Trajectory::new(flight, start);
         let mut observer = Observer {
             trajectory,
             tangent: Tangent::seed(),
-            recurrence: Recurrence::anchored(trajectory.point.state()),
+            recurrence: Recurrence::anchored(trajectory.point.state),
             exponent: Exponent::over(schedule.observe),
             spread: Spread::about(&trajectory.point),
             stage: Stage::Transient,
@@ -103,8 +103,8 @@ impl<T: Real> Observer<T> {
 
     /// Follows the trajectory to its end.
     #[inline(always)]
-    pub fn follow(&mut self, flight: &Flight<T>, schedule: &Schedule) {
-        self.follow_listening(flight, schedule, &mut |_: &Trajectory<T>, _: &Event<T>| ());
+    pub fn follow(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
+        self.follow_listening(flight, schedule, &mut |_: &Trajectory<T, N>, _: &Event<T>| ());
     }
 
     /// Follows the trajectory to its end; `listen` is told of every event of the observation, with the trajectory
@@ -112,9 +112,9 @@ impl<T: Real> Observer<T> {
     #[inline(always)]
     pub fn follow_listening(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         schedule: &Schedule,
-        listen: &mut impl FnMut(&Trajectory<T>, &Event<T>),
+        listen: &mut impl FnMut(&Trajectory<T, N>, &Event<T>),
     ) {
         loop {
             match self.stage {
@@ -133,13 +133,13 @@ impl<T: Real> Observer<T> {
     /// Follows the trajectory to the next phase 0 or π, on copies that the compiler can hold in registers;
     /// `keep` takes the variation back.
     #[inline(always)]
-    fn follow_to_phase<V: Variation<T>>(
+    fn follow_to_phase<V: Variation<T, N>>(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         schedule: &Schedule,
         mut variation: V,
         keep: impl Fn(&mut Self, V),
-        listen: &mut impl FnMut(&Trajectory<T>, &Event<T>),
+        listen: &mut impl FnMut(&Trajectory<T, N>, &Event<T>),
     ) {
         let mut trajectory = self.trajectory;
         loop {
@@ -158,9 +158,9 @@ impl<T: Real> Observer<T> {
     }
 
     #[inline(always)]
-    fn note(&mut self, flight: &Flight<T>, schedule: &Schedule, taken: &Move<T>) {
+    fn note(&mut self, flight: &Flight<T, N>, schedule: &Schedule, taken: &Move<T>) {
         self.moves += 1;
-        if taken.free == T::zero() {
+        if !taken.contact.is_free() {
             self.stuck = true;
         }
         match taken.event {
@@ -174,7 +174,7 @@ impl<T: Real> Observer<T> {
             }
             Event::HalfPeriod => {
                 if self.stage == Stage::Observation {
-                    self.recurrence.at_half_period(&self.trajectory.point, T::of(RETURNED));
+                    self.recurrence.at_half_period(flight, &self.trajectory.point, T::of(RETURNED));
                 }
             }
             Event::Strobe => self.strobe(flight, schedule),
@@ -194,17 +194,19 @@ impl<T: Real> Observer<T> {
     }
 
     #[inline(always)]
-    fn strobe(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+    fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         let point = self.trajectory.point;
         self.moves = 0;
         self.periods += 1;
-        if !point.state().iter().all(|value| value.is_finite()) {
+        if !point.state.is_finite() {
             self.stage = Stage::Failed;
             return;
         }
-        if self.trajectory.contact == Contact::Clamped {
-            self.recurrence.count(Stop::A, true);
-            self.recurrence.count(Stop::B, true);
+        for (k, normal) in flight.normals().iter().enumerate() {
+            if self.trajectory.contact.is_clamped_along(k) {
+                self.recurrence.count(Stop(normal.stop[0]), true);
+                self.recurrence.count(Stop(normal.stop[1]), true);
+            }
         }
         if self.stage == Stage::Transient {
             self.settle(flight, schedule);
@@ -215,10 +217,10 @@ impl<T: Real> Observer<T> {
 
     /// A strobe of the transient: may it end here?
     #[inline(always)]
-    fn settle(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+    fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         let point = self.trajectory.point;
         if !schedule.fixed_periods {
-            if self.trajectory.contact == Contact::Free && is_quiet(flight, &point) {
+            if self.trajectory.contact.is_free() && is_quiet(flight, &point) {
                 self.stage = Stage::Quiet;
                 return;
             }
@@ -244,7 +246,7 @@ impl<T: Real> Observer<T> {
         self.peak = T::zero();
         self.stuck = false;
         self.tangent = Tangent::seed();
-        self.recurrence = Recurrence::anchored(point.state());
+        self.recurrence = Recurrence::anchored(point.state);
         self.exponent = Exponent::over(observe);
         self.spread = Spread::about(&point);
     }
@@ -266,7 +268,7 @@ impl<T: Real> Observer<T> {
         let early = self.observe < schedule.observe;
         if early && !self.recurrence.holds_for(self.proof()) {
             // It had not settled after all: go on as if nothing had been seen.
-            self.recurrence = Recurrence::anchored(point.state());
+            self.recurrence = Recurrence::anchored(point.state);
             self.stage = Stage::Transient;
             if self.periods >= schedule.transient {
                 self.begin_observation(schedule.observe);
@@ -282,7 +284,7 @@ impl<T: Real> Observer<T> {
     }
 
     /// What the trajectory settled on.
-    pub fn verdict(&self, flight: &Flight<T>) -> Verdict {
+    pub fn verdict(&self, flight: &Flight<T, N>) -> Verdict {
         let regime = self.regime();
         let recurrence = &self.recurrence;
         let count = |value: u32| if regime.is_periodic() { value as u16 } else { 0 };
@@ -294,11 +296,11 @@ impl<T: Real> Observer<T> {
         Verdict {
             regime,
             n: count(recurrence.n),
-            p: count(recurrence.p),
-            q: count(recurrence.q),
+            p: count(recurrence.impacts[Stop::B.index()]),
+            q: count(recurrence.impacts[Stop::A.index()]),
             symmetric: regime.is_periodic() && recurrence.n % 2 == 1 && recurrence.symmetric,
             lyapunov: lyapunov.widen() as f32,
-            state: self.trajectory.point.state().map(T::widen),
+            state: std::array::from_fn(|i| self.trajectory.point.state.get(i).widen()),
             impacts: self.impacts,
             impacts_total: self.impacts_total,
             peak_impact_velocity: self.peak.widen() as f32,
@@ -314,7 +316,7 @@ impl<T: Real> Observer<T> {
             _ if self.recurrence.holds_for(self.proof()) => {
                 if self.stuck {
                     Regime::PeriodicSticking
-                } else if self.recurrence.p + self.recurrence.q == 0 {
+                } else if self.recurrence.impacts.iter().all(|&count| count == 0) {
                     Regime::NoImpact
                 } else {
                     Regime::Periodic

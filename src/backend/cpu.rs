@@ -6,7 +6,7 @@ use super::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::analysis::{Observer, Probe, Schedule, Trace, Tracer, Verdict};
 use crate::control::{ControlSchedule, Outcome, control};
 use crate::dynamics::{Event, Trajectory};
-use crate::model::{Flight, Real};
+use crate::model::{Flight, Real, State};
 
 /// Follows trajectories on the processor, one per task of rayon's current thread pool.
 #[derive(Clone, Copy, Debug, Default)]
@@ -90,16 +90,16 @@ pub fn follow_controlled<T: Real>(
 
 /// Follows one trajectory in the given precision; in f32 it does what the GPU does.
 pub fn follow<T: Real>(job: &Job, schedule: &Schedule) -> Verdict {
-    let flight = Flight::new(&job.system).round::<T>();
-    let mut observer = Observer::new(&flight, schedule, job.start.map(T::of));
+    let flight = Flight::<f64, 2>::new(&job.system).round::<T>();
+    let mut observer = Observer::new(&flight, schedule, State::from_slice(&job.start.map(T::of)));
     follow_to_end(&mut observer, &flight, schedule);
     observer.verdict(&flight)
 }
 
 /// Follows one trajectory in the given precision and reads a section while it is observed.
 pub fn trace<T: Real>(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace {
-    let flight = Flight::new(&job.system).round::<T>();
-    let mut observer = Observer::new(&flight, schedule, job.start.map(T::of));
+    let flight = Flight::<f64, 2>::new(&job.system).round::<T>();
+    let mut observer = Observer::new(&flight, schedule, State::from_slice(&job.start.map(T::of)));
     let mut tracer = Tracer::new(probe, capacity as usize);
     trace_to_end(&mut observer, &flight, schedule, &mut tracer);
     tracer.finish(observer.verdict(&flight))
@@ -108,19 +108,23 @@ pub fn trace<T: Real>(job: &Job, schedule: &Schedule, probe: Probe, capacity: u3
 /// [`Observer::follow`] with the instructions of the processor at hand; no operation is contracted or reordered, so
 /// the results do not depend on them.
 #[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
-fn follow_to_end<T: Real>(observer: &mut Observer<T>, flight: &Flight<T>, schedule: &Schedule) {
+fn follow_to_end<T: Real, const N: usize>(
+    observer: &mut Observer<T, N>,
+    flight: &Flight<T, N>,
+    schedule: &Schedule,
+) {
     observer.follow(flight, schedule);
 }
 
 /// The same for [`Observer::follow_listening`].
 #[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
-fn trace_to_end<T: Real>(
-    observer: &mut Observer<T>,
-    flight: &Flight<T>,
+fn trace_to_end<T: Real, const N: usize>(
+    observer: &mut Observer<T, N>,
+    flight: &Flight<T, N>,
     schedule: &Schedule,
     tracer: &mut Tracer<T>,
 ) {
-    observer.follow_listening(flight, schedule, &mut |trajectory: &Trajectory<T>, event: &Event<T>| {
+    observer.follow_listening(flight, schedule, &mut |trajectory: &Trajectory<T, N>, event: &Event<T>| {
         tracer.see(flight, trajectory, event);
     });
 }

@@ -28,7 +28,7 @@ pub fn decide(
     if schedule.fixed_periods || open.is_empty() || longer.check().is_err() {
         return Ok(verdicts);
     }
-    let go_on = |&i: &usize| Job { system: jobs[i].system, start: verdicts[i].state };
+    let go_on = |&i: &usize| Job { system: jobs[i].system.clone(), start: verdicts[i].state };
     let again: Vec<Job> = open.iter().map(go_on).collect();
     for (&i, later) in open.iter().zip(backend.run(&again, &longer, &Silent(watch))?) {
         let first = &verdicts[i];

@@ -19,7 +19,7 @@ use crate::control::{ControlSchedule, Controller, Outcome};
 use crate::model::System;
 
 /// One trajectory to follow: a system and its start at forcing phase 0.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Job {
     /// The system.
     pub system: System,
@@ -28,7 +28,7 @@ pub struct Job {
 }
 
 /// One trajectory to control.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct ControlJob {
     /// The system and the start.
     pub job: Job,

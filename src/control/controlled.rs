@@ -11,7 +11,7 @@ use super::section::Section;
 use super::witness::{Return, Witness};
 use crate::analysis::constants::{CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SIGNIFICANCE};
 use crate::analysis::{Exponent, INFINITELY_MANY, Regime, Spread, Verdict};
-use crate::dynamics::{Contact, Event, Impact, Move, Stop, Tangent, Trajectory};
+use crate::dynamics::{Event, Impact, Move, Stop, Tangent, Trajectory};
 use crate::model::{Flight, Real};
 
 /// Forcing periods without an impact at A after which σ counts as never reached.
@@ -27,14 +27,14 @@ pub const SETTLING: u32 = 64;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controlled<T: Real, D: Actuated<T> = ()> {
     /// The trajectory.
-    pub trajectory: Trajectory<T, D>,
+    pub trajectory: Trajectory<T, 2, D>,
     pub(super) tangent: D::Deviation,
     controller: Controller<T>,
     /// The last points on σ.
     pub memory: Memory<T>,
     deviations: Deviations<T>,
     exponent: Exponent<T>,
-    spread: Spread<T>,
+    spread: Spread<T, 2>,
     /// Where it is in its schedule.
     pub progress: Progress,
     /// Returns to σ so far.
@@ -66,7 +66,7 @@ pub struct Controlled<T: Real, D: Actuated<T> = ()> {
 
 impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     /// Begins with a trajectory.
-    pub fn new(trajectory: Trajectory<T, D>, controller: Controller<T>, schedule: &ControlSchedule) -> Self {
+    pub fn new(trajectory: Trajectory<T, 2, D>, controller: Controller<T>, schedule: &ControlSchedule) -> Self {
         Controlled {
             trajectory,
             tangent: trajectory.point.drive.deviating(Tangent::seed(), T::zero()),
@@ -96,7 +96,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     }
 
     /// Applies the force that the controller sets at the present point, and nothing else.
-    pub fn force(&mut self, flight: &Flight<T>) {
+    pub fn force(&mut self, flight: &Flight<T, 2>) {
         let section = Section::of(flight, &self.trajectory);
         let turns = T::zero();
         let seen = Seen { section, turns, periods: 0, controlled: 0, memory: &self.memory };
@@ -109,13 +109,13 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     #[inline(always)]
     pub(super) fn note(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, 2>,
         schedule: &ControlSchedule,
         taken: &Move<T>,
         witness: &mut impl Witness<T, D>,
     ) {
         self.moves += 1;
-        if taken.free == T::zero() {
+        if !taken.contact.is_free() {
             self.stuck = self.iterates + 1;
         }
         match taken.event {
@@ -135,7 +135,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     #[inline(always)]
     fn impact(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, 2>,
         schedule: &ControlSchedule,
         impact: &Impact<T>,
         complete: bool,
@@ -149,12 +149,11 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         self.impacts_total = self.impacts_total.saturating_add(1);
         let speed = impact.velocity_before.abs();
         self.peak = if speed > self.peak { speed } else { self.peak };
-        match impact.stop {
-            Stop::A => self.arrive(flight, schedule, count, witness),
-            Stop::B => {
-                self.at_b = added(self.at_b, count);
-                self.mirrored = Section::mirrored(flight, &self.trajectory);
-            }
+        if impact.stop == Stop::A {
+            self.arrive(flight, schedule, count, witness);
+        } else {
+            self.at_b = added(self.at_b, count);
+            self.mirrored = Section::mirrored(flight, &self.trajectory);
         }
     }
 
@@ -162,9 +161,9 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         self.moves = 0;
         self.periods += 1;
         self.passage += 1;
-        if !self.trajectory.point.state().iter().all(|value| value.is_finite()) {
+        if !self.trajectory.point.state.is_finite() {
             self.progress = Progress::Failed;
-        } else if self.passage > LONGEST_PASSAGE || self.trajectory.contact == Contact::Clamped {
+        } else if self.passage > LONGEST_PASSAGE || self.trajectory.contact.is_clamped() {
             self.progress = Progress::Lost;
         }
     }
@@ -173,7 +172,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     #[inline(always)]
     fn arrive(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, 2>,
         schedule: &ControlSchedule,
         at_a: u32,
         witness: &mut impl Witness<T, D>,
@@ -249,7 +248,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     }
 
     /// Leaves σ from a corrected point, under a force.
-    fn go_on_from(&mut self, flight: &Flight<T>, section: &Section<T>, action: &Action<T>) {
+    fn go_on_from(&mut self, flight: &Flight<T, 2>, section: &Section<T>, action: &Action<T>) {
         let zero = T::zero();
         let drive = self.trajectory.point.drive.actuated(action.force, action.phase);
         if section.distance(&Section::new([zero; 4])) > T::of(RUNAWAY) {
@@ -265,7 +264,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             point.drive = drive;
             self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
         } else {
-            let resting = self.trajectory.contact != Contact::Free;
+            let resting = !self.trajectory.contact.is_free();
             self.trajectory = section.trajectory(flight, resting, drive);
             // A phase that jumps back time and again never passes a strobe.
             self.moves = 0;
@@ -273,7 +272,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     }
 
     /// Adds an iterate to the exponent.
-    fn observe(&mut self, flight: &Flight<T>, turns: T, schedule: &ControlSchedule) {
+    fn observe(&mut self, flight: &Flight<T, 2>, turns: T, schedule: &ControlSchedule) {
         self.observed += 1;
         self.observed_turns = self.observed_turns + turns;
         match self.deviations.growth() {
@@ -288,7 +287,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     }
 
     /// Goes on to the next part of the schedule where it is due.
-    fn schedule_on(&mut self, flight: &Flight<T>, schedule: &ControlSchedule) {
+    fn schedule_on(&mut self, flight: &Flight<T, 2>, schedule: &ControlSchedule) {
         let settled = !schedule.fixed && self.controller.is_at_rest() && self.memory.is_settled(SETTLING);
         if self.iterates >= schedule.iterates || settled {
             self.progress = Progress::Done;

@@ -3,8 +3,8 @@
 use super::actuated::Actuated;
 use super::memory::DEPTH;
 use super::method::{Controller, Seen};
-use crate::dynamics::{Contact, Drive, Tangent, Trajectory};
-use crate::model::{Flight, Real};
+use crate::dynamics::{Drive, Tangent, Trajectory};
+use crate::model::{Flight, Real, State};
 
 /// The deviations of the last points (v1+, x2, v2, τ), the present one first; non-dimensional.
 ///
@@ -28,19 +28,17 @@ impl<T: Real> Deviations<T> {
     /// with it.
     pub fn leaving<D: Actuated<T>>(
         &self,
-        flight: &Flight<T>,
-        trajectory: &Trajectory<T, D>,
+        flight: &Flight<T, 2>,
+        trajectory: &Trajectory<T, 2, D>,
         controller: &Controller<T>,
     ) -> D::Deviation {
         let [v1, x2, v2, tau] = self.points[0];
         let shift = tau / flight.omega;
         let rate = rates(flight, trajectory);
-        let tangent = Tangent {
-            x1: -(rate[0] * shift),
-            x2: x2 - rate[1] * shift,
-            v1: v1 - rate[2] * shift,
-            v2: v2 - rate[3] * shift,
-        };
+        let tangent = Tangent(State {
+            x: [-(rate[0] * shift), x2 - rate[1] * shift],
+            v: [v1 - rate[2] * shift, v2 - rate[3] * shift],
+        });
         let lag = match controller {
             Controller::Sine(sine) => sine.lag(tau),
             Controller::None | Controller::Pulse(_) | Controller::Delay(_) => T::zero(),
@@ -49,18 +47,19 @@ impl<T: Real> Deviations<T> {
     }
 
     /// The deviation of the point at which a trajectory with this tangent vector arrives.
-    pub fn arrived<D: Drive<T>>(
+    pub fn arrived<D: Drive<T, 2>>(
         &self,
-        flight: &Flight<T>,
-        trajectory: &Trajectory<T, D>,
-        tangent: &Tangent<T>,
+        flight: &Flight<T, 2>,
+        trajectory: &Trajectory<T, 2, D>,
+        tangent: &Tangent<T, 2>,
     ) -> [T; 4] {
         let rate = rates(flight, trajectory);
-        let shift = if rate[0] == T::zero() { T::zero() } else { -(tangent.x1 / rate[0]) };
+        let State { x, v } = tangent.0;
+        let shift = if rate[0] == T::zero() { T::zero() } else { -(x[0] / rate[0]) };
         [
-            tangent.v1 + rate[2] * shift,
-            tangent.x2 + rate[1] * shift,
-            tangent.v2 + rate[3] * shift,
+            v[0] + rate[2] * shift,
+            x[1] + rate[1] * shift,
+            v[1] + rate[3] * shift,
             flight.omega * shift,
         ]
     }
@@ -108,11 +107,10 @@ impl<T: Real> Deviations<T> {
 }
 
 /// The rates of (x1, x2, v1, v2) at a trajectory's present point.
-fn rates<T: Real, D: Drive<T>>(flight: &Flight<T>, trajectory: &Trajectory<T, D>) -> [T; 4] {
+fn rates<T: Real, D: Drive<T, 2>>(flight: &Flight<T, 2>, trajectory: &Trajectory<T, 2, D>) -> [T; 4] {
     let point = &trajectory.point;
-    let (a1, a2) = point.accelerations(flight);
-    let a1 = if trajectory.contact == Contact::Free { a1 } else { T::zero() };
-    [point.v1, point.v2, a1, a2]
+    let [a1, a2] = point.motion(flight, trajectory.contact).acceleration;
+    [point.state.v[0], point.state.v[1], a1, a2]
 }
 
 fn added<T: Real>(a: &[T; 4], b: &[T; 4]) -> [T; 4] {

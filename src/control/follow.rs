@@ -13,7 +13,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     #[inline(always)]
     pub fn follow(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, 2>,
         schedule: &ControlSchedule,
         witness: &mut impl Witness<T, D>,
     ) {
@@ -34,7 +34,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     /// Follows the trajectory for so many returns at most, without observing it; whether it made them.
     pub fn iterate(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, 2>,
         schedule: &ControlSchedule,
         returns: u32,
         witness: &mut impl Witness<T, D>,
@@ -47,9 +47,9 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     }
 
     #[inline(always)]
-    fn advance<V: Variation<T>>(
+    fn advance<V: Variation<T, 2>>(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, 2>,
         schedule: &ControlSchedule,
         mut variation: V,
         keep: impl Fn(&mut Self, V),

@@ -2,9 +2,9 @@
 
 use super::witness::{Return, Witness};
 use crate::dynamics::{
-    Contact, Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Stop, Trajectory,
+    Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Stop, Trajectory, resting_on,
 };
-use crate::model::Flight;
+use crate::model::{Flight, State};
 
 /// Samples nearer to an impact than this, in units of their distance, are left out.
 const NEAR: f64 = 1e-3;
@@ -33,28 +33,28 @@ impl History {
         self.returns.last().is_some_and(|last| last.iterate >= self.from)
     }
 
-    fn impact<D>(&mut self, impact: Impact<f64>, flight: &Flight<f64>, after: &Trajectory<f64, D>) {
+    fn impact<D>(&mut self, impact: Impact<f64>, flight: &Flight<f64, 2>, after: &Trajectory<f64, 2, D>) {
         if impact.velocity_before != 0.0 {
             self.recording.impacts.push(ImpactEvent {
                 time: self.time,
                 stop: impact.stop,
                 velocity_before: impact.velocity_before,
                 velocity_after: impact.velocity_after,
-                x2: after.point.x2,
-                v2: after.point.v2,
+                x2: after.point.state.x[1],
+                v2: after.point.state.v[1],
                 phase: super::section::phase_of(flight, after.step, after.offset),
             });
         }
     }
 }
 
-impl<D: Drive<f64>> Witness<f64, D> for History {
+impl<D: Drive<f64, 2>> Witness<f64, D> for History {
     fn moved(
         &mut self,
-        flight: &Flight<f64>,
-        before: &Trajectory<f64, D>,
+        flight: &Flight<f64, 2>,
+        before: &Trajectory<f64, 2, D>,
         taken: &Move<f64>,
-        after: &Trajectory<f64, D>,
+        after: &Trajectory<f64, 2, D>,
     ) {
         if !self.is_recording() {
             return;
@@ -70,14 +70,15 @@ impl<D: Drive<f64>> Witness<f64, D> for History {
                 // The impact stands there already.
                 continue;
             }
-            let [x1, x2, v1, v2] = before.point.flown(flight, (at - self.time).max(0.0), taken.free).state();
+            let flown = before.point.flown(flight, (at - self.time).max(0.0), taken.contact);
+            let State { x: [x1, x2], v: [v1, v2] } = flown.state;
             self.recording.samples.push(Sample { time: at, x1, x2, v1, v2 });
         }
         self.time = end;
-        if let (Contact::Stuck(stop), None) = (before.contact, self.recording.sticks.last()) {
+        if let (Some(stop), None) = (resting_on(flight, before.contact), self.recording.sticks.last()) {
             self.recording.sticks.push(Stick { stop, from: 0.0, until: end });
         }
-        if let (Contact::Stuck(_), Some(stick)) = (before.contact, self.recording.sticks.last_mut()) {
+        if let (false, Some(stick)) = (before.contact.is_free(), self.recording.sticks.last_mut()) {
             stick.until = end;
         }
         match taken.event {

@@ -10,7 +10,7 @@ use super::schedule::ControlSchedule;
 use super::section::Section;
 use super::witness::{Return, Witness};
 use crate::dynamics::{Contact, Phasor, Point, Trajectory};
-use crate::model::{Drive, Flight, System, SystemError};
+use crate::model::{Drive, Flight, State, System, SystemError};
 
 /// How far the points are moved for the differences; non-dimensional.
 const STEP: f64 = 1e-6;
@@ -31,7 +31,7 @@ pub fn multipliers(
         _ => (1.0, false),
     };
     let system = system.following(ratio)?;
-    let flight = Flight::new(&system);
+    let flight = Flight::<f64, 2>::new(&system);
     let constants = Drive::new(&system, &flight, ratio);
     let map = |points: &[[f64; 4]]| {
         if force {
@@ -83,7 +83,7 @@ fn held(controller: &Controller<f64>) -> Controller<f64> {
 
 /// One controlled iterate from remembered points, the present one first.
 fn iterate<D: Actuated<f64>>(
-    flight: &Flight<f64>,
+    flight: &Flight<f64, 2>,
     controller: Controller<f64>,
     points: &[[f64; 4]],
     drive: D,
@@ -92,9 +92,10 @@ fn iterate<D: Actuated<f64>>(
         ControlSchedule { from: 0, iterates: LONGEST as u32 + ControlSchedule::SHORTEST, fixed: true };
     let [v1, x2, v2, tau] = points[0];
     let (sin, cos) = tau.sin_cos();
-    let point = Point { x1: flight.delta, x2, v1, v2, sin, cos, drive };
+    let state = State { x: [flight.normals[0].gap[0], x2], v: [v1, v2] };
+    let point = Point { state, sin, cos, one: 1.0, drive };
     let placed = Section::new(points[0]).trajectory(flight, false, drive);
-    let begun = Trajectory::from_point(flight, point, Contact::Free, placed.step, placed.offset);
+    let begun = Trajectory::from_point(flight, point, Contact::FREE, placed.step, placed.offset);
     let mut controlled = Controlled::new(begun, controller, &schedule);
     for &past in points.iter().rev() {
         controlled.memory.push(Section::new(past), 1.0, 0, 1);

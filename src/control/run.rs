@@ -8,7 +8,7 @@ use super::schedule::ControlSchedule;
 use super::sine::Convention;
 use super::witness::Witness;
 use crate::dynamics::{Contact, Phasor, Point, Trajectory};
-use crate::model::{Drive, Flight, Real, System, SystemError};
+use crate::model::{Drive, Flight, Real, State, System, SystemError};
 
 /// Follows a trajectory from (x1, x2, v1, v2) at forcing phase 0 under control, to the end of its schedule.
 ///
@@ -22,23 +22,22 @@ pub fn control<T: Real, W>(
     witness: &mut W,
 ) -> Result<Outcome, SystemError>
 where
-    W: Witness<T, ()> + for<'a> Witness<T, Phasor<'a, T>>,
+    W: Witness<T, ()> + for<'a> Witness<T, Phasor<'a, T, 2>>,
 {
     let rounded = Controller::<T>::rounded(controller);
-    let start = start.map(T::of);
+    let start = State::from_slice(&start.map(T::of));
     let Some(ratio) = force_ratio(controller).filter(|_| system.parameters().delta > 0.0) else {
-        let flight = Flight::new(system).round::<T>();
+        let flight = Flight::<f64, 2>::new(system).round::<T>();
         let trajectory = Trajectory::new(&flight, start);
         return Ok(follow(Controlled::new(trajectory, rounded, schedule), &flight, schedule, witness));
     };
     let system = system.following(ratio)?;
-    let flight = Flight::new(&system);
+    let flight = Flight::<f64, 2>::new(&system);
     let constants = Drive::new(&system, &flight, ratio).round::<T>();
     let flight = flight.round::<T>();
-    let [x1, x2, v1, v2] = start;
     let none = Phasor::new(&constants, T::zero(), [T::zero(), T::one()]);
-    let point = Point { x1, x2, v1, v2, sin: T::zero(), cos: T::one(), drive: none };
-    let trajectory = Trajectory::from_point(&flight, point, Contact::Free, 0, T::zero());
+    let point = Point { state: start, sin: T::zero(), cos: T::one(), one: T::one(), drive: none };
+    let trajectory = Trajectory::from_point(&flight, point, Contact::FREE, 0, T::zero());
     Ok(follow(Controlled::new(trajectory, rounded, schedule), &flight, schedule, witness))
 }
 
@@ -52,7 +51,7 @@ fn force_ratio(controller: &Controller<f64>) -> Option<f64> {
 
 fn follow<T: Real, D: Actuated<T>>(
     mut controlled: Controlled<T, D>,
-    flight: &Flight<T>,
+    flight: &Flight<T, 2>,
     schedule: &ControlSchedule,
     witness: &mut impl Witness<T, D>,
 ) -> Outcome {

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
 
 use crate::dynamics::constants::INVERSE_FACTORIALS;
-use crate::dynamics::{Contact, Drive, Point, Stop, Trajectory};
-use crate::model::{Flight, Real};
+use crate::dynamics::{Contact, Drive, End, Point, Trajectory};
+use crate::model::{Flight, Real, State};
 
 /// X = (v1+, x2, v2, τ): just after an impact at stop A, x1 = +δ; non-dimensional, 0 ≤ τ < 2π.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,25 +23,27 @@ impl<T: Real> Section<T> {
     }
 
     /// Where a trajectory is that has just met stop A.
-    pub fn of<D>(flight: &Flight<T>, trajectory: &Trajectory<T, D>) -> Self {
+    pub fn of<D>(flight: &Flight<T, 2>, trajectory: &Trajectory<T, 2, D>) -> Self {
         let Trajectory { point, step, offset, .. } = trajectory;
-        Section { components: [point.v1, point.x2, point.v2, phase_of(flight, *step, *offset)] }
+        let State { x: [_, x2], v: [v1, v2] } = point.state;
+        Section { components: [v1, x2, v2, phase_of(flight, *step, *offset)] }
     }
 
     /// The mirror image of where a trajectory is that has just met stop Ā: a symmetric motion is there half its
     /// period after A.
-    pub fn mirrored<D>(flight: &Flight<T>, trajectory: &Trajectory<T, D>) -> Self {
+    pub fn mirrored<D>(flight: &Flight<T, 2>, trajectory: &Trajectory<T, 2, D>) -> Self {
         let [v1, x2, v2, tau] = Section::of(flight, trajectory).components;
         Section { components: [-v1, -x2, -v2, into_turn(tau + T::of(PI))] }
     }
 
     /// The trajectory that begins at this point; `resting` says whether the first mass stays on the stop if its velocity
     /// is 0.
-    pub fn trajectory<D: Drive<T>>(&self, flight: &Flight<T>, resting: bool, drive: D) -> Trajectory<T, D> {
+    pub fn trajectory<D: Drive<T, 2>>(&self, flight: &Flight<T, 2>, resting: bool, drive: D) -> Trajectory<T, 2, D> {
         let [v1, x2, v2, tau] = self.components;
         let [sin, cos] = sine_and_cosine(tau);
-        let point = Point { x1: flight.delta, x2, v1, v2, sin, cos, drive };
-        let contact = if resting && v1 == T::zero() { Contact::Stuck(Stop::A) } else { Contact::Free };
+        let point = Point { state: State { x: [flight.normals[0].gap[0], x2], v: [v1, v2] }, sin, cos, one: T::one(), drive };
+        let at_a = Contact::FREE.with(End { normal: 0, side: 0 });
+        let contact = if resting && v1 == T::zero() { at_a } else { Contact::FREE };
         let steps = T::of(f64::from(flight.steps));
         let place = tau * T::of(1.0 / TAU) * steps;
         let last = steps - T::one();
@@ -83,7 +85,7 @@ impl<T: Real> Section<T> {
 }
 
 /// The forcing phase, 0 ≤ τ < 2π, at a time `offset` after the beginning of a step.
-pub fn phase_of<T: Real>(flight: &Flight<T>, step: u32, offset: T) -> T {
+pub fn phase_of<T: Real>(flight: &Flight<T, 2>, step: u32, offset: T) -> T {
     let whole = T::of(f64::from(step)) / T::of(f64::from(flight.steps));
     into_turn(T::of(TAU) * whole + flight.omega * offset)
 }
@@ -147,7 +149,7 @@ mod tests {
 
     #[test]
     fn a_point_is_found_again_on_its_trajectory() {
-        let flight = Flight::new(&System::new(Parameters::default()).unwrap());
+        let flight = Flight::<f64, 2>::new(&System::new(Parameters::default()).unwrap());
         for tau in [0.0, 1e-9, 1.8, PI, TAU - 1e-7] {
             let point = Section::new([-0.3, 0.01, 0.02, tau]);
             let found = Section::of(&flight, &point.trajectory(&flight, false, ()));

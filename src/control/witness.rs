@@ -29,10 +29,10 @@ pub trait Witness<T, D> {
     #[inline(always)]
     fn moved(
         &mut self,
-        flight: &Flight<T>,
-        before: &Trajectory<T, D>,
+        flight: &Flight<T, 2>,
+        before: &Trajectory<T, 2, D>,
         taken: &Move<T>,
-        after: &Trajectory<T, D>,
+        after: &Trajectory<T, 2, D>,
     ) {
         let _ = (flight, before, taken, after);
     }

@@ -32,7 +32,7 @@ impl Reach {
     /// ln of amplitude over half clearance: as smooth at a resonance as elsewhere.
     fn excess(&self, shares: [f64; 2]) -> Option<f64> {
         let system = System::new(self.parameters(shares)).ok()?;
-        let excess = (Flight::new(&system).reach / system.parameters().delta).ln();
+        let excess = (Flight::<f64, 2>::new(&system).normals[0].reach[0] / system.parameters().delta).ln();
         excess.is_finite().then_some(excess)
     }
 }

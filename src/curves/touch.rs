@@ -2,9 +2,8 @@
 
 use crate::dynamics::Stop;
 use crate::model::System;
-use crate::model::generator::{V1, X1};
 use crate::theory::newton::{arcs, next};
-use crate::theory::{Flow, Pattern, Section};
+use crate::theory::{Flow, Pattern, Section, Z_V1, Z_X1};
 
 /// A turning point of x1 in flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,10 +33,10 @@ pub(super) fn touches(system: &System, pattern: &Pattern, sections: &[Section]) 
         let mut here = flow.lifted(pattern.stops[arc], section);
         for k in 0..steps as u32 {
             let there = step * here;
-            if here[V1] * there[V1] < 0.0 {
-                let side = if here[V1] > 0.0 { Stop::A } else { Stop::B };
-                let share = here[V1] / (here[V1] - there[V1]);
-                let x1 = hermite(share, h, here[X1], here[V1], there[X1], there[V1]);
+            if here[Z_V1] * there[Z_V1] < 0.0 {
+                let side = if here[Z_V1] > 0.0 { Stop::A } else { Stop::B };
+                let share = here[Z_V1] / (here[Z_V1] - there[Z_V1]);
+                let x1 = hermite(share, h, here[Z_X1], here[Z_V1], there[Z_X1], there[Z_V1]);
                 found.push(Touch {
                     arc,
                     stop: side,
@@ -86,5 +85,5 @@ pub(super) fn grazing(
     let (arc, stop) = touch;
     let section = &sections[arc];
     let z = flow.over((phase - section[3]) / flow.omega) * flow.lifted(pattern.stops[arc], section);
-    [z[X1] - stop.side::<f64>() * flow.delta, z[V1]]
+    [z[Z_X1] - stop.side::<f64>() * flow.delta, z[Z_V1]]
 }

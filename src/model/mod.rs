@@ -1,14 +1,21 @@
-//! The system: its parameters, the equations of motion (2), and the constants of linear flight.
+//! The system: its parameters, the equations of motion, and the constants of linear flight.
 
 mod drive;
+mod equations;
 mod flight;
-pub(crate) mod generator;
+mod flow;
+mod forced;
 mod parameters;
 mod real;
+mod state;
 mod system;
+pub mod vector;
 
 pub use drive::Drive;
-pub use flight::Flight;
+pub use equations::Equations;
+pub use flight::{ContactNormal, FAR, Flight, Quiet};
+pub use forced::{ForcedResponse, Trap};
 pub use parameters::{Parameter, ParameterError, Parameters};
 pub use real::Real;
+pub use state::State;
 pub use system::{System, SystemError};

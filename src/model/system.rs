@@ -1,37 +1,19 @@
-//! The equations of motion (2), in the form that every computation uses.
+//! A system: a plant at one place of its parameters, with the steps in which it is followed.
 
+use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use super::generator;
 use super::parameters::{ParameterError, Parameters};
+use crate::system::{Plant, PlantStop};
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
-/// The free flight, |x1| < δ, is Eq. (2) solved for the accelerations. With the force in the coupling
-/// F = (x2 − x1) + 2ζ (v2 − v1) and the forcing phasor (s, c) = (sin φ, cos φ), φ = ωt:
-///
-/// ```text
-/// x1'' = F + force1 · s
-/// x2'' = −inverse_mass · F − ground_stiffness · x2 − ground_damping · v2 + force2 · s
-/// ```
-///
 /// Any μm, μk, μc and ζ are covered: proportional or not, under- or overdamped, no modes are formed.
 /// Everything is non-dimensional.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct System {
     parameters: Parameters,
-    /// 2ζ, the damping of the coupling.
-    pub coupling_damping: f64,
-    /// 1/m2 = (1 − μm)/μm, m2 the second mass in units of the first.
-    pub inverse_mass: f64,
-    /// (1/m2) μk/(1 − μk), stiffness of the second mass to ground over its mass.
-    pub ground_stiffness: f64,
-    /// (1/m2) 2ζ μc/(1 − μc), damping of the second mass to ground over its mass.
-    pub ground_damping: f64,
-    /// Amplitude of the forcing on the first mass, 1 − f20.
-    pub force1: f64,
-    /// Amplitude of the forcing on the second mass over its mass, f20/m2.
-    pub force2: f64,
+    plant: Plant,
     rate: f64,
     steps: u32,
 }
@@ -50,23 +32,9 @@ impl System {
     /// fastest motion.
     pub fn new(parameters: Parameters) -> Result<Self, SystemError> {
         parameters.check()?;
-        let Parameters { omega, zeta, mu_m, mu_k, mu_c, f20, .. } = parameters;
-        let inverse_mass = (1.0 - mu_m) / mu_m;
-        let mut system = System {
-            parameters,
-            coupling_damping: 2.0 * zeta,
-            inverse_mass,
-            ground_stiffness: inverse_mass * (mu_k / (1.0 - mu_k)),
-            ground_damping: inverse_mass * (2.0 * zeta * (mu_c / (1.0 - mu_c))),
-            force1: 1.0 - f20,
-            force2: inverse_mass * f20,
-            rate: omega,
-            steps: 0,
-        };
-        let a = generator::free(&system).fixed_view::<4, 4>(0, 0).into_owned();
-        let a2 = a * a;
-        let a4 = a2 * a2;
-        system.rate = (a4 * a4).norm().powf(0.125).max(omega);
+        let plant = plant(&parameters);
+        let rate = rate(&plant);
+        let mut system = System { parameters, plant, rate, steps: 0 };
         system.divide()?;
         Ok(system)
     }
@@ -86,28 +54,28 @@ impl System {
     ///
     /// # Errors
     /// [`SystemError::TooStiff`] where one forcing period would hold too many of them.
-    pub fn following(mut self, ratio: f64) -> Result<Self, SystemError> {
-        let frequency = ratio * self.parameters.omega;
+    pub fn following(&self, ratio: f64) -> Result<Self, SystemError> {
+        let mut system = self.clone();
+        let frequency = ratio * self.plant.omega;
         if frequency > self.rate || frequency.is_nan() {
-            self.rate = frequency;
-            self.divide()?;
+            system.rate = frequency;
+            system.divide()?;
         }
-        Ok(self)
-    }
-
-    /// The same masses, springs and dampers under nothing but a unit force of frequency γω on the first mass.
-    pub(super) fn driven(mut self, ratio: f64) -> Self {
-        self.parameters.omega *= ratio;
-        self.force1 = 1.0;
-        self.force2 = 0.0;
-        self
+        Ok(system)
     }
 
     /// The same system without forcing; ω stays as the clock that counts periods.
     #[must_use]
     pub fn unforced(mut self) -> Self {
-        self.force1 = 0.0;
-        self.force2 = 0.0;
+        self.plant.force_sin.fill(0.0);
+        self.plant.force_cos.fill(0.0);
+        self
+    }
+
+    /// The same system with other loads of sin φ on its coordinates.
+    #[must_use]
+    pub fn loaded(mut self, force_sin: &[f64]) -> Self {
+        self.plant.force_sin.copy_from_slice(force_sin);
         self
     }
 
@@ -116,9 +84,43 @@ impl System {
         &self.parameters
     }
 
+    /// The numbers of its equations of motion.
+    pub fn plant(&self) -> &Plant {
+        &self.plant
+    }
+
+    /// How many contact normals the stops have: parallel directions share one.
+    pub fn normals(&self) -> usize {
+        let mut found: Vec<&DVector<f64>> = Vec::new();
+        for stop in &self.plant.stops {
+            if !found.iter().any(|other| super::equations::are_parallel(&stop.direction, other)) {
+                found.push(&stop.direction);
+            }
+        }
+        found.len()
+    }
+
+    /// The accelerations of a unit force on one coordinate: a column of M⁻¹.
+    pub fn unit_force(&self, coordinate: usize) -> DVector<f64> {
+        let unit = DVector::from_fn(self.plant.n, |i, _| if i == coordinate { 1.0 } else { 0.0 });
+        self.plant.mass.clone().lu().solve(&unit).expect("a plant's mass matrix was checked to be invertible")
+    }
+
+    /// The mirror P, P² = 1, under which the system half a forcing period later is itself, if there is one.
+    pub fn mirror(&self) -> Option<DMatrix<f64>> {
+        let n = self.plant.n;
+        Some(-DMatrix::identity(n, n))
+    }
+
+    /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.
+    pub fn contraction(&self) -> f64 {
+        let inverse = self.plant.mass.clone().try_inverse();
+        (inverse.expect("a plant's mass matrix was checked to be invertible") * &self.plant.damping).trace()
+    }
+
     /// The forcing period T = 2π/ω, non-dimensional.
     pub fn period(&self) -> f64 {
-        std::f64::consts::TAU / self.parameters.omega
+        std::f64::consts::TAU / self.plant.omega
     }
 
     /// The fastest rate of the flow: ω, or ‖A⁸‖^(1/8) of the unforced generator A, which lies just above the
@@ -130,6 +132,39 @@ impl System {
     /// M, the steps in one forcing period: even, so that phases 0 and π fall on steps.
     pub fn steps(&self) -> u32 {
         self.steps
+    }
+}
+
+/// The paper's oscillator, Eq. (2), with stop A at x1 = +δ and stop Ā at x1 = −δ.
+fn plant(parameters: &Parameters) -> Plant {
+    let Parameters { omega, delta, zeta, r, mu_m, mu_k, mu_c, f20 } = *parameters;
+    let damping = 2.0 * zeta;
+    let matrix = |values: [f64; 4]| DMatrix::from_row_slice(2, 2, &values);
+    let stop = |direction: f64| PlantStop {
+        direction: DVector::from_row_slice(&[direction, 0.0]),
+        gap: delta,
+        restitution: r,
+    };
+    Plant {
+        n: 2,
+        mass: matrix([1.0, 0.0, 0.0, mu_m / (1.0 - mu_m)]),
+        damping: matrix([damping, -damping, -damping, damping / (1.0 - mu_c)]),
+        stiffness: matrix([1.0, -1.0, -1.0, 1.0 / (1.0 - mu_k)]),
+        force_sin: DVector::from_row_slice(&[1.0 - f20, f20]),
+        force_cos: DVector::zeros(2),
+        load: DVector::zeros(2),
+        omega,
+        stops: vec![stop(1.0), stop(-1.0)],
+    }
+}
+
+/// See [`System::rate`].
+fn rate(plant: &Plant) -> f64 {
+    match plant.n {
+        1 => super::Equations::<1>::new(plant).rate(),
+        2 => super::Equations::<2>::new(plant).rate(),
+        3 => super::Equations::<3>::new(plant).rate(),
+        _ => super::Equations::<4>::new(plant).rate(),
     }
 }
 

@@ -51,7 +51,8 @@ impl PaperPoint {
         let system = self.system();
         let schedule =
             Schedule { transient: self.transient, observe: OBSERVE, max_period: 32, fixed_periods: false };
-        follow::<f64>(&Job { system, start: self.start.state(&system) }, &schedule)
+        let start = self.start.state(&system);
+        follow::<f64>(&Job { system, start }, &schedule)
     }
 
     /// What it does after the transient, for so many periods.

@@ -36,7 +36,7 @@ pub fn sweep_control(
         }
         let range = first..cells.min(first + tile as u64);
         let jobs = range.into_par_iter().map(|cell| job(plane, cell)).collect::<Result<Vec<_>, _>>()?;
-        let wanted: Vec<ControlJob> = jobs.iter().filter_map(|job| job.as_ref().ok()).copied().collect();
+        let wanted: Vec<ControlJob> = jobs.iter().filter_map(|job| job.as_ref().ok()).cloned().collect();
         any |= !wanted.is_empty();
         let mut computed = backend.control(&wanted, &plane.iterates, watch)?.into_iter();
         for job in jobs {

@@ -49,7 +49,7 @@ fn each(
 ) -> Result<Vec<Trace>, SweepError> {
     let jobs: Vec<Job> = (0..)
         .zip(systems)
-        .map(|(column, &system)| Job { system, start: spec.start_at(column).state(&system) })
+        .map(|(column, system)| Job { system: system.clone(), start: spec.start_at(column).state(system) })
         .collect();
     let mut traces = Vec::new();
     for tile in jobs.chunks(backend.tile().max(1)) {
@@ -74,7 +74,7 @@ fn carried(
         if watch.cancelled() {
             return Err(BackendError::Cancelled.into());
         }
-        let system = systems[column as usize];
+        let system = systems[column as usize].clone();
         let delta = system.parameters().delta;
         let start = match last.filter(|state| state.iter().all(|value| value.is_finite())) {
             Some([x1, x2, v1, v2]) => [x1.clamp(-delta, delta), x2, v1, v2],

@@ -49,7 +49,8 @@ fn jobs(plane: &Plane, cells: std::ops::Range<u64>) -> Result<Vec<Job>, SystemEr
 
 fn job(plane: &Plane, column: u32, row: u32) -> Result<Job, SystemError> {
     let system = System::new(plane.parameters_at(column, row))?;
-    Ok(Job { system, start: plane.start_at(column, row).state(&system) })
+    let start = plane.start_at(column, row).state(&system);
+    Ok(Job { system, start })
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use super::flow::{PHASE, V1_PLUS, V2, X2};
 use super::motion::PeriodicMotion;
 use super::newton::next;
 use crate::dynamics::{Event, Stop, Trajectory};
-use crate::model::Flight;
+use crate::model::{Flight, State};
 
 /// How far an impact may be from where the solution has it, relative to states of order one.
 const TOLERANCE: f64 = 1e-8;
@@ -62,7 +62,7 @@ pub(crate) struct Flown {
 /// Follows every arc of a motion with the certified flight of the simulation.
 ///
 /// Each arc begins anew at its impact, so that unstable motions are followed as well as stable ones.
-pub(crate) fn fly(flight: &Flight<f64>, motion: &PeriodicMotion) -> Result<Flown, Inadmissible> {
+pub(crate) fn fly(flight: &Flight<f64, 2>, motion: &PeriodicMotion) -> Result<Flown, Inadmissible> {
     let mut flown = Flown { at_phase_zero: None };
     for (i, section) in motion.sections.iter().enumerate() {
         let stop = motion.pattern.stops[i];
@@ -72,14 +72,15 @@ pub(crate) fn fly(flight: &Flight<f64>, motion: &PeriodicMotion) -> Result<Flown
             return Err(Inadmissible::WrongVelocity { stop, velocity });
         }
         let scale = 1.0 + velocity.abs() + due.section[V1_PLUS].abs();
-        let start = [stop.side::<f64>() * flight.delta, section[X2], velocity, section[V2]];
+        let x1 = stop.side::<f64>() * flight.normals[0].gap[0];
+        let start = State { x: [x1, section[X2]], v: [velocity, section[V2]] };
         let mut trajectory = Trajectory::at_phase(flight, start, wrapped(section[PHASE]));
         let time = (due.section[PHASE] - section[PHASE]) / flight.omega;
         let mut elapsed = 0.0;
         loop {
             let taken = trajectory.advance(flight, &mut ());
             elapsed += taken.time;
-            let speed = (due.section[V1_PLUS] / flight.r.max(0.1)).abs() + TOLERANCE;
+            let speed = (due.section[V1_PLUS] / flight.normals[0].restitution[0].max(0.1)).abs() + TOLERANCE;
             // A time is as uncertain as the place is over the speed.
             let early = (time - elapsed) * speed > TOLERANCE * scale;
             match taken.event {
@@ -101,11 +102,11 @@ pub(crate) fn fly(flight: &Flight<f64>, motion: &PeriodicMotion) -> Result<Flown
                     break;
                 }
                 Event::Strobe => {
-                    flown.at_phase_zero.get_or_insert(trajectory.point.state());
+                    flown.at_phase_zero.get_or_insert(values(&trajectory.point.state));
                 }
                 Event::HalfPeriod if motion.pattern.mirrored => {
                     // Its mirror image is met at phase 0.
-                    flown.at_phase_zero.get_or_insert(trajectory.point.state().map(|value| -value));
+                    flown.at_phase_zero.get_or_insert(values(&trajectory.point.state).map(|value| -value));
                 }
                 Event::Flight | Event::StepEnd | Event::HalfPeriod | Event::Released(_) => {}
             }
@@ -121,4 +122,9 @@ pub(crate) fn fly(flight: &Flight<f64>, motion: &PeriodicMotion) -> Result<Flown
 pub(crate) fn wrapped(phase: f64) -> f64 {
     let phase = phase.rem_euclid(TAU);
     if phase < TAU { phase } else { 0.0 }
+}
+
+/// (x1, x2, v1, v2) of a state.
+pub(crate) fn values(state: &State<f64, 2>) -> [f64; 4] {
+    std::array::from_fn(|i| state.get(i))
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix6, Vector4, Vector6};
 
 use crate::dynamics::Stop;
-use crate::model::{System, generator};
+use crate::model::{Equations, System};
 
 /// A state just after an impact, on the section at its stop: (v1+, x2, v2, φ), where φ is the forcing phase, not
 /// reduced. Non-dimensional; on the section at A it is the paper's X = (x1'+, x2, x2', τ).
@@ -17,6 +17,33 @@ pub(crate) const X2: usize = 1;
 pub(crate) const V2: usize = 2;
 /// Forcing phase.
 pub(crate) const PHASE: usize = 3;
+
+/// Where x1 stands in the state z of a [`Flow`].
+pub(crate) const Z_X1: usize = 0;
+/// Second mass's displacement.
+pub(crate) const Z_X2: usize = 1;
+/// First mass's velocity.
+pub(crate) const Z_V1: usize = 2;
+/// Second mass's velocity.
+pub(crate) const Z_V2: usize = 3;
+/// Sine of the forcing phase.
+pub(crate) const Z_SIN: usize = 4;
+/// Cosine of the forcing phase.
+pub(crate) const Z_COS: usize = 5;
+
+/// The generator of free flight in z = (x1, x2, v1, v2, sin φ, cos φ).
+pub(crate) fn generator(system: &System) -> Matrix6<f64> {
+    let equations = Equations::<2>::new(system.plant());
+    let mut g = Matrix6::zeros();
+    g.fixed_view_mut::<2, 2>(0, 2).fill_with_identity();
+    g.fixed_view_mut::<2, 2>(2, 0).copy_from(&equations.stiffness);
+    g.fixed_view_mut::<2, 2>(2, 2).copy_from(&equations.damping);
+    g.fixed_view_mut::<2, 1>(2, Z_SIN).copy_from(&equations.sin);
+    g.fixed_view_mut::<2, 1>(2, Z_COS).copy_from(&equations.cos);
+    g[(Z_SIN, Z_COS)] = equations.omega;
+    g[(Z_COS, Z_SIN)] = -equations.omega;
+    g
+}
 
 /// The flow z' = G z of Eq. (2) between impacts, with the forcing phasor in z = (x1, x2, v1, v2, sin φ, cos φ).
 #[derive(Clone, Debug)]
@@ -36,7 +63,7 @@ impl Flow {
     pub fn new(system: &System) -> Self {
         let parameters = system.parameters();
         Flow {
-            generator: generator::free(system),
+            generator: generator(system),
             omega: parameters.omega,
             delta: parameters.delta,
             r: parameters.r,

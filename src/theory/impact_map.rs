@@ -7,7 +7,7 @@ use super::admissible::wrapped;
 use super::flow::{Flow, PHASE, Section, V1_PLUS, V2, X2};
 use super::matching::{Arc, Node};
 use crate::dynamics::{Event, Stop, Trajectory};
-use crate::model::{Flight, System};
+use crate::model::{Flight, State, System};
 
 /// Forcing periods after which a trajectory is taken not to return.
 const LONGEST: u32 = 1000;
@@ -48,8 +48,9 @@ pub fn impact_map(system: &System, section: [f64; 4]) -> Result<Return, NoReturn
         return Err(NoReturn::NotOnSection);
     }
     let flow = Flow::new(system);
-    let flight = Flight::new(system);
-    let state = [flight.delta, start[X2], start[V1_PLUS], start[V2]];
+    let flight = Flight::<f64, 2>::new(system);
+    let state =
+        State { x: [flight.normals[0].gap[0], start[X2]], v: [start[V1_PLUS], start[V2]] };
     let mut trajectory = Trajectory::at_phase(&flight, state, wrapped(start[PHASE]));
     let mut from = Node { stop: Stop::A, section: start };
     let mut impacts = Vec::new();
@@ -63,9 +64,9 @@ pub fn impact_map(system: &System, section: [f64; 4]) -> Result<Return, NoReturn
             Event::Caught { impact, .. } => return Err(NoReturn::Sticks(impact.stop)),
             _ => continue,
         };
-        let point = trajectory.point;
+        let State { x, v } = trajectory.point.state;
         let phase = start[PHASE] + flow.omega * elapsed;
-        let node = Node { stop: impact.stop, section: Section::new(point.v1, point.x2, point.v2, phase) };
+        let node = Node { stop: impact.stop, section: Section::new(v[0], x[1], v[1], phase) };
         jacobian = jacobian.and_then(|so_far| Some(Arc::between(&flow, &from, &node).jacobian()? * so_far));
         impacts.push(node);
         from = node;

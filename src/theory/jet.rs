@@ -4,10 +4,9 @@ use std::ops::{Add, Mul};
 
 use nalgebra::{SVector, Vector6};
 
-use super::flow::{Flow, PHASE, Section, V1_PLUS, V2, X2};
+use super::flow::{Flow, PHASE, Section, V1_PLUS, V2, X2, Z_V1, Z_V2, Z_X1, Z_X2};
 use super::newton::next;
 use super::pattern::Pattern;
-use crate::model::generator;
 
 /// The order that is kept, and the number of coefficients.
 const TERMS: usize = 4;
@@ -84,27 +83,27 @@ fn arc(flow: &Flow, from: f64, sections: &Jets<4>, time: f64, to: f64) -> Option
         Vector6::new(x1, section[X2], section[V1_PLUS], section[V2], sin.0[k], cos.0[k])
     });
     let arrival = start.map(|z| over * z);
-    let speed = arrival[0][generator::V1];
+    let speed = arrival[0][Z_V1];
     // The remaining time σ has no constant term; each pass finds one more coefficient.
     let mut left = Jet([0.0; TERMS]);
     let mut reached = arrival;
     for _ in 1..TERMS {
         for (left, reached) in left.0.iter_mut().zip(&reached).skip(1) {
-            *left -= reached[generator::X1] / speed;
+            *left -= reached[Z_X1] / speed;
         }
         reached = flown(flow, &arrival, left);
     }
     if !left.0.iter().all(|c| c.is_finite()) {
         return None;
     }
-    debug_assert!((reached[0][generator::X1] - to * flow.delta).abs() < 1e-6);
+    debug_assert!((reached[0][Z_X1] - to * flow.delta).abs() < 1e-6);
     Some(std::array::from_fn(|k| {
         let z = &reached[k];
         let constant = if k == 0 { flow.omega * time } else { 0.0 };
         Section::new(
-            -flow.r * z[generator::V1],
-            z[generator::X2],
-            z[generator::V2],
+            -flow.r * z[Z_V1],
+            z[Z_X2],
+            z[Z_V2],
             sections[k][PHASE] + constant + flow.omega * left.0[k],
         )
     }))

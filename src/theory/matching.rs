@@ -2,9 +2,8 @@
 
 use nalgebra::{Matrix4, Vector4};
 
-use super::flow::{Flow, PHASE, Section};
+use super::flow::{Flow, PHASE, Section, Z_COS, Z_SIN, Z_V1, Z_V2, Z_X1, Z_X2};
 use crate::dynamics::Stop;
-use crate::model::generator;
 
 /// An impact on a motion: where, and the state just after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,20 +37,20 @@ impl Arc {
         let arrival = over * start;
         let rate = flow.generator * arrival / flow.omega;
         let seen = |z: &nalgebra::Vector6<f64>| {
-            Vector4::new(-flow.r * z[generator::V1], z[generator::X2], z[generator::V2], z[generator::X1])
+            Vector4::new(-flow.r * z[Z_V1], z[Z_X2], z[Z_V2], z[Z_X1])
         };
         let mut turned = nalgebra::Vector6::zeros();
-        turned[generator::SIN] = start[generator::COS];
-        turned[generator::COS] = -start[generator::SIN];
+        turned[Z_SIN] = start[Z_COS];
+        turned[Z_COS] = -start[Z_SIN];
         let column = |j: usize| seen(&over.column(j).into_owned());
         let target =
             Vector4::new(to.section[0], to.section[1], to.section[2], to.stop.side::<f64>() * flow.delta);
         Arc {
             residual: seen(&arrival) - target,
             from: Matrix4::from_columns(&[
-                column(generator::V1),
-                column(generator::X2),
-                column(generator::V2),
+                column(Z_V1),
+                column(Z_X2),
+                column(Z_V2),
                 seen(&(over * turned - rate)),
             ]),
             arriving: seen(&rate),

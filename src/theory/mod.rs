@@ -25,7 +25,7 @@ mod symmetric;
 
 pub use admissible::Inadmissible;
 pub(crate) use admissible::fly;
-pub(crate) use flow::Flow;
+pub(crate) use flow::{Flow, Z_V1, Z_X1};
 pub use flow::Section;
 pub use impact_map::{NoReturn, Return, impact_map};
 pub use label::{Label, LabelError};

@@ -6,12 +6,11 @@ use nalgebra::Complex;
 use thiserror::Error;
 
 use super::admissible::{Inadmissible, fly};
-use super::flow::{Flow, PHASE, Section};
+use super::flow::{Flow, PHASE, Section, Z_V1, Z_V2, Z_X1, Z_X2};
 use super::multipliers::{STABLE, eigenvalues, ordered, turn};
 use super::newton;
 use super::pattern::Pattern;
 use crate::dynamics::Stop;
-use crate::model::generator::{V1, V2, X1, X2};
 use crate::model::{Flight, System};
 
 /// A periodic motion with finitely many impacts, stable or not: a solution of the matching equations of its pattern.
@@ -47,7 +46,7 @@ impl PeriodicMotion {
         let flow = Flow::new(system);
         let (sections, residual) = newton::solve(&flow, pattern, guess).ok_or(NoMotion::NotConverged)?;
         let motion = PeriodicMotion { pattern: pattern.clone(), sections, residual }.normalised();
-        fly(&Flight::new(system), &motion)?;
+        fly(&Flight::<f64, 2>::new(system), &motion)?;
         Ok(motion.reduced(&flow))
     }
 
@@ -149,7 +148,7 @@ impl PeriodicMotion {
         let section = &self.sections[last];
         let start = flow.lifted(self.pattern.stops[last], section);
         let z = flow.over((phase - section[PHASE]) / flow.omega) * start;
-        [X1, X2, V1, V2].map(|k| side * z[k] + 0.0)
+        [Z_X1, Z_X2, Z_V1, Z_V2].map(|k| side * z[k] + 0.0)
     }
 
     /// Eigenvalues of the half map of a symmetric motion, largest modulus first: flight over N/2 forcing periods with its

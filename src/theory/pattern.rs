@@ -69,8 +69,5 @@ impl Pattern {
 
 /// The other stop.
 pub(crate) fn opposite(stop: Stop) -> Stop {
-    match stop {
-        Stop::A => Stop::B,
-        Stop::B => Stop::A,
-    }
+    if stop == Stop::A { Stop::B } else { Stop::A }
 }

@@ -8,7 +8,7 @@ use super::motion::{NoMotion, PeriodicMotion};
 use super::pattern::Pattern;
 use super::symmetric::stable_branch;
 use crate::dynamics::{Event, ImpactEvent, Stop, Trajectory, record};
-use crate::model::{Flight, Parameter, System};
+use crate::model::{Flight, Parameter, State, System};
 
 /// Close returns of one orbit from which Newton's method is tried.
 const TRIES: usize = 60;
@@ -141,8 +141,8 @@ fn among_returns(
 
 /// The impacts of an orbit in the window that is searched, as far as it can be followed.
 fn impacts(system: &System, start: [f64; 4], search: &Search) -> Vec<ImpactEvent> {
-    let flight = Flight::new(system);
-    let mut trajectory = Trajectory::new(&flight, start);
+    let flight = Flight::<f64, 2>::new(system);
+    let mut trajectory = Trajectory::new(&flight, State::from_slice(&start));
     let mut found = Vec::new();
     for period in 0..search.transient.saturating_add(search.observe) {
         let mut moves = 0;
@@ -167,8 +167,8 @@ fn impacts(system: &System, start: [f64; 4], search: &Search) -> Vec<ImpactEvent
                 stop: impact.stop,
                 velocity_before: impact.velocity_before,
                 velocity_after: impact.velocity_after,
-                x2: trajectory.point.x2,
-                v2: trajectory.point.v2,
+                x2: trajectory.point.state.x[1],
+                v2: trajectory.point.state.v[1],
                 phase: flight.omega * elapsed,
             });
         }

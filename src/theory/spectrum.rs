@@ -4,8 +4,8 @@ use nalgebra::Matrix4;
 use thiserror::Error;
 
 use crate::analysis::constants::{ALIGNING, BATCHES};
-use crate::dynamics::{Contact, Event, Stop, Tangent, Trajectory};
-use crate::model::{Flight, System};
+use crate::dynamics::{Event, Stop, Tangent, Trajectory};
+use crate::model::{Flight, State, System};
 
 /// The frame is made orthogonal again after so many time constants of the fastest motion, at the latest.
 const REACH: f64 = 2.0;
@@ -62,8 +62,8 @@ impl Spectrum {
         transient: u32,
         observe: u32,
     ) -> Result<Self, SpectrumFailed> {
-        let flight = &Flight::new(system);
-        let mut trajectory = Trajectory::new(flight, start);
+        let flight = &Flight::<f64, 2>::new(system);
+        let mut trajectory = Trajectory::new(flight, State::from_slice(&start));
         let mut gauge = Gauge::new(flight);
         for period in 0..transient {
             let mut moves = Moves { period, left: MOST_MOVES };
@@ -71,7 +71,7 @@ impl Spectrum {
                 moves.count(&trajectory)?;
             }
         }
-        if matches!(trajectory.contact, Contact::Stuck(_) | Contact::Clamped) {
+        if !trajectory.contact.is_free() {
             gauge.lose(2);
         }
         // The frame turns into the exponents' directions before anything is counted.
@@ -115,7 +115,7 @@ impl Spectrum {
 
     /// What the sum of the exponents per forcing period must be: −T·tr(M⁻¹C) + 2 ln r × (impacts per period).
     pub fn sum_identity(&self, system: &System) -> f64 {
-        let trace = system.coupling_damping * (1.0 + system.inverse_mass) + system.ground_damping;
+        let trace = system.contraction();
         let r = system.parameters().r;
         let per_period = self.impacts as f64 / f64::from(self.periods);
         let struck = if self.impacts > 0 { 2.0 * r.ln() * per_period } else { 0.0 };
@@ -130,13 +130,13 @@ struct Moves {
 }
 
 impl Moves {
-    fn count(&mut self, trajectory: &Trajectory<f64>) -> Result<(), SpectrumFailed> {
+    fn count(&mut self, trajectory: &Trajectory<f64, 2>) -> Result<(), SpectrumFailed> {
         let periods = self.period;
         self.left -= 1;
         if self.left == 0 {
             return Err(SpectrumFailed { periods, reason: "too many impacts in one forcing period" });
         }
-        if !trajectory.point.state().iter().all(|value| value.is_finite()) {
+        if !trajectory.point.state.is_finite() {
             return Err(SpectrumFailed { periods, reason: "its state is no longer finite" });
         }
         Ok(())
@@ -145,7 +145,7 @@ impl Moves {
 
 /// A frame of tangent vectors, kept orthogonal, and what it has grown by.
 struct Gauge {
-    frame: [Tangent<f64>; 4],
+    frame: [Tangent<f64, 2>; 4],
     /// ln of the growths since they were last asked for.
     growth: [f64; 4],
     /// Time since the frame was last made orthogonal, in time constants of the fastest motion.
@@ -156,21 +156,21 @@ struct Gauge {
 }
 
 impl Gauge {
-    fn new(flight: &Flight<f64>) -> Self {
+    fn new(flight: &Flight<f64, 2>) -> Self {
         let unit = |j: usize| {
             let at = |i: usize| if i == j { 1.0 } else { 0.0 };
-            Tangent { x1: at(0), x2: at(1), v1: at(2), v2: at(3) }
+            Tangent(State::from_slice(&[at(0), at(1), at(2), at(3)]))
         };
         // x2 and v2 first: they are what sticking leaves.
         let frame = [unit(1), unit(3), unit(2), unit(0)];
         let mut gauge = Gauge { frame, growth: [0.0; 4], since: 0.0, lost: 0, impacts: 0, iterates: Some(0) };
-        if flight.delta == 0.0 {
+        if flight.normals[0].gap[0] == 0.0 {
             gauge.lose(2);
         }
         gauge
     }
 
-    fn note(&mut self, flight: &Flight<f64>, time: f64, event: &Event<f64>, counts: bool) {
+    fn note(&mut self, flight: &Flight<f64, 2>, time: f64, event: &Event<f64>, counts: bool) {
         self.since += flight.rate * time;
         match event {
             Event::Impact(impact) => {
@@ -178,7 +178,7 @@ impl Gauge {
                     self.impacts += 1;
                     self.iterates = self.iterates.map(|count| count + u64::from(impact.stop == Stop::A));
                 }
-                if flight.r == 0.0 {
+                if flight.normals[0].restitution[0] == 0.0 {
                     self.lose(1);
                 }
                 self.orthogonalise();
@@ -207,7 +207,7 @@ impl Gauge {
     /// The QR factorisation: the frame becomes Q, and R's diagonal is counted.
     fn orthogonalise(&mut self) {
         self.since = 0.0;
-        let columns: [_; 4] = self.frame.map(|t| nalgebra::Vector4::new(t.x1, t.x2, t.v1, t.v2));
+        let columns: [_; 4] = self.frame.map(|t| nalgebra::Vector4::from_iterator(t.0.values()));
         let (q, r) = Matrix4::from_columns(&columns).qr().unpack();
         // So little restitution that its square is lost in rounding is none.
         let kept = 4 - self.lost as usize;
@@ -215,10 +215,10 @@ impl Gauge {
         self.lose(self.lost + vanished as u32);
         for j in 0..4 {
             if j >= 4 - self.lost as usize {
-                self.frame[j] = Tangent { x1: 0.0, x2: 0.0, v1: 0.0, v2: 0.0 };
+                self.frame[j] = Tangent(State::zero());
                 self.growth[j] = f64::NEG_INFINITY;
             } else {
-                self.frame[j] = Tangent { x1: q[(0, j)], x2: q[(1, j)], v1: q[(2, j)], v2: q[(3, j)] };
+                self.frame[j] = Tangent(State::from_slice(q.column(j).as_slice()));
                 self.growth[j] += r[(j, j)].abs().ln();
             }
         }

@@ -2,11 +2,12 @@
 
 use nalgebra::{Complex, Matrix4, Vector4};
 
+use super::admissible::values;
 use super::motion::NoMotion;
 use super::multipliers::{STABLE, eigenvalues};
 use crate::analysis::{INFINITELY_MANY, motion_label};
-use crate::dynamics::{Contact, Event, Stop, Tangent, Trajectory, Variation};
-use crate::model::{Flight, System};
+use crate::dynamics::{Event, Stop, Tangent, Trajectory, Variation};
+use crate::model::{Flight, State, System};
 
 /// The most Newton steps.
 const MOST_STEPS: usize = 30;
@@ -52,8 +53,8 @@ impl StrobeMotion {
     /// # Errors
     /// [`NoMotion::NotConverged`] if there is none near by, or the trajectory cannot be followed.
     pub fn refine(system: &System, state: [f64; 4], n: u32) -> Result<Self, NoMotion> {
-        let flight = Flight::new(system);
-        let delta = flight.delta;
+        let flight = Flight::<f64, 2>::new(system);
+        let delta = flight.normals[0].gap[0];
         let mut state = Vector4::from(state);
         let mut turn = Turn::from(&flight, state.into(), n).ok_or(NoMotion::NotConverged)?;
         for _ in 0..MOST_STEPS {
@@ -133,12 +134,12 @@ struct Turn {
 
 impl Turn {
     /// Follows a trajectory; none if its state is not finite, or it makes too many moves.
-    fn from(flight: &Flight<f64>, start: [f64; 4], n: u32) -> Option<Self> {
-        let mut trajectory = Trajectory::new(flight, start);
+    fn from(flight: &Flight<f64, 2>, start: [f64; 4], n: u32) -> Option<Self> {
+        let mut trajectory = Trajectory::new(flight, State::from_slice(&start));
         let mut frame = unit_frame();
-        let clamped = trajectory.contact == Contact::Clamped;
+        let clamped = trajectory.contact.is_clamped();
         if clamped {
-            frame = frame.caught();
+            frame = frame.caught(flight, trajectory.contact);
         }
         let mut turn = Turn {
             end: Vector4::from(start),
@@ -154,10 +155,10 @@ impl Turn {
             loop {
                 let taken = trajectory.advance_to_event(flight, &mut frame);
                 moves += 1;
-                if moves > MOST_MOVES || !trajectory.point.state().iter().all(|value| value.is_finite()) {
+                if moves > MOST_MOVES || !trajectory.point.state.is_finite() {
                     return None;
                 }
-                turn.sticking |= taken.free == 0.0;
+                turn.sticking |= !taken.contact.is_free();
                 match taken.event {
                     Event::Impact(impact) => {
                         turn.count(impact.stop, false);
@@ -171,23 +172,20 @@ impl Turn {
                         }
                     }
                     Event::HalfPeriod if n % 2 == 1 && period == n / 2 => {
-                        turn.half = Some((trajectory.point.state().into(), columns(&frame)));
+                        turn.half = Some((values(&trajectory.point.state).into(), columns(&frame)));
                     }
                     Event::Strobe => break,
                     _ => {}
                 }
             }
         }
-        turn.end = trajectory.point.state().into();
+        turn.end = values(&trajectory.point.state).into();
         turn.jacobian = columns(&frame);
         Some(turn)
     }
 
     fn count(&mut self, stop: Stop, complete_chatter: bool) {
-        let count = match stop {
-            Stop::A => &mut self.q,
-            Stop::B => &mut self.p,
-        };
+        let count = if stop == Stop::A { &mut self.q } else { &mut self.p };
         *count = if complete_chatter {
             INFINITELY_MANY
         } else if *count < INFINITELY_MANY - 1 {
@@ -198,7 +196,7 @@ impl Turn {
     }
 
     /// Keeps an impact if it is the hardest so far; those at A count before all others.
-    fn harden(&mut self, flight: &Flight<f64>, trajectory: &Trajectory<f64>, stop: Stop, velocity: f64) {
+    fn harden(&mut self, flight: &Flight<f64, 2>, trajectory: &Trajectory<f64, 2>, stop: Stop, velocity: f64) {
         let before = match &self.hardest {
             Some((Stop::A, _)) if stop == Stop::B => return,
             Some((other, section)) if *other == stop => section[0].abs(),
@@ -207,21 +205,21 @@ impl Turn {
         if velocity.abs() > before {
             let elapsed = f64::from(trajectory.step) * flight.h + trajectory.offset;
             let phase = super::admissible::wrapped(flight.omega * elapsed);
-            let point = trajectory.point;
-            self.hardest = Some((stop, [velocity + 0.0, point.x2, point.v2, phase]));
+            let State { x, v } = trajectory.point.state;
+            self.hardest = Some((stop, [velocity + 0.0, x[1], v[1], phase]));
         }
     }
 }
 
 /// The unit vectors of (x1, x2, v1, v2).
-fn unit_frame() -> [Tangent<f64>; 4] {
+fn unit_frame() -> [Tangent<f64, 2>; 4] {
     std::array::from_fn(|j| {
         let at = |i: usize| if i == j { 1.0 } else { 0.0 };
-        Tangent { x1: at(0), x2: at(1), v1: at(2), v2: at(3) }
+        Tangent(State::from_slice(&[at(0), at(1), at(2), at(3)]))
     })
 }
 
 /// The matrix whose columns are the tangent vectors.
-fn columns(frame: &[Tangent<f64>; 4]) -> Matrix4<f64> {
-    Matrix4::from_columns(&frame.map(|t| Vector4::new(t.x1, t.x2, t.v1, t.v2)))
+fn columns(frame: &[Tangent<f64, 2>; 4]) -> Matrix4<f64> {
+    Matrix4::from_columns(&frame.map(|t| Vector4::from_iterator(t.0.values())))
 }

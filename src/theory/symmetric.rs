@@ -77,7 +77,7 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
     if nearest > 1.0 {
         return Err(NoSymmetricMotion::OutOfReach { amplitude: delta / nearest, delta });
     }
-    let flight = Flight::new(system);
+    let flight = Flight::<f64, 2>::new(system);
     let half_chord = (1.0 - nearest * nearest).sqrt();
     let mut sections = [-half_chord, half_chord].map(|along| {
         let [x2, v1, v2, sin, cos]: [f64; 5] = line.at(along).into();
@@ -134,7 +134,7 @@ impl Line {
 }
 
 /// One solution, and whether the system follows it.
-fn solution(flight: &Flight<f64>, flow: &Flow, section: Section) -> SymmetricMotion {
+fn solution(flight: &Flight<f64, 2>, flow: &Flow, section: Section) -> SymmetricMotion {
     let pattern = Pattern { stops: vec![Stop::A], half_turns: 1, mirrored: true };
     let sections = vec![section];
     let residual = newton::residual(&newton::arcs(flow, &pattern, &sections)).amax();

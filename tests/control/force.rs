@@ -4,18 +4,18 @@ use impact_atlas::control::{
     ControlSchedule, Controlled, Controller, Convention, Scheme, Section, control, multipliers,
 };
 use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Trajectory};
-use impact_atlas::model::{Drive, Flight, Parameters, System};
+use impact_atlas::model::{Drive, Flight, Parameters, State, System};
 
 use super::{Returns, away, run, sine, starts, system};
 
 #[test]
 fn a_force_in_phase_is_a_change_of_the_forcing() {
-    let mut stronger = system();
-    stronger.force1 += -0.3877;
-    let flight = Flight::new(&stronger);
+    let f20 = system().parameters().f20;
+    let stronger = system().loaded(&[1.0 - f20 - 0.3877, f20]);
+    let flight = Flight::<f64, 2>::new(&stronger);
     let schedule = ControlSchedule { from: 0, iterates: 40, fixed: true };
     let start = Section::new([-0.3, 0.01, 0.02, 1.9]);
-    let follow = |flight: &Flight<f64>| {
+    let follow = |flight: &Flight<f64, 2>| {
         let mut controlled =
             Controlled::new(start.trajectory(flight, false, ()), Controller::None, &schedule);
         let mut returns = Returns::default();
@@ -24,7 +24,7 @@ fn a_force_in_phase_is_a_change_of_the_forcing() {
     };
     let changed = follow(&flight);
 
-    let flight = Flight::new(&system());
+    let flight = Flight::<f64, 2>::new(&system());
     let drive = Drive::new(&system(), &flight, 1.0);
     let (sin, cos) = 1.9_f64.sin_cos();
     let none = Phasor::new(&drive, -0.3877, [sin, cos]);
@@ -46,10 +46,12 @@ fn integrated(system: &System, mut y: [f64; 4], time: f64, b: f64, gamma: f64, p
     let rates = |y: [f64; 4], t: f64| {
         let [x1, x2, v1, v2] = y;
         let forcing = (omega * t + phases[0]).sin();
-        let coupling = (x2 - x1) + system.coupling_damping * (v2 - v1);
-        let a1 = coupling + system.force1 * forcing + b * (gamma * omega * t + phases[1]).sin();
-        let ground = system.ground_stiffness * x2 + system.ground_damping * v2;
-        [v1, v2, a1, system.force2 * forcing - system.inverse_mass * coupling - ground]
+        let Parameters { zeta, mu_m, mu_k, mu_c, f20, .. } = *system.parameters();
+        let second = mu_m / (1.0 - mu_m);
+        let coupling = (x2 - x1) + 2.0 * zeta * (v2 - v1);
+        let a1 = coupling + (1.0 - f20) * forcing + b * (gamma * omega * t + phases[1]).sin();
+        let ground = mu_k / (1.0 - mu_k) * x2 + 2.0 * zeta * mu_c / (1.0 - mu_c) * v2;
+        [v1, v2, a1, (f20 * forcing - coupling - ground) / second]
     };
     let steps = 1000;
     let h = time / f64::from(steps);
@@ -65,17 +67,23 @@ fn integrated(system: &System, mut y: [f64; 4], time: f64, b: f64, gamma: f64, p
     y
 }
 
+fn values(state: &State<f64, 2>) -> [f64; 4] {
+    std::array::from_fn(|i| state.get(i))
+}
+
 #[test]
 fn flight_under_a_second_frequency_is_exact() {
     let parameters = Parameters { omega: 2.83, delta: 50.0, f20: 0.3, mu_c: 0.3, ..Parameters::default() };
     for gamma in [0.37, 1.0, 2.5, 7.0] {
         let system = System::new(parameters).unwrap().following(gamma).unwrap();
-        let flight = Flight::new(&system);
+        let flight = Flight::<f64, 2>::new(&system);
         let drive = Drive::new(&system, &flight, gamma);
         let phase = 0.7_f64;
         let phasor = Phasor::new(&drive, 0.8, [phase.sin(), phase.cos()]);
-        let point = Point { x1: 0.1, x2: -0.2, v1: 0.5, v2: 0.3, sin: 0.0, cos: 1.0, drive: phasor };
-        let mut trajectory = Trajectory::from_point(&flight, point, Contact::Free, 0, 0.0);
+        let start = [0.1, -0.2, 0.5, 0.3];
+        let state = State::from_slice(&start);
+        let point = Point { state, sin: 0.0, cos: 1.0, one: 1.0, drive: phasor };
+        let mut trajectory = Trajectory::from_point(&flight, point, Contact::FREE, 0, 0.0);
         let mut time = 0.0;
         loop {
             let taken = trajectory.advance(&flight, &mut ());
@@ -84,11 +92,11 @@ fn flight_under_a_second_frequency_is_exact() {
                 break;
             }
         }
-        let expected = integrated(&system, point.state(), time, 0.8, gamma, [0.0, phase]);
-        assert!(away(trajectory.point.state(), expected) < 1e-9, "γ = {gamma}");
-        let within = integrated(&system, point.state(), 0.6 * flight.h, 0.8, gamma, [0.0, phase]);
-        assert!(away(point.flown(&flight, 0.6 * flight.h, 1.0).state(), within) < 1e-12, "γ = {gamma}");
-        let unforced = integrated(&system, point.state(), time, 0.0, gamma, [0.0, phase]);
+        let expected = integrated(&system, start, time, 0.8, gamma, [0.0, phase]);
+        assert!(away(values(&trajectory.point.state), expected) < 1e-9, "γ = {gamma}");
+        let within = integrated(&system, start, 0.6 * flight.h, 0.8, gamma, [0.0, phase]);
+        assert!(away(values(&point.flown(&flight, 0.6 * flight.h, Contact::FREE).state), within) < 1e-12, "γ = {gamma}");
+        let unforced = integrated(&system, start, time, 0.0, gamma, [0.0, phase]);
         assert!(away(expected, unforced) > 1e-2, "the force does nothing");
     }
 }
@@ -96,15 +104,16 @@ fn flight_under_a_second_frequency_is_exact() {
 #[test]
 fn impacts_under_a_second_frequency_are_on_the_stops() {
     let system = system().following(2.5).unwrap();
-    let flight = Flight::new(&system);
+    let flight = Flight::<f64, 2>::new(&system);
     let drive = Drive::new(&system, &flight, 2.5);
     let phasor = Phasor::new(&drive, 0.8, [0.0, 1.0]);
-    let point = Point { x1: 0.0, x2: 0.0, v1: 0.5, v2: 0.0, sin: 0.0, cos: 1.0, drive: phasor };
-    let mut trajectory = Trajectory::from_point(&flight, point, Contact::Free, 0, 0.0);
+    let state = State { x: [0.0, 0.0], v: [0.5, 0.0] };
+    let point = Point { state, sin: 0.0, cos: 1.0, one: 1.0, drive: phasor };
+    let mut trajectory = Trajectory::from_point(&flight, point, Contact::FREE, 0, 0.0);
     let mut impacts = 0;
     for _ in 0..20_000 {
         let taken = trajectory.advance(&flight, &mut ());
-        assert!(trajectory.point.x1.abs() <= flight.delta * (1.0 + 1e-12));
+        assert!(trajectory.point.state.x[0].abs() <= 0.1 * (1.0 + 1e-12));
         impacts += u32::from(matches!(taken.event, Event::Impact(_)));
     }
     assert!(impacts > 1000, "{impacts}");

@@ -8,7 +8,7 @@ use impact_atlas::control::{
     ControlSchedule, Controller, Convention, NEVER, Outcome, PulseSetting, Scheme, Section, Sign,
 };
 use impact_atlas::dynamics::Event;
-use impact_atlas::model::{Flight, Parameter, Parameters, System};
+use impact_atlas::model::{Flight, Parameter, Parameters, State, System};
 use impact_atlas::plane::{ControlMap, ControlPlane, Start};
 use impact_atlas::sweep::sweep_control;
 use impact_atlas::validate::{Agreement, Thresholds, compare_controlled};
@@ -28,10 +28,10 @@ fn plane(control: Scheme, x: &str, y: &str) -> ControlPlane {
 
 /// (x1, x2, v1, v2) at forcing phase 0 beside the unstable 1-2-1 motion: on it, rounding would decide whether it is left.
 fn beside_the_motion() -> [f64; 4] {
-    let flight = Flight::new(&system());
+    let flight = Flight::<f64, 2>::new(&system());
     let mut trajectory = Section::new(FIXED_POINT).trajectory(&flight, false, ());
     while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
-    let [x1, x2, v1, v2] = trajectory.point.state();
+    let State { x: [x1, x2], v: [v1, v2] } = trajectory.point.state;
     [x1, x2 + 1e-3, v1, v2]
 }
 
@@ -105,11 +105,11 @@ fn single_precision(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
 fn restitution_a_little_low(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
     let parameters = job.job.system.parameters();
     let system = System::new(parameters.with(Parameter::R, parameters.r - 1e-3)).unwrap();
-    follow_controlled::<f64>(&ControlJob { job: Job { system, ..job.job }, ..*job }, schedule).unwrap()
+    follow_controlled::<f64>(&ControlJob { job: Job { system, start: job.job.start }, controller: job.controller }, schedule).unwrap()
 }
 
 fn feedback_forgotten(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
-    follow_controlled::<f64>(&ControlJob { controller: Controller::None, ..*job }, schedule).unwrap()
+    follow_controlled::<f64>(&ControlJob { job: job.job.clone(), controller: Controller::None }, schedule).unwrap()
 }
 
 #[test]

@@ -39,7 +39,7 @@ fn the_fixed_point_is_stable_between_two_amplitudes() {
 /// Runs on from near the fixed point with a constant amplitude; how far away it ends.
 fn from_nearby(amplitude: f64) -> f64 {
     let controller = sine(Convention::Kick, amplitude, 0.0, 0.0).resolve(&system()).unwrap();
-    let flight = Flight::new(&system());
+    let flight = Flight::<f64, 2>::new(&system());
     let schedule = ControlSchedule { from: 0, iterates: 3000, fixed: true };
     let [v1, x2, v2, tau] = FIXED_POINT;
     let nearby = impact_atlas::control::Section::new([v1 + 1e-4, x2, v2, tau]);

@@ -1,7 +1,7 @@
 //! Jacobians against central differences of the simulated map, and multipliers against measured decay.
 
 use impact_atlas::dynamics::{Event, Trajectory};
-use impact_atlas::model::{Flight, Parameters, System};
+use impact_atlas::model::{Flight, Parameters, State, System};
 use impact_atlas::theory::{impact_map, settled_motion};
 use nalgebra::Matrix4;
 use rand::{Rng, SeedableRng};
@@ -103,12 +103,12 @@ fn a_wrong_jacobian_is_noticed() {
 
 /// The state so many forcing periods later; phase 0 both times.
 pub fn strobe(system: &System, state: [f64; 4], periods: u32) -> [f64; 4] {
-    let flight = Flight::new(system);
-    let mut trajectory = Trajectory::new(&flight, state);
+    let flight = Flight::<f64, 2>::new(system);
+    let mut trajectory = Trajectory::new(&flight, State::from_slice(&state));
     for _ in 0..periods {
         while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
     }
-    trajectory.point.state()
+    std::array::from_fn(|i| trajectory.point.state.get(i))
 }
 
 /// A perturbation of a stable motion decays by its leading multiplier per period.

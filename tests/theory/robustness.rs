@@ -127,7 +127,7 @@ fn settled(
     let mut found = Vec::new();
     for _ in 0..cells {
         let system = system(&mut rng);
-        let verdict = follow::<f64>(&Job { system, start: [0.0; 4] }, &schedule);
+        let verdict = follow::<f64>(&Job { system: system.clone(), start: [0.0; 4] }, &schedule);
         if verdict.regime.is_periodic() {
             found.push((system, verdict));
         }
@@ -218,7 +218,7 @@ fn jacobians_of_the_strobe_map_are_its_derivatives() {
     for (omega, delta) in [(0.25, 0.545), (3.5, 0.1), (1.65, 0.1)] {
         let system = super::at(omega, delta);
         let schedule = Schedule { transient: 2000, observe: 200, max_period: 4, fixed_periods: true };
-        let verdict = follow::<f64>(&Job { system, start: [0.0; 4] }, &schedule);
+        let verdict = follow::<f64>(&Job { system: system.clone(), start: [0.0; 4] }, &schedule);
         let motion = StrobeMotion::refine(&system, verdict.state, u32::from(verdict.n)).unwrap();
         assert_eq!(motion.label(), verdict.label());
         let mut worst = 0.0f64;

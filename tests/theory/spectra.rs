@@ -1,7 +1,7 @@
 //! Lyapunov spectra.
 
 use impact_atlas::dynamics::{Event, Trajectory};
-use impact_atlas::model::{Flight, Parameters, System};
+use impact_atlas::model::{Flight, Parameters, State, System};
 use impact_atlas::theory::Spectrum;
 
 use super::{assert_close, at};
@@ -25,11 +25,11 @@ fn the_spectra_in_chaos_and_on_the_circle() {
 fn the_largest_exponent_is_the_separation_of_neighbours() {
     for omega in [2.83, 1.55] {
         let system = at(omega, 0.1);
-        let flight = Flight::new(&system);
+        let flight = Flight::<f64, 2>::new(&system);
         let strobe = |state: [f64; 4]| {
-            let mut trajectory = Trajectory::new(&flight, state);
+            let mut trajectory = Trajectory::new(&flight, State::from_slice(&state));
             while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
-            trajectory.point.state()
+            std::array::from_fn(|i| trajectory.point.state.get(i))
         };
         let apart = 1e-8;
         let mut state = [0.0; 4];

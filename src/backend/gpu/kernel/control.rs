@@ -1,13 +1,16 @@
 //! The kernel `control_trajectories`: controlled trajectories to their outcomes.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 use wgpu::util::DeviceExt;
 
 use super::Kernel;
-use super::device::{compiled, guarded};
+use super::compiled::Compiled;
+use super::device::guarded;
 use super::drive::{ITERATIONS, Portion, Program, ROW};
-use crate::backend::gpu::layout::{CONTROLLED_BYTES, Control, ControlDispatch, ControlSchedule, Outcome};
-use crate::backend::gpu::shader::{WORKGROUP, control_source};
+use crate::backend::gpu::layout::{Control, ControlDispatch, ControlSchedule, Outcome};
+use crate::backend::gpu::shader::{self, Shape, WORKGROUP};
 use crate::backend::{BackendError, ControlJob, Job, Watch};
 use crate::control::{self, DEPTH, LONGEST};
 use crate::model::{self, Real};
@@ -21,7 +24,14 @@ impl Kernel {
     /// Trajectories that one call of [`Kernel::control`] takes at most.
     pub fn control_tile(&self) -> usize {
         let binding = self.device.limits().max_storage_buffer_binding_size;
-        self.tile().min((binding / CONTROLLED_BYTES) as usize)
+        let state = self.controlling().map_or(1, |kernel| kernel.state.max(1));
+        self.tile().min((binding / state) as usize)
+    }
+
+    /// The kernel, compiled when it is first needed.
+    fn controlling(&self) -> Result<Arc<Compiled>, BackendError> {
+        let shape = Shape { coordinates: 2, normals: 1, stops: 2 };
+        self.library.get(&self.device, shader::Kernel::Control, shape)
     }
 
     /// Follows one tile of trajectories under control.
@@ -34,17 +44,11 @@ impl Kernel {
         if jobs.is_empty() {
             return Ok(Vec::new());
         }
-        let pipeline = match self.control.get() {
-            Some(pipeline) => pipeline,
-            None => {
-                let pipeline = compiled(&self.device, "control_trajectories", control_source())?;
-                self.control.get_or_init(|| pipeline)
-            }
-        };
+        let pipeline = self.controlling()?;
         let controls: Vec<Control> = jobs
             .par_iter()
             .map(|ControlJob { job: Job { system, .. }, controller }| {
-                Control::new(controller, system, &model::Flight::new(system))
+                Control::new(controller, system, &model::Flight::<f64, 2>::new(system))
             })
             .collect();
         let controls = guarded(&self.device, || {
@@ -62,13 +66,12 @@ impl Kernel {
             row: ROW * WORKGROUP,
         };
         let program = Program {
-            pipeline,
-            state: CONTROLLED_BYTES,
+            pipeline: &pipeline,
             iterations: CONTROL_ITERATIONS,
             more: &[&controls],
             dispatch: &dispatch,
         };
-        let jobs: Vec<Job> = jobs.iter().map(|job| job.job).collect();
+        let jobs: Vec<Job> = jobs.iter().map(|job| job.job.clone()).collect();
         Ok(self.drive::<_, Outcome>(&jobs, &program, watch)?.iter().map(Outcome::widen).collect())
     }
 }

@@ -66,13 +66,14 @@ pub struct Control {
     pub drive_bound: f32,
     pub point: [f32; 4],
     pub gains: [f32; 4],
+    pub push: [f32; 2],
     pub drive_sin: [f32; 4],
     pub drive_cos: [f32; 4],
 }
 
 impl Control {
     /// A controller as the shader reads it, on a cell with these constants.
-    pub fn new(controller: &Controller<f64>, system: &model::System, flight: &model::Flight<f64>) -> Self {
+    pub fn new(controller: &Controller<f64>, system: &model::System, flight: &model::Flight<f64, 2>) -> Self {
         let mut control = Control { period: 1, ..Control::zeroed() };
         match Controller::<f32>::rounded(controller) {
             Controller::None => control.method = METHOD_NONE,
@@ -87,9 +88,10 @@ impl Control {
                 control.phase = sine.phase;
                 control.wanted = sine.target;
                 let drive = model::Drive::new(system, flight, 1.0).round::<f32>();
-                control.drive_sin = drive.gamma_sin;
-                control.drive_cos = drive.gamma_cos;
-                control.drive_bound = drive.bound;
+                control.push = drive.push;
+                control.drive_sin = std::array::from_fn(|i| drive.gamma_sin.get(i));
+                control.drive_cos = std::array::from_fn(|i| drive.gamma_cos.get(i));
+                control.drive_bound = drive.bound[0];
             }
             Controller::Pulse(pulse) => {
                 control.method = METHOD_PULSE;
@@ -154,6 +156,3 @@ impl Outcome {
         }
     }
 }
-
-/// Bytes of `Controlled` in shaders/control/controlled.wgsl, which only the shader reads and writes.
-pub const CONTROLLED_BYTES: u64 = 4 * (16 + 4 + 3 + 80 + 36 + 7 + 8 + 21);

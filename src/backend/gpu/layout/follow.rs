@@ -3,6 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::record::Record;
+use crate::model::vector::MOST;
 use crate::analysis::{self, Regime};
 
 /// `Schedule` in shaders/analysis/observer.wgsl.
@@ -44,11 +45,10 @@ pub struct Dispatch {
 pub struct Verdict {
     pub regime: u32,
     pub n: u32,
-    pub p: u32,
-    pub q: u32,
     pub symmetric: u32,
     pub lyapunov: f32,
-    pub state: [f32; 4],
+    pub impacts_per_stop: [u32; MOST],
+    pub state: [f32; 2 * MOST],
     pub impacts: u32,
     pub impacts_total: u32,
     pub peak_impact_velocity: f32,
@@ -60,11 +60,10 @@ impl Verdict {
     pub const PENDING: Verdict = Verdict {
         regime: u32::MAX,
         n: 0,
-        p: 0,
-        q: 0,
         symmetric: 0,
         lyapunov: 0.0,
-        state: [0.0; 4],
+        impacts_per_stop: [0; MOST],
+        state: [0.0; 2 * MOST],
         impacts: 0,
         impacts_total: 0,
         peak_impact_velocity: 0.0,
@@ -82,11 +81,11 @@ impl Verdict {
         analysis::Verdict {
             regime,
             n: self.n as u16,
-            p: self.p as u16,
-            q: self.q as u16,
+            p: self.impacts_per_stop[1] as u16,
+            q: self.impacts_per_stop[0] as u16,
             symmetric: self.symmetric != 0,
             lyapunov: self.lyapunov,
-            state: self.state.map(f64::from),
+            state: std::array::from_fn(|i| f64::from(self.state[i])),
             impacts: self.impacts,
             impacts_total: self.impacts_total,
             peak_impact_velocity: self.peak_impact_velocity,
@@ -102,6 +101,3 @@ impl Record for Verdict {
         Verdict::is_pending(self)
     }
 }
-
-/// Bytes of `Observer` in shaders/analysis/observer.wgsl, which only the shader reads and writes.
-pub const OBSERVER_BYTES: u64 = 4 * (16 + 4 + 12 + 7 + 8 + 9);

@@ -1,0 +1,5 @@
+//! Systems: what a plant is.
+
+mod plant;
+
+pub use plant::{Plant, PlantStop};
