@@ -66,7 +66,10 @@ impl Plant {
             return Err(PlantError::Frequency(self.omega));
         }
         let condition = condition(&self.mass);
-        let inverse = self.mass.clone().try_inverse().filter(|_| condition >= Self::LEAST_CONDITION);
+        let sound = |inverse: &DMatrix<f64>| {
+            condition >= Self::LEAST_CONDITION && inverse.iter().all(|entry| entry.is_finite())
+        };
+        let inverse = self.mass.clone().try_inverse().filter(sound);
         let inverse = inverse.ok_or(PlantError::SingularMass { condition })?;
         for (stop, PlantStop { restitution, .. }) in self.stops.iter().enumerate() {
             if !(0.0..=1.0).contains(restitution) {
@@ -91,22 +94,31 @@ impl Plant {
         Ok(())
     }
 
-    /// Every matrix and vector: what it is, its shape, the columns that it must have, its entries.
-    fn numbers(&self) -> Vec<(Part, (usize, usize), usize, &[f64])> {
+    fn arrays(&self) -> Vec<Array<'_>> {
         let matrices =
             [(Part::Mass, &self.mass), (Part::Damping, &self.damping), (Part::Stiffness, &self.stiffness)];
         let loads =
             [(Part::ForceSin, &self.force_sin), (Part::ForceCos, &self.force_cos), (Part::Load, &self.load)];
         let directions = self.stops.iter().enumerate().map(|(i, stop)| (Part::Direction(i), &stop.direction));
-        let matrices = matrices.into_iter().map(|(part, m)| (part, m.shape(), self.n, m.as_slice()));
-        let vectors = loads.into_iter().chain(directions).map(|(part, v)| (part, v.shape(), 1, v.as_slice()));
+        let matrices = matrices.into_iter().map(|(part, m)| Array {
+            part,
+            shape: m.shape(),
+            wanted: (self.n, self.n),
+            entries: m.as_slice(),
+        });
+        let vectors = loads.into_iter().chain(directions).map(|(part, v)| Array {
+            part,
+            shape: v.shape(),
+            wanted: (self.n, 1),
+            entries: v.as_slice(),
+        });
         matrices.chain(vectors).collect()
     }
 
     fn check_shapes(&self) -> Result<(), PlantError> {
-        match self.numbers().into_iter().find(|&(_, shape, columns, _)| shape != (self.n, columns)) {
-            Some((part, (rows, columns), wanted, _)) => {
-                Err(PlantError::Shape { part, rows, columns, wanted: (self.n, wanted) })
+        match self.arrays().into_iter().find(|array| array.shape != array.wanted) {
+            Some(Array { part, shape: (rows, columns), wanted, .. }) => {
+                Err(PlantError::Shape { part, rows, columns, wanted })
             }
             None => Ok(()),
         }
@@ -119,13 +131,22 @@ impl Plant {
             .enumerate()
             .flat_map(|(i, stop)| [(Part::Gap(i), stop.gap), (Part::Restitution(i), stop.restitution)]);
         let entries =
-            self.numbers().into_iter().flat_map(|(part, _, _, data)| data.iter().map(move |&x| (part, x)));
+            self.arrays().into_iter().flat_map(|array| array.entries.iter().map(move |&x| (array.part, x)));
         let mut all = std::iter::once((Part::Frequency, self.omega)).chain(entries).chain(scalars);
         match all.find(|(_, value)| !value.is_finite()) {
             Some((part, value)) => Err(PlantError::NotFinite { part, value }),
             None => Ok(()),
         }
     }
+}
+
+/// A matrix or a vector of a plant.
+struct Array<'a> {
+    part: Part,
+    shape: (usize, usize),
+    /// The shape that it must have.
+    wanted: (usize, usize),
+    entries: &'a [f64],
 }
 
 /// The reciprocal condition of a square matrix in the norm of the largest row sum, once each row and then each

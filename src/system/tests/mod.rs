@@ -1,5 +1,9 @@
 //! Tests of the room.
 
+mod builtin;
+mod expression;
+mod family;
+mod file;
 mod mirror;
 mod plant;
 
