@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The rooms of src/, lowest first; a room may use those of the rows above its own.
-const ORDER: [&[&str]; 14] = [
+const ORDER: [&[&str]; 15] = [
+    &["system"],
     &["model"],
     &["dynamics"],
     &["analysis"],

@@ -1,5 +1,26 @@
-//! Systems: what a plant is.
+#![doc = include_str!("format.md")]
 
+mod block;
+mod builtin;
+mod error;
+mod expression;
+mod family;
+mod file;
+mod mirror;
+mod parameter;
 mod plant;
+mod plant_error;
+mod reader;
+mod stops;
 
+pub use builtin::{BUILTIN, Builtin, builtin};
+pub use error::{CellError, CellFault, CellProblem, FamilyError, Place, Problem};
+pub use expression::{ExpressionError, Fault};
+pub use family::{DefaultPlane, Family, FamilyStop};
+pub use mirror::Mirror;
+pub use parameter::{Bound, Parameter, ParameterError, ParameterId, Range, Values};
 pub use plant::{Plant, PlantStop};
+pub use plant_error::{Part, PlantError};
+
+#[cfg(test)]
+mod tests;
