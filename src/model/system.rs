@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
 use super::parameters::{ParameterError, Parameters};
-use crate::system::{Plant, PlantStop};
+use crate::system::{Plant, PlantError, PlantStop};
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
@@ -12,7 +12,8 @@ use crate::system::{Plant, PlantStop};
 /// Everything is non-dimensional.
 #[derive(Clone, Debug, PartialEq)]
 pub struct System {
-    parameters: Parameters,
+    /// The paper's parameters, where the plant is its oscillator.
+    parameters: Option<Parameters>,
     plant: Plant,
     rate: f64,
     steps: u32,
@@ -34,7 +35,20 @@ impl System {
         parameters.check()?;
         let plant = plant(&parameters);
         let rate = rate(&plant);
-        let mut system = System { parameters, plant, rate, steps: 0 };
+        let mut system = System { parameters: Some(parameters), plant, rate, steps: 0 };
+        system.divide()?;
+        Ok(system)
+    }
+
+    /// The system of a plant.
+    ///
+    /// # Errors
+    /// What is wrong with the plant, and [`SystemError::TooStiff`] where one forcing period holds too many steps of the
+    /// fastest motion.
+    pub fn of_plant(plant: Plant) -> Result<Self, SystemError> {
+        plant.check()?;
+        let rate = rate(&plant);
+        let mut system = System { parameters: None, plant, rate, steps: 0 };
         system.divide()?;
         Ok(system)
     }
@@ -43,8 +57,7 @@ impl System {
     fn divide(&mut self) -> Result<(), SystemError> {
         let half_steps = (0.5 * self.rate * self.period() / Self::STEP).ceil();
         if half_steps.is_nan() || half_steps > f64::from(Self::MOST_STEPS / 2) {
-            let Parameters { omega, zeta, .. } = self.parameters;
-            return Err(SystemError::TooStiff { omega, zeta });
+            return Err(SystemError::TooStiff { omega: self.plant.omega, rate: self.rate });
         }
         self.steps = 2 * half_steps as u32;
         Ok(())
@@ -80,8 +93,11 @@ impl System {
     }
 
     /// The parameters the system was made from.
+    ///
+    /// # Panics
+    /// If it was made from a plant.
     pub fn parameters(&self) -> &Parameters {
-        &self.parameters
+        self.parameters.as_ref().expect("the system is the paper's oscillator")
     }
 
     /// The numbers of its equations of motion.
@@ -108,8 +124,7 @@ impl System {
 
     /// The mirror P, P² = 1, under which the system half a forcing period later is itself, if there is one.
     pub fn mirror(&self) -> Option<DMatrix<f64>> {
-        let n = self.plant.n;
-        Some(-DMatrix::identity(n, n))
+        self.plant.mirror().map(|mirror| mirror.matrix)
     }
 
     /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.
@@ -176,14 +191,18 @@ pub enum SystemError {
     Parameter(#[from] ParameterError),
     /// The time scales are too far apart.
     #[error(
-        "omega = {omega} with zeta = {zeta} needs more than {steps} steps per forcing period: raise omega or \
-         lower zeta (or move mu_m, mu_k, mu_c away from 0 and 1)",
+        "the forcing frequency {omega} needs more than {steps} steps per forcing period, since the fastest motion \
+         has a rate of {rate:.3e}: raise the frequency (omega), or lower stiffness and damping (zeta), or raise the \
+         lightest mass (for the paper's oscillator, move mu_m, mu_k, mu_c away from 0 and 1)",
         steps = System::MOST_STEPS
     )]
     TooStiff {
         /// The forcing frequency.
         omega: f64,
-        /// The damping ratio.
-        zeta: f64,
+        /// The rate of the fastest motion.
+        rate: f64,
     },
+    /// The plant cannot be followed.
+    #[error(transparent)]
+    Plant(#[from] PlantError),
 }
