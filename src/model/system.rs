@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use super::parameters::{ParameterError, Parameters};
-use crate::system::{Plant, PlantError, PlantStop};
+use super::parameters::Parameters;
+use crate::system::{CellError, Plant, PlantError, Setting};
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
@@ -12,8 +12,8 @@ use crate::system::{Plant, PlantError, PlantStop};
 /// Everything is non-dimensional.
 #[derive(Clone, Debug, PartialEq)]
 pub struct System {
-    /// The paper's parameters, where the plant is its oscillator.
-    parameters: Option<Parameters>,
+    /// The setting it was made from, if it was made from one.
+    setting: Option<Setting>,
     plant: Plant,
     rate: f64,
     steps: u32,
@@ -28,14 +28,14 @@ impl System {
     /// A system with checked parameters.
     ///
     /// # Errors
-    /// The first parameter that is out of its physical range, and [`SystemError::TooStiff`] where ω is so slow,
-    /// or the damping so strong, that one forcing period holds more than [`System::MOST_STEPS`] steps of the
-    /// fastest motion.
-    pub fn new(parameters: Parameters) -> Result<Self, SystemError> {
-        parameters.check()?;
-        let plant = plant(&parameters);
+    /// The first parameter that is out of its range, what the family cannot make of the values, and
+    /// [`SystemError::TooStiff`] where ω is so slow, or the damping so strong, that one forcing period holds more than
+    /// [`System::MOST_STEPS`] steps of the fastest motion.
+    pub fn new(setting: impl Into<Setting>) -> Result<Self, SystemError> {
+        let setting = setting.into();
+        let plant = setting.plant()?;
         let rate = rate(&plant);
-        let mut system = System { parameters: Some(parameters), plant, rate, steps: 0 };
+        let mut system = System { setting: Some(setting), plant, rate, steps: 0 };
         system.divide()?;
         Ok(system)
     }
@@ -48,7 +48,7 @@ impl System {
     pub fn of_plant(plant: Plant) -> Result<Self, SystemError> {
         plant.check()?;
         let rate = rate(&plant);
-        let mut system = System { parameters: None, plant, rate, steps: 0 };
+        let mut system = System { setting: None, plant, rate, steps: 0 };
         system.divide()?;
         Ok(system)
     }
@@ -92,12 +92,17 @@ impl System {
         self
     }
 
-    /// The parameters the system was made from.
+    /// The setting that the system was made from; none where it was made from a plant.
+    pub fn setting(&self) -> Option<&Setting> {
+        self.setting.as_ref()
+    }
+
+    /// The parameters of the paper's oscillator.
     ///
     /// # Panics
-    /// If it was made from a plant.
-    pub fn parameters(&self) -> &Parameters {
-        self.parameters.as_ref().expect("the system is the paper's oscillator")
+    /// If it is another system.
+    pub fn parameters(&self) -> Parameters {
+        self.setting.as_ref().and_then(Parameters::of).expect("the system is the paper's oscillator")
     }
 
     /// The numbers of its equations of motion.
@@ -150,29 +155,6 @@ impl System {
     }
 }
 
-/// The paper's oscillator, Eq. (2), with stop A at x1 = +δ and stop Ā at x1 = −δ.
-fn plant(parameters: &Parameters) -> Plant {
-    let Parameters { omega, delta, zeta, r, mu_m, mu_k, mu_c, f20 } = *parameters;
-    let damping = 2.0 * zeta;
-    let matrix = |values: [f64; 4]| DMatrix::from_row_slice(2, 2, &values);
-    let stop = |direction: f64| PlantStop {
-        direction: DVector::from_row_slice(&[direction, 0.0]),
-        gap: delta,
-        restitution: r,
-    };
-    Plant {
-        n: 2,
-        mass: matrix([1.0, 0.0, 0.0, mu_m / (1.0 - mu_m)]),
-        damping: matrix([damping, -damping, -damping, damping / (1.0 - mu_c)]),
-        stiffness: matrix([1.0, -1.0, -1.0, 1.0 / (1.0 - mu_k)]),
-        force_sin: DVector::from_row_slice(&[1.0 - f20, f20]),
-        force_cos: DVector::zeros(2),
-        load: DVector::zeros(2),
-        omega,
-        stops: vec![stop(1.0), stop(-1.0)],
-    }
-}
-
 /// See [`System::rate`].
 fn rate(plant: &Plant) -> f64 {
     match plant.n {
@@ -186,9 +168,9 @@ fn rate(plant: &Plant) -> f64 {
 /// Why a system was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum SystemError {
-    /// A parameter is outside its physical range.
+    /// A parameter is outside its range, or the family cannot make a plant of the values.
     #[error(transparent)]
-    Parameter(#[from] ParameterError),
+    Cell(#[from] CellError),
     /// The time scales are too far apart.
     #[error(
         "the forcing frequency {omega} needs more than {steps} steps per forcing period, since the fastest motion \

@@ -11,6 +11,7 @@ mod parameter;
 mod plant;
 mod plant_error;
 mod reader;
+mod setting;
 mod stops;
 
 pub use builtin::{BUILTIN, Builtin, builtin};
@@ -18,9 +19,10 @@ pub use error::{CellError, CellFault, CellProblem, FamilyError, Place, Problem};
 pub use expression::{ExpressionError, Fault};
 pub use family::{DefaultPlane, Family, FamilyStop};
 pub use mirror::Mirror;
-pub use parameter::{Bound, Parameter, ParameterError, ParameterId, Range, Values};
+pub use parameter::{Bound, Parameter as ParameterRecord, ParameterError, ParameterId, Range, Values};
 pub use plant::{Plant, PlantStop};
 pub use plant_error::{Part, PlantError};
+pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting};
 
 #[cfg(test)]
 mod tests;
