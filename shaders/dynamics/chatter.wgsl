@@ -11,7 +11,7 @@ fn chatter_close(speed: f32, motion: Motion, room: f32) -> Closure {
     if speed <= unresolved() {
         return Closure(force >= -unresolved(), 0.0);
     }
-    if force <= 0.0 {
+    if force <= 0.0 || speed * speed >= (flight.delta + flight.delta) * force {
         return Closure(false, 0.0);
     }
     if flight.r >= 1.0 {

@@ -38,6 +38,12 @@ fn contact_safe_time(point: Point, motion: Motion, window: f32) -> f32 {
     return min(at_a, at_b);
 }
 
+// A time for which a mass that leaves the stop at `side` provably does not reach the other one.
+fn contact_safe_across(point: Point, motion: Motion, side: f32, window: f32) -> f32 {
+    let gap = flight.delta + side * point.x1;
+    return safe_from_stop(gap, -(side * point.v1), -(side * motion.acceleration), motion, -side, window);
+}
+
 // The bound on the mean acceleration towards the stop within a window.
 fn steepest(acceleration: f32, jerk: f32, bound: f32, window: f32) -> f32 {
     return acceleration + max(window * (jerk + bound * window), 0.0);

@@ -81,7 +81,8 @@ fn fly(carry: bool) -> Move {
     trajectory.offset = trajectory.offset + time;
     let side = select(-1.0, 1.0, trajectory.point.x1 >= 0.0);
     let left = contact_imminent(trajectory.point, side);
-    if left == FAR {
+    // A contact beyond the end of the step belongs to the next one.
+    if left == FAR || trajectory.offset + left > flight.h {
         return Move(EVENT_FLIGHT, 0.0, 0.0);
     }
     if side * trajectory.point.v1 < 0.0 {
@@ -149,7 +150,7 @@ fn rest(carry: bool) -> Move {
     let force = side * motion.acceleration;
     let slope = side * motion.jerk;
     if force <= unresolved() && slope < 0.0 {
-        return release(carry, side, slope, motion.bound);
+        return release(carry, side, slope);
     }
     let least = flight.h * SQRT_EPSILON;
     let time = max(contact_pressed_time(force, slope, motion.bound, window), least);
@@ -162,10 +163,12 @@ fn rest(carry: bool) -> Move {
     return Move(EVENT_FLIGHT, 0.0, 0.0);
 }
 
-fn release(carry: bool, side: f32, slope: f32, bound: f32) -> Move {
+fn release(carry: bool, side: f32, slope: f32) -> Move {
+    let motion = point_motion(trajectory.point, 1.0);
     let half_window = 0.5 * (flight.h - trajectory.offset);
     let least = flight.h * SQRT_EPSILON;
-    let pulled = min(max(-slope / (bound + bound), least), half_window);
+    let longest = min(max(-slope / (motion.bound + motion.bound), least), half_window);
+    let pulled = contact_safe_across(trajectory.point, motion, side, longest);
     trajectory.contact = CONTACT_FREE;
     glide(carry, pulled, 1.0);
     trajectory.offset = trajectory.offset + pulled;

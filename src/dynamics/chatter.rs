@@ -28,7 +28,9 @@ pub const DRAGGED: f64 = 21.0;
 /// relative change of a meanwhile; the effect of that on the second mass (through the spring and damper
 /// between the masses) must be below [`Real::CHATTER`], and the pressing must outlast the sequence, so that
 /// it surely completes. It must also complete before the next strobe, `room` away, whose state would still show its
-/// rebounds; a steady enough force makes it at most twice as long as reckoned. A speed that rounding cannot tell from 0 is 0: the mass rests, unless it is pulled off.
+/// rebounds; a steady enough force makes it at most twice as long as reckoned. A steady enough force makes each rebound
+/// at most twice as high as reckoned, too: u²/a must not reach across to the other stop. A speed that rounding cannot
+/// tell from 0 is 0: the mass rests, unless it is pulled off.
 /// `motion` is that after the impact, towards the stop.
 #[inline(always)]
 pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>, room: T) -> Option<Closure<T>> {
@@ -39,7 +41,7 @@ pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>, room: T)
         let gap_integral = T::zero();
         return if force >= -unresolved { Some(Closure { gap_integral }) } else { None };
     }
-    if force <= T::zero() {
+    if force <= T::zero() || speed * speed >= (flight.delta + flight.delta) * force {
         return None;
     }
     if flight.r >= one {

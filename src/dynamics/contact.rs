@@ -29,6 +29,30 @@ pub fn safe_time<T: Real, D>(flight: &Flight<T>, point: &Point<T, D>, motion: &M
     if at_a < at_b { at_a } else { at_b }
 }
 
+/// A time, at most `window`, for which a mass that leaves the stop at `side` provably does not reach the other one.
+#[inline(always)]
+pub fn safe_across<T: Real, D>(
+    flight: &Flight<T>,
+    point: &Point<T, D>,
+    motion: &Motion<T>,
+    side: T,
+    window: T,
+) -> T {
+    let gap = flight.delta + side * point.x1;
+    safe_from_stop(gap, -(side * point.v1), -(side * motion.acceleration), motion, -side, window)
+}
+
+/// Whether a point lies between the stops, up to the rounding of the flights that led to it.
+pub fn holds<T: Real, D: Drive<T>>(flight: &Flight<T>, point: &Point<T, D>) -> bool {
+    let force = (T::one() + point.x2.abs()) + flight.coupling_damping * (point.v1.abs() + point.v2.abs());
+    let size = flight.delta + flight.h * (point.v1.abs() + flight.h * point.drive.bounded(force));
+    let beyond = point.x1.abs() - flight.delta;
+    beyond.is_nan() || beyond <= T::of(ROUNDINGS) * T::epsilon() * size
+}
+
+/// As many roundings of x1 as [`holds`] lets pass.
+const ROUNDINGS: f64 = 64.0;
+
 /// The time left to a stop, if it is so short that its square is lost in rounding; 0 if the stop is touched.
 #[inline(always)]
 pub fn imminent<T: Real, D: Drive<T>>(flight: &Flight<T>, point: &Point<T, D>, side: T) -> Option<T> {

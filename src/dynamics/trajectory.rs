@@ -165,7 +165,7 @@ impl<T: Real, D: Drive<T>> Trajectory<T, D> {
     /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none.
     #[inline(always)]
     pub fn advance<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V) -> Move<T> {
-        match self.contact {
+        let taken = match self.contact {
             Contact::Free => self.fly(flight, variation),
             Contact::Stuck(stop) => self.rest(flight, variation, stop),
             Contact::Clamped => {
@@ -173,7 +173,9 @@ impl<T: Real, D: Drive<T>> Trajectory<T, D> {
                 self.glide(flight, variation, window, T::zero());
                 Move { time: window, free: T::zero(), event: self.end_step(flight) }
             }
-        }
+        };
+        debug_assert!(contact::holds(flight, &self.point), "beyond a stop after {taken:?}: {self:?}");
+        taken
     }
 
     /// Moves on like [`Trajectory::advance`], but passes over the ends of steps at which nothing happens.
@@ -209,7 +211,9 @@ impl<T: Real, D: Drive<T>> Trajectory<T, D> {
         self.offset = self.offset + time;
         let stop = if self.point.x1 >= T::zero() { Stop::A } else { Stop::B };
         let side = stop.side::<T>();
-        let Some(left) = contact::imminent(flight, &self.point, side) else {
+        let imminent = contact::imminent(flight, &self.point, side);
+        // A contact beyond the end of the step belongs to the next one.
+        let Some(left) = imminent.filter(|&left| self.offset + left <= flight.h) else {
             return Move { time, free, event: Event::Flight };
         };
         if side * self.point.v1 < T::zero() {
@@ -286,7 +290,7 @@ impl<T: Real, D: Drive<T>> Trajectory<T, D> {
         let force = side * motion.acceleration;
         let slope = side * motion.jerk;
         if force <= contact::unresolved(flight) && slope < T::zero() {
-            return self.release(flight, variation, stop, slope, motion.bound);
+            return self.release(flight, variation, stop, slope);
         }
         let least = flight.h * T::epsilon().sqrt();
         let time = contact::pressed_time(force, slope, motion.bound, window);
@@ -300,7 +304,8 @@ impl<T: Real, D: Drive<T>> Trajectory<T, D> {
         Move { time, free, event: Event::Flight }
     }
 
-    /// The first mass leaves its stop, from rest and without acceleration; the jerk alone pulls it off.
+    /// The first mass leaves its stop, from rest and without acceleration; the jerk alone pulls it off, for as long as
+    /// it surely outweighs what is left of the series, and the other stop is surely not reached.
     #[inline(always)]
     fn release<V: Variation<T>>(
         &mut self,
@@ -308,14 +313,15 @@ impl<T: Real, D: Drive<T>> Trajectory<T, D> {
         variation: &mut V,
         stop: Stop,
         slope: T,
-        bound: T,
     ) -> Move<T> {
+        let free = T::one();
+        let motion = self.point.motion(flight, free);
         let half_window = T::of(0.5) * (flight.h - self.offset);
         let least = flight.h * T::epsilon().sqrt();
-        let pulled = -slope / (bound + bound);
+        let pulled = -slope / (motion.bound + motion.bound);
         let pulled = if pulled > least { pulled } else { least };
         let pulled = if pulled < half_window { pulled } else { half_window };
-        let free = T::one();
+        let pulled = contact::safe_across(flight, &self.point, &motion, stop.side(), pulled);
         self.contact = Contact::Free;
         self.glide(flight, variation, pulled, free);
         self.offset = self.offset + pulled;

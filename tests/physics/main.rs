@@ -1,7 +1,11 @@
 //! What physics says of the motion, held against the library's trajectories.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod invariants;
 mod limits;
+mod narrow;
 mod paper;
 mod stops;
 

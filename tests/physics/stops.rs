@@ -1,24 +1,26 @@
 //! Nothing goes through a stop, and nothing rests on one that does not press.
 
-use impact_atlas::dynamics::{Contact, Event, Trajectory};
-use impact_atlas::model::{Parameters, Real};
+use impact_atlas::dynamics::{Contact, Event, Point, Trajectory};
+use impact_atlas::model::{Flight, Parameters, Real};
 use rayon::prelude::*;
 
 use crate::{at, flight};
 
 /// What a trajectory did at the stops; everything non-dimensional.
 #[derive(Clone, Copy, Debug, Default)]
-struct Touches {
+pub struct Touches {
     /// How far beyond a stop x1 was, at the worst.
-    penetration: f64,
+    pub penetration: f64,
+    /// The same in units of what rounding makes of x1 in one flight.
+    pub roundings: f64,
     /// How strongly a stop would have had to pull on the resting mass, at the worst.
-    pull: f64,
+    pub pull: f64,
     /// The largest contact force at a release.
-    release: f64,
+    pub release: f64,
     /// Sequences of infinitely many rebounds.
-    chatters: u32,
+    pub chatters: u32,
     /// Releases.
-    releases: u32,
+    pub releases: u32,
 }
 
 /// Samples within each move.
@@ -27,9 +29,30 @@ const SAMPLES: u32 = 16;
 /// Far more moves than any of these trajectories needs.
 const MOST_MOVES: u32 = 2_000_000;
 
-fn touches<T: Real>(parameters: Parameters, start: [f64; 4], periods: u32) -> Touches {
-    let flight = flight::<T>(parameters);
-    let mut trajectory = Trajectory::<T>::new(&flight, start.map(T::of));
+impl Touches {
+    fn see<T: Real>(&mut self, flight: &Flight<T>, point: &Point<T>) {
+        let beyond = (point.x1.abs() - flight.delta).widen();
+        let [_, x2, v1, v2] = point.state().map(|value| value.widen().abs());
+        let h = flight.h.widen();
+        let force = 1.0 + x2 + flight.coupling_damping.widen() * (v1 + v2);
+        let size = flight.delta.widen() + h * (v1 + h * force);
+        self.penetration = self.penetration.max(beyond);
+        self.roundings = self.roundings.max(beyond / (T::epsilon().widen() * size));
+    }
+}
+
+pub fn touches<T: Real>(parameters: Parameters, start: [f64; 4], periods: u32) -> Touches {
+    touches_of(&flight::<T>(parameters), parameters, start, periods)
+}
+
+/// What a trajectory does whose flight may be another than its parameters'.
+pub fn touches_of<T: Real>(
+    flight: &Flight<T>,
+    parameters: Parameters,
+    start: [f64; 4],
+    periods: u32,
+) -> Touches {
+    let mut trajectory = Trajectory::<T>::new(flight, start.map(T::of));
     let mut touches = Touches::default();
     let mut done = 0;
     let mut moves = 0;
@@ -40,11 +63,11 @@ fn touches<T: Real>(parameters: Parameters, start: [f64; 4], periods: u32) -> To
             "no progress after {done} periods from {start:?} with {parameters:?}: {trajectory:?}"
         );
         let before = trajectory;
-        let taken = trajectory.advance(&flight, &mut ());
+        let taken = trajectory.advance(flight, &mut ());
         for sample in 0..=SAMPLES {
             let time = taken.time * T::of(f64::from(sample) / f64::from(SAMPLES));
-            let point = before.point.flown(&flight, time, taken.free);
-            touches.penetration = touches.penetration.max((point.x1.abs() - flight.delta).widen());
+            let point = before.point.flown(flight, time, taken.free);
+            touches.see(flight, &point);
             if let (Contact::Stuck(stop), true) = (before.contact, taken.free == T::zero()) {
                 let [x1, x2, _, v2] = point.state().map(T::widen);
                 let force = (1.0 - parameters.f20) * point.sin.widen() + 2.0 * parameters.zeta * v2 + x2 - x1;
@@ -52,7 +75,7 @@ fn touches<T: Real>(parameters: Parameters, start: [f64; 4], periods: u32) -> To
                 assert_eq!(point.x1, stop.side::<T>() * flight.delta);
             }
         }
-        touches.penetration = touches.penetration.max((trajectory.point.x1.abs() - flight.delta).widen());
+        touches.see(flight, &trajectory.point);
         match taken.event {
             Event::Strobe => done += 1,
             Event::Caught { complete_chatter, .. } => touches.chatters += u32::from(complete_chatter),
@@ -86,6 +109,7 @@ fn worst<T: Real>() -> Touches {
         Touches::default,
         |a, b| Touches {
             penetration: a.penetration.max(b.penetration),
+            roundings: a.roundings.max(b.roundings),
             pull: a.pull.max(b.pull),
             release: a.release.max(b.release),
             chatters: a.chatters + b.chatters,
@@ -148,8 +172,10 @@ fn elastic_stops_with_strong_damping_take_few_moves() {
     corners().filter(is_dragged).for_each(stays_between_the_stops);
 }
 
-/// Nothing is found by a check that cannot fail: a start beyond the stop is one.
+/// Nothing is found by a check that cannot fail: a start beyond the stop is one. Where debug assertions are on, the
+/// engine's own is first.
 #[test]
+#[cfg_attr(debug_assertions, should_panic(expected = "beyond a stop"))]
 fn a_penetration_is_seen() {
     assert!(touches::<f64>(at(2.0, 0.1), [0.1 + 1e-9, 0.0, -1.0, 0.0], 1).penetration > 1e-12);
 }
