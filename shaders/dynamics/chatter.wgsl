@@ -11,7 +11,7 @@ fn chatter_close(speed: f32, motion: Motion, room: f32) -> Closure {
     if speed <= unresolved() {
         return Closure(force >= -unresolved(), 0.0);
     }
-    if force <= 0.0 || speed * speed >= (flight.delta + flight.delta) * force {
+    if force <= 0.0 {
         return Closure(false, 0.0);
     }
     if flight.r >= 1.0 {
@@ -23,7 +23,16 @@ fn chatter_close(speed: f32, motion: Motion, room: f32) -> Closure {
     let cube = speed * speed * speed;
     let gap_integral = TWO_THIRDS * cube / (force * force * (1.0 - r * r * r));
     let effect = gap_integral * flight.inverse_mass * (1.0 + flight.coupling_damping);
-    return Closure(time + time <= room && change <= STEADY && effect * change <= CHATTER, gap_integral);
+    let closes = time + time <= room
+        && change <= STEADY
+        && effect * change <= CHATTER
+        && stays_low(speed, force);
+    return Closure(closes, gap_integral);
+}
+
+// Whether rebounds surely do not reach the other stop.
+fn stays_low(speed: f32, force: f32) -> bool {
+    return speed * speed < (flight.delta + flight.delta) * force;
 }
 
 // Rebounds without loss, dragged down by the damper.
@@ -34,5 +43,5 @@ fn chatter_drag(speed: f32, motion: Motion) -> Closure {
         return Closure(false, 0.0);
     }
     let lasts = damping * force >= DRAGGED * abs(motion.jerk);
-    return Closure(lasts && speed <= SLOW, speed * speed / ((force + force) * damping));
+    return Closure(lasts && speed <= SLOW && stays_low(speed, force), speed * speed / ((force + force) * damping));
 }

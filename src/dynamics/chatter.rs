@@ -28,9 +28,8 @@ pub const DRAGGED: f64 = 21.0;
 /// relative change of a meanwhile; the effect of that on the second mass (through the spring and damper
 /// between the masses) must be below [`Real::CHATTER`], and the pressing must outlast the sequence, so that
 /// it surely completes. It must also complete before the next strobe, `room` away, whose state would still show its
-/// rebounds; a steady enough force makes it at most twice as long as reckoned. A steady enough force makes each rebound
-/// at most twice as high as reckoned, too: u²/a must not reach across to the other stop. A speed that rounding cannot
-/// tell from 0 is 0: the mass rests, unless it is pulled off.
+/// rebounds; a steady enough force makes it at most twice as long as reckoned. A speed
+/// that rounding cannot tell from 0 is 0: the mass rests, unless it is pulled off.
 /// `motion` is that after the impact, towards the stop.
 #[inline(always)]
 pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>, room: T) -> Option<Closure<T>> {
@@ -41,7 +40,7 @@ pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>, room: T)
         let gap_integral = T::zero();
         return if force >= -unresolved { Some(Closure { gap_integral }) } else { None };
     }
-    if force <= T::zero() || speed * speed >= (flight.delta + flight.delta) * force {
+    if force <= T::zero() {
         return None;
     }
     if flight.r >= one {
@@ -53,8 +52,18 @@ pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>, room: T)
     let cube = speed * speed * speed;
     let gap_integral = T::of(2.0 / 3.0) * cube / (force * force * (one - r * r * r));
     let effect = gap_integral * flight.inverse_mass * (one + flight.coupling_damping);
-    let closes = time + time <= room && change <= T::of(STEADY) && effect * change <= T::of(T::CHATTER);
+    let closes = time + time <= room
+        && change <= T::of(STEADY)
+        && effect * change <= T::of(T::CHATTER)
+        && stays_low(flight, speed, force);
     if closes { Some(Closure { gap_integral }) } else { None }
+}
+
+/// Whether rebounds that begin with `speed` surely do not reach the other stop, 2δ away: a force that stays above half
+/// of what it is lets them rise to u²/a at most.
+#[inline(always)]
+fn stays_low<T: Real>(flight: &Flight<T>, speed: T, force: T) -> bool {
+    speed * speed < (flight.delta + flight.delta) * force
 }
 
 /// Rebounds without loss (r = 1) do not end in finite time, but the damper drags them down: their speed u decays
@@ -65,7 +74,7 @@ fn drag<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>) -> Option<Clo
     let damping = flight.coupling_damping;
     let force = motion.acceleration;
     let lasts = damping * force >= T::of(DRAGGED) * motion.jerk.abs();
-    if damping > T::zero() && lasts && speed <= T::of(SLOW) {
+    if damping > T::zero() && lasts && speed <= T::of(SLOW) && stays_low(flight, speed, force) {
         Some(Closure { gap_integral: speed * speed / ((force + force) * damping) })
     } else {
         None
