@@ -23,6 +23,8 @@ pub enum Family {
     OnStop,
     /// The first strobe falls into the last hops of a chatter.
     LastHops,
+    /// A narrow clearance: the mass crosses it many times in a period, and in one flight off the other stop.
+    Narrow,
 }
 
 /// A system with a start at forcing phase 0.
@@ -47,6 +49,8 @@ pub fn setups() -> Vec<Setup> {
     setups.extend((0..40).map(|_| on_stop(&mut rng)));
     setups.extend((0..12).map(|_| last_hops(&mut rng, 1e-6)));
     setups.extend((0..12).map(|_| last_hops(&mut rng, 1e-4)));
+    setups.extend(thrown());
+    setups.extend((0..60).map(|_| narrow(&mut rng, 1e-4, 1e-2)));
     setups
 }
 
@@ -167,6 +171,57 @@ fn on_stop(rng: &mut ChaCha8Rng) -> Setup {
     let stop = if rng.random() { parameters.delta } else { -parameters.delta };
     let v1 = if rng.random() { 0.0 } else { rng.random_range(-1.0..1.0) };
     Setup { family: Family::OnStop, parameters, start: [stop, x2, v1, v2] }
+}
+
+/// Systems in which a mass that is released is at the other stop before the force has grown much.
+pub fn thrown() -> [Setup; 3] {
+    let family = Family::Narrow;
+    let narrow = Parameters { omega: 2.0, delta: 1e-4, ..Parameters::default() };
+    let resonant =
+        Parameters { omega: 1.414, delta: 0.1, zeta: 0.0005, r: 0.6, f20: 1.0, ..Parameters::default() };
+    [
+        Setup { family, parameters: narrow, start: [0.0, 0.1, 1e-4, 0.05] },
+        Setup { family, parameters: narrow, start: [0.0; 4] },
+        Setup { family, parameters: resonant, start: [0.0; 4] },
+    ]
+}
+
+/// A clearance, damping, masses and stiffnesses drawn logarithmically, near a resonance one time in three, and a start
+/// on a stop every other time.
+pub fn narrow(rng: &mut ChaCha8Rng, least: f64, most: f64) -> Setup {
+    let share = |ratio: f64| ratio / (1.0 + ratio);
+    let (mass, ground) = (log_uniform(rng, 1e-2, 1e2), log_uniform(rng, 0.05, 20.0));
+    // ω⁴ − 2 half ω² + ground/mass = 0 at the natural frequencies.
+    let half = 0.5 * (1.0 + (1.0 + ground) / mass);
+    let fast = half + (half * half - ground / mass).sqrt();
+    let omega = match rng.random_range(0..6) {
+        0 => fast.sqrt() * rng.random_range(0.99..1.01),
+        1 => (ground / mass / fast).sqrt() * rng.random_range(0.99..1.01),
+        _ => log_uniform(rng, 0.3, 6.0),
+    };
+    let parameters = Parameters {
+        omega: omega.max(0.1),
+        delta: log_uniform(rng, least, most),
+        zeta: log_uniform(rng, 1e-4, 1.0),
+        r: if rng.random_range(0..8) == 0 { 0.0 } else { rng.random_range(0.0..0.95) },
+        mu_m: share(mass),
+        mu_k: share(ground),
+        mu_c: share(log_uniform(rng, 0.05, 20.0)),
+        f20: match rng.random_range(0..4) {
+            0 => 0.0,
+            1 => 1.0,
+            _ => rng.random_range(0.0..1.0),
+        },
+    };
+    let delta = parameters.delta;
+    let x1 = match rng.random_range(0..4) {
+        0 => delta,
+        1 => -delta,
+        _ => rng.random_range(-delta..delta),
+    };
+    let v1 = if rng.random() { 0.0 } else { rng.random_range(-0.1..0.1) };
+    let start = [x1, rng.random_range(-1.0..1.0) * (delta + 0.1), v1, rng.random_range(-0.5..0.5)];
+    Setup { family: Family::Narrow, parameters, start }
 }
 
 /// A chatter that is over just after the first strobe: v2 is bisected between a start that is caught before the

@@ -3,10 +3,10 @@
 use impact_atlas::analysis::{INFINITELY_MANY, Regime, Schedule, Verdict};
 use impact_atlas::backend::{Backend, Gpu, Job, Unwatched, follow};
 use impact_atlas::dynamics::{Event, Stop, Trajectory, record};
-use impact_atlas::model::{Flight, Parameters, System};
+use impact_atlas::model::{Flight, Parameters, State, System};
 use nalgebra::{Complex, Matrix2, Vector2};
 
-use crate::{at, flight, hits};
+use crate::{at, flight, hits, values};
 
 const I: Complex<f64> = Complex { re: 0.0, im: 1.0 };
 
@@ -170,17 +170,17 @@ fn without_restitution_the_mass_stays_where_it_is_pressed() {
     for omega in [0.3, 0.8, 1.4, 2.2, 3.0, 4.0, 5.0] {
         let p = Parameters { r: 0.0, ..at(omega, 0.1) };
         let flight = flight::<f64>(p);
-        let mut trajectory = Trajectory::new(&flight, [0.0; 4]);
+        let mut trajectory = Trajectory::new(&flight, State::zero());
         let mut periods = 0;
         while periods < 100 {
             let event = trajectory.advance(&flight, &mut ()).event;
             periods += u32::from(event == Event::Strobe);
             let (Event::Impact(impact) | Event::Caught { impact, .. }) = event else { continue };
-            let point = trajectory.point;
-            let towards =
-                |stop: Stop| stop.side::<f64>() * (point.sin + 2.0 * p.zeta * point.v2 + point.x2 - point.x1);
+            let [x1, x2, v1, v2] = values(&trajectory.point.state);
+            let sin = trajectory.point.sin;
+            let towards = |stop: Stop| stop.side::<f64>() * (sin + 2.0 * p.zeta * v2 + x2 - x1);
             assert_eq!(impact.velocity_after.abs(), 0.0);
-            assert_eq!(point.v1.abs(), 0.0);
+            assert_eq!(v1.abs(), 0.0);
             let pressed = towards(impact.stop) >= 0.0;
             assert_eq!(pressed, matches!(event, Event::Caught { .. }), "{event:?} with {p:?}");
             assert!(!matches!(event, Event::Caught { complete_chatter: true, .. }));
@@ -197,8 +197,8 @@ fn without_restitution_the_mass_stays_where_it_is_pressed() {
 #[test]
 fn elastic_impacts_neither_stick_nor_slow_down() {
     for parameters in [at(0.3, 0.2), at(1.65, 0.1), at(2.83, 0.1), at(4.4, 0.05)] {
-        let flight: Flight<f64> = flight(Parameters { r: 1.0, ..parameters });
-        let hits = hits(Trajectory::new(&flight, [0.0; 4]), &flight, 5000, 5000.0);
+        let flight: Flight<f64, 2> = flight(Parameters { r: 1.0, ..parameters });
+        let hits = hits(Trajectory::new(&flight, State::zero()), &flight, 5000, 5000.0);
         assert!(hits.len() > 1000, "{} impacts with {parameters:?}", hits.len());
         assert!(hits.iter().all(|hit| hit.after == -hit.before));
         assert!(hits.iter().all(|hit| hit.before != 0.0), "a rest on a stop");

@@ -1,24 +1,26 @@
 //! Nothing goes through a stop, and nothing rests on one that does not press.
 
-use impact_atlas::dynamics::{Contact, Event, Trajectory};
-use impact_atlas::model::{Parameters, Real};
+use impact_atlas::dynamics::{Event, Point, Stop, Trajectory};
+use impact_atlas::model::{Flight, Parameters, Real, State};
 use rayon::prelude::*;
 
-use crate::{at, flight};
+use crate::{at, flight, values};
 
 /// What a trajectory did at the stops; everything non-dimensional.
 #[derive(Clone, Copy, Debug, Default)]
-struct Touches {
+pub struct Touches {
     /// How far beyond a stop x1 was, at the worst.
-    penetration: f64,
+    pub penetration: f64,
+    /// The same in units of what rounding makes of x1 in one flight.
+    pub roundings: f64,
     /// How strongly a stop would have had to pull on the resting mass, at the worst.
-    pull: f64,
+    pub pull: f64,
     /// The largest contact force at a release.
-    release: f64,
+    pub release: f64,
     /// Sequences of infinitely many rebounds.
-    chatters: u32,
+    pub chatters: u32,
     /// Releases.
-    releases: u32,
+    pub releases: u32,
 }
 
 /// Samples within each move.
@@ -27,9 +29,31 @@ const SAMPLES: u32 = 16;
 /// Far more moves than any of these trajectories needs.
 const MOST_MOVES: u32 = 2_000_000;
 
-fn touches<T: Real>(parameters: Parameters, start: [f64; 4], periods: u32) -> Touches {
-    let flight = flight::<T>(parameters);
-    let mut trajectory = Trajectory::<T>::new(&flight, start.map(T::of));
+impl Touches {
+    fn see<T: Real>(&mut self, flight: &Flight<T, 2>, parameters: &Parameters, point: &Point<T, 2>) {
+        let delta = flight.normals[0].gap[0];
+        let beyond = (point.state.x[0].abs() - delta).widen();
+        let [_, x2, v1, v2] = values(&point.state).map(f64::abs);
+        let h = flight.h.widen();
+        let force = 1.0 + x2 + 2.0 * parameters.zeta * (v1 + v2);
+        let size = delta.widen() + h * (v1 + h * force);
+        self.penetration = self.penetration.max(beyond);
+        self.roundings = self.roundings.max(beyond / (T::epsilon().widen() * size));
+    }
+}
+
+pub fn touches<T: Real>(parameters: Parameters, start: [f64; 4], periods: u32) -> Touches {
+    touches_of(&flight::<T>(parameters), parameters, start, periods)
+}
+
+/// What a trajectory does whose flight may be another than its parameters'.
+pub fn touches_of<T: Real>(
+    flight: &Flight<T, 2>,
+    parameters: Parameters,
+    start: [f64; 4],
+    periods: u32,
+) -> Touches {
+    let mut trajectory = Trajectory::<T, 2>::new(flight, State::from_slice(&start.map(T::of)));
     let mut touches = Touches::default();
     let mut done = 0;
     let mut moves = 0;
@@ -40,25 +64,26 @@ fn touches<T: Real>(parameters: Parameters, start: [f64; 4], periods: u32) -> To
             "no progress after {done} periods from {start:?} with {parameters:?}: {trajectory:?}"
         );
         let before = trajectory;
-        let taken = trajectory.advance(&flight, &mut ());
+        let taken = trajectory.advance(flight, &mut ());
         for sample in 0..=SAMPLES {
             let time = taken.time * T::of(f64::from(sample) / f64::from(SAMPLES));
-            let point = before.point.flown(&flight, time, taken.free);
-            touches.penetration = touches.penetration.max((point.x1.abs() - flight.delta).widen());
-            if let (Contact::Stuck(stop), true) = (before.contact, taken.free == T::zero()) {
-                let [x1, x2, _, v2] = point.state().map(T::widen);
+            let point = before.point.flown(flight, time, taken.contact);
+            touches.see(flight, &parameters, &point);
+            if let Some(end) = taken.contact.end_along(0) {
+                let stop = Stop(flight.normals[0].stop[end.side]);
+                let [x1, x2, _, v2] = values(&point.state);
                 let force = (1.0 - parameters.f20) * point.sin.widen() + 2.0 * parameters.zeta * v2 + x2 - x1;
                 touches.pull = touches.pull.max(-stop.side::<f64>() * force);
-                assert_eq!(point.x1, stop.side::<T>() * flight.delta);
+                assert_eq!(point.state.x[0], stop.side::<T>() * flight.normals[0].gap[0]);
             }
         }
-        touches.penetration = touches.penetration.max((trajectory.point.x1.abs() - flight.delta).widen());
+        touches.see(flight, &parameters, &trajectory.point);
         match taken.event {
             Event::Strobe => done += 1,
             Event::Caught { complete_chatter, .. } => touches.chatters += u32::from(complete_chatter),
             Event::Released(stop) => {
                 touches.releases += 1;
-                let [x1, x2, _, v2] = before.point.state().map(T::widen);
+                let [x1, x2, _, v2] = values(&before.point.state);
                 let sin = before.point.sin.widen();
                 let force = (1.0 - parameters.f20) * sin + 2.0 * parameters.zeta * v2 + x2 - x1;
                 touches.release = touches.release.max((stop.side::<f64>() * force).abs());
@@ -86,6 +111,7 @@ fn worst<T: Real>() -> Touches {
         Touches::default,
         |a, b| Touches {
             penetration: a.penetration.max(b.penetration),
+            roundings: a.roundings.max(b.roundings),
             pull: a.pull.max(b.pull),
             release: a.release.max(b.release),
             chatters: a.chatters + b.chatters,
