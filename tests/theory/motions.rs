@@ -63,6 +63,25 @@ fn the_unstable_motion_inside_chaos_has_its_multipliers() {
     assert_eq!(motion.is_stable(&system), Some(false));
 }
 
+/// A curve bounds 2-2-4 there, but every orbit from there leads elsewhere: it is followed from where it is stable.
+#[test]
+fn a_motion_that_no_orbit_comes_near_is_followed_from_its_neighbours() {
+    let system = at(1.2338, 0.6711);
+    let search = Search { start: [0.0; 4], transient: 1000, observe: 500 };
+    for label in [Label { n: 2, p: 2, q: 4 }, Label { n: 2, p: 4, q: 2 }] {
+        let motion = labelled_motion(&system, label, &search).unwrap();
+        let start = motion.at_phase_zero(&system);
+        let flown = record(&system, start, 0, 2, 1);
+        let at_a = flown.impacts.iter().filter(|impact| impact.stop == Stop::A).count() as u32;
+        assert_eq!((flown.impacts.len() as u32 - at_a, at_a), (label.p, label.q), "{label}");
+        let back = record(&system, start, 2, 1, 1).samples[0];
+        assert_close(&[back.x1, back.x2, back.v1, back.v2], &start, 1e-8);
+        // The start itself is enough, without a transient.
+        let own = Search { start, transient: 0, observe: 1 };
+        assert_close(&labelled_motion(&system, label, &own).unwrap().section(), &motion.section(), 1e-9);
+    }
+}
+
 #[test]
 fn a_motion_that_is_not_there_is_not_found() {
     let search = Search { start: [0.0; 4], transient: 50, observe: 200 };
