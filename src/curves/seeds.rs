@@ -15,7 +15,7 @@ use crate::theory::{PeriodicMotion, settled_motion};
 const FEWEST: usize = 4;
 const FEWEST_IN_A_MILLION: u64 = 20;
 /// Of the places of a motion in each of so many parts of either axis one is enough.
-const PARTS: u32 = 16;
+const PARTS: u32 = 32;
 /// The most impacts of a motion.
 pub(super) const MOST_IMPACTS: u32 = 40;
 /// Seeds of a region: in so many of its rows.

@@ -1,5 +1,6 @@
 //! Periodic motions and their multipliers.
 
+use impact_atlas::dynamics::{Stop, record};
 use impact_atlas::theory::{
     Label, PeriodicMotion, Search, flip_coefficient, labelled_motion, neimark_sacker_coefficient,
     symmetric_motions,
