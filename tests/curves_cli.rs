@@ -110,7 +110,10 @@ fn the_papers_curves_have_its_names_and_are_the_same_every_time() {
         table == fs::read_to_string(folder.path().join("again.csv")).unwrap(),
         "threads change the curves"
     );
-    assert!(text(&output.stderr).contains("computing on cpu"));
+    let told = text(&output.stderr);
+    assert!(told.contains("computing on cpu"));
+    let beyond = told.lines().find(|line| line.starts_with("no curve, N above --max-period: ")).unwrap();
+    assert!(beyond.contains(" cells)"), "{beyond}");
 
     let rows = rows(&table);
     let mut of: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();

@@ -1,11 +1,14 @@
 //! Bifurcation curves in words, as JSON and as a table.
 
-use impact_atlas::curves::{Criticality, Curve, CurvePoint, End, Kind, Named, named};
+use impact_atlas::curves::{Criticality, Curve, CurvePoint, End, Kind, LeftOut, Named, Why, named};
 use impact_atlas::plane::Plane;
 use impact_atlas::store::Output;
 use serde::Serialize;
 
-use super::{CliError, files};
+use super::{CliError, files, note};
+
+/// Motions whose N was not asked for are named from so many cells on.
+const NAMED: usize = 4;
 
 /// The columns of the table of points.
 pub const COLUMNS: [&str; 9] =
@@ -112,6 +115,36 @@ pub fn text(summaries: &[CurveSummary], plane: &Plane) -> String {
     let mut lines = vec![format!("{count}; special points at {x}, {y}")];
     lines.extend(summaries.iter().map(CurveSummary::text));
     lines.join("\n")
+}
+
+/// The motions without a curve, a line for every reason; none if there are none.
+///
+/// Of the motions whose N was not asked for, those of very few cells are counted alone.
+pub fn left_out(motions: &[LeftOut]) -> Option<String> {
+    let line = |why: Why| {
+        let of: Vec<&LeftOut> = motions.iter().filter(|motion| motion.why == why).collect();
+        let named = |motion: &&&LeftOut| why != Why::LongPeriod || motion.cells >= NAMED;
+        let cells = |count: usize| if count == 1 { "1 cell".to_owned() } else { format!("{count} cells") };
+        let mut parts: Vec<String> = of
+            .iter()
+            .filter(named)
+            .map(|motion| format!("{} ({})", motion.name(), cells(motion.cells)))
+            .collect();
+        let others: Vec<usize> = of.iter().filter(|m| !named(m)).map(|motion| motion.cells).collect();
+        if !others.is_empty() {
+            parts.push(format!("{} others ({} in all)", others.len(), cells(others.iter().sum())));
+        }
+        (!of.is_empty()).then(|| format!("no curve, {}: {}", why.words(), parts.join(", ")))
+    };
+    let lines: Vec<String> = Why::ALL.into_iter().filter_map(line).collect();
+    (!lines.is_empty()).then(|| lines.join("\n"))
+}
+
+/// Says on standard error which motions have no curve.
+pub fn note_left_out(motions: &[LeftOut]) {
+    if let Some(text) = left_out(motions) {
+        note(&text);
+    }
 }
 
 /// Writes every point of every curve.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, value_parser};
 use impact_atlas::analysis::Schedule;
-use impact_atlas::curves::{self, Curve};
+use impact_atlas::curves::{self, PlaneCurves};
 use impact_atlas::plane::{Plane, RegionMap};
 use impact_atlas::sweep::sweep;
 
@@ -18,7 +18,8 @@ use super::{CliError, curve_list, defaults, files, interrupt, note};
 /// A map of the plane, coarser than that of `map`, shows which motions there are. Each is refined and followed to
 /// where it loses its stability or grazes a stop, and from there the curve is followed through the plane: folds, period
 /// doublings, pitchforks, Neimark-Sacker bifurcations and grazing. The map only says where to begin: a curve is as
-/// exact for a coarse map as for a fine one, but a motion that no cell shows has no curve.
+/// exact for a coarse map as for a fine one, but a motion that no cell shows has no curve. Motions that the map does show
+/// and that no curve bounds are listed, by the reason for it, with the number of their cells.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -55,7 +56,8 @@ pub struct CurvesArgs {
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
 
-    /// Prints JSON: [{number, name, kind, motion, symmetric, points, ends, criticality, bounding, special_points}]
+    /// Prints JSON: [{number, name, kind, motion, symmetric, points, ends, criticality, bounding, special_points}]; the
+    /// motions without a curve are listed on standard error
     #[arg(long)]
     json: bool,
 }
@@ -74,26 +76,31 @@ pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
     let [output] = files::prepare([args.out.as_deref()])?;
     let backend = args.backend.open()?;
     let map = sweep(&plane, &*backend, &Progress::of_cells("looking for motions", plane.cells()))?;
-    let (_, curves) = of_map(map, args.max_period)?;
+    let (_, PlaneCurves { curves, left_out }) = of_map(map, args.max_period)?;
     if let Some(output) = output {
         curve_list::write_csv(&output, &curves, &plane)?;
         note(&format!("written: {}", output.path().display()));
     }
     let summaries = curve_list::summaries(&curves, &plane);
-    if args.json { print_json(&summaries) } else { print(&curve_list::text(&summaries, &plane)) }
+    if args.json {
+        curve_list::note_left_out(&left_out);
+        return print_json(&summaries);
+    }
+    let left_out = curve_list::left_out(&left_out).map(|text| format!("\n{text}")).unwrap_or_default();
+    print(&format!("{}{left_out}", curve_list::text(&summaries, &plane)))
 }
 
 /// The curves of a map, which is handed back.
-pub fn of_map(map: RegionMap, max_period: u32) -> Result<(RegionMap, Vec<Curve>), CliError> {
+pub fn of_map(map: RegionMap, max_period: u32) -> Result<(RegionMap, PlaneCurves), CliError> {
     let progress = Progress::of_curves();
-    let (map, curves) = interrupt::abandonable(move || {
-        let curves = curves::bifurcation_curves(&map, max_period);
-        (map, curves)
+    let (map, found) = interrupt::abandonable(move || {
+        let found = curves::bifurcation_curves(&map, max_period);
+        (map, found)
     })?;
     drop(progress);
-    let curves = curves.map_err(CliError::input)?;
-    if curves.is_empty() {
+    let found = found.map_err(CliError::input)?;
+    if found.curves.is_empty() {
         note(&format!("no motion with a period of up to {max_period} bifurcates on this plane"));
     }
-    Ok((map, curves))
+    Ok((map, found))
 }

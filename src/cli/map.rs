@@ -131,8 +131,9 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let (map, curves) = match args.curves {
         None => (map, None),
         Some(which) => {
-            let (map, curves) = curves::of_map(map, args.curves_max_period)?;
-            (map, Some((curves, which)))
+            let (map, found) = curves::of_map(map, args.curves_max_period)?;
+            curve_list::note_left_out(&found.left_out);
+            (map, Some((found.curves, which)))
         }
     };
     let drawn = match &curves {

@@ -21,8 +21,9 @@ use super::{CliError, defaults};
 /// Solves for a periodic motion, stable or not, with its Floquet multipliers
 ///
 /// Without --label, the trajectory is followed until it is periodic, and its motion is refined by Newton's method.
-/// With --label, a motion of that label is searched for among the close returns of the trajectory, of others from
-/// scattered starts, and at neighbouring frequencies; it need not be stable. A motion with sticking is solved as a
+/// With --label, a motion of that label is searched for: the one that --start lies on, then among the close returns of the
+/// trajectory and of others from scattered starts, then at neighbouring omega and delta, from where it is followed to
+/// the parameters given; it need not be stable. A motion with sticking is solved as a
 /// fixed point of the strobe map (the state at forcing phase 0 to that N periods later): the directions that sticking
 /// forgets have multiplier 0.
 ///

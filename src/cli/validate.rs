@@ -86,7 +86,7 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
     let report = if args.curves {
         let map = ours.clone();
         let curves = abandonable(move || bifurcation_curves(&map, defaults::CURVES_MAX_PERIOD))?;
-        report.with_boundaries(boundaries(&ours, &curves.map_err(CliError::input)?))
+        report.with_boundaries(boundaries(&ours, &curves.map_err(CliError::input)?.curves))
     } else {
         report
     };

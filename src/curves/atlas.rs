@@ -1,20 +1,24 @@
 //! All bifurcation curves of a region map.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use rayon::prelude::*;
 use thiserror::Error;
 
-use super::branch::{Event, events};
+use super::branch::{Event, Followed, followed};
 use super::condition::Kind;
-use super::curve::Curve;
+use super::curve::{Curve, CurveMotion};
+use super::left_out::{LeftOut, Why, left_out};
 use super::no_impact::no_impact_curve;
-use super::seeds::seeds;
+use super::regions::{Shown, shown};
+use super::seeds::{Seed, fewest, seeds};
 use super::trace::{Traced, trace};
 use super::unknowns::Span;
 use crate::plane::{Axis, Plane, Quantity, RegionMap};
 use crate::theory::Pattern;
 
+/// A motion that is followed is followed again, across, from one place in each of so many parts of either axis.
+const PARTS: f64 = 5.0;
 /// An event this near to a curve of its kind and motion lies on it; in sides of the plane.
 const SAME: f64 = 2e-3;
 
@@ -31,23 +35,30 @@ pub enum CurvesError {
     SingleValue(&'static str),
 }
 
+/// The bifurcation curves of a plane, and the motions that have none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlaneCurves {
+    /// The curves.
+    pub curves: Vec<Curve>,
+    /// Every periodic motion that the map shows and that no curve bounds, those with most cells first.
+    pub left_out: Vec<LeftOut>,
+}
+
 /// The bifurcation curves of the motions that a map shows, for periods up to `max_period`.
 ///
-/// Motions are taken from the map's regions, refined by Newton's method, and followed along both axes until they lose
-/// their stability or graze; from each such point the curve is followed through the plane. A curve that is met from
-/// several regions is computed once. The order of the curves depends on the map alone.
+/// Motions are taken from the map's regions, refined by Newton's method, and followed along both axes, where they are
+/// unstable too; from each point where they lose or gain their stability or graze, the curve is followed through the plane.
+/// A curve that is met from several regions is computed once. The order of the curves depends on the map alone.
 ///
 /// # Errors
 /// [`CurvesError`] where an axis is not a range of a parameter.
-pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<Vec<Curve>, CurvesError> {
+pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<PlaneCurves, CurvesError> {
     let spans = spans(&map.plane)?;
-    let seeds = seeds(map, max_period);
-    let events: Vec<Event> = seeds
-        .par_iter()
-        .flat_map(|seed| spans.par_iter().flat_map(|&span| events(&seed.motion, &seed.parameters, span)))
-        .collect();
+    let shown = shown(map);
+    let sought: Vec<Result<Vec<Event>, Why>> =
+        shown.par_iter().map(|shown| sought(map, shown, max_period, spans)).collect();
+    let mut open: Vec<Event> = sought.iter().flatten().flatten().cloned().collect();
     let mut curves = Vec::new();
-    let mut open = events;
     // Curves that begin at special points of others are followed in their turn.
     while !open.is_empty() {
         let groups = grouped(std::mem::take(&mut open));
@@ -60,8 +71,46 @@ pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<Vec<Curve>
     }
     curves.retain(|curve| curve.points.iter().any(|point| point.bounding));
     curves = without_twins(curves, spans);
+    let bounded = |event: &Event| {
+        let place = spans.map(|span| span.share(event.parameters.get(span.parameter)));
+        let found = CurveMotion::of(&event.pattern);
+        let is_of = |curve: &&Curve| {
+            curve.kind == event.kind && (curve.motion == found || curve.motion == found.mirror_image())
+        };
+        curves.iter().filter(is_of).any(|curve| distance(curve, place, spans) < SAME)
+    };
+    let left_out = left_out(&shown, &sought, bounded);
     curves.extend(no_impact_curve(map, spans));
-    Ok(curves)
+    Ok(PlaneCurves { curves, left_out })
+}
+
+/// Where a motion gains or loses stability or grazes.
+///
+/// It is followed from the map's cells along both axes, and from where that leads to along both axes again.
+fn sought(map: &RegionMap, shown: &Shown, max_period: u32, spans: [Span; 2]) -> Result<Vec<Event>, Why> {
+    if let Some(why) = Why::not_sought(shown, max_period, fewest(map)) {
+        return Err(why);
+    }
+    let first = seeds(map, shown);
+    if first.is_empty() {
+        return Err(Why::Unsolved);
+    }
+    let mut known = HashSet::new();
+    let mut is_new = |seed: &Seed| {
+        let part = |span: Span| (PARTS * span.share(seed.parameters.get(span.parameter))).floor() as i32;
+        known.insert((seed.motion.pattern.clone(), spans.map(part)))
+    };
+    let follow = |seeds: &[Seed]| -> Vec<Followed> {
+        seeds.par_iter().flat_map(|seed| spans.par_iter().map(|&span| followed(seed, span))).collect()
+    };
+    for seed in &first {
+        is_new(seed);
+    }
+    let met = follow(&first);
+    let further: Vec<Seed> =
+        met.iter().flat_map(|met| &met.places).filter(|seed| is_new(seed)).cloned().collect();
+    let again = follow(&further);
+    Ok(met.into_iter().chain(again).flat_map(|met| met.events).collect())
 }
 
 /// The two parameters of a plane.
@@ -119,10 +168,7 @@ fn traced(events: &[Event], known: &[Curve], spans: [Span; 2]) -> Vec<Traced> {
 
 /// Whether a curve is of an event's kind and motion.
 fn is_of(curve: &Curve, event: &Event) -> bool {
-    let (motion, pattern) = (&curve.motion, &event.pattern);
-    curve.kind == event.kind
-        && (motion.n, motion.p, motion.q, motion.symmetric)
-            == (pattern.n(), pattern.p(), pattern.q(), pattern.mirrored)
+    curve.kind == event.kind && curve.motion == CurveMotion::of(&event.pattern)
 }
 
 /// Mirrored motions have the same curves; one of each is kept.
@@ -130,11 +176,8 @@ fn without_twins(curves: Vec<Curve>, spans: [Span; 2]) -> Vec<Curve> {
     let mut kept: Vec<Curve> = Vec::new();
     for curve in curves {
         let twin = kept.iter().any(|other| {
-            let mirrored = (curve.motion.n, curve.motion.q, curve.motion.p);
             let alike = other.kind == curve.kind
-                && other.motion.symmetric == curve.motion.symmetric
-                && ((other.motion.n, other.motion.p, other.motion.q) == mirrored
-                    || other.motion == curve.motion);
+                && (other.motion == curve.motion || other.motion == curve.motion.mirror_image());
             let samples = (0..=8).map(|k| &curve.points[k * (curve.points.len() - 1) / 8]);
             alike
                 && samples

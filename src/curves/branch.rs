@@ -6,6 +6,7 @@ use super::condition::{Kind, split, test_function};
 use super::locus::Branch;
 use super::parting::parting;
 use super::path::PathPoint;
+use super::seeds::Seed;
 use super::touch::{Touch, arrival_speeds, nearest, touches};
 use super::unknowns::{Span, Unknowns};
 use crate::model::Parameters;
@@ -19,6 +20,8 @@ const SHORTEST: f64 = 1e-6;
 const MOST_STEPS: usize = 1500;
 /// A step over which the path turns by more than this cosine is halved.
 const STRAIGHT: f64 = 0.95;
+/// How far apart the places are that are kept of a branch, in lengths of the parameter's range.
+const KEPT: f64 = 0.15;
 /// Multipliers up to this count as stable.
 const STABLE: f64 = 1.0 + 1e-7;
 
@@ -31,6 +34,15 @@ pub(super) struct Event {
     pub parameters: Parameters,
     /// For grazing: the arc, the stop and the phase.
     pub touch: Option<Touch>,
+}
+
+/// What a branch has shown.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Followed {
+    /// The bifurcations at which the motion gains or loses stability, and the grazings of its stable part.
+    pub events: Vec<Event>,
+    /// The motion here and there on the way, stable or not.
+    pub places: Vec<Seed>,
 }
 
 /// What is watched along a branch.
@@ -50,24 +62,25 @@ impl Watched {
     }
 }
 
-/// Follows a motion both ways to the ends of a parameter's range, or to where it ceases to be one; the bifurcations at
-/// which it gains or loses stability, and the grazings of its stable part.
-pub(super) fn events(motion: &PeriodicMotion, parameters: &Parameters, span: Span) -> Vec<Event> {
+/// Follows a motion both ways to the ends of a parameter's range, or to where it ceases to be one.
+pub(super) fn followed(Seed { motion, parameters }: &Seed, span: Span) -> Followed {
     let unknowns =
         Unknowns { pattern: motion.pattern.clone(), fixed: *parameters, extra: 0, spans: vec![span] };
     let guess = unknowns.pack(&motion.sections, &[], parameters);
     let fixed = unknowns.parameters_at();
     let branch = Branch(unknowns);
-    let Some(start) = PathPoint::near(&branch, guess, fixed) else { return Vec::new() };
-    let mut found = follow(&branch, start.clone());
-    found.extend(follow(&branch, start.reversed()));
+    let Some(start) = PathPoint::near(&branch, guess, fixed) else { return Followed::default() };
+    let mut found = Followed::default();
+    follow(&branch, start.clone(), &mut found);
+    follow(&branch, start.reversed(), &mut found);
     found
 }
 
-fn follow(branch: &Branch, start: PathPoint) -> Vec<Event> {
-    let mut found = Vec::new();
+fn follow(branch: &Branch, start: PathPoint, found: &mut Followed) {
+    let share = |at: &PathPoint| at.y[at.y.len() - 1];
     let mut here = start;
-    let Some(mut seen) = watch(branch, &here.y) else { return found };
+    let mut kept = share(&here);
+    let Some(mut seen) = watch(branch, &here.y) else { return };
     let mut ds = LONGEST;
     for _ in 0..MOST_STEPS {
         let ahead = here.advanced(branch, ds).filter(|next| here.straightness(next) > STRAIGHT);
@@ -82,22 +95,24 @@ fn follow(branch: &Branch, start: PathPoint) -> Vec<Event> {
             for (index, kind) in Kind::smooth(&branch.0.pattern).into_iter().enumerate() {
                 if seen.tests[index] * watched.tests[index] < 0.0 {
                     let located = locate(branch, &here, ds, |w| w.tests[index]);
-                    found.extend(located.and_then(|y| smooth_event(branch, &y, kind)));
+                    found.events.extend(located.and_then(|y| smooth_event(branch, &y, kind)));
                 }
             }
         }
         if watched.is_inadmissible() {
-            found.extend(grazing_event(branch, &next.y, &watched).filter(|_| seen.stable));
+            found.events.extend(grazing_event(branch, &next.y, &watched).filter(|_| seen.stable));
             break;
         }
-        let share = next.y[next.y.len() - 1];
-        if !(0.0..=1.0).contains(&share) {
+        if !(0.0..=1.0).contains(&share(&next)) {
             break;
+        }
+        if (share(&next) - kept).abs() > KEPT {
+            kept = share(&next);
+            found.places.push(branch.seed(&next.y));
         }
         (here, seen) = (next, watched);
         ds = (ds * 1.4).min(LONGEST);
     }
-    found
 }
 
 fn watch(branch: &Branch, y: &DVector<f64>) -> Option<Watched> {

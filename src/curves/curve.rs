@@ -4,6 +4,7 @@ use serde::{Serialize, Serializer};
 
 use super::condition::Kind;
 use crate::dynamics::Stop;
+use crate::theory::Pattern;
 
 /// A bifurcation curve in the plane of two parameters; non-dimensional.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,17 @@ pub struct CurveMotion {
 }
 
 impl CurveMotion {
+    /// That of a pattern of impacts.
+    pub(super) fn of(pattern: &Pattern) -> Self {
+        CurveMotion { n: pattern.n(), p: pattern.p(), q: pattern.q(), symmetric: pattern.mirrored }
+    }
+
+    /// The motion with the stops exchanged.
+    #[must_use]
+    pub fn mirror_image(&self) -> Self {
+        CurveMotion { p: self.q, q: self.p, ..self.clone() }
+    }
+
     /// N-p-q, or what it is called without impacts.
     pub fn label(&self) -> String {
         if self.p + self.q == 0 {

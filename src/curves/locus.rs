@@ -2,15 +2,26 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::condition::{Kind, test_of_motion};
-use super::path::{Equations, differences};
+use super::chain::Chain;
+use super::condition::{Kind, test_function, test_of_motion};
+use super::path::{Equations, differences, differences_of_each};
+use super::seeds::Seed;
 use super::touch::grazing;
 use super::unknowns::Unknowns;
 use crate::dynamics::Stop;
-use crate::theory::Flow;
+use crate::theory::{Flow, PeriodicMotion, Section};
 
 /// A motion in one parameter: the matching equations alone.
 pub(super) struct Branch(pub Unknowns);
+
+impl Branch {
+    /// The motion at a point.
+    pub fn seed(&self, y: &DVector<f64>) -> Seed {
+        let pattern = self.0.pattern.clone();
+        let motion = PeriodicMotion { pattern, sections: self.0.sections(y), residual: 0.0 };
+        Seed { parameters: self.0.parameters(y), motion }
+    }
+}
 
 impl Equations for Branch {
     fn residual(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
@@ -45,6 +56,18 @@ impl Locus {
         values.iter().all(|value| value.is_finite()).then(|| DVector::from_vec(values))
     }
 
+    /// The derivatives of a smooth bifurcation's condition with respect to the sections.
+    fn test_by_sections(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
+        let flow = Flow::new(&self.unknowns.system(y)?);
+        let mut chain = Chain::new(&flow, &self.unknowns.pattern, self.unknowns.sections(y))?;
+        differences_of_each(y, 0..4 * self.unknowns.pattern.stops.len(), |j, value| {
+            let mut section: Section = y.fixed_rows::<4>(j / 4 * 4).into_owned();
+            section[j % 4] = value;
+            let test = test_function(self.kind, &chain.turn_with(j / 4, section)?);
+            test.is_finite().then(|| DVector::from_element(1, test))
+        })
+    }
+
     /// The phase at which the stop is touched.
     pub fn touch_phase(&self, y: &DVector<f64>) -> f64 {
         y[4 * self.unknowns.pattern.stops.len()]
@@ -61,10 +84,17 @@ impl Equations for Locus {
 
     fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
         let matching = self.unknowns.matching_derivative(y)?;
-        let condition = differences(y, 0..y.len(), |y| self.condition(y))?;
-        let mut all = DMatrix::zeros(matching.nrows() + condition.nrows(), y.len());
+        let sections = 4 * self.unknowns.pattern.stops.len();
+        let by_sections = match self.touch {
+            Some(_) => differences(y, 0..sections, |y| self.condition(y))?,
+            None => self.test_by_sections(y)?,
+        };
+        let by_others = differences(y, sections..y.len(), |y| self.condition(y))?;
+        let conditions = by_others.nrows();
+        let mut all = DMatrix::zeros(matching.nrows() + conditions, y.len());
         all.rows_mut(0, matching.nrows()).copy_from(&matching);
-        all.rows_mut(matching.nrows(), condition.nrows()).copy_from(&condition);
+        all.view_mut((matching.nrows(), 0), (conditions, sections)).copy_from(&by_sections);
+        all.view_mut((matching.nrows(), sections), (conditions, y.len() - sections)).copy_from(&by_others);
         Some(all)
     }
 }

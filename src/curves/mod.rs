@@ -6,8 +6,10 @@
 
 mod atlas;
 mod branch;
+mod chain;
 mod condition;
 mod curve;
+mod left_out;
 mod locus;
 mod look;
 mod naming;
@@ -15,14 +17,16 @@ mod no_impact;
 mod paper;
 mod parting;
 mod path;
+mod regions;
 mod seeds;
 mod special;
 mod touch;
 mod trace;
 mod unknowns;
 
-pub use atlas::{CurvesError, bifurcation_curves, check};
+pub use atlas::{CurvesError, PlaneCurves, bifurcation_curves, check};
 pub use condition::Kind;
 pub use curve::{Criticality, Curve, CurveMotion, CurvePoint, End, Special};
+pub use left_out::{LeftOut, Why};
 pub use naming::{Named, named};
 pub use paper::{is_plane_of_paper, paper_region};

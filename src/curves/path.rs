@@ -35,20 +35,31 @@ pub(super) fn differences(
     unknowns: std::ops::Range<usize>,
     function: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
 ) -> Option<DMatrix<f64>> {
-    let mut columns = Vec::with_capacity(unknowns.len());
     let mut moved = y.clone();
+    differences_of_each(y, unknowns, |j, value| {
+        let own = std::mem::replace(&mut moved[j], value);
+        let values = function(&moved);
+        moved[j] = own;
+        values
+    })
+}
+
+/// The same of equations that are told which of the unknowns has which value, all others having their own.
+pub(super) fn differences_of_each(
+    y: &DVector<f64>,
+    unknowns: std::ops::Range<usize>,
+    mut function: impl FnMut(usize, f64) -> Option<DVector<f64>>,
+) -> Option<DMatrix<f64>> {
+    let mut columns = Vec::with_capacity(unknowns.len());
     for j in unknowns {
         let h = DIFFERENCE * (1.0 + y[j].abs());
-        moved[j] = y[j] + h;
-        let above = function(&moved);
-        moved[j] = y[j] - h;
-        let below = function(&moved);
-        moved[j] = y[j];
+        let above = function(j, y[j] + h);
+        let below = function(j, y[j] - h);
         // At the end of a parameter's physical range there is but one side.
         columns.push(match (above, below) {
             (Some(above), Some(below)) => (above - below) / (2.0 * h),
-            (Some(above), None) => (above - function(y)?) / h,
-            (None, Some(below)) => (function(y)? - below) / h,
+            (Some(above), None) => (above - function(j, y[j])?) / h,
+            (None, Some(below)) => (function(j, y[j])? - below) / h,
             (None, None) => return None,
         });
     }

@@ -1,20 +1,32 @@
 //! Motions to begin with, out of a region map.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use rayon::prelude::*;
 
-use crate::analysis::Regime;
+use super::curve::CurveMotion;
+use super::regions::Shown;
 use crate::model::{Parameters, System};
-use crate::plane::RegionMap;
+use crate::plane::{Cell, RegionMap};
 use crate::theory::{PeriodicMotion, settled_motion};
 
-/// Connected regions smaller than this share of the plane are left out.
-const SMALLEST: f64 = 5e-4;
+/// The fewest cells of a motion that is followed, and of its regions from which it is: on a large map, so many in a million.
+/// Of a motion with no such region, all regions count.
+const FEWEST: usize = 4;
+const FEWEST_IN_A_MILLION: u64 = 20;
+/// Of the places of a motion in each of so many parts of either axis one is enough.
+const PARTS: u32 = 32;
 /// The most impacts of a motion.
-const MOST_IMPACTS: u32 = 40;
+pub(super) const MOST_IMPACTS: u32 = 40;
 /// Seeds of a region: in so many of its rows.
 const ROWS: usize = 6;
+/// Cells of a motion that are tried where none of the entries of its regions leads to it.
+const TRIED: usize = 24;
+
+/// The fewest cells that a motion of a map must have for its curves to be computed.
+pub(super) fn fewest(map: &RegionMap) -> usize {
+    FEWEST.max((map.plane.cells() * FEWEST_IN_A_MILLION / 1_000_000) as usize)
+}
 
 /// A motion at a point of the plane.
 #[derive(Clone, Debug)]
@@ -23,65 +35,47 @@ pub(super) struct Seed {
     pub motion: PeriodicMotion,
 }
 
-/// Motions of every connected region of the map whose period is at most `max_period`, refined by Newton's method.
+/// A shown motion at points of its regions, refined by Newton's method.
 ///
-/// A region is entered in the middle of its longest run of cells in some of its rows.
-pub(super) fn seeds(map: &RegionMap, max_period: u32) -> Vec<Seed> {
-    let cells: Vec<(u32, u32)> = regions(map, max_period).iter().flat_map(|region| entries(region)).collect();
-    cells.into_par_iter().filter_map(|(column, row)| seed(map, column, row)).collect()
+/// A region is entered in the middle of its longest run of cells in some of its rows, and at other cells where none of those
+/// of any region leads to the motion.
+pub(super) fn seeds(map: &RegionMap, shown: &Shown) -> Vec<Seed> {
+    let large = shown.regions.iter().filter(|region| region.len() >= fewest(map)).count();
+    let regions = if large > 0 { &shown.regions[..large] } else { &shown.regions[..] };
+    let solved = |cells: &[Cell]| -> Vec<Seed> {
+        cells.par_iter().filter_map(|&cell| seed(map, cell, &shown.motion)).collect()
+    };
+    // The largest regions come first.
+    let mut parts = HashSet::new();
+    let [columns, rows] = [map.plane.x.count, map.plane.y.count].map(u64::from);
+    let part = |at: u32, count: u64| u64::from(at) * u64::from(PARTS) / count;
+    let mut is_new = |&(column, row): &Cell| parts.insert((part(column, columns), part(row, rows)));
+    let entered: Vec<Cell> =
+        regions.iter().flat_map(|region| entries(region)).filter(|cell| is_new(cell)).collect();
+    let found = solved(&entered);
+    if !found.is_empty() {
+        return found;
+    }
+    let all: Vec<Cell> = regions.iter().flatten().copied().collect();
+    let some: Vec<Cell> = all.iter().copied().step_by(all.len().div_ceil(TRIED).max(1)).collect();
+    solved(&some)
 }
 
-fn seed(map: &RegionMap, column: u32, row: u32) -> Option<Seed> {
+/// The motion of a cell, the way round that it is named.
+fn seed(map: &RegionMap, (column, row): Cell, named: &CurveMotion) -> Option<Seed> {
     let parameters = map.plane.parameters_at(column, row);
     let system = System::new(parameters).ok()?;
     let verdict = map.at(column, row);
     let motion = settled_motion(&system, verdict.state, u32::from(verdict.n)).ok()?;
-    Some(Seed { parameters, motion })
-}
-
-/// The connected regions of one label and symmetry, as lists of cells.
-fn regions(map: &RegionMap, max_period: u32) -> Vec<Vec<(u32, u32)>> {
-    let (columns, rows) = (map.plane.x.count, map.plane.y.count);
-    let key = |column: u32, row: u32| {
-        let v = map.at(column, row);
-        let wanted = v.regime == Regime::Periodic
-            && u32::from(v.n) <= max_period
-            && u32::from(v.p) + u32::from(v.q) <= MOST_IMPACTS;
-        wanted.then_some((v.n, v.p, v.q, v.symmetric))
-    };
-    let least = (SMALLEST * map.plane.cells() as f64).max(4.0) as usize;
-    let mut taken = vec![false; map.verdicts.len()];
-    let mut found = Vec::new();
-    for row in 0..rows {
-        for column in 0..columns {
-            let Some(own) = key(column, row) else { continue };
-            let mut region = Vec::new();
-            let mut open = vec![(column, row)];
-            while let Some((column, row)) = open.pop() {
-                let index = (row * columns + column) as usize;
-                if taken[index] || key(column, row) != Some(own) {
-                    continue;
-                }
-                taken[index] = true;
-                region.push((column, row));
-                open.extend(
-                    [(column + 1, row), (column, row + 1)]
-                        .into_iter()
-                        .filter(|&(c, r)| c < columns && r < rows),
-                );
-                open.extend(column.checked_sub(1).map(|c| (c, row)));
-                open.extend(row.checked_sub(1).map(|r| (column, r)));
-            }
-            if region.len() >= least {
-                found.push(region);
-            }
-        }
+    let found = CurveMotion::of(&motion.pattern);
+    if found == *named {
+        return Some(Seed { parameters, motion });
     }
-    found
+    (found.mirror_image() == *named).then(|| Seed { parameters, motion: motion.mirror_image() })
 }
 
 /// Cells of a region from which it is entered.
-fn entries(region: &[(u32, u32)]) -> Vec<(u32, u32)> {
+fn entries(region: &[Cell]) -> Vec<Cell> {
     let mut by_row: HashMap<u32, Vec<u32>> = HashMap::new();
     for &(column, row) in region {
         by_row.entry(row).or_default().push(column);

@@ -81,10 +81,9 @@ pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Traced> {
         return None;
     }
     let offspring = places.iter().filter_map(|place| place.offspring(event.kind)).collect();
-    let pattern = &event.pattern;
     let curve = Curve {
         kind: event.kind,
-        motion: CurveMotion { n: pattern.n(), p: pattern.p(), q: pattern.q(), symmetric: pattern.mirrored },
+        motion: CurveMotion::of(&event.pattern),
         touches: event.touch.map(|touch| touch.stop),
         points: places.into_iter().map(|place| place.point).collect(),
         ends: [first_end, if closed { first_end } else { second_end }],

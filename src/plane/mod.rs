@@ -1,12 +1,14 @@
 //! The plane: what is asked (axes, fixed parameters, start, schedule) and what came out of every cell.
 
 mod axis;
+mod connected;
 mod controlled;
 mod region_map;
 mod spec;
 mod start;
 
 pub use axis::{Axis, AxisError, Component, Quantity};
+pub use connected::{Cell, connected};
 pub use controlled::{ControlMap, ControlPlane, ControlPlaneError};
 pub use region_map::{Provenance, RegionMap};
 pub use spec::{Plane, PlaneError};

@@ -213,6 +213,40 @@ pub(super) fn lost(point: &PaperPoint, until: f64) -> Option<Loss> {
     None
 }
 
+/// Follows the motion on which a point settles to another frequency, stable or not, and says where it ceases to be a
+/// motion: there it touches a stop, or one of its impacts comes to nothing.
+///
+/// None where it settles on no periodic motion, or is one all the way.
+pub(super) fn grazes(point: &PaperPoint, until: f64) -> Option<f64> {
+    let verdict = point.verdict();
+    if !verdict.regime.is_periodic() {
+        return None;
+    }
+    let mut motion = settled_motion(&point.system(), verdict.state, verdict.n.into()).ok()?;
+    let near = |omega: f64, from: &PeriodicMotion| {
+        let next = PeriodicMotion::refine(&system(omega, point.delta), &from.pattern, &from.sections).ok()?;
+        (next.pattern == from.pattern).then_some(next)
+    };
+    let mut inside = point.omega;
+    for i in 1..=STEPS {
+        let omega = point.omega + (until - point.omega) * f64::from(i) / f64::from(STEPS);
+        if let Some(next) = near(omega, &motion) {
+            (motion, inside) = (next, omega);
+            continue;
+        }
+        let mut outside = omega;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inside + outside);
+            match near(middle, &motion) {
+                Some(next) => (motion, inside) = (next, middle),
+                None => outside = middle,
+            }
+        }
+        return Some(0.5 * (inside + outside));
+    }
+    None
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -234,5 +268,15 @@ mod tests {
         assert!((1.626..1.627).contains(&loss.omega), "{loss:?}");
         assert_eq!(lost(&PaperPoint::new(1.63, 0.1), 1.629), None, "it is stable there");
         assert_eq!(lost(&PaperPoint::new(2.83, 0.1), 2.8), None, "chaos has no motion to follow");
+    }
+
+    /// The period doubling lies between 2.9298 and 2.9299; the motion goes on, unstable, until it touches.
+    #[test]
+    fn a_motion_is_followed_beyond_its_loss_to_where_it_grazes() {
+        let point = PaperPoint::new(2.95, 0.1);
+        let (lost, touches) = (lost(&point, 2.92).unwrap(), grazes(&point, 2.92).unwrap());
+        assert!((2.9298..2.9299).contains(&lost.omega), "{lost:?}");
+        assert!(touches < lost.omega && touches > 2.92, "{touches}");
+        assert_eq!(grazes(&point, 2.93), None, "it does not touch down to there");
     }
 }

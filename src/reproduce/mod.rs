@@ -8,9 +8,11 @@ mod chatter;
 mod claim;
 mod control;
 mod diagrams;
+mod lines;
 mod loss;
 mod orbits;
 mod plane;
+mod regions;
 mod report;
 mod sections;
 

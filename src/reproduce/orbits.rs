@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use super::bench::{PaperPoint, Plot, draw, words};
-use super::loss::lost;
-use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
+use super::loss::{grazes, lost};
+use super::{Claim, Outcome, PaperFigure, Produced, ReproduceError, config_of};
 use crate::analysis::Verdict;
 use crate::backend::Watch;
 use crate::dynamics::Stop;
@@ -28,8 +28,8 @@ const FIXED_POINT: [(&str, &str); 4] =
 /// How far the printed fixed point may be from the closed form; non-dimensional.
 const FIXED_POINT_TOLERANCE: f64 = 5e-6;
 
-/// How near to a stop a motion turns back that a drawing shows as touching it, as a share of δ.
-const TOUCHING: f64 = 0.02;
+/// Where the 2-2-2 motion is printed to graze, ω at δ = 0.1.
+const GRAZES_AT: &str = "2.93193";
 
 /// The claim that a point has a printed motion.
 pub(super) fn settles(figure: u32, point: &PaperPoint, printed: &str) -> (Claim, Verdict) {
@@ -137,31 +137,7 @@ impl PaperFigure for Figure8 {
         {
             claims.push(settles(8, &point, printed).0);
         }
-        let [near, far] = [GRAZING, DOUBLED].map(|point| nearest_miss(&point));
-        let computed =
-            |gap: Option<f64>| gap.map_or_else(|| "no near miss".to_owned(), |gap| format!("{gap:.2e}"));
-        let doubles = lost(&DOUBLED, Self::UNTIL).map_or_else(String::new, |loss| {
-            format!(
-                "; before it would touch, {} loses its stability at ω = {:.5}, {}",
-                loss.label,
-                loss.omega,
-                loss.kind()
-            )
-        });
-        let grazes = near.is_some_and(|gap| gap < TOUCHING * GRAZING.delta);
-        let claim = format!("the motion at {} grazes a stop", GRAZING.words());
-        let share = near.map_or(f64::NAN, |gap| 100.0 * gap / GRAZING.delta);
-        claims.push(
-            Claim::new(8, claim, "grazing", format!("turns back {} before a stop", computed(near)), grazes).noted(
-                format!(
-                    "{share:.1} % of δ, held to {} %, about the width of a line in the portrait: it does not touch yet; \
-                     {} at ω = {}{doubles}",
-                    100.0 * TOUCHING,
-                    computed(far),
-                    DOUBLED.omega
-                ),
-            ),
-        );
+        claims.push(grazing_claim(&DOUBLED, &GRAZING, GRAZES_AT, Self::UNTIL));
         claims.push(largest_exponent(8, &CHAOS, Self::PERIODS, "positive", |mean, error| mean > 5.0 * error));
         Ok(Produced { pictures: pictures(self, &Self::PLOTS, 2)?, claims })
     }
@@ -195,6 +171,35 @@ pub(super) fn largest_exponent(
 /// A signed number in four decimals, in powers of ten where those would show little but zeros.
 fn rounded(value: f64) -> String {
     if value == 0.0 || value.abs() >= 1e-3 { format!("{value:+.4}") } else { format!("{value:+.0e}") }
+}
+
+/// The claim that the motion of one point grazes a stop at another: it does if the motion, followed there, touches a stop at
+/// the printed frequency, to its digits, and is still stable when it does.
+fn grazing_claim(from: &PaperPoint, point: &PaperPoint, printed: &str, until: f64) -> Claim {
+    let touches = grazes(from, until);
+    let lost = lost(from, until);
+    let gap = |point: &PaperPoint| {
+        nearest_miss(point).map_or_else(|| "no near miss".to_owned(), |gap| format!("{gap:.2e}"))
+    };
+    let first = match (&lost, touches) {
+        (Some(loss), touches) if touches.is_none_or(|omega| omega < loss.omega) => format!(
+            "; before it would touch, {} loses its stability at ω = {:.5}, {}",
+            loss.label,
+            loss.omega,
+            loss.kind()
+        ),
+        _ => String::new(),
+    };
+    let at = Claim::number(8, format!("the motion at {} grazes a stop", point.words()), printed, touches);
+    let holds = at.verdict == Outcome::Agrees && first.is_empty();
+    let where_it_does =
+        touches.map_or_else(|| format!("not down to ω = {until}"), |omega| format!("at ω = {omega:.5}"));
+    let computed = format!("turns back {} before a stop; touches it {where_it_does}{first}", gap(point));
+    Claim::new(8, at.claim, format!("grazing at ω = {printed}"), computed, holds).noted(format!(
+        "{} at ω = {}",
+        gap(from),
+        from.omega
+    ))
 }
 
 /// How near to a stop the first mass turns back without touching it, over two periods of the motion; δ is the unit's

@@ -3,12 +3,14 @@
 use serde_json::{Value, json};
 
 use super::bench::{PaperPoint, words};
+use super::lines::lines;
+use super::regions::regions;
 use super::{Claim, PaperFigure, Produced, ReproduceError};
-use crate::analysis::{Regime, Schedule, Verdict};
+use crate::analysis::{Schedule, Verdict};
 use crate::backend::{Cpu, Watch};
-use crate::curves::{Criticality, Curve, Kind, bifurcation_curves};
+use crate::curves::bifurcation_curves;
 use crate::model::Parameters;
-use crate::plane::{Plane, RegionMap, Start};
+use crate::plane::{Plane, Start};
 use crate::render::{Shown, Size, region_map_with_curves};
 use crate::sweep::sweep;
 
@@ -45,39 +47,14 @@ impl PaperFigure for Figure5 {
     fn produce(&self, watch: &dyn Watch) -> Result<Produced, ReproduceError> {
         let map = sweep(&plane(), &Cpu, watch)?;
         let size = Size::new(1600, 1200).expect("a size");
-        let curves = bifurcation_curves(&map, CURVES).expect("both axes are ranges of parameters");
+        let found = bifurcation_curves(&map, CURVES).expect("both axes are ranges of parameters");
+        let curves = found.curves;
         let picture = region_map_with_curves(&map, &curves, Shown::Bounding, CURVES, size);
         let mut claims = regions(&map);
         claims.extend(mirrored());
-        claims.extend(lines(&curves));
+        claims.extend(lines(&map, &curves));
         Ok(Produced { pictures: vec![("", picture)], claims })
     }
-}
-
-/// Each region is there if cells of its motion are.
-fn regions(map: &RegionMap) -> Vec<Claim> {
-    let periodic = |n, p, q, symmetric: Option<bool>| {
-        move |v: &Verdict| {
-            v.regime == Regime::Periodic
-                && (v.n, v.p, v.q) == (n, p, q)
-                && symmetric.is_none_or(|said| v.symmetric == said)
-        }
-    };
-    let irregular = |v: &Verdict| matches!(v.regime, Regime::Chaotic | Regime::QuasiPeriodic);
-    let region = |name: &str, motion: &str, belongs: &dyn Fn(&Verdict) -> bool| {
-        let cells = map.verdicts.iter().filter(|verdict| belongs(verdict)).count();
-        let share = 100.0 * cells as f64 / map.verdicts.len() as f64;
-        let claim = format!("region {name}: {motion}");
-        Claim::new(5, claim, "a region of the plane", format!("{share:.2} % of the plane"), cells >= 4)
-    };
-    vec![
-        region("R1", "stable 1-1-1 symmetric", &periodic(1, 1, 1, Some(true))),
-        region("R2", "1-1-1 unsymmetric", &periodic(1, 1, 1, Some(false))),
-        region("R3 and R7", "quasi-periodic and chaotic motions", &irregular),
-        region("R4", "1-2-2 symmetric", &periodic(1, 2, 2, Some(true))),
-        region("R5", "1-2-2 unsymmetric", &periodic(1, 2, 2, Some(false))),
-        region("R6", "period-doubled 1-2-2", &periodic(2, 4, 4, None)),
-    ]
 }
 
 /// R5: a start and its mirror image, half a forcing period later, end on mirrored motions.
@@ -99,46 +76,4 @@ fn mirror(point: &PaperPoint, settled: &Verdict) -> Start {
     let half = crate::dynamics::record(&system, settled.state, 0, 1, 2);
     let state = half.samples.get(1).map_or([0.0; 4], |s| [-s.x1, -s.x2, -s.v1, -s.v2]);
     Start::State(state)
-}
-
-/// Each curve is there if the continuation finds it.
-fn lines(curves: &[Curve]) -> Vec<Claim> {
-    let line = |name: &str,
-                printed: &str,
-                kind: Kind,
-                label: &str,
-                symmetric: bool,
-                criticality: Option<Criticality>| {
-        let belongs = |curve: &&Curve| {
-            curve.kind == kind && curve.motion.label() == label && curve.motion.symmetric == symmetric
-        };
-        let points: Vec<[f64; 2]> = (curves.iter().filter(belongs).flat_map(|curve| &curve.points))
-            .filter(|point| point.bounding)
-            .filter(|point| criticality.is_none() || point.criticality == criticality)
-            .map(|point| [point.x, point.y])
-            .collect();
-        let range = |i: usize| {
-            let (low, high) = points
-                .iter()
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), point| (a.min(point[i]), b.max(point[i])));
-            format!("{low:.3} to {high:.3}")
-        };
-        let computed = match points.len() {
-            0 => "not found".to_owned(),
-            count => format!("ω {}, δ {} ({count} points)", range(0), range(1)),
-        };
-        Claim::new(5, format!("curve {name}"), printed, computed, !points.is_empty())
-    };
-    let (sub, sup) = (Some(Criticality::Subcritical), Some(Criticality::Supercritical));
-    let ns = Kind::NeimarkSacker;
-    vec![
-        line("L1", "supercritical Neimark–Sacker of 1-1-1 symmetric", ns, "1-1-1", true, sup),
-        line("L2", "subcritical Neimark–Sacker of 1-1-1 symmetric", ns, "1-1-1", true, sub),
-        line("L3", "pitchfork of 1-1-1 symmetric", Kind::Pitchfork, "1-1-1", true, None),
-        line("L4", "Neimark–Sacker of 1-1-1 unsymmetric", ns, "1-1-1", false, None),
-        line("L5", "1-2-2 symmetric appears out of chaos", Kind::Fold, "1-2-2", true, None)
-            .noted("taken for the fold in which 1-2-2 symmetric begins"),
-        line("L6", "pitchfork of 1-2-2 symmetric", Kind::Pitchfork, "1-2-2", true, None),
-        line("L7", "period doubling of 1-2-2 unsymmetric", Kind::PeriodDoubling, "1-2-2", false, None),
-    ]
 }

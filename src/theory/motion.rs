@@ -9,7 +9,7 @@ use super::admissible::{Inadmissible, fly};
 use super::flow::{Flow, PHASE, Section};
 use super::multipliers::{STABLE, eigenvalues, ordered, turn};
 use super::newton;
-use super::pattern::Pattern;
+use super::pattern::{Pattern, opposite};
 use crate::dynamics::Stop;
 use crate::model::generator::{V1, V2, X1, X2};
 use crate::model::{Flight, System};
@@ -49,6 +49,17 @@ impl PeriodicMotion {
         let motion = PeriodicMotion { pattern: pattern.clone(), sections, residual }.normalised();
         fly(&Flight::new(system), &motion)?;
         Ok(motion.reduced(&flow))
+    }
+
+    /// The mirror image of the motion half a forcing period later, −x(t + π/ω): as much a motion as this one.
+    #[must_use]
+    pub fn mirror_image(&self) -> Self {
+        let turned =
+            |section: &Section| Section::new(-section[0], -section[1], -section[2], section[PHASE] + PI);
+        let stops = self.pattern.stops.iter().map(|&stop| opposite(stop)).collect();
+        let pattern = Pattern { stops, ..self.pattern.clone() };
+        let sections = self.sections.iter().map(turned).collect();
+        PeriodicMotion { pattern, sections, residual: self.residual }.normalised()
     }
 
     /// Begins at the first impact at A, if there is one, with a phase in [0, 2π).

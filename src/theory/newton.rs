@@ -16,12 +16,13 @@ pub const SOLVED: f64 = 1e-11;
 
 /// The arcs of a motion, one after each impact.
 pub(crate) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Vec<Arc> {
-    (0..sections.len())
-        .map(|i| {
-            let from = Node { stop: pattern.stops[i], section: sections[i] };
-            Arc::between(flow, &from, &next(pattern, sections, i))
-        })
-        .collect()
+    (0..sections.len()).map(|i| arc(flow, pattern, sections, i)).collect()
+}
+
+/// The arc after the `i`-th impact.
+pub(crate) fn arc(flow: &Flow, pattern: &Pattern, sections: &[Section], i: usize) -> Arc {
+    let from = Node { stop: pattern.stops[i], section: sections[i] };
+    Arc::between(flow, &from, &next(pattern, sections, i))
 }
 
 /// The impact that follows the `i`-th.

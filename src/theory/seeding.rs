@@ -1,29 +1,20 @@
-//! Periodic motions out of simulated orbits: the one a trajectory settled on, or any whose label it comes close to.
+//! Periodic motions out of simulated orbits: the one a trajectory settled on, or one whose label it comes close to.
 
-use thiserror::Error;
-
-use super::flow::{PHASE, Section};
+use super::flow::Section;
 use super::label::Label;
 use super::motion::{NoMotion, PeriodicMotion};
 use super::pattern::Pattern;
-use super::symmetric::stable_branch;
 use crate::dynamics::{Event, ImpactEvent, Stop, Trajectory, record};
-use crate::model::{Flight, Parameter, System};
+use crate::model::{Flight, System};
 
-/// Close returns of one orbit from which Newton's method is tried.
-const TRIES: usize = 60;
 /// The largest distance on the section over which an orbit returns closely, non-dimensional.
 const CLOSE: f64 = 1.0;
 /// Returns nearer to each other than this are one.
 const APART: f64 = 1e-2;
-/// Orbits from scattered starts that are searched as well.
-const SCATTERED: u32 = 12;
 /// Moves in one forcing period beyond which an orbit is not searched: all steps, and more impacts than a label has.
 const MOST_MOVES: u32 = 1 << 18;
 /// The most impacts of one orbit that are searched.
 const MOST_SEARCHED: usize = 1 << 20;
-/// Relative changes of ω at which a neighbouring motion is looked for, to be followed back.
-const NEIGHBOURS: [f64; 10] = [0.005, -0.005, 0.015, -0.015, 0.04, -0.04, 0.08, -0.08, 0.15, -0.15];
 
 /// How a motion is searched for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,22 +25,6 @@ pub struct Search {
     pub transient: u32,
     /// Forcing periods of each orbit that are searched.
     pub observe: u32,
-}
-
-/// No motion of a label was found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error(
-    "no {label} motion was found here: none of {tried} close returns of {orbits} orbits leads to one, and none \
-     at neighbouring frequencies that could be followed back; try another --start, or parameters nearer to where \
-     the motion is stable"
-)]
-pub struct NotFound {
-    /// The label.
-    pub label: Label,
-    /// Guesses that Newton's method was started from.
-    pub tried: usize,
-    /// Orbits that were searched.
-    pub orbits: usize,
 }
 
 /// The motion that a trajectory has settled on, from its state at forcing phase 0, which returns after `n` periods.
@@ -65,53 +40,8 @@ pub fn settled_motion(system: &System, state: [f64; 4], n: u32) -> Result<Period
     PeriodicMotion::refine(system, &pattern, &guess)
 }
 
-/// A motion with a label, stable or not: from close returns of simulated orbits, followed from a neighbouring ω, or (1-1-1,
-/// symmetric) in closed form.
-///
-/// # Errors
-/// [`NotFound`] if none of the searched orbits comes close to one.
-pub fn labelled_motion(system: &System, label: Label, search: &Search) -> Result<PeriodicMotion, NotFound> {
-    let mut tried = 0;
-    let mut orbits = 0;
-    let starts = std::iter::once(search.start).chain((0..SCATTERED).map(|i| scattered(system, i)));
-    for start in starts {
-        orbits += 1;
-        let (found, guesses) = among_returns(system, label, start, search, TRIES);
-        tried += guesses;
-        if let Some(motion) = found {
-            return Ok(motion);
-        }
-    }
-    for change in NEIGHBOURS {
-        let omega = system.parameters().omega * (1.0 + change);
-        let Ok(beside) = System::new(system.parameters().with(Parameter::Omega, omega)) else { continue };
-        orbits += 1;
-        let (found, guesses) = among_returns(&beside, label, search.start, search, TRIES / 4);
-        tried += guesses;
-        if let Some(motion) = found.and_then(|motion| followed(&motion, &beside, system)) {
-            return Ok(motion);
-        }
-    }
-    // The symmetric 1-1-1 motion needs no guess.
-    if label == (Label { n: 1, p: 1, q: 1 })
-        && let Some(solution) = stable_branch(system)
-    {
-        return Ok(solution.motion);
-    }
-    Err(NotFound { label, tried, orbits })
-}
-
-/// A start between the stops, one of a sequence that fills the space evenly.
-fn scattered(system: &System, index: u32) -> [f64; 4] {
-    // The additive recurrence of the four-dimensional golden ratio.
-    const RATIO: f64 = 1.167_303_978_261_418_7;
-    let fraction = |k: i32| (0.5 + f64::from(index + 1) / RATIO.powi(k)).fract() * 2.0 - 1.0;
-    let delta = system.parameters().delta;
-    [delta * fraction(1), fraction(2), 2.0 * fraction(3), fraction(4)]
-}
-
-/// Searches one orbit; the motion, and how many guesses were tried.
-fn among_returns(
+/// Searches one orbit, for the mirror image as well; the motion, and how many guesses were tried.
+pub(super) fn among_returns(
     system: &System,
     label: Label,
     start: [f64; 4],
@@ -119,8 +49,24 @@ fn among_returns(
     tries: usize,
 ) -> (Option<PeriodicMotion>, usize) {
     let impacts = impacts(system, start, search);
+    let (found, tried) = solved_among(system, label, &impacts, tries);
+    if found.is_some() || label.p == label.q {
+        return (found, tried);
+    }
+    let twin = Label { p: label.q, q: label.p, ..label };
+    let (found, more) = solved_among(system, twin, &impacts, tries);
+    (found.map(|motion| motion.mirror_image()), tried + more)
+}
+
+/// The motion of a label to which one of the close returns of an orbit leads, and how many were tried.
+fn solved_among(
+    system: &System,
+    label: Label,
+    impacts: &[ImpactEvent],
+    tries: usize,
+) -> (Option<PeriodicMotion>, usize) {
     let mut tried: Vec<Section> = Vec::new();
-    for first in close_returns(system, &impacts, label) {
+    for first in close_returns(system, impacts, label) {
         let count = (label.p + label.q) as usize;
         let (pattern, guess) = sequence(system, &impacts[first..first + count], label.n);
         if tried.iter().any(|other| (other - guess[0]).amax() < APART) {
@@ -216,30 +162,4 @@ fn sequence(system: &System, impacts: &[ImpactEvent], n: u32) -> (Pattern, Vec<S
         .map(|i| Section::new(i.velocity_after, i.x2, i.v2, first.phase + omega * (i.time - first.time)))
         .collect();
     (pattern, sections)
-}
-
-/// Follows a motion from one frequency to another in steps that adapt; none if it is lost on the way.
-fn followed(motion: &PeriodicMotion, from: &System, to: &System) -> Option<PeriodicMotion> {
-    let (first, last) = (from.parameters().omega, to.parameters().omega);
-    let mut reached = 0.0;
-    let mut step: f64 = 0.25;
-    let mut current = motion.clone();
-    while reached < 1.0 {
-        let share = (reached + step).min(1.0);
-        let omega = if share == 1.0 { last } else { first + share * (last - first) };
-        let system = System::new(to.parameters().with(Parameter::Omega, omega)).ok()?;
-        let near = PeriodicMotion::refine(&system, &current.pattern, &current.sections).ok().filter(|next| {
-            next.pattern == current.pattern
-                && (next.sections[0][PHASE] - current.sections[0][PHASE]).abs() < 0.3
-        });
-        match near {
-            Some(next) => {
-                (current, reached) = (next, share);
-                step = (step * 1.5).min(0.25);
-            }
-            None if step > 1e-3 => step *= 0.5,
-            None => return None,
-        }
-    }
-    Some(current)
 }

@@ -1,6 +1,7 @@
 //! Bifurcation curves held to closed forms, to multipliers, to the simulation and to the map's own boundaries.
 
 mod boundaries;
+mod coverage;
 mod curves;
 mod invariants;
 
@@ -24,7 +25,7 @@ fn map(x: &str, y: &str, parameters: Parameters) -> RegionMap {
 }
 
 fn curves(map: &RegionMap) -> Vec<Curve> {
-    bifurcation_curves(map, 2).unwrap()
+    bifurcation_curves(map, 2).unwrap().curves
 }
 
 /// The curves of one kind and motion.

@@ -1,5 +1,6 @@
 //! Periodic motions and their multipliers.
 
+use impact_atlas::dynamics::{Stop, record};
 use impact_atlas::theory::{
     Label, PeriodicMotion, Search, flip_coefficient, labelled_motion, neimark_sacker_coefficient,
     symmetric_motions,
@@ -61,6 +62,25 @@ fn the_unstable_motion_inside_chaos_has_its_multipliers() {
     assert_close(&real, &[-1.4954, -0.6637, -0.5644, -0.1235], 5e-5);
     assert_close(&motion.section(), &[-0.41959403, -0.02899702, 0.02903494, 1.80721094], 1e-8);
     assert_eq!(motion.is_stable(&system), Some(false));
+}
+
+/// A curve bounds 2-2-4 there, but every orbit from there leads elsewhere: it is followed from where it is stable.
+#[test]
+fn a_motion_that_no_orbit_comes_near_is_followed_from_its_neighbours() {
+    let system = at(1.2338, 0.6711);
+    let search = Search { start: [0.0; 4], transient: 1000, observe: 500 };
+    for label in [Label { n: 2, p: 2, q: 4 }, Label { n: 2, p: 4, q: 2 }] {
+        let motion = labelled_motion(&system, label, &search).unwrap();
+        let start = motion.at_phase_zero(&system);
+        let flown = record(&system, start, 0, 2, 1);
+        let at_a = flown.impacts.iter().filter(|impact| impact.stop == Stop::A).count() as u32;
+        assert_eq!((flown.impacts.len() as u32 - at_a, at_a), (label.p, label.q), "{label}");
+        let back = record(&system, start, 2, 1, 1).samples[0];
+        assert_close(&[back.x1, back.x2, back.v1, back.v2], &start, 1e-8);
+        // The start itself is enough, without a transient.
+        let own = Search { start, transient: 0, observe: 1 };
+        assert_close(&labelled_motion(&system, label, &own).unwrap().section(), &motion.section(), 1e-9);
+    }
 }
 
 #[test]

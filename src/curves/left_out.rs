@@ -1,0 +1,100 @@
+//! The motions that a map shows and that have no curve.
+
+use super::branch::Event;
+use super::curve::CurveMotion;
+use super::regions::Shown;
+use super::seeds::MOST_IMPACTS;
+use crate::analysis::motion_label;
+
+/// A periodic motion that a map shows and that no computed curve bounds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Which motion; of a motion and its mirror image that of which there are more cells.
+    pub motion: CurveMotion,
+    /// How many cells show it or its mirror image.
+    pub cells: usize,
+    /// Why it has no curve.
+    pub why: Why,
+}
+
+/// Why a motion has no curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Why {
+    /// Nothing that ends it was met within the plane.
+    Unbounded,
+    /// No cell's trajectory leads Newton's method to it.
+    Unsolved,
+    /// Too few cells show it.
+    Few,
+    /// It has more impacts than are followed.
+    ManyImpacts,
+    /// It rests on a stop, or its rebounds accumulate: it has no finite sequence of impacts.
+    Sticks,
+    /// Its N is larger than was asked for.
+    LongPeriod,
+}
+
+impl Why {
+    /// Every reason, in the order in which they are told.
+    pub const ALL: [Why; 6] =
+        [Why::Unbounded, Why::Unsolved, Why::Few, Why::ManyImpacts, Why::Sticks, Why::LongPeriod];
+
+    /// Why, in words.
+    pub fn words(self) -> String {
+        match self {
+            Why::Unbounded => "nothing that ends them was met on this plane".to_owned(),
+            Why::Unsolved => "no cell leads Newton's method to them".to_owned(),
+            Why::Few => "too few cells show them".to_owned(),
+            Why::ManyImpacts => format!("more than {MOST_IMPACTS} impacts in a period"),
+            Why::Sticks => "sticking".to_owned(),
+            Why::LongPeriod => "N above --max-period".to_owned(),
+        }
+    }
+
+    /// Why a motion is not even looked for, if it is not.
+    pub(super) fn not_sought(shown: &Shown, max_period: u32, fewest: usize) -> Option<Why> {
+        let CurveMotion { n, p, q, .. } = shown.motion;
+        let reasons = [
+            (Why::LongPeriod, n > max_period),
+            (Why::Sticks, shown.sticks),
+            (Why::ManyImpacts, p + q > MOST_IMPACTS),
+            (Why::Few, shown.cells() < fewest),
+        ];
+        reasons.into_iter().find_map(|(why, holds)| holds.then_some(why))
+    }
+}
+
+impl LeftOut {
+    /// N-p-q, with ∞ for infinitely many impacts, and the symmetry where it could be either.
+    pub fn name(&self) -> String {
+        let CurveMotion { n, p, q, symmetric } = self.motion;
+        let symmetry = match (p == q, symmetric) {
+            (true, true) => " symmetric",
+            (true, false) => " unsymmetric",
+            (false, _) => "",
+        };
+        format!("{}{symmetry}", motion_label(n, p as u16, q as u16))
+    }
+}
+
+/// Those of the motions that a map shows for which nothing was found that bounds them.
+pub(super) fn left_out(
+    shown: &[Shown],
+    sought: &[Result<Vec<Event>, Why>],
+    bounds: impl Fn(&Event) -> bool,
+) -> Vec<LeftOut> {
+    let mut found: Vec<LeftOut> = shown
+        .iter()
+        .zip(sought)
+        .filter_map(|(shown, sought)| {
+            let why = match sought {
+                Err(why) => *why,
+                Ok(events) if !events.iter().any(&bounds) => Why::Unbounded,
+                Ok(_) => return None,
+            };
+            Some(LeftOut { motion: shown.motion.clone(), cells: shown.cells(), why })
+        })
+        .collect();
+    found.sort_by_key(|motion| std::cmp::Reverse(motion.cells));
+    found
+}
