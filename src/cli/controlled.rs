@@ -9,6 +9,7 @@ use impact_atlas::plane::{ControlPlane, Quantity};
 use super::method::{MethodArgs, MethodName};
 use super::options::PlaneArgs;
 use super::spelled::spelled;
+use super::values::count;
 use super::{CliError, defaults};
 
 /// Control of every cell of a plane.
@@ -23,12 +24,12 @@ pub struct ControlledArgs {
     pub control: Option<MethodName>,
 
     /// The first iterate that is controlled
-    #[arg(long, value_name = "N", default_value_t = defaults::CONTROL_MAP_FROM, requires = "control",
+    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::CONTROL_MAP_FROM, requires = "control",
         help_heading = "Control")]
     from: u32,
 
     /// Iterates altogether; a cell that has settled under control finishes early
-    #[arg(long, value_name = "K", default_value_t = defaults::CONTROL_MAP_ITERATES, requires = "control",
+    #[arg(long, value_parser = count, value_name = "K", default_value_t = defaults::CONTROL_MAP_ITERATES, requires = "control",
         help_heading = "Control")]
     iterates: u32,
 

@@ -5,7 +5,8 @@ use impact_atlas::plane::Plane;
 use impact_atlas::store::Output;
 use serde::Serialize;
 
-use super::{CliError, files};
+use super::CliError;
+use super::files::Batch;
 
 /// The columns of the table of points.
 pub const COLUMNS: [&str; 9] =
@@ -114,8 +115,13 @@ pub fn text(summaries: &[CurveSummary], plane: &Plane) -> String {
     lines.join("\n")
 }
 
-/// Writes every point of every curve.
-pub fn write_csv(output: &Output, curves: &[Curve], plane: &Plane) -> Result<(), CliError> {
+/// A table of every point of every curve, if it is asked for.
+pub fn add_table<'a>(
+    batch: &mut Batch<'a>,
+    output: &'a Option<Output>,
+    curves: &[Curve],
+    plane: &Plane,
+) -> Result<(), CliError> {
     let stretches = named(curves, plane);
     let rows = stretches.iter().flat_map(|stretch| {
         let curve = &curves[stretch.curve];
@@ -133,5 +139,5 @@ pub fn write_csv(output: &Output, curves: &[Curve], plane: &Plane) -> Result<(),
             )
         })
     });
-    files::write_csv(output, COLUMNS, rows)
+    batch.table(output, COLUMNS, rows)
 }

@@ -1,6 +1,6 @@
 //! `impact-atlas validate`: one back end against the reference.
 
-use clap::{Args, value_parser};
+use clap::Args;
 use impact_atlas::backend::{self, Choice};
 use impact_atlas::curves::{self, bifurcation_curves};
 use impact_atlas::plane::Plane;
@@ -17,7 +17,8 @@ use super::options::{BackendArgs, BackendName, PlaneArgs};
 use super::progress::Progress;
 use super::report::Report;
 use super::terminal::{print, print_json};
-use super::{CliError, defaults, note};
+use super::values::counted;
+use super::{CliError, defaults, estimate, note};
 
 /// Computes the same cells on the CPU's reference and on another back end, and says how well they agree
 ///
@@ -38,7 +39,7 @@ pub struct ValidateArgs {
     plane: PlaneArgs,
 
     /// Computes about K cells, whatever COUNT the axes have [default: 120000 where no axis is given]
-    #[arg(long, value_name = "K", value_parser = value_parser!(u32).range(4..=Plane::LARGEST as i64))]
+    #[arg(long, value_name = "K", value_parser = counted(4, Plane::LARGEST as u32))]
     cells: Option<u32>,
 
     #[command(flatten)]
@@ -73,7 +74,9 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
     let reference = backend::open(Choice::Cpu, None)?;
     note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
 
+    estimate::of_plane("the candidate's map", &plane, &*candidate)?;
     let theirs = sweep(&plane, &*candidate, &Progress::of_cells("candidate", plane.cells()))?;
+    estimate::of_plane("the reference's map", &plane, &*reference)?;
     let ours = sweep(&plane, &*reference, &Progress::of_cells("reference", plane.cells()))?;
     let strays = impact_atlas::validate::strays(&ours, &theirs).len() as u64;
     let continued = continue_strays(&ours, &theirs, &*reference, &Progress::of_cells("continuing", strays))?;
@@ -103,7 +106,9 @@ fn controlled(args: &ValidateArgs, method: MethodName) -> Result<(), CliError> {
     note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
 
     let cells = plane.plane().cells();
+    estimate::of_control("the candidate's map", &plane, &*candidate)?;
     let theirs = sweep_control(&plane, &*candidate, &Progress::of_cells("candidate", cells))?;
+    estimate::of_control("the reference's map", &plane, &*reference)?;
     let ours = sweep_control(&plane, &*reference, &Progress::of_cells("reference", cells))?;
     let agreement = compare_controlled(&ours, &theirs);
     let made = [&ours.provenance, &theirs.provenance];

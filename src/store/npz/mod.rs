@@ -17,6 +17,7 @@
 
 mod control;
 mod diagram;
+mod fused;
 mod read;
 mod write;
 
