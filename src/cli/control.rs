@@ -6,7 +6,7 @@ use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Observer, Schedule};
 use impact_atlas::control::{
-    ControlSchedule, Controller, History, Outcome, Scheme, control, converged_at, multipliers,
+    ControlSchedule, Controller, History, LONGEST, Outcome, Scheme, control, converged_at, multipliers,
 };
 use impact_atlas::model::{Flight, Parameters, System};
 use impact_atlas::plane::Start;
@@ -19,7 +19,7 @@ use super::method::{MethodArgs, MethodName};
 use super::options::{OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::{count, parse, parse_range, parse_size};
+use super::values::{count, counted, parse, parse_range, parse_size};
 use super::{CliError, defaults, interrupt, note};
 
 /// The most iterates of one run.
@@ -59,6 +59,10 @@ pub struct ControlArgs {
     /// Iterates altogether
     #[arg(long, value_parser = count, value_name = "K", default_value_t = defaults::CONTROL_ITERATES)]
     iterates: u32,
+
+    /// Most iterates looked for in one period of the motion; a longer period is none
+    #[arg(long, value_name = "M", value_parser = counted(1, LONGEST as u32), default_value_t = ControlSchedule::MAX_PERIOD)]
+    max_period: u32,
 
     /// How near the final points count as converged
     #[arg(long, value_name = "T", default_value_t = 1e-6, allow_negative_numbers = true)]
@@ -135,7 +139,12 @@ struct Config<'a> {
 pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     let (system_args, set) = args.system.split();
     let scheme = args.settings.scheme(args.method, &set)?;
-    let schedule = ControlSchedule { from: args.from, iterates: args.iterates, fixed: true };
+    let schedule = ControlSchedule {
+        from: args.from,
+        iterates: args.iterates,
+        fixed: true,
+        max_period: args.max_period,
+    };
     check_lengths(args)?;
     schedule.check().map_err(CliError::input)?;
     let (system, start) = system_args.system_and_start(args.start)?;

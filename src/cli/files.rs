@@ -73,7 +73,8 @@ pub fn prepare<const N: usize>(
     for (output, wanted) in outputs.iter_mut().zip(wanted) {
         let Some(Wanted { path, .. }) = wanted else { continue };
         let prepared = Output::prepare(path).map_err(CliError::input)?;
-        let prepared = if overwrite.force { prepared } else { prepared.keeping().map_err(CliError::input)? };
+        let prepared =
+            if overwrite.force { prepared } else { prepared.keeping().map_err(CliError::input)? };
         if prepared.is_standard() {
             terminal::give_away_standard_output();
         }
@@ -156,7 +157,9 @@ impl<'a> Batch<'a> {
         interrupt::check()?;
         let mut names = Vec::new();
         for filled in self.filled {
-            names.push(filled.path().display().to_string());
+            let path = filled.path();
+            let standard = path.as_os_str() == Output::STANDARD;
+            names.push(if standard { "standard output".to_owned() } else { path.display().to_string() });
             filled.show().map_err(CliError::machine)?;
         }
         if !names.is_empty() {

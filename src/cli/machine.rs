@@ -72,7 +72,8 @@ pub fn hush_drivers() {
     let in_session = env::var_os("XDG_RUNTIME_DIR").is_some_and(|folder| Path::new(&folder).is_absolute());
     let settled = ["NODEVICE_SELECT", "MESA_VK_DEVICE_SELECT"].iter().any(|name| env::var_os(name).is_some());
     let mut arguments = env::args_os();
-    let (false, Ok(program), Some(name)) = (in_session || settled, env::current_exe(), arguments.next()) else {
+    let (false, Ok(program), Some(name)) = (in_session || settled, env::current_exe(), arguments.next())
+    else {
         return;
     };
     // This returns only if it fails, and then the complaint does no harm.
@@ -89,12 +90,17 @@ mod tests {
 
     #[test]
     fn the_environment_asks_for_a_number_of_threads_that_there_can_be() {
-        for (text, threads) in [(None, 0), (Some(""), 0), (Some("0"), 0), (Some(" 3 "), 3), (Some("1024"), 1024)] {
+        for (text, threads) in
+            [(None, 0), (Some(""), 0), (Some("0"), 0), (Some(" 3 "), 3), (Some("1024"), 1024)]
+        {
             assert_eq!(threads_of(text).unwrap(), threads, "{text:?}");
         }
         for text in ["1025", "100000", "99999999999999999999", "-1", "many"] {
             let message = threads_of(Some(text)).unwrap_err().to_string();
-            assert!(message.contains(&format!("{THREADS}={text}")) && message.contains("--threads"), "{message}");
+            assert!(
+                message.contains(&format!("{THREADS}={text}")) && message.contains("--threads"),
+                "{message}"
+            );
         }
     }
 }

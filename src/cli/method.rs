@@ -155,8 +155,7 @@ pub struct MethodArgs {
 impl MethodArgs {
     /// The checked scheme of a method with what was set of it; options of another method are refused.
     pub fn scheme(&self, method: MethodName, set: &[Assignment]) -> Result<Scheme, CliError> {
-        let replaced: Vec<_> =
-            set.iter().map(|set| (format!("--set {set} sets"), set.quantity)).collect();
+        let replaced: Vec<_> = set.iter().map(|set| (format!("--set {set} sets"), set.quantity)).collect();
         self.refuse_replaced(method, &replaced)?;
         let mut scheme = self.of_options(method)?;
         for (i, one) in set.iter().enumerate() {

@@ -239,9 +239,11 @@ pub struct PlaneArgs {
     #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_OBSERVE)]
     observe: u32,
 
-    /// Largest N looked for in N-p-q
-    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
-    max_period: u32,
+    /// Largest N looked for in N-p-q [default: 32]; under control, most iterates in one period [default: 8]
+    ///
+    /// A motion with a longer period has none: it is quasi-periodic, chaotic or unresolved. Under control at most 32.
+    #[arg(long, value_parser = count, value_name = "N")]
+    pub max_period: Option<u32>,
 
     /// Every cell runs transient + observe periods, settled or not
     #[arg(long)]
@@ -297,7 +299,7 @@ impl PlaneArgs {
         Schedule {
             transient: self.transient,
             observe: self.observe,
-            max_period: self.max_period,
+            max_period: self.max_period.unwrap_or(defaults::MAX_PERIOD),
             fixed_periods: self.fixed_periods,
         }
     }

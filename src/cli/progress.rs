@@ -132,7 +132,10 @@ fn line(message: &str, cells: Option<u64>, finished: u64, elapsed: Duration) -> 
         Some(cells) if finished > 0 => {
             let left = elapsed.mul_f64(cells.saturating_sub(finished) as f64 / finished as f64);
             let percent = 100 * finished / cells.max(1);
-            format!("{message}: {percent} % of {cells} cells after {elapsed_words}, about {} left", spans::words(left))
+            format!(
+                "{message}: {percent} % of {cells} cells after {elapsed_words}, about {} left",
+                spans::words(left)
+            )
         }
         _ => format!("{message}: {elapsed_words}"),
     }
@@ -150,6 +153,9 @@ mod tests {
             "computing: 25 % of 4000 cells after 10 s, about 30 s left"
         );
         assert_eq!(line("computing", Some(4000), 0, seconds(5)), "computing: 5 s");
-        assert_eq!(line("following the trajectory", None, 0, seconds(600)), "following the trajectory: 10 min");
+        assert_eq!(
+            line("following the trajectory", None, 0, seconds(600)),
+            "following the trajectory: 10 min"
+        );
     }
 }

@@ -57,7 +57,9 @@ pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
     let wanted = args.wanted()?;
     let folder = &args.out;
     if folder.as_os_str() == Output::STANDARD {
-        return Err(CliError::Input(anyhow!("the figures are files, which standard output cannot hold: name a folder")));
+        return Err(CliError::Input(anyhow!(
+            "the figures are files, which standard output cannot hold: name a folder"
+        )));
     }
     if folder.exists() && !folder.is_dir() {
         return Err(CliError::Input(anyhow!(
@@ -122,8 +124,7 @@ fn finished(folder: &Path, figure: &dyn PaperFigure, format: Option<Format>) -> 
     let text = fs::read_to_string(folder.join(name(figure.number(), "", "json"))).ok()?;
     let finished: Finished = serde_json::from_str(&text).ok()?;
     let there = |picture: &String| {
-        let named =
-            format.is_none_or(|format| pictures::format_of(Path::new(picture)) == format);
+        let named = format.is_none_or(|format| pictures::format_of(Path::new(picture)) == format);
         named && folder.join(picture).is_file()
     };
     (finished.config == config_of(figure) && finished.pictures.iter().all(there)).then_some(finished)

@@ -56,7 +56,10 @@ pub fn manual(args: &ManArgs, mut program: Command) -> Result<(), CliError> {
         },
     };
     let mut text = Vec::new();
-    clap_mangen::Man::new(page).render(&mut text).context("cannot make the page").map_err(CliError::Machine)?;
+    clap_mangen::Man::new(page)
+        .render(&mut text)
+        .context("cannot make the page")
+        .map_err(CliError::Machine)?;
     written(&text)
 }
 

@@ -19,9 +19,14 @@ mod tests {
 
     #[test]
     fn spans_are_short() {
-        for (seconds, text) in
-            [(0.2, "0 s"), (5.0, "5 s"), (119.0, "119 s"), (150.0, "2 min"), (10_000.0, "3 h"), (864_000.0, "10 days")]
-        {
+        for (seconds, text) in [
+            (0.2, "0 s"),
+            (5.0, "5 s"),
+            (119.0, "119 s"),
+            (150.0, "2 min"),
+            (10_000.0, "3 h"),
+            (864_000.0, "10 days"),
+        ] {
             assert_eq!(words(Duration::from_secs_f64(seconds)), text);
         }
     }

@@ -80,13 +80,16 @@ pub enum AssignmentError {
 
 /// Reads a whole number as people write it: 1000 or 1e3.
 pub fn count(text: &str) -> Result<u32, String> {
-    let number = whole(text)
-        .ok_or_else(|| format!("`{text}` is not a whole number: write one like 1000 or 1e3"))?;
+    let number =
+        whole(text).ok_or_else(|| format!("`{text}` is not a whole number: write one like 1000 or 1e3"))?;
     u32::try_from(number).map_err(|_| format!("{number} is too large: at most {} is accepted", u32::MAX))
 }
 
 /// Reads a whole number from `least` to `most`.
-pub fn counted(least: u32, most: u32) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync + 'static {
+pub fn counted(
+    least: u32,
+    most: u32,
+) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync + 'static {
     move |text| match count(text)? {
         number if (least..=most).contains(&number) => Ok(number),
         number => Err(format!("{number} is out of range: give {least} to {most}")),
@@ -106,9 +109,7 @@ pub fn parse_size(text: &str) -> Result<Size, String> {
 
 /// Reads a range of iterates, `FIRST:LAST`.
 pub fn parse_range(text: &str) -> Result<[u32; 2], String> {
-    let ends = text
-        .split_once(':')
-        .and_then(|(first, last)| Some([count(first).ok()?, count(last).ok()?]));
+    let ends = text.split_once(':').and_then(|(first, last)| Some([count(first).ok()?, count(last).ok()?]));
     match ends {
         None => Err(format!("`{text}` is not a range of iterates: write FIRST:LAST, for example 1990:2100")),
         Some([first, last]) if first >= last => {

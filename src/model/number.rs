@@ -59,11 +59,14 @@ mod tests {
 
     #[test]
     fn whole_numbers_may_have_an_exponent() {
-        for (text, number) in [("0", 0), ("17", 17), (" 1e3 ", 1000), ("2.5e4", 25_000), ("1E0", 1), ("10e-1", 1)] {
+        for (text, number) in
+            [("0", 0), ("17", 17), (" 1e3 ", 1000), ("2.5e4", 25_000), ("1E0", 1), ("10e-1", 1)]
+        {
             assert_eq!(whole(text), Some(number), "{text}");
         }
         assert_eq!(whole("18446744073709551615"), Some(u64::MAX));
-        for text in ["", "1.5", "1.0", "1e-3", "-1", "-1e3", "1e300", "e3", "inf", "nan", "many", "1e", "+e1"] {
+        for text in ["", "1.5", "1.0", "1e-3", "-1", "-1e3", "1e300", "e3", "inf", "nan", "many", "1e", "+e1"]
+        {
             assert_eq!(whole(text), None, "{text}");
         }
     }

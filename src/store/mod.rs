@@ -1,5 +1,8 @@
 //! Result files: NumPy archives of maps and diagrams, and output files that appear complete or not at all.
+//!
+#![doc = include_str!("files.md")]
 
+pub mod fields;
 mod npz;
 mod output;
 

@@ -17,7 +17,9 @@ pub fn spread(columns: u32, rows: u32, count: u32) -> Vec<u64> {
         let share = (0.5 + step * f64::from(i)).fract();
         u64::from(((share * f64::from(cells)) as u32).min(cells - 1))
     };
-    (1..=count).map(|i| place(i, 1.0 / (G * G), rows) * u64::from(columns) + place(i, 1.0 / G, columns)).collect()
+    (1..=count)
+        .map(|i| place(i, 1.0 / (G * G), rows) * u64::from(columns) + place(i, 1.0 / G, columns))
+        .collect()
 }
 
 /// The verdicts of single cells of a plane, the same as in the whole.
@@ -31,10 +33,8 @@ pub fn sample(
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>, SweepError> {
     let columns = u64::from(plane.x.count);
-    let jobs: Result<Vec<_>, _> = cells
-        .iter()
-        .map(|cell| map::job(plane, (cell % columns) as u32, (cell / columns) as u32))
-        .collect();
+    let jobs: Result<Vec<_>, _> =
+        cells.iter().map(|cell| map::job(plane, (cell % columns) as u32, (cell / columns) as u32)).collect();
     Ok(decide(backend, &jobs?, &plane.schedule, watch)?)
 }
 

@@ -182,17 +182,15 @@ impl Filled<'_> {
                     io::copy(&mut file, &mut standard)?;
                     standard.flush()
                 });
-                copied.or_else(|error| if error.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })
+                copied
+                    .or_else(|error| if error.kind() == ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })
             }
         };
         shown.map_err(|source| self.output.failed(source))
     }
 }
 
-fn complete(
-    file: &File,
-    content: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
-) -> io::Result<()> {
+fn complete(file: &File, content: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>) -> io::Result<()> {
     let mut writer = BufWriter::new(file);
     let filled = content(&mut writer).and_then(|()| writer.flush());
     // What is left after an error is not wanted any more.
