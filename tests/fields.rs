@@ -70,7 +70,11 @@ fn content(title: &str) -> &'static FileContent {
 
 /// Small runs that write every file there is, with the beginning of its title.
 const RUNS: [(&str, &str, &str); 5] = [
-    ("A map,", "map --backend cpu --x omega=2.8:3.8:4 --y delta=0.1:0.3:3 --transient 20 --observe 10", "map.npz"),
+    (
+        "A map,",
+        "map --backend cpu --x omega=2.8:3.8:4 --y delta=0.1:0.3:3 --transient 20 --observe 10",
+        "map.npz",
+    ),
     (
         "A map under",
         "map --control delay --backend cpu --x omega=2.8:2.9:4 --y gain=0:1:3 --from 20 --iterates 60",
@@ -155,7 +159,8 @@ fn readings_and_sentinels_are_those_of_the_table() {
     assert!(impacts.contains(&65535), "{impacts:?}");
     assert!(content("A bifurcation").fields.iter().any(|field| field.meaning.contains("65535")));
 
-    let never = "map --control delay --backend cpu --x omega=2.83:2.83:1 --y gain=0:0:1 --from 20 --iterates 60";
+    let never =
+        "map --control delay --backend cpu --x omega=2.83:2.83:1 --y gain=0:0:1 --from 20 --iterates 60";
     written(folder.path(), never);
     let mut zip = ZipArchive::new(File::open(folder.path().join("map.npz")).unwrap()).unwrap();
     let array = NpyFile::new(zip.by_name("converged_at.npy").unwrap()).unwrap();
