@@ -18,7 +18,7 @@ type Arrays = BTreeMap<String, (String, Vec<u64>)>;
 
 fn arrays(path: &Path) -> Arrays {
     let mut zip = ZipArchive::new(File::open(path).unwrap()).unwrap();
-    let names: Vec<String> = zip.file_names().map(str::to_owned).collect();
+    let names: Vec<String> = zip.file_names().map(|name| name.unwrap().into_owned()).collect();
     names
         .into_iter()
         .map(|file| {
@@ -51,7 +51,7 @@ fn misfits(found: &Arrays, content: &FileContent) -> Vec<String> {
         }
         let names: Vec<&str> = field.shape.split(", ").filter(|name| !name.is_empty()).collect();
         let fits = names.len() == shape.len()
-            && names.iter().zip(shape).all(|(name, &size)| match name.parse() {
+            && names.iter().zip(shape).all(|(name, &size)| match name.parse::<u64>() {
                 Ok(number) => size == number,
                 Err(_) => *sizes.entry(name).or_insert(size) == size,
             });

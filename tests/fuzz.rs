@@ -176,7 +176,7 @@ fn numbers_of_svg(bytes: &[u8]) -> Result<(), String> {
 fn archive(path: &Path) -> Result<(), String> {
     let broken = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let mut zip = ZipArchive::new(File::open(path).unwrap()).map_err(|error| broken(&error))?;
-    let files: Vec<String> = zip.file_names().map(str::to_owned).collect();
+    let files: Vec<String> = zip.file_names().map(|name| name.unwrap().into_owned()).collect();
     for file in files {
         let field = file.trim_end_matches(".npy").to_owned();
         let array = NpyFile::new(zip.by_name(&file).unwrap()).map_err(|error| broken(&error))?;

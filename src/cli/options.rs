@@ -241,7 +241,7 @@ pub struct PlaneArgs {
 
     /// Largest N looked for in N-p-q [default: 32]; under control, most iterates in one period [default: 8]
     ///
-    /// A motion with a longer period has none: it is quasi-periodic, chaotic or unresolved. Under control at most 32.
+    /// A motion with a longer period has none: it is quasi-periodic, chaotic or unresolved. Under control at most 32, on the GPU 8.
     #[arg(long, value_parser = count, value_name = "N")]
     pub max_period: Option<u32>,
 

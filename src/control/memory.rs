@@ -7,6 +7,10 @@ use crate::model::Real;
 /// The largest number of iterates in one period of a controlled motion that can be looked for.
 pub const LONGEST: usize = 32;
 
+/// The same on a GPU, where every trajectory's memory is copied with each dispatch: software adapters take minutes to
+/// compile a larger one.
+pub const LONGEST_ON_DEVICE: usize = 8;
+
 /// The longest delay.
 pub const LONGEST_DELAY: usize = 8;
 

@@ -29,7 +29,7 @@ pub use controlled::Controlled;
 pub use delay::Delay;
 pub use deviation::DELAYS;
 pub use history::{History, converged_at};
-pub use memory::{DEPTH, LONGEST, LONGEST_DELAY, Memory};
+pub use memory::{LONGEST, LONGEST_DELAY, LONGEST_ON_DEVICE, Memory};
 pub use method::{Action, Controller, Method, Seen};
 pub use multipliers::multipliers;
 pub use outcome::{NEVER, Outcome};

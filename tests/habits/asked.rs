@@ -121,6 +121,8 @@ fn the_periods_looked_for_under_control_can_be_chosen() {
     refuses(&words("control delay --max-period 0"), &["--max-period", "1 to 32"]);
     refuses(&words("control delay --max-period 33"), &["--max-period", "1 to 32"]);
     refuses(&words("map --control delay --max-period 33"), &["33", "1 to 32"]);
+    let device = "map --control delay --x omega=2.8:2.9:2 --y gain=0:1:2 --max-period 9 --backend gpu";
+    refuses(&words(device), &["--max-period", "--backend cpu"]);
     let help = stdout(&run(&["map", "--help"])).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(help.contains("under control, most iterates in one period [default: 8]"), "{help}");
 }

@@ -157,4 +157,4 @@ impl Outcome {
 }
 
 /// Bytes of `Controlled` in shaders/control/controlled.wgsl, which only the shader reads and writes.
-pub const CONTROLLED_BYTES: u64 = 4 * (16 + 4 + 3 + 296 + 36 + 7 + 8 + 21);
+pub const CONTROLLED_BYTES: u64 = 4 * (16 + 4 + 3 + 80 + 36 + 7 + 8 + 21);
