@@ -14,11 +14,12 @@ use impact_atlas::store::write_diagram;
 use impact_atlas::sweep::diagram;
 use serde::Serialize;
 
-use super::options::{BackendArgs, BackendName, SystemArgs};
+use super::files::{self, Batch, Kind};
+use super::options::{BackendArgs, BackendName, OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::{parse, parse_size};
-use super::{CliError, defaults, files, note, pictures};
+use super::values::{count, parse, parse_size};
+use super::{CliError, defaults, note};
 
 /// Computes a bifurcation diagram over any parameter or component of the start, as a picture and as data
 ///
@@ -65,19 +66,19 @@ pub struct BifurcationArgs {
     record: Option<Reading>,
 
     /// Forcing periods before a column is observed
-    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
     transient: u32,
 
     /// Forcing periods for which a column is observed
-    #[arg(long, value_name = "P", default_value_t = defaults::DIAGRAM_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::DIAGRAM_OBSERVE)]
     observe: u32,
 
     /// Largest N looked for in N-p-q
-    #[arg(long, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
+    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
     max_period: u32,
 
     /// Points kept of each column at most, the first ones [default: 16 for every period observed]
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_parser = count, value_name = "K")]
     points: Option<u32>,
 
     /// Computes all four Lyapunov exponents of every column, on the CPU, and draws them below, per forcing period, per
@@ -100,6 +101,9 @@ pub struct BifurcationArgs {
     /// The picture's size in pixels [default: as the diagram needs]
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size)]
     size: Option<Size>,
+
+    #[command(flatten)]
+    overwrite: OverwriteArgs,
 
     /// Prints JSON: columns, branches, points, left_out, failed, seconds, coexistence, backend, adapter
     #[arg(long)]
@@ -147,11 +151,9 @@ struct Summary<'a> {
 /// Runs the command.
 pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
     let spec = args.spec()?;
-    pictures::format_of(&args.out)?;
-    let npz = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
-    let [Some(picture), Some(data)] = files::prepare([Some(args.out.as_path()), Some(npz.as_path())])? else {
-        unreachable!("two paths give two outputs")
-    };
+    let npz = files::data_beside(&args.out, args.data.as_deref());
+    let wanted = [Kind::Picture.at(Some(&args.out)), Kind::Archive.at(npz.as_deref())];
+    let [picture, data] = files::prepare(args.overwrite, wanted)?;
     let backend = args.open()?;
     let began = Instant::now();
     let branches = spec.sweep.branches().len() as u64;
@@ -161,9 +163,10 @@ pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
     let figure = diagram_figure(&diagram);
     let size = args.size.unwrap_or_else(|| diagram_size(&diagram));
     let drawn = figure.draw(size, &diagram.config()).map_err(CliError::input)?;
-    files::write(&data, |file| write_diagram(&diagram, file))?;
-    pictures::write(&drawn, &picture)?;
-    note(&format!("written: {} and {}", picture.path().display(), data.path().display()));
+    let mut batch = Batch::default();
+    batch.picture(&picture, &drawn)?;
+    batch.add(&data, |file| write_diagram(&diagram, file))?;
+    batch.show()?;
     if args.json { print_json(&summary) } else { print(&summary.text(&diagram)) }
 }
 

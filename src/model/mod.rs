@@ -3,12 +3,14 @@
 mod drive;
 mod flight;
 pub(crate) mod generator;
+mod number;
 mod parameters;
 mod real;
 mod system;
 
 pub use drive::Drive;
 pub use flight::Flight;
+pub use number::{Number, joined, whole};
 pub use parameters::{Parameter, ParameterError, Parameters};
 pub use real::Real;
 pub use system::{System, SystemError};

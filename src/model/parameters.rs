@@ -6,6 +6,8 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::number::Number;
+
 /// One of the eight system parameters of Eq. (1); all are non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -136,7 +138,7 @@ pub enum ParameterError {
     #[error("unknown parameter `{0}`; the parameters are omega, delta, zeta, r, mu_m, mu_k, mu_c, f20")]
     Unknown(String),
     /// The value is not finite or outside the physical range.
-    #[error("{parameter} = {value} is out of range: {parameter} must be {}", parameter.range())]
+    #[error("{parameter} = {} is out of range: {parameter} must be {}", Number(*value), parameter.range())]
     OutOfRange {
         /// The parameter that was set.
         parameter: Parameter,

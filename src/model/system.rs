@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::generator;
+use super::number::Number;
 use super::parameters::{ParameterError, Parameters};
 
 /// A system whose parameters are in their physical range, ready to be followed.
@@ -141,8 +142,10 @@ pub enum SystemError {
     Parameter(#[from] ParameterError),
     /// The time scales are too far apart.
     #[error(
-        "omega = {omega} with zeta = {zeta} needs more than {steps} steps per forcing period: raise omega or \
+        "omega = {} with zeta = {} needs more than {steps} steps per forcing period: raise omega or \
          lower zeta (or move mu_m, mu_k, mu_c away from 0 and 1)",
+        Number(*omega),
+        Number(*zeta),
         steps = System::MOST_STEPS
     )]
     TooStiff {

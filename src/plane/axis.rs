@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::control::ControlQuantity;
-use crate::model::{Parameter, ParameterError};
+use crate::model::{Number, Parameter, ParameterError, whole};
 
 /// A component of the start state, at forcing phase 0; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -152,7 +152,7 @@ impl Axis {
 
 impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}:{}:{}", self.quantity.name(), self.first, self.last, self.count)
+        write!(f, "{}={}:{}:{}", self.quantity.name(), Number(self.first), Number(self.last), self.count)
     }
 }
 
@@ -168,7 +168,7 @@ impl FromStr for Axis {
         let [first, last, count] = parts[..] else { return Err(malformed()) };
         let first = first.parse().map_err(|_| malformed())?;
         let last = last.parse().map_err(|_| malformed())?;
-        let count: u64 = count.parse().map_err(|_| malformed())?;
+        let count = whole(count).ok_or_else(malformed)?;
         let count = u32::try_from(count).map_err(|_| AxisError::Count { name: quantity.name(), count })?;
         Axis::new(quantity, first, last, count)
     }
@@ -188,7 +188,7 @@ pub enum AxisError {
     )]
     UnknownName(String),
     /// An end is NaN or infinite.
-    #[error("axis {name}={first}:{last} has an end that is not a finite number")]
+    #[error("axis {name}={}:{} has an end that is not a finite number", Number(*first), Number(*last))]
     NotFinite {
         /// The axis.
         name: &'static str,
@@ -198,7 +198,7 @@ pub enum AxisError {
         last: f64,
     },
     /// Reversed or empty.
-    #[error("axis {name}={first}:{last} is empty or reversed: the last value must be greater than the first")]
+    #[error("axis {name}={}:{} is empty or reversed: the last value must be greater than the first", Number(*first), Number(*last))]
     NotIncreasing {
         /// The axis.
         name: &'static str,
@@ -217,7 +217,9 @@ pub enum AxisError {
     },
     /// Whole numbers are wanted.
     #[error(
-        "axis {name}={first}:{last}:{count} has values that are not whole numbers: choose a COUNT so that all are"
+        "axis {name}={}:{}:{count} has values that are not whole numbers: choose a COUNT so that all are",
+        Number(*first),
+        Number(*last)
     )]
     NotWhole {
         /// The axis.
@@ -230,7 +232,7 @@ pub enum AxisError {
         count: u32,
     },
     /// Two ends but one value.
-    #[error("axis {name}={first}:{last} has two ends but a COUNT of 1: give 2 or more, or equal ends")]
+    #[error("axis {name}={}:{} has two ends but a COUNT of 1: give 2 or more, or equal ends", Number(*first), Number(*last))]
     OneValue {
         /// The axis.
         name: &'static str,
@@ -255,6 +257,8 @@ mod tests {
         assert_eq!((axis.value(0), axis.value(799)), (0.2, 5.0));
         assert_eq!(axis.values().len(), 800);
         assert_eq!("delta=0.1:0.1:1".parse::<Axis>().unwrap().values(), [0.1]);
+        let axis: Axis = "delta=1e-100:1:1e3".parse().unwrap();
+        assert_eq!((axis.count, axis.to_string().as_str()), (1000, "delta=1e-100:1:1000"));
     }
 
     #[test]
@@ -269,6 +273,8 @@ mod tests {
             ("omega=1:2:1000000000", "COUNT of 1000000000"),
             ("omega=1:2:99999999999", "COUNT of 99999999999"),
             ("omega=1:2:-1", "NAME=FIRST:LAST:COUNT"),
+            ("omega=1:2:2.5", "NAME=FIRST:LAST:COUNT"),
+            ("delta=3e-100:2e-100:5", "delta=3e-100:2e-100"),
             ("omega=NaN:2:3", "finite"),
             ("omega=1:inf:3", "finite"),
         ];

@@ -148,7 +148,7 @@ impl Attempt<'_> {
         axis_titles: bool,
     ) -> Option<(Placed, PlacedLegend)> {
         let em = self.em;
-        let notes = if wanted.definition { names::definition().to_vec() } else { Vec::new() };
+        let notes = if wanted.definition { names::definition(self.census) } else { Vec::new() };
         let plot_height = self.frame.place(space, em, axis_titles)?.plot.height;
         let key_height = self.key_height(1);
         let rows = Legend::rows_in(plot_height - key_height, notes.len(), em).min(MOST_ROWS);
@@ -172,7 +172,7 @@ impl Attempt<'_> {
     ) -> Option<(Placed, PlacedLegend)> {
         let em = self.em;
         let notes = if wanted.definition {
-            Text::wrap(names::definition(), em, space.width - 7.0 * em)
+            Text::wrap(names::definition(self.census), em, space.width - 7.0 * em)
         } else {
             Vec::new()
         };

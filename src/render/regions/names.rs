@@ -53,14 +53,24 @@ pub(super) fn entries(census: &Census, rows: usize, shares: bool) -> Vec<Entry> 
     entries
 }
 
-/// The meaning of the labels, in pieces that belong together.
-pub(super) fn definition() -> [Text; 3] {
+/// The meaning of the labels, in pieces that belong together; of N = 0 where a region has it.
+pub(super) fn definition(census: &Census) -> Vec<Text> {
     let impacts = |count: &str, comma: &str, sign: &str| {
         let stop = Text::new().italic("x").subscript("1").upright(format!(" = {sign}")).italic("δ");
         Text::new().italic(count).upright(" impacts at ").then(stop).upright(comma)
     };
     let label = Text::new().italic("N").upright("-").italic("p").upright("-").italic("q").upright(": ");
-    [label.italic("N").upright(" forcing periods,"), impacts("p", ",", "−"), impacts("q", "", "+")]
+    let mut pieces =
+        vec![label.italic("N").upright(" forcing periods,"), impacts("p", ",", "−"), impacts("q", "", "+")];
+    if census.regions.iter().any(|region| region.name.starts_with("0-")) {
+        // Only control, which may jump in phase, gets there.
+        pieces.extend([
+            Text::new().italic("N").upright(" = 0: flights under control"),
+            Text::from("of less than half a forcing period,"),
+            Text::from("since corrections jump in phase"),
+        ]);
+    }
+    pieces
 }
 
 /// A share of the plane, to a tenth of a percent.
@@ -73,7 +83,7 @@ fn percentage(share: f64) -> String {
 mod tests {
     use super::*;
     use crate::analysis::Regime;
-    use crate::plane::Start;
+    use crate::plane::{RegionMap, Start};
     use crate::render::example;
 
     fn plain(text: &Text) -> String {
@@ -125,6 +135,18 @@ mod tests {
             assert_eq!(singles + grouped, motions, "{rows}");
             assert_ne!(grouped, 1, "{rows}");
         }
+    }
+
+    #[test]
+    fn a_motion_of_no_forcing_period_is_explained_where_there_is_one() {
+        let mut map = example::map(40, 30);
+        let explained = |map: &RegionMap| {
+            definition(&Census::of(map)).iter().any(|piece| plain(piece).contains("jump in phase"))
+        };
+        assert!(!explained(&map));
+        let verdict = &mut map.verdicts[7];
+        (verdict.regime, verdict.n, verdict.p, verdict.q) = (Regime::Periodic, 0, 0, 1);
+        assert!(explained(&map));
     }
 
     #[test]

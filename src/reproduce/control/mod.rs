@@ -61,7 +61,8 @@ impl Run {
     /// Controls the trajectory from a start for so many iterates altogether.
     fn new(scheme: Scheme, iterates: u32, start: Start) -> Self {
         let system = system();
-        let schedule = ControlSchedule { from: FROM, iterates, fixed: true };
+        let schedule =
+            ControlSchedule { from: FROM, iterates, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
         let controller = scheme.resolve(&system).expect("the paper's settings are in range");
         let mut history = History::new(iterates - DRAWN - 1, system.period() / SAMPLES);
         let outcome = control::<f64, _>(&system, start.state(&system), &controller, &schedule, &mut history);
