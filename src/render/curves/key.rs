@@ -21,6 +21,8 @@ pub(in crate::render) struct Key {
     pub(super) kinds: Vec<Kind>,
     pub(super) subcritical: bool,
     pub(super) marks: bool,
+    /// How many curves there are.
+    pub(super) curves: usize,
 }
 
 #[derive(Clone, Copy)]
@@ -37,7 +39,7 @@ impl Key {
             (Row::Kind(kind), format!("{name} ({short})").into())
         });
         let subcritical = self.subcritical.then(|| (Row::Subcritical, "subcritical".into()));
-        let marks = self.marks.then(|| (Row::Mark, "codimension two".into()));
+        let marks = self.marks.then(|| (Row::Mark, "codimension two, one or several".into()));
         kinds.chain(subcritical).chain(marks).collect()
     }
 
@@ -50,7 +52,7 @@ impl Key {
     pub fn width(&self, em: f64) -> f64 {
         let rows = self.rows();
         let names = rows.iter().map(|(_, name)| (SAMPLE + GAP) * em + name.width(em));
-        names.fold(heading().width(HEADING * em), f64::max)
+        names.fold(heading(self.curves, self.curves).width(HEADING * em), f64::max)
     }
 
     /// The height in a number of columns; nothing if there is nothing to explain.
@@ -61,14 +63,15 @@ impl Key {
         }
     }
 
-    /// Draws the key with its upper left corner at `at`.
-    pub fn draw(&self, canvas: &mut Canvas, at: Point, columns: usize, em: f64) {
+    /// Draws the key with its upper left corner at `at`; so many of the curves are `unnamed`.
+    pub fn draw(&self, canvas: &mut Canvas, at: Point, columns: usize, unnamed: usize, em: f64) {
         let rows = self.rows();
         if rows.is_empty() {
             return;
         }
         let middle = |row: usize| at.y + (row as f64 + 0.5) * ROW * em;
-        canvas.text(&heading(), Point { x: at.x, y: middle(0) }, Anchor::Start, HEADING * em, MUTED);
+        let heading = heading(unnamed, self.curves);
+        canvas.text(&heading, Point { x: at.x, y: middle(0) }, Anchor::Start, HEADING * em, MUTED);
         let in_column = rows.len().div_ceil(columns);
         for (i, (row, name)) in rows.iter().enumerate() {
             let left = at.x + (i / in_column) as f64 * (self.width(em) + COLUMN_GAP * em);
@@ -77,22 +80,31 @@ impl Key {
             match row {
                 Row::Kind(kind) => draw_line(canvas, &ends, &Line::of(*kind, em)),
                 Row::Subcritical => draw_line(canvas, &ends, &Line::subcritical(MUTED, em)),
-                Row::Mark => draw_mark(canvas, Point { x: left + SAMPLE * em / 2.0, y }, em),
+                Row::Mark => {
+                    draw_mark(canvas, Point { x: left + 0.25 * SAMPLE * em, y }, 1, em);
+                    draw_mark(canvas, Point { x: left + 0.75 * SAMPLE * em, y }, 2, em);
+                }
             }
             canvas.text(name, Point { x: left + (SAMPLE + GAP) * em, y }, Anchor::Start, em, INK);
         }
     }
 }
 
-fn heading() -> Text {
-    "bifurcation".into()
+fn heading(unnamed: usize, curves: usize) -> Text {
+    match unnamed {
+        0 => "bifurcation".into(),
+        _ => format!("bifurcation ({unnamed} of {curves} curves without a name)").into(),
+    }
 }
 
 fn draw_line(canvas: &mut Canvas, points: &[Point], line: &Line) {
     canvas.stroke(points, line.width, line.colour, &line.dashes);
 }
 
-/// Draws the mark of a special point.
-pub(super) fn draw_mark(canvas: &mut Canvas, at: Point, em: f64) {
+/// Draws the mark of a special point, or of several so close together that their marks would be a heap.
+pub(super) fn draw_mark(canvas: &mut Canvas, at: Point, count: usize, em: f64) {
     canvas.disc(at, MARK * em, CASING, 0.08 * em, INK);
+    if count > 1 {
+        canvas.disc(at, 0.45 * MARK * em, INK, 0.0, INK);
+    }
 }
