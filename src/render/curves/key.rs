@@ -63,14 +63,23 @@ impl Key {
         }
     }
 
-    /// Draws the key with its upper left corner at `at`; so many of the curves are `unnamed`.
-    pub fn draw(&self, canvas: &mut Canvas, at: Point, columns: usize, unnamed: usize, em: f64) {
+    /// Draws the key with its upper left corner at `at`; below it, where there is room in a space of `width` down to
+    /// `bottom`, what the curves are that have no name on the plot.
+    pub fn draw(
+        &self,
+        canvas: &mut Canvas,
+        at: Point,
+        columns: usize,
+        unnamed: &[String],
+        [width, bottom]: [f64; 2],
+        em: f64,
+    ) {
         let rows = self.rows();
         if rows.is_empty() {
             return;
         }
         let middle = |row: usize| at.y + (row as f64 + 0.5) * ROW * em;
-        let heading = heading(unnamed, self.curves);
+        let heading = heading(unnamed.len(), self.curves);
         canvas.text(&heading, Point { x: at.x, y: middle(0) }, Anchor::Start, HEADING * em, MUTED);
         let in_column = rows.len().div_ceil(columns);
         for (i, (row, name)) in rows.iter().enumerate() {
@@ -87,7 +96,35 @@ impl Key {
             }
             canvas.text(name, Point { x: left + (SAMPLE + GAP) * em, y }, Anchor::Start, em, INK);
         }
+        let lines = Text::wrap(listed(unnamed), HEADING * em, width);
+        let row = HEADING * ROW * em;
+        let first = middle(in_column) + 0.5 * (ROW * em + row);
+        if first + (lines.len() as f64 - 0.5) * row <= bottom {
+            for (i, line) in lines.iter().enumerate() {
+                let at = Point { x: at.x, y: first + i as f64 * row };
+                canvas.text(line, at, Anchor::Start, HEADING * em, MUTED);
+            }
+        }
     }
+}
+
+/// The curves without a name in pieces, those that are called alike together.
+fn listed(unnamed: &[String]) -> Vec<Text> {
+    let mut names = unnamed.to_vec();
+    names.sort_unstable();
+    let alike = names.chunk_by(|a, b| a == b);
+    let pieces: Vec<String> = alike
+        .map(|alike| match alike.len() {
+            1 => alike[0].clone(),
+            count => format!("{count} × {}", alike[0]),
+        })
+        .collect();
+    let Some((last, others)) = pieces.split_last() else { return Vec::new() };
+    let heading = std::iter::once("not named:".into());
+    heading
+        .chain(others.iter().map(|piece| format!("{piece},").into()))
+        .chain([last.as_str().into()])
+        .collect()
 }
 
 fn heading(unnamed: usize, curves: usize) -> Text {

@@ -98,8 +98,8 @@ impl<'a> Overlay<'a> {
         }
     }
 
-    /// Draws lines, marks and names over a plot; how many curves there was no room to name.
-    pub fn draw(&self, canvas: &mut Canvas, plot: Rect, frame: &Frame, em: f64) -> usize {
+    /// Draws lines, marks and names over a plot; what the curves are that there was no room to name.
+    pub fn draw(&self, canvas: &mut Canvas, plot: Rect, frame: &Frame, em: f64) -> Vec<String> {
         let place = |point: &CurvePoint| Point {
             x: plot.x + frame.x.fraction(point.x) * plot.width,
             y: plot.bottom() - frame.y.fraction(point.y) * plot.height,
@@ -128,7 +128,8 @@ impl<'a> Overlay<'a> {
         self.draw_region_names(canvas, plot, em, &lines, &mut taken);
         let names = Names { plot, em, pieces: &pieces, lines: &lines };
         let named = names.draw(canvas, taken);
-        self.key().curves - named
+        let shown = self.curves.iter().filter(|curve| curve.points.iter().any(|point| self.shows(point)));
+        shown.filter(|curve| !named.contains(&std::ptr::from_ref(*curve))).map(name).collect()
     }
 
     /// The parts to be drawn; each reaches to the beginning of the next, so that no line is broken.
@@ -190,6 +191,12 @@ impl<'a> Overlay<'a> {
     }
 }
 
+/// A curve by kind and motion, such as "PD 1-2-2".
+fn name(curve: &Curve) -> String {
+    let [_, short] = style::names(curve.kind);
+    format!("{short} {}", curve.motion.label())
+}
+
 /// Places in groups that reach less far than a distance from their first, with how many there are of each.
 fn gathered(places: impl Iterator<Item = Point>, distance: f64) -> Vec<(Point, usize)> {
     let mut groups: Vec<(Point, usize)> = Vec::new();
@@ -212,9 +219,9 @@ struct Names<'a> {
 }
 
 impl Names<'_> {
-    /// Draws the names that there is room for: beside their curves first, then those that need a leader. Says how many
-    /// curves have one.
-    fn draw(&self, canvas: &mut Canvas, mut taken: Vec<Rect>) -> usize {
+    /// Draws the names that there is room for: beside their curves first, then those that need a leader. Gives the
+    /// curves that have one.
+    fn draw(&self, canvas: &mut Canvas, mut taken: Vec<Rect>) -> Vec<*const Curve> {
         // The paper's names first, then the longest.
         let mut order: Vec<&Piece> = self.pieces.iter().collect();
         order.sort_by_key(|piece| piece.name.is_none());
@@ -236,22 +243,15 @@ impl Names<'_> {
                 }
             }
         }
-        let mut curves: Vec<*const Curve> = said.into_iter().map(|(curve, _)| curve).collect();
-        curves.sort_unstable();
-        curves.dedup();
-        curves.len()
+        said.into_iter().map(|(curve, _)| curve).collect()
     }
 
     /// Draws the name of a piece, if there is room for it.
     fn draw_one(&self, canvas: &mut Canvas, piece: &Piece, leader: bool, taken: &[Rect]) -> Option<Rect> {
         let em = self.em;
-        let [_, short] = style::names(piece.curve.kind);
         let (text, size) = match piece.name {
             Some(name) => (Text::from(name), PAPER_SIZE * em),
-            None => {
-                let name = format!("{short} {}", piece.curve.motion.label());
-                (name.into(), (OTHER_SIZE * em).max(READABLE))
-            }
+            None => (name(piece.curve).into(), (OTHER_SIZE * em).max(READABLE)),
         };
         let wanted = Wanted { line: &piece.line, width: text.width(size), size };
         let space = labels::Plot { rect: self.plot, lines: self.lines, taken };

@@ -76,7 +76,7 @@ fn draw(map: &RegionMap, title: &[Text], config: String, overlay: Option<&Overla
 
     let mut canvas = Canvas::new(size, &config);
     canvas.image(layout.plot, &regions);
-    let unnamed = overlay.map_or(0, |overlay| overlay.draw(&mut canvas, layout.plot, &frame, em));
+    let unnamed = overlay.map_or_else(Vec::new, |overlay| overlay.draw(&mut canvas, layout.plot, &frame, em));
     if let Some(placed) = &layout.frame {
         frame.draw(&mut canvas, placed, em);
     }
@@ -86,7 +86,8 @@ fn draw(map: &RegionMap, title: &[Text], config: String, overlay: Option<&Overla
     }
     if let Some(legend) = &layout.legend {
         legend.legend.draw(&mut canvas, legend.at, legend.width, legend.columns, em);
-        key.draw(&mut canvas, legend.key_at, legend.key_columns, unnamed, em);
+        let below = [legend.width, f64::from(size.height()) - layout.margin];
+        key.draw(&mut canvas, legend.key_at, legend.key_columns, &unnamed, below, em);
     }
     let left_out = (!layout.left_out.is_empty()).then(|| {
         let whole = |size| Layout::of(title, &census, &frame, &key, size).left_out.is_empty();

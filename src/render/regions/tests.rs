@@ -211,6 +211,8 @@ fn a_heap_of_curves_says_how_many_have_no_name() {
         let named = picture.svg().matches(">F 1-1-1<").count();
         let heading = format!("bifurcation ({} of {count} curves without a name)", count as usize - named);
         assert_eq!((named == count as usize, picture.svg().contains(&heading)), (all_named, !all_named));
+        let list = format!(">not named: {} × F 1-1-1<", count as usize - named);
+        assert_eq!(picture.svg().contains(&list), !all_named, "{list}");
         assert!(named > 0 && picture.svg().contains(">bifurcation"), "{named} of {count}");
     }
 }
