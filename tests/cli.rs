@@ -31,7 +31,8 @@ fn unknown_parameters_are_refused() {
 
 #[test]
 fn unusable_axes_are_refused() {
-    refuses(&["map", "--x", "omega=3:2:10"], &["omega=3:2", "reversed"]);
+    refuses(&["map", "--x", "omega=3:3:10"], &["omega=3:3", "empty"]);
+    refuses(&["map", "--x", "x2=-1:2:10:log"], &["x2=-1:2", "above 0"]);
     refuses(&["map", "--y", "delta=0.1:0.1:10"], &["empty"]);
     refuses(&["map", "--x", "omega"], &["NAME=FIRST:LAST:COUNT"]);
     refuses(&["map", "--x", "omega=1:2"], &["NAME=FIRST:LAST:COUNT"]);
@@ -46,7 +47,7 @@ fn unusable_axes_are_refused() {
     refuses(&["map", "--y", "delta=-0.1:0.5:10"], &["delta = -0.1"]);
     refuses(&["map", "--x", "omega=0:5:10"], &["omega = 0"]);
     refuses(&["map", "--x", "r=0.5:0.9:10", "--y", "r=0.5:0.9:10"], &["both axes are r"]);
-    refuses(&["validate", "--x", "omega=3:2:10"], &["reversed"]);
+    refuses(&["validate", "--x", "omega=3:3:10"], &["empty"]);
 }
 
 #[test]

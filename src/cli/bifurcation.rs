@@ -9,7 +9,7 @@ use impact_atlas::analysis::{Probe, Reading, Regime, Section};
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::diagram::{Coexistence, Diagram, DiagramSpec, ExponentUnit, Sweep, SweepAxis};
 use impact_atlas::plane::Start;
-use impact_atlas::render::{Size, diagram_figure};
+use impact_atlas::render::{Figure, Size, diagram_figure};
 use impact_atlas::store::write_diagram;
 use impact_atlas::sweep::diagram;
 use serde::Serialize;
@@ -20,6 +20,9 @@ use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse, parse_size};
 use super::{CliError, defaults, note};
+
+/// How many entries of a key stand side by side, about.
+const KEY_IN_A_ROW: u32 = 5;
 
 /// Computes a bifurcation diagram over any parameter or component of the start, as a picture and as data
 ///
@@ -37,8 +40,9 @@ Examples:
 pub struct BifurcationArgs {
     /// The axis, ends included; FIRST may be greater than LAST
     ///
-    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2.
-    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT", value_parser = parse::<SweepAxis>)]
+    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2. With :log behind COUNT, as
+    /// in delta=0.01:1:400:log, values have equal ratios.
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]", value_parser = parse::<SweepAxis>)]
     x: SweepAxis,
 
     #[command(flatten)]
@@ -161,7 +165,7 @@ pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
     let diagram = diagram(&spec, &*backend, &Progress::of_cells("computing", work))?;
     let summary = Summary::new(&diagram, began.elapsed().as_secs_f64());
     let figure = diagram_figure(&diagram);
-    let size = args.size.unwrap_or_else(|| diagram_size(&diagram));
+    let size = args.size.unwrap_or_else(|| diagram_size(&diagram, &figure));
     let drawn = figure.draw(size, &diagram.config()).map_err(CliError::input)?;
     let mut batch = Batch::default();
     batch.picture(&picture, &drawn)?;
@@ -170,11 +174,12 @@ pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
     if args.json { print_json(&summary) } else { print(&summary.text(&diagram)) }
 }
 
-/// A diagram is wider than a phase portrait.
-fn diagram_size(diagram: &Diagram) -> Size {
-    let height = if diagram.spec.spectrum.is_some() { 1560 } else { 1080 };
-    let more = 90 * (diagram.branches.len() as u32 - 1);
-    Size::new(defaults::WIDE_FIGURE, height + more).expect("the sizes of diagrams are sizes")
+/// A diagram is wider than a phase portrait, and as high as its plots, strips and key need.
+fn diagram_size(diagram: &Diagram, figure: &Figure) -> Size {
+    let below = 480 * (figure.rows.len() as u32 - 1);
+    let strips = 90 * (diagram.branches.len() as u32 - 1);
+    let key = 52 * (figure.key.len() as u32).div_ceil(KEY_IN_A_ROW);
+    Size::new(defaults::WIDE_FIGURE, 1030 + below + strips + key).expect("the sizes of diagrams are sizes")
 }
 
 impl BifurcationArgs {

@@ -155,12 +155,13 @@ impl BackendArgs {
 pub struct AxesArgs {
     /// Horizontal axis, ends included [default: omega=0.2:5:800]
     ///
-    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2.
-    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT", value_parser = parse::<Axis>)]
+    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2. FIRST may be greater than
+    /// LAST. With :log behind COUNT, as in omega=0.1:10:400:log, values have equal ratios.
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]", value_parser = parse::<Axis>)]
     x: Option<Axis>,
 
     /// Vertical axis, ends included [default: delta=0.02:0.8:600]
-    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT", value_parser = parse::<Axis>)]
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]", value_parser = parse::<Axis>)]
     y: Option<Axis>,
 
     #[command(flatten)]

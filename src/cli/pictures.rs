@@ -4,14 +4,14 @@ use std::path::Path;
 
 use impact_atlas::render::Picture;
 
-use super::CliError;
+use super::{CliError, note};
 
 /// The formats that pictures are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Pixels.
     Png,
-    /// Vectors, with real text.
+    /// Vectors, text as outlines.
     Svg,
 }
 
@@ -23,8 +23,11 @@ pub fn format_of(path: &Path) -> Format {
     }
 }
 
-/// The bytes of a picture's file.
+/// The bytes of a picture's file; says what there was no room for.
 pub fn encoded(picture: &Picture, format: Format) -> Result<Vec<u8>, CliError> {
+    if let Some(left_out) = picture.left_out() {
+        note(&left_out.to_string());
+    }
     let mut bytes = Vec::new();
     match format {
         Format::Png => picture.write_png(&mut bytes),

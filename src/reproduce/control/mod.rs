@@ -146,8 +146,9 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Resu
             }
             Plot::Section(axes, settled) => picture.section(*axes, *settled),
             Plot::Flight(panel) => {
-                key = orbit_key(&[*panel], &picture.orbit()).into_iter().chain(key).collect();
-                picture.orbit().panel(*panel, &[])
+                let flight = picture.orbit().panel(*panel, &[]);
+                key = orbit_key(std::slice::from_ref(&flight)).into_iter().chain(key).collect();
+                flight
             }
         };
         panel.weight = 1.0;
