@@ -97,9 +97,9 @@ fn a_diagram_is_drawn_stored_and_summed_up() {
     }
     // The axis runs as written: the first value is at the left.
     let place = |label: &str| {
-        let text = svg.lines().find(|line| line.contains(&format!(">{label}<"))).unwrap();
-        let x = text.split("x=\"").nth(1).unwrap().split('"').next().unwrap();
-        x.parse::<f64>().unwrap()
+        let text = svg.lines().find(|line| line.contains(&format!("aria-label=\"{label}\""))).unwrap();
+        let matrix = text.split("matrix(").nth(1).unwrap().split(')').next().unwrap();
+        matrix.split(' ').nth(4).unwrap().parse::<f64>().unwrap()
     };
     assert!(place("3.8") < place("3.2"));
 }
@@ -152,6 +152,55 @@ fn a_map_may_be_vectors() {
     assert_eq!(names(folder.path()), ["m.npz", "m.svg"]);
     let svg = fs::read_to_string(folder.path().join("m.svg")).unwrap();
     assert!(svg.contains("half clearance") && svg.contains("<metadata id=\"impact-atlas\">"));
+    assert!(!svg.contains("<text") && svg.contains("<use "), "text does not depend on installed fonts");
+}
+
+const TINY: [&str; 9] =
+    ["map", "--backend", "cpu", "--transient", "50", "--observe", "50", "--data", "m.npz"];
+
+#[test]
+fn axes_may_fall_and_be_logarithmic() {
+    let folder = tempdir().unwrap();
+    let axes = ["--x", "omega=5:2:4", "--y", "delta=0.01:1:7:log", "--out", "m.svg"];
+    done(folder.path(), &[&TINY[..], &axes].concat());
+    let svg = fs::read_to_string(folder.path().join("m.svg")).unwrap();
+    let places = |label: &str| -> [f64; 2] {
+        let line = svg.lines().find(|line| line.contains(&format!("aria-label=\"{label}\"")));
+        let matrix = line.unwrap_or_else(|| panic!("no {label}")).split("matrix(").nth(1).unwrap();
+        let numbers: Vec<f64> =
+            matrix.split(')').next().unwrap().split(' ').map(|number| number.parse().unwrap()).collect();
+        [numbers[4], numbers[5]]
+    };
+    assert!(places("4")[0] < places("2")[0], "as written");
+    let [low, middle, high] = ["0.01", "0.1", "1"].map(|label| places(label)[1]);
+    assert!((low - middle - (middle - high)).abs() < 2.0, "decades are equally high: {low} {middle} {high}");
+    let config = svg.split("<metadata").nth(1).unwrap();
+    assert!(config.contains("log"), "the axis reads back");
+}
+
+#[test]
+fn a_map_of_few_cells_has_ticks_at_its_values() {
+    let folder = tempdir().unwrap();
+    let axes = ["--x", "omega=0.2:5:2", "--y", "delta=0.02:0.8:2", "--out", "m.svg"];
+    done(folder.path(), &[&TINY[..], &axes].concat());
+    let svg = fs::read_to_string(folder.path().join("m.svg")).unwrap();
+    for label in ["0.2", "5", "0.02", "0.8"] {
+        assert!(svg.contains(&format!("aria-label=\"{label}\"")), "{label}");
+    }
+    assert!(!svg.contains("aria-label=\"−"), "no frequency is negative");
+}
+
+#[test]
+fn a_picture_without_room_for_its_legend_says_so() {
+    let folder = tempdir().unwrap();
+    let axes = ["--x", "omega=2:5:6", "--y", "delta=0.1:0.8:4"];
+    let small = done(folder.path(), &[&TINY[..], &axes, &["--size", "200x150"]].concat());
+    assert!(stderr(&small).contains("too small for the legend"), "{}", stderr(&small));
+    let enough = stderr(&small).split("the legend").nth(1).unwrap().to_owned();
+    let enough = enough.split_whitespace().find(|word| word.contains('x')).unwrap().to_owned();
+    let whole = done(folder.path(), &[&TINY[..], &axes, &["--size", &enough, "--out", "w.svg"]].concat());
+    assert!(!stderr(&whole).contains("too small"), "{}", stderr(&whole));
+    assert!(fs::read_to_string(folder.path().join("w.svg")).unwrap().contains("aria-label=\"motion\""));
 }
 
 #[test]

@@ -210,7 +210,7 @@ fn files_hold_everything() {
     let config: Vec<String> = array(&mut archive, "config").into_vec().unwrap();
     assert_eq!(serde_json::from_str::<DiagramSpec>(&config.concat()).unwrap(), spec);
 
-    let picture = diagram_figure(&diagram).draw(Size::new(1600, 1300).unwrap(), &diagram.config()).unwrap();
+    let picture = diagram_figure(&diagram).draw(Size::new(1600, 1900).unwrap(), &diagram.config()).unwrap();
     for words in
         ["forcing frequency ", "velocity before impact ", "drawn over down", "1-1-1", "λ", "forcing periods,"]
     {

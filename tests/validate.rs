@@ -5,7 +5,7 @@ use impact_atlas::backend::{Backend, BackendError, Cpu, Job, Unwatched, Watch, f
 use impact_atlas::model::{Parameter, Parameters, System};
 use impact_atlas::plane::{Plane, Start};
 use impact_atlas::sweep::sweep;
-use impact_atlas::validate::{Agreement, Thresholds, compare_continued, continue_strays};
+use impact_atlas::validate::{Agreement, Thresholds, compare_continued, continue_strays, tipped};
 
 /// The reference with something done to its jobs or in its arithmetic.
 #[derive(Debug)]
@@ -45,6 +45,12 @@ fn exponent_forgotten(job: &Job, schedule: &Schedule) -> Verdict {
     verdict
 }
 
+fn one_label_for_another(job: &Job, schedule: &Schedule) -> Verdict {
+    let mut verdict = follow::<f64>(job, schedule);
+    verdict.p += u16::from(verdict.n == 1);
+    verdict
+}
+
 fn validate(candidate: &dyn Backend) -> Agreement {
     let plane = Plane {
         x: "omega=2.4:4.4:40".parse().unwrap(),
@@ -63,6 +69,36 @@ fn validate(candidate: &dyn Backend) -> Agreement {
 fn single_precision_agrees() {
     let agreement = validate(&Altered(single_precision));
     assert!(agreement.holds(&Thresholds::default()), "{:#?}", agreement.checks(&Thresholds::default()));
+}
+
+/// Where chaos leaves the choice among motions to chance, many cells of a coarse plane are decided by rounding.
+fn ragged() -> Plane {
+    Plane {
+        x: "mu_m=0.1:0.9:10".parse().unwrap(),
+        y: "zeta=0.01:0.3:10".parse().unwrap(),
+        parameters: Parameters { omega: 2.4, ..Parameters::default() },
+        start: Start::Symmetric,
+        schedule: Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false },
+    }
+}
+
+#[test]
+fn cells_that_the_reference_is_not_sure_of_do_not_count() {
+    let held = |candidate: &dyn Backend| {
+        let ours = sweep(&ragged(), &Cpu, &Unwatched).unwrap();
+        let theirs = sweep(&ragged(), candidate, &Unwatched).unwrap();
+        let continued = continue_strays(&ours, &theirs, &Cpu, &Unwatched).unwrap();
+        let agreement = compare_continued(&ours, &theirs, &continued);
+        let examined = tipped(&ours, &theirs, &Cpu, &Unwatched).unwrap();
+        let label_checks = |agreement: &Agreement| {
+            let checks = agreement.checks(&Thresholds::default());
+            checks.iter().filter(|check| check.name.starts_with("agreement")).all(|check| check.holds)
+        };
+        (label_checks(&agreement), label_checks(&agreement.leaving_out(&ours, &examined)))
+    };
+    assert_eq!(held(&Altered(single_precision)), (false, true));
+    // Labels that are wrong where the reference is sure stay wrong.
+    assert_eq!(held(&Altered(one_label_for_another)), (false, false));
 }
 
 #[test]

@@ -12,7 +12,7 @@ struct Controlled {
     tangent: State,
     adapted: Adapted,
     memory: Memory,
-    deviations: array<array<f32, 4>, DEPTH>,
+    deviations: array<array<f32, 4>, DELAYS>,
     exponent: Exponent,
     spread: Spread,
     // The force of the present iterate.

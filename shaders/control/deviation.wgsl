@@ -1,6 +1,6 @@
 // A small deviation of the points on the section, carried through flight and control.
 
-var<private> deviations: array<array<f32, 4>, DEPTH>;
+var<private> deviations: array<array<f32, 4>, DELAYS>;
 
 fn deviation_at(i: u32) -> vec4<f32> {
     let d = deviations[i];
@@ -8,7 +8,7 @@ fn deviation_at(i: u32) -> vec4<f32> {
 }
 
 fn deviations_seed() {
-    for (var i = 1u; i < DEPTH; i++) {
+    for (var i = 1u; i < DELAYS; i++) {
         deviations[i] = array<f32, 4>(0.0, 0.0, 0.0, 0.0);
     }
     deviations[0] = array<f32, 4>(0.5, 0.5, 0.5, 0.5);
@@ -57,7 +57,7 @@ fn deviations_passed(seen: Seen, arrived: vec4<f32>) -> vec4<f32> {
 }
 
 fn deviations_push(deviation: vec4<f32>) {
-    for (var i = DEPTH - 1u; i > 0u; i--) {
+    for (var i = DELAYS - 1u; i > 0u; i--) {
         deviations[i] = deviations[i - 1u];
     }
     deviations[0] = array<f32, 4>(deviation.x, deviation.y, deviation.z, deviation.w);
@@ -66,7 +66,7 @@ fn deviations_push(deviation: vec4<f32>) {
 // The factor by which the deviation has grown; it is brought back to unit length. 0 where it is lost.
 fn deviations_growth() -> f32 {
     var squares = 0.0;
-    for (var i = 0u; i < DEPTH; i++) {
+    for (var i = 0u; i < DELAYS; i++) {
         let d = deviation_at(i);
         let square = d * d;
         squares = squares + ((square.x + square.y) + (square.z + square.w));
@@ -77,7 +77,7 @@ fn deviations_growth() -> f32 {
         return 0.0;
     }
     let factor = 1.0 / length;
-    for (var i = 0u; i < DEPTH; i++) {
+    for (var i = 0u; i < DELAYS; i++) {
         let d = deviation_at(i) * factor;
         deviations[i] = array<f32, 4>(d.x, d.y, d.z, d.w);
     }

@@ -11,6 +11,8 @@ struct Memory {
 }
 
 var<private> memory: Memory;
+// The largest number of iterates in one period that is looked for.
+var<private> reach: u32;
 
 fn memory_point(i: u32) -> vec4<f32> {
     let p = memory.points[i];
@@ -18,7 +20,7 @@ fn memory_point(i: u32) -> vec4<f32> {
 }
 
 fn memory_push(point: vec4<f32>, turns: f32, at_b: u32, at_a: u32) {
-    for (var i = DEPTH - 1u; i > 0u; i--) {
+    for (var i = max(reach, LONGEST_DELAY); i > 0u; i--) {
         memory.points[i] = memory.points[i - 1u];
         memory.turns[i] = memory.turns[i - 1u];
         memory.at_b[i] = memory.at_b[i - 1u];
@@ -29,7 +31,7 @@ fn memory_push(point: vec4<f32>, turns: f32, at_b: u32, at_a: u32) {
     memory.at_b[0] = at_b;
     memory.at_a[0] = at_a;
     memory.seen = memory.seen + 1u;
-    for (var m = 1u; m <= LONGEST; m++) {
+    for (var m = 1u; m <= reach; m++) {
         var away = 1.0;
         if memory.seen > m {
             away = section_distance(point, memory_point(m));
@@ -58,7 +60,7 @@ fn memory_holds(since: u32, m: u32, proof: u32) -> bool {
 // The least period whose points have kept returning, 0 if none.
 fn memory_period(proof: u32) -> u32 {
     var period = 0u;
-    for (var m = LONGEST; m > 0u; m--) {
+    for (var m = reach; m > 0u; m--) {
         if memory_holds(memory.returning[m - 1u], m, proof) {
             period = m;
         }
@@ -68,7 +70,7 @@ fn memory_period(proof: u32) -> u32 {
 
 fn memory_is_settled(proof: u32) -> bool {
     var settled = false;
-    for (var m = 1u; m <= LONGEST; m++) {
+    for (var m = 1u; m <= reach; m++) {
         settled = settled || memory_holds(memory.settled[m - 1u], m, proof);
     }
     return settled;

@@ -10,6 +10,8 @@ struct ControlDispatch {
     begin: u32,
     // Invocations in one row of workgroups.
     row: u32,
+    // The largest number of iterates in one period that is looked for.
+    max_period: u32,
 }
 
 @group(0) @binding(0) var<uniform> dispatch: ControlDispatch;
@@ -31,6 +33,7 @@ fn control_trajectories(@builtin(global_invocation_id) id: vec3<u32>) {
     cell = unfinished[index];
     control = controls[cell];
     control_schedule = dispatch.schedule;
+    reach = dispatch.max_period;
     if dispatch.begin == 1u {
         controlled_force(0.0);
         controlled_begin(start_of_cell());

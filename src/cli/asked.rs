@@ -1,10 +1,11 @@
 //! What was asked of two back ends: a plane, or a plane under control.
 
-use impact_atlas::model::{Parameter, Parameters};
-use impact_atlas::plane::{Axis, ControlPlane, Plane};
+use impact_atlas::control::ControlQuantity;
+use impact_atlas::model::{Number, Parameter, Parameters};
+use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity};
 use serde::Serialize;
 
-use super::controlled;
+use super::spelled::spelled;
 
 /// A plane, or a plane under control.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -25,31 +26,53 @@ impl Asked<'_> {
         }
     }
 
-    /// The command that computes a cell alone.
-    pub fn command(&self, column: u32, row: u32, backend: &str) -> String {
+    /// The command that holds the two back ends against each other on one cell alone, and writes nothing.
+    pub fn command(&self, column: u32, row: u32, candidate: &str) -> String {
+        let [x, y] = self.axes();
+        let varied = |quantity: Quantity| [x.quantity, y.quantity].contains(&quantity);
+        let (method, parameters, start) = match self {
+            Asked::Free(plane) => (String::new(), &plane.parameters, plane.start),
+            Asked::Controlled(plane) => {
+                let settings =
+                    spelled(&plane.control, |setting: ControlQuantity| varied(Quantity::Control(setting)));
+                (format!(" --control {}{settings}", plane.control.method()), &plane.parameters, plane.start)
+            }
+        };
+        let sets: String = Parameter::ALL
+            .into_iter()
+            .filter(|&p| !varied(Quantity::Parameter(p)))
+            .filter(|&p| parameters.get(p) != Parameters::default().get(p))
+            .map(|p| format!(" --set {p}={}", Number(parameters.get(p))))
+            .collect();
+        let [x, y] = [one(x, column), one(y, row)];
+        let lengths = self.lengths();
+        format!("impact-atlas validate{method} --x {x} --y {y}{sets} --start={start} {lengths} {candidate}")
+    }
+
+    /// The options that say how long a cell is followed.
+    fn lengths(&self) -> String {
         match self {
-            Asked::Free(plane) => classify(plane, column, row, backend),
-            Asked::Controlled(plane) => controlled::command(plane, column, row, backend),
+            Asked::Free(plane) => {
+                let schedule = plane.schedule;
+                let fixed = if schedule.fixed_periods { " --fixed-periods" } else { "" };
+                format!(
+                    "--transient {} --observe {} --max-period {}{fixed}",
+                    schedule.transient, schedule.observe, schedule.max_period
+                )
+            }
+            Asked::Controlled(plane) => {
+                let iterates = plane.iterates;
+                format!(
+                    "--from {} --iterates {} --max-period {}",
+                    iterates.from, iterates.iterates, iterates.max_period
+                )
+            }
         }
     }
 }
 
-/// The command that follows a cell's trajectory alone.
-fn classify(plane: &Plane, column: u32, row: u32, backend: &str) -> String {
-    let parameters = plane.parameters_at(column, row);
-    let named = |p: Parameter| matches!(p, Parameter::Omega | Parameter::Delta);
-    let sets: String = Parameter::ALL
-        .into_iter()
-        .filter(|&p| named(p) || parameters.get(p) != Parameters::default().get(p))
-        .map(|p| format!(" --set {p}={}", parameters.get(p)))
-        .collect();
-    let schedule = plane.schedule;
-    let fixed = if schedule.fixed_periods { " --fixed-periods" } else { "" };
-    format!(
-        "impact-atlas classify{sets} --start {} --transient {} --observe {} --max-period {}{fixed} {backend} --json",
-        plane.start_at(column, row),
-        schedule.transient,
-        schedule.observe,
-        schedule.max_period
-    )
+/// An axis with one of its values alone.
+fn one(axis: &Axis, i: u32) -> String {
+    let value = Number(axis.value(i));
+    format!("{}={value}:{value}:1", axis.quantity.name())
 }

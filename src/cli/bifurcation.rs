@@ -9,16 +9,20 @@ use impact_atlas::analysis::{Probe, Reading, Regime, Section};
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::diagram::{Coexistence, Diagram, DiagramSpec, ExponentUnit, Sweep, SweepAxis};
 use impact_atlas::plane::Start;
-use impact_atlas::render::{Size, diagram_figure};
+use impact_atlas::render::{Figure, Size, diagram_figure};
 use impact_atlas::store::write_diagram;
 use impact_atlas::sweep::diagram;
 use serde::Serialize;
 
-use super::options::{BackendArgs, BackendName, SystemArgs};
+use super::files::{self, Batch, Kind};
+use super::options::{BackendArgs, BackendName, OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::{parse, parse_size};
-use super::{CliError, defaults, files, note, pictures};
+use super::values::{count, parse, parse_size};
+use super::{CliError, defaults, note};
+
+/// How many entries of a key stand side by side, about.
+const KEY_IN_A_ROW: u32 = 5;
 
 /// Computes a bifurcation diagram over any parameter or component of the start, as a picture and as data
 ///
@@ -36,8 +40,9 @@ Examples:
 pub struct BifurcationArgs {
     /// The axis, ends included; FIRST may be greater than LAST
     ///
-    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2.
-    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT", value_parser = parse::<SweepAxis>)]
+    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2. With :log behind COUNT, as
+    /// in delta=0.01:1:400:log, values have equal ratios.
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]", value_parser = parse::<SweepAxis>)]
     x: SweepAxis,
 
     #[command(flatten)]
@@ -65,19 +70,19 @@ pub struct BifurcationArgs {
     record: Option<Reading>,
 
     /// Forcing periods before a column is observed
-    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
     transient: u32,
 
     /// Forcing periods for which a column is observed
-    #[arg(long, value_name = "P", default_value_t = defaults::DIAGRAM_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::DIAGRAM_OBSERVE)]
     observe: u32,
 
     /// Largest N looked for in N-p-q
-    #[arg(long, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
+    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
     max_period: u32,
 
     /// Points kept of each column at most, the first ones [default: 16 for every period observed]
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_parser = count, value_name = "K")]
     points: Option<u32>,
 
     /// Computes all four Lyapunov exponents of every column, on the CPU, and draws them below, per forcing period, per
@@ -100,6 +105,9 @@ pub struct BifurcationArgs {
     /// The picture's size in pixels [default: as the diagram needs]
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size)]
     size: Option<Size>,
+
+    #[command(flatten)]
+    overwrite: OverwriteArgs,
 
     /// Prints JSON: columns, branches, points, left_out, failed, seconds, coexistence, backend, adapter
     #[arg(long)]
@@ -147,11 +155,9 @@ struct Summary<'a> {
 /// Runs the command.
 pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
     let spec = args.spec()?;
-    pictures::format_of(&args.out)?;
-    let npz = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
-    let [Some(picture), Some(data)] = files::prepare([Some(args.out.as_path()), Some(npz.as_path())])? else {
-        unreachable!("two paths give two outputs")
-    };
+    let npz = files::data_beside(&args.out, args.data.as_deref());
+    let wanted = [Kind::Picture.at(Some(&args.out)), Kind::Archive.at(npz.as_deref())];
+    let [picture, data] = files::prepare(args.overwrite, wanted)?;
     let backend = args.open()?;
     let began = Instant::now();
     let branches = spec.sweep.branches().len() as u64;
@@ -159,19 +165,21 @@ pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
     let diagram = diagram(&spec, &*backend, &Progress::of_cells("computing", work))?;
     let summary = Summary::new(&diagram, began.elapsed().as_secs_f64());
     let figure = diagram_figure(&diagram);
-    let size = args.size.unwrap_or_else(|| diagram_size(&diagram));
+    let size = args.size.unwrap_or_else(|| diagram_size(&diagram, &figure));
     let drawn = figure.draw(size, &diagram.config()).map_err(CliError::input)?;
-    files::write(&data, |file| write_diagram(&diagram, file))?;
-    pictures::write(&drawn, &picture)?;
-    note(&format!("written: {} and {}", picture.path().display(), data.path().display()));
+    let mut batch = Batch::default();
+    batch.picture(&picture, &drawn)?;
+    batch.add(&data, |file| write_diagram(&diagram, file))?;
+    batch.show()?;
     if args.json { print_json(&summary) } else { print(&summary.text(&diagram)) }
 }
 
-/// A diagram is wider than a phase portrait.
-fn diagram_size(diagram: &Diagram) -> Size {
-    let height = if diagram.spec.spectrum.is_some() { 1560 } else { 1080 };
-    let more = 90 * (diagram.branches.len() as u32 - 1);
-    Size::new(defaults::WIDE_FIGURE, height + more).expect("the sizes of diagrams are sizes")
+/// A diagram is wider than a phase portrait, and as high as its plots, strips and key need.
+fn diagram_size(diagram: &Diagram, figure: &Figure) -> Size {
+    let below = 480 * (figure.rows.len() as u32 - 1);
+    let strips = 90 * (diagram.branches.len() as u32 - 1);
+    let key = 52 * (figure.key.len() as u32).div_ceil(KEY_IN_A_ROW);
+    Size::new(defaults::WIDE_FIGURE, 1030 + below + strips + key).expect("the sizes of diagrams are sizes")
 }
 
 impl BifurcationArgs {

@@ -11,7 +11,7 @@ use super::interrupt::{Interruptible, abandonable};
 use super::options::{BackendArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::parse;
+use super::values::{count, parse};
 use super::{CliError, defaults};
 
 /// Follows one trajectory and says what it settles on
@@ -34,15 +34,15 @@ pub struct ClassifyArgs {
     ///
     /// A trajectory that is still undecided after the observation, or neutral, goes on for eight times as long and is
     /// observed again: beside a Neimark-Sacker curve spirals are slow.
-    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
     transient: u32,
 
     /// Forcing periods of the observation
-    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_OBSERVE)]
     observe: u32,
 
     /// Largest N looked for in N-p-q
-    #[arg(long, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
+    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
     max_period: u32,
 
     /// Runs transient + observe periods, settled or not

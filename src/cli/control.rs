@@ -6,7 +6,7 @@ use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Observer, Schedule};
 use impact_atlas::control::{
-    ControlSchedule, Controller, History, Outcome, Scheme, control, converged_at, multipliers,
+    ControlSchedule, Controller, History, LONGEST, Outcome, Scheme, control, converged_at, multipliers,
 };
 use impact_atlas::model::{Flight, Parameters, System};
 use impact_atlas::plane::Start;
@@ -14,12 +14,13 @@ use impact_atlas::render::{ControlPicture, Size};
 use impact_atlas::store;
 use serde::Serialize;
 
+use super::files::{self, Batch, Kind};
 use super::method::{MethodArgs, MethodName};
-use super::options::SystemArgs;
+use super::options::{OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::{parse, parse_range, parse_size};
-use super::{CliError, defaults, files, interrupt, note, pictures};
+use super::values::{count, counted, parse, parse_range, parse_size};
+use super::{CliError, defaults, interrupt, note};
 
 /// The most iterates of one run.
 const MOST: u32 = 2_000_000;
@@ -52,12 +53,16 @@ pub struct ControlArgs {
     start: Start,
 
     /// The first iterate that is controlled
-    #[arg(long, value_name = "N", default_value_t = defaults::CONTROL_FROM)]
+    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::CONTROL_FROM)]
     from: u32,
 
     /// Iterates altogether
-    #[arg(long, value_name = "K", default_value_t = defaults::CONTROL_ITERATES)]
+    #[arg(long, value_parser = count, value_name = "K", default_value_t = defaults::CONTROL_ITERATES)]
     iterates: u32,
+
+    /// Most iterates looked for in one period of the motion; a longer period is none
+    #[arg(long, value_name = "M", value_parser = counted(1, LONGEST as u32), default_value_t = ControlSchedule::MAX_PERIOD)]
+    max_period: u32,
 
     /// How near the final points count as converged
     #[arg(long, value_name = "T", default_value_t = 1e-6, allow_negative_numbers = true)]
@@ -81,6 +86,9 @@ pub struct ControlArgs {
     /// Writes every return and the flight at the end, an npz file
     #[arg(long, value_name = "FILE.npz")]
     data: Option<PathBuf>,
+
+    #[command(flatten)]
+    overwrite: OverwriteArgs,
 
     /// Prints JSON: method, label_before, label_after, fixed_point, converged_at, effort, period_two, escapes and more
     #[arg(long)]
@@ -129,11 +137,17 @@ struct Config<'a> {
 
 /// Runs the command.
 pub fn run(args: &ControlArgs) -> Result<(), CliError> {
-    let scheme = args.settings.scheme(args.method)?;
-    let schedule = ControlSchedule { from: args.from, iterates: args.iterates, fixed: true };
+    let (system_args, set) = args.system.split();
+    let scheme = args.settings.scheme(args.method, &set)?;
+    let schedule = ControlSchedule {
+        from: args.from,
+        iterates: args.iterates,
+        fixed: true,
+        max_period: args.max_period,
+    };
     check_lengths(args)?;
     schedule.check().map_err(CliError::input)?;
-    let (system, start) = args.system.system_and_start(args.start)?;
+    let (system, start) = system_args.system_and_start(args.start)?;
     if system.parameters().delta == 0.0 {
         return Err(CliError::Input(anyhow!(
             "with delta = 0 there are no impacts to control at: raise delta"
@@ -143,10 +157,8 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     if let Some(ratio) = scheme.force_ratio() {
         system.following(ratio).map_err(CliError::input)?;
     }
-    if let Some(out) = &args.out {
-        pictures::format_of(out)?;
-    }
-    let [out, data] = files::prepare([args.out.as_deref(), args.data.as_deref()])?;
+    let wanted = [Kind::Picture.at(args.out.as_deref()), Kind::Archive.at(args.data.as_deref())];
+    let [out, data] = files::prepare(args.overwrite, wanted)?;
     note("computing on cpu: f64");
     let progress = Progress::of_trajectory();
     let (history, outcome, before) = interrupt::abandonable(move || {
@@ -181,16 +193,14 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
         history: &history,
         labels: [&report.label_before, &report.label_after],
     };
-    if let Some(output) = &out {
+    let mut batch = Batch::default();
+    if out.is_some() {
         let figure = picture.figure(args.range);
         let size = args.size.unwrap_or_else(|| figure.natural_size(defaults::WIDE_FIGURE));
-        pictures::write(&figure.draw(size, &config).map_err(CliError::input)?, output)?;
-        note(&format!("written: {}", output.path().display()));
+        batch.picture(&out, &figure.draw(size, &config).map_err(CliError::input)?)?;
     }
-    if let Some(output) = &data {
-        files::write(output, |file| store::write_control(&history, &config, file))?;
-        note(&format!("written: {}", output.path().display()));
-    }
+    batch.add(&data, |file| store::write_control(&history, &config, file))?;
+    batch.show()?;
     if args.json { print_json(&report) } else { print(&report.text()) }
 }
 

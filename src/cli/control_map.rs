@@ -6,18 +6,18 @@ use std::time::Instant;
 use clap::Args;
 use impact_atlas::control::NEVER;
 use impact_atlas::plane::ControlMap;
-use impact_atlas::render::{self, Size};
-use impact_atlas::store::{self, Output};
+use impact_atlas::render;
+use impact_atlas::store;
 use impact_atlas::sweep::sweep_control;
 use serde::Serialize;
 
 use super::controlled::ControlledArgs;
-use super::map::in_order;
+use super::files::{self, Batch, Kind};
+use super::map::{MapArgs, in_order};
 use super::method::MethodName;
-use super::options::{BackendArgs, PlaneArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, files, interrupt, note, pictures};
+use super::{CliError, estimate};
 
 /// Control of every cell of a map, and what is drawn of it.
 #[derive(Debug, Args)]
@@ -50,43 +50,30 @@ struct Summary<'a> {
 }
 
 /// Runs the command.
-pub fn run(
-    method: MethodName,
-    args: &ControlMapArgs,
-    plane: &PlaneArgs,
-    backend: &BackendArgs,
-    [out, data]: [PathBuf; 2],
-    size: Size,
-    json: bool,
-) -> Result<(), CliError> {
-    let plane = args.cells.plane(method, plane)?;
-    pictures::format_of(&out)?;
-    if let Some(times) = &args.times {
-        pictures::format_of(times)?;
-    }
-    let [Some(picture), Some(data), times] =
-        files::prepare([Some(out.as_path()), Some(data.as_path()), args.times.as_deref()])?
-    else {
-        unreachable!("two paths give two outputs")
-    };
-    let backend = backend.open()?;
+pub fn run(method: MethodName, args: &MapArgs) -> Result<(), CliError> {
+    let plane = args.control.cells.plane(method, &args.plane)?;
+    let npz = files::data_beside(&args.out, args.data.as_deref());
+    let wanted = [
+        Kind::Picture.at(Some(&args.out)),
+        Kind::Archive.at(npz.as_deref()),
+        Kind::Picture.at(args.control.times.as_deref()),
+    ];
+    let [picture, data, times] = files::prepare(args.overwrite, wanted)?;
+    let backend = args.backend.open()?;
+    estimate::of_control("the map", &plane, &*backend)?;
     let began = Instant::now();
     let progress = Progress::of_cells("controlling", plane.plane().cells());
     let map = sweep_control(&plane, &*backend, &progress)?;
     drop(progress);
     let summary = Summary::new(&map, began.elapsed().as_secs_f64());
-    let bytes = pictures::encoded(&render::control_map(&map, size), pictures::format_of(picture.path())?)?;
-    interrupt::check()?;
-    files::write(&data, |file| store::write_control_map(&map, file))?;
-    files::write(&picture, |file| file.write_all(&bytes))?;
-    let mut written: Vec<&Output> = vec![&picture, &data];
-    if let Some(times) = &times {
-        pictures::write(&render::convergence_map(&map, size), times)?;
-        written.push(times);
+    let mut batch = Batch::default();
+    batch.picture(&picture, &render::control_map(&map, args.size))?;
+    batch.add(&data, |file| store::write_control_map(&map, file))?;
+    if times.is_some() {
+        batch.picture(&times, &render::convergence_map(&map, args.size))?;
     }
-    let names: Vec<String> = written.iter().map(|output| output.path().display().to_string()).collect();
-    note(&format!("written: {}", names.join(", ")));
-    if json { print_json(&summary) } else { print(&summary.text()) }
+    batch.show()?;
+    if args.json { print_json(&summary) } else { print(&summary.text()) }
 }
 
 impl<'a> Summary<'a> {

@@ -2,13 +2,12 @@
 
 use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::control::{ControlQuantity, ControlSchedule};
-use impact_atlas::model::{Parameter, Parameters};
-use impact_atlas::plane::{ControlPlane, Quantity};
+use impact_atlas::control::ControlSchedule;
+use impact_atlas::plane::ControlPlane;
 
 use super::method::{MethodArgs, MethodName};
 use super::options::PlaneArgs;
-use super::spelled::spelled;
+use super::values::count;
 use super::{CliError, defaults};
 
 /// Control of every cell of a plane.
@@ -19,16 +18,16 @@ pub struct ControlledArgs {
     /// Axes may vary the settings of the method too: gain, delay; amplitude, alpha, dead_band, gamma, phase; period,
     /// noise; target_v1, target_x2, target_v2, target_tau. See `impact-atlas control --help` for what they are.
     #[arg(long, value_name = "METHOD", value_enum, help_heading = "Control",
-        conflicts_with_all = ["transient", "observe", "max_period", "fixed_periods", "curves"])]
+        conflicts_with_all = ["transient", "observe", "fixed_periods", "curves"])]
     pub control: Option<MethodName>,
 
     /// The first iterate that is controlled
-    #[arg(long, value_name = "N", default_value_t = defaults::CONTROL_MAP_FROM, requires = "control",
+    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::CONTROL_MAP_FROM, requires = "control",
         help_heading = "Control")]
     from: u32,
 
     /// Iterates altogether; a cell that has settled under control finishes early
-    #[arg(long, value_name = "K", default_value_t = defaults::CONTROL_MAP_ITERATES, requires = "control",
+    #[arg(long, value_parser = count, value_name = "K", default_value_t = defaults::CONTROL_MAP_ITERATES, requires = "control",
         help_heading = "Control")]
     iterates: u32,
 
@@ -49,43 +48,21 @@ impl ControlledArgs {
 
     /// The checked plane under control.
     pub fn plane(&self, method: MethodName, plane: &PlaneArgs) -> Result<ControlPlane, CliError> {
-        let iterates = ControlSchedule { from: self.from, iterates: self.iterates, fixed: false };
+        let max_period = plane.max_period.unwrap_or(ControlSchedule::MAX_PERIOD);
+        let iterates = ControlSchedule { from: self.from, iterates: self.iterates, fixed: false, max_period };
         plane.control_plane(method, &self.settings, iterates)
     }
-}
-
-/// The command that controls one cell of a plane alone, as a map of one cell.
-pub fn command(plane: &ControlPlane, column: u32, row: u32, backend: &str) -> String {
-    let one = |axis: &impact_atlas::plane::Axis, i: u32| {
-        let value = axis.value(i);
-        format!("{}={value}:{value}:1", axis.quantity.name())
-    };
-    let varies = |quantity: Quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
-    let sets: String = Parameter::ALL
-        .into_iter()
-        .filter(|&p| !varies(Quantity::Parameter(p)))
-        .filter(|&p| plane.parameters.get(p) != Parameters::default().get(p))
-        .map(|p| format!(" --set {p}={}", plane.parameters.get(p)))
-        .collect();
-    let settings = spelled(&plane.control, |setting: ControlQuantity| varies(Quantity::Control(setting)));
-    format!(
-        "impact-atlas map --control {}{settings} --x {} --y {}{sets} --start {} --from {} --iterates {} {backend} --json",
-        plane.control.method(),
-        one(&plane.x, column),
-        one(&plane.y, row),
-        plane.start,
-        plane.iterates.from,
-        plane.iterates.iterates
-    )
 }
 
 #[cfg(test)]
 mod tests {
     use clap::Parser;
     use impact_atlas::control::Scheme;
+    use impact_atlas::model::Parameters;
 
     use super::*;
     use crate::cli::Cli;
+    use crate::cli::asked::Asked;
 
     #[derive(Parser)]
     struct Wrapper {
@@ -114,12 +91,13 @@ mod tests {
             "--control pulse --x omega=2.8:2.9:3 --y period=1:4:4 --target=-0.3,0.01,0.02,1.8 --start=0,0.1,0,0",
             "--control sine --x dead_band=0:0.1:3 --y amplitude=-0.3:0.3:4 --convention force --phase -1.5",
             "--control sine --x omega=2.8:2.9:3 --y gamma=0.5:2:4 --component v_after --target -0.3 --alpha 0.05",
-            "--control sine --x omega=2.8:2.9:3 --y target_tau=1:2:4 --alpha 0.05",
+            "--control sine --x omega=2.8:2.9:3 --y target_tau=1:2:4 --alpha 0.05 --max-period 20",
+            "--control delay --x omega=2.8:2.9:3 --y gain=0.1:0.5:4 --set delay=3 --set mu_c=1e-7",
         ] {
             let plane = self::plane(words);
-            let command = command(&plane, 2, 1, "--backend cpu");
+            let command = Asked::Controlled(&plane).command(2, 1, "--backend gpu");
             Cli::try_parse_from(command.split_whitespace()).unwrap();
-            let options = command.strip_prefix("impact-atlas map ").unwrap();
+            let options = command.strip_prefix("impact-atlas validate ").unwrap();
             let alone = self::plane(options.split(" --backend").next().unwrap());
             assert_eq!(cell(&alone, 0, 0), cell(&plane, 2, 1), "{command}");
             assert_eq!((alone.start, alone.iterates), (plane.start, plane.iterates), "{command}");

@@ -5,7 +5,8 @@ use impact_atlas::plane::Plane;
 use impact_atlas::store::Output;
 use serde::Serialize;
 
-use super::{CliError, files, note};
+use super::files::Batch;
+use super::{CliError, note};
 
 /// Motions whose N was not asked for are named from so many cells on.
 const NAMED: usize = 4;
@@ -147,8 +148,13 @@ pub fn note_left_out(motions: &[LeftOut]) {
     }
 }
 
-/// Writes every point of every curve.
-pub fn write_csv(output: &Output, curves: &[Curve], plane: &Plane) -> Result<(), CliError> {
+/// A table of every point of every curve, if it is asked for.
+pub fn add_table<'a>(
+    batch: &mut Batch<'a>,
+    output: &'a Option<Output>,
+    curves: &[Curve],
+    plane: &Plane,
+) -> Result<(), CliError> {
     let stretches = named(curves, plane);
     let rows = stretches.iter().flat_map(|stretch| {
         let curve = &curves[stretch.curve];
@@ -166,5 +172,5 @@ pub fn write_csv(output: &Output, curves: &[Curve], plane: &Plane) -> Result<(),
             )
         })
     });
-    files::write_csv(output, COLUMNS, rows)
+    batch.table(output, COLUMNS, rows)
 }

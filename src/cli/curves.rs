@@ -2,16 +2,18 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, value_parser};
+use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::curves::{self, PlaneCurves};
 use impact_atlas::plane::{Plane, RegionMap};
 use impact_atlas::sweep::sweep;
 
-use super::options::{AxesArgs, BackendArgs};
+use super::files::{self, Batch, Kind};
+use super::options::{AxesArgs, BackendArgs, OverwriteArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, curve_list, defaults, files, interrupt, note};
+use super::values::{count, counted};
+use super::{CliError, curve_list, defaults, estimate, interrupt, note};
 
 /// Computes the bifurcation curves of a plane of two parameters
 ///
@@ -31,20 +33,20 @@ pub struct CurvesArgs {
     axes: AxesArgs,
 
     /// Looks for motions on about K cells, whatever COUNT the axes have [default: 19200 where no axis is given]
-    #[arg(long, value_name = "K", value_parser = value_parser!(u32).range(4..=Plane::LARGEST as i64))]
+    #[arg(long, value_name = "K", value_parser = counted(4, Plane::LARGEST as u32))]
     cells: Option<u32>,
 
     /// Largest N of the motions N-p-q whose curves are computed
     #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD,
-        value_parser = value_parser!(u32).range(1..=i64::from(Schedule::LARGEST_PERIOD)))]
+        value_parser = counted(1, Schedule::LARGEST_PERIOD))]
     max_period: u32,
 
     /// Forcing periods before a cell is observed
-    #[arg(long, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
     transient: u32,
 
     /// Forcing periods for which a cell is observed
-    #[arg(long, value_name = "P", default_value_t = defaults::MAP_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_OBSERVE)]
     observe: u32,
 
     #[command(flatten)]
@@ -55,6 +57,9 @@ pub struct CurvesArgs {
     /// A curve has the paper's name (L1 to L7) or a number; `point` is ordinary or the name of a special point.
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
+
+    #[command(flatten)]
+    overwrite: OverwriteArgs,
 
     /// Prints JSON: [{number, name, kind, motion, symmetric, points, ends, criticality, bounding, special_points}]; the
     /// motions without a curve are listed on standard error
@@ -72,15 +77,14 @@ pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
     };
     let plane = args.axes.plane_of(schedule, args.cells, defaults::CURVES_CELLS)?;
     curves::check(&plane).map_err(CliError::input)?;
-    files::check_csv(args.out.as_deref())?;
-    let [output] = files::prepare([args.out.as_deref()])?;
+    let [output] = files::prepare(args.overwrite, [Kind::Table.at(args.out.as_deref())])?;
     let backend = args.backend.open()?;
+    estimate::of_plane("looking for motions", &plane, &*backend)?;
     let map = sweep(&plane, &*backend, &Progress::of_cells("looking for motions", plane.cells()))?;
     let (_, PlaneCurves { curves, left_out }) = of_map(map, args.max_period)?;
-    if let Some(output) = output {
-        curve_list::write_csv(&output, &curves, &plane)?;
-        note(&format!("written: {}", output.path().display()));
-    }
+    let mut batch = Batch::default();
+    curve_list::add_table(&mut batch, &output, &curves, &plane)?;
+    batch.show()?;
     let summaries = curve_list::summaries(&curves, &plane);
     if args.json {
         curve_list::note_left_out(&left_out);

@@ -1,15 +1,25 @@
 //! Every default of the command line.
 
 use impact_atlas::model::Parameter;
-use impact_atlas::plane::{Axis, Quantity};
+use impact_atlas::plane::{Axis, Quantity, Spacing};
 
 /// The horizontal axis of a map: the paper's Fig. 5.
-pub const X: Axis =
-    Axis { quantity: Quantity::Parameter(Parameter::Omega), first: 0.2, last: 5.0, count: 800 };
+pub const X: Axis = Axis {
+    quantity: Quantity::Parameter(Parameter::Omega),
+    first: 0.2,
+    last: 5.0,
+    count: 800,
+    spacing: Spacing::Linear,
+};
 
 /// The vertical axis of a map: the paper's Fig. 5.
-pub const Y: Axis =
-    Axis { quantity: Quantity::Parameter(Parameter::Delta), first: 0.02, last: 0.8, count: 600 };
+pub const Y: Axis = Axis {
+    quantity: Quantity::Parameter(Parameter::Delta),
+    first: 0.02,
+    last: 0.8,
+    count: 600,
+    spacing: Spacing::Linear,
+};
 
 /// Cells that `validate` computes of the default plane: 400 × 300.
 pub const VALIDATED_CELLS: u32 = 120_000;

@@ -4,41 +4,91 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
-use impact_atlas::plane::RegionMap;
 use impact_atlas::render::Picture;
-use impact_atlas::store::{self, Output};
+use impact_atlas::store::{Filled, Output};
 use serde::Serialize;
 
-use super::{CliError, interrupt, pictures};
+use super::options::OverwriteArgs;
+use super::{CliError, interrupt, note, pictures, terminal};
 
-/// Checks that each of the files can be written, and that no two are the same.
-pub fn prepare<const N: usize>(paths: [Option<&Path>; N]) -> Result<[Option<Output>; N], CliError> {
+/// What a file holds, which its name must not contradict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A picture: PNG or SVG.
+    Picture,
+    /// A table: CSV.
+    Table,
+    /// Arrays: a NumPy archive.
+    Archive,
+}
+
+impl Kind {
+    /// A file of this kind, if there is to be one.
+    pub fn at(self, path: Option<&Path>) -> Option<Wanted<'_>> {
+        path.map(|path| Wanted { kind: self, path })
+    }
+
+    /// What is wrong with a name; one without an extension is anything's.
+    fn complaint(self, path: &Path) -> Option<String> {
+        let (what, known): (_, &[&str]) = match self {
+            Kind::Picture => ("pictures are PNG or SVG files, name it with .png or .svg", &["png", "svg"]),
+            Kind::Table => ("tables are CSV files, name it with .csv", &["csv"]),
+            Kind::Archive => ("data are NumPy archives, name it with .npz", &["npz"]),
+        };
+        let extension = path.extension()?;
+        let fits = known.iter().any(|known| extension.eq_ignore_ascii_case(known));
+        (!fits).then(|| what.to_owned())
+    }
+}
+
+/// A file that is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted<'a> {
+    kind: Kind,
+    path: &'a Path,
+}
+
+/// Checks that each of the files can be written, that its name fits what it holds, and that no two are the same.
+pub fn prepare<const N: usize>(
+    overwrite: OverwriteArgs,
+    wanted: [Option<Wanted<'_>>; N],
+) -> Result<[Option<Output>; N], CliError> {
     let mut outputs = [const { None }; N];
     let mut places: Vec<PathBuf> = Vec::new();
-    for (output, path) in outputs.iter_mut().zip(paths) {
-        let Some(path) = path else { continue };
-        *output = Some(Output::prepare(path).map_err(CliError::input)?);
+    for Wanted { kind, path } in wanted.iter().flatten() {
+        let name = path.display();
+        let complaint = kind.complaint(path);
         let place = place(path);
         if places.contains(&place) {
-            let name = path.display();
+            let more = complaint.map(|complaint| format!(" ({complaint})")).unwrap_or_default();
             return Err(CliError::Input(anyhow!(
-                "two results are to be written to `{name}`: name another file"
+                "two results are to be written to `{name}`: name another file{more}"
             )));
         }
         places.push(place);
+        if let Some(complaint) = complaint {
+            return Err(CliError::Input(anyhow!("cannot write to `{name}`: {complaint}")));
+        }
+    }
+    for (output, wanted) in outputs.iter_mut().zip(wanted) {
+        let Some(Wanted { path, .. }) = wanted else { continue };
+        let prepared = Output::prepare(path).map_err(CliError::input)?;
+        let prepared =
+            if overwrite.force { prepared } else { prepared.keeping().map_err(CliError::input)? };
+        if prepared.is_standard() {
+            terminal::give_away_standard_output();
+        }
+        *output = Some(prepared);
     }
     Ok(outputs)
 }
 
-/// Refuses a name for a table that would be taken for something else.
-pub fn check_csv(path: Option<&Path>) -> Result<(), CliError> {
-    let other = |path: &&Path| path.extension().is_some_and(|found| !found.eq_ignore_ascii_case("csv"));
-    match path.filter(other) {
-        Some(path) => Err(CliError::Input(anyhow!(
-            "cannot write a table to `{}`: curves are CSV files, name it with .csv",
-            path.display()
-        ))),
-        None => Ok(()),
+/// Where the data go: where they are asked for, otherwise beside the picture with its name, if it has one.
+pub fn data_beside(picture: &Path, data: Option<&Path>) -> Option<PathBuf> {
+    match data {
+        Some(data) => Some(data.to_owned()),
+        None if picture.as_os_str() == Output::STANDARD => None,
+        None => Some(picture.with_extension("npz")),
     }
 }
 
@@ -52,53 +102,123 @@ fn place(path: &Path) -> PathBuf {
     path.file_name().map_or_else(|| parent.clone(), |name| parent.join(name))
 }
 
-/// Writes a map's data and its picture; neither unless both could be made.
-pub fn write_map(map: &RegionMap, drawn: &Picture, data: &Output, picture: &Output) -> Result<(), CliError> {
-    let bytes = pictures::encoded(drawn, pictures::format_of(picture.path())?)?;
-    interrupt::check()?;
-    write(data, |file| store::write_map(map, file))?;
-    write(picture, |file| file.write_all(&bytes))
-}
-
-/// Writes a table.
-pub fn write_csv<const N: usize>(
-    output: &Output,
-    columns: [&str; N],
-    rows: impl Iterator<Item = impl Serialize>,
-) -> Result<(), CliError> {
-    write(output, |file| {
-        let mut table = csv::WriterBuilder::new().has_headers(false).from_writer(file);
-        table.write_record(columns)?;
-        for row in rows {
-            table.serialize(row)?;
-        }
-        table.flush()
-    })
-}
-
 /// Anything that takes bytes and can be rewound.
 pub trait File: io::Write + io::Seek {}
 
 impl<T: io::Write + io::Seek> File for T {}
 
-/// Fills a file.
-pub fn write(output: &Output, content: impl FnOnce(&mut dyn File) -> io::Result<()>) -> Result<(), CliError> {
-    output.write(|file| content(file)).map_err(CliError::machine)
+/// The files of one command: seen together once all of them are complete, or not at all.
+#[derive(Debug, Default)]
+pub struct Batch<'a> {
+    filled: Vec<Filled<'a>>,
+}
+
+impl<'a> Batch<'a> {
+    /// A file, if it is asked for.
+    pub fn add(
+        &mut self,
+        output: &'a Option<Output>,
+        content: impl FnOnce(&mut dyn File) -> io::Result<()>,
+    ) -> Result<(), CliError> {
+        if let Some(output) = output {
+            self.filled.push(output.fill(|file| content(file)).map_err(CliError::machine)?);
+        }
+        Ok(())
+    }
+
+    /// A picture in the format that its file asks for.
+    pub fn picture(&mut self, output: &'a Option<Output>, picture: &Picture) -> Result<(), CliError> {
+        let Some(format) = output.as_ref().map(|output| pictures::format_of(output.path())) else {
+            return Ok(());
+        };
+        let bytes = pictures::encoded(picture, format)?;
+        self.add(output, |file| file.write_all(&bytes))
+    }
+
+    /// A table.
+    pub fn table<const N: usize>(
+        &mut self,
+        output: &'a Option<Output>,
+        columns: [&str; N],
+        rows: impl Iterator<Item = impl Serialize>,
+    ) -> Result<(), CliError> {
+        self.add(output, |file| {
+            let mut table = csv::WriterBuilder::new().has_headers(false).from_writer(file);
+            table.write_record(columns)?;
+            for row in rows {
+                table.serialize(row)?;
+            }
+            table.flush()
+        })
+    }
+
+    /// Puts every file where it belongs, unless Ctrl-C was pressed, and lists them.
+    pub fn show(self) -> Result<(), CliError> {
+        interrupt::check()?;
+        let mut names = Vec::new();
+        for filled in self.filled {
+            let path = filled.path();
+            let standard = path.as_os_str() == Output::STANDARD;
+            names.push(if standard { "standard output".to_owned() } else { path.display().to_string() });
+            filled.show().map_err(CliError::machine)?;
+        }
+        if !names.is_empty() {
+            note(&format!("written: {}", names.join(", ")));
+        }
+        Ok(())
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const NEW: OverwriteArgs = OverwriteArgs { force: false };
+
+    fn tables<const N: usize>(paths: [Option<&Path>; N]) -> Result<[Option<Output>; N], CliError> {
+        prepare(NEW, paths.map(|path| Kind::Table.at(path)))
+    }
+
     #[test]
     fn two_names_of_one_file_are_noticed() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a");
         let detour = folder.path().join(".").join("a");
-        let refused = prepare([Some(&path), None, Some(&detour)]).unwrap_err().to_string();
+        let refused = tables([Some(&path), None, Some(&detour)]).unwrap_err().to_string();
         assert!(refused.contains("two results"), "{refused}");
-        assert!(prepare([Some(&path), Some(&folder.path().join("b"))]).is_ok());
+        assert!(tables([Some(&path), Some(&folder.path().join("b"))]).is_ok());
         std::fs::write(&path, "").unwrap();
-        assert!(prepare([Some(&path), Some(&detour)]).is_err());
+        assert!(tables([Some(&path), Some(&detour)]).is_err());
+        let refused = tables([Some(&path)]).unwrap_err().to_string();
+        assert!(refused.contains("--force"), "{refused}");
+        assert!(prepare(OverwriteArgs { force: true }, [Kind::Table.at(Some(&path))]).is_ok());
+    }
+
+    #[test]
+    fn the_name_fits_what_the_file_holds() {
+        let folder = tempfile::tempdir().unwrap();
+        let refused = |kind: Kind, name: &str| {
+            let path = folder.path().join(name);
+            prepare(NEW, [kind.at(Some(&path))]).err().map(|error| error.to_string())
+        };
+        for (kind, good, bad, remedy) in [
+            (Kind::Picture, ["map.PNG", "a.b.svg", "map"], ["map.jpg", "map.svgz", "map."], ".svg"),
+            (Kind::Table, ["t.csv", "t.CSV", "t"], ["t.png", "t.tsv", "t.npz"], ".csv"),
+            (Kind::Archive, ["m.npz", "m.NPZ", "m"], ["m.png", "m.npy", "m.csv"], ".npz"),
+        ] {
+            good.iter().for_each(|name| assert_eq!(refused(kind, name), None));
+            for name in bad {
+                let message = refused(kind, name).unwrap();
+                assert!(message.contains(name) && message.contains(remedy), "{message}");
+            }
+        }
+    }
+
+    #[test]
+    fn data_lie_beside_a_picture_that_has_a_place() {
+        let beside = |picture: &str, data: Option<&str>| data_beside(Path::new(picture), data.map(Path::new));
+        assert_eq!(beside("a/map.png", None), Some("a/map.npz".into()));
+        assert_eq!(beside("map", Some("cells.npz")), Some("cells.npz".into()));
+        assert_eq!((beside("-", None), beside("-", Some("m.npz"))), (None, Some("m.npz".into())));
     }
 }

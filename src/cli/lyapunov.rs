@@ -12,7 +12,7 @@ use super::multipliers::note_cpu;
 use super::options::SystemArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::parse;
+use super::values::{count, parse};
 use super::{CliError, defaults};
 
 /// Measures all four Lyapunov exponents of one trajectory
@@ -39,12 +39,12 @@ pub struct LyapunovArgs {
     start: Start,
 
     /// Forcing periods before the measurement
-    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
     transient: u32,
 
     /// Forcing periods of the measurement, rounded up to a multiple of 16; a quarter as many go before it, in which
     /// the tangent vectors turn into their directions
-    #[arg(long, value_name = "P", default_value_t = defaults::SPECTRUM_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::SPECTRUM_OBSERVE)]
     observe: u32,
 
     /// Prints JSON; null for minus infinity (see lost_directions), and per iterate where there are no returns to stop

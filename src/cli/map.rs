@@ -3,19 +3,21 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use clap::{Args, ValueEnum, value_parser};
+use clap::{Args, ValueEnum};
 use impact_atlas::analysis::Schedule;
 use impact_atlas::plane::RegionMap;
 use impact_atlas::render::{Shown, Size, region_map, region_map_with_curves};
+use impact_atlas::store;
 use impact_atlas::sweep::sweep;
 use serde::{Serialize, Serializer};
 
 use super::control_map::{self, ControlMapArgs};
-use super::options::{BackendArgs, PlaneArgs};
+use super::files::{self, Batch, Kind};
+use super::options::{BackendArgs, OverwriteArgs, PlaneArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::parse_size;
-use super::{CliError, curve_list, curves, defaults, files, note, pictures};
+use super::values::{counted, parse_size};
+use super::{CliError, curve_list, curves, defaults, estimate};
 
 /// Computes what every cell of a parameter plane settles on, as a picture and as data
 ///
@@ -31,25 +33,25 @@ Examples:
   impact-atlas map --control pulse --x target_v1=-0.5:-0.1:200 --y target_tau=1:3:150 --set omega=2.83")]
 pub struct MapArgs {
     #[command(flatten)]
-    plane: PlaneArgs,
+    pub plane: PlaneArgs,
 
     #[command(flatten)]
-    backend: BackendArgs,
+    pub backend: BackendArgs,
 
     #[command(flatten)]
-    control: ControlMapArgs,
+    pub control: ControlMapArgs,
 
     /// The picture, a PNG or SVG file
     #[arg(long, value_name = "FILE", default_value = defaults::PICTURE)]
-    out: PathBuf,
+    pub out: PathBuf,
 
     /// The data, an npz file [default: beside the picture, with its name]
     #[arg(long, value_name = "FILE.npz")]
-    data: Option<PathBuf>,
+    pub data: Option<PathBuf>,
 
     /// The picture's size in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, default_value = defaults::PICTURE_SIZE)]
-    size: Size,
+    pub size: Size,
 
     /// Draws bifurcation curves over the map, and names them: those that bound what can be observed, or all of them
     #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
@@ -58,16 +60,19 @@ pub struct MapArgs {
 
     /// Largest N of the motions N-p-q whose curves are computed
     #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
-        value_parser = value_parser!(u32).range(1..=i64::from(Schedule::LARGEST_PERIOD)))]
+        value_parser = counted(1, Schedule::LARGEST_PERIOD))]
     curves_max_period: u32,
 
     /// Writes every point of every curve, as `curves` does
     #[arg(long, value_name = "FILE.csv", requires = "curves")]
     curves_out: Option<PathBuf>,
 
+    #[command(flatten)]
+    pub overwrite: OverwriteArgs,
+
     /// Prints JSON: cells, impacts, seconds, impacts_per_second, regimes, backend, adapter
     #[arg(long)]
-    json: bool,
+    pub json: bool,
 }
 
 /// Which parts of the curves are drawn.
@@ -108,23 +113,22 @@ pub fn in_order<S: Serializer>(regimes: &[(&str, u64); 8], serializer: S) -> Res
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), CliError> {
     if let Some(method) = args.control.cells.control {
-        let data = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
-        let MapArgs { plane, backend, control, size, json, .. } = args;
-        return control_map::run(method, control, plane, backend, [args.out.clone(), data], *size, *json);
+        return control_map::run(method, args);
     }
     args.control.cells.refuse_settings()?;
     let plane = args.plane.plane()?;
-    pictures::format_of(&args.out)?;
-    files::check_csv(args.curves_out.as_deref())?;
-    let npz = args.data.clone().unwrap_or_else(|| args.out.with_extension("npz"));
     if args.curves.is_some() {
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }
-    let paths = [Some(args.out.as_path()), Some(npz.as_path()), args.curves_out.as_deref()];
-    let [Some(picture), Some(data), table] = files::prepare(paths)? else {
-        unreachable!("two paths give two outputs")
-    };
+    let npz = files::data_beside(&args.out, args.data.as_deref());
+    let wanted = [
+        Kind::Picture.at(Some(&args.out)),
+        Kind::Archive.at(npz.as_deref()),
+        Kind::Table.at(args.curves_out.as_deref()),
+    ];
+    let [picture, data, table] = files::prepare(args.overwrite, wanted)?;
     let backend = args.backend.open()?;
+    estimate::of_plane("the map", &plane, &*backend)?;
     let began = Instant::now();
     let map = sweep(&plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
     let seconds = began.elapsed().as_secs_f64();
@@ -142,12 +146,13 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
             region_map_with_curves(&map, curves, which.shown(), args.curves_max_period, args.size)
         }
     };
-    files::write_map(&map, &drawn, &data, &picture)?;
-    if let (Some(table), Some((curves, _))) = (&table, &curves) {
-        curve_list::write_csv(table, curves, &plane)?;
-        note(&format!("written: {}", table.path().display()));
+    let mut batch = Batch::default();
+    batch.picture(&picture, &drawn)?;
+    batch.add(&data, |file| store::write_map(&map, file))?;
+    if let Some((curves, _)) = &curves {
+        curve_list::add_table(&mut batch, &table, curves, &plane)?;
     }
-    note(&format!("written: {} and {}", picture.path().display(), data.path().display()));
+    batch.show()?;
     let summary = Summary::new(&map, seconds);
     if args.json { print_json(&summary) } else { print(&summary.text()) }
 }

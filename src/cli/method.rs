@@ -6,8 +6,9 @@ use impact_atlas::control::{
     ControlQuantity, Convention, DelaySetting, PulseSetting, Scheme, Sign, SineSetting, Target,
 };
 
-use impact_atlas::plane::Axis;
+use impact_atlas::plane::Quantity;
 
+use super::values::{Assignment, count};
 use super::{CliError, defaults};
 
 /// A control method by name.
@@ -99,7 +100,7 @@ pub struct MethodArgs {
     component: Option<ComponentName>,
 
     /// pulse: the period P of the pulses in iterates [default: 1]
-    #[arg(long, value_name = "P", help_heading = "Pulse")]
+    #[arg(long, value_parser = count, value_name = "P", help_heading = "Pulse")]
     period: Option<u32>,
 
     /// pulse: the largest error E of a measured component [default: 0]
@@ -107,7 +108,7 @@ pub struct MethodArgs {
     noise: Option<f64>,
 
     /// pulse: what the errors are drawn from [default: 1]
-    #[arg(long, value_name = "SEED", help_heading = "Pulse")]
+    #[arg(long, value_parser = count, value_name = "SEED", help_heading = "Pulse")]
     seed: Option<u32>,
 
     /// delay: the gain g of all four components, 0 to 1 [default: 0.5]
@@ -127,7 +128,7 @@ pub struct MethodArgs {
     gains: Option<Vec<f64>>,
 
     /// delay: the delay p in iterates, 1 to 8 [default: 1]
-    #[arg(long, value_name = "p", help_heading = "Delay")]
+    #[arg(long, value_parser = count, value_name = "p", help_heading = "Delay")]
     delay: Option<u32>,
 
     /// delay: the sign of the feedback [default: stabilising]
@@ -152,12 +153,33 @@ pub struct MethodArgs {
 }
 
 impl MethodArgs {
-    /// The checked scheme of a method; options of another method are refused.
-    pub fn scheme(&self, method: MethodName) -> Result<Scheme, CliError> {
+    /// The checked scheme of a method with what was set of it; options of another method are refused.
+    pub fn scheme(&self, method: MethodName, set: &[Assignment]) -> Result<Scheme, CliError> {
+        let replaced: Vec<_> = set.iter().map(|set| (format!("--set {set} sets"), set.quantity)).collect();
+        self.refuse_replaced(method, &replaced)?;
+        let mut scheme = self.of_options(method)?;
+        for (i, one) in set.iter().enumerate() {
+            if let Some(other) = set[..i].iter().find(|other| other.quantity == one.quantity) {
+                return Err(CliError::Input(anyhow!(
+                    "{} is set twice, by --set {other} and --set {one}: drop one of the two",
+                    one.quantity.name()
+                )));
+            }
+            let Quantity::Control(setting) = one.quantity else { continue };
+            scheme = scheme.with(setting, one.value).ok_or_else(|| {
+                CliError::Input(anyhow!("--set {one} has no effect on {}: drop it", method.name()))
+            })?;
+        }
+        scheme.check().map_err(CliError::input)?;
+        Ok(scheme)
+    }
+
+    /// The scheme that the options of a method make.
+    fn of_options(&self, method: MethodName) -> Result<Scheme, CliError> {
         if let Some((option, _)) = self.given().into_iter().find(|(_, of)| !of.contains(&method)) {
             return Err(CliError::Input(anyhow!("--{option} has no effect on {}: drop it", method.name())));
         }
-        let scheme = match method {
+        Ok(match method {
             MethodName::Sine => Scheme::Sine(self.sine()?),
             MethodName::Pulse => Scheme::Pulse(PulseSetting {
                 period: self.period.unwrap_or(1),
@@ -173,17 +195,15 @@ impl MethodArgs {
                     Some(SignName::Stabilising) | None => Sign::Stabilising,
                 },
             }),
-        };
-        scheme.check().map_err(CliError::input)?;
-        Ok(scheme)
+        })
     }
 
-    /// Refuses settings of a method that an axis varies.
-    pub fn refuse_varied(&self, method: MethodName, axes: &[(&str, Axis)]) -> Result<(), CliError> {
-        for (option, axis) in axes {
-            let Some(setting) = axis.control() else { continue };
+    /// Refuses options of a method that something else replaces, told in words.
+    pub fn refuse_replaced(&self, method: MethodName, by: &[(String, Quantity)]) -> Result<(), CliError> {
+        for (words, quantity) in by {
+            let Quantity::Control(setting) = quantity else { continue };
             let name = setting.name().replace('_', "-");
-            // What else the axis replaces altogether: of pulses it varies only one component of the target.
+            // What else it replaces altogether: of pulses it varies only one component of the target.
             let replaced: &[&str] = match setting {
                 ControlQuantity::Gain => &["gains"],
                 _ if name.starts_with("target-") && method == MethodName::Sine => &["reference", "target"],
@@ -192,7 +212,7 @@ impl MethodArgs {
             let without_effect = |given: &str| given == name || replaced.contains(&given);
             if let Some((given, _)) = self.given().into_iter().find(|(given, _)| without_effect(given)) {
                 return Err(CliError::Input(anyhow!(
-                    "--{given} has no effect, since {option} {axis} varies it: drop one of the two"
+                    "--{given} has no effect, since {words} it: drop one of the two"
                 )));
             }
         }

@@ -13,9 +13,11 @@ mod curve_list;
 mod curves;
 mod defaults;
 mod error;
+mod estimate;
 mod files;
 mod interrupt;
 mod lyapunov;
+mod machine;
 mod map;
 mod method;
 mod motion;
@@ -27,16 +29,21 @@ mod pictures;
 mod progress;
 mod report;
 mod reproduce;
+mod scripts;
+mod spans;
 mod spelled;
 mod symmetric;
 mod terminal;
 mod validate;
 mod values;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 pub use error::CliError;
-pub use terminal::note;
+pub use machine::hush_drivers;
+pub use terminal::{complain, note};
+
+use values::counted;
 
 /// Parameter planes of vibro-impact systems, explored on the GPU.
 ///
@@ -48,9 +55,20 @@ pub use terminal::note;
 pub struct Cli {
     #[command(subcommand)]
     command: Command,
+
+    /// Says nothing but results and errors
+    #[arg(long, short, global = true)]
+    quiet: bool,
+
+    /// Computes on so many threads of the processor [default: one for every core]
+    #[arg(long, value_name = "N", global = true, value_parser = counted(1, machine::MOST_THREADS))]
+    threads: Option<u32>,
 }
 
 const EXIT_CODES: &str = "\
+Files: - is standard output; what is printed otherwise goes to standard error then. Files that are there are replaced
+only with --force.
+
 Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2 the input is wrong, 3 the machine cannot do it, 130 interrupted.";
 
 #[derive(Debug, Subcommand)]
@@ -67,11 +85,18 @@ enum Command {
     Reproduce(reproduce::ReproduceArgs),
     Validate(validate::ValidateArgs),
     Adapters(adapters::AdaptersArgs),
+    Completions(scripts::CompletionsArgs),
+    Man(scripts::ManArgs),
 }
 
 /// Does what the arguments ask for.
 pub fn run(cli: &Cli) -> Result<(), CliError> {
+    if cli.quiet {
+        terminal::hush();
+    }
     interrupt::listen()?;
+    machine::outlive_large_files()?;
+    machine::start_threads(cli.threads)?;
     panics::shielded(|| match &cli.command {
         Command::Map(args) => map::run(args),
         Command::Classify(args) => classify::run(args),
@@ -85,6 +110,8 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Lyapunov(args) => lyapunov::run(args),
         Command::Validate(args) => validate::run(args),
         Command::Adapters(args) => adapters::run(args),
+        Command::Completions(args) => scripts::complete(args, Cli::command()),
+        Command::Man(args) => scripts::manual(args, Cli::command()),
     })
 }
 

@@ -15,7 +15,7 @@ use super::multipliers::{self, note_cpu, pairs};
 use super::options::SystemArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::parse;
+use super::values::{count, parse};
 use super::{CliError, defaults};
 
 /// Solves for a periodic motion, stable or not, with its Floquet multipliers
@@ -50,15 +50,15 @@ pub struct MotionArgs {
     label: Option<Label>,
 
     /// Forcing periods before the observation, or the search
-    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
     transient: u32,
 
     /// Forcing periods of the observation, or the search
-    #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_OBSERVE)]
     observe: u32,
 
     /// Largest N looked for in N-p-q
-    #[arg(long, value_name = "N", default_value_t = defaults::MAX_PERIOD, conflicts_with = "label")]
+    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::MAX_PERIOD, conflicts_with = "label")]
     max_period: u32,
 
     /// Prints JSON; p and q are 65535 for infinitely many impacts (complete chatter), multipliers null where an

@@ -5,20 +5,22 @@ use clap::{Args, ValueEnum};
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::control::{ControlQuantity, ControlSchedule};
-use impact_atlas::model::{Parameters, System};
+use impact_atlas::model::{Parameter, Parameters, System};
 use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity, Start};
 use impact_atlas::theory::symmetric_start;
 
 use super::method::{MethodArgs, MethodName};
-use super::values::{Assignment, parse};
+use super::values::{Assignment, count, parse};
 use super::{CliError, defaults, note};
 
 /// The system's fixed parameters.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub struct SystemArgs {
     /// Sets a parameter; may be given for each of omega, delta, zeta, r, mu_m, mu_k, mu_c, f20
     ///
-    /// Those not given have the paper's values: omega=3.7, delta=0.1, zeta=0.1, r=0.8, mu_m=mu_k=mu_c=0.5, f20=0.
+    /// Those not given have the paper's values: omega=3.7, delta=0.1, zeta=0.1, r=0.8, mu_m=mu_k=mu_c=0.5, f20=0. Under
+    /// control it sets what the method has, too: gain, delay; amplitude, alpha, dead_band, gamma, phase; period, noise;
+    /// target_v1, target_x2, target_v2, target_tau.
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = parse::<Assignment>)]
     assignments: Vec<Assignment>,
 }
@@ -44,27 +46,42 @@ impl SystemArgs {
     }
 
     fn check_beside(&self, option: &str, axis: &str, quantity: Quantity) -> Result<(), CliError> {
-        let varied = |set: &&Assignment| quantity == Quantity::Parameter(set.parameter);
-        match self.assignments.iter().find(varied) {
+        match self.assignments.iter().find(|set| set.quantity == quantity) {
             Some(set) => Err(CliError::Input(anyhow!(
                 "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
-                set.parameter
+                quantity.name()
             ))),
             None => Ok(()),
         }
     }
 
+    /// The parameters of the system alone, and the settings of a control method that were set beside them.
+    pub fn split(&self) -> (SystemArgs, Vec<Assignment>) {
+        let of_method = |set: &Assignment| matches!(set.quantity, Quantity::Control(_));
+        let (settings, assignments) = self.assignments.iter().copied().partition(of_method);
+        (SystemArgs { assignments }, settings)
+    }
+
     fn assigned(&self) -> Result<Parameters, CliError> {
+        let mut parameters = Parameters::default();
         for (i, set) in self.assignments.iter().enumerate() {
-            if let Some(other) = self.assignments[..i].iter().find(|other| other.parameter == set.parameter) {
+            if let Some(other) = self.assignments[..i].iter().find(|other| other.quantity == set.quantity) {
                 return Err(CliError::Input(anyhow!(
                     "{} is set twice, by --set {other} and --set {set}: drop one of the two",
-                    set.parameter
+                    set.quantity.name()
                 )));
             }
+            let Quantity::Parameter(parameter) = set.quantity else {
+                return Err(CliError::Input(anyhow!(
+                    "--set {set} has no effect without control: {} is a setting of a control method (see `control` \
+                     and `map --control`); the parameters are {}",
+                    set.quantity.name(),
+                    Parameter::ALL.map(Parameter::name).join(", ")
+                )));
+            };
+            parameters = parameters.with(parameter, set.value);
         }
-        let parameters = Parameters::default();
-        Ok(self.assignments.iter().fold(parameters, |p, set| p.with(set.parameter, set.value)))
+        Ok(parameters)
     }
 
     /// The system, with a start that lies between its stops.
@@ -78,10 +95,21 @@ impl SystemArgs {
     }
 }
 
+/// What becomes of files that are there.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct OverwriteArgs {
+    /// Replaces result files that are there; without it they are left alone, and nothing is computed
+    #[arg(long)]
+    pub force: bool,
+}
+
 /// What computes.
 #[derive(Clone, Debug, Args)]
 pub struct BackendArgs {
-    /// What computes: the GPU (f32), the CPU (f64), or the faster one that is there
+    /// What computes: the GPU (f32) or the CPU (f64)
+    ///
+    /// `auto` takes a hardware GPU where there is one, or the adapter that --adapter names, and otherwise the CPU: a
+    /// software adapter is slower on the same cores.
     #[arg(long, value_enum, default_value_t = BackendName::Auto)]
     pub backend: BackendName,
 
@@ -93,7 +121,7 @@ pub struct BackendArgs {
 /// A back end by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum BackendName {
-    /// A hardware GPU, otherwise the faster of software adapter and CPU
+    /// A hardware GPU, otherwise the CPU
     Auto,
     /// A hardware GPU, otherwise a software adapter
     Gpu,
@@ -127,12 +155,13 @@ impl BackendArgs {
 pub struct AxesArgs {
     /// Horizontal axis, ends included [default: omega=0.2:5:800]
     ///
-    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2.
-    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT", value_parser = parse::<Axis>)]
+    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2. FIRST may be greater than
+    /// LAST. With :log behind COUNT, as in omega=0.1:10:400:log, values have equal ratios.
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]", value_parser = parse::<Axis>)]
     x: Option<Axis>,
 
     /// Vertical axis, ends included [default: delta=0.02:0.8:600]
-    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT", value_parser = parse::<Axis>)]
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]", value_parser = parse::<Axis>)]
     y: Option<Axis>,
 
     #[command(flatten)]
@@ -204,16 +233,18 @@ pub struct PlaneArgs {
     ///
     /// A cell that is still undecided after the observation, or neutral, goes on for eight times as long and is
     /// observed again: beside a Neimark-Sacker curve spirals are slow.
-    #[arg(long, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
     transient: u32,
 
     /// Forcing periods of the observation
-    #[arg(long, value_name = "P", default_value_t = defaults::MAP_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_OBSERVE)]
     observe: u32,
 
-    /// Largest N looked for in N-p-q
-    #[arg(long, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
-    max_period: u32,
+    /// Largest N looked for in N-p-q [default: 32]; under control, most iterates in one period [default: 8]
+    ///
+    /// A motion with a longer period has none: it is quasi-periodic, chaotic or unresolved. Under control at most 32, on the GPU 8.
+    #[arg(long, value_parser = count, value_name = "N")]
+    pub max_period: Option<u32>,
 
     /// Every cell runs transient + observe periods, settled or not
     #[arg(long)]
@@ -235,13 +266,18 @@ impl PlaneArgs {
     ) -> Result<ControlPlane, CliError> {
         let (x, y) = (self.axes.x.unwrap_or(defaults::X), self.axes.y.unwrap_or(defaults::Y));
         let axes = [("--x", x), ("--y", y)];
-        settings.refuse_varied(method, &axes)?;
+        let varied = axes.map(|(option, axis)| (format!("{option} {axis} varies"), axis.quantity));
+        settings.refuse_replaced(method, &varied)?;
+        for (option, axis) in axes {
+            self.axes.system.check_beside(option, &axis.to_string(), axis.quantity)?;
+        }
+        let (system, set) = self.axes.system.split();
         let plane = ControlPlane {
             x,
             y,
-            parameters: self.axes.system.parameters(&axes)?,
+            parameters: system.parameters(&axes)?,
             start: self.axes.start.unwrap_or_else(|| default_start(&[x, y])),
-            control: settings.scheme(method)?,
+            control: settings.scheme(method, &set)?,
             iterates,
         };
         plane.check().map_err(CliError::input)?;
@@ -264,7 +300,7 @@ impl PlaneArgs {
         Schedule {
             transient: self.transient,
             observe: self.observe,
-            max_period: self.max_period,
+            max_period: self.max_period.unwrap_or(defaults::MAX_PERIOD),
             fixed_periods: self.fixed_periods,
         }
     }

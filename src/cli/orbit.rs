@@ -3,19 +3,20 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use clap::{Args, value_parser};
+use clap::Args;
 use impact_atlas::analysis::{Reading, Schedule};
-use impact_atlas::dynamics::{self, Recording, Stop};
-use impact_atlas::model::{Parameter, Parameters};
+use impact_atlas::dynamics::{self, ImpactEvent, Recording, Stop};
+use impact_atlas::model::{Number, Parameter, Parameters};
 use impact_atlas::plane::Start;
 use impact_atlas::render::{Orbit, OrbitPanel, Picture, Size, Zoom, orbit_figure};
 use serde::Serialize;
 
-use super::options::SystemArgs;
+use super::files::{self, Batch, Kind};
+use super::options::{OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::print;
-use super::values::{parse, parse_size};
-use super::{CliError, defaults, files, interrupt, note, pictures};
+use super::values::{counted, parse, parse_size};
+use super::{CliError, defaults, interrupt};
 
 /// The most points of a trajectory.
 const LARGEST: u64 = 20_000_000;
@@ -50,16 +51,16 @@ pub struct OrbitArgs {
 
     /// Forcing periods before the recording
     #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT,
-        value_parser = value_parser!(u32).range(0..=i64::from(Schedule::LONGEST)))]
+        value_parser = counted(0, Schedule::LONGEST))]
     transient: u32,
 
     /// Forcing periods of the recording
     #[arg(long, value_name = "P", default_value_t = defaults::ORBIT_PERIODS,
-        value_parser = value_parser!(u32).range(1..=i64::from(Schedule::LONGEST)))]
+        value_parser = counted(1, Schedule::LONGEST))]
     periods: u32,
 
     /// Points of the trajectory in each forcing period [default: 200, with --out 400]
-    #[arg(long, value_name = "S", value_parser = value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, value_name = "S", value_parser = counted(1, 1_000_000))]
     samples: Option<u32>,
 
     /// Writes every impact: time, stop, velocity_before, velocity_after, x2, v2, phase
@@ -92,12 +93,15 @@ pub struct OrbitArgs {
 
     /// Forcing periods that sections show
     #[arg(long, value_name = "P", default_value_t = defaults::SECTION_PERIODS,
-        value_parser = value_parser!(u32).range(1..=i64::from(MOST_SECTION_PERIODS)))]
+        value_parser = counted(1, MOST_SECTION_PERIODS))]
     section_periods: u32,
 
     /// The figure's size in pixels [default: as its plots need]
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, requires = "out")]
     size: Option<Size>,
+
+    #[command(flatten)]
+    overwrite: OverwriteArgs,
 }
 
 /// What it takes to make the figure again.
@@ -127,11 +131,12 @@ pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
     }
     let panels = args.panels();
     check_zooms(&panels, &args.zooms)?;
-    if let Some(out) = &args.out {
-        pictures::format_of(out)?;
-    }
-    let paths = [&args.impacts, &args.trajectory, &args.out];
-    let [impacts, trajectory, out] = files::prepare(paths.map(Option::as_deref))?;
+    let wanted = [
+        Kind::Picture.at(args.out.as_deref()),
+        Kind::Table.at(args.impacts.as_deref()),
+        Kind::Table.at(args.trajectory.as_deref()),
+    ];
+    let [out, impacts, trajectory] = files::prepare(args.overwrite, wanted)?;
     let section_periods =
         if panels.iter().any(|panel| panel.is_section()) { args.section_periods } else { 0 };
     let progress = Progress::of_trajectory();
@@ -147,36 +152,22 @@ pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
     if let Some(why) = recording.given_up.or(sections.given_up) {
         return Err(CliError::machine(why));
     }
-    let figure = match &out {
-        Some(output) => {
-            let orbit = Orbit { system: &system, recording: &recording, sections: &sections };
-            Some((output, args.picture(&orbit, &panels)?))
-        }
-        None => None,
-    };
-    if let Some(output) = impacts {
-        let rows = recording.impacts.iter().map(|impact| {
-            (
-                impact.time,
-                impact.stop.to_string(),
-                impact.velocity_before,
-                impact.velocity_after,
-                impact.x2,
-                impact.v2,
-                impact.phase,
-            )
-        });
-        files::write_csv(&output, IMPACT_COLUMNS, rows)?;
+    let mut batch = Batch::default();
+    if out.is_some() {
+        let orbit = Orbit { system: &system, recording: &recording, sections: &sections };
+        batch.picture(&out, &args.picture(&orbit, &panels)?)?;
     }
-    if let Some(output) = trajectory {
-        let rows = recording.samples.iter().map(|s| (s.time, s.x1, s.x2, s.v1, s.v2));
-        files::write_csv(&output, TRAJECTORY_COLUMNS, rows)?;
-    }
-    if let Some((output, picture)) = figure {
-        pictures::write(&picture, output)?;
-        note(&format!("written: {}", output.path().display()));
-    }
+    batch.table(&impacts, IMPACT_COLUMNS, recording.impacts.iter().map(impact_row))?;
+    let rows = recording.samples.iter().map(|s| (s.time, s.x1, s.x2, s.v1, s.v2));
+    batch.table(&trajectory, TRAJECTORY_COLUMNS, rows)?;
+    batch.show()?;
     print(&summary(&recording, periods))
+}
+
+fn impact_row(impact: &ImpactEvent) -> impl Serialize + use<> {
+    let stop = impact.stop.to_string();
+    let (before, after) = (impact.velocity_before, impact.velocity_after);
+    (impact.time, stop, before, after, impact.x2, impact.v2, impact.phase)
 }
 
 impl OrbitArgs {
@@ -224,7 +215,7 @@ impl OrbitArgs {
     fn command(&self, parameters: &Parameters, panels: &[OrbitPanel]) -> String {
         let mut command = String::from("impact-atlas orbit");
         for parameter in Parameter::ALL {
-            command.push_str(&format!(" --set {parameter}={}", parameters.get(parameter)));
+            command.push_str(&format!(" --set {parameter}={}", Number(parameters.get(parameter))));
         }
         command.push_str(&format!(
             " --start {} --transient {} --periods {} --samples {} --section-periods {}",

@@ -1,6 +1,7 @@
 //! `impact-atlas reproduce`: the paper's figures, and what it prints, computed again.
 
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -12,15 +13,17 @@ use impact_atlas::reproduce::{
 use impact_atlas::store::Output;
 
 use super::interrupt::{self, Interruptible};
+use super::options::OverwriteArgs;
 use super::pictures::{self, Format};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, defaults, files, note};
+use super::{CliError, defaults, note};
 
 /// Makes the paper's figures again and checks what it prints
 ///
 /// Writes a picture (or several) and a JSON file for each figure, and report.md and report.json with a row for every claim.
 /// A figure whose files carry the same configuration is not made again, so that an interrupted run can be resumed.
+/// Figures and reports of an earlier run are brought up to date; other files that are there stay, unless --force is given.
 /// Everything is computed in double precision on the CPU.
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -41,6 +44,9 @@ pub struct ReproduceArgs {
     #[arg(long)]
     svg: bool,
 
+    #[command(flatten)]
+    overwrite: OverwriteArgs,
+
     /// Prints the claims as JSON: [{figure, claim, printed, computed, verdict, note}]
     #[arg(long)]
     json: bool,
@@ -50,6 +56,11 @@ pub struct ReproduceArgs {
 pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
     let wanted = args.wanted()?;
     let folder = &args.out;
+    if folder.as_os_str() == Output::STANDARD {
+        return Err(CliError::Input(anyhow!(
+            "the figures are files, which standard output cannot hold: name a folder"
+        )));
+    }
     if folder.exists() && !folder.is_dir() {
         return Err(CliError::Input(anyhow!(
             "cannot write to `{}`: it is not a directory; give another --out",
@@ -60,6 +71,8 @@ pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
         .with_context(|| format!("cannot make the directory `{}`", folder.display()))
         .map_err(CliError::Input)?;
     let format = if args.svg { Format::Svg } else { Format::Png };
+    let mut book = Book { folder, force: args.overwrite.force, written: Vec::new() };
+    let reports = [book.report("report.json")?, book.report("report.md")?];
     note("computing on cpu, in double precision");
     for (i, &figure) in wanted.iter().enumerate() {
         let place = format!("figure {} ({} of {})", figure.number(), i + 1, wanted.len());
@@ -68,16 +81,17 @@ pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
             continue;
         }
         let began = Instant::now();
-        make(folder, figure, format, &place)?;
+        make(&mut book, figure, format, &place)?;
         note(&format!("{place}: {:.1} s", began.elapsed().as_secs_f64()));
     }
     let all: Vec<Finished> =
         registry().into_iter().filter_map(|figure| finished(folder, figure, None)).collect();
     let claims: Vec<&Claim> = all.iter().flat_map(|figure| &figure.claims).collect();
-    write(&folder.join("report.md"), markdown(&all).as_bytes())?;
     let json = serde_json::to_vec_pretty(&claims).map_err(CliError::machine)?;
-    write(&folder.join("report.json"), &json)?;
-    note(&format!("written: {}", folder.join("report.md").display()));
+    for (output, bytes) in reports.into_iter().zip([json, markdown(&all).into_bytes()]) {
+        book.write(&output, &bytes)?;
+    }
+    note(&format!("written: {}", book.written.join(", ")));
     if args.json { print_json(&claims) } else { print(&summary(&claims)) }
 }
 
@@ -110,15 +124,14 @@ fn finished(folder: &Path, figure: &dyn PaperFigure, format: Option<Format>) -> 
     let text = fs::read_to_string(folder.join(name(figure.number(), "", "json"))).ok()?;
     let finished: Finished = serde_json::from_str(&text).ok()?;
     let there = |picture: &String| {
-        let named =
-            format.is_none_or(|format| pictures::format_of(Path::new(picture)).is_ok_and(|f| f == format));
+        let named = format.is_none_or(|format| pictures::format_of(Path::new(picture)) == format);
         named && folder.join(picture).is_file()
     };
     (finished.config == config_of(figure) && finished.pictures.iter().all(there)).then_some(finished)
 }
 
 fn make(
-    folder: &Path,
+    book: &mut Book<'_>,
     figure: &'static dyn PaperFigure,
     format: Format,
     place: &str,
@@ -135,7 +148,8 @@ fn make(
     let mut names = Vec::new();
     for (part, picture) in &produced.pictures {
         let name = name(figure.number(), part, extension);
-        write(&folder.join(&name), &pictures::encoded(picture, format)?)?;
+        let output = book.of_figure(figure.number(), &name)?;
+        book.write(&output, &pictures::encoded(picture, format)?)?;
         names.push(name);
     }
     let finished = Finished {
@@ -146,12 +160,42 @@ fn make(
         claims: produced.claims,
     };
     let json = serde_json::to_vec_pretty(&finished).map_err(CliError::machine)?;
-    write(&folder.join(name(figure.number(), "", "json")), &json)
+    let output = book.of_figure(figure.number(), &name(figure.number(), "", "json"))?;
+    book.write(&output, &json)
 }
 
-fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
-    let output = Output::prepare(path).map_err(CliError::input)?;
-    files::write(&output, |file| file.write_all(bytes))
+/// The folder, in which only what an earlier run made is replaced, and what was written into it.
+struct Book<'a> {
+    folder: &'a Path,
+    force: bool,
+    written: Vec<String>,
+}
+
+impl Book<'_> {
+    /// One of the reports, which are replaced where the claims are those of an earlier run.
+    fn report(&self, name: &str) -> Result<Output, CliError> {
+        self.output(name, self.holds::<Vec<Claim>>("report.json"))
+    }
+
+    /// A file of a figure, which is replaced where an earlier run made that figure.
+    fn of_figure(&self, figure: u32, file: &str) -> Result<Output, CliError> {
+        self.output(file, self.holds::<Finished>(&name(figure, "", "json")))
+    }
+
+    fn holds<T: serde::de::DeserializeOwned>(&self, name: &str) -> bool {
+        fs::read(self.folder.join(name)).is_ok_and(|bytes| serde_json::from_slice::<T>(&bytes).is_ok())
+    }
+
+    fn output(&self, name: &str, ours: bool) -> Result<Output, CliError> {
+        let output = Output::prepare(self.folder.join(name)).map_err(CliError::input)?;
+        if ours || self.force { Ok(output) } else { output.keeping().map_err(CliError::input) }
+    }
+
+    fn write(&mut self, output: &Output, bytes: &[u8]) -> Result<(), CliError> {
+        output.write(|file| file.write_all(bytes)).map_err(CliError::machine)?;
+        self.written.push(output.path().display().to_string());
+        Ok(())
+    }
 }
 
 fn summary(claims: &[&Claim]) -> String {

@@ -1,20 +1,21 @@
 //! A control method's settings as the options that make them again.
 
 use impact_atlas::control::{ControlQuantity, Convention, Scheme, Sign, Target};
+use impact_atlas::model::{Number, joined};
 
 /// The options that make a scheme again; those that an axis varies are left out.
 pub fn spelled(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool) -> String {
     use ControlQuantity as Q;
     let number = |quantity: Q, value: f64| match varied(quantity) {
         true => String::new(),
-        false => format!(" --{}={value}", quantity.name().replace('_', "-")),
+        false => format!(" --{}={}", quantity.name().replace('_', "-"), Number(value)),
     };
     let target = |target: &Target, components: &[usize]| {
         let values: Option<Vec<String>> =
-            components.iter().map(|&i| target.given[i].map(|value| value.to_string())).collect();
+            components.iter().map(|&i| target.given[i].map(|value| Number(value).to_string())).collect();
         match values {
             Some(values) => format!(" --target={}", values.join(",")),
-            None => format!(" --reference={}", target.reference),
+            None => format!(" --reference={}", Number(target.reference)),
         }
     };
     match scheme {
@@ -49,7 +50,7 @@ pub fn spelled(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool) -> Str
         Scheme::Delay(delay) => {
             let gains = match varied(Q::Gain) {
                 true => String::new(),
-                false => format!(" --gains={}", delay.gains.map(|gain| gain.to_string()).join(",")),
+                false => format!(" --gains={}", joined(&delay.gains, ",")),
             };
             let sign = match delay.sign {
                 Sign::Stabilising => "stabilising",

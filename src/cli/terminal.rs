@@ -1,19 +1,52 @@
 //! The two output streams; neither a closed pipe nor a closed terminal is a reason to panic.
 
 use std::io::{self, ErrorKind, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Context;
 use serde::Serialize;
 
 use super::CliError;
 
-/// Says something on standard error; whether anybody listens does not matter.
+/// Whether nothing but results and errors is to be said.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Whether a file that was asked for as `-` has standard output.
+static TAKEN: AtomicBool = AtomicBool::new(false);
+
+/// From now on notes and progress are kept back.
+pub fn hush() {
+    QUIET.store(true, Ordering::Relaxed);
+}
+
+/// Whether notes and progress are kept back.
+pub fn is_quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
+
+/// From now on standard output is a file's, and what is printed otherwise goes to standard error.
+pub fn give_away_standard_output() {
+    TAKEN.store(true, Ordering::Relaxed);
+}
+
+/// Says something on standard error, unless nothing but results is wanted.
 pub fn note(text: &str) {
+    if !is_quiet() {
+        complain(text);
+    }
+}
+
+/// Says something on standard error in any case; whether anybody listens does not matter.
+pub fn complain(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
 /// Prints a result on standard output. A reader that has gone away is content.
 pub fn print(text: &str) -> Result<(), CliError> {
+    if TAKEN.load(Ordering::Relaxed) {
+        note(text);
+        return Ok(());
+    }
     let mut stdout = io::stdout().lock();
     match writeln!(stdout, "{text}").and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -26,5 +59,10 @@ pub fn print(text: &str) -> Result<(), CliError> {
 /// Prints a result as JSON on standard output.
 pub fn print_json(result: &impl Serialize) -> Result<(), CliError> {
     let text = serde_json::to_string_pretty(result).context("cannot put the result into JSON");
-    print(&text.map_err(CliError::Machine)?)
+    let text = text.map_err(CliError::Machine)?;
+    if TAKEN.load(Ordering::Relaxed) {
+        complain(&text);
+        return Ok(());
+    }
+    print(&text)
 }

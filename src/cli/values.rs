@@ -4,8 +4,8 @@ use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 
-use impact_atlas::model::{Parameter, ParameterError};
-use impact_atlas::plane::Component;
+use impact_atlas::model::{Number, ParameterError, whole};
+use impact_atlas::plane::Quantity;
 use impact_atlas::render::Size;
 use thiserror::Error;
 
@@ -18,18 +18,18 @@ where
     text.parse().map_err(|error| format!("{:#}", anyhow::Error::new(error)))
 }
 
-/// A value for a parameter, `NAME=VALUE`.
+/// A value for a parameter, or for a setting of a control method, `NAME=VALUE`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assignment {
     /// What is set.
-    pub parameter: Parameter,
+    pub quantity: Quantity,
     /// To what; non-dimensional.
     pub value: f64,
 }
 
 impl fmt::Display for Assignment {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}", self.parameter, self.value)
+        write!(f, "{}={}", self.quantity.name(), Number(self.value))
     }
 }
 
@@ -40,14 +40,25 @@ impl FromStr for Assignment {
         let malformed = || AssignmentError::Malformed(text.to_owned());
         let (name, value) = text.split_once('=').ok_or_else(malformed)?;
         let name = name.trim();
-        if Component::ALL.iter().any(|component| component.name() == name) {
-            return Err(AssignmentError::Component(name.to_owned()));
-        }
-        let parameter: Parameter = name.parse()?;
+        let quantity = match name.parse() {
+            Ok(Quantity::Start(_)) => return Err(AssignmentError::Component(name.to_owned())),
+            Ok(quantity) => quantity,
+            Err(_) => Quantity::Parameter(name.parse()?),
+        };
         let value = value.trim().parse().map_err(|_| malformed())?;
-        parameter.check(value)?;
-        Ok(Assignment { parameter, value })
+        match quantity {
+            Quantity::Parameter(parameter) => parameter.check(value)?,
+            Quantity::Control(setting) if setting.is_whole() && !is_count(value) => {
+                return Err(AssignmentError::NotWhole(text.to_owned()));
+            }
+            Quantity::Control(_) | Quantity::Start(_) => {}
+        }
+        Ok(Assignment { quantity, value })
     }
+}
+
+fn is_count(value: f64) -> bool {
+    value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value)
 }
 
 /// Why an assignment was refused.
@@ -59,16 +70,37 @@ pub enum AssignmentError {
     /// A component of the start is not a parameter.
     #[error("{0} is a component of the start and not a parameter: give it with --start X1,X2,V1,V2")]
     Component(String),
+    /// Iterates are counted.
+    #[error("`{0}` sets a number of iterates: give a whole number")]
+    NotWhole(String),
     /// The parameter or its value cannot be used.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
+}
+
+/// Reads a whole number as people write it: 1000 or 1e3.
+pub fn count(text: &str) -> Result<u32, String> {
+    let number =
+        whole(text).ok_or_else(|| format!("`{text}` is not a whole number: write one like 1000 or 1e3"))?;
+    u32::try_from(number).map_err(|_| format!("{number} is too large: at most {} is accepted", u32::MAX))
+}
+
+/// Reads a whole number from `least` to `most`.
+pub fn counted(
+    least: u32,
+    most: u32,
+) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync + 'static {
+    move |text| match count(text)? {
+        number if (least..=most).contains(&number) => Ok(number),
+        number => Err(format!("{number} is out of range: give {least} to {most}")),
+    }
 }
 
 /// Reads the size of a picture, `WIDTHxHEIGHT` in pixels.
 pub fn parse_size(text: &str) -> Result<Size, String> {
     let sides = text
         .split_once(['x', 'X'])
-        .and_then(|(width, height)| Some((width.trim().parse().ok()?, height.trim().parse().ok()?)));
+        .and_then(|(width, height)| Some((count(width).ok()?, count(height).ok()?)));
     let Some((width, height)) = sides else {
         return Err(format!("`{text}` is not a size: write WIDTHxHEIGHT in pixels, for example 1600x1200"));
     };
@@ -77,9 +109,7 @@ pub fn parse_size(text: &str) -> Result<Size, String> {
 
 /// Reads a range of iterates, `FIRST:LAST`.
 pub fn parse_range(text: &str) -> Result<[u32; 2], String> {
-    let ends = text
-        .split_once(':')
-        .and_then(|(first, last)| Some([first.trim().parse().ok()?, last.trim().parse().ok()?]));
+    let ends = text.split_once(':').and_then(|(first, last)| Some([count(first).ok()?, count(last).ok()?]));
     match ends {
         None => Err(format!("`{text}` is not a range of iterates: write FIRST:LAST, for example 1990:2100")),
         Some([first, last]) if first >= last => {
@@ -91,12 +121,18 @@ pub fn parse_range(text: &str) -> Result<[u32; 2], String> {
 
 #[cfg(test)]
 mod tests {
+    use impact_atlas::control::ControlQuantity;
+    use impact_atlas::model::Parameter;
+
     use super::*;
 
     #[test]
     fn assignments_are_read_and_bad_ones_are_named() {
         let set = parse::<Assignment>("mu_m = 0.25").unwrap();
-        assert_eq!(set, Assignment { parameter: Parameter::MuM, value: 0.25 });
+        assert_eq!(set, Assignment { quantity: Quantity::Parameter(Parameter::MuM), value: 0.25 });
+        assert_eq!(parse::<Assignment>("mu_m=1e-100").unwrap().to_string(), "mu_m=1e-100");
+        let gain = parse::<Assignment>("gain=0.3").unwrap();
+        assert_eq!(gain, Assignment { quantity: Quantity::Control(ControlQuantity::Gain), value: 0.3 });
         let refused = [
             ("omega", "NAME=VALUE"),
             ("omega=", "NAME=VALUE"),
@@ -106,6 +142,9 @@ mod tests {
             ("r=1.5", "r = 1.5 is out of range"),
             ("omega=nan", "omega = NaN"),
             ("zeta=inf", "zeta = inf"),
+            ("delay=1.5", "whole number"),
+            ("period=-1", "whole number"),
+            ("mu_m=-1e-100", "mu_m = -1e-100"),
         ];
         for (text, part) in refused {
             let message = parse::<Assignment>(text).unwrap_err();
@@ -116,9 +155,22 @@ mod tests {
     #[test]
     fn sizes_are_read_and_bad_ones_are_named() {
         assert_eq!(parse_size("1600x1200"), Ok(Size::new(1600, 1200).unwrap()));
-        for text in ["", "1600", "x", "1600x", "-1x5", "1600x1200x3", "1e3x1e3"] {
+        assert_eq!(parse_size("1e3x1e3"), Ok(Size::new(1000, 1000).unwrap()));
+        for text in ["", "1600", "x", "1600x", "-1x5", "1600x1200x3", "1.5x1000"] {
             assert!(parse_size(text).unwrap_err().contains("WIDTHxHEIGHT"), "{text}");
         }
         assert!(parse_size("0x0").unwrap_err().contains("0 × 0"));
+    }
+
+    #[test]
+    fn counts_are_read_and_bad_ones_are_named() {
+        assert_eq!((count("1e3"), count("150")), (Ok(1000), Ok(150)));
+        for text in ["many", "1.5", "-3", "1e-2", ""] {
+            assert!(count(text).unwrap_err().contains(&format!("`{text}` is not a whole number")), "{text}");
+        }
+        assert!(count("4294967296").unwrap_err().contains("at most 4294967295"));
+        let few = counted(2, 8);
+        assert_eq!((few("2"), few("8e0")), (Ok(2), Ok(8)));
+        assert!(few("1").unwrap_err().contains("2 to 8") && few("9").is_err());
     }
 }

@@ -71,7 +71,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             trajectory,
             tangent: trajectory.point.drive.deviating(Tangent::seed(), T::zero()),
             controller,
-            memory: Memory::new(),
+            memory: Memory::new(schedule.max_period),
             deviations: Deviations::seed(),
             exponent: Exponent::over(schedule.observed()),
             spread: Spread::about(&trajectory.point),

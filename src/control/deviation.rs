@@ -1,23 +1,26 @@
 //! A small deviation of the points on σ, carried through flight and control: whether neighbours part.
 
 use super::actuated::Actuated;
-use super::memory::DEPTH;
+use super::memory::LONGEST_DELAY;
 use super::method::{Controller, Seen};
 use crate::dynamics::{Drive, Tangent, Trajectory};
 use crate::model::{Flight, Real, State};
+
+/// Points that feedback remembers: the present one and those before it, as far as the longest delay.
+pub const DELAYS: usize = LONGEST_DELAY + 1;
 
 /// The deviations of the last points (v1+, x2, v2, τ), the present one first; non-dimensional.
 ///
 /// Feedback remembers, so that a deviation of the controlled map is one of all the points that it remembers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviations<T> {
-    points: [[T; 4]; DEPTH],
+    points: [[T; 4]; DELAYS],
 }
 
 impl<T: Real> Deviations<T> {
     /// The deviation every observation begins with: all components of the present point alike.
     pub fn seed() -> Self {
-        let mut points = [[T::zero(); 4]; DEPTH];
+        let mut points = [[T::zero(); 4]; DELAYS];
         points[0] = [T::of(0.5); 4];
         Deviations { points }
     }
@@ -81,7 +84,7 @@ impl<T: Real> Deviations<T> {
 
     /// Takes in the deviation of the present point.
     pub fn push(&mut self, deviation: [T; 4]) {
-        for i in (1..DEPTH).rev() {
+        for i in (1..DELAYS).rev() {
             self.points[i] = self.points[i - 1];
         }
         self.points[0] = deviation;

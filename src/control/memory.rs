@@ -4,8 +4,15 @@ use super::section::Section;
 use crate::analysis::{INFINITELY_MANY, constants::RETURNED};
 use crate::model::Real;
 
-/// The largest number of iterates in one period of a controlled motion that is looked for, and the longest delay.
-pub const LONGEST: usize = 8;
+/// The largest number of iterates in one period of a controlled motion that can be looked for.
+pub const LONGEST: usize = 32;
+
+/// The same on a GPU, where every trajectory's memory is copied with each dispatch: software adapters take minutes to
+/// compile a larger one.
+pub const LONGEST_ON_DEVICE: usize = 8;
+
+/// The longest delay.
+pub const LONGEST_DELAY: usize = 8;
 
 /// Points that are remembered: the present one and those that it is compared with.
 pub const DEPTH: usize = LONGEST + 1;
@@ -21,6 +28,8 @@ pub struct Memory<T> {
     pub at_b: [u32; DEPTH],
     /// Impacts at A since the point before: 1, or [`INFINITELY_MANY`].
     pub at_a: [u32; DEPTH],
+    /// The largest number of iterates in one period that is looked for.
+    pub reach: u32,
     /// Points ever seen.
     pub seen: u32,
     /// For each period m − 1: the first iterate from which on every point lay within 1e-4 of the one m before.
@@ -30,9 +39,10 @@ pub struct Memory<T> {
 }
 
 impl<T: Real> Memory<T> {
-    /// A memory of nothing.
-    pub fn new() -> Self {
+    /// A memory of nothing, for periods of up to `reach` iterates.
+    pub fn new(reach: u32) -> Self {
         Memory {
+            reach: reach.clamp(1, LONGEST as u32),
             points: [Section::new([T::zero(); 4]); DEPTH],
             turns: [T::zero(); DEPTH],
             at_b: [0; DEPTH],
@@ -45,7 +55,8 @@ impl<T: Real> Memory<T> {
 
     /// Takes in the present point.
     pub fn push(&mut self, point: Section<T>, turns: T, at_b: u32, at_a: u32) {
-        for i in (1..DEPTH).rev() {
+        let kept = (self.reach as usize).max(LONGEST_DELAY);
+        for i in (1..=kept).rev() {
             self.points[i] = self.points[i - 1];
             self.turns[i] = self.turns[i - 1];
             self.at_b[i] = self.at_b[i - 1];
@@ -56,7 +67,7 @@ impl<T: Real> Memory<T> {
         self.at_b[0] = at_b;
         self.at_a[0] = at_a;
         self.seen += 1;
-        for m in 1..=LONGEST {
+        for m in 1..=self.reach as usize {
             let away = if self.seen > m as u32 { point.distance(&self.points[m]) } else { T::one() };
             if away > T::of(RETURNED) {
                 self.returning[m - 1] = self.seen;
@@ -75,17 +86,17 @@ impl<T: Real> Memory<T> {
 
     /// The least period m whose points have kept returning for `proof` iterates, and at least three times; 0 if none.
     pub fn period(&self, proof: u32) -> u32 {
-        Self::least(&self.returning, self.seen, proof)
+        self.least(&self.returning, proof)
     }
 
     /// Whether the points have settled for `proof` iterates.
     pub fn is_settled(&self, proof: u32) -> bool {
-        Self::least(&self.settled, self.seen, proof) > 0
+        self.least(&self.settled, proof) > 0
     }
 
-    fn least(since: &[u32; LONGEST], seen: u32, proof: u32) -> u32 {
-        for m in 1..=LONGEST as u32 {
-            let kept = seen - since[m as usize - 1];
+    fn least(&self, since: &[u32; LONGEST], proof: u32) -> u32 {
+        for m in 1..=self.reach {
+            let kept = self.seen - since[m as usize - 1];
             if kept >= proof && kept >= 3 * m {
                 return m;
             }
@@ -116,12 +127,6 @@ impl<T: Real> Memory<T> {
             }
         }
         hardest
-    }
-}
-
-impl<T: Real> Default for Memory<T> {
-    fn default() -> Self {
-        Memory::new()
     }
 }
 

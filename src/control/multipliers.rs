@@ -4,7 +4,8 @@ use nalgebra::{Complex, DMatrix};
 
 use super::actuated::Actuated;
 use super::controlled::Controlled;
-use super::memory::{DEPTH, LONGEST};
+use super::deviation::DELAYS;
+use super::memory::LONGEST_DELAY;
 use super::method::Controller;
 use super::schedule::ControlSchedule;
 use super::section::Section;
@@ -67,7 +68,7 @@ pub fn multipliers(
 /// Points on which the next one depends.
 fn remembered(controller: &Controller<f64>) -> usize {
     match controller {
-        Controller::Delay(delay) => (delay.delay as usize + 1).min(DEPTH),
+        Controller::Delay(delay) => (delay.delay as usize + 1).min(DELAYS),
         _ => 1,
     }
 }
@@ -88,8 +89,12 @@ fn iterate<D: Actuated<f64>>(
     points: &[[f64; 4]],
     drive: D,
 ) -> Option<[f64; 4]> {
-    let schedule =
-        ControlSchedule { from: 0, iterates: LONGEST as u32 + ControlSchedule::SHORTEST, fixed: true };
+    let schedule = ControlSchedule {
+        from: 0,
+        iterates: LONGEST_DELAY as u32 + ControlSchedule::SHORTEST,
+        fixed: true,
+        max_period: ControlSchedule::MAX_PERIOD,
+    };
     let [v1, x2, v2, tau] = points[0];
     let (sin, cos) = tau.sin_cos();
     let state = State { x: [flight.normals[0].gap[0], x2], v: [v1, v2] };

@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::memory::LONGEST;
+
 /// When control is switched on, and how long the trajectory is followed; lengths in iterates on σ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ControlSchedule {
@@ -12,6 +14,10 @@ pub struct ControlSchedule {
     pub iterates: u32,
     /// Whether all of them are run; otherwise a motion that has settled under control finishes early.
     pub fixed: bool,
+    /// The largest number of iterates in one period of the motion that is looked for; with more it is unresolved, or
+    /// whatever else a motion without a period is.
+    #[serde(default = "ControlSchedule::usual_period")]
+    pub max_period: u32,
 }
 
 impl ControlSchedule {
@@ -20,12 +26,23 @@ impl ControlSchedule {
     /// The fewest controlled iterates from which anything can be concluded.
     pub const SHORTEST: u32 = 16;
 
+    /// The largest number of iterates in one period that is looked for unless something else is asked for.
+    pub const MAX_PERIOD: u32 = 8;
+
+    /// What files say that do not say it.
+    const fn usual_period() -> u32 {
+        Self::MAX_PERIOD
+    }
+
     /// Checks the lengths.
     ///
     /// # Errors
     /// The length that cannot be used, with its bounds.
     pub fn check(&self) -> Result<(), ControlScheduleError> {
-        let ControlSchedule { from, iterates, .. } = *self;
+        let ControlSchedule { from, iterates, max_period, .. } = *self;
+        if !(1..=LONGEST as u32).contains(&max_period) {
+            return Err(ControlScheduleError::MaxPeriod(max_period));
+        }
         if iterates > Self::LONGEST {
             return Err(ControlScheduleError::TooLong(iterates));
         }
@@ -47,6 +64,9 @@ pub enum ControlScheduleError {
     /// Too many iterates.
     #[error("{0} iterates are too many: at most {longest} are accepted", longest = ControlSchedule::LONGEST)]
     TooLong(u32),
+    /// The largest period is 0 or too large.
+    #[error("a largest period of {0} iterates cannot be looked for: give 1 to {LONGEST}")]
+    MaxPeriod(u32),
     /// Too few iterates under control.
     #[error(
         "{iterates} iterates with control from iterate {from} are too few: give at least {shortest} more than {from}",

@@ -144,7 +144,10 @@ fn span(axis: &Axis) -> Result<Span, CurvesError> {
     let name = axis.quantity.name();
     match axis.quantity {
         Quantity::Parameter(_) if axis.first == axis.last => Err(CurvesError::SingleValue(name)),
-        Quantity::Parameter(parameter) => Ok(Span { parameter, first: axis.first, last: axis.last }),
+        Quantity::Parameter(parameter) => {
+            let Axis { first, last, spacing, .. } = *axis;
+            Ok(Span { parameter, first, last, spacing })
+        }
         Quantity::Start(_) | Quantity::Control(_) => Err(CurvesError::NotAParameter(name)),
     }
 }

@@ -72,10 +72,10 @@ fn criticalities(curve: &Curve) -> impl Iterator<Item = Option<Criticality>> {
 
 /// The length of a stretch, in sides of the plane.
 fn length(curve: &Curve, points: Range<usize>, plane: &Plane) -> f64 {
-    let share = |axis: &Axis, distance: f64| distance / (axis.last - axis.first);
+    let step = |axis: &Axis, from: f64, to: f64| axis.share(to) - axis.share(from);
     curve.points[points]
         .windows(2)
-        .map(|pair| share(&plane.x, pair[1].x - pair[0].x).hypot(share(&plane.y, pair[1].y - pair[0].y)))
+        .map(|pair| step(&plane.x, pair[0].x, pair[1].x).hypot(step(&plane.y, pair[0].y, pair[1].y)))
         .sum()
 }
 

@@ -24,9 +24,10 @@ struct Reach {
 
 impl Reach {
     fn parameters(&self, shares: [f64; 2]) -> Parameters {
-        self.spans.iter().zip(shares).fold(self.fixed, |parameters, (span, share)| {
-            parameters.with(span.parameter, span.first + share * (span.last - span.first))
-        })
+        self.spans
+            .iter()
+            .zip(shares)
+            .fold(self.fixed, |parameters, (span, share)| parameters.with(span.parameter, span.value(share)))
     }
 
     /// ln of amplitude over half clearance: as smooth at a resonance as elsewhere.

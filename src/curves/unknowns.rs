@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::path::differences;
 use crate::model::{Parameter, Parameters, System};
+use crate::plane::Spacing;
 use crate::theory::newton::{arcs, derivative, is_ordered, residual};
 use crate::theory::{Flow, Pattern, Section};
 
@@ -13,16 +14,18 @@ pub(super) struct Span {
     pub parameter: Parameter,
     pub first: f64,
     pub last: f64,
+    pub spacing: Spacing,
 }
 
 impl Span {
-    fn value(&self, share: f64) -> f64 {
-        self.first + share * (self.last - self.first)
+    /// The value at a share of the way from its first end to its last.
+    pub fn value(&self, share: f64) -> f64 {
+        self.spacing.at(self.first, self.last, share)
     }
 
     /// Where a value stands on it, 0 at its first end and 1 at its last.
     pub fn share(&self, value: f64) -> f64 {
-        (value - self.first) / (self.last - self.first)
+        self.spacing.share(self.first, self.last, value)
     }
 }
 

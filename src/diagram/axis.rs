@@ -1,4 +1,4 @@
-//! The axis of a diagram, which may run downwards.
+//! The axis of a diagram: one of a plane, in an order of its own.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::plane::{Axis, AxisError, Quantity};
 
-/// An axis whose first value may be greater than its last.
+/// An axis whose values are visited in rising or in falling order.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct SweepAxis(Axis);
@@ -16,10 +16,14 @@ impl SweepAxis {
     /// A checked axis: `count` equally spaced values from `first` to `last`, both included.
     ///
     /// # Errors
-    /// Those of [`Axis::new`], except that the values may decrease.
+    /// Those of [`Axis::new`].
     pub fn new(quantity: Quantity, first: f64, last: f64, count: u32) -> Result<Self, AxisError> {
-        let axis = Axis::new(quantity, first.min(last), first.max(last), count)?;
-        Ok(SweepAxis(Axis { first, last, ..axis }))
+        Axis::new(quantity, first, last, count).map(SweepAxis)
+    }
+
+    /// The axis itself.
+    pub fn axis(&self) -> &Axis {
+        &self.0
     }
 
     /// What is varied.
@@ -39,7 +43,7 @@ impl SweepAxis {
 
     /// The least value.
     pub fn least(&self) -> f64 {
-        self.0.first.min(self.0.last)
+        self.0.least()
     }
 
     /// The value at index `i`; the ends are exact.
@@ -50,11 +54,6 @@ impl SweepAxis {
     /// All values, in order of writing.
     pub fn values(&self) -> Vec<f64> {
         self.0.values()
-    }
-
-    /// The distance from one value to the next.
-    pub fn step(&self) -> f64 {
-        (self.0.last - self.0.first).abs() / f64::from(self.0.count.max(2) - 1)
     }
 
     /// The indices in order of falling, or of rising, values.
@@ -74,18 +73,9 @@ impl fmt::Display for SweepAxis {
 impl FromStr for SweepAxis {
     type Err = AxisError;
 
-    /// Reads `NAME=FIRST:LAST:COUNT`.
+    /// Reads what [`Axis`] does.
     fn from_str(text: &str) -> Result<Self, AxisError> {
-        let Some((name, range)) = text.split_once('=') else { return text.parse().map(SweepAxis) };
-        let parts: Vec<&str> = range.split(':').collect();
-        let [first, last, count] = parts[..] else { return text.parse().map(SweepAxis) };
-        let falling =
-            matches!((first.trim().parse::<f64>(), last.trim().parse::<f64>()), (Ok(a), Ok(b)) if a > b);
-        if !falling {
-            return text.parse().map(SweepAxis);
-        }
-        let Axis { quantity, first, last, count } = format!("{name}={last}:{first}:{count}").parse()?;
-        Ok(SweepAxis(Axis { quantity, first: last, last: first, count }))
+        text.parse().map(SweepAxis)
     }
 }
 
@@ -104,6 +94,9 @@ mod tests {
         }
         assert_eq!((up.order(false)[0], up.order(true)[0]), (0, 24));
         assert_eq!((down.order(false)[0], down.order(true)[0]), (24, 0));
+        let log: SweepAxis = "omega=10:0.1:25:log".parse().unwrap();
+        assert!((log.value(12) - 1.0).abs() < 1e-12);
+        assert_eq!((log.order(false)[0], log.order(true)[0]), (24, 0));
     }
 
     #[test]

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::parameters::Parameters;
 use crate::system::{CellError, Plant, PlantError, Setting};
+use super::number::Number;
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
@@ -173,9 +174,10 @@ pub enum SystemError {
     Cell(#[from] CellError),
     /// The time scales are too far apart.
     #[error(
-        "the forcing frequency {omega} needs more than {steps} steps per forcing period, since the fastest motion \
-         has a rate of {rate:.3e}: raise the frequency (omega), or lower stiffness and damping (zeta), or raise the \
+        "the forcing frequency {} needs more than {steps} steps per forcing period, since the fastest motion has a \
+         rate of {rate:.3e}: raise the frequency (omega), or lower stiffness and damping (zeta), or raise the \
          lightest mass (for the paper's oscillator, move mu_m, mu_k, mu_c away from 0 and 1)",
+        Number(*omega),
         steps = System::MOST_STEPS
     )]
     TooStiff {

@@ -1,13 +1,14 @@
-//! Axes: a parameter, or a component of the start, in equal steps.
+//! Axes: a parameter, or a component of the start, in equal steps or at equal ratios.
 
 use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
 
+use super::axis_error::AxisError;
+use super::spacing::Spacing;
 use crate::control::ControlQuantity;
-use crate::model::{Parameter, ParameterError};
+use crate::model::{Number, Parameter, whole};
 
 /// A component of the start state, at forcing phase 0; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -80,29 +81,46 @@ impl FromStr for Quantity {
     }
 }
 
-/// An axis of a plane: `count` equally spaced values from `first` to `last`, both included.
+/// An axis of a plane: `count` values from `first` to `last`, both included; they may rise or fall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
     /// What is varied.
     pub quantity: Quantity,
     /// The first value.
     pub first: f64,
-    /// The last value; greater than the first, or equal to it where there is but one.
+    /// The last value; another than the first, or equal to it where there is but one.
     pub last: f64,
     /// How many values.
     pub count: u32,
+    /// How they are spaced.
+    #[serde(default, skip_serializing_if = "Spacing::is_linear")]
+    pub spacing: Spacing,
 }
 
 impl Axis {
     /// The most values an axis may have.
     pub const LARGEST: u32 = 65_536;
 
+    /// A checked axis of equal steps; see [`Axis::spaced`].
+    ///
+    /// # Errors
+    /// Those of [`Axis::spaced`].
+    pub fn new(quantity: Quantity, first: f64, last: f64, count: u32) -> Result<Self, AxisError> {
+        Axis::spaced(quantity, first, last, count, Spacing::Linear)
+    }
+
     /// A checked axis.
     ///
     /// # Errors
-    /// Values that are not finite or not increasing, a count outside 1 to [`Axis::LARGEST`], one value for two
-    /// different ends, and ends outside the physical range of a parameter.
-    pub fn new(quantity: Quantity, first: f64, last: f64, count: u32) -> Result<Self, AxisError> {
+    /// Ends that are not finite, or on a logarithmic axis not positive; equal ends for several values, one value for two
+    /// different ends, a count outside 1 to [`Axis::LARGEST`], and ends outside the physical range of a parameter.
+    pub fn spaced(
+        quantity: Quantity,
+        first: f64,
+        last: f64,
+        count: u32,
+        spacing: Spacing,
+    ) -> Result<Self, AxisError> {
         let name = quantity.name();
         if !first.is_finite() || !last.is_finite() {
             return Err(AxisError::NotFinite { name, first, last });
@@ -110,17 +128,20 @@ impl Axis {
         if !(1..=Self::LARGEST).contains(&count) {
             return Err(AxisError::Count { name, count: u64::from(count) });
         }
-        if first >= last && !(first == last && count == 1) {
-            return Err(AxisError::NotIncreasing { name, first, last });
+        if first == last && count > 1 {
+            return Err(AxisError::Empty { name, first, last });
         }
-        if first < last && count == 1 {
+        if first != last && count == 1 {
             return Err(AxisError::OneValue { name, first, last });
+        }
+        if spacing == Spacing::Log && first.min(last) <= 0.0 {
+            return Err(AxisError::NotPositive { name, first, last });
         }
         if let Quantity::Parameter(parameter) = quantity {
             parameter.check(first)?;
             parameter.check(last)?;
         }
-        let axis = Axis { quantity, first, last, count };
+        let axis = Axis { quantity, first, last, count, spacing };
         let whole = axis.control().is_some_and(ControlQuantity::is_whole);
         if whole && axis.values().iter().any(|value| value.fract() != 0.0 || *value < 0.0) {
             return Err(AxisError::NotWhole { name, first, last, count });
@@ -133,7 +154,32 @@ impl Axis {
         if i + 1 == self.count {
             return self.last;
         }
-        self.first + (self.last - self.first) * f64::from(i) / f64::from(self.count - 1)
+        match self.spacing {
+            Spacing::Linear => {
+                self.first + (self.last - self.first) * f64::from(i) / f64::from(self.count - 1)
+            }
+            Spacing::Log => self.at(f64::from(i)),
+        }
+    }
+
+    /// The value at a place counted in values from the first one; it may lie between two of them, or beyond the ends.
+    pub fn at(&self, place: f64) -> f64 {
+        self.spacing.at(self.first, self.last, place / f64::from(self.count.max(2) - 1))
+    }
+
+    /// Where a value stands, counted in values from the first one.
+    pub fn place(&self, value: f64) -> f64 {
+        self.share(value) * f64::from(self.count.saturating_sub(1))
+    }
+
+    /// The share of the way from the first to the last value at which a value stands.
+    pub fn share(&self, value: f64) -> f64 {
+        self.spacing.share(self.first, self.last, value)
+    }
+
+    /// The least value.
+    pub fn least(&self) -> f64 {
+        self.first.min(self.last)
     }
 
     /// The setting of a control method that the axis varies, if it does.
@@ -152,96 +198,32 @@ impl Axis {
 
 impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}:{}:{}", self.quantity.name(), self.first, self.last, self.count)
+        let spacing = if self.spacing.is_linear() { "" } else { ":log" };
+        let (first, last) = (Number(self.first), Number(self.last));
+        write!(f, "{}={first}:{last}:{}{spacing}", self.quantity.name(), self.count)
     }
 }
 
 impl FromStr for Axis {
     type Err = AxisError;
 
-    /// Reads `NAME=FIRST:LAST:COUNT`.
+    /// Reads `NAME=FIRST:LAST:COUNT` or `NAME=FIRST:LAST:COUNT:log`.
     fn from_str(text: &str) -> Result<Self, AxisError> {
         let malformed = || AxisError::Malformed(text.to_owned());
         let (name, range) = text.split_once('=').ok_or_else(malformed)?;
         let quantity: Quantity = name.trim().parse()?;
         let parts: Vec<&str> = range.split(':').map(str::trim).collect();
-        let [first, last, count] = parts[..] else { return Err(malformed()) };
+        let (first, last, count, spacing) = match parts[..] {
+            [first, last, count] => (first, last, count, Spacing::Linear),
+            [first, last, count, "log"] => (first, last, count, Spacing::Log),
+            _ => return Err(malformed()),
+        };
         let first = first.parse().map_err(|_| malformed())?;
         let last = last.parse().map_err(|_| malformed())?;
-        let count: u64 = count.parse().map_err(|_| malformed())?;
+        let count = whole(count).ok_or_else(malformed)?;
         let count = u32::try_from(count).map_err(|_| AxisError::Count { name: quantity.name(), count })?;
-        Axis::new(quantity, first, last, count)
+        Axis::spaced(quantity, first, last, count, spacing)
     }
-}
-
-/// Why an axis was refused.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum AxisError {
-    /// Not of the form NAME=FIRST:LAST:COUNT.
-    #[error("`{0}` is not an axis: write NAME=FIRST:LAST:COUNT, for example omega=0.2:5:800")]
-    Malformed(String),
-    /// Neither a parameter nor a component of the start.
-    #[error(
-        "unknown axis `{0}`; an axis is one of the parameters omega, delta, zeta, r, mu_m, mu_k, mu_c, f20 \
-         or a component of the start x1, x2, v1, v2 (or, with --control, a setting of the method: gain, delay, \
-         amplitude, alpha, dead_band, gamma, phase, period, noise, target_v1, target_x2, target_v2, target_tau)"
-    )]
-    UnknownName(String),
-    /// An end is NaN or infinite.
-    #[error("axis {name}={first}:{last} has an end that is not a finite number")]
-    NotFinite {
-        /// The axis.
-        name: &'static str,
-        /// Its first value.
-        first: f64,
-        /// Its last value.
-        last: f64,
-    },
-    /// Reversed or empty.
-    #[error("axis {name}={first}:{last} is empty or reversed: the last value must be greater than the first")]
-    NotIncreasing {
-        /// The axis.
-        name: &'static str,
-        /// Its first value.
-        first: f64,
-        /// Its last value.
-        last: f64,
-    },
-    /// Too few or too many values.
-    #[error("axis {name} has a COUNT of {count}: give 1 to {}", Axis::LARGEST)]
-    Count {
-        /// The axis.
-        name: &'static str,
-        /// The count that was asked for.
-        count: u64,
-    },
-    /// Whole numbers are wanted.
-    #[error(
-        "axis {name}={first}:{last}:{count} has values that are not whole numbers: choose a COUNT so that all are"
-    )]
-    NotWhole {
-        /// The axis.
-        name: &'static str,
-        /// Its first value.
-        first: f64,
-        /// Its last value.
-        last: f64,
-        /// How many values.
-        count: u32,
-    },
-    /// Two ends but one value.
-    #[error("axis {name}={first}:{last} has two ends but a COUNT of 1: give 2 or more, or equal ends")]
-    OneValue {
-        /// The axis.
-        name: &'static str,
-        /// Its first value.
-        first: f64,
-        /// Its last value.
-        last: f64,
-    },
-    /// An end is outside the physical range of the parameter.
-    #[error("an end of the axis cannot be used")]
-    Parameter(#[from] ParameterError),
 }
 
 #[cfg(test)]
@@ -255,6 +237,29 @@ mod tests {
         assert_eq!((axis.value(0), axis.value(799)), (0.2, 5.0));
         assert_eq!(axis.values().len(), 800);
         assert_eq!("delta=0.1:0.1:1".parse::<Axis>().unwrap().values(), [0.1]);
+        let axis: Axis = "delta=1e-100:1:1e3".parse().unwrap();
+        assert_eq!((axis.count, axis.to_string().as_str()), (1000, "delta=1e-100:1:1000"));
+    }
+
+    #[test]
+    fn an_axis_may_fall_and_may_have_equal_ratios() {
+        let down: Axis = "omega=5:1:401".parse().unwrap();
+        let up: Axis = "omega=1:5:401".parse().unwrap();
+        assert!((0..401).all(|i| (down.value(i) - up.value(400 - i)).abs() < 1e-14));
+        for text in ["omega=0.1:10:401:log", "omega=10:0.1:401:log", "omega=3:3:1:log"] {
+            let axis: Axis = text.parse().unwrap();
+            assert_eq!(axis.to_string(), text);
+            assert_eq!((axis.value(0), axis.value(axis.count - 1)), (axis.first, axis.last));
+            let values = axis.values();
+            let ratio = |pair: &[f64]| pair[1] / pair[0];
+            assert!(values.windows(2).all(|pair| (ratio(pair) - ratio(&values[..2])).abs() < 1e-12));
+            let stored = serde_json::to_string(&axis).unwrap();
+            assert_eq!(serde_json::from_str::<Axis>(&stored).unwrap(), axis);
+        }
+        let log: Axis = "omega=0.1:10:401:log".parse().unwrap();
+        assert!((log.value(200) - 1.0).abs() < 1e-12 && (log.place(1.0) - 200.0).abs() < 1e-9);
+        let linear: Axis = "omega=0.2:5:800".parse().unwrap();
+        assert!(!serde_json::to_string(&linear).unwrap().contains("spacing"));
     }
 
     #[test]
@@ -262,13 +267,18 @@ mod tests {
         let errors = [
             ("omega", "NAME=FIRST:LAST:COUNT"),
             ("omgea=1:2:3", "omgea"),
-            ("omega=2:1:3", "reversed"),
+            ("omega=2:1:1", "COUNT of 1"),
+            ("omega=1:2:3:lin", "NAME=FIRST:LAST:COUNT"),
+            ("x2=-1:2:3:log", "above 0"),
+            ("x2=2:0:3:log", "drop :log"),
             ("omega=1:1:3", "empty"),
             ("omega=1:2:1", "COUNT of 1"),
             ("omega=1:2:0", "COUNT of 0"),
             ("omega=1:2:1000000000", "COUNT of 1000000000"),
             ("omega=1:2:99999999999", "COUNT of 99999999999"),
             ("omega=1:2:-1", "NAME=FIRST:LAST:COUNT"),
+            ("omega=1:2:2.5", "NAME=FIRST:LAST:COUNT"),
+            ("delta=3e-100:2e-100:5", "delta=3e-100:2e-100"),
             ("omega=NaN:2:3", "finite"),
             ("omega=1:inf:3", "finite"),
         ];

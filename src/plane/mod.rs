@@ -1,15 +1,19 @@
 //! The plane: what is asked (axes, fixed parameters, start, schedule) and what came out of every cell.
 
 mod axis;
+mod axis_error;
 mod connected;
 mod controlled;
 mod region_map;
+mod spacing;
 mod spec;
 mod start;
 
-pub use axis::{Axis, AxisError, Component, Quantity};
+pub use axis::{Axis, Component, Quantity};
+pub use axis_error::AxisError;
 pub use connected::{Cell, connected};
 pub use controlled::{ControlMap, ControlPlane, ControlPlaneError};
 pub use region_map::{Provenance, RegionMap};
+pub use spacing::Spacing;
 pub use spec::{Plane, PlaneError};
 pub use start::{Start, StartError};

@@ -68,7 +68,7 @@ impl Plane {
         let narrowest = [&self.x, &self.y]
             .into_iter()
             .find(|axis| axis.quantity == Quantity::Parameter(Parameter::Delta))
-            .map_or(self.parameters.delta, |axis| axis.first);
+            .map_or(self.parameters.delta, Axis::least);
         Ok(Start::State([farthest, 0.0, 0.0, 0.0]).check(narrowest)?)
     }
 

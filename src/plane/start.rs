@@ -6,7 +6,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::model::System;
+use crate::model::{Number, System, joined};
 use crate::theory::symmetric_start;
 
 /// How a trajectory begins, at forcing phase 0.
@@ -48,7 +48,7 @@ impl fmt::Display for Start {
         match self {
             Start::Rest => f.write_str("rest"),
             Start::Symmetric => f.write_str("symmetric"),
-            Start::State([x1, x2, v1, v2]) => write!(f, "{x1},{x2},{v1},{v2}"),
+            Start::State(state) => f.write_str(&joined(state, ",")),
         }
     }
 }
@@ -83,7 +83,7 @@ pub enum StartError {
     #[error("start `{0}` has a component that is not a finite number")]
     NotFinite(String),
     /// The first mass would begin beyond a stop.
-    #[error("the start x1 = {x1} lies outside the stops at ±{delta} (delta = {delta}); choose |x1| ≤ delta")]
+    #[error("the start x1 = {} lies outside the stops at ±{delta} (delta = {delta}); choose |x1| ≤ delta", Number(*x1), delta = Number(*delta))]
     OutsideStops {
         /// The first mass's displacement.
         x1: f64,

@@ -9,7 +9,7 @@ use image::{Rgb, RgbImage, RgbaImage};
 use quick_xml::Writer;
 use quick_xml::events::{BytesEnd, BytesStart, BytesText, Event};
 
-use super::font::{self, CAPITALS};
+use super::font::{CAPITALS, FAMILY};
 use super::paint::{Hatch, Paint};
 use super::size::Size;
 use super::text::{Span, Style, Text};
@@ -90,7 +90,6 @@ impl Canvas {
             ("width", &width),
             ("height", &height),
             ("viewBox", &format!("0 0 {width} {height}")),
-            ("font-family", font::FAMILIES),
         ]);
         canvas.xml.write_event(Event::Start(root)).expect(IN_MEMORY);
         canvas.line_break();
@@ -292,6 +291,9 @@ impl Canvas {
         colour: Colour,
         more: &[(&str, &str)],
     ) {
+        if text.is_blank() {
+            return;
+        }
         let element = self
             .xml
             .create_element("text")
@@ -301,6 +303,7 @@ impl Canvas {
                 ("font-size", &number(size)),
                 ("fill", &hex(colour)),
                 ("text-anchor", anchor.name()),
+                ("font-family", FAMILY),
                 ("xml:space", "preserve"),
             ])
             .with_attributes(more.iter().copied());

@@ -3,7 +3,8 @@
 //! Common motions have hues of their own, chosen so that all of them, and everything that is not periodic, can
 //! be told apart with red-blind and green-blind eyes too. Other motions take a hue that depends on nothing but
 //! the label. Each hue has two tones: for symmetric and unsymmetric motions, or for the mirror images N-p-q and
-//! N-q-p. Motions with sticking are hatched.
+//! N-q-p. Motions with sticking are hatched. Where two motions of one picture would look alike, the rarer one takes a
+//! spare colour (see [`Colouring`](super::colouring::Colouring)).
 
 use image::Rgb;
 
@@ -69,7 +70,40 @@ const OTHERS: [Tones; 9] = [
     tones(0x739141, 0x95c47d),
 ];
 
-/// What the region of a motion is filled with; depends on nothing else.
+/// What motions without a colour of their own share.
+pub(super) const SHARED: Paint = Paint::plain(hex(0x7e767e));
+
+/// Colours for motions whose own would be taken for another one's; distinct from each other, from the common hues and from
+/// what is not periodic, to every eye.
+pub(super) const SPARE: [Colour; 25] = [
+    hex(0x8282ca),
+    hex(0x82a6a6),
+    hex(0xeeee94),
+    hex(0xca04a6),
+    hex(0x284c5e),
+    hex(0x94b8ee),
+    hex(0x943a4c),
+    hex(0x0404ee),
+    hex(0xeedcee),
+    hex(0xee164c),
+    hex(0x3a5e28),
+    hex(0x5e8228),
+    hex(0xb8b804),
+    hex(0x82043a),
+    hex(0xdcb8dc),
+    hex(0xa6cab8),
+    hex(0x94a65e),
+    hex(0x5e4c82),
+    hex(0xdc4c94),
+    hex(0x040470),
+    hex(0x284cee),
+    hex(0x163a16),
+    hex(0x282870),
+    hex(0x0404b8),
+    hex(0x3a043a),
+];
+
+/// What the region of a motion is filled with where nothing else is to be told from it; depends on nothing else.
 pub fn paint_of(motion: Motion) -> Paint {
     match motion.regime {
         Regime::Unresolved => Paint::plain(UNRESOLVED),
@@ -111,31 +145,17 @@ const fn tones(first: u32, second: u32) -> Tones {
 
 #[cfg(test)]
 mod tests {
-    use palette::color_difference::Ciede2000;
-    use palette::white_point::D65;
-    use palette::{Clamp, IntoColor, Lab, LinSrgb, Srgb};
-
+    use super::super::vision::{DISTINCT, Seen};
     use super::*;
 
-    /// What a red-blind and a green-blind eye see of linear sRGB (Machado, Oliveira and Fernandes 2009).
-    const PROTANOPIA: [[f64; 3]; 3] =
-        [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]];
-    const DEUTERANOPIA: [[f64; 3]; 3] =
-        [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]];
-    const TRICHROMACY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-    fn seen(Rgb([r, g, b]): Colour, eye: [[f64; 3]; 3]) -> Lab<D65, f64> {
-        let linear: LinSrgb<f64> = Srgb::new(r, g, b).into_linear();
-        let [r, g, b] = eye.map(|row| row[0] * linear.red + row[1] * linear.green + row[2] * linear.blue);
-        LinSrgb::new(r, g, b).clamp().into_color()
+    /// The differences that eyes see (CIEDE2000): that of most people, the red-, the green- and the blue-blind one.
+    fn differences(a: Colour, b: Colour) -> [f64; 4] {
+        Seen::of(a).differences(&Seen::of(b))
     }
 
-    /// The smallest difference that any of the three eyes sees (CIEDE2000).
+    /// The smallest of them but the blue-blind one's, which is the rarest by far.
     fn difference(a: Colour, b: Colour) -> f64 {
-        [TRICHROMACY, PROTANOPIA, DEUTERANOPIA]
-            .map(|eye| seen(a, eye).difference(seen(b, eye)))
-            .into_iter()
-            .fold(f64::INFINITY, f64::min)
+        differences(a, b)[..3].iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     fn motion(regime: Regime, counts: [u16; 3], symmetric: bool) -> Colour {
@@ -194,9 +214,29 @@ mod tests {
         let common = COMMON.iter().flat_map(|(label, tones)| tones.map(|tone| (label, tone)));
         for (label, colour) in common {
             for tone in OTHERS.into_iter().flatten() {
-                let found = seen(tone, TRICHROMACY).difference(seen(colour, TRICHROMACY));
+                let [found, ..] = differences(tone, colour);
                 assert!(found >= 10.0, "{tone:?} and {label:?} differ by {found}");
             }
+        }
+    }
+
+    #[test]
+    fn spare_colours_are_distinct_from_all_that_is_common_to_every_eye() {
+        let mut taken = not_periodic();
+        taken.retain(|(name, _)| name != Regime::AperiodicSticking.name()); // hatched in white: told apart by that
+        taken.push(("shared".to_owned(), SHARED.fill));
+        taken.extend(
+            COMMON
+                .iter()
+                .filter(|(label, _)| label[2] != INFINITELY_MANY)
+                .flat_map(|(label, tones)| tones.map(|tone| (format!("{label:?}"), tone))),
+        );
+        for spare in SPARE {
+            for (name, colour) in &taken {
+                let found = Seen::of(spare).difference(&Seen::of(*colour));
+                assert!(found >= DISTINCT, "{spare:?} and {name} differ by {found}");
+            }
+            taken.push(("another spare".to_owned(), spare));
         }
     }
 

@@ -63,6 +63,9 @@ impl ControlPicture<'_> {
             panel.weight = 1.0;
             panel.caption = Some(Text::from(format!("({letter}) {words}")));
         }
+        let switched = panels[..responses.len()].iter().any(|p| p.frame.x.shows(self.schedule.from.into()));
+        let mut key = if switched { vec![self.switch_key()] } else { Vec::new() };
+        key.extend(orbit_key(&panels[responses.len()..]));
         let time = panels.pop();
         let mut rows: Vec<Row> = Vec::new();
         for panel in panels {
@@ -72,8 +75,6 @@ impl ControlPicture<'_> {
             }
         }
         rows.extend(time.map(|panel| Row { panels: vec![panel], weight: 0.62 }));
-        let mut key = vec![self.switch_key()];
-        key.extend(orbit_key(&after, &orbit));
         Figure { title: self.title(|_| false), rows, key, notes: self.notes(), width: 60.0 }
     }
 

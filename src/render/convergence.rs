@@ -4,12 +4,12 @@ use image::{Rgb, RgbImage};
 
 use super::canvas::{Anchor, Canvas, Colour, Point, Rect};
 use super::colours::{INK, MUTED, paint_of};
-use super::frame::line_width;
+use super::frame::{fitting_ticks, line_width};
 use super::motion::Motion;
-use super::picture::Picture;
+use super::picture::{LeftOut, Picture};
 use super::regions::{control_title, frame_of};
+use super::scale::Scale;
 use super::size::Size;
-use super::symbols;
 use super::text::Text;
 use crate::analysis::Regime;
 use crate::control::NEVER;
@@ -20,8 +20,14 @@ const MARGIN: f64 = 1.0;
 const TITLE_ROW: f64 = 1.4;
 const BAR: f64 = 1.2;
 const GAP: f64 = 1.3;
+const SAMPLE_ROW: f64 = 1.5;
+/// A range of times that is narrower than this ratio is widened to whole decades.
+const NARROW: f64 = 2.0;
 /// What the bar, its labels and its words take at the right.
 const RIGHT: f64 = 9.5;
+
+/// The colour of cells that took no time: none of the bar's.
+const AT_ONCE: Colour = Rgb([255; 3]);
 
 /// Dark to light, of even steps of lightness to every eye.
 const RAMP: [[u8; 3]; 9] = [
@@ -38,59 +44,108 @@ const RAMP: [[u8; 3]; 9] = [
 
 /// Draws how many iterates each cell of a plane took from switching control on until its points kept returning.
 ///
-/// Cells that did not come to return are grey.
+/// Cells whose points returned from the first one on, and those that did not come to return, have colours of their own.
 pub fn convergence_map(map: &ControlMap, size: Size) -> Picture {
     let em = size.em();
     let config = map.config();
     let mut canvas = Canvas::new(size, &config);
     let (width, height) = (f64::from(size.width()), f64::from(size.height()));
-    let title = Text::wrap(control_title(map), em, width - (2.0 * MARGIN + 7.0) * em);
-    let top = (MARGIN + title.len() as f64 * TITLE_ROW) * em;
-    let space = Rect {
-        x: MARGIN * em,
-        y: top,
-        width: width - (2.0 * MARGIN + RIGHT) * em,
-        height: height - top - MARGIN * em,
-    };
+    let title = title(map, size);
+    let space = |size| space(map, size);
     let frame = frame_of(&map.plane.plane());
-    let longest = map.outcomes.iter().map(|outcome| outcome.converged_at).filter(|&n| n != NEVER).max();
-    let scale = LogScale { most: f64::from(longest.unwrap_or(9).max(9)) + 1.0 };
-    let Some(placed) = frame.place(space, em, true) else {
+    let times = Times::of(map.outcomes.iter().map(|outcome| outcome.converged_at));
+    let Some(placed) = frame.place(space(size), em, true) else {
         let whole = Rect { x: 0.0, y: 0.0, width, height };
-        canvas.image(whole, &cells(map, &scale));
-        return Picture::new(size, config, canvas.finish());
+        canvas.image(whole, &cells(map, &times));
+        let enough = size.enough(|size| frame.place(space(size), size.em(), true).is_some());
+        let left_out = LeftOut { parts: vec!["the axes", "the key"], enough };
+        return Picture::new(size, config, canvas.finish()).without(Some(left_out));
     };
-    canvas.image(placed.plot, &cells(map, &scale));
+    canvas.image(placed.plot, &cells(map, &times));
     frame.draw(&mut canvas, &placed, em);
     for (row, line) in title.iter().enumerate() {
         let at = Point { x: placed.plot.x, y: (MARGIN + (row as f64 + 0.5) * TITLE_ROW) * em };
         canvas.text(line, at, Anchor::Start, em, INK);
     }
-    draw_bar(&mut canvas, placed.plot, &scale, em);
+    times.draw_key(&mut canvas, placed.plot, em);
     Picture::new(size, config, canvas.finish())
 }
 
-/// A logarithmic scale from 1 to `most`.
-struct LogScale {
-    most: f64,
+/// The lines of the title.
+fn title(map: &ControlMap, size: Size) -> Vec<Text> {
+    let em = size.em();
+    Text::wrap(control_title(map), em, f64::from(size.width()) - (2.0 * MARGIN + 7.0) * em)
 }
 
-impl LogScale {
-    /// 0 at 1, 1 at the end.
-    fn fraction(&self, value: f64) -> f64 {
-        (value.max(1.0).ln() / self.most.ln()).clamp(0.0, 1.0)
+/// The space of the plot and its axes: below the title, beside the bar.
+fn space(map: &ControlMap, size: Size) -> Rect {
+    let em = size.em();
+    let top = (MARGIN + title(map, size).len() as f64 * TITLE_ROW) * em;
+    Rect {
+        x: MARGIN * em,
+        y: top,
+        width: f64::from(size.width()) - (2.0 * MARGIN + RIGHT) * em,
+        height: f64::from(size.height()) - top - MARGIN * em,
+    }
+}
+
+/// What there is to be shown of some convergence times.
+#[derive(Clone, Debug, PartialEq)]
+struct Times {
+    /// From the shortest to the longest that is not 0, and at least over a decade where they are nearly alike.
+    scale: Option<Scale>,
+    /// Whether some are 0.
+    at_once: bool,
+    /// Whether some cells have none.
+    never: bool,
+}
+
+impl Times {
+    fn of(times: impl Iterator<Item = u32> + Clone) -> Self {
+        let there = times.clone().filter(|&time| time != NEVER && time > 0);
+        let ends = there.clone().min().zip(there.max());
+        let scale = ends.map(|(shortest, longest)| {
+            let (low, high) = (f64::from(shortest), f64::from(longest));
+            if high >= NARROW * low {
+                return Scale::logarithmic(low, high);
+            }
+            let (below, above) = (low.log10().floor() as i32, high.log10().ceil() as i32);
+            Scale::logarithmic(10_f64.powi(below), 10_f64.powi(above.max(below + 1)))
+        });
+        Times {
+            scale,
+            at_once: times.clone().any(|time| time == 0),
+            never: times.clone().any(|t| t == NEVER),
+        }
     }
 
-    fn colour(&self, value: f64) -> Colour {
-        ramp(self.fraction(value))
+    fn colour(&self, time: u32) -> Colour {
+        match (time, &self.scale) {
+            (NEVER, _) | (_, None) if time != 0 => unconverged(),
+            (0, _) | (_, None) => AT_ONCE,
+            (time, Some(scale)) => ramp(scale.fraction(f64::from(time)).clamp(0.0, 1.0)),
+        }
     }
 
-    /// The numbers of iterates beside the bar: none, powers of ten, and the most, each `apart` from the others.
-    fn labels(&self, apart: f64) -> Vec<f64> {
-        let powers = std::iter::successors(Some(10.0), |power| Some(10.0 * power));
-        let below =
-            powers.take_while(|&power| self.fraction(power + 1.0) <= 1.0 - apart && power < self.most);
-        std::iter::once(0.0).chain(below).chain([self.most - 1.0]).collect()
+    /// Draws the bar, if there is anything to be read from it, over samples of what is not on it.
+    fn draw_key(&self, canvas: &mut Canvas, plot: Rect, em: f64) {
+        let line = line_width(em);
+        let left = (plot.right() + GAP * em).round();
+        let width = (BAR * em).round();
+        let samples = [(self.at_once, AT_ONCE, "0, at once"), (self.never, unconverged(), "not reached")];
+        let mut bottom = plot.bottom();
+        for (_, colour, name) in samples.into_iter().filter(|(shown, ..)| *shown).rev() {
+            let swatch = Rect { x: left, y: bottom - 1.2 * em, width, height: (0.9 * em).round() };
+            canvas.fill(swatch, colour);
+            canvas.outline(swatch, line, INK);
+            let at = Point { x: swatch.right() + 0.7 * em, y: swatch.y + swatch.height / 2.0 };
+            canvas.text(&name.into(), at, Anchor::Start, 0.9 * em, MUTED);
+            bottom -= SAMPLE_ROW * em;
+        }
+        let height = (bottom - plot.y - 0.6 * em).round();
+        if let Some(scale) = self.scale.filter(|_| height > 4.0 * em) {
+            draw_bar(canvas, Rect { x: left, y: plot.y, width, height }, scale, em);
+        }
     }
 }
 
@@ -105,15 +160,11 @@ fn ramp(fraction: f64) -> Colour {
 }
 
 /// The cells, one pixel each, the first row at the bottom.
-fn cells(map: &ControlMap, scale: &LogScale) -> RgbImage {
+fn cells(map: &ControlMap, times: &Times) -> RgbImage {
     let (columns, rows) = (map.plane.x.count, map.plane.y.count);
-    let none = unconverged();
     RgbImage::from_fn(columns, rows, |x, y| {
         let index = (rows - 1 - y) as usize * columns as usize + x as usize;
-        match map.outcomes[index].converged_at {
-            NEVER => none,
-            iterates => scale.colour(f64::from(iterates) + 1.0),
-        }
+        times.colour(map.outcomes[index].converged_at)
     })
 }
 
@@ -121,55 +172,84 @@ fn unconverged() -> Colour {
     paint_of(Motion { regime: Regime::Unresolved, counts: [0; 3], symmetric: false }).fill
 }
 
-fn draw_bar(canvas: &mut Canvas, plot: Rect, scale: &LogScale, em: f64) {
+/// Draws a bar of all colours with the numbers of iterates beside it.
+fn draw_bar(canvas: &mut Canvas, bar: Rect, scale: Scale, em: f64) {
     let line = line_width(em);
-    let below = 3.0 * em;
-    let bar = Rect {
-        x: (plot.right() + GAP * em).round(),
-        y: plot.y,
-        width: (BAR * em).round(),
-        height: (plot.height - below).round().max(em),
-    };
     let steps = 256;
     let gradient = RgbImage::from_fn(1, steps, |_, y| ramp(1.0 - f64::from(y) / f64::from(steps - 1)));
     canvas.image(bar, &gradient);
     canvas.outline(bar, line, INK);
-    let label = |canvas: &mut Canvas, value: f64| {
-        let y = bar.bottom() - scale.fraction(value + 1.0) * bar.height;
-        let ends = (Point { x: bar.right(), y }, Point { x: bar.right() + 0.4 * em, y });
-        canvas.lines(&[ends], line, INK);
-        let at = Point { x: bar.right() + 0.7 * em, y };
-        canvas.text(&symbols::number(value).into(), at, Anchor::Start, em, INK);
-    };
-    for value in scale.labels(1.5 * em / bar.height) {
-        label(canvas, value);
+    let ticks = fitting_ticks(scale, bar.height, |_| 1.5 * em);
+    let at = |value: f64| Point { x: bar.right(), y: bar.bottom() - scale.fraction(value) * bar.height };
+    let tick = |value: f64, length: f64| (at(value), Point { x: bar.right() + length * em, ..at(value) });
+    let mut lines: Vec<(Point, Point)> = ticks.labelled.iter().map(|&(value, _)| tick(value, 0.4)).collect();
+    lines.extend(ticks.minor.iter().map(|&value| tick(value, 0.2)));
+    canvas.lines(&lines, line, INK);
+    for (value, label) in &ticks.labelled {
+        let at = Point { x: bar.right() + 0.7 * em, ..at(*value) };
+        canvas.text(&label.as_str().into(), at, Anchor::Start, em, INK);
     }
     let middle = Point { x: bar.right() + 5.2 * em, y: bar.y + bar.height / 2.0 };
     canvas.rising_text(&"iterates to convergence".into(), middle, Anchor::Middle, 1.1 * em, INK);
-    let swatch = Rect { x: bar.x, y: plot.bottom() - 1.2 * em, width: bar.width, height: (0.9 * em).round() };
-    canvas.fill(swatch, unconverged());
-    canvas.outline(swatch, line, INK);
-    let at = Point { x: bar.right() + 0.7 * em, y: swatch.y + swatch.height / 2.0 };
-    canvas.text(&"not reached".into(), at, Anchor::Start, 0.9 * em, MUTED);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::render::figure::tests::faults;
+
+    fn times(times: &[u32]) -> Times {
+        Times::of(times.iter().copied())
+    }
 
     #[test]
     fn the_scale_rises_from_dark_to_light() {
-        let scale = LogScale { most: 1000.0 };
-        assert_eq!((scale.colour(1.0), scale.colour(1000.0)), (Rgb(RAMP[0]), Rgb(RAMP[8])));
+        let times = times(&[1, 30, 1000]);
+        assert_eq!((times.colour(1), times.colour(1000)), (Rgb(RAMP[0]), Rgb(RAMP[8])));
         let lightness = |Rgb([r, g, b]): Colour| 2 * u32::from(r) + 7 * u32::from(g) + u32::from(b);
         let steps: Vec<u32> = (0..20).map(|i| lightness(ramp(f64::from(i) / 19.0))).collect();
         assert!(steps.windows(2).all(|pair| pair[0] < pair[1]), "{steps:?}");
     }
 
     #[test]
-    fn both_ends_of_the_bar_are_labelled() {
-        assert_eq!(LogScale { most: 10.0 }.labels(0.05), [0.0, 9.0]);
-        assert_eq!(LogScale { most: 1300.0 }.labels(0.05), [0.0, 10.0, 100.0, 1299.0]);
-        assert_eq!(LogScale { most: 4000.0 }.labels(0.05), [0.0, 10.0, 100.0, 1000.0, 3999.0]);
+    fn what_has_no_place_on_a_logarithmic_scale_is_apart_from_it() {
+        let all = times(&[0, 7, 900, NEVER]);
+        assert_eq!(all.scale, Some(Scale::logarithmic(7.0, 900.0)));
+        assert!(all.at_once && all.never);
+        let (zero, never) = (all.colour(0), all.colour(NEVER));
+        assert!(zero != never);
+        assert!([7, 80, 900].into_iter().all(|time| ![zero, never].contains(&all.colour(time))));
+        let none = times(&[3, 5, 80]);
+        assert!(!none.at_once && !none.never);
+    }
+
+    #[test]
+    fn a_bar_over_next_to_nothing_reaches_over_a_decade() {
+        let ends = |all: &[u32]| times(all).scale.map(|scale| scale.ends());
+        assert_eq!(ends(&[37, 37]), Some([10.0, 100.0]));
+        assert_eq!(ends(&[1]), Some([1.0, 10.0]));
+        assert_eq!(ends(&[99, 101]), Some([10.0, 1000.0]));
+        assert_eq!(ends(&[NEVER - 1]).map(|[low, _]| low), Some(1e9));
+        assert_eq!((ends(&[0, 0]), ends(&[NEVER]), ends(&[])), (None, None, None));
+        assert_eq!((times(&[0]).colour(0), times(&[NEVER]).colour(NEVER)), (AT_ONCE, unconverged()));
+    }
+
+    #[test]
+    fn keys_of_every_kind_are_drawn_whole() {
+        let plot = Rect { x: 60.0, y: 30.0, width: 380.0, height: 300.0 };
+        let said = |all: &[u32]| {
+            let size = Size::new(580, 380).unwrap();
+            let mut canvas = Canvas::new(size, "{}");
+            times(all).draw_key(&mut canvas, plot, 12.0);
+            let picture = Picture::new(size, "{}".into(), canvas.finish());
+            assert_eq!(faults(&picture, size), [""; 0], "{all:?}");
+            ["iterates to convergence", ">0, at once<", ">not reached<", ">100<"]
+                .map(|words| picture.svg().contains(words))
+        };
+        assert_eq!(said(&[0, 3, 1200, NEVER]), [true; 4]);
+        assert_eq!(said(&[3, 1200]), [true, false, false, true]);
+        assert_eq!(said(&[37]), [true, false, false, true]);
+        assert_eq!(said(&[0]), [false, true, false, false]);
+        assert_eq!(said(&[NEVER]), [false, false, true, false]);
     }
 }

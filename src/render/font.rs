@@ -6,10 +6,12 @@ use resvg::usvg::fontdb;
 use skrifa::charmap::Charmap;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::metrics::GlyphMetrics;
-use skrifa::{FontRef, MetadataProvider};
+use skrifa::outline::DrawSettings;
+use skrifa::outline::pen::SvgPen;
+use skrifa::{FontRef, GlyphId, MetadataProvider};
 
-/// The families to ask for in an SVG file: the embedded one, then what systems have.
-pub(super) const FAMILIES: &str = "Inter, 'Helvetica Neue', Helvetica, Arial, 'DejaVu Sans', sans-serif";
+/// The family of the embedded fonts.
+pub(super) const FAMILY: &str = "Inter";
 
 /// The height of capitals, in parts of the text size.
 pub(super) const CAPITALS: f64 = 0.727;
@@ -30,6 +32,15 @@ impl Face {
         static METRICS: LazyLock<[Metrics; 2]> = LazyLock::new(|| [UPRIGHT, ITALIC].map(Metrics::of));
         METRICS[self as usize].width(text)
     }
+}
+
+/// The outline of a glyph of a font as the data of an SVG path, in font units, upwards; none where there is no such glyph.
+pub(super) fn outline(font: &[u8], glyph: u32) -> Option<String> {
+    let font = FontRef::new(font).ok()?;
+    let mut pen = SvgPen::with_precision(0);
+    let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
+    font.outline_glyphs().get(GlyphId::new(glyph))?.draw(settings, &mut pen).ok()?;
+    Some(pen.into())
 }
 
 struct Metrics {
@@ -58,7 +69,7 @@ pub(super) fn database() -> Arc<fontdb::Database> {
         let mut database = fontdb::Database::new();
         database.load_font_data(UPRIGHT.to_vec());
         database.load_font_data(ITALIC.to_vec());
-        database.set_sans_serif_family("Inter");
+        database.set_sans_serif_family(FAMILY);
         Arc::new(database)
     });
     Arc::clone(&DATABASE)

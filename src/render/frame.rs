@@ -162,10 +162,11 @@ fn on_pixel(at: f64, line: f64) -> f64 {
 }
 
 /// The most ticks whose labels, each with the `room` that it needs, fit along `length`.
-fn fitting_ticks(scale: Scale, length: f64, room: impl Fn(&Ticks) -> f64) -> Ticks {
-    let fits = |ticks: &Ticks| match ticks.labelled[..] {
-        [(a, _), (b, _), ..] => (scale.fraction(b) - scale.fraction(a)).abs() * length >= room(ticks),
-        _ => true,
+pub(super) fn fitting_ticks(scale: Scale, length: f64, room: impl Fn(&Ticks) -> f64) -> Ticks {
+    let fits = |ticks: &Ticks| {
+        let apart = |pair: &[(f64, String)]| (scale.fraction(pair[1].0) - scale.fraction(pair[0].0)).abs();
+        let nearest = ticks.labelled.windows(2).map(apart).fold(f64::INFINITY, f64::min);
+        nearest * length >= room(ticks)
     };
     let candidates = (1..=MOST_LABELS).rev().map(|most| scale.ticks(most));
     let mut fitting = candidates.filter(fits);

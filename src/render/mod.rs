@@ -1,4 +1,4 @@
-//! Pictures: drawn once as SVG with real text, turned into pixels by the same description.
+//! Pictures: drawn once as SVG with real text; the same description gives pixels, and SVG files with their text as outlines.
 //!
 //! [`region_map`] draws a computed plane. Everything below it serves any figure: a [`Canvas`] writes SVG, an
 //! axis [`Frame`] measures and draws ticks and titles, a [`Legend`] names paints, and a [`Picture`] is saved as
@@ -6,6 +6,7 @@
 //! alike.
 
 mod canvas;
+mod colouring;
 mod colours;
 mod control;
 mod convergence;
@@ -19,6 +20,7 @@ mod frame;
 mod legend;
 mod motion;
 mod orbit;
+mod outlines;
 mod paint;
 mod picture;
 mod png;
@@ -28,6 +30,7 @@ mod size;
 mod symbols;
 mod text;
 mod ticks;
+mod vision;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use colours::paint_of;
@@ -41,7 +44,7 @@ pub use legend::{Entry, Legend};
 pub use motion::Motion;
 pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};
 pub use paint::Paint;
-pub use picture::Picture;
+pub use picture::{LeftOut, Picture};
 pub use regions::{control_map, region_map, region_map_with_curves};
 pub use scale::Scale;
 pub use size::{Size, SizeError};

@@ -24,6 +24,16 @@ impl Motion {
         }
     }
 
+    /// The name in as few letters as still tell it from others, such as "1-2-2 unsym.".
+    pub fn short_name(verdict: &Verdict) -> String {
+        let name = Motion::name(verdict);
+        let name = name.strip_suffix(", sticking").unwrap_or(&name);
+        match name.strip_suffix("symmetric") {
+            Some(start) => format!("{start}sym."),
+            None => name.to_owned(),
+        }
+    }
+
     /// The motion's name in a legend, such as "1-2-2 unsymmetric".
     ///
     /// A motion with p ≠ q cannot be symmetric, so that nothing is said about it.
@@ -59,6 +69,11 @@ mod tests {
             "1-∞-∞ symmetric, sticking"
         );
         assert_eq!(name(Regime::Chaotic, [7, 7, 7], true), "chaotic");
+        let short = |regime, counts, symmetric| Motion::short_name(&verdict(regime, counts, symmetric));
+        assert_eq!(short(Regime::Periodic, [1, 1, 1], true), "1-1-1 sym.");
+        assert_eq!(short(Regime::Periodic, [1, 1, 1], false), "1-1-1 unsym.");
+        assert_eq!(short(Regime::PeriodicSticking, [1, u16::MAX, 0], false), "1-∞-0");
+        assert_eq!(short(Regime::QuasiPeriodic, [7, 7, 7], true), "quasi-periodic");
     }
 
     #[test]

@@ -1,13 +1,16 @@
 //! A finished picture.
 
+use std::fmt;
 use std::io::{self, Write};
 
 use image::RgbImage;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
+use super::font::{self, FAMILY};
+use super::outlines::outlined;
+use super::png;
 use super::size::Size;
-use super::{font, png};
 
 /// A finished picture, to be saved as SVG or PNG.
 #[derive(Clone, Debug)]
@@ -15,23 +18,53 @@ pub struct Picture {
     size: Size,
     config: String,
     svg: String,
+    left_out: Option<LeftOut>,
+}
+
+/// What a picture leaves out for want of room.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Its parts, such as "the legend".
+    pub parts: Vec<&'static str>,
+    /// A size at which nothing is left out, in the same proportion; none if there is no such size.
+    pub enough: Option<Size>,
+}
+
+impl fmt::Display for LeftOut {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the picture is too small for {}", self.parts.join(" and "))?;
+        match self.enough {
+            Some(size) => write!(f, ": {}x{} is enough", size.width(), size.height()),
+            None => Ok(()),
+        }
+    }
 }
 
 impl Picture {
     /// A picture from its SVG document, and what it takes to make it again.
     pub(super) fn new(size: Size, config: String, svg: String) -> Self {
-        Picture { size, config, svg }
+        Picture { size, config, svg, left_out: None }
     }
 
-    /// The picture as an SVG document with real text, its configuration in the element `metadata`.
+    /// The same picture, of which something is left out.
+    pub(super) fn without(self, left_out: Option<LeftOut>) -> Self {
+        Picture { left_out, ..self }
+    }
+
+    /// What is left out for want of room, if anything is.
+    pub fn left_out(&self) -> Option<&LeftOut> {
+        self.left_out.as_ref()
+    }
+
+    /// The picture's description: an SVG document with real text in the embedded font, which [`Picture::write_svg`] turns
+    /// into outlines; its configuration is in the element `metadata`.
     pub fn svg(&self) -> &str {
         &self.svg
     }
 
     /// The picture in pixels; the same on every machine.
     pub fn pixels(&self) -> RgbImage {
-        let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
-        let tree = Tree::from_str(&self.svg, &options).expect("the canvas writes valid SVG");
+        let tree = self.tree();
         let (width, height) = (self.size.width(), self.size.height());
         let mut pixmap = Pixmap::new(width, height).expect("a checked size is neither empty nor too large");
         resvg::render(&tree, Transform::identity(), &mut pixmap.as_mut());
@@ -47,12 +80,17 @@ impl Picture {
         png::write(&self.pixels(), &self.config, to)
     }
 
-    /// Writes the picture as an SVG document.
+    /// Writes the picture as an SVG document, text as outlines: it needs no font to look the same everywhere.
     ///
     /// # Errors
     /// What the writer reports.
     pub fn write_svg(&self, mut to: impl Write) -> io::Result<()> {
-        to.write_all(self.svg.as_bytes())
+        to.write_all(outlined(&self.svg, &self.tree()).as_bytes())
+    }
+
+    fn tree(&self) -> Tree {
+        let options = Options { fontdb: font::database(), font_family: FAMILY.into(), ..Options::default() };
+        Tree::from_str(&self.svg, &options).expect("the canvas writes valid SVG")
     }
 }
 

@@ -42,6 +42,15 @@ impl Size {
         self.height
     }
 
+    /// The smallest larger size in about the same proportion that is enough for something, in steps of a tenth.
+    pub(super) fn enough(self, is_enough: impl Fn(Size) -> bool) -> Option<Size> {
+        let scaled = |side: u32, factor: f64| (f64::from(side) * factor).ceil() as u32;
+        let factors = (0..60).map(|step| 1.1_f64.powi(step));
+        factors
+            .filter_map(|factor| Size::new(scaled(self.width, factor), scaled(self.height, factor)).ok())
+            .find(|&size| is_enough(size))
+    }
+
     /// The size of ordinary text in a picture of this size, in pixels: about 8 points where the picture fills
     /// the width of a printed page, and never too small to read on a screen.
     pub fn em(self) -> f64 {

@@ -80,6 +80,11 @@ impl Text {
         other.spans.into_iter().fold(self, |text, span| text.span(span.content, span.style))
     }
 
+    /// Whether there is nothing to see.
+    pub fn is_blank(&self) -> bool {
+        self.spans.iter().all(|span| span.content.trim().is_empty())
+    }
+
     /// The width in pixels at a text size in pixels.
     pub fn width(&self, size: f64) -> f64 {
         let spans = self.spans.iter();

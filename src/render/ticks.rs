@@ -2,6 +2,13 @@
 
 use super::symbols;
 
+/// Scales of equal ratios over less than so many decades have the ticks of equal differences.
+const LINEAR_BELOW: f64 = 0.7;
+/// The digits that are labelled in every decade, the most first.
+const DIGITS: [&[i64]; 3] = [&[1, 2, 3, 4, 5, 6, 7, 8, 9], &[1, 2, 5], &[1]];
+/// Beyond so many decades minor ticks are at powers of ten alone.
+const MOST_DECADES: f64 = 8.0;
+
 /// The ticks of a scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ticks {
@@ -85,10 +92,38 @@ impl Ticks {
         Ticks { labelled, minor, exponent }
     }
 
-    /// One tick, at a value that need not be round.
-    pub fn single(value: f64) -> Self {
-        Ticks { labelled: vec![(value, symbols::number(value))], minor: Vec::new(), exponent: 0 }
+    /// Ticks at round values for a scale of equal ratios, with at most about `most` labels: at powers of ten, with what
+    /// is between them where there is room.
+    pub fn logarithmic(low: f64, high: f64, most: usize) -> Self {
+        if (high / low).log10() < LINEAR_BELOW {
+            return Ticks::between(low, high, most);
+        }
+        let sparse = (1..).map(|stride| round(low, high, &[1], stride));
+        let dense = DIGITS.into_iter().map(|digits| round(low, high, digits, 1));
+        let enough = |values: &Vec<f64>| (2..=most.max(3)).contains(&values.len());
+        let Some(values) = dense.chain(sparse.take_while(|values| values.len() > 1)).find(enough) else {
+            return Ticks::between(low, high, most);
+        };
+        let fine = (high / low).log10() < MOST_DECADES;
+        let minor = round(low, high, if fine { DIGITS[0] } else { &[1] }, 1);
+        Ticks { minor, ..Ticks::at(values) }
     }
+
+    /// Ticks at some values that need not be round.
+    pub fn at(values: impl IntoIterator<Item = f64>) -> Self {
+        let labelled = values.into_iter().map(|value| (value, symbols::number(value))).collect();
+        Ticks { labelled, minor: Vec::new(), exponent: 0 }
+    }
+}
+
+/// The values from `low` to `high` that are one of some digits times a power of ten, of every `stride`-th power.
+fn round(low: f64, high: f64, digits: &[i64], stride: usize) -> Vec<f64> {
+    let powers = low.log10().floor() as i32..=high.log10().ceil() as i32;
+    powers
+        .filter(|power| power.rem_euclid(stride as i32) == 0)
+        .flat_map(|power| digits.iter().map(move |&digit| Step { digit, power }.times(1)))
+        .filter(|value| (low * (1.0 - 1e-9)..=high * (1.0 + 1e-9)).contains(value))
+        .collect()
 }
 
 /// The power of ten that the labels leave out: none while the numbers are handy.
@@ -132,6 +167,26 @@ mod tests {
         assert_eq!(labels(0.0, 3e-7, 3), ["0", "1", "2", "3"]);
         assert_eq!(Ticks::between(0.0, 4e6, 4).exponent, 6);
         assert_eq!(labels(0.0, 4e6, 4), ["0", "1", "2", "3", "4"]);
+    }
+
+    #[test]
+    fn equal_ratios_have_powers_of_ten() {
+        let labels = |low, high, most| -> Vec<String> {
+            Ticks::logarithmic(low, high, most).labelled.into_iter().map(|(_, label)| label).collect()
+        };
+        assert_eq!(labels(0.1, 10.0, 7), ["0.1", "0.2", "0.5", "1", "2", "5", "10"]);
+        assert_eq!(labels(0.1, 10.0, 4), ["0.1", "1", "10"]);
+        assert_eq!(labels(1e-8, 1e8, 5).len(), 5);
+        assert_eq!(labels(2.0, 3.0, 3), ["2.0", "2.5", "3.0"], "less than a decade");
+        assert_eq!(labels(1.5, 9.5, 2).len(), 2);
+        let minor = Ticks::logarithmic(0.1, 10.0, 4).minor;
+        assert_eq!(minor.len(), 19);
+        for (low, high) in [(1e-300, 1e300), (0.2, 5.0), (1.0, 1.0 + 1e-9), (3.0, 1e5)] {
+            for most in 1..14 {
+                let count = Ticks::logarithmic(low, high, most).labelled.len();
+                assert!((1..=most.max(2) + 1).contains(&count), "{low} {high} {most}: {count}");
+            }
+        }
     }
 
     #[test]

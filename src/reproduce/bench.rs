@@ -116,7 +116,6 @@ impl Plot {
 /// Draws plots, `beside` of them in a row.
 pub(super) fn draw(plots: &[Plot], beside: usize, config: &str) -> Result<Picture, TooSmall> {
     let mut panels: Vec<Panel> = Vec::new();
-    let mut key = Vec::new();
     for plot in plots {
         let panel: OrbitPanel = plot.panel.parse().expect("the panels of the registry have names");
         let zooms: Vec<Zoom> = plot
@@ -132,12 +131,8 @@ pub(super) fn draw(plots: &[Plot], beside: usize, config: &str) -> Result<Pictur
         drawn.caption = Some(plot.point.caption(plot.letter, &words(&plot.point.verdict())));
         drawn.weight = 1.0;
         panels.push(drawn);
-        for entry in orbit_key(&[panel], &orbit) {
-            if !key.contains(&entry) {
-                key.push(entry);
-            }
-        }
     }
+    let key = orbit_key(&panels);
     let mut rows: Vec<Row> = Vec::new();
     for panel in panels {
         match rows.last_mut().filter(|row| row.panels.len() < beside) {

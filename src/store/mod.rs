@@ -1,7 +1,10 @@
 //! Result files: NumPy archives of maps and diagrams, and output files that appear complete or not at all.
+//!
+#![doc = include_str!("files.md")]
 
+pub mod fields;
 mod npz;
 mod output;
 
 pub use npz::{ReadError, read_map, write_control, write_control_map, write_diagram, write_map};
-pub use output::{Output, OutputError};
+pub use output::{Filled, Output, OutputError};

@@ -57,7 +57,7 @@ pub fn sweep_control(
 }
 
 /// The job of a cell; within, what stands in the way of controlling it.
-fn job(
+pub(super) fn job(
     plane: &ControlPlane,
     cell: u64,
 ) -> Result<Result<ControlJob, Option<ControlError>>, ControlSweepError> {

@@ -47,7 +47,7 @@ fn jobs(plane: &Plane, cells: std::ops::Range<u64>) -> Result<Vec<Job>, SystemEr
     cells.into_par_iter().map(|cell| job(plane, (cell % columns) as u32, (cell / columns) as u32)).collect()
 }
 
-fn job(plane: &Plane, column: u32, row: u32) -> Result<Job, SystemError> {
+pub(super) fn job(plane: &Plane, column: u32, row: u32) -> Result<Job, SystemError> {
     let system = System::new(plane.parameters_at(column, row))?;
     let start = plane.start_at(column, row).state(&system);
     Ok(Job { system, start })

@@ -3,6 +3,7 @@
 mod control;
 mod diagram;
 mod map;
+mod sample;
 
 use thiserror::Error;
 
@@ -14,6 +15,7 @@ use crate::plane::{PlaneError, Provenance};
 pub use control::{ControlSweepError, sweep_control};
 pub use diagram::diagram;
 pub use map::sweep;
+pub use sample::{sample, sample_control, spread};
 
 /// What a result of this back end is marked with.
 pub fn provenance(backend: &dyn Backend) -> Provenance {

@@ -26,6 +26,9 @@ pub struct Agreement {
     pub end_state: Option<Spread>,
     /// How many of these were compared by continuing the candidate's motion on the reference.
     pub continued: u64,
+    /// Cells that differ and are on the edge: the reference decides them otherwise within a rounding error. They count
+    /// in the shares above, and not in the checks.
+    pub tipped: Tipped,
     /// Cells that failed.
     pub failed: FailedCells,
     /// The worst cells, a few of each kind; not part of the serialised figures.
@@ -46,6 +49,17 @@ pub struct RegimeAgreement {
     pub end_state: Option<Spread>,
     /// Differences of the largest Lyapunov exponent per forcing period, where regime and label agree.
     pub lyapunov: Option<Spread>,
+}
+
+/// How many of the cells that differ are on the edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Tipped {
+    /// All of them.
+    pub cells: u64,
+    /// Inside regions.
+    pub inside: u64,
+    /// Those that are not chaotic in the reference.
+    pub non_chaotic: u64,
 }
 
 /// How many cells failed.

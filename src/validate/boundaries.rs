@@ -95,9 +95,7 @@ impl BoundaryAgreement {
 /// Places half a cell apart on the parts of a curve that bound its motion, in cells from the first.
 fn places(map: &RegionMap, curve: &Curve) -> Vec<[f64; 2]> {
     let cell = |point: &CurvePoint| {
-        [(&map.plane.x, point.x), (&map.plane.y, point.y)].map(|(axis, value)| {
-            (value - axis.first) / (axis.last - axis.first) * f64::from(axis.count.saturating_sub(1))
-        })
+        [(&map.plane.x, point.x), (&map.plane.y, point.y)].map(|(axis, value)| axis.place(value))
     };
     let mut found = Vec::new();
     for pair in curve.points.windows(2) {

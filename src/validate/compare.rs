@@ -1,6 +1,6 @@
 //! The comparison itself: a pure function of two maps.
 
-use super::agreement::{Agreement, FailedCells, Fault, RegimeAgreement, WorstCell};
+use super::agreement::{Agreement, FailedCells, Fault, RegimeAgreement, Tipped, WorstCell};
 use super::continuation::Continued;
 use super::spread::{Share, Spread};
 use crate::analysis::{Regime, Verdict};
@@ -41,6 +41,7 @@ pub fn compare_continued(reference: &RegionMap, candidate: &RegionMap, continued
             .collect(),
         end_state: Spread::of(cells.iter().filter_map(|cell| cell.difference).collect()),
         continued: continued.len() as u64,
+        tipped: Tipped::default(),
         failed: FailedCells {
             reference: failed(cells.iter().map(|cell| cell.reference)),
             candidate: failed(cells.iter().map(|cell| cell.candidate)),
@@ -115,7 +116,7 @@ impl<'a> Cell<'a> {
 }
 
 /// Whether every neighbour that the cell has agrees with it.
-fn is_inside(map: &RegionMap, index: usize) -> bool {
+pub(super) fn is_inside(map: &RegionMap, index: usize) -> bool {
     let (columns, rows) = (map.plane.x.count, map.plane.y.count);
     let (column, row) = (index as u32 % columns, index as u32 / columns);
     let around = |i: u32, count: u32| i.saturating_sub(1)..=(i + 1).min(count - 1);

@@ -13,6 +13,12 @@
 //! motion, and how far it moves is the cell's difference. A stray that was not continued, or that did not stay on a
 //! motion with the label, counts with its whole difference.
 //!
+//! # Cells on the edge
+//! On a boundary, and where chaos leaves the choice among motions to chance, a rounding error may decide a cell, and
+//! the coarser a plane the more of its cells lie there. [`tipped`] asks the reference itself: where it decides a cell
+//! otherwise once start and parameters are changed by about a rounding error of single precision, the cell is left out
+//! of what the thresholds are held to. A candidate that is wrong differs in cells that the reference is sure of.
+//!
 //! # Under control
 //! [`compare_controlled`] holds two maps under control to the same: the motions reached, and their points on σ.
 //!
@@ -27,14 +33,16 @@ mod continuation;
 mod controlled;
 mod spread;
 mod thresholds;
+mod tipped;
 
-pub use agreement::{Agreement, FailedCells, Fault, RegimeAgreement, WorstCell};
+pub use agreement::{Agreement, FailedCells, Fault, RegimeAgreement, Tipped, WorstCell};
 pub use boundaries::{Boundaries, BoundaryAgreement, boundaries};
 pub use compare::{compare, compare_continued};
 pub use continuation::{Continued, continue_strays, strays};
 pub use controlled::compare_controlled;
 pub use spread::{Share, Spread};
 pub use thresholds::{Check, Thresholds};
+pub use tipped::tipped;
 
 #[cfg(test)]
 mod tests;

@@ -17,6 +17,11 @@ impl Share {
         (self.cells > 0).then(|| self.agree as f64 / self.cells as f64)
     }
 
+    /// The share without some of the cells that do not agree.
+    pub fn without(self, cells: u64) -> Self {
+        Share { agree: self.agree, cells: self.cells.saturating_sub(cells).max(self.agree) }
+    }
+
     pub(super) fn count(&mut self, agrees: bool) {
         self.agree += u64::from(agrees);
         self.cells += 1;

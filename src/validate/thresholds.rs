@@ -55,10 +55,14 @@ impl Agreement {
         let end_state = self.end_state;
         let failed = (self.failed.reference + self.failed.candidate) as f64;
         vec![
-            Check::at_least("agreement inside regions", self.inside.value(), thresholds.inside),
+            Check::at_least(
+                "agreement inside regions",
+                self.inside.without(self.tipped.inside).value(),
+                thresholds.inside,
+            ),
             Check::at_least(
                 "agreement of non-chaotic cells",
-                self.non_chaotic.value(),
+                self.non_chaotic.without(self.tipped.non_chaotic).value(),
                 thresholds.non_chaotic,
             ),
             Check::at_most("failed cells", Some(failed), 0.0),

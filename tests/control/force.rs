@@ -13,7 +13,8 @@ fn a_force_in_phase_is_a_change_of_the_forcing() {
     let f20 = system().parameters().f20;
     let stronger = system().loaded(&[1.0 - f20 - 0.3877, f20]);
     let flight = Flight::<f64, 2>::new(&stronger);
-    let schedule = ControlSchedule { from: 0, iterates: 40, fixed: true };
+    let schedule =
+        ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let start = Section::new([-0.3, 0.01, 0.02, 1.9]);
     let follow = |flight: &Flight<f64, 2>| {
         let mut controlled =
@@ -152,7 +153,8 @@ fn exponents(convention: Convention, phase: f64, lag_forgotten: bool) -> [f64; 2
         setting.phase = phase;
     }
     let controller = scheme.resolve(&system).unwrap();
-    let schedule = ControlSchedule { from: 50, iterates: 4050, fixed: true };
+    let schedule =
+        ControlSchedule { from: 50, iterates: 4050, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let mut returns = Returns::default();
     let outcome = control::<f64, _>(&system, [0.0; 4], &controller, &schedule, &mut returns).unwrap();
     assert_eq!(outcome.verdict.label(), "1-1-1");

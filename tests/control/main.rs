@@ -36,7 +36,8 @@ impl<D> Witness<f64, D> for Returns {
 pub fn run(scheme: &Scheme, iterates: u32, start: [f64; 4]) -> (Outcome, Vec<Return<f64>>) {
     let system = system();
     let controller = scheme.resolve(&system).unwrap();
-    let schedule = ControlSchedule { from: 2000, iterates, fixed: true };
+    let schedule =
+        ControlSchedule { from: 2000, iterates, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let mut returns = Returns::default();
     let outcome = control::<f64, _>(&system, start, &controller, &schedule, &mut returns).unwrap();
     (outcome, returns.0)

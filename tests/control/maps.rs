@@ -22,7 +22,12 @@ fn plane(control: Scheme, x: &str, y: &str) -> ControlPlane {
         parameters: Parameters { omega: 2.83, ..Parameters::default() },
         start: Start::Rest,
         control,
-        iterates: ControlSchedule { from: 30, iterates: 330, fixed: false },
+        iterates: ControlSchedule {
+            from: 30,
+            iterates: 330,
+            fixed: false,
+            max_period: ControlSchedule::MAX_PERIOD,
+        },
     }
 }
 
@@ -40,7 +45,8 @@ fn beside_the_motion() -> [f64; 4] {
 fn feedback() -> ControlPlane {
     let mut plane = plane(delay(0.5, Sign::Stabilising), "omega=2.81:2.85:11", "gain=0.14:0.5:10");
     plane.start = Start::State(beside_the_motion());
-    plane.iterates = ControlSchedule { from: 2, iterates: 2000, fixed: false };
+    plane.iterates =
+        ControlSchedule { from: 2, iterates: 2000, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
     plane
 }
 
@@ -193,7 +199,8 @@ fn the_kick_agrees_on_where_the_motion_is_held() {
     let mut kicked =
         plane(sine(Convention::Kick, 0.0, 0.0, 0.0), "omega=2.826:2.836:4", "amplitude=0.02:0.3:6");
     kicked.start = Start::State(beside_the_motion());
-    kicked.iterates = ControlSchedule { from: 1, iterates: 600, fixed: false };
+    kicked.iterates =
+        ControlSchedule { from: 1, iterates: 600, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
     let (ours, theirs) = (map(&kicked, &Cpu), map(&kicked, &gpu()));
     let held = |map: &ControlMap| -> Vec<bool> {
         map.outcomes.iter().map(|outcome| outcome.verdict.label() == "1-2-1").collect()

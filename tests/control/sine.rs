@@ -40,7 +40,8 @@ fn the_fixed_point_is_stable_between_two_amplitudes() {
 fn from_nearby(amplitude: f64) -> f64 {
     let controller = sine(Convention::Kick, amplitude, 0.0, 0.0).resolve(&system()).unwrap();
     let flight = Flight::<f64, 2>::new(&system());
-    let schedule = ControlSchedule { from: 0, iterates: 3000, fixed: true };
+    let schedule =
+        ControlSchedule { from: 0, iterates: 3000, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let [v1, x2, v2, tau] = FIXED_POINT;
     let nearby = impact_atlas::control::Section::new([v1 + 1e-4, x2, v2, tau]);
     let mut controlled = Controlled::new(nearby.trajectory(&flight, false, ()), controller, &schedule);

@@ -11,7 +11,7 @@ use std::fmt;
 
 use super::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::analysis::{Probe, Schedule, Trace, Verdict};
-use crate::control::{ControlSchedule, Controller, Convention, Outcome};
+use crate::control::{ControlSchedule, Controller, Convention, LONGEST_ON_DEVICE, Outcome};
 
 pub use adapters::{AdapterReport, adapters};
 
@@ -97,6 +97,13 @@ impl Backend for Gpu {
                  for any other"
                     .to_owned(),
             ));
+        }
+        if schedule.max_period as usize > LONGEST_ON_DEVICE {
+            return Err(BackendError::Unsupported(format!(
+                "on the GPU periods of at most {LONGEST_ON_DEVICE} iterates are looked for, and not {}: lower \
+                 --max-period, or use --backend cpu",
+                schedule.max_period
+            )));
         }
         let mut outcomes = Vec::with_capacity(jobs.len());
         for tile in jobs.chunks(self.kernel.control_tile()) {

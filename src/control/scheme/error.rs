@@ -2,13 +2,13 @@
 
 use thiserror::Error;
 
-use crate::model::{ParameterError, SystemError};
+use crate::model::{Number, ParameterError, SystemError};
 
 /// Why a control method was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ControlError {
     /// A setting is out of its range.
-    #[error("{name} = {value} is out of range: {name} must be {range}")]
+    #[error("{name} = {} is out of range: {name} must be {range}", Number(*value))]
     OutOfRange {
         /// The setting.
         name: &'static str,
@@ -19,8 +19,10 @@ pub enum ControlError {
     },
     /// The target motion does not exist.
     #[error(
-        "there is no physical 1-1-1 motion at the reference omega = {omega} (delta = {delta}) to take as the target: \
-         choose another --reference, or give --target"
+        "there is no physical 1-1-1 motion at the reference omega = {} (delta = {}) to take as the target: \
+         choose another --reference, or give --target",
+        Number(*omega),
+        Number(*delta)
     )]
     NoTarget {
         /// The reference frequency.
@@ -29,13 +31,13 @@ pub enum ControlError {
         delta: f64,
     },
     /// A component of the target is NaN or infinite.
-    #[error("the target has a component of {0}: give finite numbers")]
+    #[error("the target has a component of {}: give finite numbers", Number(*.0))]
     TargetNotFinite(f64),
     /// The target's velocity leads into the stop.
-    #[error("the target velocity v1+ = {0} leads into stop A: after an impact there it is 0 or negative")]
+    #[error("the target velocity v1+ = {} leads into stop A: after an impact there it is 0 or negative", Number(*.0))]
     TargetVelocity(f64),
     /// The target's phase is not one.
-    #[error("the target phase tau = {0} is out of range: tau must be between 0 and 2π (6.2832)")]
+    #[error("the target phase tau = {} is out of range: tau must be between 0 and 2π (6.2832)", Number(*.0))]
     TargetPhase(f64),
     /// The reference frequency cannot be used.
     #[error("the reference frequency cannot be used")]

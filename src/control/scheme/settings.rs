@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::error::ControlError;
 use super::quantity::ControlQuantity;
 use super::target::Target;
-use crate::control::memory::LONGEST;
+use crate::control::memory::LONGEST_DELAY;
 use crate::control::sine::Convention;
 
 /// Settings of the adapted sine force; non-dimensional.
@@ -47,7 +47,7 @@ pub struct PulseSetting {
 pub struct DelaySetting {
     /// The diagonal of G, each between 0 and 1.
     pub gains: [f64; 4],
-    /// p, iterates, 1 to [`LONGEST`].
+    /// p, iterates, 1 to [`LONGEST_DELAY`](crate::control::LONGEST_DELAY).
     pub delay: u32,
     /// The sign of the feedback.
     pub sign: Sign,
@@ -104,7 +104,7 @@ impl PulseSetting {
 impl DelaySetting {
     pub(super) fn check(&self) -> Result<(), ControlError> {
         let gain = |g: f64| (ControlQuantity::Gain, g, (0.0..=1.0).contains(&g), GAIN_RANGE);
-        let whole = (1..=LONGEST as u32).contains(&self.delay);
+        let whole = (1..=LONGEST_DELAY as u32).contains(&self.delay);
         check_ranges(&self.gains.map(gain))?;
         check_ranges(&[(ControlQuantity::Delay, f64::from(self.delay), whole, "a whole number from 1 to 8")])
     }

@@ -7,8 +7,9 @@ use crate::render::canvas::{Point, Rect};
 pub(super) const HEIGHT: f64 = 1.22;
 /// The room between a name and its line, in text sizes.
 const GAP: f64 = 0.18;
-/// A line shorter than this many times its name stays without.
+/// A line shorter than this many times its name has none beside it; one shorter than so many text sizes has none at all.
 const SHORTEST: f64 = 1.5;
+const SHORTEST_LED: f64 = 1.5;
 /// How far away a name may stand that has a leader, in text sizes, and how many lines that may cross.
 const FARTHEST: u32 = 5;
 const MOST_CROSSED: usize = 2;
@@ -44,6 +45,9 @@ impl Plot<'_> {
     /// The place nearest to the middle of the line is taken that no other line parts from it; none if there is no room
     /// anywhere along the line.
     pub fn beside(&self, wanted: &Wanted) -> Option<Place> {
+        if length(wanted.line) < SHORTEST * wanted.width {
+            return None;
+        }
         self.nearest(wanted, |at, along, side| {
             let rect = beside(wanted, at, along, side, GAP);
             let beyond = |from: Point| moved(from, along, side * 0.3 * GAP * wanted.size);
@@ -55,6 +59,9 @@ impl Plot<'_> {
     /// Finds the same farther away, with a leader to the line: across as few other lines as possible, and then as near
     /// as possible.
     pub fn led(&self, wanted: &Wanted) -> Option<Place> {
+        if length(wanted.line) < SHORTEST_LED * wanted.size {
+            return None;
+        }
         let distances = (1..=FARTHEST).map(f64::from);
         let candidates = distances.flat_map(|distance| {
             let found = self.nearest(wanted, |at, along, side| {
@@ -73,9 +80,6 @@ impl Plot<'_> {
 
     /// Tries both sides of places along a line, from its middle outwards.
     fn nearest<T>(&self, wanted: &Wanted, attempt: impl Fn(Point, Point, f64) -> Option<T>) -> Option<T> {
-        if length(wanted.line) < SHORTEST * wanted.width {
-            return None;
-        }
         let places = stations(wanted.line, STEP * wanted.size);
         let middle = places.len() as f64 / 2.0;
         let mut order: Vec<usize> = (0..places.len()).collect();
@@ -173,7 +177,9 @@ mod tests {
             None,
             "neither between the lines nor in the frame"
         );
-        let short = [Point { x: 90.0, y: 50.0 }, Point { x: 110.0, y: 50.0 }];
-        assert_eq!(found(&[&short], &[]), [None, None]);
+        let across = |length: f64| [Point { x: 90.0, y: 50.0 }, Point { x: 90.0 + length, y: 50.0 }];
+        let [beside, led] = found(&[&across(20.0)], &[]);
+        assert!(beside.is_none() && led.is_some(), "too short for a name beside it");
+        assert_eq!(found(&[&across(10.0)], &[]), [None, None]);
     }
 }

@@ -31,6 +31,9 @@ const REGION_CLEARANCE: f64 = 0.4;
 /// The light around a name, in text sizes.
 const HALO: f64 = 0.22;
 
+/// Marks of special points closer together than this are one, in em.
+const TOGETHER: f64 = 0.8;
+
 /// The width of the line that leads to a name, without and with its casing, and the radius of its end, in em.
 const LEADER: [f64; 2] = [0.06, 0.2];
 const END_OF_LEADER: f64 = 0.13;
@@ -91,11 +94,12 @@ impl<'a> Overlay<'a> {
             kinds: style::KINDS.into_iter().filter(|&kind| shown(Some(kind), &|_| true)).collect(),
             subcritical: shown(None, &|point| point.criticality == Some(Criticality::Subcritical)),
             marks: shown(None, &|point| point.special.is_some()),
+            curves: self.curves.iter().filter(|curve| curve.points.iter().any(|p| self.shows(p))).count(),
         }
     }
 
-    /// Draws lines, marks and names over a plot.
-    pub fn draw(&self, canvas: &mut Canvas, plot: Rect, frame: &Frame, em: f64) {
+    /// Draws lines, marks and names over a plot; what the curves are that there was no room to name.
+    pub fn draw(&self, canvas: &mut Canvas, plot: Rect, frame: &Frame, em: f64) -> Vec<String> {
         let place = |point: &CurvePoint| Point {
             x: plot.x + frame.x.fraction(point.x) * plot.width,
             y: plot.bottom() - frame.y.fraction(point.y) * plot.height,
@@ -111,21 +115,21 @@ impl<'a> Overlay<'a> {
             let line = styled(piece);
             canvas.stroke(&piece.line, line.width, line.colour, &line.dashes);
         }
-        let special: Vec<Point> = self
-            .curves
-            .iter()
-            .flat_map(|curve| &curve.points)
+        let special = (self.curves.iter().flat_map(|curve| &curve.points))
             .filter(|point| point.special.is_some() && self.shows(point))
-            .map(place)
-            .collect();
-        for &at in &special {
-            key::draw_mark(canvas, at, em);
+            .map(place);
+        let marks = gathered(special, TOGETHER * em);
+        for &(at, count) in &marks {
+            key::draw_mark(canvas, at, count, em);
         }
         let mut taken: Vec<Rect> =
-            special.iter().map(|&at| about(at, 2.4 * key::MARK * em, 2.4 * key::MARK * em)).collect();
+            marks.iter().map(|&(at, _)| about(at, 2.4 * key::MARK * em, 2.4 * key::MARK * em)).collect();
         let lines: Vec<&[Point]> = pieces.iter().map(|piece| &*piece.line).collect();
         self.draw_region_names(canvas, plot, em, &lines, &mut taken);
-        draw_curve_names(canvas, plot, em, &pieces, &lines, taken);
+        let names = Names { plot, em, pieces: &pieces, lines: &lines };
+        let named = names.draw(canvas, taken);
+        let shown = self.curves.iter().filter(|curve| curve.points.iter().any(|point| self.shows(point)));
+        shown.filter(|curve| !named.contains(&std::ptr::from_ref(*curve))).map(name).collect()
     }
 
     /// The parts to be drawn; each reaches to the beginning of the next, so that no line is broken.
@@ -141,7 +145,8 @@ impl<'a> Overlay<'a> {
                     let points = &curve.points[first..(last + 1).min(curve.points.len())];
                     pieces.push(Piece {
                         curve,
-                        name: stretch.name.as_deref(),
+                        // Another curve of the same kind and motion than the paper's is called by these.
+                        name: stretch.name.as_deref().filter(|name| !name.ends_with('\'')),
                         criticality: run[0].criticality,
                         line: points.iter().map(&place).collect(),
                     });
@@ -186,46 +191,93 @@ impl<'a> Overlay<'a> {
     }
 }
 
-fn draw_curve_names(
-    canvas: &mut Canvas,
+/// A curve by kind and motion, such as "PD 1-2-2".
+fn name(curve: &Curve) -> String {
+    let [_, short] = style::names(curve.kind);
+    format!("{short} {}", curve.motion.label())
+}
+
+/// Places in groups that reach less far than a distance from their first, with how many there are of each.
+fn gathered(places: impl Iterator<Item = Point>, distance: f64) -> Vec<(Point, usize)> {
+    let mut groups: Vec<(Point, usize)> = Vec::new();
+    for place in places {
+        let near = |(at, _): &&mut (Point, usize)| (at.x - place.x).hypot(at.y - place.y) < distance;
+        match groups.iter_mut().find(near) {
+            Some((_, count)) => *count += 1,
+            None => groups.push((place, 1)),
+        }
+    }
+    groups
+}
+
+/// The names of curves, to be placed among their lines.
+struct Names<'a> {
     plot: Rect,
     em: f64,
-    pieces: &[Piece],
-    lines: &[&[Point]],
-    mut taken: Vec<Rect>,
-) {
-    // The paper's names first, then the longest.
-    let mut order: Vec<&Piece> = pieces.iter().collect();
-    order.sort_by_key(|piece| piece.name.is_none());
-    let mut said: Vec<(*const Curve, &str)> = Vec::new();
-    for piece in order {
-        let entry = (std::ptr::from_ref(piece.curve), piece.name.unwrap_or_default());
-        if said.contains(&entry) {
-            continue;
+    pieces: &'a [Piece<'a>],
+    lines: &'a [&'a [Point]],
+}
+
+impl Names<'_> {
+    /// Draws the names that there is room for: beside their curves first, then those that need a leader. Gives the
+    /// curves that have one.
+    fn draw(&self, canvas: &mut Canvas, mut taken: Vec<Rect>) -> Vec<*const Curve> {
+        // The paper's names first, then the longest.
+        let mut order: Vec<&Piece> = self.pieces.iter().collect();
+        order.sort_by_key(|piece| piece.name.is_none());
+        let mut said: Vec<(*const Curve, &str)> = Vec::new();
+        for leader in [false, true] {
+            for piece in &order {
+                let curve = std::ptr::from_ref(piece.curve);
+                let entry = (curve, piece.name.unwrap_or_default());
+                // The paper's names are worth a leader for each of theirs, others only for a curve without any.
+                let known = said.iter().any(|&(other, name)| {
+                    other == curve && (name == entry.1 || leader && piece.name.is_none())
+                });
+                if known || leader && style::is_thin(piece.curve) {
+                    continue;
+                }
+                if let Some(rect) = self.draw_one(canvas, piece, leader, &taken) {
+                    said.push(entry);
+                    taken.push(rect);
+                }
+            }
         }
-        let [_, short] = style::names(piece.curve.kind);
+        said.into_iter().map(|(curve, _)| curve).collect()
+    }
+
+    /// Draws the name of a piece, if there is room for it.
+    fn draw_one(&self, canvas: &mut Canvas, piece: &Piece, leader: bool, taken: &[Rect]) -> Option<Rect> {
+        let em = self.em;
         let (text, size) = match piece.name {
-            Some(name) => (Text::from(name.replace('\'', "′")), PAPER_SIZE * em),
-            None => (
-                Text::from(format!("{short} {}", piece.curve.motion.label())),
-                (OTHER_SIZE * em).max(READABLE),
-            ),
+            Some(name) => (Text::from(name), PAPER_SIZE * em),
+            None => (name(piece.curve).into(), (OTHER_SIZE * em).max(READABLE)),
         };
         let wanted = Wanted { line: &piece.line, width: text.width(size), size };
-        let space = labels::Plot { rect: plot, lines, taken: &taken };
-        // Only a name that the paper gives, and only at the longest of its curves, is worth a leader.
-        let led = || piece.name.filter(|name| !name.ends_with('\'')).and_then(|_| space.led(&wanted));
-        let Some(place) = space.beside(&wanted).or_else(led) else { continue };
+        let space = labels::Plot { rect: self.plot, lines: self.lines, taken };
+        let place = if leader { space.led(&wanted) } else { space.beside(&wanted) }?;
         let colour = style::colour(piece.curve.kind);
         if let Some((from, to)) = place.leader {
             canvas.stroke(&[from, to], LEADER[1] * em, CASING, &[]);
             canvas.stroke(&[from, to], LEADER[0] * em, colour, &[]);
             canvas.disc(from, END_OF_LEADER * em, colour, LEADER[0] * em, CASING);
         }
-        let at =
-            Point { x: place.rect.x + place.rect.width / 2.0, y: place.rect.y + place.rect.height / 2.0 };
+        let Rect { x, y, width, height } = place.rect;
+        let at = Point { x: x + width / 2.0, y: y + height / 2.0 };
         canvas.haloed_text(&text, at, Anchor::Middle, size, colour, (HALO * size, CASING));
-        said.push(entry);
-        taken.push(place.rect);
+        Some(place.rect)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_close_together_are_gathered() {
+        let at = |x: f64, y: f64| Point { x, y };
+        let places = [at(0.0, 0.0), at(10.0, 0.0), at(0.5, 0.5), at(10.0, 1.9), at(10.0, 3.0)];
+        let expected = [(at(0.0, 0.0), 2), (at(10.0, 0.0), 2), (at(10.0, 3.0), 1)];
+        assert_eq!(gathered(places.into_iter(), 2.0), expected);
     }
 }

@@ -61,9 +61,7 @@ fn lying_along(
     grid: Grid,
 ) -> Vec<Option<&'static str>> {
     let mut near = vec![None; map.verdicts.len()];
-    let cell = |axis: &Axis, value: f64| {
-        ((value - axis.first) / (axis.last - axis.first) * f64::from(axis.count - 1)).round() as i64
-    };
+    let cell = |axis: &Axis, value: f64| axis.place(value).round() as i64;
     for stretch in stretches {
         let name = match stretch.name.as_deref().map(|name| name.trim_end_matches('\'')) {
             Some("L1" | "L2") => "R7",

@@ -43,6 +43,11 @@ pub(super) fn names(kind: Kind) -> [&'static str; 2] {
     }
 }
 
+/// Whether a curve is one of many that crowd.
+pub(super) fn is_thin(curve: &Curve) -> bool {
+    curve.motion.p.max(curve.motion.q) > FEW_IMPACTS * curve.motion.n
+}
+
 /// A line, in pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Line {
@@ -63,8 +68,7 @@ impl Line {
     /// The line of a curve where it has some criticality.
     pub fn of_curve(curve: &Curve, criticality: Option<Criticality>, em: f64) -> Self {
         let plain = Line::of(curve.kind, em);
-        let motion = &curve.motion;
-        let thin = if motion.p.max(motion.q) > FEW_IMPACTS * motion.n { THIN } else { 1.0 };
+        let thin = if is_thin(curve) { THIN } else { 1.0 };
         let dashes: &[f64] = match (curve.kind, criticality) {
             (Kind::Grazing, _) => &DOTS,
             (_, Some(Criticality::Subcritical)) => &DASHES,

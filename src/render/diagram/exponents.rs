@@ -1,6 +1,7 @@
 //! The panel of Lyapunov exponents, and what it leaves out.
 
-use crate::diagram::{Diagram, ExponentUnit};
+use super::windows::Columns;
+use crate::diagram::{Branch, Diagram, ExponentUnit};
 use crate::render::canvas::Colour;
 use crate::render::colours::{INK, MUTED};
 use crate::render::figure::{Mark, Panel};
@@ -12,6 +13,9 @@ use crate::render::text::Text;
 /// Lengths in em.
 const LINE: f64 = 0.08;
 const LEVEL: f64 = 0.06;
+/// The dot of an exponent without neighbours, where there are few columns, and how many those are.
+const SINGLE: f64 = 0.3;
+const MANY: usize = 40;
 /// The share of the lowest exponents that the panel of exponents may leave out, if they would take more room than this
 /// share of what the others take.
 const LEFT_OUT: f64 = 0.02;
@@ -21,26 +25,43 @@ const ROOM: f64 = 0.5;
 pub(super) const COLOURS: [Colour; 4] =
     [INK, image::Rgb([0x27, 0x6d, 0xad]), image::Rgb([0x0d, 0x7a, 0x63]), MUTED];
 
-/// The exponents of every column, largest first.
-pub(super) fn exponent_panel(diagram: &Diagram) -> Panel {
-    let spec = &diagram.spec;
-    let values = spec.x.values();
+/// The exponents of every column, largest first: a panel for every branch, all to one scale.
+pub(super) fn exponent_panels(diagram: &Diagram) -> Vec<Panel> {
+    let frame = frame(diagram);
+    let several = diagram.branches.len() > 1;
+    let panel = |branch: &Branch| {
+        let spectrum = branch.spectrum.as_ref()?;
+        let caption = several.then(|| format!("state carried {}", branch.direction.name()).into());
+        let marks = marks(&diagram.spec.x.values(), spectrum);
+        Some(Panel { caption, frame: frame.clone(), marks, strips: Vec::new(), weight: 1.0 })
+    };
+    diagram.branches.iter().filter_map(panel).collect()
+}
+
+/// Lines through the exponents, and dots where one has no neighbour.
+fn marks(values: &[f64], spectrum: &[[f64; 4]]) -> Vec<Mark> {
     let mut marks = vec![Mark::Level { y: 0.0, width: LEVEL, colour: MUTED }];
-    for branch in &diagram.branches {
-        let Some(spectrum) = &branch.spectrum else { continue };
-        for (which, &colour) in COLOURS.iter().enumerate().rev() {
-            // An exponent of −∞ interrupts its line.
-            let exponent = |exponents: &[f64; 4]| {
-                let value = exponents[which];
-                if value.is_finite() { value } else { f64::NAN }
-            };
-            let points: Vec<[f64; 2]> =
-                values.iter().zip(spectrum).map(|(&x, exponents)| [x, exponent(exponents)]).collect();
-            let alone = points.windows(3).filter(|p| p[0][1].is_nan() && p[2][1].is_nan()).map(|p| p[1]);
-            marks.push(Mark::Dots { points: alone.collect(), diameter: 1.5 * LINE, colour });
-            marks.push(Mark::Line { points, width: LINE, colour });
-        }
+    let diameter = if values.len() > MANY { 1.5 * LINE } else { SINGLE };
+    for (which, &colour) in COLOURS.iter().enumerate().rev() {
+        // An exponent of −∞ interrupts its line.
+        let exponent = |exponents: &[f64; 4]| {
+            let value = exponents[which];
+            if value.is_finite() { value } else { f64::NAN }
+        };
+        let points: Vec<[f64; 2]> =
+            values.iter().zip(spectrum).map(|(&x, exponents)| [x, exponent(exponents)]).collect();
+        let there = |i: usize| points.get(i).is_some_and(|point| point[1].is_finite());
+        let alone = |&i: &usize| there(i) && !there(i + 1) && !(i > 0 && there(i - 1));
+        let dots = (0..points.len()).filter(alone).map(|i| points[i]).collect();
+        marks.push(Mark::Dots { points: dots, diameter, colour });
+        marks.push(Mark::Line { points, width: LINE, colour });
     }
+    marks
+}
+
+/// The axes that all panels share.
+fn frame(diagram: &Diagram) -> Frame {
+    let spec = &diagram.spec;
     let shown = Exponents::of(diagram).shown;
     let unit = spec.spectrum.unwrap_or(ExponentUnit::Period);
     let short = match unit {
@@ -49,17 +70,11 @@ pub(super) fn exponent_panel(diagram: &Diagram) -> Panel {
             Text::new().italic("λ").upright(format!(" per {}", unit.name()))
         }
     };
-    Panel {
-        caption: None,
-        frame: Frame {
-            x: super::scale(&spec.x),
-            y: Scale::around(shown.iter().copied().chain([0.0]), 0.06),
-            x_title: symbols::axis_title(spec.x.quantity()),
-            y_title: AxisTitle { long: format!("Lyapunov exponents per {}", unit.name()).into(), short },
-        },
-        marks,
-        strips: Vec::new(),
-        weight: 1.0,
+    Frame {
+        x: Columns::of(&spec.x).scale(),
+        y: Scale::around(shown.iter().copied().chain([0.0]), 0.06),
+        x_title: symbols::axis_title(spec.x.quantity()),
+        y_title: AxisTitle { long: format!("Lyapunov exponents per {}", unit.name()).into(), short },
     }
 }
 
@@ -116,6 +131,30 @@ mod tests {
     use super::*;
     use crate::diagram::Sweep;
     use crate::render::diagram::tests::diagram;
+
+    #[test]
+    fn an_exponent_without_neighbours_is_a_dot() {
+        let dots = |spectrum: &[[f64; 4]]| -> usize {
+            let values: Vec<f64> = (0..spectrum.len()).map(|i| i as f64).collect();
+            let count = |mark: &Mark| if let Mark::Dots { points, .. } = mark { points.len() } else { 0 };
+            marks(&values, spectrum).iter().map(count).sum()
+        };
+        let (there, lost) = ([0.1, 0.0, -1.0, -2.0], [f64::NEG_INFINITY; 4]);
+        assert_eq!((dots(&[there]), dots(&[there, there]), dots(&[lost])), (4, 0, 0));
+        assert_eq!(dots(&[there, lost, there, there, lost, there]), 8);
+    }
+
+    #[test]
+    fn every_branch_has_a_panel_of_its_own() {
+        let mut both = diagram("omega=5:0.2:100", Sweep::Both, 0.1, 0.07);
+        both.branches[1].spectrum = Some(vec![[0.5, -0.5, -1.0, -1.5]; 100]);
+        let panels = exponent_panels(&both);
+        assert_eq!(panels.len(), 2);
+        assert!(panels[0].caption != panels[1].caption && panels[0].marks != panels[1].marks);
+        assert_eq!(panels[0].frame.y, panels[1].frame.y);
+        let down = exponent_panels(&diagram("omega=5:0.2:100", Sweep::Down, 0.1, 0.07));
+        assert_eq!((down.len(), &down[0].caption), (1, &None));
+    }
 
     #[test]
     fn only_exponents_far_below_are_left_out() {

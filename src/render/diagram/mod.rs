@@ -2,9 +2,11 @@
 //! sticking shaded, and the Lyapunov exponents below.
 
 mod exponents;
+mod motions;
 mod windows;
 
-use self::exponents::{Exponents, exponent_panel};
+use self::exponents::{Exponents, exponent_panels};
+use self::motions::Motions;
 use self::windows::Columns;
 use super::canvas::Colour;
 use super::colours::{CHATTERING, OTHER_BRANCH, STEADY_BLUE, STICKING};
@@ -15,24 +17,30 @@ use super::scale::Scale;
 use super::symbols;
 use super::text::Text;
 use crate::analysis::{CHATTER_RUN, Section};
-use crate::diagram::{Branch, Diagram, Direction, SweepAxis};
+use crate::diagram::{Branch, Diagram, Direction};
 use crate::plane::Quantity;
 
 /// Lengths in em.
 const DOT: std::ops::RangeInclusive<f64> = 0.055..=0.16;
 /// The sum of the dots of all columns side by side, as far as their sizes permit.
 const DOTS_ABREAST: f64 = 35.0;
+/// The dots of so few columns are larger.
+const FEW: u32 = 20;
+const SINGLE: f64 = 0.35;
+
 /// Draws a diagram as a figure, over its Lyapunov exponents if it has them.
 pub fn diagram_figure(diagram: &Diagram) -> Figure {
     let spec = &diagram.spec;
     let varied = |quantity| quantity == spec.x.quantity();
     let mut title = symbols::equations(&spec.parameters, varied);
     title.extend(beginning(diagram));
-    let mut rows = vec![Row { panels: vec![section_panel(diagram)], weight: 1.0 }];
-    if diagram.branches.iter().any(|branch| branch.spectrum.is_some()) {
-        rows.push(Row { panels: vec![exponent_panel(diagram)], weight: 0.62 });
-    }
-    Figure { title, rows, key: key(diagram), notes: notes(diagram), width: 58.0 }
+    let motions = Motions::of(diagram);
+    let mut rows = vec![Row { panels: vec![section_panel(diagram, &motions)], weight: 1.0 }];
+    let below = exponent_panels(diagram).into_iter();
+    rows.extend(below.map(|panel| Row { panels: vec![panel], weight: 0.62 }));
+    let mut key = motions.key();
+    key.extend(marks_key(diagram));
+    Figure { title, rows, key, notes: notes(diagram), width: 58.0 }
 }
 
 /// How the columns begin, in pieces that belong together.
@@ -53,33 +61,18 @@ fn beginning(diagram: &Diagram) -> Vec<Text> {
     }
 }
 
-fn columns(axis: &SweepAxis) -> Columns {
-    let [first, last] = axis.ends();
-    Columns { first, step: if first > last { -axis.step() } else { axis.step().max(f64::MIN_POSITIVE) } }
-}
-
-/// The scale of the axis, as written, half a column beyond its ends.
-fn scale(axis: &SweepAxis) -> Scale {
-    let [first, last] = axis.ends();
-    if axis.count() == 1 {
-        return Scale::around([first], 0.05);
-    }
-    let half = 0.5 * columns(axis).step;
-    Scale::new(first - half, last + half)
-}
-
 fn colour(direction: Direction) -> Colour {
     if direction == Direction::Up { OTHER_BRANCH } else { STEADY_BLUE }
 }
 
-fn section_panel(diagram: &Diagram) -> Panel {
+fn section_panel(diagram: &Diagram, motions: &Motions) -> Panel {
     let spec = &diagram.spec;
-    let columns = columns(&spec.x);
+    let columns = Columns::of(&spec.x);
     let values = spec.x.values();
     let readings =
         || diagram.branches.iter().flat_map(|b| &b.traces).flat_map(|trace| trace.readings.iter().copied());
     let frame = Frame {
-        x: scale(&spec.x),
+        x: columns.scale(),
         y: Scale::around(readings(), 0.04),
         x_title: symbols::axis_title(spec.x.quantity()),
         y_title: symbols::reading_title(diagram.spec.probe.reading),
@@ -90,14 +83,17 @@ fn section_panel(diagram: &Diagram) -> Panel {
         marks.extend(chatter.into_iter().map(|x| Mark::Band { x, colour: CHATTERING }));
         marks.extend(sticking.into_iter().map(|x| Mark::Band { x, colour: STICKING }));
     }
-    let diameter = (DOTS_ABREAST / f64::from(spec.x.count())).clamp(*DOT.start(), *DOT.end());
+    let diameter = match spec.x.count() {
+        ..=FEW => SINGLE,
+        count => (DOTS_ABREAST / f64::from(count)).clamp(*DOT.start(), *DOT.end()),
+    };
     for branch in &diagram.branches {
         let traces = values.iter().zip(&branch.traces);
         let points = traces.flat_map(|(&x, trace)| trace.readings.iter().map(move |&y| [x, y])).collect();
         marks.push(Mark::Dots { points, diameter, colour: colour(branch.direction) });
     }
     let strip = |branch: &Branch| Strip {
-        stretches: columns.stretches(&branch.traces),
+        stretches: columns.stretches(&branch.traces, &motions.paints),
         labels: columns.labels(&branch.traces),
         name: (diagram.branches.len() > 1).then(|| branch.direction.name().into()),
     };
@@ -105,7 +101,8 @@ fn section_panel(diagram: &Diagram) -> Panel {
     Panel { caption: None, frame, marks, strips, weight: 1.0 }
 }
 
-fn key(diagram: &Diagram) -> Vec<KeyEntry> {
+/// What dots, lines and bands stand for.
+fn marks_key(diagram: &Diagram) -> Vec<KeyEntry> {
     let mut key = Vec::new();
     if diagram.branches.len() > 1 {
         for branch in &diagram.branches {
@@ -115,7 +112,7 @@ fn key(diagram: &Diagram) -> Vec<KeyEntry> {
         }
     }
     let bands: Vec<_> =
-        diagram.branches.iter().map(|branch| columns(&diagram.spec.x).bands(&branch.traces)).collect();
+        diagram.branches.iter().map(|branch| Columns::of(&diagram.spec.x).bands(&branch.traces)).collect();
     let marked = |which: usize| bands.iter().any(|bands| !bands[which].is_empty());
     if marked(0) {
         key.push(KeyEntry { sample: Sample::Fill(Paint::plain(CHATTERING)), name: "chatter".into() });
@@ -166,7 +163,7 @@ fn notes(diagram: &Diagram) -> Vec<Text> {
     };
     notes.push(impacts("p", "−", ","));
     notes.push(impacts("q", "+", "."));
-    let bands = diagram.branches.iter().map(|branch| columns(&diagram.spec.x).bands(&branch.traces));
+    let bands = diagram.branches.iter().map(|branch| Columns::of(&diagram.spec.x).bands(&branch.traces));
     if bands.into_iter().any(|[chatter, _]| !chatter.is_empty()) {
         notes.push(format!("Chatter: {CHATTER_RUN} or more impacts in a row at one stop,").into());
         notes.push("each slower than the one before.".into());
@@ -240,7 +237,10 @@ pub(super) mod tests {
                 let size = Size::new(size.0, size.1).unwrap();
                 let picture = diagram_figure(&diagram).draw(size, &diagram.config()).unwrap();
                 assert_eq!(faults(&picture, size), [""; 0], "{x}, {size:?}");
-                let mut expected = vec!["λ", "forcing periods"];
+                let mut expected = vec!["λ", "forcing periods", "1-2-2 symmetric<", "chaotic<"];
+                if diagram.spec.x.count() == 1 {
+                    expected.truncate(2);
+                }
                 if diagram.spec.x.count() > 8 {
                     expected.extend([
                         "Chatter: 5 or more",

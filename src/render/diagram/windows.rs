@@ -1,9 +1,12 @@
 //! Which motions a branch shows along the axis: stretches of equal columns, and the windows that get a name.
 
 use crate::analysis::{CHATTER_RUN, Trace};
-use crate::render::colours::paint_of;
+use crate::diagram::SweepAxis;
+use crate::plane::Axis;
+use crate::render::colouring::Colouring;
 use crate::render::figure::{Stretch, StripLabel};
 use crate::render::motion::Motion;
+use crate::render::scale::Scale;
 
 /// Interruptions of a window that are shorter than this share of the axis do not end it.
 const INTERRUPTION: f64 = 0.004;
@@ -29,25 +32,36 @@ fn runs<K: PartialEq + Copy>(kinds: impl Iterator<Item = K>) -> Vec<Run<K>> {
 
 /// The places of columns on the axis: each reaches half a column to either side.
 pub(super) struct Columns {
-    pub first: f64,
-    pub step: f64,
+    axis: Axis,
 }
 
 impl Columns {
+    /// The columns of an axis.
+    pub fn of(axis: &SweepAxis) -> Self {
+        Columns { axis: *axis.axis() }
+    }
+
+    /// The scale that shows them all.
+    pub fn scale(&self) -> Scale {
+        Scale::of(&self.axis)
+    }
+
     fn span(&self, first: usize, last: usize) -> [f64; 2] {
-        let at = |i: f64| self.first + self.step * i;
-        [at(first as f64 - 0.5), at(last as f64 + 0.5)]
+        if self.axis.count == 1 {
+            return self.scale().ends();
+        }
+        [self.axis.at(first as f64 - 0.5), self.axis.at(last as f64 + 0.5)]
     }
 
     /// The colours of the motions.
-    pub fn stretches(&self, traces: &[Trace]) -> Vec<Stretch> {
+    pub fn stretches(&self, traces: &[Trace], paints: &Colouring) -> Vec<Stretch> {
         let motions = traces.iter().map(|trace| Motion::of(&trace.verdict));
         let stretch =
-            |run: &Run<Motion>| Stretch { x: self.span(run.first, run.last), paint: paint_of(run.kind) };
+            |run: &Run<Motion>| Stretch { x: self.span(run.first, run.last), paint: paints.paint(run.kind) };
         runs(motions).iter().map(stretch).collect()
     }
 
-    /// The names of the motions, in full and by label alone.
+    /// The names of the motions, in full and abbreviated.
     pub fn labels(&self, traces: &[Trace]) -> Vec<StripLabel> {
         let gap = (INTERRUPTION * traces.len() as f64) as usize;
         let mut windows: Vec<Run<Motion>> = Vec::new();
@@ -64,7 +78,7 @@ impl Columns {
         }
         let label = |window: &Run<Motion>| {
             let verdict = &traces[window.last].verdict;
-            let names = vec![Motion::name(verdict).into(), verdict.label().into()];
+            let names = vec![Motion::name(verdict).into(), Motion::short_name(verdict).into()];
             StripLabel { x: self.span(window.first, window.last), names }
         };
         windows.iter().map(label).collect()
@@ -101,17 +115,35 @@ mod tests {
 
     #[test]
     fn short_interruptions_do_not_end_a_window() {
-        let columns = Columns { first: 0.0, step: 1.0 };
+        let columns = Columns::of(&"x2=0:999:1000".parse().unwrap());
         let traces = traces(&[(1, 400), (2, 1), (1, 1), (3, 1), (1, 97), (2, 500)]);
         let labels = columns.labels(&traces);
         let spans: Vec<[f64; 2]> = labels.iter().map(|label| label.x).collect();
         assert_eq!(spans, [[-0.5, 499.5], [499.5, 999.5]]);
-        assert_eq!(columns.stretches(&traces).len(), 6);
+        assert_eq!(columns.stretches(&traces, &Colouring::of([])).len(), 6);
+    }
+
+    #[test]
+    fn a_single_column_has_a_width() {
+        let columns = Columns::of(&"omega=2:2:1".parse().unwrap());
+        let stretches = columns.stretches(&traces(&[(1, 1)]), &Colouring::of([]));
+        let [left, right] = stretches[0].x.map(|x| columns.scale().fraction(x));
+        assert_eq!((stretches.len(), left, right), (1, 0.0, 1.0));
+        assert!(columns.labels(&traces(&[(1, 1)]))[0].x[0] < 2.0);
+    }
+
+    #[test]
+    fn names_tell_symmetric_from_unsymmetric_however_short() {
+        let columns = Columns::of(&"x2=0:1:2".parse().unwrap());
+        let mut both = traces(&[(1, 2)]);
+        both[0].verdict.symmetric = true;
+        let labels = columns.labels(&both);
+        assert!(labels[0].names.iter().all(|name| !labels[1].names.contains(name)), "{labels:?}");
     }
 
     #[test]
     fn chatter_is_marked() {
-        let columns = Columns { first: 5.0, step: -0.5 };
+        let columns = Columns::of(&"omega=5:3:5".parse().unwrap());
         let [chatter, sticking] = columns.bands(&traces(&[(1, 2), (6, 2), (2, 1)]));
         assert_eq!((chatter, sticking), (vec![[4.25, 3.25]], vec![]));
     }

@@ -59,6 +59,23 @@ pub enum Mark {
     },
 }
 
+impl Mark {
+    /// Whether any of it is seen between the axes of a frame; a line is if one of its points is.
+    pub fn is_in(&self, frame: &Frame) -> bool {
+        match self {
+            Mark::Line { points, .. } | Mark::Dots { points, .. } => {
+                points.iter().any(|&[x, y]| frame.x.shows(x) && frame.y.shows(y))
+            }
+            Mark::Band { x: [from, until], .. } => {
+                let (a, b) = (frame.x.fraction(*from), frame.x.fraction(*until));
+                a.min(b) < 1.0 && a.max(b) > 0.0
+            }
+            Mark::Level { y, .. } => frame.y.shows(*y),
+            Mark::Upright { x, .. } => frame.x.shows(*x),
+        }
+    }
+}
+
 /// A plot that marks are drawn into.
 pub(super) struct Plot<'a> {
     pub frame: &'a Frame,

@@ -5,6 +5,9 @@ use crate::dynamics::{Recording, Sample, Stop};
 
 /// Into how many parts the flight to or from an impact is cut.
 const PARTS: u32 = 6;
+/// How many straight pieces reach across a window at least, and into how many a piece is cut at most.
+const PIECES: f64 = 300.0;
+const MOST_PARTS: u32 = 100_000;
 
 /// A place on the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +78,38 @@ pub(super) fn curve(recording: &Recording, delta: f64) -> Vec<Place> {
     places
 }
 
+/// The same curve with places filled in wherever it is seen through a window: `at` says where a place is, from 0 to 1
+/// along either side of the window.
+///
+/// No straight piece is then longer than a small part of the window, however far that is zoomed in.
+pub(super) fn refined(
+    recording: &Recording,
+    places: &[Place],
+    at: impl Fn(&Place) -> [f64; 2],
+) -> Vec<Place> {
+    let mut fine = Vec::with_capacity(places.len());
+    for (here, next) in places.iter().zip(places.iter().skip(1)) {
+        fine.push(*here);
+        let parts = parts(at(here), at(next));
+        if parts > 1 && next.time > here.time && !rests(recording, here, next) {
+            fine.extend((1..parts).map(|i| here.towards(next, f64::from(i) / f64::from(parts))));
+        }
+    }
+    fine.extend(places.last());
+    fine
+}
+
+/// Into how many parts a piece between two points of the window is cut: none where it stays out of sight.
+fn parts(a: [f64; 2], b: [f64; 2]) -> u32 {
+    let length = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+    // A curve bulges out of the box around its ends by less than the size of that box.
+    let beside = |i: usize| a[i].max(b[i]) < -length || a[i].min(b[i]) > 1.0 + length;
+    if !length.is_finite() || beside(0) || beside(1) {
+        return 1;
+    }
+    ((length * PIECES).ceil() as u32).clamp(1, MOST_PARTS)
+}
+
 /// Whether the first mass rests on a stop for a part of the way between two places.
 fn rests(recording: &Recording, from: &Place, until: &Place) -> bool {
     let first = recording.sticks.partition_point(|stick| stick.until <= from.time);
@@ -101,6 +136,33 @@ mod tests {
         assert!(worst > 0.0 && worst < 2e-3, "{worst}");
         let inside = coarse.iter().all(|place| place.state[0].abs() <= 0.545 + 1e-9);
         assert!(inside);
+    }
+
+    #[test]
+    fn a_window_is_crossed_in_small_pieces_along_the_true_curve() {
+        let system = System::new(Parameters { omega: 2.0, delta: 0.3, ..Parameters::default() }).unwrap();
+        let coarse = record(&system, [0.0; 4], 100, 1, 400);
+        let fine = record(&system, [0.0; 4], 100, 1, 200_000);
+        let places = curve(&coarse, 0.3);
+        let middle = &fine.samples[77_777];
+        // Half of a hundredth of the curve's size to either side.
+        let at = |place: &Place| {
+            [(place.state[0] - middle.x1) / 3e-3 + 0.5, (place.state[2] - middle.v1) / 3e-3 + 0.5]
+        };
+        let seen = |places: &[Place]| -> Vec<[f64; 2]> {
+            let inside = |[x, y]: &[f64; 2]| (-0.1..=1.1).contains(x) && (-0.1..=1.1).contains(y);
+            places.iter().map(at).filter(inside).collect()
+        };
+        let found = refined(&coarse, &places, at);
+        let shown = seen(&found);
+        assert!(seen(&places).len() < 8 && shown.len() > 200, "{} {}", seen(&places).len(), shown.len());
+        assert!(found.len() < places.len() + 3000, "nothing is filled in out of sight: {}", found.len());
+        let truth: Vec<Place> = fine.samples.iter().map(Place::of_sample).collect();
+        let truth = seen(&truth);
+        for [x, y] in shown {
+            let near = truth.iter().map(|[a, b]| (a - x).hypot(b - y)).fold(f64::INFINITY, f64::min);
+            assert!(near < 1e-2, "{x} {y} is {near} of the window off");
+        }
     }
 
     #[test]

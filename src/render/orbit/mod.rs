@@ -1,22 +1,22 @@
 //! Orbits: phase portraits with the stops, time series with impacts and sticking, projected sections.
 
 mod curve;
+mod figure;
 mod panel;
 
+pub use figure::{orbit_figure, orbit_key};
 pub use panel::{OrbitPanel, PanelError, Variable, Zoom};
 
-use self::curve::{Place, curve};
+use self::curve::{Place, curve, refined};
 use super::colours::{INK, STEADY_BLUE, STICKING, STOP, STRIKING};
-use super::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample};
+use super::figure::{Mark, Panel};
 use super::frame::{AxisTitle, Frame};
-use super::paint::Paint;
 use super::scale::Scale;
 use super::symbols;
 use super::text::Text;
 use crate::analysis::{Reading, Section};
 use crate::dynamics::{ImpactEvent, Recording, Stop};
 use crate::model::System;
-use crate::plane::Start;
 
 /// The widths of lines and dots, in em.
 const CURVE: f64 = 0.08;
@@ -27,8 +27,6 @@ const SOME: f64 = 0.2;
 const MANY: f64 = 0.1;
 /// The space around what is shown, as a share of it.
 const AROUND: f64 = 0.06;
-/// How many plots stand side by side.
-const BESIDE: usize = 2;
 
 /// A recorded orbit.
 #[derive(Clone, Copy, Debug)]
@@ -53,28 +51,53 @@ impl Orbit<'_> {
 
     /// The plot of a kind, zoomed in wherever a zoom's quantity is on an axis.
     pub fn panel(&self, panel: OrbitPanel, zooms: &[Zoom]) -> Panel {
-        let mut plot = match panel {
-            OrbitPanel::Portrait(axes) => self.portrait(axes),
-            OrbitPanel::Time(of) => self.time_series(of),
-            OrbitPanel::Section(section, axes) => self.section(section, axes),
-        };
         let [x, y] = panel.axes();
-        for zoom in zooms {
-            let scale = Scale::new(zoom.low, zoom.high);
-            if zoom.variable == x {
-                plot.frame.x = scale;
+        let zoomed = |mut frame: Frame| {
+            for zoom in zooms {
+                let scale = Scale::new(zoom.low, zoom.high);
+                if zoom.variable == x {
+                    frame.x = scale;
+                }
+                if zoom.variable == y {
+                    frame.y = scale;
+                }
             }
-            if zoom.variable == y {
-                plot.frame.y = scale;
-            }
+            frame
+        };
+        match panel {
+            OrbitPanel::Portrait(axes) => self.portrait(axes, zoomed),
+            OrbitPanel::Time(of) => self.time_series(of, zoomed),
+            OrbitPanel::Section(section, axes) => self.section(section, axes, zoomed),
         }
-        plot
     }
 
-    fn portrait(&self, [x, y]: [Reading; 2]) -> Panel {
+    /// The curve in a plot: the frame that shows all of it, zoomed, and its points, close to each other in that frame.
+    fn line(
+        &self,
+        [x, y]: [Variable; 2],
+        zoomed: impl Fn(Frame) -> Frame,
+        place: impl Fn(&Place) -> [f64; 2],
+    ) -> (Frame, Vec<[f64; 2]>) {
         let places = curve(self.recording, self.delta());
-        let points: Vec<[f64; 2]> = places.iter().map(|p| [p.component(x), p.component(y)]).collect();
-        let frame = self.frame(Variable::Reading(x), Variable::Reading(y), &points);
+        let points: Vec<[f64; 2]> = places.iter().map(&place).collect();
+        let mut frame = self.frame(x, y, &points);
+        if let (Variable::Time, [first, .., last]) = (x, &points[..])
+            && first[0] < last[0]
+        {
+            frame.x = Scale::new(first[0], last[0]);
+        }
+        let frame = zoomed(frame);
+        let within = |at: &Place| {
+            let [x, y] = place(at);
+            [frame.x.fraction(x), frame.y.fraction(y)]
+        };
+        let points = refined(self.recording, &places, within).iter().map(&place).collect();
+        (frame, points)
+    }
+
+    fn portrait(&self, [x, y]: [Reading; 2], zoomed: impl Fn(Frame) -> Frame) -> Panel {
+        let place = |p: &Place| [p.component(x), p.component(y)];
+        let (frame, points) = self.line([x, y].map(Variable::Reading), zoomed, place);
         let mut marks = Vec::new();
         for side in [-1.0, 1.0] {
             let at = side * self.delta();
@@ -88,17 +111,12 @@ impl Orbit<'_> {
         panel(frame, marks, 1.0)
     }
 
-    fn time_series(&self, of: Reading) -> Panel {
+    fn time_series(&self, of: Reading, zoomed: impl Fn(Frame) -> Frame) -> Panel {
         let period = self.system.period();
         let began = self.began();
         let periods = |time: f64| (time - began) / period;
-        let places = curve(self.recording, self.delta());
-        let points: Vec<[f64; 2]> = places.iter().map(|p| [periods(p.time), p.component(of)]).collect();
-        let mut frame = self.frame(Variable::Time, Variable::Reading(of), &points);
-        frame.x = match &points[..] {
-            [first, .., last] if first[0] < last[0] => Scale::new(first[0], last[0]),
-            _ => frame.x,
-        };
+        let place = |p: &Place| [periods(p.time), p.component(of)];
+        let (frame, points) = self.line([Variable::Time, Variable::Reading(of)], zoomed, place);
         let mut marks: Vec<Mark> = (self.recording.sticks.iter())
             .map(|stick| Mark::Band { x: [periods(stick.from), periods(stick.until)], colour: STICKING })
             .collect();
@@ -116,7 +134,7 @@ impl Orbit<'_> {
         panel(frame, marks, 1.35)
     }
 
-    fn section(&self, section: Section, [x, y]: [Reading; 2]) -> Panel {
+    fn section(&self, section: Section, [x, y]: [Reading; 2], zoomed: impl Fn(Frame) -> Frame) -> Panel {
         let points: Vec<[f64; 2]> = match section {
             Section::Strobe => (self.sections.samples.iter())
                 .map(Place::of_sample)
@@ -128,7 +146,7 @@ impl Orbit<'_> {
                 self.sections.impacts.iter().filter(|impact| impact.stop == stop).map(at).collect()
             }
         };
-        let frame = self.frame(Variable::Reading(x), Variable::Reading(y), &points);
+        let frame = zoomed(self.frame(Variable::Reading(x), Variable::Reading(y), &points));
         let diameter = match distinct(&points, &frame) {
             0..=40 => FEW,
             41..=400 => SOME,
@@ -164,73 +182,6 @@ impl Orbit<'_> {
     }
 }
 
-/// A figure of several plots of one orbit, under the system's parameters and the start.
-pub fn orbit_figure(orbit: &Orbit<'_>, start: Start, panels: &[OrbitPanel], zooms: &[Zoom]) -> Figure {
-    let parameters = orbit.system.parameters();
-    let mut title = symbols::equations(parameters, |_| false);
-    title.extend(symbols::start(start, |_| false));
-    let mut plots: Vec<Panel> = panels.iter().map(|&panel| orbit.panel(panel, zooms)).collect();
-    if plots.len() > 1 {
-        for ((plot, panel), letter) in plots.iter_mut().zip(panels).zip('a'..) {
-            plot.caption = Some(caption(*panel, letter));
-        }
-    } else {
-        plots.iter_mut().zip(panels).for_each(|(plot, panel)| plot.caption = Some(words(*panel)));
-    }
-    let width = if plots.len() == 1 { 40.0 } else { 60.0 };
-    Figure { title, rows: in_rows(plots), key: orbit_key(panels, orbit), notes: Vec::new(), width }
-}
-
-/// Plots in rows of two.
-pub(super) fn in_rows(plots: Vec<Panel>) -> Vec<Row> {
-    let mut rows: Vec<Row> = Vec::new();
-    for plot in plots {
-        match rows.last_mut().filter(|row| row.panels.len() < BESIDE) {
-            Some(row) => row.panels.push(plot),
-            None => rows.push(Row { panels: vec![plot], weight: 1.0 }),
-        }
-    }
-    rows
-}
-
-/// What the marks of such plots stand for, as far as they are there.
-pub fn orbit_key(panels: &[OrbitPanel], orbit: &Orbit<'_>) -> Vec<KeyEntry> {
-    let shows =
-        |reading| panels.iter().any(|p| !p.is_section() && p.axes().contains(&Variable::Reading(reading)));
-    let series = panels.contains(&OrbitPanel::Time(Reading::X1));
-    let any_series = panels.iter().any(|panel| matches!(panel, OrbitPanel::Time(_)));
-    let mut key = Vec::new();
-    if shows(Reading::X1) {
-        let stops = Text::from("stops ").italic("x").subscript("1").upright(" = ±").italic("δ");
-        key.push(KeyEntry { sample: Sample::Line(STOP), name: stops });
-    }
-    if series && !orbit.recording.impacts.is_empty() {
-        key.push(KeyEntry { sample: Sample::Dot(STRIKING), name: "impact".into() });
-    }
-    if any_series && !orbit.recording.sticks.is_empty() {
-        key.push(KeyEntry { sample: Sample::Fill(Paint::plain(STICKING)), name: "sticking".into() });
-    }
-    key
-}
-
-fn caption(panel: OrbitPanel, letter: char) -> Text {
-    Text::from(format!("({letter}) ")).then(words(panel))
-}
-
-/// What a plot is.
-fn words(panel: OrbitPanel) -> Text {
-    match panel {
-        OrbitPanel::Portrait(_) => "phase portrait".into(),
-        OrbitPanel::Time(_) => "time series".into(),
-        OrbitPanel::Section(Section::Strobe, _) => "strobe section, forcing phase 0".into(),
-        OrbitPanel::Section(section, _) => {
-            let sign = if section == Section::A { " = +" } else { " = −" };
-            let stop = Text::new().italic("x").subscript("1").upright(sign).italic("δ");
-            Text::from("impact Poincaré section ").then(stop)
-        }
-    }
-}
-
 fn title(variable: Variable) -> AxisTitle {
     match variable {
         Variable::Time => {
@@ -260,6 +211,7 @@ mod tests {
     use super::*;
     use crate::dynamics::record;
     use crate::model::Parameters;
+    use crate::plane::Start;
     use crate::render::figure::tests::faults;
 
     #[test]

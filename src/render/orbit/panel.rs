@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::analysis::{Reading, Section, SectionError};
+use crate::model::Number;
 
 /// A quantity on an axis of an orbit's plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -169,7 +170,7 @@ pub struct Zoom {
 
 impl fmt::Display for Zoom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}:{}", self.variable, self.low, self.high)
+        write!(f, "{}={}:{}", self.variable, Number(self.low), Number(self.high))
     }
 }
 

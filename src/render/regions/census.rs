@@ -5,9 +5,16 @@ use std::collections::HashMap;
 
 use crate::analysis::Verdict;
 use crate::plane::RegionMap;
-use crate::render::colours::paint_of;
+use crate::render::colouring::Colouring;
+use crate::render::colours::SHARED;
 use crate::render::motion::Motion;
 use crate::render::paint::Paint;
+
+/// So many periodic motions have colours of their own at most, those with a smaller share of the plane only where there
+/// are few.
+const MOST: usize = 24;
+const RARE: f64 = 0.0005;
+const FEW: usize = 12;
 
 /// All cells of one motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,11 +25,13 @@ pub(super) struct Region {
     pub name: String,
     /// What the region is filled with.
     pub paint: Paint,
+    /// Whether nothing else on the plane looks like it.
+    pub distinct: bool,
     /// How many cells there are.
     pub cells: u64,
 }
 
-/// The regions of a plane, the largest first.
+/// The regions of a plane, the largest first; those that are not distinct share one paint.
 #[derive(Clone, Debug)]
 pub(super) struct Census {
     /// The regions, by descending size.
@@ -54,7 +63,21 @@ impl Census {
         for index in &mut region_of {
             *index = rank[*index as usize];
         }
-        let regions = order.into_iter().map(|i| regions[i].clone()).collect();
+        let mut regions: Vec<Region> = order.into_iter().map(|i| regions[i].clone()).collect();
+        let least = (RARE * region_of.len() as f64) as u64;
+        let mut periodic = 0;
+        let matters = |region: &&Region| {
+            if !region.motion.regime.is_periodic() {
+                return true;
+            }
+            periodic += 1;
+            periodic <= FEW || periodic <= MOST && region.cells >= least
+        };
+        let colouring = Colouring::of(regions.iter().filter(matters).map(|region| region.motion));
+        for region in &mut regions {
+            region.paint = colouring.paint(region.motion);
+            region.distinct = colouring.own(region.motion).is_some();
+        }
         Census { regions, region_of }
     }
 
@@ -67,7 +90,7 @@ impl Census {
 impl Region {
     fn empty(verdict: &Verdict) -> Self {
         let motion = Motion::of(verdict);
-        Region { motion, name: Motion::name(verdict), paint: paint_of(motion), cells: 0 }
+        Region { motion, name: Motion::name(verdict), paint: SHARED, distinct: false, cells: 0 }
     }
 }
 
@@ -86,6 +109,12 @@ mod tests {
         for (verdict, &index) in map.verdicts.iter().zip(&census.region_of) {
             assert_eq!(census.regions[index as usize].motion, Motion::of(verdict));
         }
+        let paint = |distinct: bool| {
+            let alike = census.regions.iter().filter(move |region| region.distinct == distinct);
+            alike.map(|region| region.paint).collect::<Vec<_>>()
+        };
+        assert!(paint(false).iter().all(|&paint| paint == SHARED) && !paint(true).contains(&SHARED));
+        assert!(census.regions.iter().all(|r| r.distinct || r.motion.regime.is_periodic()));
         let chaotic = census.regions.iter().find(|r| r.motion.regime == Regime::Chaotic).unwrap();
         let [.., (_, cells), _, _] = map.census();
         assert_eq!(chaotic.cells, cells);

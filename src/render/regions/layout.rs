@@ -41,6 +41,8 @@ pub(super) struct Layout {
     pub frame: Option<Placed>,
     /// The legend, unless the picture is too small for it.
     pub legend: Option<PlacedLegend>,
+    /// What there is no room for.
+    pub left_out: Vec<&'static str>,
 }
 
 /// A legend that has found its place, and the key to lines below it.
@@ -68,7 +70,18 @@ struct LegendDetail {
     definition: bool,
 }
 
+/// The parts of a picture that may be left out.
+const LEGEND: &str = "the legend";
+const TITLE: &str = "the title";
+const AXIS_TITLES: &str = "the titles of the axes";
+const AXES: &str = "the axes";
+
 impl Detail {
+    fn left_out(self) -> Vec<&'static str> {
+        let parts = [(self.legend.is_none(), LEGEND), (!self.title, TITLE), (!self.axis_titles, AXIS_TITLES)];
+        parts.into_iter().filter(|(out, _)| *out).map(|(_, part)| part).collect()
+    }
+
     const fn new(legend: Option<LegendDetail>, title: bool, axis_titles: bool) -> Self {
         Detail { legend, title, axis_titles }
     }
@@ -92,7 +105,10 @@ impl Detail {
 impl Layout {
     /// The layout with the most detail that fits.
     pub fn of(title: &[Text], census: &Census, frame: &Frame, key: &Key, size: Size) -> Self {
-        let attempt = |detail| Attempt { title, census, frame, key, size, em: size.em() }.layout(detail);
+        let attempt = |detail: Detail| {
+            let layout = Attempt { title, census, frame, key, size, em: size.em() }.layout(detail)?;
+            Some(Layout { left_out: detail.left_out(), ..layout })
+        };
         Detail::LADDER.into_iter().find_map(attempt).unwrap_or_else(|| Layout::bare(size))
     }
 
@@ -100,7 +116,8 @@ impl Layout {
     fn bare(size: Size) -> Self {
         let (width, height) = (size.width().into(), size.height().into());
         let plot = Rect { x: 0.0, y: 0.0, width, height };
-        Layout { margin: 0.0, title: Vec::new(), plot, frame: None, legend: None }
+        let left_out = vec![LEGEND, TITLE, AXIS_TITLES, AXES];
+        Layout { margin: 0.0, title: Vec::new(), plot, frame: None, legend: None, left_out }
     }
 }
 
@@ -131,14 +148,22 @@ impl Attempt<'_> {
         space.y += title.len() as f64 * TITLE_ROW * em;
         let Some(wanted) = detail.legend else {
             let placed = self.frame.place(space, em, detail.axis_titles)?;
-            return Some(Layout { margin, title, plot: placed.plot, frame: Some(placed), legend: None });
+            return Some(Layout {
+                margin,
+                title,
+                plot: placed.plot,
+                frame: Some(placed),
+                legend: None,
+                left_out: Vec::new(),
+            });
         };
         let (placed, legend) = if height > UPRIGHT * width {
             self.legend_below(space, wanted, detail.axis_titles)?
         } else {
             self.legend_beside(space, wanted, detail.axis_titles)?
         };
-        Some(Layout { margin, title, plot: placed.plot, frame: Some(placed), legend: Some(legend) })
+        let (plot, frame, legend) = (placed.plot, Some(placed), Some(legend));
+        Some(Layout { margin, title, plot, frame, legend, left_out: Vec::new() })
     }
 
     fn legend_beside(
@@ -148,7 +173,7 @@ impl Attempt<'_> {
         axis_titles: bool,
     ) -> Option<(Placed, PlacedLegend)> {
         let em = self.em;
-        let notes = if wanted.definition { names::definition().to_vec() } else { Vec::new() };
+        let notes = if wanted.definition { names::definition(self.census) } else { Vec::new() };
         let plot_height = self.frame.place(space, em, axis_titles)?.plot.height;
         let key_height = self.key_height(1);
         let rows = Legend::rows_in(plot_height - key_height, notes.len(), em).min(MOST_ROWS);
@@ -172,7 +197,7 @@ impl Attempt<'_> {
     ) -> Option<(Placed, PlacedLegend)> {
         let em = self.em;
         let notes = if wanted.definition {
-            Text::wrap(names::definition(), em, space.width - 7.0 * em)
+            Text::wrap(names::definition(self.census), em, space.width - 7.0 * em)
         } else {
             Vec::new()
         };

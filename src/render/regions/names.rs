@@ -3,11 +3,11 @@
 use super::census::{Census, Region};
 use crate::plane::{Plane, Quantity};
 use crate::render::legend::Entry;
+use crate::render::motion::Motion;
+use crate::render::paint::Paint;
 use crate::render::symbols;
 use crate::render::text::Text;
 
-/// Motions with a smaller share are grouped, even where there is room for them.
-const RARE: f64 = 0.0005;
 /// How many of a group's paints its sample shows.
 const SAMPLES: usize = 4;
 
@@ -19,33 +19,30 @@ pub(super) fn title(plane: &Plane) -> Vec<Text> {
     title
 }
 
-/// The rows of the legend: at most `rows`, everything that is not periodic among them, the rarest motions grouped.
+/// The rows of the legend: at most `rows`, everything that is not periodic among them, the rarest motions grouped with
+/// those that have no colour of their own.
 pub(super) fn entries(census: &Census, rows: usize, shares: bool) -> Vec<Entry> {
     let all = census.region_of.len() as f64;
-    let share = |cells: u64| cells as f64 / all;
-    let value = |cells: u64| shares.then(|| percentage(share(cells)).into());
-    let groupable = |region: &Region| region.motion.regime.is_periodic();
-    let periodic: Vec<&Region> = census.regions.iter().filter(|region| groupable(region)).collect();
-    let common = periodic.iter().filter(|region| share(region.cells) >= RARE).count();
-    let room = rows.saturating_sub(census.indispensable());
-    let mut shown = common;
-    if common < periodic.len() || common > room {
-        shown = common.min(room.saturating_sub(1));
-    }
-    if periodic.len() - shown == 1 && room > shown {
-        shown += 1;
-    }
-    let group = &periodic[shown..];
+    let value = |cells: u64| shares.then(|| percentage(cells as f64 / all).into());
+    let periodic = |region: &&Region| region.motion.regime.is_periodic();
+    let named = names(&census.regions.iter().filter(periodic).collect::<Vec<_>>(), census, rows);
+    let is_named = |region: &&Region| !periodic(region) || named.contains(&region.motion);
     let single = |region: &Region| Entry {
         paints: vec![region.paint],
         name: region.name.as_str().into(),
         value: value(region.cells),
     };
-    let is_shown = |region: &&Region| !group.iter().any(|grouped| grouped.motion == region.motion);
-    let mut entries: Vec<Entry> = census.regions.iter().filter(is_shown).map(single).collect();
+    let mut entries: Vec<Entry> = census.regions.iter().filter(is_named).map(single).collect();
+    let group: Vec<&Region> = census.regions.iter().filter(|region| !is_named(region)).collect();
     if !group.is_empty() {
+        let mut paints: Vec<Paint> = Vec::new();
+        for region in group.iter().rev() {
+            if !paints.contains(&region.paint) && paints.len() < SAMPLES {
+                paints.push(region.paint);
+            }
+        }
         entries.push(Entry {
-            paints: group.iter().take(SAMPLES).map(|region| region.paint).collect(),
+            paints,
             name: format!("other periodic ({} motions)", group.len()).into(),
             value: value(group.iter().map(|region| region.cells).sum()),
         });
@@ -53,14 +50,38 @@ pub(super) fn entries(census: &Census, rows: usize, shares: bool) -> Vec<Entry> 
     entries
 }
 
-/// The meaning of the labels, in pieces that belong together.
-pub(super) fn definition() -> [Text; 3] {
+/// The periodic motions that get a row of their own: the most frequent ones that nothing else looks like.
+fn names(periodic: &[&Region], census: &Census, rows: usize) -> Vec<Motion> {
+    let room = rows.saturating_sub(census.indispensable());
+    let of = |regions: &[&Region]| regions.iter().map(|region| region.motion).collect();
+    let shared = periodic.iter().filter(|region| !region.distinct).count();
+    // A motion that shares its paint with none needs no group.
+    if shared <= 1 && periodic.len() <= room {
+        return of(periodic);
+    }
+    let distinct: Vec<&Region> = periodic.iter().copied().filter(|region| region.distinct).collect();
+    let shown = distinct.len().min(room.saturating_sub(1));
+    of(&distinct[..shown])
+}
+
+/// The meaning of the labels, in pieces that belong together; of N = 0 where a region has it.
+pub(super) fn definition(census: &Census) -> Vec<Text> {
     let impacts = |count: &str, comma: &str, sign: &str| {
         let stop = Text::new().italic("x").subscript("1").upright(format!(" = {sign}")).italic("δ");
         Text::new().italic(count).upright(" impacts at ").then(stop).upright(comma)
     };
     let label = Text::new().italic("N").upright("-").italic("p").upright("-").italic("q").upright(": ");
-    [label.italic("N").upright(" forcing periods,"), impacts("p", ",", "−"), impacts("q", "", "+")]
+    let mut pieces =
+        vec![label.italic("N").upright(" forcing periods,"), impacts("p", ",", "−"), impacts("q", "", "+")];
+    if census.regions.iter().any(|region| region.name.starts_with("0-")) {
+        // Only control, which may jump in phase, gets there.
+        pieces.extend([
+            Text::new().italic("N").upright(" = 0: flights under control"),
+            Text::from("of less than half a forcing period,"),
+            Text::from("since corrections jump in phase"),
+        ]);
+    }
+    pieces
 }
 
 /// A share of the plane, to a tenth of a percent.
@@ -73,7 +94,7 @@ fn percentage(share: f64) -> String {
 mod tests {
     use super::*;
     use crate::analysis::Regime;
-    use crate::plane::Start;
+    use crate::plane::{RegionMap, Start};
     use crate::render::example;
 
     fn plain(text: &Text) -> String {
@@ -125,6 +146,18 @@ mod tests {
             assert_eq!(singles + grouped, motions, "{rows}");
             assert_ne!(grouped, 1, "{rows}");
         }
+    }
+
+    #[test]
+    fn a_motion_of_no_forcing_period_is_explained_where_there_is_one() {
+        let mut map = example::map(40, 30);
+        let explained = |map: &RegionMap| {
+            definition(&Census::of(map)).iter().any(|piece| plain(piece).contains("jump in phase"))
+        };
+        assert!(!explained(&map));
+        let verdict = &mut map.verdicts[7];
+        (verdict.regime, verdict.n, verdict.p, verdict.q) = (Regime::Periodic, 0, 0, 1);
+        assert!(explained(&map));
     }
 
     #[test]

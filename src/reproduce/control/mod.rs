@@ -61,7 +61,8 @@ impl Run {
     /// Controls the trajectory from a start for so many iterates altogether.
     fn new(scheme: Scheme, iterates: u32, start: Start) -> Self {
         let system = system();
-        let schedule = ControlSchedule { from: FROM, iterates, fixed: true };
+        let schedule =
+            ControlSchedule { from: FROM, iterates, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
         let controller = scheme.resolve(&system).expect("the paper's settings are in range");
         let mut history = History::new(iterates - DRAWN - 1, system.period() / SAMPLES);
         let outcome = control::<f64, _>(&system, start.state(&system), &controller, &schedule, &mut history);
@@ -145,8 +146,9 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Resu
             }
             Plot::Section(axes, settled) => picture.section(*axes, *settled),
             Plot::Flight(panel) => {
-                key = orbit_key(&[*panel], &picture.orbit()).into_iter().chain(key).collect();
-                picture.orbit().panel(*panel, &[])
+                let flight = picture.orbit().panel(*panel, &[]);
+                key = orbit_key(std::slice::from_ref(&flight)).into_iter().chain(key).collect();
+                flight
             }
         };
         panel.weight = 1.0;

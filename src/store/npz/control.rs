@@ -6,9 +6,7 @@ use super::write::{Archive, write_verdicts};
 use crate::control::History;
 use crate::plane::ControlMap;
 
-/// Writes a control run as a NumPy archive: at each return to σ `iterate` (u32), `section` (f64, n × 4: v1+, x2, v2, τ),
-/// `arrived` (the same before the correction), `signal` (f64: B, or the length of the correction), `escaped` (u8);
-/// `trajectory` (f64, m × 5: time, x1, x2, v1, v2) of the flight at the end; `config`, what it takes to make it again.
+/// Writes a control run as a NumPy archive; its arrays are in the table of [`store`](crate::store).
 ///
 /// # Errors
 /// What the file system reports.
@@ -28,9 +26,7 @@ pub fn write_control(history: &History, config: &str, to: impl Write + Seek) -> 
     archive.finish()
 }
 
-/// Writes a plane under control as a NumPy archive: the arrays of a map, `state` being the point (v1+, x2, v2, τ) on σ,
-/// and `period` (u32: iterates in one period of the motion, 0 if none), `iterates`, `converged_at` (u32: iterates after
-/// control was switched on, 4294967295 for never), `escapes` (u32), `effort`, `signal` (f32), `runaway` (u8).
+/// Writes a plane under control as a NumPy archive; its arrays are in the table of [`store`](crate::store).
 ///
 /// # Errors
 /// What the file system reports.

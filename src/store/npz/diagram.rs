@@ -7,18 +7,7 @@ use crate::analysis::Trace;
 use crate::diagram::Diagram;
 
 /// Writes a diagram as a NumPy archive; `numpy.load` reads it, without pickles.
-///
-/// | array | type | shape | meaning |
-/// |---|---|---|---|
-/// | `x` | f64 | x | the values of the axis, as written |
-/// | `counts` | u32 | branch, x | readings kept of each column |
-/// | `readings` | f64 | all | the readings, column after column, branch after branch |
-/// | `left_out` | u32 | branch, x | readings that were seen and not kept |
-/// | `rebounds` | u32 | branch, x | the longest row of impacts at one stop, each slower than the one before |
-/// | `regime`, `n`, `p`, `q`, `symmetric`, `lyapunov` | as in a map | branch, x | what the column settled on |
-/// | `state` | f64 | branch, x, 4 | (x1, x2, v1, v2) at the end, at forcing phase 0 |
-/// | `spectrum` | f64 | branch, x, 4 | the Lyapunov exponents in the unit of `config`, if they were asked for |
-/// | `config` | text | (none) | everything needed to compute the diagram again; the branches are in its order |
+/// Its arrays are in the table of [`store`](crate::store).
 ///
 /// # Errors
 /// What the file system reports.

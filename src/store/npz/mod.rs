@@ -1,22 +1,10 @@
 //! A map as a NumPy archive: one array per field of a verdict, the axes, and the configuration as JSON text.
 //!
-//! | array | type | shape | meaning |
-//! |---|---|---|---|
-//! | `regime` | u8 | y, x | [`Regime`](crate::analysis::Regime) code |
-//! | `n`, `p`, `q` | u16 | y, x | the label N-p-q; 0 where not periodic, 65535 = infinitely many |
-//! | `symmetric` | u8 | y, x | 1 where x(t + Nπ/ω) = −x(t) |
-//! | `lyapunov` | f32 | y, x | largest exponent per forcing period |
-//! | `state` | f64 | y, x, 4 | (x1, x2, v1, v2) at forcing phase 0 |
-//! | `impacts` | u32 | y, x | impacts in the observed window |
-//! | `peak_impact_velocity` | f32 | y, x | largest speed before an impact in that window |
-//! | `periods` | u32 | y, x | forcing periods simulated |
-//! | `x`, `y` | f64 | x; y | the values of the axes |
-//! | `config` | text | (none) | everything needed to compute the map again |
-//!
-//! Rows run along y, the first row is the first y value. The same map gives the same bytes.
+//! The arrays are those of the table in [`store`](crate::store). The same map gives the same bytes.
 
 mod control;
 mod diagram;
+mod fused;
 mod read;
 mod write;
 

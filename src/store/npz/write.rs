@@ -6,6 +6,7 @@ use npyz::{AutoSerialize, DType, WriteOptions, WriterBuilder};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
+use super::fused::Fused;
 use crate::analysis::Verdict;
 use crate::plane::RegionMap;
 
@@ -50,13 +51,13 @@ pub(super) fn write_verdicts<W: Write + Seek>(
 
 /// An archive under way.
 pub(super) struct Archive<W: Write + Seek> {
-    zip: ZipWriter<W>,
+    zip: ZipWriter<Fused<W>>,
 }
 
 impl<W: Write + Seek> Archive<W> {
     /// An empty archive.
     pub fn new(to: W) -> Self {
-        Archive { zip: ZipWriter::new(to) }
+        Archive { zip: ZipWriter::new(Fused::new(to)) }
     }
 
     /// Completes the archive.

@@ -12,13 +12,21 @@ use super::drive::{ITERATIONS, Portion, Program, ROW};
 use crate::backend::gpu::layout::{Control, ControlDispatch, ControlSchedule, Outcome};
 use crate::backend::gpu::shader::{self, Shape, WORKGROUP};
 use crate::backend::{BackendError, ControlJob, Job, Watch};
-use crate::control::{self, DEPTH, LONGEST};
+use crate::control::{self, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
 use crate::model::{self, Real};
 
 /// Loop iterations in one move under control: beyond those without it, a return to the section sums three more series,
 /// moves what is remembered, and compares.
-const CONTROL_ITERATIONS: u32 =
-    ITERATIONS + 4 * <f32 as Real>::ORDER as u32 + 5 * DEPTH as u32 + 4 * LONGEST as u32;
+fn iterations(schedule: &control::ControlSchedule) -> u32 {
+    let reach = schedule.max_period;
+    let kept = reach.max(LONGEST_DELAY as u32) + 1;
+    ITERATIONS
+        + 4 * <f32 as Real>::ORDER as u32
+        + kept
+        + 4 * DELAYS as u32
+        + 4 * reach
+        + 2 * LONGEST_ON_DEVICE as u32
+}
 
 impl Kernel {
     /// Trajectories that one call of [`Kernel::control`] takes at most.
@@ -64,10 +72,11 @@ impl Kernel {
             budget,
             begin,
             row: ROW * WORKGROUP,
+            max_period: schedule.max_period,
         };
         let program = Program {
             pipeline: &pipeline,
-            iterations: CONTROL_ITERATIONS,
+            iterations: iterations(schedule),
             more: &[&controls],
             dispatch: &dispatch,
         };

@@ -38,6 +38,7 @@ pub struct ControlDispatch {
     pub budget: u32,
     pub begin: u32,
     pub row: u32,
+    pub max_period: u32,
 }
 
 /// Codes of the methods.

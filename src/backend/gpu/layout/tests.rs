@@ -50,7 +50,7 @@ fn structs_lie_as_the_shaders_declare_them() {
     assert_layout!(Rebounds { last, run, longest });
     assert_layout!(Trace { rebounds, passages });
     assert_layout!(ControlSchedule { start, iterates, observed, fixed_iterates });
-    assert_layout!(ControlDispatch { schedule, count, budget, begin, row });
+    assert_layout!(ControlDispatch { schedule, count, budget, begin, row, max_period });
     assert_layout!(Control {
         method,
         convention,

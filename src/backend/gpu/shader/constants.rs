@@ -8,7 +8,7 @@ use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Regime, Section, Stage};
 use crate::backend::gpu::layout::{KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE};
 use crate::control::constants as control;
-use crate::control::{Convention, DEPTH, LONGEST, NEVER, Progress};
+use crate::control::{Convention, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, NEVER, Progress};
 use crate::dynamics::constants as dynamics;
 use crate::model::Real;
 use crate::model::vector::MOST;
@@ -52,8 +52,10 @@ pub fn source(shape: &Shape) -> String {
         ("SETTLED_OBSERVATION", analysis::SETTLED_OBSERVATION),
         ("MOST_KICKS", dynamics::MOST_KICKS),
         ("MOST_MOVES", analysis::MOST_MOVES),
-        ("DEPTH", DEPTH as u32),
-        ("LONGEST", LONGEST as u32),
+        ("DEPTH", LONGEST_ON_DEVICE.max(LONGEST_DELAY) as u32 + 1),
+        ("DELAYS", DELAYS as u32),
+        ("LONGEST_DELAY", LONGEST_DELAY as u32),
+        ("LONGEST", LONGEST_ON_DEVICE as u32),
         ("LONGEST_PASSAGE", control::LONGEST_PASSAGE),
         ("CONTROL_SETTLING", control::SETTLING),
         ("NEVER", NEVER),

@@ -1,0 +1,108 @@
+//! Several plots of one orbit as a figure, and what their marks stand for.
+
+use super::Orbit;
+use super::panel::{OrbitPanel, Zoom};
+use crate::analysis::Section;
+use crate::plane::Start;
+use crate::render::colours::{STICKING, STOP, STRIKING};
+use crate::render::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample};
+use crate::render::paint::Paint;
+use crate::render::symbols;
+use crate::render::text::Text;
+
+/// How many plots stand side by side.
+const BESIDE: usize = 2;
+
+/// A figure of several plots of one orbit, under the system's parameters and the start.
+pub fn orbit_figure(orbit: &Orbit<'_>, start: Start, panels: &[OrbitPanel], zooms: &[Zoom]) -> Figure {
+    let parameters = orbit.system.parameters();
+    let mut title = symbols::equations(parameters, |_| false);
+    title.extend(symbols::start(start, |_| false));
+    let mut plots: Vec<Panel> = panels.iter().map(|&panel| orbit.panel(panel, zooms)).collect();
+    let key = orbit_key(&plots);
+    if plots.len() > 1 {
+        for ((plot, panel), letter) in plots.iter_mut().zip(panels).zip('a'..) {
+            plot.caption = Some(caption(*panel, letter));
+        }
+    } else {
+        plots.iter_mut().zip(panels).for_each(|(plot, panel)| plot.caption = Some(words(*panel)));
+    }
+    let width = if plots.len() == 1 { 40.0 } else { 60.0 };
+    Figure { title, rows: in_rows(plots), key, notes: Vec::new(), width }
+}
+
+/// Plots in rows of two.
+fn in_rows(plots: Vec<Panel>) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    for plot in plots {
+        match rows.last_mut().filter(|row| row.panels.len() < BESIDE) {
+            Some(row) => row.panels.push(plot),
+            None => rows.push(Row { panels: vec![plot], weight: 1.0 }),
+        }
+    }
+    rows
+}
+
+/// What the marks of such plots stand for, as far as they are in view.
+pub fn orbit_key(plots: &[Panel]) -> Vec<KeyEntry> {
+    let shown = |wanted: &dyn Fn(&Mark) -> bool| {
+        plots.iter().any(|plot| plot.marks.iter().any(|mark| wanted(mark) && mark.is_in(&plot.frame)))
+    };
+    let mut key = Vec::new();
+    if shown(&|mark| matches!(mark, Mark::Upright { colour: STOP, .. } | Mark::Level { colour: STOP, .. })) {
+        let stops = Text::from("stops ").italic("x").subscript("1").upright(" = ±").italic("δ");
+        key.push(KeyEntry { sample: Sample::Line(STOP), name: stops });
+    }
+    if shown(&|mark| matches!(mark, Mark::Dots { colour: STRIKING, .. })) {
+        key.push(KeyEntry { sample: Sample::Dot(STRIKING), name: "impact".into() });
+    }
+    if shown(&|mark| matches!(mark, Mark::Band { colour: STICKING, .. })) {
+        key.push(KeyEntry { sample: Sample::Fill(Paint::plain(STICKING)), name: "sticking".into() });
+    }
+    key
+}
+
+fn caption(panel: OrbitPanel, letter: char) -> Text {
+    Text::from(format!("({letter}) ")).then(words(panel))
+}
+
+/// What a plot is.
+fn words(panel: OrbitPanel) -> Text {
+    match panel {
+        OrbitPanel::Portrait(_) => "phase portrait".into(),
+        OrbitPanel::Time(_) => "time series".into(),
+        OrbitPanel::Section(Section::Strobe, _) => "strobe section, forcing phase 0".into(),
+        OrbitPanel::Section(section, _) => {
+            let sign = if section == Section::A { " = +" } else { " = −" };
+            let stop = Text::new().italic("x").subscript("1").upright(sign).italic("δ");
+            Text::from("impact Poincaré section ").then(stop)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::Reading;
+    use crate::dynamics::record;
+    use crate::model::{Parameters, System};
+
+    #[test]
+    fn the_key_lists_what_is_in_view() {
+        let system = System::new(Parameters { omega: 0.25, delta: 0.545, ..Parameters::default() }).unwrap();
+        let recording = record(&system, [0.0; 4], 100, 2, 100);
+        let orbit = Orbit { system: &system, recording: &recording, sections: &recording };
+        let names = |zooms: &[&str]| -> Vec<Text> {
+            let zooms: Vec<Zoom> = zooms.iter().map(|zoom| zoom.parse().unwrap()).collect();
+            let panel = orbit.panel(OrbitPanel::Time(Reading::X1), &zooms);
+            orbit_key(&[panel]).into_iter().map(|entry| entry.name).collect()
+        };
+        assert_eq!(names(&[]).len(), 3);
+        assert_eq!(names(&["x1=-0.1:0.1"]), ["sticking".into()], "a band is as high as the plot");
+        let rest = &recording.sticks[0];
+        let from = |time: f64| (time - orbit.began()) / system.period();
+        let (first, last) = (from(rest.from), from(rest.until));
+        let inside = format!("t={}:{}", 0.9 * first + 0.1 * last, 0.1 * first + 0.9 * last);
+        assert_eq!(names(&[&inside]).len(), 2, "no impact while it rests");
+    }
+}

@@ -1,0 +1,100 @@
+//! Some cells spread over a plane, computed alone: what the whole will cost.
+
+use super::control;
+use super::map;
+use super::{ControlSweepError, SweepError};
+use crate::analysis::Verdict;
+use crate::backend::{Backend, Watch, decide};
+use crate::control::Outcome;
+use crate::plane::{ControlPlane, Plane};
+
+/// Cells of a plane of so many columns and rows by their indices, row by row: the first `count` of a sequence that
+/// fills the plane evenly however many of it are taken. A cell may come twice.
+pub fn spread(columns: u32, rows: u32, count: u32) -> Vec<u64> {
+    /// The real root of g³ = g + 1, whose powers make the sequence.
+    const G: f64 = 1.324_717_957_244_746;
+    let place = |i: u32, step: f64, cells: u32| {
+        let share = (0.5 + step * f64::from(i)).fract();
+        u64::from(((share * f64::from(cells)) as u32).min(cells - 1))
+    };
+    (1..=count)
+        .map(|i| place(i, 1.0 / (G * G), rows) * u64::from(columns) + place(i, 1.0 / G, columns))
+        .collect()
+}
+
+/// The verdicts of single cells of a plane, the same as in the whole.
+///
+/// # Errors
+/// As [`sweep`](super::sweep).
+pub fn sample(
+    plane: &Plane,
+    backend: &dyn Backend,
+    cells: &[u64],
+    watch: &dyn Watch,
+) -> Result<Vec<Verdict>, SweepError> {
+    let columns = u64::from(plane.x.count);
+    let jobs: Result<Vec<_>, _> =
+        cells.iter().map(|cell| map::job(plane, (cell % columns) as u32, (cell / columns) as u32)).collect();
+    Ok(decide(backend, &jobs?, &plane.schedule, watch)?)
+}
+
+/// The outcomes of single cells of a plane under control; those that cannot be controlled are left out.
+///
+/// # Errors
+/// As [`sweep_control`](super::sweep_control).
+pub fn sample_control(
+    plane: &ControlPlane,
+    backend: &dyn Backend,
+    cells: &[u64],
+    watch: &dyn Watch,
+) -> Result<Vec<Outcome>, ControlSweepError> {
+    let jobs: Result<Vec<_>, _> = cells.iter().map(|&cell| control::job(plane, cell)).collect();
+    let jobs: Vec<_> = jobs?.into_iter().filter_map(Result::ok).collect();
+    Ok(backend.control(&jobs, &plane.iterates, watch)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::Schedule;
+    use crate::backend::{Cpu, Unwatched};
+    use crate::model::Parameters;
+    use crate::plane::Start;
+    use crate::sweep::sweep;
+
+    #[test]
+    fn the_cells_fill_the_plane_evenly() {
+        for (columns, rows) in [(40, 30), (1, 50), (7, 1), (300, 2)] {
+            let cells = spread(columns, rows, 64);
+            assert!(cells.iter().all(|&cell| cell < u64::from(columns) * u64::from(rows)));
+            // Every quarter of the plane has about a quarter of the cells.
+            for (columns, rows) in [(columns, rows); 1].into_iter().filter(|&(c, r)| c > 5 && r > 5) {
+                let quarter = |cell: &u64| {
+                    let (column, row) = (cell % u64::from(columns), cell / u64::from(columns));
+                    (2 * column / u64::from(columns), 2 * row / u64::from(rows))
+                };
+                for wanted in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                    let there = cells.iter().filter(|cell| quarter(cell) == wanted).count();
+                    assert!((12..=20).contains(&there), "{there} in {wanted:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_cell_alone_is_the_cell_of_the_plane() {
+        let plane = Plane {
+            x: "omega=2:4:6".parse().unwrap(),
+            y: "delta=0.05:0.3:5".parse().unwrap(),
+            parameters: Parameters::default(),
+            start: Start::Symmetric,
+            schedule: Schedule { transient: 60, observe: 40, max_period: 8, fixed_periods: false },
+        };
+        let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
+        let cells = spread(6, 5, 9);
+        let alone = sample(&plane, &Cpu, &cells, &Unwatched).unwrap();
+        for (&cell, verdict) in cells.iter().zip(&alone) {
+            assert_eq!(&map.verdicts[cell as usize], verdict);
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Cells that a rounding error decides, by the reference's own account.
+
+use std::collections::BTreeSet;
+
+use super::agreement::{Agreement, Tipped};
+use super::compare::{is_inside, same_label};
+use crate::analysis::Regime;
+use crate::backend::{Backend, Job, Watch, decide};
+use crate::model::{Parameter, System};
+use crate::plane::RegionMap;
+use crate::sweep::SweepError;
+
+/// Changed copies of a cell.
+const COPIES: u32 = 16;
+
+/// By how much a copy is changed, relative to values above one: the rounding of single precision, and what has come
+/// together of it after some operations.
+const ROUNDING: f64 = 16.0 * f32::EPSILON as f64;
+
+/// The fewest cells that are examined if so many differ.
+const FEWEST: usize = 1000;
+
+/// One cell of so many is examined at most, so that it costs no more than the reference's map did.
+const ONE_OF: usize = 16;
+
+/// The indices of cells in which the maps differ and which the reference decides otherwise as soon as the start and the
+/// parameters are changed by a rounding error.
+///
+/// A candidate that differs in more cells than can be examined is wrong in most of them, and they count.
+///
+/// # Errors
+/// What the back end could not do.
+///
+/// # Panics
+/// If the maps are not of the same plane.
+pub fn tipped(
+    reference: &RegionMap,
+    candidate: &RegionMap,
+    backend: &dyn Backend,
+    watch: &dyn Watch,
+) -> Result<BTreeSet<usize>, SweepError> {
+    assert_eq!(reference.plane, candidate.plane, "only maps of the same plane can be compared");
+    let pairs = reference.verdicts.iter().zip(&candidate.verdicts).enumerate();
+    let differing = pairs.filter(|(_, (ours, theirs))| !same_label(ours, theirs)).map(|(index, _)| index);
+    let most = FEWEST.max(reference.verdicts.len() / ONE_OF);
+    let examined: Vec<usize> = differing.take(most).collect();
+    let jobs: Vec<(usize, Job)> = examined
+        .into_iter()
+        .flat_map(|index| copies(reference, index).map(move |job| (index, job)))
+        .collect();
+    let mut found = BTreeSet::new();
+    for some in jobs.chunks(backend.tile().max(1)) {
+        let alone: Vec<Job> = some.iter().map(|(_, job)| *job).collect();
+        let verdicts = decide(backend, &alone, &reference.plane.schedule, &Unheard(watch))?;
+        let moved = some
+            .iter()
+            .zip(&verdicts)
+            .filter(|((index, _), verdict)| !same_label(verdict, &reference.verdicts[*index]));
+        found.extend(moved.map(|((index, _), _)| *index));
+    }
+    Ok(found)
+}
+
+/// The cell with its start and parameters changed by a rounding error, each time with other signs.
+fn copies(map: &RegionMap, index: usize) -> impl Iterator<Item = Job> + '_ {
+    let columns = map.plane.x.count as usize;
+    let (column, row) = ((index % columns) as u32, (index / columns) as u32);
+    let parameters = map.plane.parameters_at(column, row);
+    (0..COPIES).filter_map(move |copy| {
+        // Signs as a hash of the copy and of what is changed.
+        let change = |which: u32| {
+            let mixed = (copy * 12 + which + 1).wrapping_mul(0x9e37_79b9);
+            if (mixed >> 15) & 1 == 0 { ROUNDING } else { -ROUNDING }
+        };
+        let changed = |value: f64, which: u32| value + change(which) * value.abs().max(f64::MIN_POSITIVE);
+        let varied = (Parameter::ALL.into_iter().zip(0..)).fold(parameters, |varied, (parameter, which)| {
+            let value = changed(varied.get(parameter), which);
+            if parameter.check(value).is_ok() { varied.with(parameter, value) } else { varied }
+        });
+        let system = System::new(varied).ok()?;
+        let delta = system.parameters().delta;
+        let start = map.plane.start_at(column, row).state(&system);
+        let mut start: [f64; 4] =
+            std::array::from_fn(|i| start[i] + change(8 + i as u32) * start[i].abs().max(delta.min(1.0)));
+        start[0] = start[0].clamp(-delta, delta);
+        Some(Job { system, start })
+    })
+}
+
+impl Agreement {
+    /// The same agreement with the cells counted that are on the edge, see [`tipped`].
+    #[must_use]
+    pub fn leaving_out(self, reference: &RegionMap, tipped: &BTreeSet<usize>) -> Self {
+        let count =
+            |wanted: &dyn Fn(usize) -> bool| tipped.iter().filter(|&&index| wanted(index)).count() as u64;
+        let tipped = Tipped {
+            cells: tipped.len() as u64,
+            inside: count(&|index| is_inside(reference, index)),
+            non_chaotic: count(&|index| reference.verdicts[index].regime != Regime::Chaotic),
+        };
+        Agreement { tipped, ..self }
+    }
+}
+
+/// Counts no cell, and is cancelled as the other is.
+struct Unheard<'a>(&'a dyn Watch);
+
+impl Watch for Unheard<'_> {
+    fn finished(&self, _: u64) {}
+
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+}
