@@ -8,6 +8,6 @@ mod start;
 
 pub use axis::{Axis, AxisError, Component, Quantity};
 pub use controlled::{ControlMap, ControlPlane, ControlPlaneError};
-pub use region_map::{Provenance, RegionMap};
+pub use region_map::{Multipliers, Provenance, RegionMap};
 pub use spec::{Plane, PlaneError};
 pub use start::{Start, StartError};

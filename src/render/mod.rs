@@ -6,6 +6,7 @@
 //! alike.
 
 mod canvas;
+mod carried;
 mod colours;
 mod control;
 mod convergence;
@@ -30,6 +31,7 @@ mod text;
 mod ticks;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
+pub use carried::carried_configuration;
 pub use colours::paint_of;
 pub use control::{ControlPicture, Response};
 pub use convergence::convergence_map;

@@ -3,5 +3,5 @@
 mod npz;
 mod output;
 
-pub use npz::{ReadError, read_map, write_control, write_control_map, write_diagram, write_map};
+pub use npz::{ReadError, read_config, read_map, write_control, write_control_map, write_diagram, write_map};
 pub use output::{Output, OutputError};

@@ -5,11 +5,12 @@
 //! | `regime` | u8 | y, x | [`Regime`](crate::analysis::Regime) code |
 //! | `n`, `p`, `q` | u16 | y, x | the label N-p-q; 0 where not periodic, 65535 = infinitely many |
 //! | `symmetric` | u8 | y, x | 1 where x(t + Nπ/ω) = −x(t) |
-//! | `lyapunov` | f32 | y, x | largest exponent per forcing period |
+//! | `lyapunov` | f32 | y, x | largest exponent per forcing period; NaN where it was not measured |
 //! | `state` | f64 | y, x, 4 | (x1, x2, v1, v2) at forcing phase 0 |
 //! | `impacts` | u32 | y, x | impacts in the observed window |
 //! | `peak_impact_velocity` | f32 | y, x | largest speed before an impact in that window |
 //! | `periods` | u32 | y, x | forcing periods simulated |
+//! | `multipliers` | f64 | y, x, 4, 2 | of a certified map: re, im of the Floquet multipliers; NaN without an exact orbit |
 //! | `x`, `y` | f64 | x; y | the values of the axes |
 //! | `config` | text | (none) | everything needed to compute the map again |
 //!
@@ -22,7 +23,7 @@ mod write;
 
 pub use control::{write_control, write_control_map};
 pub use diagram::write_diagram;
-pub use read::{ReadError, read_map};
+pub use read::{ReadError, read_config, read_map};
 pub use write::write_map;
 
 #[cfg(test)]
@@ -57,8 +58,9 @@ mod tests {
             impacts_total: 0,
             peak_impact_velocity: 0.5 + f32::from(i),
             periods: 1000 + u32::from(i),
+            returning: 0,
         };
-        RegionMap { plane, provenance, verdicts: (0..6).map(verdict).collect() }
+        RegionMap { plane, provenance, verdicts: (0..6).map(verdict).collect(), multipliers: None }
     }
 
     fn written(map: &RegionMap) -> Vec<u8> {
@@ -71,6 +73,23 @@ mod tests {
     fn a_map_reads_back_as_it_was_written() {
         let map = example();
         assert_eq!(read_map(Cursor::new(written(&map))).unwrap(), map);
+    }
+
+    #[test]
+    fn a_certified_map_reads_back_with_its_multipliers() {
+        let mut map = example();
+        let of = |i: usize| (i != 2).then(|| [[0.5, 0.1], [0.5, -0.1], [0.1 * i as f64, 0.0], [0.0, 0.0]]);
+        map.multipliers = Some((0..6).map(of).collect());
+        assert_eq!(read_map(Cursor::new(written(&map))).unwrap(), map);
+        assert!(read_config(Cursor::new(written(&map))).unwrap().contains(r#""certified":true"#));
+    }
+
+    #[test]
+    fn an_exponent_that_was_not_measured_reads_back_so() {
+        let mut map = example();
+        map.verdicts[1].lyapunov = f32::NAN;
+        let read = read_map(Cursor::new(written(&map))).unwrap();
+        assert!(read.verdicts[1].lyapunov.is_nan() && !read.verdicts[0].lyapunov.is_nan());
     }
 
     #[test]
