@@ -9,11 +9,15 @@ struct Recurrence {
     running_p: u32,
     running_q: u32,
     worst: f32,
+    early: f32,
+    moved: u32,
+    apart: f32,
     symmetric: u32,
 }
 
 fn recurrence_anchored(state: vec4<f32>) -> Recurrence {
-    return Recurrence(array<f32, 4>(state.x, state.y, state.z, state.w), 0u, 0u, 0u, 0u, 0u, 0u, 0.0, 0u);
+    let anchor = array<f32, 4>(state.x, state.y, state.z, state.w);
+    return Recurrence(anchor, 0u, 0u, 0u, 0u, 0u, 0u, 0.0, 0.0, 0u, FARTHEST, 0u);
 }
 
 fn counted(running: u32, complete_chatter: bool) -> u32 {
@@ -40,7 +44,7 @@ fn recurrence_at_half_period(state: vec4<f32>, tolerance: f32) {
     }
 }
 
-fn recurrence_at_strobe(state: vec4<f32>, tolerance: f32) {
+fn recurrence_at_strobe(state: vec4<f32>, tolerance: f32, late: bool) {
     observer.recurrence.since = observer.recurrence.since + 1u;
     let away = anchor_distance(state);
     if observer.recurrence.n == 0u {
@@ -50,19 +54,38 @@ fn recurrence_at_strobe(state: vec4<f32>, tolerance: f32) {
             observer.recurrence.q = observer.recurrence.running_q;
             recurrence_returned(away);
         } else if observer.recurrence.since >= schedule.max_period {
-            observer.recurrence = recurrence_anchored(state);
+            recurrence_start_over(state, late);
         }
         return;
     }
-    if observer.recurrence.since % observer.recurrence.n == 0u {
+    let turned = observer.recurrence.since % observer.recurrence.n;
+    if turned == 0u {
         let same = observer.recurrence.running_p == observer.recurrence.p
             && observer.recurrence.running_q == observer.recurrence.q;
         if same && away <= tolerance {
             recurrence_returned(away);
+            if late && observer.recurrence.moved == 0u {
+                recurrence_move_along(state);
+            }
         } else {
-            observer.recurrence = recurrence_anchored(state);
+            recurrence_start_over(state, late);
         }
+    } else if observer.recurrence.n % turned == 0u {
+        observer.recurrence.apart = min(observer.recurrence.apart, away);
     }
+}
+
+fn recurrence_start_over(state: vec4<f32>, late: bool) {
+    observer.recurrence = recurrence_anchored(state);
+    observer.recurrence.moved = select(0u, 1u, late);
+}
+
+// The motion is compared with its present self from now on.
+fn recurrence_move_along(state: vec4<f32>) {
+    observer.recurrence.anchor = array<f32, 4>(state.x, state.y, state.z, state.w);
+    observer.recurrence.moved = 1u;
+    observer.recurrence.early = observer.recurrence.worst;
+    observer.recurrence.worst = 0.0;
 }
 
 fn recurrence_returned(away: f32) {
@@ -74,6 +97,14 @@ fn recurrence_returned(away: f32) {
 fn recurrence_holds_for(periods: u32) -> bool {
     let n = observer.recurrence.n;
     return n > 0u && observer.recurrence.since >= periods && observer.recurrence.since >= 3u * n;
+}
+
+// Whether N is the period of a motion that was reached.
+fn recurrence_is_settled() -> bool {
+    let worst = observer.recurrence.worst;
+    let early = observer.recurrence.early;
+    let comes_closer = worst <= SETTLED && worst + worst <= early;
+    return (worst <= ROUNDING || comes_closer) && observer.recurrence.apart >= DISTINCT * max(early, worst);
 }
 
 // The largest difference of a state's components from the anchor's.

@@ -25,6 +25,7 @@ pub(crate) mod constants {
         CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING, SETTLING_AT_REST,
         SIGNIFICANCE,
     };
+    pub use super::recurrence::{DISTINCT, FARTHEST};
     pub use super::spread::STATIONARY;
     pub use crate::dynamics::constants::MOST_MOVES;
 }

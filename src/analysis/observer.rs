@@ -56,6 +56,8 @@ pub struct Observer<T> {
     recurrence: Recurrence<T>,
     exponent: Exponent<T>,
     spread: Spread<T>,
+    /// Logarithmic growth of the tangent vector since the recurrence's anchor was set.
+    grown: T,
     stage: Stage,
     /// Forcing periods since the start.
     periods: u32,
@@ -85,6 +87,7 @@ impl<T: Real> Observer<T> {
             recurrence: Recurrence::anchored(trajectory.point.state()),
             exponent: Exponent::over(schedule.observe),
             spread: Spread::about(&trajectory.point),
+            grown: T::zero(),
             stage: Stage::Transient,
             periods: 0,
             observed: 0,
@@ -222,7 +225,7 @@ impl<T: Real> Observer<T> {
                 self.stage = Stage::Quiet;
                 return;
             }
-            self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period);
+            self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period, false);
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
             if self.recurrence.holds_for(if at_rest { SETTLING_AT_REST } else { SETTLING }) {
                 let needed = SETTLED_OBSERVATION.max(4 * self.recurrence.n);
@@ -243,10 +246,13 @@ impl<T: Real> Observer<T> {
         self.impacts = 0;
         self.peak = T::zero();
         self.stuck = false;
-        self.tangent = Tangent::seed();
+        let seed = Tangent::seed();
+        // While the first mass rests, nothing can deviate that it does not carry.
+        self.tangent = if self.trajectory.contact == Contact::Free { seed } else { seed.caught() };
         self.recurrence = Recurrence::anchored(point.state());
         self.exponent = Exponent::over(observe);
         self.spread = Spread::about(&point);
+        self.grown = T::zero();
     }
 
     /// A strobe of the observation.
@@ -254,9 +260,10 @@ impl<T: Real> Observer<T> {
     fn observe(&mut self, schedule: &Schedule) {
         let point = self.trajectory.point;
         self.observed += 1;
-        self.exponent.at_strobe(&mut self.tangent);
-        self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period);
         let half = self.observe / 2;
+        let growth = self.exponent.at_strobe(&mut self.tangent);
+        self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period, self.observed >= half);
+        self.grown = if self.recurrence.since == 0 { T::zero() } else { self.grown + growth };
         if self.observed <= 2 * half {
             self.spread.at_strobe(&point, self.observed > half);
         }
@@ -288,9 +295,15 @@ impl<T: Real> Observer<T> {
         let count = |value: u32| if regime.is_periodic() { value as u16 } else { 0 };
         let lyapunov = match regime {
             Regime::NoImpact => flight.linear_exponent,
-            _ if self.exponent.batches == 0 => T::zero(),
+            Regime::Failed => T::nan(),
+            _ if self.exponent.batches == 0 => T::nan(),
+            // What came before the motion was reached is no part of its exponent.
+            _ if regime.is_periodic() && self.is_late() => self.grown / T::of(f64::from(recurrence.since)),
             _ => self.exponent.per_period(),
         };
+        let in_question = !regime.is_periodic() || self.is_late();
+        let returning =
+            if regime.may_return() && in_question && recurrence.holds_for(0) { recurrence.n } else { 0 };
         Verdict {
             regime,
             n: count(recurrence.n),
@@ -303,7 +316,13 @@ impl<T: Real> Observer<T> {
             impacts_total: self.impacts_total,
             peak_impact_velocity: self.peak.widen() as f32,
             periods: self.periods,
+            returning: returning as u16,
         }
+    }
+
+    /// Whether the state began to return only within the observation.
+    fn is_late(&self) -> bool {
+        self.recurrence.since < self.observed
     }
 
     fn regime(&self) -> Regime {
@@ -311,29 +330,42 @@ impl<T: Real> Observer<T> {
             Stage::Failed => Regime::Failed,
             Stage::Quiet => Regime::NoImpact,
             _ if self.impacts == 0 && !self.stuck => Regime::NoImpact,
-            _ if self.recurrence.holds_for(self.proof()) => {
+            _ if self.returns() && self.recurrence.p + self.recurrence.q == 0 && !self.stuck => {
+                Regime::NoImpact
+            }
+            _ if self.returns() && self.is_settled() => {
                 if self.stuck {
                     Regime::PeriodicSticking
-                } else if self.recurrence.p + self.recurrence.q == 0 {
-                    Regime::NoImpact
                 } else {
                     Regime::Periodic
                 }
             }
-            _ if self.stuck => Regime::AperiodicSticking,
+            _ if self.stuck && !self.returns() => Regime::AperiodicSticking,
             _ => self.irregular(),
         }
     }
 
-    /// The regime of a motion that impacts, never sticks and does not return.
+    /// Whether the strobe state has kept returning long enough for a period.
+    fn returns(&self) -> bool {
+        self.recurrence.holds_for(self.proof())
+    }
+
+    /// Whether what returns is a motion that was reached: nearby trajectories do not leave it.
+    fn is_settled(&self) -> bool {
+        self.recurrence.is_settled() && self.grown <= T::of(NEUTRAL_GROWTH)
+    }
+
+    /// The regime of a motion that impacts and has no period that could be established.
     fn irregular(&self) -> Regime {
         let exponent = &self.exponent;
         let growth = exponent.total_growth();
         let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
         if exponent.batches == 0 {
             Regime::Unresolved
-        } else if growth > T::of(CHAOTIC_GROWTH) && significant {
+        } else if growth > T::of(CHAOTIC_GROWTH) && significant && !self.stuck {
             Regime::Chaotic
+        } else if self.returns() {
+            Regime::Unresolved
         } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observe / 2) {
             Regime::QuasiPeriodic
         } else {

@@ -64,6 +64,11 @@ impl Regime {
         }
     }
 
+    /// Whether a periodic motion may yet come out of a trajectory of this regime.
+    pub(super) fn may_return(self) -> bool {
+        !matches!(self, Regime::NoImpact | Regime::Failed)
+    }
+
     /// Whether motions of this regime carry an N-p-q label.
     pub fn is_periodic(self) -> bool {
         matches!(self, Regime::Periodic | Regime::PeriodicSticking)
@@ -86,7 +91,8 @@ pub struct Verdict {
     pub q: u16,
     /// Whether x(t + Nπ/ω) = −x(t).
     pub symmetric: bool,
-    /// Largest Lyapunov exponent per forcing period (natural logarithm).
+    /// Largest Lyapunov exponent per forcing period (natural logarithm), of the motion reached where it is periodic; NaN
+    /// where it was not measured.
     pub lyapunov: f32,
     /// (x1, x2, v1, v2) at the end, at forcing phase 0; non-dimensional.
     pub state: [f64; 4],
@@ -98,6 +104,9 @@ pub struct Verdict {
     pub peak_impact_velocity: f32,
     /// Forcing periods simulated.
     pub periods: u32,
+    /// Forcing periods after which the strobe state comes back at the end where a look at the exact motion is called for:
+    /// it still moves, may have a shorter period, or was reached within the observation; 0 elsewhere. Not written to files.
+    pub returning: u16,
 }
 
 impl Verdict {

@@ -42,11 +42,11 @@ pub struct CurvesArgs {
     max_period: u32,
 
     /// Forcing periods before a cell is observed
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRANSIENT)]
     transient: u32,
 
     /// Forcing periods for which a cell is observed
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::OBSERVE)]
     observe: u32,
 
     #[command(flatten)]

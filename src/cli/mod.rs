@@ -5,6 +5,7 @@
 mod adapters;
 mod asked;
 mod bifurcation;
+mod cell;
 mod classify;
 mod control;
 mod control_map;

@@ -88,10 +88,7 @@ impl SystemArgs {
     pub fn system_and_start(&self, start: Start) -> Result<(System, [f64; 4]), CliError> {
         let system = System::new(self.parameters(&[])?).map_err(CliError::input)?;
         start.check(system.parameters().delta).map_err(CliError::input)?;
-        if start == Start::Symmetric && symmetric_start(&system).is_none() {
-            note("there is no physical symmetric 1-1-1 motion here: starting from rest");
-        }
-        Ok((system, start.state(&system)))
+        Ok((system, start_state(&system, start)))
     }
 }
 
@@ -101,6 +98,14 @@ pub struct OverwriteArgs {
     /// Replaces result files that are there; without it they are left alone, and nothing is computed
     #[arg(long)]
     pub force: bool,
+}
+
+/// The state that a start means for a system, which is told where it is not the one named.
+pub fn start_state(system: &System, start: Start) -> [f64; 4] {
+    if start == Start::Symmetric && symmetric_start(system).is_none() {
+        note("there is no physical symmetric 1-1-1 motion here: starting from rest");
+    }
+    start.state(system)
 }
 
 /// What computes.
@@ -231,13 +236,14 @@ pub struct PlaneArgs {
 
     /// Forcing periods before the observation
     ///
-    /// A cell that is still undecided after the observation, or neutral, goes on for eight times as long and is
-    /// observed again: beside a Neimark-Sacker curve spirals are slow.
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
+    /// Where the verdict is in doubt a cell goes on. Chaos may be transient: it runs up to 320 periods more. What is still
+    /// undecided or neutral runs eight times as long and is observed four times as long: beside a Neimark-Sacker curve
+    /// spirals are slow. What returns without having settled is held against the exact motion beside it.
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRANSIENT)]
     transient: u32,
 
     /// Forcing periods of the observation
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::OBSERVE)]
     observe: u32,
 
     /// Largest N looked for in N-p-q [default: 32]; under control, most iterates in one period [default: 8]
@@ -308,5 +314,5 @@ impl PlaneArgs {
 
 fn default_start(axes: &[Axis]) -> Start {
     let varied = axes.iter().any(|axis| matches!(axis.quantity, Quantity::Start(_)));
-    if varied { Start::Rest } else { Start::Symmetric }
+    if varied { Start::Rest } else { defaults::START }
 }

@@ -267,6 +267,7 @@ mod tests {
             impacts_total: 1200,
             peak_impact_velocity: 0.4,
             periods: 600,
+            returning: 0,
         }
     }
 
@@ -280,7 +281,7 @@ mod tests {
             start: Start::State([0.0, 0.5, -0.25, 1e-7]),
             schedule: Schedule { transient: 40, observe: 20, max_period: 8, fixed_periods: true },
         };
-        RegionMap { plane, provenance, verdicts: vec![verdict(1); 20] }
+        RegionMap { plane, provenance, verdicts: vec![verdict(1); 20], multipliers: None }
     }
 
     fn report<'a>(

@@ -317,7 +317,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             let periods = self.observed_turns / T::of(f64::from(self.observed));
             self.exponent.per_period() / periods
         } else {
-            T::zero()
+            T::nan()
         };
         let since = if period > 0 { self.memory.returning[period as usize - 1] } else { 0 };
         Outcome {
@@ -333,6 +333,7 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
                 impacts_total: self.impacts_total,
                 peak_impact_velocity: self.peak.widen() as f32,
                 periods: self.periods,
+                returning: 0,
             },
             period,
             iterates: self.iterates,

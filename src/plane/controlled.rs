@@ -94,6 +94,7 @@ impl ControlMap {
             plane: self.plane.plane(),
             provenance: self.provenance.clone(),
             verdicts: self.outcomes.iter().map(|outcome| outcome.verdict).collect(),
+            multipliers: None,
         }
     }
 

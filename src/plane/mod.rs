@@ -13,7 +13,7 @@ pub use axis::{Axis, Component, Quantity};
 pub use axis_error::AxisError;
 pub use connected::{Cell, connected};
 pub use controlled::{ControlMap, ControlPlane, ControlPlaneError};
-pub use region_map::{Provenance, RegionMap};
+pub use region_map::{Multipliers, Provenance, RegionMap};
 pub use spacing::Spacing;
 pub use spec::{Plane, PlaneError};
 pub use start::{Start, StartError};

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::analysis::{Schedule, Verdict};
-use crate::backend::{Job, follow};
+use crate::backend::{Cpu, Job, Unwatched, decide};
 use crate::dynamics::{Recording, record};
 use crate::model::{Parameters, System};
 use crate::plane::Start;
@@ -51,7 +51,8 @@ impl PaperPoint {
         let system = self.system();
         let schedule =
             Schedule { transient: self.transient, observe: OBSERVE, max_period: 32, fixed_periods: false };
-        follow::<f64>(&Job { system, start: self.start.state(&system) }, &schedule)
+        let job = Job { system, start: self.start.state(&system) };
+        decide(&Cpu, &[job], &schedule, &Unwatched).expect("nothing stops the CPU path")[0]
     }
 
     /// What it does after the transient, for so many periods.

@@ -7,7 +7,7 @@ use crate::analysis::Trace;
 use crate::backend::{Backend, BackendError, Cpu, Job, Watch, trace};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
 use crate::model::System;
-use crate::theory::Spectrum;
+use crate::theory::{Spectrum, confirmed};
 
 /// Computes a bifurcation diagram.
 ///
@@ -25,11 +25,15 @@ pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> 
         .collect::<Result<_, _>>()?;
     let branches: Vec<Branch> = (spec.sweep.branches().par_iter())
         .map(|&direction| {
-            let traces = match direction {
+            let mut traces = match direction {
                 Direction::Each => each(spec, &systems, backend, watch)?,
                 Direction::Down => carried(spec, &systems, true, watch)?,
                 Direction::Up => carried(spec, &systems, false, watch)?,
             };
+            // Slow spirals and alternations are held against the exact motion.
+            for (trace, system) in traces.iter_mut().zip(&systems) {
+                trace.verdict = confirmed(system, &trace.verdict).unwrap_or(trace.verdict);
+            }
             Ok(Branch { direction, traces, spectrum: None })
         })
         .collect::<Result<_, SweepError>>()?;

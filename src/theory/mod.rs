@@ -6,6 +6,7 @@
 //! of the simulation then decides whether the system really moves like that. Everything is in f64.
 
 mod admissible;
+mod approached;
 mod cyclic;
 mod flow;
 mod impact_map;
@@ -26,6 +27,7 @@ mod symmetric;
 
 pub use admissible::Inadmissible;
 pub(crate) use admissible::fly;
+pub use approached::{approached, approached_from, confirmed, with_motion};
 pub(crate) use flow::Flow;
 pub use flow::Section;
 pub use impact_map::{NoReturn, Return, impact_map};

@@ -2,7 +2,7 @@
 
 use std::fmt::{Debug, Write};
 
-use super::layout::{KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE};
+use super::layout::{KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE, NOT_MEASURED};
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Regime, Section, Stage};
 use crate::control::constants as control;
@@ -127,6 +127,10 @@ fn constants() -> String {
         ("CHATTER", <f32 as Real>::CHATTER),
         ("SETTLED", <f32 as Real>::SETTLED),
         ("AT_REST", <f32 as Real>::AT_REST),
+        ("ROUNDING", <f32 as Real>::ROUNDING),
+        ("DISTINCT", analysis::DISTINCT),
+        ("FARTHEST", analysis::FARTHEST),
+        ("NOT_MEASURED", f64::from(NOT_MEASURED)),
         ("EPSILON", epsilon),
         ("SQRT_EPSILON", f64::from(f32::EPSILON.sqrt())),
         ("PI", std::f64::consts::PI),

@@ -8,7 +8,7 @@ use thiserror::Error;
 use zip::ZipArchive;
 
 use crate::analysis::{Regime, Verdict};
-use crate::plane::{Plane, Provenance, RegionMap};
+use crate::plane::{Multipliers, Plane, Provenance, RegionMap};
 
 /// Reads a map that [`write_map`](super::write_map) wrote.
 ///
@@ -28,7 +28,31 @@ pub fn read_map(from: impl Read + Seek) -> Result<RegionMap, ReadError> {
     let config = values::<String>(&mut zip, "config", &[])?.concat();
     let Config { provenance, plane } = serde_json::from_str(&config)?;
     let verdicts = verdicts(&mut zip, &plane)?;
-    Ok(RegionMap { plane, provenance, verdicts })
+    let multipliers = multipliers(&mut zip, &plane)?;
+    Ok(RegionMap { plane, provenance, verdicts, multipliers })
+}
+
+/// Reads the configuration text of an archive of this crate.
+///
+/// # Errors
+/// What is missing from the file.
+pub fn read_config(from: impl Read + Seek) -> Result<String, ReadError> {
+    let mut zip = ZipArchive::new(from).map_err(io::Error::from)?;
+    Ok(values::<String>(&mut zip, "config", &[])?.concat())
+}
+
+/// The multipliers of a map that was certified.
+fn multipliers(
+    zip: &mut ZipArchive<impl Read + Seek>,
+    plane: &Plane,
+) -> Result<Option<Vec<Option<Multipliers>>>, ReadError> {
+    if zip.index_for_name(&npyz::npz::file_name_from_array_name("multipliers")).is_none() {
+        return Ok(None);
+    }
+    let numbers: Vec<f64> = values(zip, "multipliers", &[plane.y.count.into(), plane.x.count.into(), 4, 2])?;
+    let (pairs, _) = numbers.as_chunks::<2>();
+    let (cells, _) = pairs.as_chunks::<4>();
+    Ok(Some(cells.iter().map(|cell| (!cell[0][0].is_nan()).then_some(*cell)).collect()))
 }
 
 fn verdicts(zip: &mut ZipArchive<impl Read + Seek>, plane: &Plane) -> Result<Vec<Verdict>, ReadError> {
@@ -57,6 +81,7 @@ fn verdicts(zip: &mut ZipArchive<impl Read + Seek>, plane: &Plane) -> Result<Vec
             impacts_total: 0,
             peak_impact_velocity: peaks[i],
             periods: periods[i],
+            returning: 0,
         })
     };
     regimes.iter().enumerate().map(verdict).collect()

@@ -24,6 +24,10 @@ pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + 
     let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
     let mut archive = Archive::new(to);
     write_verdicts(&mut archive, cells, &map.verdicts)?;
+    if let Some(multipliers) = &map.multipliers {
+        let numbers = multipliers.iter().flat_map(|cell| cell.unwrap_or([[f64::NAN; 2]; 4]));
+        archive.array("multipliers", &[cells[0], cells[1], 4, 2], numbers.flatten())?;
+    }
     archive.array("x", &[plane.x.count.into()], plane.x.values())?;
     archive.array("y", &[plane.y.count.into()], plane.y.values())?;
     archive.text("config", config)?;

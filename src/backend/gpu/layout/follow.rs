@@ -38,6 +38,9 @@ pub struct Dispatch {
     pub row: u32,
 }
 
+/// What the shaders write for an exponent that was not measured: a NaN need not survive a driver.
+pub const NOT_MEASURED: f32 = -3e38;
+
 /// `Verdict` in shaders/analysis/observer.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -53,6 +56,7 @@ pub struct Verdict {
     pub impacts_total: u32,
     pub peak_impact_velocity: f32,
     pub periods: u32,
+    pub returning: u32,
 }
 
 impl Verdict {
@@ -69,6 +73,7 @@ impl Verdict {
         impacts_total: 0,
         peak_impact_velocity: 0.0,
         periods: 0,
+        returning: 0,
     };
 
     /// Whether the shader has not written it yet.
@@ -85,12 +90,13 @@ impl Verdict {
             p: self.p as u16,
             q: self.q as u16,
             symmetric: self.symmetric != 0,
-            lyapunov: self.lyapunov,
+            lyapunov: if self.lyapunov == NOT_MEASURED { f32::NAN } else { self.lyapunov },
             state: self.state.map(f64::from),
             impacts: self.impacts,
             impacts_total: self.impacts_total,
             peak_impact_velocity: self.peak_impact_velocity,
             periods: self.periods,
+            returning: self.returning as u16,
         }
     }
 }
@@ -104,4 +110,4 @@ impl Record for Verdict {
 }
 
 /// Bytes of `Observer` in shaders/analysis/observer.wgsl, which only the shader reads and writes.
-pub const OBSERVER_BYTES: u64 = 4 * (16 + 4 + 12 + 7 + 8 + 9);
+pub const OBSERVER_BYTES: u64 = 4 * (16 + 4 + 15 + 7 + 8 + 10);

@@ -13,6 +13,6 @@ pub use control::{
     METHOD_SINE, Outcome,
 };
 pub use flight::{Flight, KICK_TERMS, Kick};
-pub use follow::{Dispatch, OBSERVER_BYTES, Schedule, Verdict};
+pub use follow::{Dispatch, NOT_MEASURED, OBSERVER_BYTES, Schedule, Verdict};
 pub use record::Record;
 pub use trace::{Trace, TraceDispatch};
