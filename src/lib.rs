@@ -68,13 +68,20 @@
 //!
 //! *Verdict.* The strobe state is compared with one remembered state: its first return gives N, and it must keep
 //! returning, with the same impacts. A trajectory that has settled, or that energy shows can never impact again,
-//! finishes early. A tangent vector, carried through flight and impact (the saltation of Eq. (3)), gives λ1 with a
-//! standard error from sixteen batches. Where there is no period, a growth of more than
+//! finishes early. A return is no period yet: a spiral that still shrinks returns, and so does every second turn of an
+//! alternation that dies out. Half-way through the observation the remembered state moves along with the motion. N is its
+//! period where the returns are as close as rounding lets them be, or come closer by the half, where a turn by a divisor
+//! of N ends a thousand times farther away, and where nearby trajectories do not part. A tangent vector, carried through
+//! flight and impact (the saltation of Eq. (3)), gives λ1 with a standard error from sixteen batches; of a motion that was
+//! reached within the observation, only from there on. Where there is no period, a growth of more than
 //! e⁵ that is significant is chaos; a growth within e^±3 on strobe points that scatter alike early and late is
 //! quasi-periodic; everything else is unresolved, and says so.
 //!
-//! *A second look.* Beside a Neimark–Sacker curve a spiral is slow; what is still undecided, or neutral, goes on for
-//! eight transients more.
+//! *In doubt.* What returns without having settled is held against the exact motion beside it: Newton's method on the
+//! strobe map finds it, its multipliers say whether it is stable and what λ1 is, and its Jacobian must foretell where the
+//! state is one turn later. Chaos may be transient, and goes on for 320 forcing periods more. What is still undecided, or
+//! neutral, goes on for eight transients and is observed four times as long: beside a Neimark–Sacker curve a spiral is slow.
+//! [`sweep::certify`] solves the motion of every periodic cell.
 //!
 //! # Theory
 //!

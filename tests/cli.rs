@@ -166,6 +166,8 @@ fn classify_gives_the_keys_of_the_contract() {
         "state",
         "peak_impact_velocity",
         "periods",
+        "start",
+        "start_state",
         "backend",
         "adapter",
     ];
@@ -216,7 +218,8 @@ fn map_writes_a_picture_and_data_beside_it() {
         [400u32.to_be_bytes(), 300u32.to_be_bytes()],
         "the size asked for"
     );
-    let expected = ["adapter", "backend", "cells", "impacts", "impacts_per_second", "regimes", "seconds"];
+    let expected =
+        ["adapter", "backend", "cells", "certified", "impacts", "impacts_per_second", "regimes", "seconds"];
     assert_eq!(keys(&result), expected);
     assert_eq!(result["cells"], 24);
     assert_eq!(result["regimes"].as_object().unwrap().values().map(|n| n.as_u64().unwrap()).sum::<u64>(), 24);

@@ -205,7 +205,7 @@ fn the_motion_that_a_start_leads_to_is_solved() {
         let seen = json(&run(&with(
             "classify",
             &[&omega],
-            &["--backend", "cpu", "--transient", "20000", "--fixed-periods", "--json"],
+            &["--start", "rest", "--backend", "cpu", "--transient", "20000", "--fixed-periods", "--json"],
         )));
         if found["n"] == 1 {
             assert_close(&found["state"], &numbers(&seen["state"]), 1e-6);

@@ -15,15 +15,18 @@ fn exponent_over(observe: u32) -> Exponent {
     return Exponent(observe / batches, batches / ALIGNING, 0u, 0.0, 0u, 0.0, 0.0);
 }
 
-fn exponent_at_strobe() {
+// Adds the growth since the last strobe, brings the tangent vector back to unit length and returns that growth.
+fn exponent_at_strobe() -> f32 {
     let length = tangent_length(tangent);
+    var growth = 0.0;
     if length > 0.0 && is_finite(length) {
         tangent = state_scaled(1.0 / length, tangent);
-        exponent_add(log(length));
+        growth = log(length);
     } else {
         tangent = tangent_seed();
-        exponent_add(0.0);
     }
+    exponent_add(growth);
+    return growth;
 }
 
 // Adds the growth of one period (or iterate), ln of a factor.

@@ -13,6 +13,7 @@ struct Observer {
     recurrence: Recurrence,
     exponent: Exponent,
     spread: Spread,
+    grown: f32,
     stage: u32,
     periods: u32,
     observed: u32,
@@ -35,6 +36,7 @@ struct Verdict {
     impacts_total: u32,
     peak_impact_velocity: f32,
     periods: u32,
+    returning: u32,
 }
 
 var<private> observer: Observer;
@@ -62,6 +64,7 @@ fn observer_begin(start: State) {
     observer.recurrence = recurrence_anchored(trajectory.point.state);
     observer.exponent = exponent_over(schedule.observe);
     observer.spread = spread_about(trajectory.point);
+    observer.grown = 0.0;
     observer.stage = STAGE_TRANSIENT;
     observer.periods = 0u;
     observer.observed = 0u;
@@ -123,7 +126,7 @@ fn observer_settle(state: State) {
             observer.stage = STAGE_QUIET;
             return;
         }
-        recurrence_at_strobe(state, SETTLED);
+        recurrence_at_strobe(state, SETTLED, false);
         if recurrence_holds_for(select(SETTLING, SETTLING_AT_REST, observer.recurrence.worst <= AT_REST)) {
             let needed = max(SETTLED_OBSERVATION, 4u * observer.recurrence.n);
             observer_begin_observation(min(needed, schedule.observe));
@@ -143,16 +146,22 @@ fn observer_begin_observation(observe: u32) {
     observer.peak = 0.0;
     observer.stuck = 0u;
     tangent = tangent_seed();
+    if trajectory.contact != CONTACT_FREE {
+        // While a mass rests, nothing can deviate that it does not carry.
+        tangent = tangent_caught(tangent, trajectory.contact);
+    }
     observer.recurrence = recurrence_anchored(trajectory.point.state);
     observer.exponent = exponent_over(observe);
     observer.spread = spread_about(trajectory.point);
+    observer.grown = 0.0;
 }
 
 fn observer_observe(state: State) {
     observer.observed = observer.observed + 1u;
-    exponent_at_strobe();
-    recurrence_at_strobe(state, RETURNED);
     let half = observer.observe / 2u;
+    let growth = exponent_at_strobe();
+    recurrence_at_strobe(state, RETURNED, observer.observed >= half);
+    observer.grown = select(observer.grown + growth, 0.0, observer.recurrence.since == 0u);
     if observer.observed <= 2u * half {
         spread_at_strobe(trajectory.point, observer.observed > half);
     }
@@ -175,6 +184,16 @@ fn observer_proof() -> u32 {
     return min(observer.observe / 4u, SETTLING);
 }
 
+// Whether what returns is a motion that was reached: nearby trajectories do not leave it.
+fn observer_is_settled() -> bool {
+    return recurrence_is_settled() && observer.grown <= NEUTRAL_GROWTH;
+}
+
+// Whether the state began to return only within the observation.
+fn observer_is_late() -> bool {
+    return observer.recurrence.since < observer.observed;
+}
+
 fn observer_regime() -> u32 {
     if observer.stage == STAGE_FAILED {
         return REGIME_FAILED;
@@ -182,25 +201,30 @@ fn observer_regime() -> u32 {
     if observer.stage == STAGE_QUIET || (observer.impacts == 0u && observer.stuck == 0u) {
         return REGIME_NO_IMPACT;
     }
-    if recurrence_holds_for(observer_proof()) {
-        if observer.stuck == 1u {
-            return REGIME_PERIODIC_STICKING;
-        }
-        var impacts = 0u;
-        //: each stop
-        impacts = max(impacts, observer.recurrence.impacts[$k]);
-        //: end
-        return select(REGIME_PERIODIC, REGIME_NO_IMPACT, impacts == 0u);
+    let returns = recurrence_holds_for(observer_proof());
+    var impacts = 0u;
+    //: each stop
+    impacts = max(impacts, observer.recurrence.impacts[$k]);
+    //: end
+    if returns && impacts == 0u && observer.stuck == 0u {
+        return REGIME_NO_IMPACT;
     }
-    if observer.stuck == 1u {
+    if returns && observer_is_settled() {
+        return select(REGIME_PERIODIC, REGIME_PERIODIC_STICKING, observer.stuck == 1u);
+    }
+    if observer.stuck == 1u && !returns {
         return REGIME_APERIODIC_STICKING;
     }
     if observer.exponent.batches == 0u {
         return REGIME_UNRESOLVED;
     }
     let growth = observer.exponent.sum;
-    if growth > CHAOTIC_GROWTH && exponent_per_period() > SIGNIFICANCE * exponent_standard_error() {
+    let significant = exponent_per_period() > SIGNIFICANCE * exponent_standard_error();
+    if growth > CHAOTIC_GROWTH && significant && observer.stuck == 0u {
         return REGIME_CHAOTIC;
+    }
+    if returns {
+        return REGIME_UNRESOLVED;
     }
     if abs(growth) < NEUTRAL_GROWTH && spread_is_stationary(observer.observe / 2u) {
         return REGIME_QUASI_PERIODIC;
@@ -208,15 +232,29 @@ fn observer_regime() -> u32 {
     return REGIME_UNRESOLVED;
 }
 
+// The state that is reported: where the trajectory ends, or the forced response that motion decays onto.
+fn observer_state(regime: u32) -> State {
+    if regime == REGIME_NO_IMPACT && observer.stage == STAGE_QUIET && flight.quiet_decays == 1u {
+        return flight.quiet_forced;
+    }
+    return trajectory.point.state;
+}
+
 fn observer_verdict() -> Verdict {
     let regime = observer_regime();
     let periodic = regime == REGIME_PERIODIC || regime == REGIME_PERIODIC_STICKING;
-    var lyapunov = 0.0;
+    var lyapunov = NOT_MEASURED;
     if regime == REGIME_NO_IMPACT {
         lyapunov = flight.linear_exponent;
-    } else if observer.exponent.batches > 0u {
+    } else if regime != REGIME_FAILED && observer.exponent.batches > 0u {
         lyapunov = exponent_per_period();
+        if periodic && observer_is_late() {
+            lyapunov = observer.grown / f32(observer.recurrence.since);
+        }
     }
+    let may_return = regime != REGIME_NO_IMPACT && regime != REGIME_FAILED;
+    let in_question = !periodic || observer_is_late();
+    let returning = may_return && in_question && recurrence_holds_for(0u);
     let symmetric = periodic && observer.recurrence.n % 2u == 1u && observer.recurrence.symmetric == 1u;
     var impacts_per_stop = array<u32, MOST>();
     //: each stop
@@ -228,10 +266,11 @@ fn observer_verdict() -> Verdict {
         select(0u, 1u, symmetric),
         lyapunov,
         impacts_per_stop,
-        state_values(trajectory.point.state),
+        state_values(observer_state(regime)),
         observer.impacts,
         observer.impacts_total,
         observer.peak,
         observer.periods,
+        select(0u, observer.recurrence.n, returning),
     );
 }

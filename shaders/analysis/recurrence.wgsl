@@ -8,11 +8,15 @@ struct Recurrence {
     impacts: array<u32, STOPS>,
     running: array<u32, STOPS>,
     worst: f32,
+    early: f32,
+    moved: u32,
+    apart: f32,
     symmetric: u32,
 }
 
 fn recurrence_anchored(state: State) -> Recurrence {
-    return Recurrence(state, 0u, 0u, array<u32, STOPS>(), array<u32, STOPS>(), 0.0, 0u);
+    let none = array<u32, STOPS>();
+    return Recurrence(state, 0u, 0u, none, none, 0.0, 0.0, 0u, FARTHEST, 0u);
 }
 
 fn counted(running: u32, complete_chatter: bool) -> u32 {
@@ -40,7 +44,7 @@ fn recurrence_at_half_period(state: State, tolerance: f32) {
     }
 }
 
-fn recurrence_at_strobe(state: State, tolerance: f32) {
+fn recurrence_at_strobe(state: State, tolerance: f32, late: bool) {
     observer.recurrence.since = observer.recurrence.since + 1u;
     let away = anchor_distance(state);
     if observer.recurrence.n == 0u {
@@ -49,21 +53,40 @@ fn recurrence_at_strobe(state: State, tolerance: f32) {
             observer.recurrence.impacts = observer.recurrence.running;
             recurrence_returned(away);
         } else if observer.recurrence.since >= schedule.max_period {
-            observer.recurrence = recurrence_anchored(state);
+            recurrence_start_over(state, late);
         }
         return;
     }
-    if observer.recurrence.since % observer.recurrence.n == 0u {
+    let turned = observer.recurrence.since % observer.recurrence.n;
+    if turned == 0u {
         var same = true;
         //: each stop
         same = same && observer.recurrence.running[$k] == observer.recurrence.impacts[$k];
         //: end
         if same && away <= tolerance {
             recurrence_returned(away);
+            if late && observer.recurrence.moved == 0u {
+                recurrence_move_along(state);
+            }
         } else {
-            observer.recurrence = recurrence_anchored(state);
+            recurrence_start_over(state, late);
         }
+    } else if observer.recurrence.n % turned == 0u {
+        observer.recurrence.apart = min(observer.recurrence.apart, away);
     }
+}
+
+fn recurrence_start_over(state: State, late: bool) {
+    observer.recurrence = recurrence_anchored(state);
+    observer.recurrence.moved = select(0u, 1u, late);
+}
+
+// The motion is compared with its present self from now on.
+fn recurrence_move_along(state: State) {
+    observer.recurrence.anchor = state;
+    observer.recurrence.moved = 1u;
+    observer.recurrence.early = observer.recurrence.worst;
+    observer.recurrence.worst = 0.0;
 }
 
 fn recurrence_returned(away: f32) {
@@ -74,6 +97,14 @@ fn recurrence_returned(away: f32) {
 fn recurrence_holds_for(periods: u32) -> bool {
     let n = observer.recurrence.n;
     return n > 0u && observer.recurrence.since >= periods && observer.recurrence.since >= 3u * n;
+}
+
+// Whether N is the period of a motion that was reached.
+fn recurrence_is_settled() -> bool {
+    let worst = observer.recurrence.worst;
+    let early = observer.recurrence.early;
+    let comes_closer = worst <= SETTLED && worst + worst <= early;
+    return (worst <= ROUNDING || comes_closer) && observer.recurrence.apart >= DISTINCT * max(early, worst);
 }
 
 // The largest difference of a state's components from the anchor's.

@@ -264,7 +264,7 @@ fn controlled_outcome() -> Outcome {
         converged_at = select(0u, since - control_schedule.start, since > control_schedule.start);
     }
     let symmetric = period > 0u && counts.x % 2u == 1u && counts.y == counts.z && controlled_is_symmetric(period);
-    var lyapunov = 0.0;
+    var lyapunov = NOT_MEASURED;
     let measured =
         observer.exponent.batches > 0u && controlled.erased == 0u && controlled.observed_turns > 0.0;
     if measured {
@@ -287,6 +287,7 @@ fn controlled_outcome() -> Outcome {
             controlled.impacts_total,
             controlled.peak,
             controlled.periods,
+            0u,
         ),
         period,
         controlled.iterates,

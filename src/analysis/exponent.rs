@@ -42,19 +42,21 @@ impl<T: Real> Exponent<T> {
         }
     }
 
-    /// Adds the growth since the last strobe and brings the tangent vector back to unit length.
+    /// Adds the growth since the last strobe, brings the tangent vector back to unit length and returns that growth.
     ///
     /// A vector that was lost altogether (sticking can do that) starts afresh.
     #[inline(always)]
-    pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>) {
+    pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>) -> T {
         let length = tangent.length();
-        if length > T::zero() && length.is_finite() {
+        let growth = if length > T::zero() && length.is_finite() {
             *tangent = tangent.scaled(T::one() / length);
-            self.add(length.ln());
+            length.ln()
         } else {
             *tangent = Tangent::seed();
-            self.add(T::zero());
-        }
+            T::zero()
+        };
+        self.add(growth);
+        growth
     }
 
     /// Adds the growth of one period (or iterate), ln of a factor.

@@ -12,7 +12,7 @@ mod trace;
 
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
-pub use regime::{INFINITELY_MANY, Regime, Verdict, motion_label};
+pub use regime::{Counts, INFINITELY_MANY, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
 pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
 pub(crate) use spread::Spread;
@@ -25,6 +25,7 @@ pub(crate) mod constants {
         CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING, SETTLING_AT_REST,
         SIGNIFICANCE,
     };
+    pub use super::recurrence::{DISTINCT, FARTHEST};
     pub use super::spread::STATIONARY;
     pub use crate::dynamics::constants::MOST_MOVES;
 }

@@ -3,12 +3,12 @@
 use super::exponent::Exponent;
 use super::quiet::is_quiet;
 use super::recurrence::Recurrence;
-use super::regime::{Regime, Verdict};
+use super::regime::{Counts, Regime, Verdict};
 use super::schedule::Schedule;
 use super::spread::Spread;
 use crate::dynamics::constants::MOST_MOVES;
 use crate::dynamics::{Event, Move, Stop, Tangent, Trajectory, Variation};
-use crate::model::{Flight, Real, State};
+use crate::model::{Flight, Real, State, StateVector};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
 /// one that is called symmetric; absolute for states of order one and less, relative above. Both back ends use it.
@@ -56,6 +56,8 @@ pub struct Observer<T, const N: usize> {
     recurrence: Recurrence<T, N>,
     exponent: Exponent<T>,
     spread: Spread<T, N>,
+    /// Logarithmic growth of the tangent vector since the recurrence's anchor was set.
+    grown: T,
     stage: Stage,
     /// Forcing periods since the start.
     periods: u32,
@@ -85,6 +87,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             recurrence: Recurrence::anchored(trajectory.point.state),
             exponent: Exponent::over(schedule.observe),
             spread: Spread::about(&trajectory.point),
+            grown: T::zero(),
             stage: Stage::Transient,
             periods: 0,
             observed: 0,
@@ -96,7 +99,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             stuck: false,
         };
         if schedule.transient == 0 {
-            observer.begin_observation(schedule.observe);
+            observer.begin_observation(flight, schedule.observe);
         }
         observer
     }
@@ -211,7 +214,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if self.stage == Stage::Transient {
             self.settle(flight, schedule);
         } else {
-            self.observe(schedule);
+            self.observe(flight, schedule);
         }
     }
 
@@ -224,20 +227,20 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 self.stage = Stage::Quiet;
                 return;
             }
-            self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period);
+            self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period, false);
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
             if self.recurrence.holds_for(if at_rest { SETTLING_AT_REST } else { SETTLING }) {
                 let needed = SETTLED_OBSERVATION.max(4 * self.recurrence.n);
-                self.begin_observation(needed.min(schedule.observe));
+                self.begin_observation(flight, needed.min(schedule.observe));
                 return;
             }
         }
         if self.periods >= schedule.transient {
-            self.begin_observation(schedule.observe);
+            self.begin_observation(flight, schedule.observe);
         }
     }
 
-    fn begin_observation(&mut self, observe: u32) {
+    fn begin_observation(&mut self, flight: &Flight<T, N>, observe: u32) {
         let point = self.trajectory.point;
         self.stage = Stage::Observation;
         self.observe = observe;
@@ -245,20 +248,23 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.impacts = 0;
         self.peak = T::zero();
         self.stuck = false;
-        self.tangent = Tangent::seed();
+        // While a mass rests, nothing can deviate that it does not carry.
+        self.tangent = Tangent::seed().caught(flight, self.trajectory.contact);
         self.recurrence = Recurrence::anchored(point.state);
         self.exponent = Exponent::over(observe);
         self.spread = Spread::about(&point);
+        self.grown = T::zero();
     }
 
     /// A strobe of the observation.
     #[inline(always)]
-    fn observe(&mut self, schedule: &Schedule) {
+    fn observe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         let point = self.trajectory.point;
         self.observed += 1;
-        self.exponent.at_strobe(&mut self.tangent);
-        self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period);
         let half = self.observe / 2;
+        let growth = self.exponent.at_strobe(&mut self.tangent);
+        self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period, self.observed >= half);
+        self.grown = if self.recurrence.since == 0 { T::zero() } else { self.grown + growth };
         if self.observed <= 2 * half {
             self.spread.at_strobe(&point, self.observed > half);
         }
@@ -271,7 +277,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             self.recurrence = Recurrence::anchored(point.state);
             self.stage = Stage::Transient;
             if self.periods >= schedule.transient {
-                self.begin_observation(schedule.observe);
+                self.begin_observation(flight, schedule.observe);
             }
         } else {
             self.stage = Stage::Observed;
@@ -284,28 +290,48 @@ impl<T: Real, const N: usize> Observer<T, N> {
     }
 
     /// What the trajectory settled on.
-    pub fn verdict(&self, flight: &Flight<T, N>) -> Verdict {
+    ///
+    /// Labels count the impacts at the plant's stops in `label_order`.
+    pub fn verdict(&self, flight: &Flight<T, N>, label_order: &[usize]) -> Verdict {
         let regime = self.regime();
         let recurrence = &self.recurrence;
         let count = |value: u32| if regime.is_periodic() { value as u16 } else { 0 };
         let lyapunov = match regime {
             Regime::NoImpact => flight.linear_exponent,
-            _ if self.exponent.batches == 0 => T::zero(),
+            Regime::Failed => T::nan(),
+            _ if self.exponent.batches == 0 => T::nan(),
+            // What came before the motion was reached is no part of its exponent.
+            _ if regime.is_periodic() && self.is_late() => self.grown / T::of(f64::from(recurrence.since)),
             _ => self.exponent.per_period(),
         };
+        let in_question = !regime.is_periodic() || self.is_late();
+        let returning =
+            if regime.may_return() && in_question && recurrence.holds_for(0) { recurrence.n } else { 0 };
         Verdict {
             regime,
             n: count(recurrence.n),
-            p: count(recurrence.impacts[Stop::B.index()]),
-            q: count(recurrence.impacts[Stop::A.index()]),
+            counts: Counts::in_order(&recurrence.impacts.map(count), label_order),
             symmetric: regime.is_periodic() && recurrence.n % 2 == 1 && recurrence.symmetric,
             lyapunov: lyapunov.widen() as f32,
-            state: std::array::from_fn(|i| self.trajectory.point.state.get(i).widen()),
+            state: StateVector::of(&self.state(flight, regime)),
             impacts: self.impacts,
             impacts_total: self.impacts_total,
             peak_impact_velocity: self.peak.widen() as f32,
             periods: self.periods,
+            returning: returning as u16,
         }
+    }
+
+    /// The state that is reported: where the trajectory ends, or of motion that decays onto the forced response without
+    /// another impact, that response.
+    fn state(&self, flight: &Flight<T, N>, regime: Regime) -> State<T, N> {
+        let forced = regime == Regime::NoImpact && self.stage == Stage::Quiet && flight.quiet.decays;
+        if forced { flight.quiet.forced } else { self.trajectory.point.state }
+    }
+
+    /// Whether the state began to return only within the observation.
+    fn is_late(&self) -> bool {
+        self.recurrence.since < self.observed
     }
 
     fn regime(&self) -> Regime {
@@ -313,29 +339,42 @@ impl<T: Real, const N: usize> Observer<T, N> {
             Stage::Failed => Regime::Failed,
             Stage::Quiet => Regime::NoImpact,
             _ if self.impacts == 0 && !self.stuck => Regime::NoImpact,
-            _ if self.recurrence.holds_for(self.proof()) => {
+            _ if self.returns() && self.recurrence.impacts.iter().all(|&count| count == 0) && !self.stuck => {
+                Regime::NoImpact
+            }
+            _ if self.returns() && self.is_settled() => {
                 if self.stuck {
                     Regime::PeriodicSticking
-                } else if self.recurrence.impacts.iter().all(|&count| count == 0) {
-                    Regime::NoImpact
                 } else {
                     Regime::Periodic
                 }
             }
-            _ if self.stuck => Regime::AperiodicSticking,
+            _ if self.stuck && !self.returns() => Regime::AperiodicSticking,
             _ => self.irregular(),
         }
     }
 
-    /// The regime of a motion that impacts, never sticks and does not return.
+    /// Whether the strobe state has kept returning long enough for a period.
+    fn returns(&self) -> bool {
+        self.recurrence.holds_for(self.proof())
+    }
+
+    /// Whether what returns is a motion that was reached: nearby trajectories do not leave it.
+    fn is_settled(&self) -> bool {
+        self.recurrence.is_settled() && self.grown <= T::of(NEUTRAL_GROWTH)
+    }
+
+    /// The regime of a motion that impacts and has no period that could be established.
     fn irregular(&self) -> Regime {
         let exponent = &self.exponent;
         let growth = exponent.total_growth();
         let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
         if exponent.batches == 0 {
             Regime::Unresolved
-        } else if growth > T::of(CHAOTIC_GROWTH) && significant {
+        } else if growth > T::of(CHAOTIC_GROWTH) && significant && !self.stuck {
             Regime::Chaotic
+        } else if self.returns() {
+            Regime::Unresolved
         } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observe / 2) {
             Regime::QuasiPeriodic
         } else {

@@ -5,10 +5,21 @@ use crate::dynamics::{Point, Stop};
 use crate::model::vector::{MOST, applied};
 use crate::model::{Flight, Real, State};
 
+/// How many times farther than its returns the state must be after a divisor of N. An alternation with the multiplier −μ
+/// returns within 1 − μᵏ of its size over k periods.
+pub const DISTINCT: f64 = 1e3;
+
+/// A distance beyond all distances, in either precision.
+pub const FARTHEST: f64 = 3e38;
+
 /// Looks for a period in O(1) memory: remembers one strobe state, its anchor, and compares every later one.
 ///
 /// The first return gives N; every N periods after it the state must return again, with the same impacts in
 /// between. A miss moves the anchor to the present and the search starts over.
+///
+/// A return alone proves no period: a spiral that still shrinks returns, and so does every second turn of an alternation
+/// that dies out slowly. Half-way through the observation the anchor therefore moves along with the motion, so that
+/// [`Recurrence::is_settled`] can ask whether the returns come closer, and whether the motion has no shorter period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recurrence<T, const N: usize> {
     anchor: State<T, N>,
@@ -21,7 +32,14 @@ pub struct Recurrence<T, const N: usize> {
     /// Impacts at each stop in the present cycle.
     running: [u32; MOST],
     /// The largest distance of a return from the anchor.
+    /// The largest distance of a return from the anchor, where that is now.
     worst: T,
+    /// The same before the anchor moved along with the motion.
+    early: T,
+    /// Whether the anchor has moved along with the motion, or began in the later half.
+    moved: bool,
+    /// The smallest distance from the anchor after a proper divisor of N.
+    apart: T,
     /// Whether the state half a cycle after the last full one was its mirror image.
     pub symmetric: bool,
 }
@@ -36,6 +54,9 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
             impacts: [0; MOST],
             running: [0; MOST],
             worst: T::zero(),
+            early: T::zero(),
+            moved: false,
+            apart: T::of(FARTHEST),
             symmetric: false,
         }
     }
@@ -58,15 +79,14 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
     pub fn at_half_period(&mut self, flight: &Flight<T, N>, point: &Point<T, N>, tolerance: T) {
         let Some(mirror) = &flight.mirror else { return };
         if self.n % 2 == 1 && self.since % self.n == self.n / 2 {
-            let mirrored =
-                State { x: applied(mirror, &point.state.x), v: applied(mirror, &point.state.v) };
+            let mirrored = State { x: applied(mirror, &point.state.x), v: applied(mirror, &point.state.v) };
             self.symmetric = distance(&mirrored, &self.anchor) <= tolerance;
         }
     }
 
-    /// Sees the state at phase 0.
+    /// Sees the state at phase 0; `late` is the later half of the time in which the motion is to be compared with itself.
     #[inline(always)]
-    pub fn at_strobe(&mut self, point: &Point<T, N>, tolerance: T, max_period: u32) {
+    pub fn at_strobe(&mut self, point: &Point<T, N>, tolerance: T, max_period: u32, late: bool) {
         self.since += 1;
         let away = distance(&point.state, &self.anchor);
         if self.n == 0 {
@@ -75,15 +95,34 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
                 self.impacts = self.running;
                 self.returned(away);
             } else if self.since >= max_period {
-                *self = Self::anchored(point.state);
+                self.start_over(point, late);
             }
         } else if self.since.is_multiple_of(self.n) {
             if self.running == self.impacts && away <= tolerance {
                 self.returned(away);
+                if late && !self.moved {
+                    self.move_along(point);
+                }
             } else {
-                *self = Self::anchored(point.state);
+                self.start_over(point, late);
             }
+        } else if self.n.is_multiple_of(self.since % self.n) {
+            self.apart = if away < self.apart { away } else { self.apart };
         }
+    }
+
+    #[inline(always)]
+    fn start_over(&mut self, point: &Point<T, N>, late: bool) {
+        *self = Recurrence { moved: late, ..Self::anchored(point.state) };
+    }
+
+    /// The motion is compared with its present self from now on.
+    #[inline(always)]
+    fn move_along(&mut self, point: &Point<T, N>) {
+        self.anchor = point.state;
+        self.moved = true;
+        self.early = self.worst;
+        self.worst = T::zero();
     }
 
     #[inline(always)]
@@ -102,6 +141,14 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
     #[inline(always)]
     pub fn is_within(&self, tolerance: T) -> bool {
         self.worst <= tolerance
+    }
+
+    /// Whether N is the period of a motion that was reached: the returns are as close as rounding lets them be, or come
+    /// closer by the half, and a turn by a divisor of N ends clearly elsewhere.
+    pub fn is_settled(&self) -> bool {
+        let comes_closer = self.worst <= T::of(T::SETTLED) && self.worst + self.worst <= self.early;
+        let farthest = if self.early > self.worst { self.early } else { self.worst };
+        (self.worst <= T::of(T::ROUNDING) || comes_closer) && self.apart >= T::of(DISTINCT) * farthest
     }
 }
 

@@ -1,16 +1,33 @@
-//! A second look at trajectories that are still undecided.
+//! Longer looks at trajectories in doubt.
 //!
-//! Beside a Neimark–Sacker curve a trajectory spirals so slowly onto its motion that a schedule which suits the rest of
-//! a plane cannot tell it from an invariant circle. What is undecided, or neutral, therefore goes on from where it is for
-//! [`SECOND_LOOK`] times the transient, unless the schedule fixes the periods.
+//! One schedule suits most of a plane; time is spent where its verdict is doubtful. Unless the schedule fixes the periods:
+//!
+//! - A state that returns without having settled is held against the exact motion beside it, which Newton's method finds at
+//!   the cost of a few turns: slow spirals and alternations need not be waited for, and a multiple of the period is no period.
+//! - Chaos may be transient: it goes on for up to [`CHAOS_LOOK`] forcing periods, and is chaos unless it settles by then.
+//! - What is still undecided or neutral, or returns although its exponent is positive, goes on for [`SECOND_LOOK`] times the
+//!   transient and is observed [`LONGER_OBSERVATION`] times as long: beside a Neimark–Sacker curve spirals are slow, and weak
+//!   chaos needs time to be significant.
+
+use rayon::prelude::*;
 
 use super::{Backend, BackendError, Job, Watch};
 use crate::analysis::{Regime, Schedule, Verdict};
+use crate::theory::confirmed;
 
 /// How many transients a trajectory that is still undecided goes on for.
 pub const SECOND_LOOK: u32 = 8;
 
-/// The verdicts of a back end on some jobs, those that leave a slow spiral in doubt taken anew from where they ended.
+/// How many times as long it is then observed.
+pub const LONGER_OBSERVATION: u32 = 4;
+
+/// For how many forcing periods chaos goes on before it is believed, but at most two transients.
+pub const CHAOS_LOOK: u32 = 320;
+
+/// For how many forcing periods it is then observed, to see whether it has settled.
+const CHAOS_OBSERVATION: u32 = 64;
+
+/// The verdicts of a back end on some jobs, those in doubt taken anew from where they ended.
 ///
 /// # Errors
 /// What the back end could not do.
@@ -21,24 +38,89 @@ pub fn decide(
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>, BackendError> {
     let mut verdicts = backend.run(jobs, schedule, watch)?;
-    let in_doubt = |verdict: &Verdict| matches!(verdict.regime, Regime::Unresolved | Regime::QuasiPeriodic);
-    let open: Vec<usize> = (0..verdicts.len()).filter(|&i| in_doubt(&verdicts[i])).collect();
-    let transient = schedule.transient.saturating_mul(SECOND_LOOK).min(Schedule::LONGEST);
-    let longer = Schedule { transient, ..*schedule };
-    if schedule.fixed_periods || open.is_empty() || longer.check().is_err() {
-        return Ok(verdicts);
-    }
-    let go_on = |&i: &usize| Job { system: jobs[i].system.clone(), start: verdicts[i].state };
-    let again: Vec<Job> = open.iter().map(go_on).collect();
-    for (&i, later) in open.iter().zip(backend.run(&again, &longer, &Silent(watch))?) {
-        let first = &verdicts[i];
-        verdicts[i] = Verdict {
-            periods: first.periods.saturating_add(later.periods),
-            impacts_total: first.impacts_total.saturating_add(later.impacts_total),
-            ..later
-        };
+    confirm(jobs, &mut verdicts);
+    if !schedule.fixed_periods {
+        for look in looks(schedule) {
+            look.take(backend, jobs, &mut verdicts, watch)?;
+        }
     }
     Ok(verdicts)
+}
+
+/// A longer look at some trajectories, from where they ended.
+struct Look {
+    /// Which verdicts are in doubt.
+    in_doubt: fn(&Verdict) -> bool,
+    /// Which of the verdicts that the look comes to take the place of those; the others stay what they were.
+    decides: fn(&Verdict) -> bool,
+    /// How long the trajectories go on.
+    schedule: Schedule,
+}
+
+/// The looks in their order.
+fn looks(schedule: &Schedule) -> [Look; 2] {
+    let transient = |times: u32| schedule.transient.saturating_mul(times).min(Schedule::LONGEST);
+    let observe = schedule.observe.saturating_mul(LONGER_OBSERVATION).min(Schedule::LONGEST);
+    let chaos = Schedule {
+        transient: transient(2).min(CHAOS_LOOK),
+        observe: schedule.observe.min(CHAOS_OBSERVATION),
+        ..*schedule
+    };
+    let second = Schedule { transient: transient(SECOND_LOOK), observe, ..*schedule };
+    [
+        Look { in_doubt: may_be_transient, decides: is_settled, schedule: chaos },
+        Look { in_doubt: is_open, decides: |_| true, schedule: second },
+    ]
+}
+
+fn may_be_transient(verdict: &Verdict) -> bool {
+    matches!(verdict.regime, Regime::Chaotic | Regime::AperiodicSticking)
+}
+
+fn is_settled(verdict: &Verdict) -> bool {
+    verdict.regime.is_periodic() || matches!(verdict.regime, Regime::NoImpact | Regime::Failed)
+}
+
+fn is_open(verdict: &Verdict) -> bool {
+    let undecided = matches!(verdict.regime, Regime::Unresolved | Regime::QuasiPeriodic);
+    undecided || (verdict.returning > 0 && !verdict.regime.is_periodic())
+}
+
+impl Look {
+    /// Lets the trajectories in doubt go on from where they ended.
+    fn take(
+        &self,
+        backend: &dyn Backend,
+        jobs: &[Job],
+        verdicts: &mut [Verdict],
+        watch: &dyn Watch,
+    ) -> Result<(), BackendError> {
+        let open: Vec<usize> = (0..verdicts.len()).filter(|&i| (self.in_doubt)(&verdicts[i])).collect();
+        let again: Vec<Job> =
+            open.iter().map(|&i| Job { system: jobs[i].system.clone(), start: verdicts[i].state }).collect();
+        let mut later = backend.run(&again, &self.schedule, &Silent(watch))?;
+        confirm(&again, &mut later);
+        for (i, later) in open.into_iter().zip(later) {
+            let first = verdicts[i];
+            let decided =
+                if (self.decides)(&later) { later } else { Verdict { state: later.state, ..first } };
+            verdicts[i] = Verdict {
+                periods: first.periods.saturating_add(later.periods),
+                impacts_total: first.impacts_total.saturating_add(later.impacts_total),
+                ..decided
+            };
+        }
+        Ok(())
+    }
+}
+
+/// Replaces the verdicts on trajectories that approach a periodic motion by what the exact motion says.
+fn confirm(jobs: &[Job], verdicts: &mut [Verdict]) {
+    jobs.par_iter().zip(verdicts).for_each(|(job, verdict)| {
+        if let Some(exact) = confirmed(&job.system, verdict) {
+            *verdict = exact;
+        }
+    });
 }
 
 /// Counts no cell twice, and is cancelled as the other is.

@@ -1,44 +1,66 @@
 //! `impact-atlas classify`: what one trajectory settles on.
 
+use std::path::PathBuf;
+
 use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Backend, Job, decide};
-use impact_atlas::plane::Start;
+use impact_atlas::model::{StateVector, System};
+use impact_atlas::plane::{Component, Provenance, Start};
+use impact_atlas::sweep::certify_cells;
 use serde::Serialize;
 
+use super::cell::{Cell, Place, made};
 use super::interrupt::{Interruptible, abandonable};
-use super::options::{BackendArgs, SystemArgs};
+use super::options::{BackendArgs, BackendName, SystemArgs, start_state};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse};
-use super::{CliError, defaults};
+use super::{CliError, defaults, note};
 
 /// Follows one trajectory and says what it settles on
+///
+/// Start and schedule are by default those of `map`. With --from and --at it answers for exactly one cell of a map that was
+/// computed before: parameters, start, schedule and back end are the map's.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   impact-atlas classify --set omega=3.7 --set delta=0.1
   impact-atlas classify --set omega=2.83 --json
-  impact-atlas classify --set omega=2.6 --set delta=0.6 --start symmetric --transient 8000")]
+  impact-atlas classify --from map.png --at omega=2.83,delta=0.1
+  impact-atlas classify --set omega=2.6 --set delta=0.6 --start rest --transient 8000")]
 pub struct ClassifyArgs {
     #[command(flatten)]
     system: SystemArgs,
 
+    /// Answers for a cell of this map: a picture or the data that `map` wrote
+    #[arg(long, value_name = "FILE", requires = "at", conflicts_with_all = ["family", "assignments", "start", "transient",
+        "observe", "max_period", "fixed_periods"])]
+    from: Option<PathBuf>,
+
+    /// Where on the map: the cell that holds these values of its axes
+    #[arg(long, value_name = "NAME=VALUE,NAME=VALUE", value_parser = parse::<Place>, requires = "from")]
+    at: Option<Place>,
+
     /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
-    #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
+    ///
+    /// `symmetric` is the stable-branch 1-1-1 motion where there is one, nudged so that an unstable one is left, and rest
+    /// elsewhere. A system may have several motions: which one is reached depends on the start.
+    #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = defaults::START,
         allow_hyphen_values = true)]
     start: Start,
 
     /// Forcing periods before the observation
     ///
-    /// A trajectory that is still undecided after the observation, or neutral, goes on for eight times as long and is
-    /// observed again: beside a Neimark-Sacker curve spirals are slow.
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
+    /// Where the verdict is in doubt the trajectory goes on. Chaos may be transient: it runs up to 320 periods more. What is
+    /// still undecided or neutral runs eight times as long and is observed four times as long: beside a Neimark-Sacker curve
+    /// spirals are slow. What returns without having settled is held against the exact motion beside it.
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRANSIENT)]
     transient: u32,
 
     /// Forcing periods of the observation
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::OBSERVE)]
     observe: u32,
 
     /// Largest N looked for in N-p-q
@@ -52,7 +74,8 @@ pub struct ClassifyArgs {
     #[command(flatten)]
     backend: BackendArgs,
 
-    /// Prints JSON; p and q are 65535 for infinitely many impacts (complete chatter)
+    /// Prints JSON; impacts_per_stop counts in the order of the system's stops, p and q in that of its labels; they are 65535 for infinitely many impacts (complete chatter), lyapunov null where it was not
+    /// measured
     #[arg(long)]
     json: bool,
 }
@@ -67,48 +90,110 @@ struct Classification {
     q: u16,
     symmetric: bool,
     lyapunov: f32,
-    state: [f64; 4],
+    impacts_per_stop: Vec<u16>,
+    state: StateVector,
     peak_impact_velocity: f32,
     periods: u32,
+    start: String,
+    start_state: StateVector,
+    /// With --from: where the cell is on its map.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cell: Option<Cell>,
     backend: &'static str,
     adapter: String,
 }
 
+/// What is to be followed.
+#[derive(Clone, Debug)]
+struct Asked {
+    job: Job,
+    start: Start,
+    schedule: Schedule,
+    cell: Option<Cell>,
+    certified: bool,
+}
+
 /// Runs the command.
 pub fn run(args: &ClassifyArgs) -> Result<(), CliError> {
-    let schedule = Schedule {
-        transient: args.transient,
-        observe: args.observe,
-        max_period: args.max_period,
-        fixed_periods: args.fixed_periods,
+    let (asked, options) = match (&args.from, &args.at) {
+        (Some(from), Some(at)) => of_map(from, at, &args.backend)?,
+        _ => (args.asked()?, args.backend.clone()),
     };
-    schedule.check().map_err(CliError::input)?;
-    let (system, start) = args.system.system_and_start(args.start)?;
-    let options = args.backend.clone();
     let progress = Progress::of_trajectory();
     let classification = abandonable(move || -> Result<_, CliError> {
         let backend = options.open()?;
-        let verdicts = decide(&*backend, &[Job { system, start }], &schedule, &Interruptible)?;
+        let jobs = [asked.job.clone()];
+        let mut verdicts = decide(&*backend, &jobs, &asked.schedule, &Interruptible)?;
+        if asked.certified {
+            certify_cells(&jobs, 1, &mut verdicts, &asked.schedule, &*backend, &Interruptible)?;
+        }
         let verdict = verdicts.first().ok_or_else(|| anyhow!("the back end gave no verdict"));
-        Ok(Classification::new(verdict.map_err(CliError::Machine)?, &*backend))
+        Ok(Classification::new(verdict.map_err(CliError::Machine)?, &asked, &*backend))
     })??;
     drop(progress);
     if args.json { print_json(&classification) } else { print(&classification.text()) }
 }
 
+/// A cell of a map that was computed before, on the back end that computed it unless another is asked for.
+fn of_map(
+    from: &std::path::Path,
+    at: &Place,
+    backend: &BackendArgs,
+) -> Result<(Asked, BackendArgs), CliError> {
+    let made = made(from)?;
+    let cell = made.cell(at)?;
+    let Cell { column, row, .. } = cell;
+    let (x, y) = (made.plane.x.quantity.name(), made.plane.y.quantity.name());
+    note(&format!("column {column}, row {row} of `{}`: {x} = {}, {y} = {}", from.display(), cell.x, cell.y));
+    let system = System::new(made.plane.parameters_at(column, row)).map_err(CliError::input)?;
+    let start = made.plane.start_at(column, row);
+    let state = start_state(&system, start);
+    let job = Job { system, start: state };
+    let asked =
+        Asked { job, start, schedule: made.plane.schedule, cell: Some(cell), certified: made.certified };
+    Ok((asked, same_backend(backend, &made.provenance)))
+}
+
+fn same_backend(asked: &BackendArgs, made: &Provenance) -> BackendArgs {
+    let backend = match (asked.backend, &*made.backend) {
+        (BackendName::Auto, "cpu") if asked.adapter.is_none() => BackendName::Cpu,
+        (BackendName::Auto, "gpu") => BackendName::Gpu,
+        (asked, _) => asked,
+    };
+    BackendArgs { backend, adapter: asked.adapter.clone() }
+}
+
+impl ClassifyArgs {
+    fn asked(&self) -> Result<Asked, CliError> {
+        let schedule = Schedule {
+            transient: self.transient,
+            observe: self.observe,
+            max_period: self.max_period,
+            fixed_periods: self.fixed_periods,
+        };
+        schedule.check().map_err(CliError::input)?;
+        let (system, start) = self.system.system_and_start(self.start)?;
+        Ok(Asked { job: Job { system, start }, start: self.start, schedule, cell: None, certified: false })
+    }
+}
+
 impl Classification {
-    fn new(verdict: &Verdict, backend: &dyn Backend) -> Self {
+    fn new(verdict: &Verdict, asked: &Asked, backend: &dyn Backend) -> Self {
         Classification {
             label: verdict.label(),
             regime: verdict.regime.name(),
             n: verdict.n,
-            p: verdict.p,
-            q: verdict.q,
+            p: verdict.p(),
+            q: verdict.q(),
+            impacts_per_stop: verdict.counts.per_stop(&asked.job.system.label_order()),
             symmetric: verdict.symmetric,
             lyapunov: verdict.lyapunov,
             state: verdict.state,
             peak_impact_velocity: verdict.peak_impact_velocity,
             periods: verdict.periods,
+            start: asked.start.to_string(),
+            start_state: asked.job.start,
+            cell: asked.cell,
             backend: backend.name(),
             adapter: backend.adapter(),
         }
@@ -120,14 +205,28 @@ impl Classification {
             (_, true) => ", symmetric",
             (_, false) => ", unsymmetric",
         };
-        let [x1, x2, v1, v2] = self.state;
+        let exponent = match self.lyapunov {
+            exponent if exponent.is_nan() => "not measured".to_owned(),
+            exponent => format!("{exponent:.6} per forcing period"),
+        };
         format!(
             "{}{symmetric}\n\
-             largest Lyapunov exponent   {:.6} per forcing period\n\
+             largest Lyapunov exponent   {exponent}\n\
              largest impact velocity     {:.6}\n\
-             state at forcing phase 0    x1 {x1:.9}, x2 {x2:.9}, v1 {v1:.9}, v2 {v2:.9}\n\
+             state at forcing phase 0    {}\n\
+             start                       {}: {}\n\
              forcing periods             {}",
-            self.label, self.lyapunov, self.peak_impact_velocity, self.periods
+            self.label,
+            self.peak_impact_velocity,
+            components(self.state),
+            self.start,
+            components(self.start_state),
+            self.periods
         )
     }
+}
+
+fn components(state: StateVector) -> String {
+    let named = Component::all(state.coordinates()).zip(state.iter());
+    named.map(|(component, value)| format!("{} {value:.9}", component.name())).collect::<Vec<_>>().join(", ")
 }

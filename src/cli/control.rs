@@ -4,11 +4,12 @@ use std::path::PathBuf;
 
 use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::analysis::{Observer, Schedule};
+use impact_atlas::analysis::Schedule;
+use impact_atlas::backend::{Job, follow};
 use impact_atlas::control::{
     ControlSchedule, Controller, History, LONGEST, Outcome, Scheme, control, converged_at, multipliers,
 };
-use impact_atlas::model::{Flight, Parameters, System};
+use impact_atlas::model::{Setting, System};
 use impact_atlas::plane::Start;
 use impact_atlas::render::{ControlPicture, Size};
 use impact_atlas::store;
@@ -129,7 +130,7 @@ struct Report {
 #[derive(Debug, Serialize)]
 struct Config<'a> {
     version: &'a str,
-    parameters: &'a Parameters,
+    parameters: &'a Setting,
     start: Start,
     control: &'a Scheme,
     schedule: ControlSchedule,
@@ -137,7 +138,8 @@ struct Config<'a> {
 
 /// Runs the command.
 pub fn run(args: &ControlArgs) -> Result<(), CliError> {
-    let (system_args, set) = args.system.split();
+    args.system.of_paper("control")?;
+    let (system_args, set) = args.system.split()?;
     let scheme = args.settings.scheme(args.method, &set)?;
     let schedule = ControlSchedule {
         from: args.from,
@@ -148,7 +150,8 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     check_lengths(args)?;
     schedule.check().map_err(CliError::input)?;
     let (system, start) = system_args.system_and_start(args.start)?;
-    if system.parameters().delta == 0.0 {
+    let start: [f64; 4] = start.into();
+    if system.is_clamped() {
         return Err(CliError::Input(anyhow!(
             "with delta = 0 there are no impacts to control at: raise delta"
         )));
@@ -161,7 +164,9 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     let [out, data] = files::prepare(args.overwrite, wanted)?;
     note("computing on cpu: f64");
     let progress = Progress::of_trajectory();
+    let followed = system.clone();
     let (history, outcome, before) = interrupt::abandonable(move || {
+        let system = followed;
         let last = schedule.iterates.saturating_sub(defaults::CONTROL_PORTRAIT);
         let mut history = History::new(last, system.period() / f64::from(defaults::DRAWN_SAMPLES));
         let outcome = control::<f64, _>(&system, start, &controller, &schedule, &mut history);
@@ -179,7 +184,7 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     let report = Report::new(args, &system, &controller, &history, &outcome, before)?;
     let config = Config {
         version: env!("CARGO_PKG_VERSION"),
-        parameters: system.parameters(),
+        parameters: system.setting().expect("a system that is asked for is made of a setting"),
         start: args.start,
         control: &scheme,
         schedule,
@@ -234,10 +239,8 @@ fn label_before(system: &System, start: [f64; 4]) -> String {
         max_period: defaults::MAX_PERIOD,
         fixed_periods: false,
     };
-    let flight = Flight::new(system);
-    let mut observer = Observer::new(&flight, &schedule, start);
-    observer.follow(&flight, &schedule);
-    observer.verdict(&flight).label()
+    let job = Job { system: system.clone(), start: start.into() };
+    follow::<f64>(&job, &schedule).label()
 }
 
 impl Report {

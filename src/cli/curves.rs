@@ -42,11 +42,11 @@ pub struct CurvesArgs {
     max_period: u32,
 
     /// Forcing periods before a cell is observed
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRANSIENT)]
     transient: u32,
 
     /// Forcing periods for which a cell is observed
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::MAP_OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::OBSERVE)]
     observe: u32,
 
     #[command(flatten)]
@@ -75,6 +75,7 @@ pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
         max_period: defaults::MAX_PERIOD.max(args.max_period),
         fixed_periods: false,
     };
+    args.axes.system.of_paper("curves")?;
     let plane = args.axes.plane_of(schedule, args.cells, defaults::CURVES_CELLS)?;
     curves::check(&plane).map_err(CliError::input)?;
     let [output] = files::prepare(args.overwrite, [Kind::Table.at(args.out.as_deref())])?;

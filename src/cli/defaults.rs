@@ -1,25 +1,9 @@
 //! Every default of the command line.
 
-use impact_atlas::model::Parameter;
-use impact_atlas::plane::{Axis, Quantity, Spacing};
+use impact_atlas::plane::Start;
 
-/// The horizontal axis of a map: the paper's Fig. 5.
-pub const X: Axis = Axis {
-    quantity: Quantity::Parameter(Parameter::Omega),
-    first: 0.2,
-    last: 5.0,
-    count: 800,
-    spacing: Spacing::Linear,
-};
-
-/// The vertical axis of a map: the paper's Fig. 5.
-pub const Y: Axis = Axis {
-    quantity: Quantity::Parameter(Parameter::Delta),
-    first: 0.02,
-    last: 0.8,
-    count: 600,
-    spacing: Spacing::Linear,
-};
+/// The system: that of the paper.
+pub const SYSTEM: &str = "luo-ma-lv";
 
 /// Cells that `validate` computes of the default plane: 400 × 300.
 pub const VALIDATED_CELLS: u32 = 120_000;
@@ -30,19 +14,22 @@ pub const CURVES_CELLS: u32 = 19_200;
 /// The picture.
 pub const PICTURE: &str = "map.png";
 
-/// Forcing periods before a cell of a map is observed.
-pub const MAP_TRANSIENT: u32 = 300;
+/// How a trajectory begins that is to be classified, a cell's or a single one, unless an axis varies the start.
+pub const START: Start = Start::Symmetric;
 
-/// Forcing periods for which a cell of a map is observed.
-pub const MAP_OBSERVE: u32 = 150;
+/// Forcing periods before a trajectory that is to be classified is observed, a cell's or a single one.
+pub const TRANSIENT: u32 = 300;
+
+/// Forcing periods for which it is observed.
+pub const OBSERVE: u32 = 150;
 
 /// Largest N looked for.
 pub const MAX_PERIOD: u32 = 32;
 
-/// Forcing periods before a single trajectory is observed.
+/// Forcing periods before a single trajectory is recorded, read or solved.
 pub const TRAJECTORY_TRANSIENT: u32 = 1000;
 
-/// Forcing periods for which a single trajectory is observed.
+/// Forcing periods for which it is then searched for its motion.
 pub const TRAJECTORY_OBSERVE: u32 = 500;
 
 /// Forcing periods over which Lyapunov exponents are measured.

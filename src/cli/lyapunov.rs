@@ -79,10 +79,15 @@ pub fn run(args: &LyapunovArgs) -> Result<(), CliError> {
     let (transient, observe) = (args.transient, args.observe);
     let schedule = Schedule { transient, observe, max_period: defaults::MAX_PERIOD, fixed_periods: true };
     schedule.check().map_err(CliError::input)?;
+    args.system.of_paper("lyapunov")?;
     let (system, start) = args.system.system_and_start(args.start)?;
+    let start: [f64; 4] = start.into();
     note_cpu();
     let progress = Progress::of_trajectory();
-    let spectrum = abandonable(move || Spectrum::of(&system, start, transient, observe))?;
+    let spectrum = {
+        let system = system.clone();
+        abandonable(move || Spectrum::of(&system, start, transient, observe))?
+    };
     drop(progress);
     let spectrum = spectrum.map_err(|failed| CliError::NotFound(failed.to_string()))?;
     let exponents = Exponents::new(&system, &spectrum);
@@ -102,7 +107,7 @@ impl Exponents {
             standard_error: errors(spectrum.standard_error),
             standard_error_per_time: errors(spectrum.standard_error.map(|error| error / spectrum.period)),
             lost_directions: spectrum.lost,
-            clamped: system.parameters().delta == 0.0,
+            clamped: system.is_clamped(),
             iterates: spectrum.iterates,
             impacts: spectrum.impacts,
             periods: spectrum.periods,

@@ -5,10 +5,11 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use impact_atlas::analysis::Schedule;
+use impact_atlas::backend::Backend;
 use impact_atlas::plane::RegionMap;
 use impact_atlas::render::{Shown, Size, region_map, region_map_with_curves};
 use impact_atlas::store;
-use impact_atlas::sweep::sweep;
+use impact_atlas::sweep::{Certification, certify, sweep};
 use serde::{Serialize, Serializer};
 
 use super::control_map::{self, ControlMapArgs};
@@ -28,6 +29,7 @@ Examples:
   impact-atlas map
   impact-atlas map --x omega=2.4:3.8:400 --y r=0.5:0.95:300 --set delta=0.1 --out r.png
   impact-atlas map --curves --curves-out curves.csv
+  impact-atlas map --certify
   impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --out basins.png
   impact-atlas map --control delay --x omega=2.6:3:200 --y gain=0:1:150 --out delay.png --times times.png
   impact-atlas map --control pulse --x target_v1=-0.5:-0.1:200 --y target_tau=1:3:150 --set omega=2.83")]
@@ -53,6 +55,14 @@ pub struct MapArgs {
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, default_value = defaults::PICTURE_SIZE)]
     pub size: Size,
 
+    /// Certifies every periodic cell: its motion is solved by Newton's method
+    ///
+    /// Label, symmetry, exponent, state and multipliers are then those of the exact orbit, which must be stable and must be
+    /// what the trajectory approaches. What is not confirmed is looked at for longer, and is unresolved if that does not
+    /// help. The data then hold the Floquet multipliers too.
+    #[arg(long, conflicts_with = "control")]
+    certify: bool,
+
     /// Draws bifurcation curves over the map, and names them: those that bound what can be observed, or all of them
     #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
         default_missing_value = "bounding")]
@@ -70,7 +80,7 @@ pub struct MapArgs {
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
 
-    /// Prints JSON: cells, impacts, seconds, impacts_per_second, regimes, backend, adapter
+    /// Prints JSON: cells, impacts, seconds, impacts_per_second, regimes, certified, backend, adapter
     #[arg(long)]
     pub json: bool,
 }
@@ -102,8 +112,41 @@ struct Summary<'a> {
     impacts_per_second: f64,
     #[serde(serialize_with = "in_order")]
     regimes: [(&'static str, u64); 8],
+    /// With --certify: how that went.
+    certified: Option<Certified>,
     backend: &'a str,
     adapter: &'a str,
+}
+
+/// How certifying went.
+#[derive(Clone, Copy, Debug, Serialize)]
+struct Certified {
+    periodic: u64,
+    confirmed: u64,
+    relabelled: u64,
+    reexamined: u64,
+    unresolved: u64,
+    seconds: f64,
+}
+
+impl Certified {
+    fn text(&self) -> String {
+        format!(
+            "certified: of {} periodic cells {} confirmed and {} relabelled by their exact orbit, {} looked at for longer, \
+             {} unresolved, in {:.2} s",
+            self.periodic, self.confirmed, self.relabelled, self.reexamined, self.unresolved, self.seconds
+        )
+    }
+}
+
+/// Certifies a map.
+fn certified(map: &mut RegionMap, backend: &dyn Backend) -> Result<Certified, CliError> {
+    let began = Instant::now();
+    let progress = Progress::of_cells("certifying", map.plane.cells());
+    let Certification { periodic, confirmed, relabelled, reexamined, unresolved } =
+        certify(map, backend, &progress)?;
+    let seconds = began.elapsed().as_secs_f64();
+    Ok(Certified { periodic, confirmed, relabelled, reexamined, unresolved, seconds })
 }
 
 pub fn in_order<S: Serializer>(regimes: &[(&str, u64); 8], serializer: S) -> Result<S::Ok, S::Error> {
@@ -117,7 +160,11 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     }
     args.control.cells.refuse_settings()?;
     let plane = args.plane.plane()?;
+    if args.certify {
+        args.plane.of_paper("map --certify")?;
+    }
     if args.curves.is_some() {
+        args.plane.of_paper("map --curves")?;
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }
     let npz = files::data_beside(&args.out, args.data.as_deref());
@@ -130,8 +177,9 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let backend = args.backend.open()?;
     estimate::of_plane("the map", &plane, &*backend)?;
     let began = Instant::now();
-    let map = sweep(&plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
+    let mut map = sweep(&plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
     let seconds = began.elapsed().as_secs_f64();
+    let certified = args.certify.then(|| certified(&mut map, &*backend)).transpose()?;
     let (map, curves) = match args.curves {
         None => (map, None),
         Some(which) => {
@@ -153,7 +201,7 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
         curve_list::add_table(&mut batch, &table, curves, &plane)?;
     }
     batch.show()?;
-    let summary = Summary::new(&map, seconds);
+    let summary = Summary { certified, ..Summary::new(&map, seconds) };
     if args.json { print_json(&summary) } else { print(&summary.text()) }
 }
 
@@ -166,6 +214,7 @@ impl<'a> Summary<'a> {
             seconds,
             impacts_per_second: impacts as f64 / seconds,
             regimes: map.census().map(|(regime, cells)| (regime.name(), cells)),
+            certified: None,
             backend: &map.provenance.backend,
             adapter: &map.provenance.adapter,
         }
@@ -180,6 +229,7 @@ impl<'a> Summary<'a> {
             let share = 100.0 * cells as f64 / self.cells as f64;
             lines.push(format!("  {name:<24} {cells:>10}  {share:>6.2} %"));
         }
+        lines.extend(self.certified.as_ref().map(Certified::text));
         lines.join("\n")
     }
 }

@@ -95,7 +95,9 @@ pub fn run(args: &MotionArgs) -> Result<(), CliError> {
         fixed_periods: false,
     };
     schedule.check().map_err(CliError::input)?;
+    args.system.of_paper("motion")?;
     let (system, start) = args.system.system_and_start(args.start)?;
+    let start: [f64; 4] = start.into();
     let label = args.label;
     note_cpu();
     let progress = Progress::of_trajectory();
@@ -109,7 +111,7 @@ pub fn run(args: &MotionArgs) -> Result<(), CliError> {
 
 /// The motion of a label.
 fn named(system: &System, start: [f64; 4], schedule: &Schedule, label: Label) -> Result<Motion, CliError> {
-    if system.parameters().delta == 0.0 {
+    if system.is_clamped() {
         let why = "the stops hold the first mass (delta = 0), and nothing can move between them";
         return Err(CliError::NotFound(format!("there is no {label} motion: {why}; choose delta above 0")));
     }
@@ -121,7 +123,8 @@ fn named(system: &System, start: [f64; 4], schedule: &Schedule, label: Label) ->
 
 /// The motion that a start leads to.
 fn reached(system: &System, start: [f64; 4], schedule: &Schedule) -> Result<Motion, CliError> {
-    let verdicts = decide(&Cpu, &[Job { system: *system, start }], schedule, &Interruptible)?;
+    let verdicts =
+        decide(&Cpu, &[Job { system: system.clone(), start: start.into() }], schedule, &Interruptible)?;
     let verdict =
         verdicts.first().ok_or_else(|| CliError::Machine(anyhow!("the back end gave no verdict")))?;
     if let Some(elsewhere) = elsewhere(verdict) {

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use impact_atlas::analysis::Regime;
 use impact_atlas::model::Number;
+use impact_atlas::model::StateVector;
 use impact_atlas::plane::Provenance;
 use impact_atlas::validate::{Agreement, Boundaries, Check, Share, Spread, Thresholds, WorstCell};
 use serde::Serialize;
@@ -37,8 +38,8 @@ struct Suspect {
     reference: String,
     candidate: String,
     difference: Option<f64>,
-    reference_state: [f64; 4],
-    candidate_state: [f64; 4],
+    reference_state: StateVector,
+    candidate_state: StateVector,
     command: String,
 }
 
@@ -267,6 +268,7 @@ mod tests {
             impacts_total: 1200,
             peak_impact_velocity: 0.4,
             periods: 600,
+            returning: 0,
         }
     }
 
@@ -280,7 +282,7 @@ mod tests {
             start: Start::State([0.0, 0.5, -0.25, 1e-7]),
             schedule: Schedule { transient: 40, observe: 20, max_period: 8, fixed_periods: true },
         };
-        RegionMap { plane, provenance, verdicts: vec![verdict(1); 20] }
+        RegionMap { plane, provenance, verdicts: vec![verdict(1); 20], multipliers: None }
     }
 
     fn report<'a>(

@@ -53,6 +53,7 @@ struct Solution {
 
 /// Runs the command.
 pub fn run(args: &SymmetricArgs) -> Result<(), CliError> {
+    args.system.of_paper("symmetric")?;
     let system = System::new(args.system.parameters(&[])?).map_err(CliError::input)?;
     note_cpu();
     let result = Solutions::of(&system);

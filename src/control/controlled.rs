@@ -10,7 +10,7 @@ use super::schedule::ControlSchedule;
 use super::section::Section;
 use super::witness::{Return, Witness};
 use crate::analysis::constants::{CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SIGNIFICANCE};
-use crate::analysis::{Exponent, INFINITELY_MANY, Regime, Spread, Verdict};
+use crate::analysis::{Counts, Exponent, INFINITELY_MANY, Regime, Spread, Verdict};
 use crate::dynamics::{Event, Impact, Move, Stop, Tangent, Trajectory};
 use crate::model::{Flight, Real};
 
@@ -66,7 +66,11 @@ pub struct Controlled<T: Real, D: Actuated<T> = ()> {
 
 impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     /// Begins with a trajectory.
-    pub fn new(trajectory: Trajectory<T, 2, D>, controller: Controller<T>, schedule: &ControlSchedule) -> Self {
+    pub fn new(
+        trajectory: Trajectory<T, 2, D>,
+        controller: Controller<T>,
+        schedule: &ControlSchedule,
+    ) -> Self {
         Controlled {
             trajectory,
             tangent: trajectory.point.drive.deviating(Tangent::seed(), T::zero()),
@@ -316,22 +320,22 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             let periods = self.observed_turns / T::of(f64::from(self.observed));
             self.exponent.per_period() / periods
         } else {
-            T::zero()
+            T::nan()
         };
         let since = if period > 0 { self.memory.returning[period as usize - 1] } else { 0 };
         Outcome {
             verdict: Verdict {
                 regime,
                 n: n as u16,
-                p: p as u16,
-                q: q as u16,
+                counts: Counts::new(&[p as u16, q as u16]),
                 symmetric,
                 lyapunov: lyapunov.widen() as f32,
-                state: point.components.map(T::widen),
+                state: point.components.map(T::widen).into(),
                 impacts: self.impacts,
                 impacts_total: self.impacts_total,
                 peak_impact_velocity: self.peak.widen() as f32,
                 periods: self.periods,
+                returning: 0,
             },
             period,
             iterates: self.iterates,

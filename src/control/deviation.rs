@@ -59,12 +59,7 @@ impl<T: Real> Deviations<T> {
         let rate = rates(flight, trajectory);
         let State { x, v } = tangent.0;
         let shift = if rate[0] == T::zero() { T::zero() } else { -(x[0] / rate[0]) };
-        [
-            v[0] + rate[2] * shift,
-            x[1] + rate[1] * shift,
-            v[1] + rate[3] * shift,
-            flight.omega * shift,
-        ]
+        [v[0] + rate[2] * shift, x[1] + rate[1] * shift, v[1] + rate[3] * shift, flight.omega * shift]
     }
 
     /// What control makes of the deviation of an arriving point.

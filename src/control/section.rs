@@ -38,10 +38,21 @@ impl<T: Real> Section<T> {
 
     /// The trajectory that begins at this point; `resting` says whether the first mass stays on the stop if its velocity
     /// is 0.
-    pub fn trajectory<D: Drive<T, 2>>(&self, flight: &Flight<T, 2>, resting: bool, drive: D) -> Trajectory<T, 2, D> {
+    pub fn trajectory<D: Drive<T, 2>>(
+        &self,
+        flight: &Flight<T, 2>,
+        resting: bool,
+        drive: D,
+    ) -> Trajectory<T, 2, D> {
         let [v1, x2, v2, tau] = self.components;
         let [sin, cos] = sine_and_cosine(tau);
-        let point = Point { state: State { x: [flight.normals[0].gap[0], x2], v: [v1, v2] }, sin, cos, one: T::one(), drive };
+        let point = Point {
+            state: State { x: [flight.normals[0].gap[0], x2], v: [v1, v2] },
+            sin,
+            cos,
+            one: T::one(),
+            drive,
+        };
         let at_a = Contact::FREE.with(End { normal: 0, side: 0 });
         let contact = if resting && v1 == T::zero() { at_a } else { Contact::FREE };
         let steps = T::of(f64::from(flight.steps));

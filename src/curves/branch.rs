@@ -9,7 +9,7 @@ use super::path::PathPoint;
 use super::seeds::Seed;
 use super::touch::{Touch, arrival_speeds, nearest, touches};
 use super::unknowns::{Span, Unknowns};
-use crate::model::Parameters;
+use crate::model::Setting;
 use crate::theory::{Flow, Pattern, PeriodicMotion, Section, eigenvalues, turn};
 
 /// The longest step, in lengths of the parameter's range.
@@ -31,7 +31,7 @@ pub(super) struct Event {
     pub kind: Kind,
     pub pattern: Pattern,
     pub sections: Vec<Section>,
-    pub parameters: Parameters,
+    pub parameters: Setting,
     /// For grazing: the arc, the stop and the phase.
     pub touch: Option<Touch>,
 }
@@ -170,7 +170,7 @@ fn smooth_event(branch: &Branch, y: &DVector<f64>, kind: Kind) -> Option<Event> 
         kind,
         pattern: unknowns.pattern.clone(),
         sections,
-        parameters: *system.parameters(),
+        parameters: *system.setting().expect("a curve's systems are made of settings"),
         touch: None,
     };
     Some(if kind == Kind::Fold { event.of_simpler_motion() } else { event })

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::path::differences;
-use crate::model::{Parameter, Parameters, System};
+use crate::model::{Parameter, Setting, System};
 use crate::plane::Spacing;
 use crate::theory::newton::{arcs, derivative, is_ordered, residual};
 use crate::theory::{Flow, Pattern, Section};
@@ -33,7 +33,7 @@ impl Span {
 #[derive(Clone, Debug)]
 pub(super) struct Unknowns {
     pub pattern: Pattern,
-    pub fixed: Parameters,
+    pub fixed: Setting,
     pub extra: usize,
     pub spans: Vec<Span>,
 }
@@ -45,7 +45,7 @@ impl Unknowns {
     }
 
     /// The vector of a motion.
-    pub fn pack(&self, sections: &[Section], extra: &[f64], parameters: &Parameters) -> DVector<f64> {
+    pub fn pack(&self, sections: &[Section], extra: &[f64], parameters: &Setting) -> DVector<f64> {
         let shares = self.shares(parameters);
         let values = sections.iter().flat_map(|section| section.iter().copied().collect::<Vec<_>>());
         DVector::from_iterator(
@@ -55,13 +55,13 @@ impl Unknowns {
     }
 
     /// Where parameters stand on the spans.
-    pub fn shares(&self, parameters: &Parameters) -> DVector<f64> {
+    pub fn shares(&self, parameters: &Setting) -> DVector<f64> {
         let share = |span: &Span| span.share(parameters.get(span.parameter));
         DVector::from_iterator(self.spans.len(), self.spans.iter().map(share))
     }
 
     /// The parameters.
-    pub fn parameters(&self, y: &DVector<f64>) -> Parameters {
+    pub fn parameters(&self, y: &DVector<f64>) -> Setting {
         self.spans
             .iter()
             .zip(y.iter().skip(self.parameters_at()))
@@ -70,7 +70,7 @@ impl Unknowns {
 
     /// The system; none where its parameters are outside their physical range.
     pub fn system(&self, y: &DVector<f64>) -> Option<System> {
-        System::new(self.parameters(y)).ok().filter(|system| system.parameters().delta > 0.0)
+        System::new(self.parameters(y)).ok().filter(|system| !system.is_clamped())
     }
 
     /// The sections.

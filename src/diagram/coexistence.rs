@@ -154,6 +154,7 @@ mod tests {
             impacts_total: 0,
             peak_impact_velocity: 0.0,
             periods: 1,
+            returning: 0,
         };
         Trace { verdict, readings: readings.to_vec(), left_out: 0, rebounds: 0 }
     }

@@ -78,7 +78,10 @@ pub fn holds<T: Real, const N: usize, D>(flight: &Flight<T, N>, point: &Point<T,
         let place = dot(&normal.direction, x);
         let rounding = T::of(ROUNDINGS) * T::epsilon() * dot_absolute(&normal.direction.map(T::abs), &moved);
         [place - normal.gap[0], -place - normal.gap[1]].into_iter().all(|beyond| {
-            beyond.is_nan() || beyond <= rounding + T::of(ROUNDINGS) * T::epsilon() * normal.gap[0].abs().min(normal.gap[1].abs())
+            beyond.is_nan()
+                || beyond
+                    <= rounding
+                        + T::of(ROUNDINGS) * T::epsilon() * normal.gap[0].abs().min(normal.gap[1].abs())
         })
     })
 }

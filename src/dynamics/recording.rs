@@ -191,7 +191,8 @@ impl Recorder {
             if at >= elapsed + taken.time && self.next > 0 {
                 return;
             }
-            let State { x: [x1, x2], v: [v1, v2] } = point.flown(flight, (at - elapsed).max(0.0), taken.contact).state;
+            let State { x: [x1, x2], v: [v1, v2] } =
+                point.flown(flight, (at - elapsed).max(0.0), taken.contact).state;
             self.recording.samples.push(Sample {
                 time: f64::from(period) * self.period + at,
                 x1,
@@ -255,7 +256,11 @@ impl Recorder {
 }
 
 /// The stop on which a mass rests, pressed; none where it is free, or clamped.
-pub fn resting_on<T: crate::model::Real, const N: usize>(flight: &Flight<T, N>, contact: Contact) -> Option<Stop> {
-    let held = (0..flight.count).filter(|&k| !contact.is_clamped_along(k)).find_map(|k| contact.end_along(k))?;
+pub fn resting_on<T: crate::model::Real, const N: usize>(
+    flight: &Flight<T, N>,
+    contact: Contact,
+) -> Option<Stop> {
+    let held =
+        (0..flight.count).filter(|&k| !contact.is_clamped_along(k)).find_map(|k| contact.end_along(k))?;
     Some(Stop(flight.normals[held.normal].stop[held.side]))
 }

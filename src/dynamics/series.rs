@@ -1,7 +1,7 @@
 //! The Taylor series of flight: one recurrence for motions and deviations.
 
-use crate::model::{Flight, Real};
 use crate::model::vector::{added, applied, scaled};
+use crate::model::{Flight, Real};
 
 /// 1/0!, 1/1!, 1/2!, …
 pub const INVERSE_FACTORIALS: [f64; 19] = {

@@ -116,8 +116,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         step: u32,
         offset: T,
     ) -> Self {
-        let ahead =
-            if contact.is_free() { point.flown(flight, flight.h - offset, contact) } else { point };
+        let ahead = if contact.is_free() { point.flown(flight, flight.h - offset, contact) } else { point };
         Trajectory { point, ahead, kicks: 0, contact, step, offset }
     }
 
@@ -282,7 +281,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
 
     /// The end of a chatter sequence whose rebounds opened the gap for `gap_integral` in all: meanwhile springs and dampers
     /// acted on the masses that are free with the contact, and now it holds.
-    #[inline(always)]
+    #[inline(never)]
     fn come_to_rest(&mut self, flight: &Flight<T, N>, end: End, gap_integral: T) {
         self.contact = self.contact.with(end);
         let free = |v: [T; N]| super::point::held(flight, self.contact, v).0;
@@ -297,7 +296,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
 
     /// After an impact elsewhere: a contact whose speed is not lost in rounding no longer holds; where it is directed
     /// into the stop, the next move is an impact there, at the same instant.
-    #[inline(always)]
+    #[inline(never)]
     fn keep_pressed(&mut self, flight: &Flight<T, N>) {
         for (k, normal) in flight.normals().iter().enumerate() {
             let Some(end) = self.contact.end_along(k) else { continue };
@@ -311,7 +310,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     }
 
     /// Sticking: the masses that are free move on until a stop is met, or what presses on a contact vanishes.
-    #[inline(always)]
+    #[inline(never)]
     fn rest<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
         let window = flight.h - self.offset;
         let contact = self.contact;
@@ -347,7 +346,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     }
 
     /// A contact opens, from rest and without acceleration; the jerk alone pulls the masses off.
-    #[inline(always)]
+    #[inline(never)]
     fn release<V: Variation<T, N>>(
         &mut self,
         flight: &Flight<T, N>,

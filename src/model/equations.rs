@@ -87,13 +87,10 @@ impl<const N: usize> Equations<N> {
     }
 
     /// The normal along a direction, a new one if there is none yet, and the direction in units of it.
-    fn normal_along(
-        &mut self,
-        inverse: &SMatrix<f64, N, N>,
-        direction: SVector<f64, N>,
-    ) -> (usize, f64) {
+    fn normal_along(&mut self, inverse: &SMatrix<f64, N, N>, direction: SVector<f64, N>) -> (usize, f64) {
         for (k, normal) in self.normals[..self.count].iter().enumerate() {
-            let [given, other] = [&direction, &normal.direction].map(|d| DVector::from_column_slice(d.as_slice()));
+            let [given, other] =
+                [&direction, &normal.direction].map(|d| DVector::from_column_slice(d.as_slice()));
             if are_parallel(&given, &other) {
                 return (k, given.dot(&other) / other.norm_squared());
             }

@@ -339,9 +339,8 @@ fn bound<const N: usize>(equations: &Equations<N>, k: usize, h: f64) -> Function
         let projector = equations.projector(&pressing);
         let row = if held >> k & 1 == 1 {
             // What presses on this contact.
-            (0..equations.count).fold(SVector::zeros(), |row, t| {
-                row + equations.normals[t].direction * pressing[(k, t)]
-            })
+            (0..equations.count)
+                .fold(SVector::zeros(), |row, t| row + equations.normals[t].direction * pressing[(k, t)])
         } else {
             projector.tr_mul(&equations.normals[k].direction)
         };
@@ -361,9 +360,7 @@ fn quiet<const N: usize>(
         x: response.displacement().into(),
         v: response.velocity.into(),
     });
-    let block = |of: fn(&Trap<N>) -> SMatrix<f64, N, N>| {
-        columns(&trap.map_or_else(SMatrix::zeros, of))
-    };
+    let block = |of: fn(&Trap<N>) -> SMatrix<f64, N, N>| columns(&trap.map_or_else(SMatrix::zeros, of));
     Quiet {
         exists: response.is_some() && trap.is_some(),
         decays: decay < 0.0,

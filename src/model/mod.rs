@@ -12,13 +12,13 @@ mod state;
 mod system;
 pub mod vector;
 
+pub use crate::system::{Parameter, ParameterError, Setting};
 pub use drive::Drive;
 pub use equations::Equations;
 pub use flight::{ContactNormal, FAR, Flight, Quiet};
 pub use forced::{ForcedResponse, Trap};
-pub use parameters::Parameters;
-pub use crate::system::{Parameter, ParameterError, Setting};
 pub use number::{Number, joined, whole};
+pub use parameters::Parameters;
 pub use real::Real;
-pub use state::State;
+pub use state::{State, StateVector};
 pub use system::{System, SystemError};

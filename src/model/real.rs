@@ -22,6 +22,9 @@ pub trait Real: Float + Debug + Send + Sync + 'static {
     const SETTLED: f64;
     /// The same for a motion whose strobe states no longer move at all, but for rounding.
     const AT_REST: f64;
+    /// The largest distance between strobe states that rounding, and closing complete chatter, may leave on a motion that
+    /// repeats.
+    const ROUNDING: f64;
 
     /// The nearest value of this type.
     fn of(value: f64) -> Self;
@@ -38,6 +41,7 @@ impl Real for f64 {
     const CHATTER: f64 = 1e-13;
     const SETTLED: f64 = 1e-6;
     const AT_REST: f64 = 1e-10;
+    const ROUNDING: f64 = 1e-9;
 
     #[inline(always)]
     fn of(value: f64) -> Self {
@@ -58,6 +62,7 @@ impl Real for f32 {
     const CHATTER: f64 = 3e-9;
     const SETTLED: f64 = 2e-5;
     const AT_REST: f64 = 1e-6;
+    const ROUNDING: f64 = 4e-6;
 
     #[inline(always)]
     fn of(value: f64) -> Self {

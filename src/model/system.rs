@@ -3,9 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
+use super::number::Number;
 use super::parameters::Parameters;
 use crate::system::{CellError, Plant, PlantError, Setting};
-use super::number::Number;
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
@@ -93,6 +93,14 @@ impl System {
         self
     }
 
+    /// The stops in the order in which labels count their impacts: the family's, or that of the plant.
+    pub fn label_order(&self) -> Vec<usize> {
+        match &self.setting {
+            Some(setting) => setting.family().label_order().to_vec(),
+            None => (0..self.plant.stops.len()).collect(),
+        }
+    }
+
     /// The setting that the system was made from; none where it was made from a plant.
     pub fn setting(&self) -> Option<&Setting> {
         self.setting.as_ref()
@@ -109,6 +117,36 @@ impl System {
     /// The numbers of its equations of motion.
     pub fn plant(&self) -> &Plant {
         &self.plant
+    }
+
+    /// A state (x1 … xn, v1 … vn) whose displacements lie beyond a stop, moved onto it along the stop's direction; any other
+    /// as it is.
+    #[must_use]
+    pub fn between_stops<S: std::ops::DerefMut<Target = [f64]>>(&self, mut state: S) -> S {
+        for stop in &self.plant.stops {
+            let along =
+                |state: &[f64]| -> f64 { stop.direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum() };
+            let beyond = along(&state) - stop.gap;
+            if beyond > 0.0 {
+                let square = stop.direction.norm_squared();
+                for (value, d) in state.iter_mut().zip(stop.direction.iter()) {
+                    *value -= beyond * d / square;
+                }
+            }
+        }
+        state
+    }
+
+    /// Whether two opposed stops leave no room between them: the limit of a closing clearance.
+    pub fn is_clamped(&self) -> bool {
+        self.plant.stops.iter().enumerate().any(|(i, stop)| {
+            self.plant.stops[..i].iter().any(|other| {
+                let scale = stop.direction.dot(&other.direction) / other.direction.norm_squared();
+                super::equations::are_parallel(&stop.direction, &other.direction)
+                    && scale < 0.0
+                    && stop.gap == scale * other.gap
+            })
+        })
     }
 
     /// How many contact normals the stops have: parallel directions share one.

@@ -8,12 +8,13 @@ mod region_map;
 mod spacing;
 mod spec;
 mod start;
+pub mod written;
 
 pub use axis::{Axis, Component, Quantity};
 pub use axis_error::AxisError;
 pub use connected::{Cell, connected};
 pub use controlled::{ControlMap, ControlPlane, ControlPlaneError};
-pub use region_map::{Provenance, RegionMap};
+pub use region_map::{Multipliers, Provenance, RegionMap};
 pub use spacing::Spacing;
 pub use spec::{Plane, PlaneError};
 pub use start::{Start, StartError};

@@ -34,6 +34,9 @@ impl Provenance {
     }
 }
 
+/// (re, im) of the Floquet multipliers of a periodic motion, largest modulus first.
+pub type Multipliers = [[f64; 2]; 4];
+
 /// A computed plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionMap {
@@ -43,6 +46,8 @@ pub struct RegionMap {
     pub provenance: Provenance,
     /// One verdict per cell, row by row, first row = first y value.
     pub verdicts: Vec<Verdict>,
+    /// Where the map was certified, the multipliers of each cell's exact orbit; none for a cell that has no such orbit.
+    pub multipliers: Option<Vec<Option<Multipliers>>>,
 }
 
 impl RegionMap {
@@ -58,12 +63,20 @@ impl RegionMap {
 
     /// The configuration text that files carry: the plane and its provenance, as JSON.
     pub fn config(&self) -> String {
-        self.provenance.configuration(&self.plane).to_string()
+        self.configuration().to_string()
+    }
+
+    fn configuration(&self) -> Value {
+        let mut configuration = self.provenance.configuration(&self.plane);
+        if self.multipliers.is_some() {
+            configuration["certified"] = true.into();
+        }
+        configuration
     }
 
     /// The same with something more that a file shows, under a name of its own.
     pub fn config_with(&self, name: &str, value: Value) -> String {
-        let mut configuration = self.provenance.configuration(&self.plane);
+        let mut configuration = self.configuration();
         configuration[name] = value;
         configuration.to_string()
     }

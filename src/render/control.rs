@@ -9,7 +9,7 @@ use super::symbols;
 use super::text::Text;
 use crate::analysis::Reading;
 use crate::control::{ControlQuantity, ControlSchedule, Convention, History, Scheme, Sign};
-use crate::model::System;
+use crate::model::{Setting, System};
 use crate::plane::Start;
 
 /// Dots and lines, in em.
@@ -161,10 +161,14 @@ impl ControlPicture<'_> {
         }
     }
 
+    fn setting(&self) -> &Setting {
+        self.system.setting().expect("a system that is drawn is made of a setting")
+    }
+
     /// The system, the start and the method, without the settings of which `varied` says so.
     pub fn title(&self, varied: impl Fn(ControlQuantity) -> bool) -> Vec<Text> {
-        let mut title = symbols::equations(self.system.parameters(), |_| false);
-        title.extend(symbols::start(self.start, |_| false));
+        let mut title = symbols::equations(self.setting(), |_| false);
+        title.extend(symbols::start(self.start, self.system.plant().n, |_| false));
         if let Some(last) = title.last_mut() {
             *last = last.clone().upright(";");
         }

@@ -19,6 +19,7 @@ pub(super) fn verdict(regime: Regime, [n, p, q]: [u16; 3], symmetric: bool) -> V
         impacts_total: 0,
         peak_impact_velocity: 0.0,
         periods: 1,
+        returning: 0,
     }
 }
 
@@ -38,6 +39,7 @@ pub(super) fn of(columns: u32, rows: u32, cell: impl Fn(u32, u32) -> Verdict) ->
             .flat_map(|row| (0..columns).map(move |column| (column, row)))
             .map(|(c, r)| cell(c, r))
             .collect(),
+        multipliers: None,
     }
 }
 

@@ -6,6 +6,7 @@
 //! alike.
 
 mod canvas;
+mod carried;
 mod colouring;
 mod colours;
 mod control;
@@ -33,6 +34,7 @@ mod ticks;
 mod vision;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
+pub use carried::carried_configuration;
 pub use colours::paint_of;
 pub use control::{ControlPicture, Response};
 pub use convergence::convergence_map;

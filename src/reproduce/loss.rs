@@ -183,7 +183,7 @@ pub(super) fn lost(point: &PaperPoint, until: f64) -> Option<Loss> {
     if !verdict.regime.is_periodic() {
         return None;
     }
-    let mut motion = settled_motion(&point.system(), verdict.state, verdict.n.into()).ok()?;
+    let mut motion = settled_motion(&point.system(), verdict.state.into(), verdict.n.into()).ok()?;
     let at = |omega: f64, from: &PeriodicMotion| {
         let system = system(omega, point.delta);
         let motion = PeriodicMotion::refine(&system, &from.pattern, &from.sections).ok()?;
@@ -222,7 +222,7 @@ pub(super) fn grazes(point: &PaperPoint, until: f64) -> Option<f64> {
     if !verdict.regime.is_periodic() {
         return None;
     }
-    let mut motion = settled_motion(&point.system(), verdict.state, verdict.n.into()).ok()?;
+    let mut motion = settled_motion(&point.system(), verdict.state.into(), verdict.n.into()).ok()?;
     let near = |omega: f64, from: &PeriodicMotion| {
         let next = PeriodicMotion::refine(&system(omega, point.delta), &from.pattern, &from.sections).ok()?;
         (next.pattern == from.pattern).then_some(next)

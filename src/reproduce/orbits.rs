@@ -153,7 +153,7 @@ pub(super) fn largest_exponent(
 ) -> Claim {
     let system = point.system();
     let claim = format!("largest Lyapunov exponent per iterate at {}", point.words());
-    let found = Spectrum::of(&system, point.start.state(&system), point.transient, periods);
+    let found = Spectrum::of(&system, point.start.state(&system).into(), point.transient, periods);
     let per_iterate = found.as_ref().ok().and_then(|spectrum| Some((spectrum, spectrum.per_iterate()?)));
     match per_iterate {
         Some((spectrum, exponents)) => {
@@ -250,7 +250,7 @@ impl PaperFigure for Figure10 {
 
 /// The largest modulus among the multipliers of the motion that a trajectory settled on.
 fn multipliers(system: &System, verdict: &Verdict) -> Option<f64> {
-    let motion = settled_motion(system, verdict.state, verdict.n.into()).ok()?;
+    let motion = settled_motion(system, verdict.state.into(), verdict.n.into()).ok()?;
     Some(motion.multipliers(system)?[0].norm())
 }
 

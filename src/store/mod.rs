@@ -6,5 +6,5 @@ pub mod fields;
 mod npz;
 mod output;
 
-pub use npz::{ReadError, read_map, write_control, write_control_map, write_diagram, write_map};
+pub use npz::{ReadError, read_config, read_map, write_control, write_control_map, write_diagram, write_map};
 pub use output::{Filled, Output, OutputError};

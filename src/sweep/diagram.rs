@@ -6,8 +6,8 @@ use super::{SweepError, provenance};
 use crate::analysis::Trace;
 use crate::backend::{Backend, BackendError, Cpu, Job, Watch, trace};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
-use crate::model::System;
-use crate::theory::Spectrum;
+use crate::model::{StateVector, System};
+use crate::theory::{Spectrum, confirmed};
 
 /// Computes a bifurcation diagram.
 ///
@@ -25,11 +25,15 @@ pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> 
         .collect::<Result<_, _>>()?;
     let branches: Vec<Branch> = (spec.sweep.branches().par_iter())
         .map(|&direction| {
-            let traces = match direction {
+            let mut traces = match direction {
                 Direction::Each => each(spec, &systems, backend, watch)?,
                 Direction::Down => carried(spec, &systems, true, watch)?,
                 Direction::Up => carried(spec, &systems, false, watch)?,
             };
+            // Slow spirals and alternations are held against the exact motion.
+            for (trace, system) in traces.iter_mut().zip(&systems) {
+                trace.verdict = confirmed(system, &trace.verdict).unwrap_or(trace.verdict);
+            }
             Ok(Branch { direction, traces, spectrum: None })
         })
         .collect::<Result<_, SweepError>>()?;
@@ -69,15 +73,14 @@ fn carried(
     watch: &dyn Watch,
 ) -> Result<Vec<Trace>, SweepError> {
     let mut traces: Vec<Option<Trace>> = vec![None; systems.len()];
-    let mut last: Option<[f64; 4]> = None;
+    let mut last: Option<StateVector> = None;
     for column in spec.x.order(falling) {
         if watch.cancelled() {
             return Err(BackendError::Cancelled.into());
         }
         let system = systems[column as usize].clone();
-        let delta = system.parameters().delta;
         let start = match last.filter(|state| state.iter().all(|value| value.is_finite())) {
-            Some([x1, x2, v1, v2]) => [x1.clamp(-delta, delta), x2, v1, v2],
+            Some(state) => system.between_stops(state),
             None => spec.start.state(&system),
         };
         let trace = trace::<f64>(&Job { system, start }, &spec.schedule, spec.probe, spec.capacity);
@@ -115,10 +118,8 @@ fn with_spectra(
 
 /// The four exponents, largest first whatever their statistical error, NaN where the trajectory could not be followed.
 fn exponents(system: &System, trace: &Trace, observe: u32, unit: ExponentUnit) -> [f64; 4] {
-    let state = trace.verdict.state;
-    let delta = system.parameters().delta;
-    let start = [state[0].clamp(-delta, delta), state[1], state[2], state[3]];
-    let spectrum = Spectrum::of(system, start, 0, observe);
+    let start = system.between_stops(trace.verdict.state);
+    let spectrum = Spectrum::of(system, start.into(), 0, observe);
     let mut exponents = spectrum.map_or([f64::NAN; 4], |spectrum| unit.of(&spectrum));
     exponents.sort_by(|a, b| b.total_cmp(a));
     exponents

@@ -29,7 +29,7 @@ pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<
         let jobs = jobs(plane, first..cells.min(first + tile as u64))?;
         verdicts.extend(decide(backend, &jobs, &plane.schedule, watch)?);
     }
-    Ok(RegionMap { plane: plane.clone(), provenance: provenance(backend), verdicts })
+    Ok(RegionMap { plane: plane.clone(), provenance: provenance(backend), verdicts, multipliers: None })
 }
 
 /// Refuses time scales that are too far apart before anything is computed: they are so on the border first.
@@ -43,11 +43,13 @@ pub(super) fn check_border(plane: &Plane) -> Result<(), SystemError> {
 }
 
 fn jobs(plane: &Plane, cells: std::ops::Range<u64>) -> Result<Vec<Job>, SystemError> {
-    let columns = u64::from(plane.x.count);
-    cells.into_par_iter().map(|cell| job(plane, (cell % columns) as u32, (cell / columns) as u32)).collect()
+    cells.into_par_iter().map(|cell| cell_job(plane, cell)).collect()
 }
 
-pub(super) fn job(plane: &Plane, column: u32, row: u32) -> Result<Job, SystemError> {
+/// The job of a cell, counted row by row.
+pub(super) fn cell_job(plane: &Plane, cell: u64) -> Result<Job, SystemError> {
+    let columns = u64::from(plane.x.count);
+    let (column, row) = ((cell % columns) as u32, (cell / columns) as u32);
     let system = System::new(plane.parameters_at(column, row))?;
     let start = plane.start_at(column, row).state(&system);
     Ok(Job { system, start })
@@ -108,6 +110,7 @@ mod tests {
             impacts_total: 0,
             peak_impact_velocity: 0.0,
             periods: 0,
+            returning: 0,
         }
     }
 

@@ -1,5 +1,6 @@
 //! Whole planes and diagrams on one back end.
 
+mod certify;
 mod control;
 mod diagram;
 mod map;
@@ -12,6 +13,7 @@ use crate::diagram::DiagramError;
 use crate::model::SystemError;
 use crate::plane::{PlaneError, Provenance};
 
+pub use certify::{Certification, certify, certify_cells};
 pub use control::{ControlSweepError, sweep_control};
 pub use diagram::diagram;
 pub use map::sweep;

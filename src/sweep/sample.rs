@@ -32,9 +32,7 @@ pub fn sample(
     cells: &[u64],
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>, SweepError> {
-    let columns = u64::from(plane.x.count);
-    let jobs: Result<Vec<_>, _> =
-        cells.iter().map(|cell| map::job(plane, (cell % columns) as u32, (cell / columns) as u32)).collect();
+    let jobs: Result<Vec<_>, _> = cells.iter().map(|&cell| map::cell_job(plane, cell)).collect();
     Ok(decide(backend, &jobs?, &plane.schedule, watch)?)
 }
 

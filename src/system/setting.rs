@@ -49,6 +49,22 @@ impl Family {
         *PAPERS
     }
 
+    /// The two parameters in which the neighbourhood of a setting is searched: those of the default plane, else the first
+    /// two.
+    pub fn searched(&'static self) -> [Option<Parameter>; 2] {
+        let named = |axis: &str| {
+            let name = axis.split_once('=').map_or(axis, |(name, _)| name);
+            Parameter::of(self, name.trim()).ok()
+        };
+        match self.plane() {
+            Some(plane) => [named(&plane.x), named(&plane.y)],
+            None => {
+                let mut all = Parameter::all(self);
+                [all.next(), all.next()]
+            }
+        }
+    }
+
     /// Whether this is the paper's oscillator.
     pub fn is_paper(&self) -> bool {
         std::ptr::eq(self, Family::paper())

@@ -49,8 +49,7 @@ pub fn impact_map(system: &System, section: [f64; 4]) -> Result<Return, NoReturn
     }
     let flow = Flow::new(system);
     let flight = Flight::<f64, 2>::new(system);
-    let state =
-        State { x: [flight.normals[0].gap[0], start[X2]], v: [start[V1_PLUS], start[V2]] };
+    let state = State { x: [flight.normals[0].gap[0], start[X2]], v: [start[V1_PLUS], start[V2]] };
     let mut trajectory = Trajectory::at_phase(&flight, state, wrapped(start[PHASE]));
     let mut from = Node { stop: Stop::A, section: start };
     let mut impacts = Vec::new();

@@ -36,9 +36,7 @@ impl Arc {
         let over = flow.over(time);
         let arrival = over * start;
         let rate = flow.generator * arrival / flow.omega;
-        let seen = |z: &nalgebra::Vector6<f64>| {
-            Vector4::new(-flow.r * z[Z_V1], z[Z_X2], z[Z_V2], z[Z_X1])
-        };
+        let seen = |z: &nalgebra::Vector6<f64>| Vector4::new(-flow.r * z[Z_V1], z[Z_X2], z[Z_V2], z[Z_X1]);
         let mut turned = nalgebra::Vector6::zeros();
         turned[Z_SIN] = start[Z_COS];
         turned[Z_COS] = -start[Z_SIN];

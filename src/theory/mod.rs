@@ -6,6 +6,7 @@
 //! of the simulation then decides whether the system really moves like that. Everything is in f64.
 
 mod admissible;
+mod approached;
 mod cyclic;
 mod flow;
 mod impact_map;
@@ -26,8 +27,9 @@ mod symmetric;
 
 pub use admissible::Inadmissible;
 pub(crate) use admissible::fly;
-pub(crate) use flow::{Flow, Z_V1, Z_X1};
+pub use approached::{approached, approached_from, confirmed, with_motion};
 pub use flow::Section;
+pub(crate) use flow::{Flow, Z_V1, Z_X1};
 pub use impact_map::{NoReturn, Return, impact_map};
 pub use label::{Label, LabelError};
 pub use matching::Node;

@@ -10,7 +10,7 @@ use super::label::Label;
 use super::motion::PeriodicMotion;
 use super::seeding::{Search, among_returns, settled_motion};
 use super::symmetric::{stable_branch, symmetric_start};
-use crate::model::{Parameter, Parameters, System};
+use crate::model::{Parameter, Setting, StateVector, System};
 
 /// Close returns of one orbit from which Newton's method is tried.
 const TRIES: usize = 60;
@@ -91,11 +91,13 @@ struct Beside {
 /// The system a relative change of ω and δ away, in one of the directions.
 fn neighbour(system: &System, reach: f64, direction: u32) -> Option<System> {
     let (sin, cos) = (TAU * f64::from(direction) / f64::from(DIRECTIONS)).sin_cos();
-    let changed = |parameters: Parameters, parameter: Parameter, share: f64| {
-        parameters.with(parameter, parameters.get(parameter) * (1.0 + reach * share))
+    let setting = *system.setting()?;
+    let changed = |setting: Setting, parameter: Option<Parameter>, share: f64| match parameter {
+        Some(parameter) => setting.with(parameter, setting.get(parameter) * (1.0 + reach * share)),
+        None => setting,
     };
-    let parameters = changed(*system.parameters(), Parameter::Omega, cos);
-    System::new(changed(parameters, Parameter::Delta, sin)).ok()
+    let [first, second] = setting.family().searched();
+    System::new(changed(changed(setting, first, cos), second, sin)).ok()
 }
 
 /// Searches the orbits of a neighbour, and follows what is found back.
@@ -124,8 +126,8 @@ fn scattered(system: &System, index: u32) -> [f64; 4] {
     // The additive recurrence of the four-dimensional golden ratio.
     const RATIO: f64 = 1.167_303_978_261_418_7;
     let fraction = |k: i32| (0.5 + f64::from(index + 1) / RATIO.powi(k)).fract() * 2.0 - 1.0;
-    let delta = system.parameters().delta;
-    [delta * fraction(1), fraction(2), 2.0 * fraction(3), fraction(4)]
+    let start = [fraction(1), fraction(2), 2.0 * fraction(3), fraction(4)];
+    system.between_stops(StateVector::from(start)).into()
 }
 
 /// Follows a motion from one system to another in steps that adapt, all parameters changing in proportion; none if it is
@@ -157,12 +159,12 @@ fn followed(motion: &PeriodicMotion, from: &System, to: &System) -> Option<Perio
 /// The system a share of the way from one to another; the other itself at its end.
 fn between(from: &System, to: &System, share: f64) -> Option<System> {
     if share == 1.0 {
-        return Some(*to);
+        return Some(to.clone());
     }
-    let [first, last] = [from, to].map(System::parameters);
-    let blended = Parameter::ALL.into_iter().fold(*to.parameters(), |parameters, parameter| {
-        let (a, b) = (first.get(parameter), last.get(parameter));
-        if a == b { parameters } else { parameters.with(parameter, a + share * (b - a)) }
+    let (first, last) = (from.setting()?, to.setting()?);
+    let blended = last.entries().fold(*last, |setting, (parameter, b)| {
+        let a = first.get(parameter);
+        if a == b { setting } else { setting.with(parameter, a + share * (b - a)) }
     });
     System::new(blended).ok()
 }

@@ -32,15 +32,16 @@ impl SettledMotion {
             return Err(NoMotion::NotConverged);
         }
         let finite = verdict.regime == Regime::Periodic
-            && u32::from(verdict.p) + u32::from(verdict.q) <= Label::MOST_IMPACTS;
+            && u32::from(verdict.p()) + u32::from(verdict.q()) <= Label::MOST_IMPACTS;
+        let Ok(state) = <[f64; 4]>::try_from(&verdict.state[..]) else { return Err(NoMotion::NotConverged) };
         let solved = |n: u32| {
             let impacts = if finite {
-                settled_motion(system, verdict.state, n).map(SettledMotion::Impacts)
+                settled_motion(system, state, n).map(SettledMotion::Impacts)
             } else {
                 Err(NoMotion::NotConverged)
             };
             impacts.or_else(|error| {
-                let strobe = StrobeMotion::refine(system, verdict.state, n)
+                let strobe = StrobeMotion::refine(system, state, n)
                     .map(|motion| SettledMotion::Strobe(Box::new(motion)));
                 strobe.map_err(|_| error)
             })

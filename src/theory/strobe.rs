@@ -17,6 +17,8 @@ const MOST_HALVINGS: usize = 10;
 const SOLVED: f64 = 1e-9;
 /// The largest distance from the mirror image of a motion that is called symmetric, for states of order one.
 const MIRRORED: f64 = 1e-7;
+/// The largest distance after a divisor of N, for states of order one, of a motion that has the divisor as its period.
+const REPEATED: f64 = 1e-7;
 /// Moves beyond which a trajectory is given up, per forcing period.
 const MOST_MOVES: u32 = 1 << 24;
 
@@ -36,6 +38,8 @@ pub struct StrobeMotion {
     pub sticking: bool,
     /// (x1, x2, v1, v2) at forcing phase 0.
     pub state: [f64; 4],
+    /// The largest |v1−| of an impact.
+    pub peak: f64,
     /// The hardest impact of the period, at A if that is struck at all: the stop and (v1+, x2, v2, τ) just after it,
     /// 0 ≤ τ < 2π. None where there is no impact, the first mass being held by its stops.
     pub section: Option<(Stop, [f64; 4])>,
@@ -48,7 +52,8 @@ pub struct StrobeMotion {
 }
 
 impl StrobeMotion {
-    /// The fixed point of Pᴺ near a state at forcing phase 0, by Newton's method.
+    /// The fixed point of Pᴺ near a state at forcing phase 0, by Newton's method; N is reduced to the period of the motion
+    /// where that is a divisor.
     ///
     /// # Errors
     /// [`NoMotion::NotConverged`] if there is none near by, or the trajectory cannot be followed.
@@ -78,6 +83,9 @@ impl StrobeMotion {
         if residual.is_nan() || residual > SOLVED * scale {
             return Err(NoMotion::NotConverged);
         }
+        if let Some(shorter) = turn.shorter(n, REPEATED * scale) {
+            return Self::refine(system, state.into(), shorter);
+        }
         let symmetric = turn.half.is_some_and(|(half, _)| (half + state).amax() <= MIRRORED * scale);
         Ok(StrobeMotion {
             n,
@@ -86,6 +94,7 @@ impl StrobeMotion {
             symmetric,
             sticking: turn.sticking,
             state: state.map(|value| value + 0.0).into(),
+            peak: turn.peak,
             section: turn.hardest,
             jacobian: turn.jacobian,
             half_jacobian: turn.half.filter(|_| symmetric).map(|(_, jacobian)| -jacobian),
@@ -93,9 +102,14 @@ impl StrobeMotion {
         })
     }
 
+    /// P^n of a state at forcing phase 0; none if the trajectory cannot be followed.
+    pub fn turned(system: &System, state: [f64; 4], n: u32) -> Option<[f64; 4]> {
+        Turn::from(&Flight::<f64, 2>::new(system), state, n).map(|turn| turn.end.into())
+    }
+
     /// N-p-q, with ∞ for infinitely many impacts.
     pub fn label(&self) -> String {
-        motion_label(self.n, self.p, self.q)
+        motion_label(self.n, &[self.p, self.q])
     }
 
     /// The Floquet multipliers, largest modulus first; 0 for a direction that sticking loses.
@@ -108,6 +122,11 @@ impl StrobeMotion {
     /// Eigenvalues of the half map of a symmetric motion, largest modulus first: N/2 forcing periods, then the mirror.
     pub fn half_multipliers(&self) -> Option<[Complex<f64>; 4]> {
         self.half_jacobian.as_ref().and_then(finite).and_then(eigenvalues)
+    }
+
+    /// The largest Lyapunov exponent per forcing period: that of the largest multiplier, −∞ where all are 0.
+    pub fn exponent(&self) -> Option<f64> {
+        Some(self.multipliers()?[0].norm().ln() / f64::from(self.n))
     }
 
     /// Whether all Floquet multipliers lie within the unit circle; none where there are none.
@@ -123,12 +142,15 @@ fn finite(matrix: &Matrix4<f64>) -> Option<&Matrix4<f64>> {
 /// One turn of a trajectory over N forcing periods, with its derivative.
 struct Turn {
     end: Vector4<f64>,
+    /// The states at the forcing periods before the end.
+    strobes: Vec<Vector4<f64>>,
     jacobian: Matrix4<f64>,
     /// The state and its derivative half a turn from the start, for odd N.
     half: Option<(Vector4<f64>, Matrix4<f64>)>,
     p: u16,
     q: u16,
     sticking: bool,
+    peak: f64,
     hardest: Option<(Stop, [f64; 4])>,
 }
 
@@ -143,15 +165,18 @@ impl Turn {
         }
         let mut turn = Turn {
             end: Vector4::from(start),
+            strobes: Vec::new(),
             jacobian: Matrix4::identity(),
             half: None,
             p: if clamped { INFINITELY_MANY } else { 0 },
             q: if clamped { INFINITELY_MANY } else { 0 },
             sticking: clamped,
+            peak: 0.0,
             hardest: None,
         };
         for period in 0..n {
             let mut moves = 0;
+            turn.strobes.push(values(&trajectory.point.state).into());
             loop {
                 let taken = trajectory.advance_to_event(flight, &mut frame);
                 moves += 1;
@@ -163,12 +188,14 @@ impl Turn {
                     Event::Impact(impact) => {
                         turn.count(impact.stop, false);
                         turn.harden(flight, &trajectory, impact.stop, impact.velocity_after);
+                        turn.peak = turn.peak.max(impact.velocity_before.abs());
                     }
                     Event::Caught { impact, complete_chatter } => {
                         turn.sticking = true;
                         if impact.velocity_before != 0.0 {
                             turn.count(impact.stop, complete_chatter);
                             turn.harden(flight, &trajectory, impact.stop, impact.velocity_after);
+                            turn.peak = turn.peak.max(impact.velocity_before.abs());
                         }
                     }
                     Event::HalfPeriod if n % 2 == 1 && period == n / 2 => {
@@ -184,6 +211,12 @@ impl Turn {
         Some(turn)
     }
 
+    /// The smallest divisor of n after which the state is the same already.
+    fn shorter(&self, n: u32, tolerance: f64) -> Option<u32> {
+        let same = |m: &u32| (self.strobes[*m as usize] - self.strobes[0]).amax() <= tolerance;
+        (1..n).filter(|m| n.is_multiple_of(*m)).find(same)
+    }
+
     fn count(&mut self, stop: Stop, complete_chatter: bool) {
         let count = if stop == Stop::A { &mut self.q } else { &mut self.p };
         *count = if complete_chatter {
@@ -196,7 +229,13 @@ impl Turn {
     }
 
     /// Keeps an impact if it is the hardest so far; those at A count before all others.
-    fn harden(&mut self, flight: &Flight<f64, 2>, trajectory: &Trajectory<f64, 2>, stop: Stop, velocity: f64) {
+    fn harden(
+        &mut self,
+        flight: &Flight<f64, 2>,
+        trajectory: &Trajectory<f64, 2>,
+        stop: Stop,
+        velocity: f64,
+    ) {
         let before = match &self.hardest {
             Some((Stop::A, _)) if stop == Stop::B => return,
             Some((other, section)) if *other == stop => section[0].abs(),

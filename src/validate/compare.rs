@@ -52,7 +52,7 @@ pub fn compare_continued(reference: &RegionMap, candidate: &RegionMap, continued
 
 /// Whether regime and label are equal.
 pub(super) fn same_label(a: &Verdict, b: &Verdict) -> bool {
-    (a.regime, a.n, a.p, a.q) == (b.regime, b.n, b.p, b.q)
+    (a.regime, a.n, a.counts) == (b.regime, b.n, b.counts)
 }
 
 /// Whether both are the same periodic motion by label.
@@ -61,7 +61,7 @@ pub(super) fn same_motion(a: &Verdict, b: &Verdict) -> bool {
 }
 
 /// The largest absolute difference of the strobe states; infinite where one is not a number.
-pub(super) fn state_difference(a: &[f64; 4], b: &[f64; 4]) -> f64 {
+pub(super) fn state_difference(a: &[f64], b: &[f64]) -> f64 {
     let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
     differences.fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { d.max(largest) })
 }
@@ -110,8 +110,13 @@ impl<'a> Cell<'a> {
     /// What cells of one fault are ranked by: the difference of the end states, otherwise how clearly stable or
     /// chaotic the reference is, since a marginal cell is the easiest to mistake.
     fn gravity(&self) -> f64 {
-        let gravity = self.difference.unwrap_or(f64::from(self.reference.lyapunov).abs());
-        if gravity.is_nan() { f64::INFINITY } else { gravity }
+        match self.difference {
+            Some(difference) if difference.is_nan() => f64::INFINITY,
+            Some(difference) => difference,
+            // Not measured: as marginal as can be.
+            None if self.reference.lyapunov.is_nan() => 0.0,
+            None => f64::from(self.reference.lyapunov).abs(),
+        }
     }
 }
 
@@ -157,14 +162,19 @@ fn regime_agreement(regime: Regime, cells: &[&Cell]) -> RegimeAgreement {
         inside: share(cells.iter().copied().filter(|cell| cell.inside)),
         boundary: share(cells.iter().copied().filter(|cell| !cell.inside)),
         end_state: Spread::of(cells.iter().filter_map(|cell| cell.difference).collect()),
-        lyapunov: Spread::of(agreeing.map(|cell| lyapunov_difference(cell)).collect()),
+        lyapunov: Spread::of(agreeing.filter_map(|cell| lyapunov_difference(cell)).collect()),
     }
 }
 
-/// Zero where both are infinite alike.
-fn lyapunov_difference(cell: &Cell) -> f64 {
+/// Zero where both are infinite alike, infinite where only one was measured; none where neither was.
+fn lyapunov_difference(cell: &Cell) -> Option<f64> {
     let (reference, candidate) = (cell.reference.lyapunov, cell.candidate.lyapunov);
-    if reference == candidate { 0.0 } else { f64::from(reference - candidate).abs() }
+    match (reference.is_nan(), candidate.is_nan()) {
+        (true, true) => None,
+        (false, false) if reference == candidate => Some(0.0),
+        (false, false) => Some(f64::from(reference - candidate).abs()),
+        _ => Some(f64::INFINITY),
+    }
 }
 
 fn worst(cells: &[Cell], columns: u32) -> Vec<WorstCell> {

@@ -17,8 +17,10 @@ pub fn compare_controlled(reference: &ControlMap, candidate: &ControlMap) -> Agr
     let ours = reference.motions();
     let mut theirs = candidate.motions();
     for (a, b) in ours.verdicts.iter().zip(&mut theirs.verdicts) {
-        let away = Section::new(b.state).minus(&Section::new(a.state));
-        b.state = std::array::from_fn(|i| a.state[i] + away[i]);
+        let away = Section::new(b.state.into()).minus(&Section::new(a.state.into()));
+        for ((b, &a), away) in b.state.iter_mut().zip(a.state.iter()).zip(away) {
+            *b = a + away;
+        }
     }
     compare(&ours, &theirs)
 }

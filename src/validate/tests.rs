@@ -22,6 +22,7 @@ fn motion(n: u16, symmetric: bool) -> Verdict {
         impacts_total: 1200,
         peak_impact_velocity: 0.4,
         periods: 600,
+        returning: 0,
     }
 }
 
@@ -40,7 +41,8 @@ fn halves(right: Verdict) -> RegionMap {
     };
     let verdict = |index| if index % COLUMNS < COLUMNS / 2 { motion(1, true) } else { right };
     let provenance = Provenance { version: String::new(), backend: String::new(), adapter: String::new() };
-    RegionMap { plane, provenance, verdicts: (0..COLUMNS * ROWS).map(verdict).collect() }
+    let verdicts = (0..COLUMNS * ROWS).map(verdict).collect();
+    RegionMap { plane, provenance, verdicts, multipliers: None }
 }
 
 /// The thresholds that are not met.
@@ -150,6 +152,21 @@ fn infinite_exponents_that_are_equal_do_not_differ() {
         verdict.lyapunov = f32::NEG_INFINITY;
     }
     assert_eq!(compare(&reference, &reference).regimes[0].lyapunov.unwrap().max, 0.0);
+}
+
+#[test]
+fn exponents_that_were_not_measured_are_not_counted() {
+    let mut reference = halves(of_regime(Regime::Chaotic));
+    for verdict in &mut reference.verdicts {
+        verdict.lyapunov = f32::NAN;
+    }
+    assert!(compare(&reference, &reference).regimes.iter().all(|regime| regime.lyapunov.is_none()));
+    // One that only one of the two measured is as wrong as can be.
+    let mut candidate = reference.clone();
+    candidate.verdicts[cell(15, 5)].lyapunov = 0.125;
+    let regimes = compare(&reference, &candidate).regimes;
+    let counted: Vec<_> = regimes.iter().filter_map(|regime| regime.lyapunov).collect();
+    assert_eq!((counted.len(), counted[0].cells, counted[0].max), (1, 1, f64::INFINITY));
 }
 
 /// Knows a right end state: continues to it from near by, otherwise loses the motion.

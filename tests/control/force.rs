@@ -96,7 +96,10 @@ fn flight_under_a_second_frequency_is_exact() {
         let expected = integrated(&system, start, time, 0.8, gamma, [0.0, phase]);
         assert!(away(values(&trajectory.point.state), expected) < 1e-9, "γ = {gamma}");
         let within = integrated(&system, start, 0.6 * flight.h, 0.8, gamma, [0.0, phase]);
-        assert!(away(values(&point.flown(&flight, 0.6 * flight.h, Contact::FREE).state), within) < 1e-12, "γ = {gamma}");
+        assert!(
+            away(values(&point.flown(&flight, 0.6 * flight.h, Contact::FREE).state), within) < 1e-12,
+            "γ = {gamma}"
+        );
         let unforced = integrated(&system, start, time, 0.0, gamma, [0.0, phase]);
         assert!(away(expected, unforced) > 1e-2, "the force does nothing");
     }

@@ -111,11 +111,16 @@ fn single_precision(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
 fn restitution_a_little_low(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
     let parameters = job.job.system.parameters();
     let system = System::new(parameters.with(Parameter::R, parameters.r - 1e-3)).unwrap();
-    follow_controlled::<f64>(&ControlJob { job: Job { system, start: job.job.start }, controller: job.controller }, schedule).unwrap()
+    follow_controlled::<f64>(
+        &ControlJob { job: Job { system, start: job.job.start }, controller: job.controller },
+        schedule,
+    )
+    .unwrap()
 }
 
 fn feedback_forgotten(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
-    follow_controlled::<f64>(&ControlJob { job: job.job.clone(), controller: Controller::None }, schedule).unwrap()
+    follow_controlled::<f64>(&ControlJob { job: job.job.clone(), controller: Controller::None }, schedule)
+        .unwrap()
 }
 
 #[test]

@@ -188,7 +188,7 @@ fn without_restitution_the_mass_stays_where_it_is_pressed() {
         }
         let verdict = verdict(p, [0.0; 4]);
         assert_ne!(verdict.regime, Regime::Failed);
-        assert!(verdict.p != INFINITELY_MANY && verdict.q != INFINITELY_MANY, "{verdict:?}");
+        assert!(verdict.p() != INFINITELY_MANY && verdict.q() != INFINITELY_MANY, "{verdict:?}");
     }
     assert!(stayed > 100 && left > 100, "{stayed} stayed, {left} left");
 }

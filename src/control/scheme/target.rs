@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::ControlError;
-use crate::model::{Parameter, System};
+use crate::model::{Parameter, Parameters, System};
+use crate::system::Family;
 use crate::theory::symmetric_target;
 
 /// A target on σ: the physical 1-1-1 symmetric motion at a reference frequency, or what is given instead.
@@ -23,9 +24,8 @@ impl Target {
     pub fn resolve(&self, system: &System, needed: &[usize]) -> Result<[f64; 4], ControlError> {
         let mut components = self.given.map(|value| value.unwrap_or(0.0));
         if needed.iter().any(|&i| self.given[i].is_none()) {
-            let parameters = system.parameters().with(Parameter::Omega, self.reference);
-            let delta = parameters.delta;
-            let missing = ControlError::NoTarget { omega: self.reference, delta };
+            let parameters = Parameters { omega: self.reference, ..system.parameters() };
+            let missing = ControlError::NoTarget { omega: self.reference, delta: parameters.delta };
             let found = symmetric_target(&System::new(parameters)?).ok_or(missing)?;
             for (i, value) in found.into_iter().enumerate() {
                 components[i] = self.given[i].unwrap_or(value);
@@ -45,6 +45,7 @@ impl Target {
         if let Some(tau) = tau.filter(|tau| !(0.0..std::f64::consts::TAU).contains(tau)) {
             return Err(ControlError::TargetPhase(tau));
         }
-        Parameter::Omega.check(self.reference).map_err(ControlError::Reference)
+        let omega = Parameter::of(Family::paper(), "omega").expect("the paper's oscillator is forced");
+        omega.check(self.reference).map_err(ControlError::Reference)
     }
 }

@@ -50,12 +50,12 @@ fn beginning(diagram: &Diagram) -> Vec<Text> {
     match diagram.branches.as_slice() {
         [Branch { direction: Direction::Each, .. }] => {
             let crate::diagram::Sweep::Each(start) = spec.sweep else { return Vec::new() };
-            symbols::start(start, varied)
+            symbols::start(start, spec.parameters.family().n(), varied)
         }
         branches => {
             let names: Vec<&str> = branches.iter().map(|branch| branch.direction.name()).collect();
             let mut pieces = vec![format!("state carried {},", names.join(" and ")).into()];
-            pieces.extend(symbols::start(spec.start, varied));
+            pieces.extend(symbols::start(spec.start, spec.parameters.family().n(), varied));
             pieces
         }
     }

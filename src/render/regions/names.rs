@@ -15,7 +15,9 @@ const SAMPLES: usize = 4;
 pub(super) fn title(plane: &Plane) -> Vec<Text> {
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
     let mut title = symbols::equations(&plane.parameters, varied);
-    title.extend(symbols::start(plane.start, |component| varied(Quantity::Start(component))));
+    title.extend(symbols::start(plane.start, plane.parameters.family().n(), |component| {
+        varied(Quantity::Start(component))
+    }));
     title
 }
 
@@ -156,7 +158,7 @@ mod tests {
         };
         assert!(!explained(&map));
         let verdict = &mut map.verdicts[7];
-        (verdict.regime, verdict.n, verdict.p, verdict.q) = (Regime::Periodic, 0, 0, 1);
+        (verdict.regime, verdict.n, verdict.p(), verdict.q()) = (Regime::Periodic, 0, 0, 1);
         assert!(explained(&map));
     }
 

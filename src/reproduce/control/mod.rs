@@ -54,7 +54,7 @@ fn system() -> System {
 
 /// The start of this number; 0 is at rest.
 fn start(number: u32) -> Start {
-    if number == 0 { Start::Rest } else { Start::State([0.0, APART * f64::from(number), 0.0, 0.0]) }
+    if number == 0 { Start::Rest } else { Start::State([0.0, APART * f64::from(number), 0.0, 0.0].into()) }
 }
 
 impl Run {
@@ -65,7 +65,8 @@ impl Run {
             ControlSchedule { from: FROM, iterates, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
         let controller = scheme.resolve(&system).expect("the paper's settings are in range");
         let mut history = History::new(iterates - DRAWN - 1, system.period() / SAMPLES);
-        let outcome = control::<f64, _>(&system, start.state(&system), &controller, &schedule, &mut history);
+        let outcome =
+            control::<f64, _>(&system, start.state(&system).into(), &controller, &schedule, &mut history);
         let outcome = outcome.expect("the paper's forces are slow enough");
         Run { start, scheme, schedule, history, outcome }
     }

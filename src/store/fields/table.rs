@@ -48,6 +48,13 @@ const MAP: FileContent = FileContent {
         field("impacts", ["u32", "y, x"], "impacts", IMPACTS),
         field("peak_impact_velocity", ["f32", "y, x"], "1", PEAK),
         field("periods", ["u32", "y, x"], "forcing periods", PERIODS),
+        field(
+            "multipliers",
+            ["f64", "y, x, 4, 2"],
+            "1",
+            "with `--certify` only: real and imaginary parts of the Floquet multipliers, largest modulus first; NaN \
+             where no orbit was certified",
+        ),
         field("x", ["f64", "x"], "1", "the values of the horizontal axis"),
         field("y", ["f64", "y"], "1", "the values of the vertical axis"),
         field("config", ["text", ""], "", CONFIG),

@@ -10,7 +10,7 @@ mod write;
 
 pub use control::{write_control, write_control_map};
 pub use diagram::write_diagram;
-pub use read::{ReadError, read_map};
+pub use read::{ReadError, read_config, read_map};
 pub use write::write_map;
 
 #[cfg(test)]
@@ -45,8 +45,9 @@ mod tests {
             impacts_total: 0,
             peak_impact_velocity: 0.5 + f32::from(i),
             periods: 1000 + u32::from(i),
+            returning: 0,
         };
-        RegionMap { plane, provenance, verdicts: (0..6).map(verdict).collect() }
+        RegionMap { plane, provenance, verdicts: (0..6).map(verdict).collect(), multipliers: None }
     }
 
     fn written(map: &RegionMap) -> Vec<u8> {
@@ -59,6 +60,23 @@ mod tests {
     fn a_map_reads_back_as_it_was_written() {
         let map = example();
         assert_eq!(read_map(Cursor::new(written(&map))).unwrap(), map);
+    }
+
+    #[test]
+    fn a_certified_map_reads_back_with_its_multipliers() {
+        let mut map = example();
+        let of = |i: usize| (i != 2).then(|| [[0.5, 0.1], [0.5, -0.1], [0.1 * i as f64, 0.0], [0.0, 0.0]]);
+        map.multipliers = Some((0..6).map(of).collect());
+        assert_eq!(read_map(Cursor::new(written(&map))).unwrap(), map);
+        assert!(read_config(Cursor::new(written(&map))).unwrap().contains(r#""certified":true"#));
+    }
+
+    #[test]
+    fn an_exponent_that_was_not_measured_reads_back_so() {
+        let mut map = example();
+        map.verdicts[1].lyapunov = f32::NAN;
+        let read = read_map(Cursor::new(written(&map))).unwrap();
+        assert!(read.verdicts[1].lyapunov.is_nan() && !read.verdicts[0].lyapunov.is_nan());
     }
 
     #[test]

@@ -7,8 +7,9 @@ use serde::Deserialize;
 use thiserror::Error;
 use zip::ZipArchive;
 
-use crate::analysis::{Regime, Verdict};
-use crate::plane::{Plane, Provenance, RegionMap};
+use crate::analysis::{Counts, Regime, Verdict};
+use crate::model::StateVector;
+use crate::plane::{Multipliers, Plane, Provenance, RegionMap};
 
 /// Reads a map that [`write_map`](super::write_map) wrote.
 ///
@@ -28,19 +29,43 @@ pub fn read_map(from: impl Read + Seek) -> Result<RegionMap, ReadError> {
     let config = values::<String>(&mut zip, "config", &[])?.concat();
     let Config { provenance, plane } = serde_json::from_str(&config)?;
     let verdicts = verdicts(&mut zip, &plane)?;
-    Ok(RegionMap { plane, provenance, verdicts })
+    let multipliers = multipliers(&mut zip, &plane)?;
+    Ok(RegionMap { plane, provenance, verdicts, multipliers })
+}
+
+/// Reads the configuration text of an archive of this crate.
+///
+/// # Errors
+/// What is missing from the file.
+pub fn read_config(from: impl Read + Seek) -> Result<String, ReadError> {
+    let mut zip = ZipArchive::new(from).map_err(io::Error::from)?;
+    Ok(values::<String>(&mut zip, "config", &[])?.concat())
+}
+
+/// The multipliers of a map that was certified.
+fn multipliers(
+    zip: &mut ZipArchive<impl Read + Seek>,
+    plane: &Plane,
+) -> Result<Option<Vec<Option<Multipliers>>>, ReadError> {
+    if zip.index_for_name(&npyz::npz::file_name_from_array_name("multipliers")).is_none() {
+        return Ok(None);
+    }
+    let numbers: Vec<f64> = values(zip, "multipliers", &[plane.y.count.into(), plane.x.count.into(), 4, 2])?;
+    let (pairs, _) = numbers.as_chunks::<2>();
+    let (cells, _) = pairs.as_chunks::<4>();
+    Ok(Some(cells.iter().map(|cell| (!cell[0][0].is_nan()).then_some(*cell)).collect()))
 }
 
 fn verdicts(zip: &mut ZipArchive<impl Read + Seek>, plane: &Plane) -> Result<Vec<Verdict>, ReadError> {
     let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
     let regimes: Vec<u8> = values(zip, "regime", &cells)?;
     let n: Vec<u16> = values(zip, "n", &cells)?;
-    let p: Vec<u16> = values(zip, "p", &cells)?;
-    let q: Vec<u16> = values(zip, "q", &cells)?;
+    let stops = plane.parameters.family().stops().len();
+    let counts: Vec<u16> = values(zip, "counts", &[cells[0], cells[1], stops as u64])?;
     let symmetric: Vec<u8> = values(zip, "symmetric", &cells)?;
     let lyapunov: Vec<f32> = values(zip, "lyapunov", &cells)?;
-    let components: Vec<f64> = values(zip, "state", &[cells[0], cells[1], 4])?;
-    let (states, _) = components.as_chunks();
+    let length = 2 * plane.parameters.family().n();
+    let states: Vec<f64> = values(zip, "state", &[cells[0], cells[1], length as u64])?;
     let impacts: Vec<u32> = values(zip, "impacts", &cells)?;
     let peaks: Vec<f32> = values(zip, "peak_impact_velocity", &cells)?;
     let periods: Vec<u32> = values(zip, "periods", &cells)?;
@@ -48,15 +73,16 @@ fn verdicts(zip: &mut ZipArchive<impl Read + Seek>, plane: &Plane) -> Result<Vec
         Ok(Verdict {
             regime: Regime::from_code(code).ok_or(ReadError::Regime(code))?,
             n: n[i],
-            p: p[i],
-            q: q[i],
+            counts: Counts::new(&counts[stops * i..][..stops]),
             symmetric: symmetric[i] != 0,
             lyapunov: lyapunov[i],
-            state: states[i],
+            state: StateVector::from_slice(&states[length * i..][..length])
+                .ok_or(ReadError::Shape("state"))?,
             impacts: impacts[i],
             impacts_total: 0,
             peak_impact_velocity: peaks[i],
             periods: periods[i],
+            returning: 0,
         })
     };
     regimes.iter().enumerate().map(verdict).collect()

@@ -81,6 +81,7 @@ impl Kernel {
             dispatch: &dispatch,
         };
         let jobs: Vec<Job> = jobs.iter().map(|job| job.job.clone()).collect();
-        Ok(self.drive::<_, Outcome>(&jobs, &program, watch)?.iter().map(Outcome::widen).collect())
+        let outcomes = self.drive::<_, Outcome>(&jobs, &program, watch)?;
+        Ok(outcomes.iter().zip(&jobs).map(|(outcome, job)| outcome.widen(&job.system)).collect())
     }
 }

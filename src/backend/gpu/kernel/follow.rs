@@ -1,9 +1,9 @@
 //! The kernel `follow`: trajectories to their verdicts.
 
 use super::Kernel;
+use super::compiled::Compiled;
 use super::drive::{ITERATIONS, Portion, Program, ROW};
 use crate::analysis;
-use super::compiled::Compiled;
 use crate::backend::gpu::layout::{Dispatch, Schedule, Verdict};
 use crate::backend::gpu::shader::{self, Shape, WORKGROUP};
 use crate::backend::{BackendError, Job, Watch};
@@ -26,7 +26,8 @@ impl Kernel {
         let Some(shape) = shape_of(jobs)? else { return Ok(Vec::new()) };
         let pipeline = self.library.get(&self.device, shader::Kernel::Follow, shape)?;
         let program = self.observing(&pipeline, &[], &dispatch);
-        Ok(self.drive::<_, Verdict>(jobs, &program, watch)?.iter().map(Verdict::widen).collect())
+        let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
+        Ok(verdicts.iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect())
     }
 
     /// A kernel that carries observers and gives verdicts.

@@ -35,12 +35,7 @@ impl Kernel {
         };
         let (device, queue) = pollster::block_on(found.adapter.request_device(&descriptor))
             .map_err(|error| BackendError::Device(error.to_string()))?;
-        Ok(Kernel {
-            device,
-            queue,
-            library: Library::default(),
-            software: found.report.is_software(),
-        })
+        Ok(Kernel { device, queue, library: Library::default(), software: found.report.is_software() })
     }
 
     /// Trajectories that one call of [`Kernel::run`] takes at most.

@@ -50,10 +50,10 @@ impl Kernel {
         let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
         let traces: Vec<Trace> = guarded(&self.device, || self.fetch(&traces))??;
         let readings: Vec<f32> = guarded(&self.device, || self.fetch(&readings))??;
-        let of_cell = |((verdict, trace), readings): ((Verdict, &Trace), &[f32])| {
+        let of_cell = |(((verdict, trace), readings), job): (((Verdict, &Trace), &[f32]), &Job)| {
             let kept = trace.passages.min(capacity);
             analysis::Trace {
-                verdict: verdict.widen(),
+                verdict: verdict.widen(&job.system),
                 readings: readings[..kept as usize].iter().map(|&value| f64::from(value)).collect(),
                 left_out: trace.passages - kept,
                 rebounds: trace.rebounds.longest,
@@ -63,6 +63,7 @@ impl Kernel {
             .into_iter()
             .zip(&traces)
             .zip(readings.chunks_exact(capacity as usize))
+            .zip(jobs)
             .map(of_cell)
             .collect())
     }

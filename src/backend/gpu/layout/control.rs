@@ -144,9 +144,9 @@ impl Record for Outcome {
 
 impl Outcome {
     /// The outcome with its values widened.
-    pub fn widen(&self) -> control::Outcome {
+    pub fn widen(&self, system: &model::System) -> control::Outcome {
         control::Outcome {
-            verdict: self.verdict.widen(),
+            verdict: self.verdict.widen(system),
             period: self.period,
             iterates: self.iterates,
             converged_at: self.converged_at,

@@ -24,6 +24,7 @@ trait Members<const N: usize> {
 fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut impl Members<N>) {
     members.integer("steps", flight.steps);
     members.integer("quiet_exists", u32::from(flight.quiet.exists));
+    members.integer("quiet_decays", u32::from(flight.quiet.decays));
     members.integer("mirror_exists", u32::from(flight.mirror.is_some()));
     members.number("h", flight.h);
     members.number("inverse_h", flight.inverse_h);
@@ -217,4 +218,3 @@ pub fn write_kicks<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>)
         }
     }
 }
-

@@ -3,8 +3,9 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::record::Record;
+use crate::analysis::{self, Counts, Regime};
 use crate::model::vector::MOST;
-use crate::analysis::{self, Regime};
+use crate::model::{StateVector, System};
 
 /// `Schedule` in shaders/analysis/observer.wgsl.
 #[repr(C)]
@@ -39,6 +40,9 @@ pub struct Dispatch {
     pub row: u32,
 }
 
+/// What the shaders write for an exponent that was not measured: a NaN need not survive a driver.
+pub const NOT_MEASURED: f32 = -3e38;
+
 /// `Verdict` in shaders/analysis/observer.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -53,6 +57,7 @@ pub struct Verdict {
     pub impacts_total: u32,
     pub peak_impact_velocity: f32,
     pub periods: u32,
+    pub returning: u32,
 }
 
 impl Verdict {
@@ -68,6 +73,7 @@ impl Verdict {
         impacts_total: 0,
         peak_impact_velocity: 0.0,
         periods: 0,
+        returning: 0,
     };
 
     /// Whether the shader has not written it yet.
@@ -75,21 +81,30 @@ impl Verdict {
         self.regime == Self::PENDING.regime
     }
 
-    /// The verdict with its values widened; a code that no regime has counts as failed.
-    pub fn widen(&self) -> analysis::Verdict {
+    /// The state x1 … xn, v1 … vn.
+    fn state_of(&self, system: &System) -> StateVector {
+        let mut state = StateVector::zeros(system.plant().n);
+        for (value, &from) in state.iter_mut().zip(&self.state) {
+            *value = f64::from(from);
+        }
+        state
+    }
+
+    /// The verdict on a trajectory of a system with its values widened; a code that no regime has counts as failed.
+    pub fn widen(&self, system: &System) -> analysis::Verdict {
         let regime = u8::try_from(self.regime).ok().and_then(Regime::from_code).unwrap_or(Regime::Failed);
         analysis::Verdict {
             regime,
             n: self.n as u16,
-            p: self.impacts_per_stop[1] as u16,
-            q: self.impacts_per_stop[0] as u16,
+            counts: Counts::in_order(&self.impacts_per_stop.map(|count| count as u16), &system.label_order()),
             symmetric: self.symmetric != 0,
-            lyapunov: self.lyapunov,
-            state: std::array::from_fn(|i| f64::from(self.state[i])),
+            lyapunov: if self.lyapunov == NOT_MEASURED { f32::NAN } else { self.lyapunov },
+            state: self.state_of(system),
             impacts: self.impacts,
             impacts_total: self.impacts_total,
             peak_impact_velocity: self.peak_impact_velocity,
             periods: self.periods,
+            returning: self.returning as u16,
         }
     }
 }

@@ -2,11 +2,13 @@
 
 use std::fmt::{Debug, Write};
 
-use super::template::Shape;
 use super::WORKGROUP;
+use super::template::Shape;
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Regime, Section, Stage};
-use crate::backend::gpu::layout::{KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE};
+use crate::backend::gpu::layout::{
+    KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE, NOT_MEASURED,
+};
 use crate::control::constants as control;
 use crate::control::{Convention, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, NEVER, Progress};
 use crate::dynamics::constants as dynamics;
@@ -77,6 +79,10 @@ pub fn source(shape: &Shape) -> String {
         ("CHATTER", <f32 as Real>::CHATTER),
         ("SETTLED", <f32 as Real>::SETTLED),
         ("AT_REST", <f32 as Real>::AT_REST),
+        ("ROUNDING", <f32 as Real>::ROUNDING),
+        ("DISTINCT", analysis::DISTINCT),
+        ("FARTHEST", analysis::FARTHEST),
+        ("NOT_MEASURED", f64::from(NOT_MEASURED)),
         ("EPSILON", epsilon),
         ("SQRT_EPSILON", f64::from(f32::EPSILON.sqrt())),
         ("PI", std::f64::consts::PI),

@@ -1,0 +1,122 @@
+//! The periodic motion that a trajectory approaches: the exact one beside it.
+//!
+//! A strobe state that comes back within a small distance may spiral in slowly, alternate about a motion of half the
+//! period, or wander in a narrow band. Newton's method tells which: the exact motion beside the state has a period,
+//! multipliers, and a linear map that foretells where the state must be one turn later.
+
+use nalgebra::Vector4;
+
+use super::strobe::StrobeMotion;
+use crate::analysis::{Counts, Regime, Verdict};
+use crate::model::{StateVector, System};
+
+/// The largest distance of a strobe state from the motion that it approaches, for states of order one.
+const NEAR: f64 = 1e-2;
+/// The largest share of its distance by which a state may be, one turn later, from where the Jacobian foretells it.
+const FORETOLD: f64 = 0.2;
+/// What single precision and the closing of chatter leave uncertain about a state of order one.
+const UNCERTAIN: f64 = 1e-6;
+
+/// The stable motion that a strobe state approaches which comes back after `n` forcing periods: of that period, of a
+/// divisor, or of twice as much, since a motion that has just doubled its period returns closely after half of it.
+///
+/// None where the exact motion is unstable, or where one turn does not lead the state towards it.
+pub fn approached(system: &System, state: StateVector, n: u32) -> Option<StrobeMotion> {
+    // Strobe maps of two coordinates only.
+    let state: [f64; 4] = state[..].try_into().ok()?;
+    [n, 2 * n].into_iter().find_map(|n| approached_from(system, state, state, n))
+}
+
+/// The stable motion that a strobe state approaches, found from `guess` with Newton's method over `n` forcing periods.
+pub fn approached_from(system: &System, guess: [f64; 4], state: [f64; 4], n: u32) -> Option<StrobeMotion> {
+    let between = |state: [f64; 4]| -> [f64; 4] { system.between_stops(StateVector::from(state)).into() };
+    let motion = StrobeMotion::refine(system, between(guess), n).ok()?;
+    (motion.is_stable() == Some(true) && leads_to(system, between(state), &motion)).then_some(motion)
+}
+
+/// Whether one turn from a state near a motion ends where the motion's Jacobian foretells it.
+fn leads_to(system: &System, state: [f64; 4], motion: &StrobeMotion) -> bool {
+    let exact = Vector4::from(motion.state);
+    let scale = 1.0 + exact.amax();
+    let before = Vector4::from(state) - exact;
+    if before.amax() > NEAR * scale {
+        return false;
+    }
+    let Some(after) = StrobeMotion::turned(system, state, motion.n) else { return false };
+    let missed = Vector4::from(after) - exact - motion.jacobian * before;
+    missed.norm() <= FORETOLD * before.norm() + UNCERTAIN * scale
+}
+
+/// A verdict with what the exact motion says of it: label, symmetry, exponent, state and largest impact velocity.
+pub fn with_motion(verdict: &Verdict, motion: &StrobeMotion) -> Verdict {
+    let regime = if motion.sticking { Regime::PeriodicSticking } else { Regime::Periodic };
+    Verdict {
+        regime,
+        n: motion.n as u16,
+        counts: Counts::new(&[motion.p, motion.q]),
+        symmetric: motion.symmetric,
+        lyapunov: motion.exponent().map_or(f32::NAN, |exponent| exponent as f32),
+        state: motion.state.into(),
+        peak_impact_velocity: motion.peak as f32,
+        returning: 0,
+        ..*verdict
+    }
+}
+
+/// The verdict on a trajectory whose strobe state comes back without having settled, from the motion that it approaches;
+/// none where there is no such motion.
+pub fn confirmed(system: &System, verdict: &Verdict) -> Option<Verdict> {
+    let motion = (verdict.returning > 0)
+        .then(|| approached(system, verdict.state, u32::from(verdict.returning)))
+        .flatten()?;
+    let impacts = motion.sticking || u32::from(motion.p) + u32::from(motion.q) > 0;
+    impacts.then(|| with_motion(verdict, &motion))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Parameters;
+
+    fn system(omega: f64, delta: f64) -> System {
+        System::new(Parameters { omega, delta, ..Parameters::default() }).unwrap()
+    }
+
+    /// The 1-3-2 motion beside its period doubling, multiplier −0.9927.
+    fn flipping() -> (System, StrobeMotion) {
+        let system = system(1.338_983_050_847_457_6, 0.14);
+        let state = StrobeMotion::turned(&system, [0.0; 4], 4000).unwrap();
+        (system, StrobeMotion::refine(&system, state, 1).unwrap())
+    }
+
+    #[test]
+    fn twice_the_period_of_a_motion_is_found_to_be_the_motion() {
+        let (system, motion) = flipping();
+        let doubled = StrobeMotion::refine(&system, motion.state, 2).unwrap();
+        assert_eq!((doubled.n, doubled.label()), (1, motion.label()));
+    }
+
+    #[test]
+    fn a_state_that_alternates_about_a_motion_approaches_it_and_one_far_away_does_not() {
+        let (system, motion) = flipping();
+        assert!(motion.is_stable().unwrap());
+        let beside = |by: f64| {
+            let [x1, x2, v1, v2] = motion.state;
+            [x1, x2 + by, v1, v2]
+        };
+        let found = approached(&system, beside(1e-4).into(), 2).unwrap();
+        assert_eq!(found.label(), motion.label());
+        assert!(
+            approached(&system, beside(0.3).into(), 2).is_none_or(|other| other.label() != motion.label())
+        );
+        assert!(!leads_to(&system, beside(0.05), &motion), "too far to be foretold");
+    }
+
+    #[test]
+    fn an_unstable_motion_is_not_approached() {
+        // The 1-1-1 symmetric motion beyond its pitchfork.
+        let system = system(3.6, 0.1);
+        let unstable = crate::theory::symmetric_motions(&system).unwrap()[0].motion.at_phase_zero(&system);
+        assert!(approached(&system, unstable.into(), 1).is_none());
+    }
+}

@@ -1,0 +1,32 @@
+//! Labels held to the truth: motions beside their bifurcations, transient chaos, and a plane continued by the oracle.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod certified;
+mod continued;
+mod named;
+
+use impact_atlas::analysis::{Schedule, Verdict};
+use impact_atlas::backend::{Backend, Job, Unwatched, decide};
+use impact_atlas::model::{Parameters, System};
+use impact_atlas::plane::Start;
+
+/// What the command line does by default, with a transient of so many forcing periods.
+fn schedule(transient: u32) -> Schedule {
+    Schedule { transient, observe: 150, max_period: 32, fixed_periods: false }
+}
+
+/// A system on its symmetric motion, nudged.
+fn job(parameters: Parameters) -> Job {
+    let system = System::new(parameters).unwrap();
+    Job { system, start: Start::Symmetric.state(&system) }
+}
+
+fn at(omega: f64, delta: f64) -> Parameters {
+    Parameters { omega, delta, ..Parameters::default() }
+}
+
+fn decided(backend: &dyn Backend, job: Job, transient: u32) -> Verdict {
+    decide(backend, &[job], &schedule(transient), &Unwatched).unwrap()[0]
+}
