@@ -113,6 +113,6 @@ mod tests {
         assert_eq!(found, [("1-1-2".to_owned(), vec![3, 2]), ("1-1-1".to_owned(), vec![2])]);
         let named = |lines: &[&str]| sizes(lines).remove(0).0;
         assert_eq!((named(&["ud", "u."]), named(&["ud", "d."])), ("1-2-1".to_owned(), "1-1-2".to_owned()));
-        assert_eq!(sizes(&["u.u"])[0].1, [1, 1], "cells with one between them are apart");
+        assert_eq!(sizes(&["u.u", "..."])[0].1, [1, 1], "cells with one between them are apart");
     }
 }
