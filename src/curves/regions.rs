@@ -94,12 +94,13 @@ mod tests {
                 impacts_total: 0,
                 peak_impact_velocity: 0.0,
                 periods: 1,
+                returning: 0,
             }
         };
         let provenance =
             Provenance { version: String::new(), backend: String::new(), adapter: String::new() };
         let verdicts = lines.iter().rev().flat_map(|line| line.chars()).map(verdict).collect();
-        RegionMap { plane, provenance, verdicts }
+        RegionMap { plane, provenance, verdicts, multipliers: None }
     }
 
     fn sizes(lines: &[&str]) -> Vec<(String, Vec<usize>)> {
