@@ -1,5 +1,6 @@
 //! `classify` and `map` agree: by their defaults, and cell by cell of a map that was computed before.
 
+#[allow(dead_code, reason = "every suite uses its own part of it")]
 mod program;
 
 use std::fs::{self, File};

@@ -40,7 +40,8 @@ fn whatever_is_asked_is_answered() {
     let seed = number("IMPACT_ATLAS_FUZZ_SEED", 9) as u64;
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut codes = [0; 4];
-    for number in 0..self::number("IMPACT_ATLAS_FUZZ", FEW) {
+    let all = self::number("IMPACT_ATLAS_FUZZ", FEW);
+    for number in 0..all {
         let arguments = invocations::invocation(&mut random);
         let folder = tempdir().unwrap();
         let wrong = match answered(folder.path(), &arguments) {
@@ -55,8 +56,9 @@ fn whatever_is_asked_is_answered() {
         };
         assert!(wrong.is_empty(), "invocation {number} of seed {seed}: {}\n{wrong:#?}", arguments.join(" "));
     }
-    // Of every kind there were enough that the checks were put to the test.
-    assert!(codes[0] > 0 && codes[2] > 0, "{codes:?}");
+    // Of either kind there were enough that the checks were put to the test.
+    println!("exit codes 0 to 3: {codes:?}");
+    assert!(codes[0] > all / 4 && codes[2] > all / 20, "{codes:?}");
 }
 
 /// What the program said and how it ended, unless it took too long.

@@ -9,6 +9,7 @@ mod schedule;
 mod section;
 mod spread;
 mod trace;
+mod verdict;
 
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};

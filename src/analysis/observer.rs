@@ -3,12 +3,11 @@
 use super::exponent::Exponent;
 use super::quiet::is_quiet;
 use super::recurrence::Recurrence;
-use super::regime::{Counts, Regime, Verdict};
 use super::schedule::Schedule;
 use super::spread::Spread;
 use crate::dynamics::constants::MOST_MOVES;
 use crate::dynamics::{Event, Move, Stop, Tangent, Trajectory, Variation};
-use crate::model::{Flight, Real, State, StateVector};
+use crate::model::{Flight, Real, State};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
 /// one that is called symmetric; absolute for states of order one and less, relative above. Both back ends use it.
@@ -51,30 +50,30 @@ impl Stage {
 /// A trajectory and everything that is noted about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer<T, const N: usize> {
-    trajectory: Trajectory<T, N>,
+    pub(super) trajectory: Trajectory<T, N>,
     tangent: Tangent<T, N>,
-    recurrence: Recurrence<T, N>,
-    exponent: Exponent<T>,
-    spread: Spread<T, N>,
+    pub(super) recurrence: Recurrence<T, N>,
+    pub(super) exponent: Exponent<T>,
+    pub(super) spread: Spread<T, N>,
     /// Logarithmic growth of the tangent vector since the recurrence's anchor was set.
-    grown: T,
-    stage: Stage,
+    pub(super) grown: T,
+    pub(super) stage: Stage,
     /// Forcing periods since the start.
-    periods: u32,
+    pub(super) periods: u32,
     /// Forcing periods since the observation began.
-    observed: u32,
+    pub(super) observed: u32,
     /// Forcing periods of the observation.
-    observe: u32,
+    pub(super) observe: u32,
     /// Moves since the last strobe.
     moves: u32,
     /// Impacts since the observation began.
-    impacts: u32,
+    pub(super) impacts: u32,
     /// Impacts since the start.
-    impacts_total: u32,
+    pub(super) impacts_total: u32,
     /// Largest |v1−| since the observation began.
-    peak: T,
+    pub(super) peak: T,
     /// Whether the first mass rested on a stop since the observation began.
-    stuck: bool,
+    pub(super) stuck: bool,
 }
 
 impl<T: Real, const N: usize> Observer<T, N> {
@@ -285,100 +284,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
     }
 
     /// Periods for which the state must have kept returning when the observation ends.
-    fn proof(&self) -> u32 {
+    pub(super) fn proof(&self) -> u32 {
         (self.observe / 4).min(SETTLING)
-    }
-
-    /// What the trajectory settled on.
-    ///
-    /// Labels count the impacts at the plant's stops in `label_order`.
-    pub fn verdict(&self, flight: &Flight<T, N>, label_order: &[usize]) -> Verdict {
-        let regime = self.regime();
-        let recurrence = &self.recurrence;
-        let count = |value: u32| if regime.is_periodic() { value as u16 } else { 0 };
-        let lyapunov = match regime {
-            Regime::NoImpact => flight.linear_exponent,
-            Regime::Failed => T::nan(),
-            _ if self.exponent.batches == 0 => T::nan(),
-            // What came before the motion was reached is no part of its exponent.
-            _ if regime.is_periodic() && self.is_late() => self.grown / T::of(f64::from(recurrence.since)),
-            _ => self.exponent.per_period(),
-        };
-        let in_question = !regime.is_periodic() || self.is_late();
-        let returning =
-            if regime.may_return() && in_question && recurrence.holds_for(0) { recurrence.n } else { 0 };
-        Verdict {
-            regime,
-            n: count(recurrence.n),
-            counts: Counts::in_order(&recurrence.impacts.map(count), label_order),
-            symmetric: regime.is_periodic() && recurrence.n % 2 == 1 && recurrence.symmetric,
-            lyapunov: lyapunov.widen() as f32,
-            state: StateVector::of(&self.state(flight, regime)),
-            impacts: self.impacts,
-            impacts_total: self.impacts_total,
-            peak_impact_velocity: self.peak.widen() as f32,
-            periods: self.periods,
-            returning: returning as u16,
-        }
-    }
-
-    /// The state that is reported: where the trajectory ends, or of motion that decays onto the forced response without
-    /// another impact, that response.
-    fn state(&self, flight: &Flight<T, N>, regime: Regime) -> State<T, N> {
-        let forced = regime == Regime::NoImpact && self.stage == Stage::Quiet && flight.quiet.decays;
-        if forced { flight.quiet.forced } else { self.trajectory.point.state }
-    }
-
-    /// Whether the state began to return only within the observation.
-    fn is_late(&self) -> bool {
-        self.recurrence.since < self.observed
-    }
-
-    fn regime(&self) -> Regime {
-        match self.stage {
-            Stage::Failed => Regime::Failed,
-            Stage::Quiet => Regime::NoImpact,
-            _ if self.impacts == 0 && !self.stuck => Regime::NoImpact,
-            _ if self.returns() && self.recurrence.impacts.iter().all(|&count| count == 0) && !self.stuck => {
-                Regime::NoImpact
-            }
-            _ if self.returns() && self.is_settled() => {
-                if self.stuck {
-                    Regime::PeriodicSticking
-                } else {
-                    Regime::Periodic
-                }
-            }
-            _ if self.stuck && !self.returns() => Regime::AperiodicSticking,
-            _ => self.irregular(),
-        }
-    }
-
-    /// Whether the strobe state has kept returning long enough for a period.
-    fn returns(&self) -> bool {
-        self.recurrence.holds_for(self.proof())
-    }
-
-    /// Whether what returns is a motion that was reached: nearby trajectories do not leave it.
-    fn is_settled(&self) -> bool {
-        self.recurrence.is_settled() && self.grown <= T::of(NEUTRAL_GROWTH)
-    }
-
-    /// The regime of a motion that impacts and has no period that could be established.
-    fn irregular(&self) -> Regime {
-        let exponent = &self.exponent;
-        let growth = exponent.total_growth();
-        let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
-        if exponent.batches == 0 {
-            Regime::Unresolved
-        } else if growth > T::of(CHAOTIC_GROWTH) && significant && !self.stuck {
-            Regime::Chaotic
-        } else if self.returns() {
-            Regime::Unresolved
-        } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observe / 2) {
-            Regime::QuasiPeriodic
-        } else {
-            Regime::Unresolved
-        }
     }
 }

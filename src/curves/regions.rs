@@ -95,12 +95,13 @@ mod tests {
                 impacts_total: 0,
                 peak_impact_velocity: 0.0,
                 periods: 1,
+                returning: 0,
             }
         };
         let provenance =
             Provenance { version: String::new(), backend: String::new(), adapter: String::new() };
         let verdicts = lines.iter().rev().flat_map(|line| line.chars()).map(verdict).collect();
-        RegionMap { plane, provenance, verdicts }
+        RegionMap { plane, provenance, verdicts, multipliers: None }
     }
 
     fn sizes(lines: &[&str]) -> Vec<(String, Vec<usize>)> {
@@ -114,6 +115,6 @@ mod tests {
         assert_eq!(found, [("1-1-2".to_owned(), vec![3, 2]), ("1-1-1".to_owned(), vec![2])]);
         let named = |lines: &[&str]| sizes(lines).remove(0).0;
         assert_eq!((named(&["ud", "u."]), named(&["ud", "d."])), ("1-2-1".to_owned(), "1-1-2".to_owned()));
-        assert_eq!(sizes(&["u.u"])[0].1, [1, 1], "cells with one between them are apart");
+        assert_eq!(sizes(&["u.u", "..."])[0].1, [1, 1], "cells with one between them are apart");
     }
 }

@@ -139,15 +139,24 @@ impl<const N: usize> Equations<N> {
         projector
     }
 
-    /// The steepest rate of the flow: ω, or ‖G⁸‖^(1/8) of the unforced generator G.
+    /// The steepest rate of the flow: ω, or ‖G⁸‖^(1/8) of the unforced generator G; not a number where G holds what is
+    /// none.
     pub fn rate(&self) -> f64 {
         let mut g = DMatrix::zeros(2 * N, 2 * N);
         g.view_mut((0, N), (N, N)).fill_with_identity();
         g.view_mut((N, 0), (N, N)).copy_from(&self.stiffness);
         g.view_mut((N, N), (N, N)).copy_from(&self.damping);
+        if !g.iter().all(|entry| entry.is_finite()) {
+            return f64::NAN;
+        }
+        // Scaled by a power of two against overflow.
+        let scale = 2.0_f64.powi(g.amax().log2().floor() as i32);
+        let g = g / scale;
         let g2 = &g * &g;
         let g4 = &g2 * &g2;
-        (&g4 * &g4).norm().powf(0.125).max(self.omega)
+        let fastest = scale * (&g4 * &g4).norm().powf(0.125);
+        // Not `max`, which would pass over a number that is none.
+        if fastest < self.omega { self.omega } else { fastest }
     }
 }
 

@@ -58,7 +58,11 @@ impl System {
     fn divide(&mut self) -> Result<(), SystemError> {
         let half_steps = (0.5 * self.rate * self.period() / Self::STEP).ceil();
         if half_steps.is_nan() || half_steps > f64::from(Self::MOST_STEPS / 2) {
-            return Err(SystemError::TooStiff { omega: self.plant.omega, rate: self.rate });
+            return Err(SystemError::TooStiff(Box::new(Stiff {
+                setting: self.setting,
+                omega: self.plant.omega,
+                rate: self.rate,
+            })));
         }
         self.steps = 2 * half_steps as u32;
         Ok(())
@@ -71,7 +75,7 @@ impl System {
     pub fn following(&self, ratio: f64) -> Result<Self, SystemError> {
         let mut system = self.clone();
         let frequency = ratio * self.plant.omega;
-        if frequency > self.rate || frequency.is_nan() {
+        if !frequency.is_finite() || frequency > self.rate {
             system.rate = frequency;
             system.divide()?;
         }
@@ -212,19 +216,48 @@ pub enum SystemError {
     Cell(#[from] CellError),
     /// The time scales are too far apart.
     #[error(
-        "the forcing frequency {} needs more than {steps} steps per forcing period, since the fastest motion has a \
-         rate of {rate:.3e}: raise the frequency (omega), or lower stiffness and damping (zeta), or raise the \
-         lightest mass (for the paper's oscillator, move mu_m, mu_k, mu_c away from 0 and 1)",
-        Number(*omega),
-        steps = System::MOST_STEPS
+        "{} needs more than {most} steps per forcing period, since the fastest motion has a rate of {rate:.3e}: {remedy}",
+        .0.place(),
+        most = System::MOST_STEPS,
+        rate = .0.rate,
+        remedy = .0.remedy()
     )]
-    TooStiff {
-        /// The forcing frequency.
-        omega: f64,
-        /// The rate of the fastest motion.
-        rate: f64,
-    },
+    TooStiff(Box<Stiff>),
     /// The plant cannot be followed.
     #[error(transparent)]
     Plant(#[from] PlantError),
+}
+
+/// A system whose time scales are too far apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stiff {
+    setting: Option<Setting>,
+    omega: f64,
+    rate: f64,
+}
+
+impl Stiff {
+    /// The parameters with their values, or the frequency alone.
+    fn place(&self) -> String {
+        let Some(setting) = &self.setting else { return format!("a forcing frequency of {}", Number(self.omega)) };
+        let named = setting.entries().map(|(parameter, value)| format!("{parameter} = {}", Number(value)));
+        named.collect::<Vec<_>>().join(", ")
+    }
+
+    /// Of the paper's oscillator the parameter that is furthest from its default, in powers of e, and where to move it.
+    fn remedy(&self) -> &'static str {
+        let Some(parameters) = self.setting.as_ref().and_then(Parameters::of) else {
+            return "raise the forcing frequency, lower stiffness and damping, or raise the lightest mass";
+        };
+        let odds = |ratio: f64| (ratio / (1.0 - ratio)).ln();
+        let least = f64::MIN_POSITIVE;
+        let far = [
+            (-parameters.omega.max(least).ln(), "raise omega"),
+            (parameters.zeta.max(least).ln() + 2.0, "lower zeta"),
+            (-odds(parameters.mu_m.max(least)), "raise mu_m"),
+            (odds(parameters.mu_k), "lower mu_k"),
+            (odds(parameters.mu_c), "lower mu_c"),
+        ];
+        far.into_iter().fold((0.0, "raise omega"), |a, b| if b.0 > a.0 { b } else { a }).1
+    }
 }

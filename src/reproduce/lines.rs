@@ -185,7 +185,7 @@ mod tests {
         };
         assert_eq!(verdict(&curves), Outcome::Agrees);
         for point in curves.iter_mut().flat_map(|curve| &mut curve.points) {
-            point.x -= 0.12;
+            point.y -= 0.02;
         }
         assert_eq!(verdict(&curves), Outcome::Differs, "six cells off");
         assert_eq!(verdict(&[]), Outcome::Differs, "no curve");

@@ -61,8 +61,8 @@ fn a_narrow_chaotic_band_has_no_period() {
 
 #[test]
 fn a_period_with_a_positive_exponent_is_looked_at_for_longer() {
-    let mu_k = 0.568_644_067_796_610_14;
-    let mu_c = 0.880_769_230_769_230_75;
+    let mu_k = 0.568_644_067_796_610_1;
+    let mu_c = 0.880_769_230_769_230_7;
     let system = job(Parameters { mu_k, mu_c, ..at(2.0, 0.2) });
     let once = follow::<f64>(&system, &schedule(300));
     assert!(once.returning == 14 && once.lyapunov > 0.1, "the contradiction: {once:?}");

@@ -9,8 +9,8 @@ use std::io::{self, Seek, SeekFrom, Write};
 #[derive(Debug)]
 pub(super) struct Fused<W> {
     to: W,
-    /// Whether nothing is passed on any more.
-    broken: bool,
+    /// The first error, after which nothing is passed on any more.
+    broken: Option<io::ErrorKind>,
     /// Where the next byte goes.
     at: u64,
     end: u64,
@@ -18,13 +18,17 @@ pub(super) struct Fused<W> {
 
 impl<W: Write + Seek> Fused<W> {
     pub fn new(to: W) -> Self {
-        Fused { to, broken: false, at: 0, end: 0 }
+        Fused { to, broken: None, at: 0, end: 0 }
+    }
+
+    /// Success if there was no error, even one that whoever wrote took no notice of.
+    pub fn end(self) -> io::Result<()> {
+        self.broken.map_or(Ok(()), |kind| Err(kind.into()))
     }
 
     fn passed<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
-        if result.as_ref().is_err_and(|error| error.kind() != io::ErrorKind::Interrupted) {
-            self.broken = true;
-        }
+        let error = result.as_ref().err().map(io::Error::kind);
+        self.broken = error.filter(|&kind| kind != io::ErrorKind::Interrupted);
         result
     }
 
@@ -37,8 +41,8 @@ impl<W: Write + Seek> Fused<W> {
 impl<W: Write + Seek> Write for Fused<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = match self.broken {
-            true => bytes.len(),
-            false => {
+            Some(_) => bytes.len(),
+            None => {
                 let written = self.to.write(bytes);
                 self.passed(written)?
             }
@@ -48,7 +52,7 @@ impl<W: Write + Seek> Write for Fused<W> {
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        if self.broken {
+        if self.broken.is_some() {
             return Ok(());
         }
         let flushed = self.to.flush();
@@ -59,12 +63,12 @@ impl<W: Write + Seek> Write for Fused<W> {
 impl<W: Write + Seek> Seek for Fused<W> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         let place = match self.broken {
-            true => match to {
+            Some(_) => match to {
                 SeekFrom::Start(place) => place,
                 SeekFrom::End(from) => self.end.saturating_add_signed(from),
                 SeekFrom::Current(from) => self.at.saturating_add_signed(from),
             },
-            false => {
+            None => {
                 let place = self.to.seek(to);
                 self.passed(place)?
             }

@@ -70,8 +70,7 @@ impl<W: Write + Seek> Archive<W> {
 
     /// Completes the archive.
     pub fn finish(self) -> io::Result<()> {
-        self.zip.finish()?;
-        Ok(())
+        self.zip.finish()?.end()
     }
 
     /// One array, row by row.

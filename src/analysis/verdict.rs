@@ -1,0 +1,98 @@
+//! What an observed trajectory settled on.
+
+use super::observer::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, Observer, SIGNIFICANCE, Stage};
+use super::regime::{Counts, Regime, Verdict};
+use crate::model::{Flight, Real, State, StateVector};
+
+impl<T: Real, const N: usize> Observer<T, N> {
+    /// What the trajectory settled on; labels count the impacts at the plant's stops in `label_order`.
+    pub fn verdict(&self, flight: &Flight<T, N>, label_order: &[usize]) -> Verdict {
+        let regime = self.regime();
+        let recurrence = &self.recurrence;
+        let count = |value: u32| if regime.is_periodic() { value as u16 } else { 0 };
+        let lyapunov = match regime {
+            Regime::NoImpact => flight.linear_exponent,
+            Regime::Failed => T::nan(),
+            _ if self.exponent.batches == 0 => T::nan(),
+            // What came before the motion was reached is no part of its exponent.
+            _ if regime.is_periodic() && self.is_late() => self.grown / T::of(f64::from(recurrence.since)),
+            _ => self.exponent.per_period(),
+        };
+        let in_question = !regime.is_periodic() || self.is_late();
+        let returning =
+            if regime.may_return() && in_question && recurrence.holds_for(0) { recurrence.n } else { 0 };
+        Verdict {
+            regime,
+            n: count(recurrence.n),
+            counts: Counts::in_order(&recurrence.impacts.map(count), label_order),
+            symmetric: regime.is_periodic() && recurrence.n % 2 == 1 && recurrence.symmetric,
+            lyapunov: lyapunov.widen() as f32,
+            state: StateVector::of(&self.state(flight, regime)),
+            impacts: self.impacts,
+            impacts_total: self.impacts_total,
+            peak_impact_velocity: self.peak.widen() as f32,
+            periods: self.periods,
+            returning: returning as u16,
+        }
+    }
+
+    /// The state that is reported: where the trajectory ends, or of motion that decays onto the forced response without
+    /// another impact, that response.
+    fn state(&self, flight: &Flight<T, N>, regime: Regime) -> State<T, N> {
+        let forced = regime == Regime::NoImpact && self.stage == Stage::Quiet && flight.quiet.decays;
+        if forced { flight.quiet.forced } else { self.trajectory.point.state }
+    }
+
+    /// Whether the state began to return only within the observation.
+    fn is_late(&self) -> bool {
+        self.recurrence.since < self.observed
+    }
+
+    fn regime(&self) -> Regime {
+        match self.stage {
+            Stage::Failed => Regime::Failed,
+            Stage::Quiet => Regime::NoImpact,
+            _ if self.impacts == 0 && !self.stuck => Regime::NoImpact,
+            _ if self.returns() && self.recurrence.impacts.iter().all(|&count| count == 0) && !self.stuck => {
+                Regime::NoImpact
+            }
+            _ if self.returns() && self.is_settled() => {
+                if self.stuck {
+                    Regime::PeriodicSticking
+                } else {
+                    Regime::Periodic
+                }
+            }
+            _ if self.stuck && !self.returns() => Regime::AperiodicSticking,
+            _ => self.irregular(),
+        }
+    }
+
+    /// Whether the strobe state has kept returning long enough for a period.
+    fn returns(&self) -> bool {
+        self.recurrence.holds_for(self.proof())
+    }
+
+    /// Whether what returns is a motion that was reached: nearby trajectories do not leave it.
+    fn is_settled(&self) -> bool {
+        self.recurrence.is_settled() && self.grown <= T::of(NEUTRAL_GROWTH)
+    }
+
+    /// The regime of a motion that impacts and has no period that could be established.
+    fn irregular(&self) -> Regime {
+        let exponent = &self.exponent;
+        let growth = exponent.total_growth();
+        let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
+        if exponent.batches == 0 {
+            Regime::Unresolved
+        } else if growth > T::of(CHAOTIC_GROWTH) && significant && !self.stuck {
+            Regime::Chaotic
+        } else if self.returns() {
+            Regime::Unresolved
+        } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observe / 2) {
+            Regime::QuasiPeriodic
+        } else {
+            Regime::Unresolved
+        }
+    }
+}
