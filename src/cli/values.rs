@@ -125,7 +125,6 @@ pub fn parse_range(text: &str) -> Result<[u32; 2], String> {
 #[cfg(test)]
 mod tests {
     use impact_atlas::control::ControlQuantity;
-    use impact_atlas::model::Parameter;
 
     use super::*;
 
@@ -136,8 +135,8 @@ mod tests {
             set,
             Assignment { quantity: Quantity::named("mu_m", Family::paper()).unwrap(), value: 0.25 }
         );
-        assert_eq!(parse::<Assignment>("mu_m=1e-100").unwrap().to_string(), "mu_m=1e-100");
-        let gain = parse::<Assignment>("gain=0.3").unwrap();
+        assert_eq!(Assignment::of_family("mu_m=1e-100", Family::paper()).unwrap().to_string(), "mu_m=1e-100");
+        let gain = Assignment::of_family("gain=0.3", Family::paper()).unwrap();
         assert_eq!(gain, Assignment { quantity: Quantity::Control(ControlQuantity::Gain), value: 0.3 });
         let refused = [
             ("omega", "NAME=VALUE"),

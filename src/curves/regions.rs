@@ -72,7 +72,7 @@ mod tests {
         let plane = Plane {
             x: format!("omega=1:2:{}", lines[0].len()).parse().unwrap(),
             y: format!("delta=0.1:0.5:{}", lines.len()).parse().unwrap(),
-            parameters: Parameters::default(),
+            parameters: Parameters::default().into(),
             start: Start::Symmetric,
             schedule: Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: false },
         };
@@ -86,11 +86,10 @@ mod tests {
             Verdict {
                 regime,
                 n,
-                p,
-                q,
+                counts: crate::analysis::Counts::new(&[p, q]),
                 symmetric: letter == 's',
                 lyapunov: 0.0,
-                state: [0.0; 4],
+                state: [0.0; 4].into(),
                 impacts: 0,
                 impacts_total: 0,
                 peak_impact_velocity: 0.0,

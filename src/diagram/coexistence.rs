@@ -145,11 +145,10 @@ mod tests {
         let verdict = Verdict {
             regime,
             n,
-            p: n,
-            q: n,
+            counts: crate::analysis::Counts::new(&[n, n]),
             symmetric: n == 1,
             lyapunov: 0.0,
-            state: [0.0; 4],
+            state: [0.0; 4].into(),
             impacts: 0,
             impacts_total: 0,
             peak_impact_velocity: 0.0,
@@ -164,7 +163,7 @@ mod tests {
         Diagram {
             spec: DiagramSpec {
                 x: format!("omega=3:1:{}", down.len()).parse().unwrap(),
-                parameters: Parameters::default(),
+                parameters: Parameters::default().into(),
                 sweep: Sweep::Both,
                 start: Start::Rest,
                 probe: Probe::new(Section::A, Reading::VBefore).unwrap(),

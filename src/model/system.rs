@@ -110,6 +110,11 @@ impl System {
         self.setting.as_ref()
     }
 
+    /// Whether it is the paper's oscillator, of which the exact theory speaks.
+    pub fn is_paper(&self) -> bool {
+        self.setting.as_ref().is_some_and(|setting| setting.family().is_paper())
+    }
+
     /// The parameters of the paper's oscillator.
     ///
     /// # Panics
@@ -239,7 +244,9 @@ pub struct Stiff {
 impl Stiff {
     /// The parameters with their values, or the frequency alone.
     fn place(&self) -> String {
-        let Some(setting) = &self.setting else { return format!("a forcing frequency of {}", Number(self.omega)) };
+        let Some(setting) = &self.setting else {
+            return format!("a forcing frequency of {}", Number(self.omega));
+        };
         let named = setting.entries().map(|(parameter, value)| format!("{parameter} = {}", Number(value)));
         named.collect::<Vec<_>>().join(", ")
     }

@@ -16,7 +16,8 @@ use crate::theory::symmetric_start;
 pub enum Start {
     /// Both masses at rest at their equilibrium.
     Rest,
-    /// The stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical; rest elsewhere.
+    /// The stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical; rest elsewhere, and in
+    /// every system but the paper's oscillator.
     Symmetric,
     /// The given (x1 … xn, v1 … vn); non-dimensional.
     State(StateVector),
@@ -30,7 +31,10 @@ impl Start {
         let rest = || system.between_stops(StateVector::zeros(system.plant().n));
         match *self {
             Start::Rest => rest(),
-            Start::Symmetric => symmetric_start(system).map_or_else(rest, StateVector::from),
+            Start::Symmetric if system.is_paper() => {
+                symmetric_start(system).map_or_else(rest, StateVector::from)
+            }
+            Start::Symmetric => rest(),
             Start::State(state) => state,
         }
     }

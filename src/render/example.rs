@@ -10,11 +10,10 @@ pub(super) fn verdict(regime: Regime, [n, p, q]: [u16; 3], symmetric: bool) -> V
     Verdict {
         regime,
         n,
-        p,
-        q,
+        counts: crate::analysis::Counts::new(&[p, q]),
         symmetric,
         lyapunov: 0.0,
-        state: [0.0; 4],
+        state: [0.0; 4].into(),
         impacts: 0,
         impacts_total: 0,
         peak_impact_velocity: 0.0,
@@ -30,7 +29,7 @@ pub(super) fn of(columns: u32, rows: u32, cell: impl Fn(u32, u32) -> Verdict) ->
         plane: Plane {
             x: axis("omega=0.2:5", columns),
             y: axis("delta=0.02:0.8", rows),
-            parameters: Parameters::default(),
+            parameters: Parameters::default().into(),
             start: Start::Symmetric,
             schedule: Schedule { transient: 500, observe: 500, max_period: 64, fixed_periods: false },
         },

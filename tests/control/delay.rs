@@ -8,7 +8,7 @@ use super::{FIXED_POINT, away, delay, run, starts, system};
 
 /// The fixed point to the last digit: F's own, by the feedback that stabilises it.
 fn fixed_point() -> [f64; 4] {
-    run(&delay(0.4, Sign::Stabilising), 3000, [0.0; 4]).0.verdict.state
+    run(&delay(0.4, Sign::Stabilising), 3000, [0.0; 4]).0.verdict.state.into()
 }
 
 #[test]
@@ -16,7 +16,7 @@ fn gains_of_a_half_and_less_reach_the_unstable_fixed_point() {
     for gain in [0.3, 0.4, 0.5] {
         let (outcome, returns) = run(&delay(gain, Sign::Stabilising), 4000, [0.0; 4]);
         assert_eq!((outcome.verdict.label().as_str(), outcome.period), ("1-2-1", 1), "g = {gain}");
-        assert!(away(outcome.verdict.state, FIXED_POINT) < 1e-7, "g = {gain}: {outcome:?}");
+        assert!(away(outcome.verdict.state.into(), FIXED_POINT) < 1e-7, "g = {gain}: {outcome:?}");
         let iterates = converged_at(&returns, 2000, 1, 1e-6).unwrap();
         assert!((20..120).contains(&iterates), "g = {gain}: {iterates}");
         assert!(returns.last().unwrap().signal < 1e-12, "the control does not vanish");
@@ -27,7 +27,7 @@ fn gains_of_a_half_and_less_reach_the_unstable_fixed_point() {
 fn a_gain_just_large_enough_takes_over_a_thousand_iterates() {
     let (outcome, returns) = run(&delay(0.25, Sign::Stabilising), 8000, [0.0; 4]);
     assert_eq!(outcome.verdict.label(), "1-2-1");
-    assert!(away(outcome.verdict.state, FIXED_POINT) < 1e-7);
+    assert!(away(outcome.verdict.state.into(), FIXED_POINT) < 1e-7);
     let iterates = converged_at(&returns, 2000, 1, 1e-6).unwrap();
     assert!((1000..4000).contains(&iterates), "{iterates}");
 }
@@ -95,7 +95,7 @@ fn the_printed_sign_does_not_reach_the_fixed_point() {
         assert!(largest > 1.4954, "g = {gain}: {largest}");
         for start in starts(5) {
             let (outcome, _) = run(&delay(gain, Sign::Printed), 4000, start);
-            let there = outcome.period == 1 && away(outcome.verdict.state, fixed) < 1e-3;
+            let there = outcome.period == 1 && away(outcome.verdict.state.into(), fixed) < 1e-3;
             assert!(!there, "g = {gain}: {outcome:?}");
         }
     }

@@ -47,7 +47,7 @@ fn integrated(system: &System, mut y: [f64; 4], time: f64, b: f64, gamma: f64, p
     let rates = |y: [f64; 4], t: f64| {
         let [x1, x2, v1, v2] = y;
         let forcing = (omega * t + phases[0]).sin();
-        let Parameters { zeta, mu_m, mu_k, mu_c, f20, .. } = *system.parameters();
+        let Parameters { zeta, mu_m, mu_k, mu_c, f20, .. } = system.parameters();
         let second = mu_m / (1.0 - mu_m);
         let coupling = (x2 - x1) + 2.0 * zeta * (v2 - v1);
         let a1 = coupling + (1.0 - f20) * forcing + b * (gamma * omega * t + phases[1]).sin();

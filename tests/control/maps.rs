@@ -8,7 +8,7 @@ use impact_atlas::control::{
     ControlSchedule, Controller, Convention, NEVER, Outcome, PulseSetting, Scheme, Section, Sign,
 };
 use impact_atlas::dynamics::Event;
-use impact_atlas::model::{Flight, Parameter, Parameters, State, System};
+use impact_atlas::model::{Flight, Parameters, State, System};
 use impact_atlas::plane::{ControlMap, ControlPlane, Start};
 use impact_atlas::sweep::sweep_control;
 use impact_atlas::validate::{Agreement, Thresholds, compare_controlled};
@@ -19,7 +19,7 @@ fn plane(control: Scheme, x: &str, y: &str) -> ControlPlane {
     ControlPlane {
         x: x.parse().unwrap(),
         y: y.parse().unwrap(),
-        parameters: Parameters { omega: 2.83, ..Parameters::default() },
+        parameters: Parameters { omega: 2.83, ..Parameters::default() }.into(),
         start: Start::Rest,
         control,
         iterates: ControlSchedule {
@@ -44,7 +44,7 @@ fn beside_the_motion() -> [f64; 4] {
 /// one, the gain does.
 fn feedback() -> ControlPlane {
     let mut plane = plane(delay(0.5, Sign::Stabilising), "omega=2.81:2.85:11", "gain=0.14:0.5:10");
-    plane.start = Start::State(beside_the_motion());
+    plane.start = Start::State(beside_the_motion().into());
     plane.iterates =
         ControlSchedule { from: 2, iterates: 2000, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
     plane
@@ -110,7 +110,7 @@ fn single_precision(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
 
 fn restitution_a_little_low(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
     let parameters = job.job.system.parameters();
-    let system = System::new(parameters.with(Parameter::R, parameters.r - 1e-3)).unwrap();
+    let system = System::new(Parameters { r: parameters.r - 1e-3, ..parameters }).unwrap();
     follow_controlled::<f64>(
         &ControlJob { job: Job { system, start: job.job.start }, controller: job.controller },
         schedule,
@@ -191,10 +191,11 @@ fn pulses_kicks_and_forces_agree_cell_by_cell() {
         for (a, b) in ours.outcomes.iter().zip(&theirs.outcomes) {
             assert_eq!(a.verdict.label(), b.verdict.label(), "{plane:?}\n{a:?}\n{b:?}");
             assert_eq!(a.period, b.period);
-            assert!(away(a.verdict.state, b.verdict.state) < tolerance, "{a:?}\n{b:?}");
+            assert!(away(a.verdict.state.into(), b.verdict.state.into()) < tolerance, "{a:?}\n{b:?}");
             assert!((a.signal - b.signal).abs() < 1e-3 * a.signal.abs(), "{a:?}\n{b:?}");
         }
-        let distinct = away(ours.outcomes[0].verdict.state, ours.outcomes.last().unwrap().verdict.state);
+        let distinct =
+            away(ours.outcomes[0].verdict.state.into(), ours.outcomes.last().unwrap().verdict.state.into());
         assert!(distinct > 1e-2, "the plane is one point");
     }
 }
@@ -203,7 +204,7 @@ fn pulses_kicks_and_forces_agree_cell_by_cell() {
 fn the_kick_agrees_on_where_the_motion_is_held() {
     let mut kicked =
         plane(sine(Convention::Kick, 0.0, 0.0, 0.0), "omega=2.826:2.836:4", "amplitude=0.02:0.3:6");
-    kicked.start = Start::State(beside_the_motion());
+    kicked.start = Start::State(beside_the_motion().into());
     kicked.iterates =
         ControlSchedule { from: 1, iterates: 600, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
     let (ours, theirs) = (map(&kicked, &Cpu), map(&kicked, &gpu()));
@@ -213,7 +214,7 @@ fn the_kick_agrees_on_where_the_motion_is_held() {
     assert_eq!(held(&ours), held(&theirs));
     assert!(held(&ours).contains(&true) && held(&ours).contains(&false));
     for (a, b) in ours.outcomes.iter().zip(&theirs.outcomes).filter(|(a, _)| a.verdict.label() == "1-2-1") {
-        assert!(away(a.verdict.state, b.verdict.state) < 1e-5, "{a:?}\n{b:?}");
+        assert!(away(a.verdict.state.into(), b.verdict.state.into()) < 1e-5, "{a:?}\n{b:?}");
     }
 }
 

@@ -15,7 +15,7 @@ use super::{map, of};
 fn tally(map: &RegionMap) -> BTreeMap<([u32; 3], bool, bool), usize> {
     let mut cells = BTreeMap::new();
     for v in map.verdicts.iter().filter(|v| v.regime.is_periodic()) {
-        let counts = [v.n, v.p.max(v.q), v.p.min(v.q)].map(u32::from);
+        let counts = [v.n, v.p().max(v.q()), v.p().min(v.q())].map(u32::from);
         *cells.entry((counts, v.symmetric, v.regime == Regime::PeriodicSticking)).or_default() += 1;
     }
     cells

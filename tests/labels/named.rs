@@ -24,7 +24,7 @@ fn a_decaying_alternation_is_no_period() {
     on_both(|backend| {
         for (omega, delta, labels, multiplier) in ALTERNATING {
             let job = job(at(omega, delta));
-            let verdict = decided(backend, job, 300);
+            let verdict = decided(backend, &job, 300);
             let label = verdict.label();
             assert!(labels.contains(&&*label), "{label} on {} at ({omega}, {delta})", backend.name());
             let motion = SettledMotion::of(&job.system, &verdict).unwrap();
@@ -53,7 +53,7 @@ fn a_narrow_chaotic_band_has_no_period() {
         "the band returns within a ten-thousandth"
     );
     on_both(|backend| {
-        let verdict = decided(backend, band, 6000);
+        let verdict = decided(backend, &band, 6000);
         assert!(matches!(verdict.regime, Regime::Chaotic | Regime::Unresolved), "{verdict:?}");
         assert!(verdict.lyapunov > 0.05, "{verdict:?}");
     });
@@ -67,7 +67,7 @@ fn a_period_with_a_positive_exponent_is_looked_at_for_longer() {
     let once = follow::<f64>(&system, &schedule(300));
     assert!(once.returning == 14 && once.lyapunov > 0.1, "the contradiction: {once:?}");
     on_both(|backend| {
-        let verdict = decided(backend, system, 300);
+        let verdict = decided(backend, &system, 300);
         assert_eq!(verdict.label(), "28-28-52", "{}", backend.name());
         assert!((verdict.lyapunov + 0.0256).abs() < 1e-4, "{}", verdict.lyapunov);
     });
@@ -82,7 +82,7 @@ fn the_exponent_of_a_motion_leaves_out_the_transient() {
         let once = follow::<f64>(&job, &schedule(transient));
         late += u32::from(once.returning > 0 && once.periods == transient + 150);
         on_both(|backend| {
-            let verdict = decided(backend, job, transient);
+            let verdict = decided(backend, &job, transient);
             if verdict.regime.is_periodic() {
                 assert_eq!(verdict.label(), "1-2-2");
                 assert!((verdict.lyapunov + 0.441).abs() < 5e-3, "{transient}: {}", verdict.lyapunov);

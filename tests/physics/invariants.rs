@@ -79,9 +79,9 @@ fn the_mirrored_start_gives_the_mirrored_orbit() {
         }
         // What leads to a regular motion can be chaotic; on the motion itself differences die out.
         for parameters in regular {
-            let job = Job { system: System::new(parameters).unwrap(), start };
+            let job = Job { system: System::new(parameters).unwrap(), start: start.into() };
             let schedule = Schedule { transient: 1000, observe: 64, max_period: 32, fixed_periods: true };
-            mirrors(parameters, follow::<f64>(&job, &schedule).state, 400);
+            mirrors(parameters, follow::<f64>(&job, &schedule).state.into(), 400);
         }
     }
 }

@@ -15,17 +15,17 @@ const FAR: f64 = 1e3;
 
 fn verdict(parameters: Parameters, start: [f64; 4]) -> Verdict {
     let schedule = Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false };
-    follow::<f64>(&Job { system: System::new(parameters).unwrap(), start }, &schedule)
+    follow::<f64>(&Job { system: System::new(parameters).unwrap(), start: start.into() }, &schedule)
 }
 
 /// The last impacts fall into the observation: what it settles on has none all the same.
 #[test]
 fn impacts_that_cease_while_observed_leave_no_impact() {
     let parameters = Parameters { omega: 2.0, delta: 0.7, ..Parameters::default() };
-    let job = Job { system: System::new(parameters).unwrap(), start: [0.1, 1.0, 1.0, 1.0] };
+    let job = Job { system: System::new(parameters).unwrap(), start: [0.1, 1.0, 1.0, 1.0].into() };
     let schedule = Schedule { transient: 0, observe: 2000, max_period: 32, fixed_periods: true };
     let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
-    let on_adapter = gpu.run(&[job], &schedule, &Unwatched).unwrap()[0];
+    let on_adapter = gpu.run(&[job.clone()], &schedule, &Unwatched).unwrap()[0];
     for verdict in [follow::<f64>(&job, &schedule), follow::<f32>(&job, &schedule), on_adapter] {
         assert!(verdict.impacts > 0, "{verdict:?}");
         assert_eq!((verdict.regime, verdict.n), (Regime::NoImpact, 0), "{verdict:?}");

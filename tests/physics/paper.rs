@@ -13,7 +13,8 @@ const REST: [f64; 4] = [0.0; 4];
 
 fn job(omega: f64, delta: f64, start: Start) -> Job {
     let system = System::new(at(omega, delta)).unwrap();
-    Job { system, start: start.state(&system) }
+    let start = start.state(&system);
+    Job { system, start }
 }
 
 /// What the command line's `classify` does by default, with a transient of so many forcing periods.

@@ -64,7 +64,7 @@ fn the_exponents_sum_to_the_contraction_of_volume() {
         let sum: f64 = spectrum.per_period.iter().sum();
         let expected = spectrum.sum_identity(&system);
         assert!((sum - expected).abs() < 1e-6 * expected.abs(), "{omega}, {delta}: {sum} {expected}");
-        let other = Parameters { zeta: 0.1001, ..*system.parameters() };
+        let other = Parameters { zeta: 0.1001, ..system.parameters() };
         let off = spectrum.sum_identity(&System::new(other).unwrap());
         assert!((sum - off).abs() > 1e-6 * expected.abs(), "the check can fail");
     }
