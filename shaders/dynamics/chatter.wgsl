@@ -8,20 +8,22 @@ struct Rebound {
     room: f32,
 }
 
-// Whether the sequence is closed, and the integral of its gaps.
+// Whether the sequence is closed, the integral of its gaps, how high its rebounds rise and how long they last at most.
 struct Closure {
     closes: bool,
     gap_integral: f32,
+    height: f32,
+    lasts: f32,
 }
 
 fn chatter_close(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
     let force = towards.acceleration;
     let speed = rebound.speed;
     if speed <= rebound.unresolved {
-        return Closure(force >= -rebound.unresolved, 0.0);
+        return Closure(force >= -rebound.unresolved, 0.0, 0.0, 0.0);
     }
     if force <= 0.0 {
-        return Closure(false, 0.0);
+        return Closure(false, 0.0, 0.0, 0.0);
     }
     let r = rebound.restitution;
     if r >= 1.0 {
@@ -32,11 +34,12 @@ fn chatter_close(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
     let cube = speed * speed * speed;
     let gap_integral = TWO_THIRDS * cube / (force * force * (1.0 - r * r * r));
     let effect = gap_integral * flight.normals[normal].coupling;
-    let closes = time + time <= rebound.room
+    let lasts = time + time;
+    let closes = lasts <= rebound.room
         && change <= STEADY
         && effect * change <= CHATTER
         && stays_low(normal, speed, force);
-    return Closure(closes, gap_integral);
+    return Closure(closes, gap_integral, speed * speed / force, lasts);
 }
 
 // Whether rebounds surely do not reach the stop at the other end of the normal.
@@ -49,9 +52,9 @@ fn chatter_drag(normal: u32, speed: f32, towards: Approach) -> Closure {
     let damping = flight.normals[normal].drag;
     let force = towards.acceleration;
     if damping <= 0.0 {
-        return Closure(false, 0.0);
+        return Closure(false, 0.0, 0.0, 0.0);
     }
     let lasts = damping * force >= DRAGGED * abs(towards.jerk);
     let closes = lasts && speed <= SLOW && stays_low(normal, speed, force);
-    return Closure(closes, speed * speed / ((force + force) * damping));
+    return Closure(closes, speed * speed / ((force + force) * damping), 0.0, 0.0);
 }

@@ -79,12 +79,15 @@ fn contact_imminent_at(point: Point, contact: u32, end: End) -> f32 {
     let sign = end_sign(end);
     let gap = flight.normals[end.normal].gap[end.side] - sign * along(direction, point.state.x);
     let speed = sign * along(direction, point.state.v);
-    if flight.rate * abs(gap) < IMMINENT * speed {
-        return gap / speed;
-    }
     let extent = max(abs(flight.normals[end.normal].gap[end.side]), largest_part(direction, point.state.x));
-    if gap <= TOUCH * extent && (speed >= 0.0 || is_held(point, contact, end, speed)) {
-        return 0.0;
+    if gap <= TOUCH * extent {
+        if speed > 0.0 || is_held(point, contact, end, speed) {
+            return 0.0;
+        }
+        return FAR;
+    }
+    if flight.rate * gap < IMMINENT * speed {
+        return gap / speed;
     }
     return FAR;
 }
@@ -92,13 +95,45 @@ fn contact_imminent_at(point: Point, contact: u32, end: End) -> f32 {
 // Whether a hop off the stop would be lost in rounding.
 fn is_held(point: Point, contact: u32, end: End, speed: f32) -> bool {
     let direction = flight.normals[end.normal].direction;
-    return abs(speed) <= unresolved(end)
-        && end_sign(end) * along(direction, point_motion(point, contact).acceleration) > 0.0;
+    return abs(speed) <= unresolved(end, point.state)
+        && end_sign(end) * along(direction, point_motion(point, contact).acceleration) >= 0.0;
 }
 
-// Speeds and accelerations up to this cannot be told from 0.
-fn unresolved(end: End) -> f32 {
-    return EPSILON * (abs(flight.normals[end.normal].gap[end.side]) + 1.0);
+// Speeds and accelerations up to this cannot be told from 0: d·v is a difference of velocities.
+fn unresolved(end: End, state: State) -> f32 {
+    var size = abs(flight.normals[end.normal].gap[end.side]) + 1.0;
+    //: each coordinate
+    size = size + abs(flight.normals[end.normal].direction$c * state.v$c);
+    //: end
+    return EPSILON * size;
+}
+
+// Whether a point lies within all stops but those at the ends that `ignored` includes.
+fn contact_is_within(point: Point, ignored: u32) -> bool {
+    var within = true;
+    //: each normal
+    {
+        let place = along(flight.normals[$k].direction, point.state.x);
+        within = within && (contact_includes(ignored, End($ku, 0u)) || place <= flight.normals[$k].gap[0]);
+        within = within && (contact_includes(ignored, End($ku, 1u)) || -place <= flight.normals[$k].gap[1]);
+    }
+    //: end
+    return within;
+}
+
+// Whether masses that hop on a stop, never higher than `height` and for no longer than `time`, surely stay off all stops
+// along other normals.
+fn contact_clears_elsewhere(point: Point, contact: u32, end: End, height: f32, time: f32) -> bool {
+    if NORMALS == 1u || time == 0.0 {
+        return true;
+    }
+    let motion = point_motion(point, contact);
+    let ignored = contact_with_opposite_ends(contact);
+    var raised = point;
+    raised.state.x = point.state.x + -(end_sign(end) * height) * flight.normals[end.normal].response;
+    return contact_is_within(point, ignored)
+        && contact_safe_time(point, motion, ignored, time) >= time
+        && contact_safe_time(raised, motion, ignored, time) >= time;
 }
 
 // The bound on the mean acceleration towards the stop within a window.

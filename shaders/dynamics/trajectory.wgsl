@@ -36,9 +36,9 @@ fn trajectory_new(start: State) -> Trajectory {
     //: each normal
     if flight.normals[$k].gap[0] + flight.normals[$k].gap[1] == 0.0 {
         contact = contact_with(contact_with(contact, End($ku, 0u)), End($ku, 1u));
-        point.state = placed(point.state, End($ku, 0u), 0.0);
     }
     //: end
+    point.state = rested(point.state, contact);
     return Trajectory(point, point, 0u, contact, 0u, 0.0);
 }
 
@@ -116,7 +116,7 @@ fn strike(carry: bool, reached: Reached) -> Move {
     trajectory.point.state = placed(arrived.state, end, rebound);
     trajectory.offset = trajectory.offset + reached.left;
     if before_contact != CONTACT_FREE {
-        keep_pressed();
+        keep_pressed(end.normal, kick);
     }
     let after = point_motion(trajectory.point, trajectory.contact);
     if carry && velocity != 0.0 {
@@ -127,6 +127,11 @@ fn strike(carry: bool, reached: Reached) -> Move {
     let stop = flight.normals[end.normal].stop[end.side];
     let closure = strike_closure(end, rebound, after);
     if !closure.closes {
+        let lost = unresolved(end, trajectory.point.state);
+        if abs(rebound) <= lost {
+            // Pulled off the stop as soon as it is met: rounding must not make that another impact.
+            trajectory.point.state = placed(trajectory.point.state, end, -(sign * (lost + lost)));
+        }
         bounce(end.normal, kick, before_contact);
         return Move(EVENT_IMPACT, stop, velocity, rebound);
     }
@@ -144,7 +149,14 @@ fn strike_closure(end: End, rebound: f32, after: Motion) -> Closure {
     let towards = Approach(end_sign(end) * approach.acceleration, approach.jerk, approach.bound);
     let room = f32(flight.steps - trajectory.step) * flight.h - trajectory.offset;
     let restitution = flight.normals[end.normal].restitution[end.side];
-    return chatter_close(end.normal, Rebound(abs(rebound), restitution, unresolved(end), room), towards);
+    let least = unresolved(end, trajectory.point.state);
+    var closure = chatter_close(end.normal, Rebound(abs(rebound), restitution, least, room), towards);
+    if closure.closes {
+        let resting = at_rest(end, closure.gap_integral);
+        let contact = contact_with(trajectory.contact, end);
+        closure.closes = contact_clears_elsewhere(resting, contact, end, closure.height, closure.lasts);
+    }
+    return closure;
 }
 
 // An impact that ends in flight: the end of the step is where the kick takes it.
@@ -166,30 +178,38 @@ fn bounce(normal: u32, kick: f32, before_contact: u32) {
 
 // The end of a chatter sequence: springs and dampers acted on the masses that are free, and now the contact holds.
 fn come_to_rest(end: End, gap_integral: f32) {
+    trajectory.point = at_rest(end, gap_integral);
     trajectory.contact = contact_with(trajectory.contact, end);
-    let contact = trajectory.contact;
+}
+
+fn at_rest(end: End, gap_integral: f32) -> Point {
+    let contact = contact_with(trajectory.contact, end);
     let response = flight.normals[end.normal].response;
     let push = held(contact, applied(flight.damping, response)).rest;
     let pull = held(contact, applied(flight.stiffness, response) + applied(flight.damping, push)).rest;
     let signed_integral = -(end_sign(end) * gap_integral);
     let state = trajectory.point.state;
     let moved = State(state.x + signed_integral * push, state.v + signed_integral * pull);
-    trajectory.point.state = placed(moved, end, 0.0);
+    var point = trajectory.point;
+    point.state = rested(moved, contact);
+    return point;
 }
 
-// After an impact elsewhere: a contact whose speed is not lost in rounding no longer holds.
-fn keep_pressed() {
+// After an impact along the normal `struck`: a contact whose speed this changes, by more than is lost in rounding, no
+// longer holds.
+fn keep_pressed(struck: u32, kick: f32) {
+    let response = flight.normals[struck].response;
     //: each normal
     if (contact_held(trajectory.contact) >> $ku & 1u) == 1u {
         let end = contact_end_along(trajectory.contact, $ku);
-        let speed = along(flight.normals[$k].direction, trajectory.point.state.v);
-        if contact_is_clamped_along(trajectory.contact, $ku) || abs(speed) <= unresolved(end) {
-            trajectory.point.state = placed(trajectory.point.state, end, 0.0);
-        } else {
+        let change = kick * along(flight.normals[$k].direction, response);
+        let lost = unresolved(end, trajectory.point.state) + 4.0 * EPSILON * abs(kick);
+        if !contact_is_clamped_along(trajectory.contact, $ku) && abs(change) > lost {
             trajectory.contact = contact_without(trajectory.contact, $ku);
         }
     }
     //: end
+    trajectory.point.state = rested(trajectory.point.state, trajectory.contact);
 }
 
 // Sticking: the masses that are free move on until a stop is met, or what presses on a contact vanishes.
@@ -213,8 +233,9 @@ fn rest(carry: bool) -> Move {
         let force = sign * motion.pressing[$k];
         let slope = sign * motion.pressing_rate[$k];
         let bound = point_bound(trajectory.point, $ku);
-        if (force <= unresolved(end) && slope < 0.0) || force < -unresolved(end) {
-            return release(carry, end, slope, bound);
+        let lost = unresolved(end, trajectory.point.state);
+        if (force <= lost && slope < 0.0) || force < -lost {
+            return release(carry, end, bound);
         }
         time = min(time, max(contact_pressed_time(force, slope, bound, window), least));
     }
@@ -226,13 +247,14 @@ fn rest(carry: bool) -> Move {
     return Move(EVENT_FLIGHT, 0u, 0.0, 0.0);
 }
 
-fn release(carry: bool, end: End, slope: f32, bound: f32) -> Move {
+fn release(carry: bool, end: End, bound: f32) -> Move {
     let half_window = 0.5 * (flight.h - trajectory.offset);
     let least = flight.h * SQRT_EPSILON;
     let contact = contact_without(trajectory.contact, end.normal);
     trajectory.contact = contact;
-    let drawn = max(select(least, -slope / (bound + bound), slope < 0.0), least);
     let motion = point_motion(trajectory.point, contact);
+    let slope = end_sign(end) * along(flight.normals[end.normal].direction, motion.jerk);
+    let drawn = max(select(least, -slope / (bound + bound), slope < 0.0), least);
     let ignored = contact_with(contact_with_opposite_ends(contact), end);
     let pulled = min(drawn, contact_safe_time(trajectory.point, motion, ignored, half_window));
     glide(carry, pulled);
@@ -246,19 +268,11 @@ fn release(carry: bool, end: End, slope: f32, bound: f32) -> Move {
 // Moves on for a time within the step, with the present contacts.
 fn glide(carry: bool, time: f32) {
     trajectory.point = point_flown(trajectory.point, time, trajectory.contact);
+    trajectory.point.state = rested(trajectory.point.state, trajectory.contact);
     if carry {
         tangent = tangent_flown(tangent, time, trajectory.contact);
     }
     trajectory.offset = trajectory.offset + time;
-}
-
-// A state moved onto a stop along the response of its normal, with the given speed along it.
-fn placed(state: State, end: End, speed: f32) -> State {
-    let direction = flight.normals[end.normal].direction;
-    let response = flight.normals[end.normal].response;
-    let away = end_sign(end) * flight.normals[end.normal].gap[end.side] - along(direction, state.x);
-    let change = speed - along(direction, state.v);
-    return State(state.x + away * response, state.v + change * response);
 }
 
 fn end_step() -> u32 {

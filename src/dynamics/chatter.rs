@@ -8,6 +8,17 @@ use crate::model::{ContactNormal, Flight, Real};
 pub struct Closure<T> {
     /// ∫ gap dt over all the rebounds that are skipped.
     pub gap_integral: T,
+    /// How high they rise at most; 0 where that is lost in rounding.
+    pub height: T,
+    /// How long they last at most; 0 where that is lost in rounding.
+    pub lasts: T,
+}
+
+impl<T: Real> Closure<T> {
+    /// Of rebounds that are over at once.
+    fn at_once(gap_integral: T) -> Self {
+        Closure { gap_integral, height: T::zero(), lasts: T::zero() }
+    }
 }
 
 /// The rebound with which a sequence begins.
@@ -40,7 +51,8 @@ pub const DRAGGED: f64 = 21.0;
 /// relative change of a meanwhile; the effect of that on the other masses (through the springs and dampers
 /// between the masses) must be below [`Real::CHATTER`], and the pressing must outlast the sequence, so that
 /// it surely completes. It must also complete before the next strobe, whose state would still show its
-/// rebounds; a steady enough force makes it at most twice as long as reckoned. A speed that rounding cannot tell from 0
+/// rebounds; a steady enough force makes it at most twice as long as reckoned. The caller makes sure that no stop along
+/// another normal is reached meanwhile. A speed that rounding cannot tell from 0
 /// is 0: the mass rests, unless it is pulled off. `towards` is the motion after the impact, towards the stop.
 #[inline(always)]
 pub fn close<T: Real, const N: usize>(
@@ -53,8 +65,7 @@ pub fn close<T: Real, const N: usize>(
     let force = towards.acceleration;
     let one = T::one();
     if speed <= unresolved {
-        let gap_integral = T::zero();
-        return if force >= -unresolved { Some(Closure { gap_integral }) } else { None };
+        return (force >= -unresolved).then(|| Closure::at_once(T::zero()));
     }
     if force <= T::zero() {
         return None;
@@ -67,11 +78,12 @@ pub fn close<T: Real, const N: usize>(
     let cube = speed * speed * speed;
     let gap_integral = T::of(2.0 / 3.0) * cube / (force * force * (one - r * r * r));
     let effect = gap_integral * normal.coupling;
-    let closes = time + time <= room
+    let lasts = time + time;
+    let closes = lasts <= room
         && change <= T::of(STEADY)
         && effect * change <= T::of(T::CHATTER)
         && stays_low(normal, speed, force);
-    if closes { Some(Closure { gap_integral }) } else { None }
+    closes.then(|| Closure { gap_integral, height: speed * speed / force, lasts })
 }
 
 /// Whether rebounds that begin with `speed` surely do not reach the stop at the other end of the normal: a force that stays
@@ -94,7 +106,7 @@ fn drag<T: Real, const N: usize>(
     let force = towards.acceleration;
     let lasts = damping * force >= T::of(DRAGGED) * towards.jerk.abs();
     if damping > T::zero() && lasts && speed <= T::of(SLOW) && stays_low(normal, speed, force) {
-        Some(Closure { gap_integral: speed * speed / ((force + force) * damping) })
+        Some(Closure::at_once(speed * speed / ((force + force) * damping)))
     } else {
         None
     }

@@ -3,7 +3,7 @@
 use super::drive::Drive;
 use super::point::{Approach, Motion, Point};
 use super::stop::{Contact, End};
-use crate::model::vector::{dot, dot_absolute};
+use crate::model::vector::{axpy, dot, dot_absolute};
 use crate::model::{ContactNormal, FAR, Flight, Real, State};
 
 /// Whether the step from `from` to `to` provably stays off all stops.
@@ -60,6 +60,22 @@ pub fn safe_time<T: Real, const N: usize, D: Drive<T, N>>(
         }
     }
     safe
+}
+
+/// Whether a point lies within all stops but those at the ends that `ignored` includes.
+#[inline(always)]
+fn is_within<T: Real, const N: usize, D>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N, D>,
+    ignored: Contact,
+) -> bool {
+    let mut within = true;
+    for (k, normal) in flight.normals().iter().enumerate() {
+        let place = dot(&normal.direction, &point.state.x);
+        within &= ignored.includes(End { normal: k, side: 0 }) || place <= normal.gap[0];
+        within &= ignored.includes(End { normal: k, side: 1 }) || -place <= normal.gap[1];
+    }
+    within
 }
 
 /// Whether a point lies within all stops, up to the rounding of the flights that led to it.
@@ -135,11 +151,11 @@ fn imminent_at<T: Real, const N: usize, D: Drive<T, N>>(
     let sign = end.sign::<T>();
     let gap = normal.gap[end.side] - sign * dot(&normal.direction, &point.state.x);
     let speed = sign * dot(&normal.direction, &point.state.v);
-    if flight.rate * gap.abs() < T::of(T::IMMINENT) * speed {
-        return Some(gap / speed);
+    if gap <= T::of(T::TOUCH) * extent(normal, point, end.side) {
+        let meets = speed > T::zero() || is_held(flight, point, contact, end, speed);
+        return meets.then_some(T::zero());
     }
-    let touches = gap <= T::of(T::TOUCH) * extent(normal, point, end.side);
-    (touches && (speed >= T::zero() || is_held(flight, point, contact, end, speed))).then_some(T::zero())
+    (flight.rate * gap < T::of(T::IMMINENT) * speed).then(|| gap / speed)
 }
 
 /// The size of the numbers whose difference the gap is.
@@ -157,8 +173,8 @@ fn extent<T: Real, const N: usize, D>(
     extent
 }
 
-/// Whether a mass on its stop leaves it with a speed that rounding cannot tell from 0, against a force that presses
-/// it back: the hop would be lost in rounding.
+/// Whether masses on their stop leave it with a speed that rounding cannot tell from 0, against a force that presses
+/// them back: the hop would be lost in rounding.
 #[inline(always)]
 fn is_held<T: Real, const N: usize, D: Drive<T, N>>(
     flight: &Flight<T, N>,
@@ -169,14 +185,49 @@ fn is_held<T: Real, const N: usize, D: Drive<T, N>>(
 ) -> bool {
     let normal = &flight.normals[end.normal];
     let sign = end.sign::<T>();
-    speed.abs() <= unresolved(normal, end.side)
-        && sign * dot(&normal.direction, &point.motion(flight, contact).acceleration) > T::zero()
+    speed.abs() <= unresolved(normal, end.side, &point.state)
+        && sign * dot(&normal.direction, &point.motion(flight, contact).acceleration) >= T::zero()
 }
 
-/// Speeds and accelerations up to this cannot be told from 0.
+/// Speeds and accelerations up to this cannot be told from 0: d·v is a difference of velocities.
 #[inline(always)]
-pub fn unresolved<T: Real, const N: usize>(normal: &ContactNormal<T, N>, side: usize) -> T {
-    T::epsilon() * (normal.gap[side].abs() + T::one())
+pub fn unresolved<T: Real, const N: usize>(
+    normal: &ContactNormal<T, N>,
+    side: usize,
+    state: &State<T, N>,
+) -> T {
+    let mut size = normal.gap[side].abs() + T::one();
+    for (d, v) in normal.direction.iter().zip(&state.v) {
+        size = size + (*d * *v).abs();
+    }
+    T::epsilon() * size
+}
+
+/// Whether masses that hop on a stop, never higher than `height` and for no longer than `time` ≤ h, surely stay off all
+/// stops along other normals.
+///
+/// `point` is where the hops end, and `contact` includes their stop. What is reached with the hops lies between what is
+/// reached at rest and what is reached `height` off the stop. Hops that are over at once reach nothing.
+#[inline(always)]
+pub fn clears_elsewhere<T: Real, const N: usize, D: Drive<T, N>>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N, D>,
+    contact: Contact,
+    end: End,
+    height: T,
+    time: T,
+) -> bool {
+    if flight.count == 1 || time == T::zero() {
+        return true;
+    }
+    let motion = point.motion(flight, contact);
+    let ignored = contact.with_opposite_ends();
+    let response = &flight.normals[end.normal].response;
+    let raised = axpy(-(end.sign::<T>() * height), response, &point.state.x);
+    let raised = Point { state: State { x: raised, ..point.state }, ..*point };
+    is_within(flight, point, ignored)
+        && safe_time(flight, point, &motion, ignored, time) >= time
+        && safe_time(flight, &raised, &motion, ignored, time) >= time
 }
 
 /// The cubic Hermite interpolant's error constant, in h⁴·max|x''''|.

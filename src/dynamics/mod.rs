@@ -1,8 +1,14 @@
 //! Motion: flight, impact, chatter, sticking. No I/O, no threads.
+//!
+//! Impacts at one instant happen one after the other: of the stops that are touched and run into, the first in the order of
+//! contact normals (that of their first stops in the plant) and of their ends (first the one met along the first stop's
+//! direction). A contact that an impact elsewhere drives into its stop is an impact at the same instant; one that it pulls
+//! off opens. Impacts whose directions are perpendicular in the metric of M⁻¹ commute.
 
 mod chatter;
 mod contact;
 mod drive;
+mod placing;
 mod point;
 mod recording;
 mod series;

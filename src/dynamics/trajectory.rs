@@ -3,6 +3,7 @@
 use super::chatter::{self, Closure, Rebound};
 use super::contact::{self, Reached};
 use super::drive::Drive;
+use super::placing::{clamped, placed, rested};
 use super::point::{Approach, Motion, Point};
 use super::stop::{Contact, End, Stop};
 use super::tangent::{Saltation, Variation};
@@ -83,14 +84,8 @@ pub struct Trajectory<T, const N: usize, D = ()> {
 impl<T: Real, const N: usize> Trajectory<T, N> {
     /// A trajectory that begins at forcing phase 0 with a state within the stops.
     pub fn new(flight: &Flight<T, N>, start: State<T, N>) -> Self {
-        let mut point = Point::at_phase_zero(start);
-        let mut contact = Contact::FREE;
-        for (k, normal) in flight.normals().iter().enumerate() {
-            if normal.gap[0] + normal.gap[1] == T::zero() {
-                contact = contact.clamped(k);
-                point.state = placed(flight, &point.state, End { normal: k, side: 0 }, T::zero());
-            }
-        }
+        let contact = clamped(flight);
+        let point = Point::at_phase_zero(rested(flight, &start, contact));
         Trajectory { point, ahead: point, kicks: 0, contact, step: 0, offset: T::zero() }
     }
 
@@ -99,9 +94,11 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let steps = phase / std::f64::consts::TAU * f64::from(flight.steps);
         let step = (steps as u32).min(flight.steps - 1);
         let (sin, cos) = phase.sin_cos();
+        let contact = clamped(flight);
+        let state = rested(flight, &state, contact);
         let point = Point { state, sin: T::of(sin), cos: T::of(cos), one: T::one(), drive: () };
         let offset = T::of((steps - f64::from(step)) * flight.h.widen());
-        Trajectory::from_point(flight, point, Contact::FREE, step, offset)
+        Trajectory::from_point(flight, point, contact, step, offset)
     }
 }
 
@@ -220,7 +217,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         self.point = Point { state: placed(flight, &arrived.state, end, rebound), ..arrived };
         self.offset = self.offset + left;
         if !held.is_free() {
-            self.keep_pressed(flight);
+            self.keep_pressed(flight, end.normal, kick);
         }
         let after = self.point.motion(flight, self.contact);
         if velocity != T::zero() {
@@ -232,6 +229,12 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         let impact =
             Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
         let Some(closure) = self.closure(flight, end, rebound, &after) else {
+            let lost = contact::unresolved(normal, end.side, &self.point.state);
+            if rebound.abs() <= lost {
+                // Pulled off the stop as soon as it is met: rounding must not make that another impact.
+                let parting = -(sign * (lost + lost));
+                self.point.state = placed(flight, &self.point.state, end, parting);
+            }
             self.bounce(flight, end.normal, kick, held);
             return Event::Impact(impact);
         };
@@ -256,10 +259,14 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         let rebound = Rebound {
             speed: rebound.abs(),
             restitution: normal.restitution[end.side],
-            unresolved: contact::unresolved(normal, end.side),
+            unresolved: contact::unresolved(normal, end.side, &self.point.state),
             room,
         };
-        chatter::close(flight, normal, &rebound, &towards)
+        let closure = chatter::close(flight, normal, &rebound, &towards)?;
+        let resting = self.at_rest(flight, end, closure.gap_integral);
+        let contact = self.contact.with(end);
+        let Closure { height, lasts, .. } = closure;
+        contact::clears_elsewhere(flight, &resting, contact, end, height, lasts).then_some(closure)
     }
 
     /// An impact that ends in flight: the end of the step is where the kick takes it.
@@ -283,30 +290,39 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     /// acted on the masses that are free with the contact, and now it holds.
     #[inline(never)]
     fn come_to_rest(&mut self, flight: &Flight<T, N>, end: End, gap_integral: T) {
+        self.point = self.at_rest(flight, end, gap_integral);
         self.contact = self.contact.with(end);
-        let free = |v: [T; N]| super::point::held(flight, self.contact, v).0;
+    }
+
+    /// See [`Trajectory::come_to_rest`].
+    #[inline(never)]
+    fn at_rest(&self, flight: &Flight<T, N>, end: End, gap_integral: T) -> Point<T, N, D> {
+        let contact = self.contact.with(end);
+        let free = |v: [T; N]| super::point::held(flight, contact, v).0;
         let response = &flight.normals[end.normal].response;
         let push = free(applied(&flight.damping, response));
         let pull = free(added(&applied(&flight.stiffness, response), &applied(&flight.damping, &push)));
         let signed = -(end.sign::<T>() * gap_integral);
         let State { x, v } = self.point.state;
         let state = State { x: axpy(signed, &push, &x), v: axpy(signed, &pull, &v) };
-        self.point.state = placed(flight, &state, end, T::zero());
+        Point { state: rested(flight, &state, contact), ..self.point }
     }
 
-    /// After an impact elsewhere: a contact whose speed is not lost in rounding no longer holds; where it is directed
-    /// into the stop, the next move is an impact there, at the same instant.
+    /// After an impact along the normal `struck`: a contact whose speed this changes, by more than is lost in rounding, no
+    /// longer holds; where it is directed into the stop, the next move is an impact there, at the same instant.
     #[inline(never)]
-    fn keep_pressed(&mut self, flight: &Flight<T, N>) {
+    fn keep_pressed(&mut self, flight: &Flight<T, N>, struck: usize, kick: T) {
+        let response = &flight.normals[struck].response;
         for (k, normal) in flight.normals().iter().enumerate() {
             let Some(end) = self.contact.end_along(k) else { continue };
-            let speed = dot(&normal.direction, &self.point.state.v);
-            if self.contact.is_clamped_along(k) || speed.abs() <= contact::unresolved(normal, end.side) {
-                self.point.state = placed(flight, &self.point.state, end, T::zero());
-            } else {
+            let change = kick * dot(&normal.direction, response);
+            let lost = contact::unresolved(normal, end.side, &self.point.state)
+                + T::of(4.0) * T::epsilon() * kick.abs();
+            if !self.contact.is_clamped_along(k) && change.abs() > lost {
                 self.contact = self.contact.without(k);
             }
         }
+        self.point.state = rested(flight, &self.point.state, self.contact);
     }
 
     /// Sticking: the masses that are free move on until a stop is met, or what presses on a contact vanishes.
@@ -329,9 +345,9 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
             let sign = end.sign::<T>();
             let (force, slope) = (sign * motion.pressing[k], sign * motion.pressing_rate[k]);
             let bound = self.point.bound(flight, k);
-            let unresolved = contact::unresolved(&flight.normals[k], end.side);
+            let unresolved = contact::unresolved(&flight.normals[k], end.side, &self.point.state);
             if (force <= unresolved && slope < T::zero()) || force < -unresolved {
-                return self.release(flight, variation, end, slope, bound);
+                return self.release(flight, variation, end, bound);
             }
             let pressed = contact::pressed_time(force, slope, bound, window);
             let pressed = if pressed > least { pressed } else { least };
@@ -352,16 +368,16 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         flight: &Flight<T, N>,
         variation: &mut V,
         end: End,
-        slope: T,
         bound: T,
     ) -> Move<T> {
         let half_window = T::of(0.5) * (flight.h - self.offset);
         let least = flight.h * T::epsilon().sqrt();
         let before = self.contact;
         self.contact = before.without(end.normal);
+        let motion = self.point.motion(flight, self.contact);
+        let slope = end.sign::<T>() * dot(&flight.normals[end.normal].direction, &motion.jerk);
         let pulled = if slope < T::zero() { -slope / (bound + bound) } else { least };
         let pulled = if pulled > least { pulled } else { least };
-        let motion = self.point.motion(flight, self.contact);
         let ignored = self.contact.with_opposite_ends().with(end);
         let clear = contact::safe_time(flight, &self.point, &motion, ignored, half_window);
         let pulled = if pulled < clear { pulled } else { clear };
@@ -378,7 +394,8 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     /// Moves on for a time within the step, with the present contacts.
     #[inline(always)]
     fn glide<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V, time: T) {
-        self.point = self.point.flown(flight, time, self.contact);
+        let point = self.point.flown(flight, time, self.contact);
+        self.point = Point { state: rested(flight, &point.state, self.contact), ..point };
         *variation = variation.flown(flight, time, self.contact);
         self.offset = self.offset + time;
     }
@@ -401,18 +418,4 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
             Event::StepEnd
         }
     }
-}
-
-/// A state moved onto a stop along the response of its normal, with the given speed along it.
-#[inline(always)]
-fn placed<T: Real, const N: usize>(
-    flight: &Flight<T, N>,
-    state: &State<T, N>,
-    end: End,
-    speed: T,
-) -> State<T, N> {
-    let normal = &flight.normals[end.normal];
-    let away = end.sign::<T>() * normal.gap[end.side] - dot(&normal.direction, &state.x);
-    let change = speed - dot(&normal.direction, &state.v);
-    State { x: axpy(away, &normal.response, &state.x), v: axpy(change, &normal.response, &state.v) }
 }

@@ -42,6 +42,18 @@ pub struct Normal<const N: usize> {
     pub ends: [Option<End>; 2],
 }
 
+impl<const N: usize> Normal<N> {
+    /// Lets stops that differ by rounding alone touch each other: they clamp the masses.
+    fn close(&mut self) {
+        if let [Some(upper), Some(lower)] = &mut self.ends {
+            let rounding = 8.0 * f64::EPSILON * (upper.gap.abs() + lower.gap.abs());
+            if (upper.gap + lower.gap).abs() <= rounding {
+                lower.gap = -upper.gap;
+            }
+        }
+    }
+}
+
 /// A stop at one end of a contact normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
@@ -83,6 +95,7 @@ impl<const N: usize> Equations<N> {
             let place = &mut equations.normals[normal].ends[usize::from(scale < 0.0)];
             *place = Some(end);
         }
+        equations.normals.iter_mut().for_each(Normal::close);
         equations
     }
 

@@ -68,7 +68,7 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 14] = [
+const COMMON: [&str; 15] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
     include_str!("../../../../shaders/dynamics/stop.wgsl"),
@@ -77,6 +77,7 @@ const COMMON: [&str; 14] = [
     include_str!("../../../../shaders/dynamics/tangent.wgsl"),
     include_str!("../../../../shaders/dynamics/contact.wgsl"),
     include_str!("../../../../shaders/dynamics/chatter.wgsl"),
+    include_str!("../../../../shaders/dynamics/placing.wgsl"),
     include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
     include_str!("../../../../shaders/analysis/recurrence.wgsl"),
     include_str!("../../../../shaders/analysis/exponent.wgsl"),
