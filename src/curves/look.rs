@@ -9,7 +9,7 @@ use super::locus::Locus;
 use super::path::PathPoint;
 use super::special::{Monitor, monitors};
 use super::touch::{arrival_speeds, touches};
-use crate::model::{Flight, Setting, System};
+use crate::model::{Setting, System};
 use crate::theory::{PeriodicMotion, flip_coefficient, fly, neimark_sacker_coefficient};
 
 /// The length by which a stop may be crossed before it counts; non-dimensional.
@@ -124,6 +124,6 @@ fn beyond(
     let crossed = touches(system, pattern, &motion.sections)
         .iter()
         .any(|touch| touch.gap < -CROSSED && !own(touch.arc, touch.phase));
-    let certified = locus.kind == Kind::Grazing || fly(&Flight::<f64, 2>::new(system), motion).is_ok();
+    let certified = locus.kind == Kind::Grazing || fly(system, motion).is_ok();
     (crossed || !certified).then_some((End::Grazes, Some(Special::Grazing)))
 }

@@ -29,6 +29,9 @@ impl Span {
     }
 }
 
+/// Components of a section of the paper's oscillator.
+pub(super) const SECTION: usize = 4;
+
 /// What a vector of unknowns stands for: 4 for each impact, then `extra` ones, then one for each parameter.
 #[derive(Clone, Debug)]
 pub(super) struct Unknowns {
@@ -41,7 +44,7 @@ pub(super) struct Unknowns {
 impl Unknowns {
     /// Where the parameters begin.
     pub fn parameters_at(&self) -> usize {
-        4 * self.pattern.stops.len() + self.extra
+        SECTION * self.pattern.stops.len() + self.extra
     }
 
     /// The vector of a motion.
@@ -75,7 +78,7 @@ impl Unknowns {
 
     /// The sections.
     pub fn sections(&self, y: &DVector<f64>) -> Vec<Section> {
-        (0..self.pattern.stops.len()).map(|i| y.fixed_rows::<4>(4 * i).into_owned()).collect()
+        (0..self.pattern.stops.len()).map(|i| y.rows(SECTION * i, SECTION).into_owned()).collect()
     }
 
     /// Residuals of the matching equations.
@@ -89,7 +92,7 @@ impl Unknowns {
     /// Derivatives of the matching equations with respect to all unknowns.
     pub fn matching_derivative(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
         let flow = Flow::new(&self.system(y)?);
-        let own = derivative(&arcs(&flow, &self.pattern, &self.sections(y)), &self.pattern);
+        let own = derivative(&flow, &arcs(&flow, &self.pattern, &self.sections(y)), &self.pattern);
         let rows = own.nrows();
         let with_parameters = differences(y, self.parameters_at()..y.len(), |y| self.matching(y))?;
         let mut all = DMatrix::zeros(rows, y.len());

@@ -146,11 +146,12 @@ pub enum ExponentUnit {
 impl ExponentUnit {
     /// The exponents of a spectrum in this unit, as they are; NaN where it has no meaning.
     pub fn of(self, spectrum: &Spectrum) -> [f64; 4] {
-        match self {
-            ExponentUnit::Period => spectrum.per_period,
-            ExponentUnit::Iterate => spectrum.per_iterate().unwrap_or([f64::NAN; 4]),
+        let exponents = match self {
+            ExponentUnit::Period => spectrum.per_period.clone(),
+            ExponentUnit::Iterate => spectrum.per_iterate().unwrap_or_default(),
             ExponentUnit::Time => spectrum.per_time(),
-        }
+        };
+        std::array::from_fn(|j| exponents.get(j).copied().unwrap_or(f64::NAN))
     }
 
     /// The unit in words.

@@ -29,7 +29,7 @@ impl Stop {
 
 impl fmt::Display for Stop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(if *self == Stop::A { "A" } else { "B" })
+        write!(f, "{}", char::from(b'A' + self.0))
     }
 }
 

@@ -16,6 +16,7 @@ pub struct System {
     /// The setting it was made from, if it was made from one.
     setting: Option<Setting>,
     plant: Plant,
+    label_order: Vec<usize>,
     rate: f64,
     steps: u32,
 }
@@ -36,7 +37,8 @@ impl System {
         let setting = setting.into();
         let plant = setting.plant()?;
         let rate = rate(&plant);
-        let mut system = System { setting: Some(setting), plant, rate, steps: 0 };
+        let label_order = setting.family().label_order().to_vec();
+        let mut system = System { setting: Some(setting), plant, label_order, rate, steps: 0 };
         system.divide()?;
         Ok(system)
     }
@@ -49,9 +51,31 @@ impl System {
     pub fn of_plant(plant: Plant) -> Result<Self, SystemError> {
         plant.check()?;
         let rate = rate(&plant);
-        let mut system = System { setting: None, plant, rate, steps: 0 };
+        let label_order = (0..plant.stops.len()).collect();
+        let mut system = System { setting: None, plant, label_order, rate, steps: 0 };
         system.divide()?;
         Ok(system)
+    }
+
+    /// The system of another plant with the same stops, its labels in the same order.
+    ///
+    /// # Errors
+    /// As [`System::of_plant`].
+    pub fn with_plant(&self, plant: Plant) -> Result<Self, SystemError> {
+        let label_order = self.label_order.clone();
+        System::of_plant(plant).map(|system| System { label_order, ..system })
+    }
+
+    /// The same system with another order in which labels count the impacts at its stops, each of them once.
+    ///
+    /// # Panics
+    /// If a stop is missing or named twice.
+    #[must_use]
+    pub fn labelled(self, label_order: Vec<usize>) -> Self {
+        let mut sorted = label_order.clone();
+        sorted.sort_unstable();
+        assert!(sorted.into_iter().eq(0..self.plant.stops.len()), "each stop once: {label_order:?}");
+        System { label_order, ..self }
     }
 
     /// Cuts the forcing period into steps short enough for the fastest motion.
@@ -98,11 +122,8 @@ impl System {
     }
 
     /// The stops in the order in which labels count their impacts: the family's, or that of the plant.
-    pub fn label_order(&self) -> Vec<usize> {
-        match &self.setting {
-            Some(setting) => setting.family().label_order().to_vec(),
-            None => (0..self.plant.stops.len()).collect(),
-        }
+    pub fn label_order(&self) -> &[usize] {
+        &self.label_order
     }
 
     /// The setting that the system was made from; none where it was made from a plant.

@@ -31,10 +31,9 @@ impl Start {
         let rest = || system.between_stops(StateVector::zeros(system.plant().n));
         match *self {
             Start::Rest => rest(),
-            Start::Symmetric if system.is_paper() => {
-                symmetric_start(system).map_or_else(rest, StateVector::from)
+            Start::Symmetric => {
+                symmetric_start(system).and_then(|state| StateVector::from_slice(&state)).unwrap_or_else(rest)
             }
-            Start::Symmetric => rest(),
             Start::State(state) => state,
         }
     }

@@ -125,16 +125,16 @@ fn by_neighbour(
     neighbours.filter_map(|(c, r)| found[r * columns + c]).find_map(|neighbour| {
         let n = u32::from(neighbour.verdict.n);
         let system = &jobs[cell].system;
-        let [guess, state]: [[f64; 4]; 2] =
-            [neighbour.verdict.state[..].try_into().ok()?, verdict.state[..].try_into().ok()?];
-        let motion = approached_from(system, guess, state, n)?;
+        let motion = approached_from(system, &neighbour.verdict.state[..], &verdict.state[..], n)?;
         certified(verdict, &motion)
     })
 }
 
 fn certified(verdict: &Verdict, motion: &StrobeMotion) -> Option<Certified> {
-    let multipliers = motion.multipliers()?.map(|value| [value.re, value.im]);
-    let impacts = motion.sticking || u32::from(motion.p) + u32::from(motion.q) > 0;
+    let multipliers = motion.multipliers()?;
+    let multipliers =
+        std::array::from_fn(|j| multipliers.get(j).map_or([f64::NAN; 2], |value| [value.re, value.im]));
+    let impacts = motion.sticking || motion.impacts.iter().any(|&count| count > 0);
     impacts.then(|| Certified { verdict: with_motion(verdict, motion), multipliers })
 }
 

@@ -44,7 +44,7 @@ fn below_the_threshold_the_motion_has_two_points() {
 fn the_fixed_point_is_one_of_the_uncontrolled_map() {
     let fixed = fixed_point();
     let next = impact_map(&system(), fixed).unwrap();
-    let [v1, x2, v2, tau] = next.section;
+    let [v1, x2, v2, tau] = next.section[..] else { panic!("four components") };
     assert!(away([v1, x2, v2, tau - std::f64::consts::TAU], fixed) < 1e-12, "{next:?}");
     assert_eq!(next.impacts.len(), 3);
 }

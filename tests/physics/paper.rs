@@ -122,7 +122,7 @@ fn the_printed_fixed_point_is_met() {
         .expect("the motion is physical")
         .motion
         .section();
-    for (ours, exact) in simulated.iter().zip(solved) {
+    for (ours, exact) in simulated.iter().zip(&solved) {
         assert!((ours - exact).abs() < 1e-10, "{simulated:?}, {solved:?}");
     }
 }
