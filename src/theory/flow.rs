@@ -61,12 +61,12 @@ pub(crate) struct Flow {
 impl Flow {
     /// The flow of a system.
     pub fn new(system: &System) -> Self {
-        let parameters = system.parameters();
+        let plant = system.plant();
         Flow {
             generator: generator(system),
-            omega: parameters.omega,
-            delta: parameters.delta,
-            r: parameters.r,
+            omega: plant.omega,
+            delta: plant.stops[0].gap,
+            r: plant.stops[0].restitution,
         }
     }
 
