@@ -51,7 +51,13 @@ fn controlled<T: Real, W: Witness<T>, const N: usize>(
     let surface = Surface::new(&system, &flight, controller.stop());
     let begun = Trajectory::new(&flight, start);
     let Some(sine) = force else {
-        return Ok(follow(&system, Controlled::new(begun, surface, rounded, schedule), &flight, schedule, witness));
+        return Ok(follow(
+            &system,
+            Controlled::new(begun, surface, rounded, schedule),
+            &flight,
+            schedule,
+            witness,
+        ));
     };
     let constants = Drive::on(sine.coordinate, &system, &cell, sine.ratio).round::<T>();
     let drive = Phasor::new(&constants, T::zero(), [T::zero(), T::one()]);

@@ -198,8 +198,7 @@ fn pulses_kicks_and_forces_agree_cell_by_cell() {
             assert!(away(a.verdict.state, b.verdict.state) < tolerance, "{a:?}\n{b:?}");
             assert!((a.signal - b.signal).abs() < 1e-3 * a.signal.abs(), "{a:?}\n{b:?}");
         }
-        let distinct =
-            away(ours.outcomes[0].verdict.state, ours.outcomes.last().unwrap().verdict.state);
+        let distinct = away(ours.outcomes[0].verdict.state, ours.outcomes.last().unwrap().verdict.state);
         assert!(distinct > 1e-2, "the plane is one point");
     }
 }
