@@ -84,7 +84,7 @@ pub fn follow_controlled<T: Real>(
     schedule: &ControlSchedule,
 ) -> Result<Outcome, BackendError> {
     let ControlJob { job: Job { system, start }, controller } = job;
-    control::<T, _>(system, (*start).into(), controller, schedule, &mut ())
+    control::<T, _>(system, start, controller, schedule, &mut ())
         .map_err(|error| BackendError::Unsupported(error.to_string()))
 }
 

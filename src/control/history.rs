@@ -2,9 +2,9 @@
 
 use super::witness::{Return, Witness};
 use crate::dynamics::{
-    Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Stop, Trajectory, resting_on,
+    Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Trajectory, resting_on,
 };
-use crate::model::{Flight, State};
+use crate::model::Flight;
 
 /// Samples nearer to an impact than this, in units of their distance, are left out.
 const NEAR: f64 = 1e-3;
@@ -14,7 +14,7 @@ const NEAR: f64 = 1e-3;
 pub struct History {
     /// The returns, in order.
     pub returns: Vec<Return<f64>>,
-    /// The flight from iterate `from` on; times are non-dimensional and count from its beginning.
+    /// The flight from iterate `from` on, of the first two coordinates (0 for one that is not there); times are non-dimensional and count from its beginning.
     pub recording: Recording,
     from: u32,
     interval: f64,
@@ -33,28 +33,38 @@ impl History {
         self.returns.last().is_some_and(|last| last.iterate >= self.from)
     }
 
-    fn impact<D>(&mut self, impact: Impact<f64>, flight: &Flight<f64, 2>, after: &Trajectory<f64, 2, D>) {
+    fn impact<const N: usize, D>(
+        &mut self,
+        impact: Impact<f64>,
+        flight: &Flight<f64, N>,
+        after: &Trajectory<f64, N, D>,
+    ) {
         if impact.velocity_before != 0.0 {
             self.recording.impacts.push(ImpactEvent {
                 time: self.time,
                 stop: impact.stop,
                 velocity_before: impact.velocity_before,
                 velocity_after: impact.velocity_after,
-                x2: after.point.state.x[1],
-                v2: after.point.state.v[1],
+                x2: second(&after.point.state.x),
+                v2: second(&after.point.state.v),
                 phase: super::section::phase_of(flight, after.step, after.offset),
             });
         }
     }
 }
 
-impl<D: Drive<f64, 2>> Witness<f64, D> for History {
-    fn moved(
+/// The value of the second coordinate, 0 where there is none.
+fn second<const N: usize>(values: &[f64; N]) -> f64 {
+    values.get(1).copied().unwrap_or(0.0)
+}
+
+impl Witness<f64> for History {
+    fn moved<const N: usize, D: Drive<f64, N>>(
         &mut self,
-        flight: &Flight<f64, 2>,
-        before: &Trajectory<f64, 2, D>,
+        flight: &Flight<f64, N>,
+        before: &Trajectory<f64, N, D>,
         taken: &Move<f64>,
-        after: &Trajectory<f64, 2, D>,
+        after: &Trajectory<f64, N, D>,
     ) {
         if !self.is_recording() {
             return;
@@ -70,9 +80,9 @@ impl<D: Drive<f64, 2>> Witness<f64, D> for History {
                 // The impact stands there already.
                 continue;
             }
-            let flown = before.point.flown(flight, (at - self.time).max(0.0), taken.contact);
-            let State { x: [x1, x2], v: [v1, v2] } = flown.state;
-            self.recording.samples.push(Sample { time: at, x1, x2, v1, v2 });
+            let state = before.point.flown(flight, (at - self.time).max(0.0), taken.contact).state;
+            let (x2, v2) = (second(&state.x), second(&state.v));
+            self.recording.samples.push(Sample { time: at, x1: state.x[0], x2, v1: state.v[0], v2 });
         }
         self.time = end;
         if let (Some(stop), None) = (resting_on(flight, before.contact), self.recording.sticks.last()) {
@@ -93,8 +103,8 @@ impl<D: Drive<f64, 2>> Witness<f64, D> for History {
 
     fn returned(&mut self, met: &Return<f64>) {
         // A kick changes the velocity that the impact left behind.
-        if let Some(last) = self.recording.impacts.last_mut().filter(|last| last.stop == Stop::A) {
-            last.velocity_after = met.section.components[0];
+        if let Some(last) = self.recording.impacts.last_mut().filter(|last| last.stop == met.stop) {
+            last.velocity_after = met.velocity;
         }
         self.returns.push(*met);
     }

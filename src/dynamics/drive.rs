@@ -1,11 +1,11 @@
-//! A second harmonic force, on the first coordinate: one more phasor beside the forcing's, so that flight stays exact.
+//! A second harmonic force, on one coordinate: one more phasor beside the forcing's, so that flight stays exact.
 
 use std::fmt::Debug;
 
 use crate::model::vector::axpy;
 use crate::model::{Drive as Constants, Real, State};
 
-/// What drives the first coordinate besides the forcing: nothing, or a [`Phasor`].
+/// What drives one coordinate besides the forcing: nothing, or a [`Phasor`].
 pub trait Drive<T, const N: usize>: Copy + Debug + PartialEq {
     /// The Taylor series of the drive within one flight.
     type Series: DriveSeries<T, N, Drive = Self>;
@@ -103,7 +103,7 @@ impl<T, const N: usize> DriveSeries<T, N> for () {
     fn end(&self) -> Self::Drive {}
 }
 
-/// The force u = B sin θ on the first coordinate, θ' = γω: the phasor (B sin θ, B cos θ), non-dimensional.
+/// The force u = B sin θ on one coordinate, θ' = γω: the phasor (B sin θ, B cos θ), non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phasor<'a, T, const N: usize> {
     /// B sin θ, the force.

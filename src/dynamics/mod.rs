@@ -16,6 +16,7 @@ mod stop;
 mod tangent;
 mod trajectory;
 
+pub use contact::holds;
 pub use drive::{Drive, DriveSeries, Phasor};
 pub use point::{Motion, Point};
 pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record, resting_on};

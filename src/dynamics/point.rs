@@ -17,7 +17,7 @@ pub struct Point<T, const N: usize, D = ()> {
     pub cos: T,
     /// 1, the factor of the constant load; 0 for a deviation, which does not feel it.
     pub one: T,
-    /// What else drives the first coordinate; `()` is nothing.
+    /// What else drives a coordinate; `()` is nothing.
     pub drive: D,
 }
 

@@ -2,11 +2,13 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use crate::model::Real;
 use crate::model::vector::MOST;
 
-/// One of a plant's rigid stops, by its place in the plant's order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// One of a plant's rigid stops, by its place in the plant's order; the first by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct Stop(pub u8);
 
 impl Stop {

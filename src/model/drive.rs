@@ -9,7 +9,7 @@ use super::state::State;
 use super::system::System;
 use super::vector::MOST;
 
-/// The constants of a force B sin θ on the first coordinate, θ' = γω, per unit of B; everything is non-dimensional.
+/// The constants of a force B sin θ on one coordinate, θ' = γω, per unit of B; everything is non-dimensional.
 ///
 /// Flight is linear, so the force adds to a step what the exponential of the generator with this force in place of
 /// the forcing says: Γs B sin θ + Γc B cos θ.
@@ -17,7 +17,7 @@ use super::vector::MOST;
 pub struct Drive<T, const N: usize> {
     /// γω, the drive's frequency.
     pub omega: T,
-    /// What a unit force accelerates: the first column of M⁻¹.
+    /// What a unit force accelerates: a column of M⁻¹.
     pub push: [T; N],
     /// What one step adds per unit of B sin θ at its beginning.
     pub gamma_sin: State<T, N>,
@@ -32,12 +32,21 @@ pub struct Drive<T, const N: usize> {
 }
 
 impl<const N: usize> Drive<f64, N> {
-    /// For a drive of frequency γω, `ratio` = γ ≥ 0, on a cell whose steps are short enough for it: see
-    /// [`System::following`].
+    /// For a drive of frequency γω, `ratio` = γ ≥ 0, of the first coordinate: see [`Drive::on`].
     pub fn new(system: &System, flight: &Flight<f64, N>, ratio: f64) -> Self {
+        Drive::on(0, system, flight, ratio)
+    }
+
+    /// For a drive of frequency γω, `ratio` = γ ≥ 0, of one coordinate, on a cell whose steps are short enough for it: see
+    /// [`System::following`].
+    ///
+    /// # Panics
+    /// If there is no such coordinate.
+    pub fn on(coordinate: usize, system: &System, flight: &Flight<f64, N>, ratio: f64) -> Self {
+        assert!(coordinate < N, "coordinate {coordinate} of {N}");
         let plant = system.plant();
         let undriven = Equations::<N>::new(plant);
-        let push = SVector::<f64, N>::from_column_slice(system.unit_force(0).as_slice());
+        let push = SVector::<f64, N>::from_column_slice(system.unit_force(coordinate).as_slice());
         let omega = ratio * plant.omega;
         let driven =
             Equations { sin: push, cos: SVector::zeros(), load: SVector::zeros(), omega, ..undriven };

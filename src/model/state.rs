@@ -151,6 +151,12 @@ impl std::ops::DerefMut for StateVector {
     }
 }
 
+impl AsRef<[f64]> for StateVector {
+    fn as_ref(&self) -> &[f64] {
+        self
+    }
+}
+
 impl PartialEq for StateVector {
     fn eq(&self, other: &Self) -> bool {
         **self == **other

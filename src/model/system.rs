@@ -106,6 +106,17 @@ impl System {
         Ok(system)
     }
 
+    /// The same system forced at another frequency ω: its setting's omega, where it was made from one that has it.
+    ///
+    /// # Errors
+    /// As [`System::new`] and [`System::of_plant`].
+    pub fn at_frequency(&self, omega: f64) -> Result<Self, SystemError> {
+        match self.setting.filter(|setting| setting.named("omega").is_some()) {
+            Some(setting) => System::new(setting.with_named("omega", omega)),
+            None => System::of_plant(Plant { omega, ..self.plant.clone() }),
+        }
+    }
+
     /// The same system without forcing; ω stays as the clock that counts periods.
     #[must_use]
     pub fn unforced(mut self) -> Self {

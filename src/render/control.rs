@@ -91,13 +91,9 @@ impl ControlPicture<'_> {
         let points: Vec<[f64; 2]> = (self.history.returns.iter())
             .filter(|met| (from..=until).contains(&met.iterate))
             .map(|met| {
-                let [v1, x2, v2, tau] = met.section.components;
                 let value = match of {
                     Response::Signal => met.signal,
-                    Response::Component(Reading::X2) => x2,
-                    Response::Component(Reading::V2) => v2,
-                    Response::Component(Reading::Tau) => tau,
-                    Response::Component(_) => v1,
+                    Response::Component(reading) => component(&met.section, reading),
                 };
                 [f64::from(met.iterate), value]
             })
@@ -126,15 +122,9 @@ impl ControlPicture<'_> {
     /// The projection of the section points after so many iterates under control.
     pub fn section(&self, [x, y]: [Reading; 2], settled: u32) -> Panel {
         let begun = self.schedule.from + settled;
-        let value = |components: [f64; 4], of| match of {
-            Reading::X2 => components[1],
-            Reading::V2 => components[2],
-            Reading::Tau => components[3],
-            _ => components[0],
-        };
         let points: Vec<[f64; 2]> = (self.history.returns.iter())
             .filter(|met| met.iterate >= begun)
-            .map(|met| [value(met.section.components, x), value(met.section.components, y)])
+            .map(|met| [component(&met.section, x), component(&met.section, y)])
             .collect();
         let scale = |i: usize| Scale::around(points.iter().map(|point| point[i]), AROUND);
         let frame = Frame {
@@ -187,6 +177,16 @@ impl ControlPicture<'_> {
     }
 }
 
+/// A component of a point on the section of a stop of the first coordinate.
+fn component(section: &[f64], reading: Reading) -> f64 {
+    match reading {
+        Reading::X2 => section[1],
+        Reading::V2 => section[section.len() / 2],
+        Reading::Tau => section[section.len() - 1],
+        _ => section[0],
+    }
+}
+
 const CAPTIONS: [&str; 7] = [
     "control signal",
     "forcing phase at impact",
@@ -225,7 +225,7 @@ pub(super) fn describe(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool
             ("period pulse", settings.to_vec())
         }
         Scheme::Delay(delay) => {
-            let [g, ..] = delay.gains;
+            let g = delay.gains[0];
             let gain = if delay.gains.iter().all(|&gain| gain == g) {
                 setting(Q::Gain, g)
             } else {

@@ -1,9 +1,9 @@
 //! The sine force as a real force between impacts: exact flight, and what it reaches.
 
 use impact_atlas::control::{
-    ControlSchedule, Controlled, Controller, Convention, Scheme, Section, control, multipliers,
+    ControlSchedule, Controlled, Controller, Convention, Scheme, Section, Surface, control, multipliers,
 };
-use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Trajectory};
+use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Stop, Trajectory};
 use impact_atlas::model::{Drive, Flight, Parameters, State, System};
 
 use super::{Returns, away, run, sine, starts, system};
@@ -15,10 +15,11 @@ fn a_force_in_phase_is_a_change_of_the_forcing() {
     let flight = Flight::<f64, 2>::new(&stronger);
     let schedule =
         ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
-    let start = Section::new([-0.3, 0.01, 0.02, 1.9]);
+    let start = Section::new(&[-0.3, 0.01, 0.02, 1.9]);
+    let surface = Surface::new(&stronger, &flight, Stop::A);
     let follow = |flight: &Flight<f64, 2>| {
-        let mut controlled =
-            Controlled::new(start.trajectory(flight, false, ()), Controller::None, &schedule);
+        let begun = start.trajectory(flight, &surface, Contact::FREE, ());
+        let mut controlled = Controlled::new(begun, surface, Controller::None(Stop::A), &schedule);
         let mut returns = Returns::default();
         controlled.follow(flight, &schedule, &mut returns);
         returns.0
@@ -30,15 +31,16 @@ fn a_force_in_phase_is_a_change_of_the_forcing() {
     let (sin, cos) = 1.9_f64.sin_cos();
     let none = Phasor::new(&drive, -0.3877, [sin, cos]);
     let controller = sine(Convention::Force, -0.3877, 0.0, 0.0).resolve(&system()).unwrap();
-    let mut controlled = Controlled::new(start.trajectory(&flight, false, none), controller, &schedule);
+    let begun = start.trajectory(&flight, &surface, Contact::FREE, none);
+    let mut controlled = Controlled::new(begun, surface, controller, &schedule);
     let mut forced = Returns::default();
     controlled.follow(&flight, &schedule, &mut forced);
     assert_eq!(forced.0.len(), 40);
     for (a, b) in forced.0.iter().zip(&changed).take(12) {
-        assert!(away(a.section.components, b.section.components) < 1e-10, "{a:?} {b:?}");
+        assert!(away(a.section, b.section) < 1e-10, "{a:?} {b:?}");
     }
     let unforced = follow(&flight);
-    assert!(away(unforced[0].section.components, changed[0].section.components) > 1e-3);
+    assert!(away(unforced[0].section, changed[0].section) > 1e-3);
 }
 
 /// Eq. (2) with a force B sin θ, θ' = γω, on the first mass, by a thousand Runge-Kutta steps.
@@ -133,9 +135,9 @@ fn the_force_in_phase_holds_the_target_with_the_known_amplitude() {
         let last = returns.last().unwrap();
         assert_eq!((outcome.verdict.label().as_str(), outcome.verdict.symmetric), ("1-1-1", false));
         assert!((last.signal + 0.3877).abs() < 1e-4, "{last:?}");
-        assert!((last.section.components[3] - 1.802134).abs() < 1e-4);
+        assert!((last.section[3] - 1.802134).abs() < 1e-4);
         let controller = sine(Convention::Force, last.signal, 0.0, 0.0).resolve(&system()).unwrap();
-        let largest = multipliers(&system(), &controller, last.section.components).unwrap().unwrap()[0];
+        let largest = multipliers(&system(), &controller, &last.section).unwrap().unwrap()[0];
         assert!(largest.norm() < 1.0, "{largest}");
     }
 }
@@ -159,16 +161,16 @@ fn exponents(convention: Convention, phase: f64, lag_forgotten: bool) -> [f64; 2
     let schedule =
         ControlSchedule { from: 50, iterates: 4050, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let mut returns = Returns::default();
-    let outcome = control::<f64, _>(&system, [0.0; 4], &controller, &schedule, &mut returns).unwrap();
+    let outcome = control::<f64, _>(&system, &[0.0; 4], &controller, &schedule, &mut returns).unwrap();
     assert_eq!(outcome.verdict.label(), "1-1-1");
-    let fixed = returns.0.last().unwrap().section.components;
+    let fixed = returns.0.last().unwrap().section;
     let Controller::Sine(mut held) = controller else { unreachable!("a sine force was asked for") };
     if lag_forgotten {
         // The same force on the same motion, but in phase with the forcing: as if a later impact did not delay it.
         held.convention = Convention::Force;
         held.phase = (held.phase - fixed[3] / std::f64::consts::TAU).rem_euclid(1.0);
     }
-    let largest = multipliers(&system, &Controller::Sine(held), fixed).unwrap().unwrap()[0];
+    let largest = multipliers(&system, &Controller::Sine(held), &fixed).unwrap().unwrap()[0];
     [f64::from(outcome.verdict.lyapunov), largest.norm().ln()]
 }
 

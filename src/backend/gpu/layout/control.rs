@@ -77,7 +77,7 @@ impl Control {
     pub fn new(controller: &Controller<f64>, system: &model::System, flight: &model::Flight<f64, 2>) -> Self {
         let mut control = Control { period: 1, ..Control::zeroed() };
         match Controller::<f32>::rounded(controller) {
-            Controller::None => control.method = METHOD_NONE,
+            Controller::None(_) => control.method = METHOD_NONE,
             Controller::Sine(sine) => {
                 control.method = METHOD_SINE;
                 control.convention = sine.convention as u32;
@@ -88,7 +88,7 @@ impl Control {
                 control.ratio = sine.ratio;
                 control.phase = sine.phase;
                 control.wanted = sine.target;
-                let drive = model::Drive::new(system, flight, 1.0).round::<f32>();
+                let drive = model::Drive::on(sine.coordinate, system, flight, 1.0).round::<f32>();
                 control.push = drive.push;
                 control.drive_sin = std::array::from_fn(|i| drive.gamma_sin.get(i));
                 control.drive_cos = std::array::from_fn(|i| drive.gamma_cos.get(i));
@@ -99,12 +99,12 @@ impl Control {
                 control.period = pulse.period;
                 control.seed = pulse.seed;
                 control.noise = pulse.noise;
-                control.point = pulse.target.components;
+                control.point = std::array::from_fn(|i| pulse.target[i]);
             }
             Controller::Delay(delay) => {
                 control.method = METHOD_DELAY;
                 control.delay = delay.delay;
-                control.gains = delay.gains;
+                control.gains = std::array::from_fn(|i| delay.gains[i]);
             }
         }
         control
