@@ -6,6 +6,9 @@ use impact_atlas::backend::BackendError;
 use impact_atlas::sweep::{ControlSweepError, SweepError};
 use thiserror::Error;
 
+/// The exit code of what was interrupted.
+pub const INTERRUPTED: i32 = 130;
+
 /// Why a command did not do what was asked; everything but a check that does not hold leaves nothing written.
 #[derive(Debug, Error)]
 pub enum CliError {
@@ -48,7 +51,7 @@ impl CliError {
             CliError::CheckFailed(_) | CliError::NotFound(_) => 1,
             CliError::Input(_) => 2,
             CliError::Machine(_) | CliError::Bug(_) => 3,
-            CliError::Interrupted => 130,
+            CliError::Interrupted => INTERRUPTED as u8,
         })
     }
 }

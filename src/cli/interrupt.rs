@@ -1,6 +1,7 @@
 //! Ctrl-C: a flag that whatever takes long looks at.
 
 use std::panic;
+use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
@@ -10,6 +11,7 @@ use anyhow::Context;
 use impact_atlas::backend::Watch;
 
 use super::CliError;
+use super::error::INTERRUPTED;
 
 /// How often a wait looks at the flag.
 const GLANCE: Duration = Duration::from_millis(20);
@@ -17,13 +19,31 @@ const GLANCE: Duration = Duration::from_millis(20);
 /// How long a wait goes on once the flag is up.
 const GRACE: Duration = Duration::from_millis(500);
 
+/// How long the program may take to end once the flag is up, before it is ended.
+const PATIENCE: Duration = Duration::from_secs(5);
+
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 
-/// Turns Ctrl-C (and a request to terminate) into a flag.
+/// Turns Ctrl-C (and a request to terminate) into a flag. What does not look at it in good time, or is asked a second
+/// time, is ended.
 pub fn listen() -> Result<(), CliError> {
-    ctrlc::set_handler(|| REQUESTED.store(true, Ordering::Relaxed))
-        .context("cannot listen for Ctrl-C")
-        .map_err(CliError::Machine)
+    ctrlc::set_handler(|| {
+        if REQUESTED.swap(true, Ordering::Relaxed) {
+            end();
+        }
+        thread::spawn(|| {
+            thread::sleep(PATIENCE);
+            end();
+        });
+    })
+    .context("cannot listen for Ctrl-C")
+    .map_err(CliError::Machine)
+}
+
+/// Ends the program as interrupted.
+fn end() -> ! {
+    super::note(&CliError::Interrupted.to_string());
+    process::exit(INTERRUPTED)
 }
 
 /// Whether Ctrl-C was pressed.

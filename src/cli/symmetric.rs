@@ -6,6 +6,7 @@ use impact_atlas::theory::{SymmetricMotion, symmetric_motions};
 use serde::Serialize;
 
 use super::CliError;
+use super::interrupt::abandonable;
 use super::multipliers::{self, note_cpu, pairs};
 use super::options::SystemArgs;
 use super::terminal::{print, print_json};
@@ -55,7 +56,7 @@ struct Solution {
 pub fn run(args: &SymmetricArgs) -> Result<(), CliError> {
     let system = System::new(args.system.parameters(&[])?).map_err(CliError::input)?;
     note_cpu();
-    let result = Solutions::of(&system);
+    let result = abandonable(move || Solutions::of(&system))?;
     if args.json { print_json(&result) } else { print(&result.text()) }
 }
 

@@ -88,7 +88,7 @@ impl Parameter {
     /// The physical range in words, for error messages.
     pub fn range(self) -> &'static str {
         match self {
-            Parameter::Omega => "greater than 0",
+            Parameter::Omega => "greater than 0 and at most 1e6",
             Parameter::Delta | Parameter::Zeta => "0 or greater",
             Parameter::R | Parameter::F20 => "between 0 and 1, ends included",
             Parameter::MuM | Parameter::MuK | Parameter::MuC => "between 0 and 1, ends excluded",
@@ -98,7 +98,7 @@ impl Parameter {
     fn admits(self, value: f64) -> bool {
         value.is_finite()
             && match self {
-                Parameter::Omega => value > 0.0,
+                Parameter::Omega => value > 0.0 && value <= 1e6,
                 Parameter::Delta | Parameter::Zeta => value >= 0.0,
                 Parameter::R | Parameter::F20 => (0.0..=1.0).contains(&value),
                 Parameter::MuM | Parameter::MuK | Parameter::MuC => value > 0.0 && value < 1.0,
@@ -246,6 +246,7 @@ mod tests {
         let refused = [
             (Parameter::Omega, 0.0),
             (Parameter::Omega, f64::INFINITY),
+            (Parameter::Omega, 1.1e6),
             (Parameter::Delta, -1e-300),
             (Parameter::Zeta, f64::NAN),
             (Parameter::R, 1.0 + 1e-12),

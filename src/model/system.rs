@@ -1,5 +1,6 @@
 //! The equations of motion (2), in the form that every computation uses.
 
+use nalgebra::Matrix4;
 use thiserror::Error;
 
 use super::generator;
@@ -47,8 +48,8 @@ impl System {
     ///
     /// # Errors
     /// The first parameter that is out of its physical range, and [`SystemError::TooStiff`] where ω is so slow,
-    /// or the damping so strong, that one forcing period holds more than [`System::MOST_STEPS`] steps of the
-    /// fastest motion.
+    /// the damping so strong, or the second mass so light, that one forcing period holds more than
+    /// [`System::MOST_STEPS`] steps of the fastest motion.
     pub fn new(parameters: Parameters) -> Result<Self, SystemError> {
         parameters.check()?;
         let Parameters { omega, zeta, mu_m, mu_k, mu_c, f20, .. } = parameters;
@@ -64,10 +65,9 @@ impl System {
             rate: omega,
             steps: 0,
         };
-        let a = generator::free(&system).fixed_view::<4, 4>(0, 0).into_owned();
-        let a2 = a * a;
-        let a4 = a2 * a2;
-        system.rate = (a4 * a4).norm().powf(0.125).max(omega);
+        let fastest = fastest(&generator::free(&system).fixed_view::<4, 4>(0, 0).into_owned());
+        // Not `max`, which would pass over a number that is none.
+        system.rate = if fastest < omega { omega } else { fastest };
         system.divide()?;
         Ok(system)
     }
@@ -76,8 +76,7 @@ impl System {
     fn divide(&mut self) -> Result<(), SystemError> {
         let half_steps = (0.5 * self.rate * self.period() / Self::STEP).ceil();
         if half_steps.is_nan() || half_steps > f64::from(Self::MOST_STEPS / 2) {
-            let Parameters { omega, zeta, .. } = self.parameters;
-            return Err(SystemError::TooStiff { omega, zeta });
+            return Err(SystemError::TooStiff(self.parameters));
         }
         self.steps = 2 * half_steps as u32;
         Ok(())
@@ -89,7 +88,7 @@ impl System {
     /// [`SystemError::TooStiff`] where one forcing period would hold too many of them.
     pub fn following(mut self, ratio: f64) -> Result<Self, SystemError> {
         let frequency = ratio * self.parameters.omega;
-        if frequency > self.rate || frequency.is_nan() {
+        if !frequency.is_finite() || frequency > self.rate {
             self.rate = frequency;
             self.divide()?;
         }
@@ -142,16 +141,37 @@ pub enum SystemError {
     Parameter(#[from] ParameterError),
     /// The time scales are too far apart.
     #[error(
-        "omega = {} with zeta = {} needs more than {steps} steps per forcing period: raise omega or \
-         lower zeta (or move mu_m, mu_k, mu_c away from 0 and 1)",
-        Number(*omega),
-        Number(*zeta),
-        steps = System::MOST_STEPS
+        "omega = {} with zeta = {}, mu_m = {}, mu_k = {} and mu_c = {} needs more than {} steps per forcing \
+         period: {}",
+        Number(.0.omega), Number(.0.zeta), Number(.0.mu_m), Number(.0.mu_k), Number(.0.mu_c),
+        System::MOST_STEPS, remedy(.0)
     )]
-    TooStiff {
-        /// The forcing frequency.
-        omega: f64,
-        /// The damping ratio.
-        zeta: f64,
-    },
+    TooStiff(Parameters),
+}
+
+/// The parameter that is furthest from its default, in powers of e, and where to move it.
+fn remedy(parameters: &Parameters) -> String {
+    let odds = |ratio: f64| (ratio / (1.0 - ratio)).ln();
+    let least = f64::MIN_POSITIVE;
+    let far = [
+        (-parameters.omega.max(least).ln(), "raise omega"),
+        (parameters.zeta.max(least).ln() + 2.0, "lower zeta"),
+        (-odds(parameters.mu_m.max(least)), "raise mu_m"),
+        (odds(parameters.mu_k), "lower mu_k"),
+        (odds(parameters.mu_c), "lower mu_c"),
+    ];
+    let (_, furthest) = far.into_iter().fold((0.0, "raise omega"), |a, b| if b.0 > a.0 { b } else { a });
+    furthest.to_owned()
+}
+
+/// ‖A⁸‖^(1/8), scaled by a power of two against overflow; not a number where A holds what is none.
+fn fastest(a: &Matrix4<f64>) -> f64 {
+    if !a.iter().all(|entry| entry.is_finite()) {
+        return f64::NAN;
+    }
+    let scale = 2.0_f64.powi(a.amax().log2().floor() as i32);
+    let a = a / scale;
+    let a2 = a * a;
+    let a4 = a2 * a2;
+    scale * (a4 * a4).norm().powf(0.125)
 }
