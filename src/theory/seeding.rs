@@ -11,8 +11,8 @@ use crate::model::{Flight, System};
 const CLOSE: f64 = 1.0;
 /// Returns nearer to each other than this are one.
 const APART: f64 = 1e-2;
-/// Moves in one forcing period beyond which an orbit is not searched: all steps, and more impacts than a label has.
-const MOST_MOVES: u32 = 1 << 18;
+/// Moves of an orbit, beyond twice what its steps and the impacts asked for take, after which it is searched no further.
+const SPARE_MOVES: u64 = 1 << 19;
 /// The most impacts of one orbit that are searched.
 const MOST_SEARCHED: usize = 1 << 20;
 
@@ -48,7 +48,7 @@ pub(super) fn among_returns(
     search: &Search,
     tries: usize,
 ) -> (Option<PeriodicMotion>, usize) {
-    let impacts = impacts(system, start, search);
+    let impacts = impacts(system, label, start, search);
     let (found, tried) = solved_among(system, label, &impacts, tries);
     if found.is_some() || label.p == label.q {
         return (found, tried);
@@ -86,18 +86,20 @@ fn solved_among(
 }
 
 /// The impacts of an orbit in the window that is searched, as far as it can be followed.
-fn impacts(system: &System, start: [f64; 4], search: &Search) -> Vec<ImpactEvent> {
+fn impacts(system: &System, label: Label, start: [f64; 4], search: &Search) -> Vec<ImpactEvent> {
     let flight = Flight::new(system);
+    let usual = 2 * u64::from(flight.steps + label.p + label.q);
+    let mut left = SPARE_MOVES;
     let mut trajectory = Trajectory::new(&flight, start);
     let mut found = Vec::new();
     for period in 0..search.transient.saturating_add(search.observe) {
-        let mut moves = 0;
+        left += usual;
         loop {
-            let taken = trajectory.advance(&flight, &mut ());
-            moves += 1;
-            if moves > MOST_MOVES || found.len() >= MOST_SEARCHED {
+            if left == 0 || found.len() >= MOST_SEARCHED {
                 return found;
             }
+            left -= 1;
+            let taken = trajectory.advance(&flight, &mut ());
             let impact = match taken.event {
                 Event::Strobe => break,
                 Event::Impact(impact) => impact,
