@@ -33,7 +33,8 @@ pub struct Search {
 /// [`NoMotion`] if Newton's method leads nowhere from there; a motion with sticking has no finite impact sequence.
 pub fn settled_motion(system: &System, state: [f64; 4], n: u32) -> Result<PeriodicMotion, NoMotion> {
     let recording = record(system, state, 0, n, 0);
-    if recording.impacts.is_empty() || !recording.sticks.is_empty() {
+    let solvable = 1..=Label::MOST_IMPACTS as usize;
+    if !solvable.contains(&recording.impacts.len()) || !recording.sticks.is_empty() {
         return Err(NoMotion::NotConverged);
     }
     let (pattern, guess) = sequence(system, &recording.impacts, n);
