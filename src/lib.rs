@@ -107,8 +107,8 @@
 //! # Limits
 //!
 //! δ = 0 clamps the first mass: the limit of a closing gap. A forcing period of more than 65,536 steps of the
-//! fastest motion is refused. r = 1 with strong damping at low frequency makes ever more rebounds in finite time; more
-//! than 2²⁴ moves in one forcing period are given up as failed.
+//! fastest motion is refused, and so is ω above 10⁶. r = 1 with strong damping at low frequency makes ever more
+//! rebounds in finite time; more than 2²⁴ moves in one forcing period are given up as failed.
 
 pub mod analysis;
 pub mod backend;

@@ -104,15 +104,17 @@ fn the_start_is_printed() {
 #[test]
 fn certifying_is_told_in_the_summary() {
     let folder = tempdir().unwrap();
-    let plane =
-        ["map", "--x", "omega=3:4:5", "--y", "delta=0.1:0.3:4", "--backend", "cpu", "--size", "400x300"];
-    let told = run_in(folder.path(), &[&plane[..], &["--certify"]].concat());
+    let run = |more: &[&str]| {
+        let plane = ["map", "--x", "omega=3:4:5", "--y", "delta=0.1:0.3:4", "--backend", "cpu"];
+        run_in(folder.path(), &[&plane[..], &["--size", "400x300", "--force"], more].concat())
+    };
+    let told = run(&["--certify"]);
     assert!(stdout(&told).contains("certified: of "), "{} {}", stdout(&told), stderr(&told));
-    let counts = json(&run_in(folder.path(), &[&plane[..], &["--certify", "--json"]].concat()));
+    let counts = json(&run(&["--certify", "--json"]));
     let certified = &counts["certified"];
     assert!(certified["periodic"].as_u64().unwrap() > 5);
     assert_eq!(certified["confirmed"], certified["periodic"]);
-    let plain = json(&run_in(folder.path(), &[&plane[..], &["--json"]].concat()));
+    let plain = json(&run(&["--json"]));
     assert!(plain["certified"].is_null());
 }
 

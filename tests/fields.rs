@@ -72,7 +72,7 @@ fn content(title: &str) -> &'static FileContent {
 const RUNS: [(&str, &str, &str); 5] = [
     (
         "A map,",
-        "map --backend cpu --x omega=2.8:3.8:4 --y delta=0.1:0.3:3 --transient 20 --observe 10",
+        "map --certify --backend cpu --x omega=2.8:3.8:4 --y delta=0.1:0.3:3 --transient 20 --observe 10",
         "map.npz",
     ),
     (
@@ -128,7 +128,10 @@ fn other_fields_would_be_noticed() {
     written(folder.path(), command);
     let found = arrays(&folder.path().join(file));
     let content = content(title);
-    assert_eq!(misfits(&found, self::content("A map under")).len(), 7, "what control adds is not there");
+    assert_eq!(misfits(&found, self::content("A map under")).len(), 8, "what control adds is not there");
+    let plain = tempdir().unwrap();
+    written(plain.path(), &command.replace("--certify ", ""));
+    assert_eq!(misfits(&arrays(&plain.path().join(file)), content), ["multipliers is not there"]);
     let mut other = found.clone();
     other.remove("lyapunov");
     assert!(misfits(&other, content)[0].contains("lyapunov"));

@@ -139,12 +139,6 @@ impl std::ops::Deref for StateVector {
     }
 }
 
-impl AsRef<[f64]> for StateVector {
-    fn as_ref(&self) -> &[f64] {
-        self
-    }
-}
-
 impl std::ops::DerefMut for StateVector {
     fn deref_mut(&mut self) -> &mut [f64] {
         &mut self.values[..self.length]

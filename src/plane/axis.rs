@@ -312,7 +312,7 @@ mod tests {
             ("omega=1:2:99999999999", "COUNT of 99999999999"),
             ("omega=1:2:-1", "NAME=FIRST:LAST:COUNT"),
             ("omega=1:2:2.5", "NAME=FIRST:LAST:COUNT"),
-            ("delta=3e-100:2e-100:5", "delta=3e-100:2e-100"),
+            ("delta=3e-100:3e-100:5", "delta=3e-100:3e-100"),
             ("omega=NaN:2:3", "finite"),
             ("omega=1:inf:3", "finite"),
         ];

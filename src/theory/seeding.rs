@@ -12,8 +12,8 @@ use crate::model::System;
 const CLOSE: f64 = 1.0;
 /// Returns nearer to each other than this are one.
 const APART: f64 = 1e-2;
-/// Moves in one forcing period beyond which an orbit is not searched: all steps, and more impacts than a label has.
-const MOST_MOVES: u32 = 1 << 18;
+/// Moves of an orbit, beyond twice what its steps and the impacts asked for take, after which it is searched no further.
+const SPARE_MOVES: u64 = 1 << 19;
 /// The most impacts of one orbit that are searched.
 const MOST_SEARCHED: usize = 1 << 20;
 /// How a motion is searched for.
@@ -33,8 +33,9 @@ pub struct Search {
 /// [`NoMotion`] if Newton's method leads nowhere from there; a motion with sticking has no finite impact sequence.
 pub fn settled_motion(system: &System, state: impl AsRef<[f64]>, n: u32) -> Result<PeriodicMotion, NoMotion> {
     let search = Search { start: state.as_ref().to_vec(), transient: 0, observe: n };
-    let orbit = impacts(system, &search.start, &search);
-    if orbit.impacts.is_empty() || orbit.sticks || !orbit.complete {
+    let orbit = impacts(system, Label::MOST_IMPACTS, &search.start, &search);
+    let solvable = 1..=Label::MOST_IMPACTS as usize;
+    if !solvable.contains(&orbit.impacts.len()) || orbit.sticks || !orbit.complete {
         return Err(NoMotion::NotConverged);
     }
     let (pattern, guess) = sequence(system, &orbit.impacts, n);
@@ -65,7 +66,7 @@ pub(super) fn among_returns(
     search: &Search,
     tries: usize,
 ) -> (Option<PeriodicMotion>, usize) {
-    let impacts = impacts(system, start, search).impacts;
+    let impacts = impacts(system, label.count(), start, search).impacts;
     let (found, tried) = solved_among(system, label, &impacts, tries);
     let stops = StopSet::of(system);
     let counts = stops.in_plant_order(&label.impacts);
@@ -107,20 +108,22 @@ fn solved_among(
 }
 
 /// The impacts of an orbit in the window that is searched, as far as it can be followed.
-fn impacts(system: &System, start: &[f64], search: &Search) -> Orbit {
+fn impacts(system: &System, in_a_turn: u32, start: &[f64], search: &Search) -> Orbit {
     let flow = Flow::new(system);
     let mut follower = follower(system);
     follower.begin(start);
     let sticks = !follower.contact().is_free();
     let mut orbit = Orbit { impacts: Vec::new(), sticks, complete: false };
+    let usual = 2 * u64::from(system.steps() + in_a_turn);
+    let mut left = SPARE_MOVES;
     for period in 0..search.transient.saturating_add(search.observe) {
-        let mut moves = 0;
+        left += usual;
         loop {
-            let taken = follower.advance();
-            moves += 1;
-            if moves > MOST_MOVES || orbit.impacts.len() >= MOST_SEARCHED {
+            if left == 0 || orbit.impacts.len() >= MOST_SEARCHED {
                 return orbit;
             }
+            left -= 1;
+            let taken = follower.advance();
             let impact = match taken.event {
                 Event::Strobe => break,
                 Event::Impact(impact) => impact,

@@ -11,7 +11,7 @@ use crate::{SMALL, done, words};
 #[test]
 fn numbers_are_as_people_write_them() {
     refuses(&words("classify --set mu_m=-1e-100"), &["mu_m = -1e-100 "]);
-    refuses(&words("map --x delta=2e-100:1e-100:5"), &["delta=2e-100:1e-100 "]);
+    refuses(&words("map --x delta=2e-100:2e-100:5"), &["delta=2e-100:2e-100 "]);
     refuses(&words("classify --start 1e-7,0,0,0 --set delta=1e-100"), &["x1 = 1e-7 ", "delta = 1e-100"]);
     let folder = tempdir().unwrap();
     let counted = done(

@@ -67,7 +67,8 @@ impl Target {
         let needed = || ControlError::TargetNeeded { names: section_names(plant, stop).join(", ") };
         plant.mirror().filter(|mirror| is_in_closed_form(plant, mirror)).ok_or_else(needed)?;
         let missing = ControlError::NoTarget { omega: self.reference, gap: plant.stops[0].gap };
-        let [v1, x2, v2, tau] = symmetric_target(&system.at_frequency(self.reference)?).ok_or(missing)?;
+        let target = symmetric_target(&system.at_frequency(self.reference)?).ok_or(missing)?;
+        let [v1, x2, v2, tau] = target.try_into().map_err(|_| needed())?;
         Ok(SectionValues::new(if stop == Stop::A {
             [v1, x2, v2, tau]
         } else {

@@ -1,5 +1,6 @@
 //! What the lines and marks of curves mean.
 
+use super::major::DRAWN_IN_A_THOUSAND;
 use super::style::{CASING, KINDS, Line, names};
 use crate::curves::Kind;
 use crate::render::canvas::{Anchor, Canvas, Point};
@@ -23,6 +24,8 @@ pub(in crate::render) struct Key {
     pub(super) marks: bool,
     /// How many curves there are.
     pub(super) curves: usize,
+    /// How many more there are, too small to be drawn.
+    pub(super) minor: usize,
 }
 
 #[derive(Clone, Copy)]
@@ -97,6 +100,8 @@ impl Key {
             canvas.text(name, Point { x: left + (SAMPLE + GAP) * em, y }, Anchor::Start, em, INK);
         }
         let lines = Text::wrap(listed(unnamed), HEADING * em, width);
+        let minor = Text::wrap(not_drawn(self.minor), HEADING * em, width);
+        let lines: Vec<Text> = lines.into_iter().chain(minor).collect();
         let row = HEADING * ROW * em;
         let first = middle(in_column) + 0.5 * (ROW * em + row);
         if first + (lines.len() as f64 - 0.5) * row <= bottom {
@@ -125,6 +130,19 @@ fn listed(unnamed: &[String]) -> Vec<Text> {
         .chain(others.iter().map(|piece| format!("{piece},").into()))
         .chain([last.as_str().into()])
         .collect()
+}
+
+/// How many curves are not drawn, word by word.
+fn not_drawn(minor: usize) -> Vec<Text> {
+    let said = match minor {
+        0 => String::new(),
+        _ => format!(
+            "not drawn: {minor} curves of motions that fill less than {}.{} % of the plane",
+            DRAWN_IN_A_THOUSAND / 10,
+            DRAWN_IN_A_THOUSAND % 10
+        ),
+    };
+    said.split_whitespace().map(Text::from).collect()
 }
 
 fn heading(unnamed: usize, curves: usize) -> Text {

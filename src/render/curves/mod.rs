@@ -3,6 +3,7 @@
 mod geometry;
 mod key;
 mod labels;
+mod major;
 mod regions;
 mod style;
 
@@ -10,6 +11,7 @@ pub(super) use self::key::Key;
 
 use self::geometry::{about, crosses, length, overlap, within};
 use self::labels::Wanted;
+use self::major::major;
 use self::style::{CASING, Line};
 use super::canvas::{Anchor, Canvas, Point, Rect};
 use super::colours::INK;
@@ -41,7 +43,8 @@ const END_OF_LEADER: f64 = 0.13;
 /// Which parts of the curves are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
-    /// Where the motion is stable on one side: the borders of what can be observed.
+    /// Of the motions that fill at least three thousandths of the plane, where they are stable on one side: the borders
+    /// of what can be observed.
     Bounding,
     /// All of every curve.
     All,
@@ -61,7 +64,9 @@ impl Shown {
 #[derive(Clone, Debug)]
 pub(super) struct Overlay<'a> {
     map: &'a RegionMap,
-    curves: &'a [Curve],
+    curves: Vec<Curve>,
+    /// How many more there are, too small to be drawn.
+    minor: usize,
     names: Vec<Named>,
     shown: Shown,
 }
@@ -75,9 +80,14 @@ struct Piece<'a> {
 }
 
 impl<'a> Overlay<'a> {
-    /// The curves of a map.
-    pub fn new(map: &'a RegionMap, curves: &'a [Curve], shown: Shown) -> Self {
-        Overlay { map, curves, names: named(curves, &map.plane), shown }
+    /// The curves of a map: all of them, or those of its larger motions.
+    pub fn new(map: &'a RegionMap, curves: &[Curve], shown: Shown) -> Self {
+        let drawn = match shown {
+            Shown::Bounding => major(map, curves, &named(curves, &map.plane)),
+            Shown::All => curves.to_vec(),
+        };
+        let minor = curves.len() - drawn.len();
+        Overlay { map, minor, names: named(&drawn, &map.plane), curves: drawn, shown }
     }
 
     fn shows(&self, point: &CurvePoint) -> bool {
@@ -95,6 +105,7 @@ impl<'a> Overlay<'a> {
             subcritical: shown(None, &|point| point.criticality == Some(Criticality::Subcritical)),
             marks: shown(None, &|point| point.special.is_some()),
             curves: self.curves.iter().filter(|curve| curve.points.iter().any(|p| self.shows(p))).count(),
+            minor: self.minor,
         }
     }
 
@@ -165,7 +176,7 @@ impl<'a> Overlay<'a> {
         lines: &[&[Point]],
         taken: &mut Vec<Rect>,
     ) {
-        for region in regions::region_names(self.map, self.curves, &self.names, plot) {
+        for region in regions::region_names(self.map, &self.curves, &self.names, plot) {
             let text = Text::from(region.name);
             let size = |clearance: f64| (REGION_SIZE * em).min(clearance / REGION_CLEARANCE);
             let boxed = |place: &regions::Place| {
