@@ -198,7 +198,8 @@ fn a_picture_without_room_for_its_legend_says_so() {
     assert!(stderr(&small).contains("too small for the legend"), "{}", stderr(&small));
     let enough = stderr(&small).split("the legend").nth(1).unwrap().to_owned();
     let enough = enough.split_whitespace().find(|word| word.contains('x')).unwrap().to_owned();
-    let whole = done(folder.path(), &[&TINY[..], &axes, &["--size", &enough, "--out", "w.svg", "--force"]].concat());
+    let whole =
+        done(folder.path(), &[&TINY[..], &axes, &["--size", &enough, "--out", "w.svg", "--force"]].concat());
     assert!(!stderr(&whole).contains("too small"), "{}", stderr(&whole));
     assert!(fs::read_to_string(folder.path().join("w.svg")).unwrap().contains("aria-label=\"motion\""));
 }
