@@ -47,7 +47,7 @@ fn exponent_forgotten(job: &Job, schedule: &Schedule) -> Verdict {
 
 fn one_label_for_another(job: &Job, schedule: &Schedule) -> Verdict {
     let mut verdict = follow::<f64>(job, schedule);
-    verdict.counts = Counts::new(&[verdict.p() + u16::from(verdict.n == 1), verdict.q()]);
+    verdict.counts = Counts::new(&[verdict.p() + u16::from(verdict.regime.is_periodic()), verdict.q()]);
     verdict
 }
 
