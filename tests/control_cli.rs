@@ -20,7 +20,7 @@ fn control<'a>(method: &'a str, more: &[&'a str]) -> Vec<&'a str> {
 
 #[test]
 fn feedback_reports_what_it_reaches() {
-    let fixed = json(&run(&control("delay", &["--gain", "0.4", "--json"])));
+    let fixed = json(&run(&control("delay", &["--gain", "0.35", "--json"])));
     assert_eq!(
         (&fixed["method"], &fixed["label_before"], &fixed["label_after"]),
         (&"delay".into(), &"chaotic".into(), &"1-2-1".into())

@@ -96,6 +96,9 @@ struct Classification {
     periods: u32,
     start: String,
     start_state: StateVector,
+    /// Whether symmetry means anything: only where the plant has a mirror.
+    #[serde(skip)]
+    has_mirror: bool,
     /// With --from: where the cell is on its map.
     #[serde(skip_serializing_if = "Option::is_none")]
     cell: Option<Cell>,
@@ -193,6 +196,7 @@ impl Classification {
             periods: verdict.periods,
             start: asked.start.to_string(),
             start_state: asked.job.start,
+            has_mirror: asked.job.system.mirror().is_some(),
             cell: asked.cell,
             backend: backend.name(),
             adapter: backend.adapter(),
@@ -202,6 +206,7 @@ impl Classification {
     fn text(&self) -> String {
         let symmetric = match (self.n, self.symmetric) {
             (0, _) => "",
+            _ if !self.has_mirror => "",
             (_, true) => ", symmetric",
             (_, false) => ", unsymmetric",
         };

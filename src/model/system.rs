@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use super::number::Number;
 use super::parameters::Parameters;
+use crate::system::Number;
 use crate::system::{CellError, Plant, PlantError, Setting};
 
 /// A system whose parameters are in their physical range, ready to be followed.

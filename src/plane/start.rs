@@ -63,6 +63,13 @@ impl Start {
         for (number, stop) in plant.stops.iter().enumerate() {
             let place: f64 = stop.direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum();
             if place > stop.gap {
+                // Most stops are met by one coordinate.
+                let alone = stop.direction.iter().filter(|d| **d != 0.0).count() == 1;
+                let met = stop.direction.iter().position(|d| *d != 0.0).filter(|_| alone);
+                let place = met.map_or_else(
+                    || format!("its place along stop {} is {}", number + 1, Number(place)),
+                    |i| format!("x{} = {}", i + 1, Number(state[i])),
+                );
                 return Err(StartError::OutsideStops {
                     start: *self,
                     stop: number + 1,
@@ -129,9 +136,7 @@ pub enum StartError {
     },
     /// A mass would begin beyond a stop.
     #[error(
-        "the start {start} lies outside the stops: its place along stop {stop} is {}, and the gap is {}; choose it within \
-         the gap",
-        Number(*place),
+        "the start {start} lies beyond stop {stop}: {place}, and the gap is {}; choose it within the gap",
         Number(*gap)
     )]
     OutsideStops {
@@ -139,8 +144,8 @@ pub enum StartError {
         start: Start,
         /// Which stop, counted from 1 in the order of the family.
         stop: usize,
-        /// direction · x.
-        place: f64,
+        /// Where it would begin, in words: the coordinate that meets the stop, or direction · x.
+        place: String,
         /// The stop's gap.
         gap: f64,
     },
@@ -159,7 +164,7 @@ mod tests {
         let start = Start::State([-0.2, 0.0, 0.0, 0.0].into());
         assert_eq!(
             start.check(&plant),
-            Err(StartError::OutsideStops { start, stop: 2, place: 0.2, gap: 0.1 })
+            Err(StartError::OutsideStops { start, stop: 2, place: "x1 = -0.2".to_owned(), gap: 0.1 })
         );
         let short = Start::State(StateVector::zeros(1));
         assert_eq!(short.check(&plant), Err(StartError::Components { given: 2, needed: 4 }));

@@ -4,6 +4,8 @@ use std::fmt;
 
 use thiserror::Error;
 
+use super::number::Number;
+
 /// Which parameter of a family, in the order of its file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ParameterId(pub(super) usize);
@@ -75,12 +77,12 @@ impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.lower, self.upper) {
             (None, None) => f.write_str("a finite number"),
-            (Some(Bound { value, included: true }), None) => write!(f, "{value} or greater"),
-            (Some(Bound { value, included: false }), None) => write!(f, "greater than {value}"),
-            (None, Some(Bound { value, included: true })) => write!(f, "{value} or less"),
-            (None, Some(Bound { value, included: false })) => write!(f, "less than {value}"),
+            (Some(Bound { value, included: true }), None) => write!(f, "{} or greater", Number(value)),
+            (Some(Bound { value, included: false }), None) => write!(f, "greater than {}", Number(value)),
+            (None, Some(Bound { value, included: true })) => write!(f, "{} or less", Number(value)),
+            (None, Some(Bound { value, included: false })) => write!(f, "less than {}", Number(value)),
             (Some(lower), Some(upper)) => {
-                write!(f, "between {} and {}, ", lower.value, upper.value)?;
+                write!(f, "between {} and {}, ", Number(lower.value), Number(upper.value))?;
                 f.write_str(match (lower.included, upper.included) {
                     (true, true) => "ends included",
                     (false, false) => "ends excluded",
@@ -104,7 +106,7 @@ pub enum ParameterError {
         known: String,
     },
     /// The value is not finite or outside the range.
-    #[error("{name} = {value} is out of range: {name} must be {range}")]
+    #[error("{name} = {} is out of range: {name} must be {range}", Number(*value))]
     OutOfRange {
         /// The parameter that was set.
         name: String,

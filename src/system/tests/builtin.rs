@@ -89,7 +89,7 @@ fn the_oscillator_of_luo_ma_and_lv() {
         .collect();
     let within = |ends: &str| format!("between 0 and 1, ends {ends}");
     let expected = [
-        ("omega", "ω", 3.7, "greater than 0".to_owned()),
+        ("omega", "ω", 3.7, "between 0 and 1000000, the lower end excluded".to_owned()),
         ("delta", "δ", 0.1, "0 or greater".to_owned()),
         ("zeta", "ζ", 0.1, "0 or greater".to_owned()),
         ("r", "r", 0.8, within("included")),
