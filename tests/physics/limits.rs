@@ -179,8 +179,7 @@ fn without_restitution_the_mass_stays_where_it_is_pressed() {
             let [x1, x2, v1, v2] = values(&trajectory.point.state);
             let sin = trajectory.point.sin;
             let towards = |stop: Stop| stop.side::<f64>() * (sin + 2.0 * p.zeta * v2 + x2 - x1);
-            assert_eq!(impact.velocity_after.abs(), 0.0);
-            assert_eq!(v1.abs(), 0.0);
+            assert!(impact.velocity_after.abs() < 1e-14 && v1.abs() < 1e-14, "{impact:?}, {v1:e}");
             let pressed = towards(impact.stop) >= 0.0;
             assert_eq!(pressed, matches!(event, Event::Caught { .. }), "{event:?} with {p:?}");
             assert!(!matches!(event, Event::Caught { complete_chatter: true, .. }));

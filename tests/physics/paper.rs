@@ -132,7 +132,7 @@ fn the_printed_fixed_point_is_met() {
 fn exponents_tell_chaos_from_order() {
     let exponent = |omega: f64| {
         let job = job(omega, 0.1, Start::Rest);
-        let schedule = Schedule { transient: 1000, observe: 20_000, max_period: 32, fixed_periods: true };
+        let schedule = Schedule { transient: 1000, observe: 100_000, max_period: 32, fixed_periods: true };
         f64::from(follow::<f64>(&job, &schedule).lyapunov) / job.system.period()
     };
     let chaotic = exponent(2.83);
