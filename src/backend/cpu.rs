@@ -143,7 +143,7 @@ fn followed<T: Real, const N: usize>(
     let flight = Flight::<f64, N>::new(system).round::<T>();
     let mut observer = Observer::new(&flight, schedule, start.state());
     to_end(&mut observer, &flight, schedule);
-    observer.verdict(&flight, &system.label_order())
+    observer.verdict(&flight, system.label_order())
 }
 
 /// The same, and what is read on a section.
@@ -155,7 +155,7 @@ fn traced<T: Real, const N: usize>(
     let flight = Flight::<f64, N>::new(system).round::<T>();
     let mut observer = Observer::new(&flight, schedule, start.state());
     trace_to_end(&mut observer, &flight, schedule, &mut tracer);
-    tracer.finish(observer.verdict(&flight, &system.label_order()))
+    tracer.finish(observer.verdict(&flight, system.label_order()))
 }
 
 /// [`Observer::follow`] with the instructions of the processor at hand; no operation is contracted or reordered, so

@@ -188,7 +188,7 @@ impl Classification {
             n: verdict.n,
             p: verdict.p(),
             q: verdict.q(),
-            impacts_per_stop: verdict.counts.per_stop(&asked.job.system.label_order()),
+            impacts_per_stop: verdict.counts.per_stop(asked.job.system.label_order()),
             symmetric: verdict.symmetric,
             lyapunov: verdict.lyapunov,
             state: verdict.state,

@@ -83,5 +83,5 @@ fn follow<T: Real, const N: usize, D: Actuated<T, N>>(
     witness: &mut impl Witness<T>,
 ) -> Outcome {
     controlled.follow(flight, schedule, witness);
-    controlled.outcome(flight, schedule, &system.label_order())
+    controlled.outcome(flight, schedule, system.label_order())
 }

@@ -73,7 +73,7 @@ impl Start {
                 return Err(StartError::OutsideStops {
                     start: *self,
                     stop: number + 1,
-                    place,
+                    place: place.into(),
                     gap: stop.gap,
                 });
             }
@@ -145,7 +145,7 @@ pub enum StartError {
         /// Which stop, counted from 1 in the order of the family.
         stop: usize,
         /// Where it would begin, in words: the coordinate that meets the stop, or direction · x.
-        place: String,
+        place: Box<str>,
         /// The stop's gap.
         gap: f64,
     },
@@ -164,7 +164,7 @@ mod tests {
         let start = Start::State([-0.2, 0.0, 0.0, 0.0].into());
         assert_eq!(
             start.check(&plant),
-            Err(StartError::OutsideStops { start, stop: 2, place: "x1 = -0.2".to_owned(), gap: 0.1 })
+            Err(StartError::OutsideStops { start, stop: 2, place: "x1 = -0.2".into(), gap: 0.1 })
         );
         let short = Start::State(StateVector::zeros(1));
         assert_eq!(short.check(&plant), Err(StartError::Components { given: 2, needed: 4 }));

@@ -25,7 +25,7 @@ fn impacts_that_cease_while_observed_leave_no_impact() {
     let job = Job { system: System::new(parameters).unwrap(), start: [0.1, 1.0, 1.0, 1.0].into() };
     let schedule = Schedule { transient: 0, observe: 2000, max_period: 32, fixed_periods: true };
     let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
-    let on_adapter = gpu.run(&[job.clone()], &schedule, &Unwatched).unwrap()[0];
+    let on_adapter = gpu.run(std::slice::from_ref(&job), &schedule, &Unwatched).unwrap()[0];
     for verdict in [follow::<f64>(&job, &schedule), follow::<f32>(&job, &schedule), on_adapter] {
         assert!(verdict.impacts > 0, "{verdict:?}");
         assert_eq!((verdict.regime, verdict.n), (Regime::NoImpact, 0), "{verdict:?}");

@@ -96,7 +96,7 @@ impl Verdict {
         analysis::Verdict {
             regime,
             n: self.n as u16,
-            counts: Counts::in_order(&self.impacts_per_stop.map(|count| count as u16), &system.label_order()),
+            counts: Counts::in_order(&self.impacts_per_stop.map(|count| count as u16), system.label_order()),
             symmetric: self.symmetric != 0,
             lyapunov: if self.lyapunov == NOT_MEASURED { f32::NAN } else { self.lyapunov },
             state: self.state_of(system),
