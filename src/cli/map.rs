@@ -88,9 +88,9 @@ pub struct MapArgs {
 /// Which parts of the curves are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Which {
-    /// Where the motion is stable on one side of the curve
+    /// Those of motions that fill 0.3 % of the plane, and the paper's, where the motion is stable on one side of the curve
     Bounding,
-    /// Everywhere
+    /// All of every curve
     All,
 }
 
