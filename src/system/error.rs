@@ -5,6 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use super::expression::{ExpressionError, Fault};
+use super::number::Number;
 use super::parameter::ParameterError;
 use super::plant_error::PlantError;
 
@@ -168,6 +169,6 @@ pub enum CellProblem {
 }
 
 fn at(values: &[(String, f64)]) -> String {
-    let list: Vec<String> = values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    let list: Vec<String> = values.iter().map(|(name, value)| format!("{name} = {}", Number(*value))).collect();
     if list.is_empty() { String::new() } else { format!(" (at {})", list.join(", ")) }
 }
