@@ -73,8 +73,7 @@ pub fn confirmed(system: &System, verdict: &Verdict) -> Option<Verdict> {
     let motion = (verdict.returning > 0)
         .then(|| approached(system, verdict.state, u32::from(verdict.returning)))
         .flatten()?;
-    let impacts = motion.sticking || motion.impacts.iter().any(|&count| count > 0);
-    impacts.then(|| with_motion(verdict, &motion))
+    motion.has_impacts().then(|| with_motion(verdict, &motion))
 }
 
 #[cfg(test)]

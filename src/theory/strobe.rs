@@ -55,6 +55,11 @@ pub struct StrobeMotion {
 }
 
 impl StrobeMotion {
+    /// Whether it touches a stop at all.
+    pub fn has_impacts(&self) -> bool {
+        self.sticking || self.impacts.iter().any(|&count| count > 0)
+    }
+
     /// The fixed point of Pᴺ near (x, v) at forcing phase 0, by Newton's method; N is reduced to the period of the motion
     /// where that is a divisor.
     ///
