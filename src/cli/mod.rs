@@ -15,6 +15,7 @@ mod curves;
 mod defaults;
 mod error;
 mod estimate;
+mod explore;
 mod files;
 mod interrupt;
 mod lyapunov;
@@ -79,6 +80,7 @@ Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2
 #[derive(Debug, Subcommand)]
 enum Command {
     Map(map::MapArgs),
+    Explore(explore::ExploreArgs),
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Control(control::ControlArgs),
@@ -105,6 +107,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
     machine::start_threads(cli.threads)?;
     panics::shielded(|| match &cli.command {
         Command::Map(args) => map::run(args),
+        Command::Explore(args) => explore::run(args),
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
         Command::Control(args) => control::run(args),

@@ -18,7 +18,7 @@ const FEW: usize = 12;
 
 /// All cells of one motion.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Region {
+pub(in crate::render) struct Region {
     /// What the cells have in common.
     pub motion: Motion,
     /// What the motion is called.
@@ -33,25 +33,30 @@ pub(super) struct Region {
 
 /// The regions of a plane, the largest first; those that are not distinct share one paint.
 #[derive(Clone, Debug)]
-pub(super) struct Census {
+pub(in crate::render) struct Census {
     /// The regions, by descending size.
     pub regions: Vec<Region>,
-    /// For each cell of the plane, the region that it belongs to.
+    /// For each cell, or verdict that was given, the region that it belongs to.
     pub region_of: Vec<u32>,
 }
 
 impl Census {
     /// Takes the census of a plane.
     pub fn of(map: &RegionMap) -> Self {
+        Census::counted(map.verdicts.iter().map(|verdict| (*verdict, 1)))
+    }
+
+    /// Takes the census of cells, so many of each verdict that is given.
+    pub fn counted(found: impl IntoIterator<Item = (Verdict, u64)>) -> Self {
         let mut known: HashMap<Motion, u32> = HashMap::new();
         let mut regions: Vec<Region> = Vec::new();
-        let mut region_of: Vec<u32> = Vec::with_capacity(map.verdicts.len());
-        for verdict in &map.verdicts {
-            let index = *known.entry(Motion::of(verdict)).or_insert_with(|| {
-                regions.push(Region::empty(verdict));
+        let mut region_of: Vec<u32> = Vec::new();
+        for (verdict, cells) in found {
+            let index = *known.entry(Motion::of(&verdict)).or_insert_with(|| {
+                regions.push(Region::empty(&verdict));
                 regions.len() as u32 - 1
             });
-            regions[index as usize].cells += 1;
+            regions[index as usize].cells += cells;
             region_of.push(index);
         }
         let mut order: Vec<usize> = (0..regions.len()).collect();
@@ -64,7 +69,7 @@ impl Census {
             *index = rank[*index as usize];
         }
         let mut regions: Vec<Region> = order.into_iter().map(|i| regions[i].clone()).collect();
-        let least = (RARE * region_of.len() as f64) as u64;
+        let least = (RARE * regions.iter().map(|region| region.cells).sum::<u64>() as f64) as u64;
         let mut periodic = 0;
         let matters = |region: &&Region| {
             if !region.motion.regime.is_periodic() {

@@ -7,18 +7,20 @@ mod raster;
 
 use serde_json::json;
 
-use self::census::Census;
+pub(super) use self::census::Census;
 use self::layout::Layout;
 use super::canvas::{Anchor, Canvas, Point};
 use super::colours::INK;
 use super::control::describe;
 use super::curves::{Overlay, Shown};
 use super::frame::Frame;
+use super::legend::Entry;
 use super::picture::{LeftOut, Picture};
 use super::scale::Scale;
 use super::size::Size;
 use super::symbols;
 use super::text::Text;
+use crate::analysis::Verdict;
 use crate::curves::Curve;
 use crate::plane::{ControlMap, Plane, Quantity, RegionMap};
 
@@ -98,6 +100,27 @@ fn draw(map: &RegionMap, title: &[Text], config: String, overlay: Option<&Overla
 
 fn frame(map: &RegionMap) -> Frame {
     frame_of(&map.plane)
+}
+
+/// The title of a plane's picture, in pieces that belong together.
+pub(super) fn title(plane: &Plane) -> Vec<Text> {
+    names::title(plane)
+}
+
+/// The meaning of the labels of a census.
+pub(super) fn definition_of(census: &Census) -> Vec<Text> {
+    names::definition(census)
+}
+
+/// The rows of the legend of so many cells of each motion, and their census: one cell for each motion that is given.
+pub(super) fn legend_of(found: &[(Verdict, u64)], rows: usize) -> (Vec<Entry>, Census) {
+    let census = Census::counted(found.iter().copied());
+    (names::entries(&census, rows.max(census.indispensable() + 1), true), census)
+}
+
+#[cfg(test)]
+pub(super) fn census_of(map: &RegionMap) -> Census {
+    Census::of(map)
 }
 
 /// The axes of a plane.

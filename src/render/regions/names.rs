@@ -24,7 +24,7 @@ pub(super) fn title(plane: &Plane) -> Vec<Text> {
 /// The rows of the legend: at most `rows`, everything that is not periodic among them, the rarest motions grouped with
 /// those that have no colour of their own.
 pub(super) fn entries(census: &Census, rows: usize, shares: bool) -> Vec<Entry> {
-    let all = census.region_of.len() as f64;
+    let all = census.regions.iter().map(|region| region.cells).sum::<u64>() as f64;
     let value = |cells: u64| shares.then(|| percentage(cells as f64 / all).into());
     let periodic = |region: &&Region| region.motion.regime.is_periodic();
     let named = names(&census.regions.iter().filter(periodic).collect::<Vec<_>>(), census, rows);
