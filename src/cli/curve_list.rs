@@ -172,5 +172,5 @@ pub fn add_table<'a>(
             )
         })
     });
-    batch.table(output, COLUMNS, rows)
+    batch.table(output, &COLUMNS, rows)
 }

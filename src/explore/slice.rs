@@ -3,7 +3,6 @@
 use serde_json::json;
 
 use super::asked::{because, refused};
-use super::describe::follows_paper;
 use super::limits;
 use super::scene::Scene;
 use super::task::{Ended, Task};
@@ -37,9 +36,6 @@ pub fn slice(
     task: &Task,
 ) -> Result<(), Ended> {
     let plane = &scene.plane;
-    if !follows_paper(plane.parameters.family()) {
-        return Err(refused("diagrams follow the paper's oscillator only in this version").into());
-    }
     if !(2..=limits::SLICE_COLUMNS).contains(&columns) {
         return Err(refused(format!("{columns} columns: give 2 to {}", limits::SLICE_COLUMNS)).into());
     }

@@ -4,7 +4,6 @@ use serde_json::json;
 
 use crate::analysis::{Reading, Regime, Section, Verdict};
 use crate::dynamics::{self, Recording};
-use crate::explore::describe::follows_paper;
 use crate::explore::task::Task;
 use crate::model::{Setting, System};
 use crate::plane::Start;
@@ -19,41 +18,26 @@ const MOST: u32 = 64;
 /// Forcing periods of a section.
 const SECTION: u32 = 2000;
 
-/// Whether recordings follow the system; where they do not, the page is told.
-fn followed(system: &System, kind: &str, task: &Task) -> Option<[f64; 4]> {
-    if system.setting().is_some_and(|setting: &Setting| follows_paper(setting.family())) {
-        return Some([0.0; 4]);
-    }
-    let none = "Orbits of this system are not drawn in this version; its label, state and exponents are exact.";
-    task.answer(kind, json!({ "none": none }));
-    None
-}
-
 /// Sends the phase portrait and the time series of the motion that a cell has settled on.
 pub fn portrait(system: &System, verdict: &Verdict, width: u32, task: &Task) {
-    if followed(system, "portrait", task).is_none() {
-        return;
-    }
+    let Some(family) = system.setting().map(Setting::family) else { return };
     let periods = match verdict.n {
         0 if verdict.regime == Regime::NoImpact => 1,
         0 => APERIODIC,
         n => u32::from(n).min(MOST),
     };
-    let state: [f64; 4] = verdict.state.into();
-    let recording = dynamics::record(system, state, 0, periods, SAMPLES);
-    let of = |reading: Reading| OrbitPanel::Time(reading);
-    draw(system, &recording, verdict, &[OrbitPanel::Portrait([Reading::X1, Reading::V1])], "portrait", width, task);
-    draw(system, &recording, verdict, &[of(Reading::X1)], "series", width, task);
+    let recording = dynamics::record(system, verdict.state, 0, periods, SAMPLES);
+    draw(system, &recording, verdict, &[OrbitPanel::portrait(family)], "portrait", width, task);
+    draw(system, &recording, verdict, &[OrbitPanel::time_series(family)], "series", width, task);
 }
 
 /// Sends the Poincaré section of a motion that does not repeat.
 pub fn section(system: &System, verdict: &Verdict, width: u32, task: &Task) {
     let repeats = verdict.regime.is_periodic() || verdict.regime == Regime::NoImpact;
-    if repeats || followed(system, "section", task).is_none() {
+    if repeats {
         return;
     }
-    let state: [f64; 4] = verdict.state.into();
-    let recording = dynamics::record(system, state, 0, SECTION, 1);
+    let recording = dynamics::record(system, verdict.state, 0, SECTION, 1);
     let panels = [OrbitPanel::Section(Section::A, [Reading::Tau, Reading::VAfter])];
     draw(system, &recording, verdict, &panels, "section", width, task);
 }

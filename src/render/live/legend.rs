@@ -7,6 +7,7 @@ use super::words::{Word, words};
 use crate::analysis::Verdict;
 use crate::render::paint::Paint;
 use crate::render::regions::{definition_of, legend_of};
+use crate::system::Family;
 
 /// A row of the legend.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -30,11 +31,11 @@ pub struct LiveLegend {
     pub notes: Vec<Vec<Word>>,
 }
 
-/// The legend and the paints of a picture whose cells are so many of each motion; a motion is given by any of its verdicts.
+/// The legend and the paints of a picture whose cells are so many of each motion of a family; a motion is given by any of its verdicts.
 ///
 /// `rows` is how many rows there is room for; what is not periodic has one of its own in any case.
-pub fn live_legend(found: &[(Verdict, u64)], rows: usize) -> LiveLegend {
-    let (entries, census) = legend_of(found, rows);
+pub fn live_legend(family: &'static Family, found: &[(Verdict, u64)], rows: usize) -> LiveLegend {
+    let (entries, census) = legend_of(family, found, rows);
     let paint = |paint: &Paint| (css(paint.fill), paint.hatch.map(css));
     let rows = entries.iter().map(|entry| LiveRow {
         paints: entry.paints.iter().map(paint).collect(),
@@ -68,7 +69,7 @@ mod tests {
             }
             found[*at].1 += 1;
         }
-        let live = live_legend(&found, 24);
+        let live = live_legend(Family::paper(), &found, 24);
         for (region, &at) in census.regions.iter().zip(&place) {
             let paint = (css(region.paint.fill), region.paint.hatch.map(css));
             assert_eq!(live.paints[at], paint, "{}", region.name);
@@ -78,6 +79,6 @@ mod tests {
         assert_eq!(live.rows[0].share[0].text, share);
         // A census of other cells has other shares.
         found[place[0]].1 *= 3;
-        assert_ne!(live_legend(&found, 24).rows[0].share[0].text, share);
+        assert_ne!(live_legend(Family::paper(), &found, 24).rows[0].share[0].text, share);
     }
 }

@@ -9,6 +9,7 @@ use crate::render::colouring::Colouring;
 use crate::render::colours::SHARED;
 use crate::render::motion::Motion;
 use crate::render::paint::Paint;
+use crate::system::Family;
 
 /// So many periodic motions have colours of their own at most, those with a smaller share of the plane only where there
 /// are few.
@@ -34,6 +35,8 @@ pub(in crate::render) struct Region {
 /// The regions of a plane, the largest first; those that are not distinct share one paint.
 #[derive(Clone, Debug)]
 pub(in crate::render) struct Census {
+    /// The family of the plane's system.
+    pub family: &'static Family,
     /// The regions, by descending size.
     pub regions: Vec<Region>,
     /// For each cell, or verdict that was given, the region that it belongs to.
@@ -43,11 +46,11 @@ pub(in crate::render) struct Census {
 impl Census {
     /// Takes the census of a plane.
     pub fn of(map: &RegionMap) -> Self {
-        Census::counted(map.verdicts.iter().map(|verdict| (*verdict, 1)))
+        Census::counted(map.plane.parameters.family(), map.verdicts.iter().map(|verdict| (*verdict, 1)))
     }
 
     /// Takes the census of cells, so many of each verdict that is given.
-    pub fn counted(found: impl IntoIterator<Item = (Verdict, u64)>) -> Self {
+    pub fn counted(family: &'static Family, found: impl IntoIterator<Item = (Verdict, u64)>) -> Self {
         let mut known: HashMap<Motion, u32> = HashMap::new();
         let mut regions: Vec<Region> = Vec::new();
         let mut region_of: Vec<u32> = Vec::new();
@@ -83,7 +86,7 @@ impl Census {
             region.paint = colouring.paint(region.motion);
             region.distinct = colouring.own(region.motion).is_some();
         }
-        Census { regions, region_of }
+        Census { family, regions, region_of }
     }
 
     /// How many rows of a legend cannot be grouped: everything that is not periodic.

@@ -23,6 +23,7 @@ use super::text::Text;
 use crate::analysis::Verdict;
 use crate::curves::Curve;
 use crate::plane::{ControlMap, Plane, Quantity, RegionMap};
+use crate::system::Family;
 
 /// Draws a computed plane.
 ///
@@ -113,8 +114,12 @@ pub(super) fn definition_of(census: &Census) -> Vec<Text> {
 }
 
 /// The rows of the legend of so many cells of each motion, and their census: one cell for each motion that is given.
-pub(super) fn legend_of(found: &[(Verdict, u64)], rows: usize) -> (Vec<Entry>, Census) {
-    let census = Census::counted(found.iter().copied());
+pub(super) fn legend_of(
+    family: &'static Family,
+    found: &[(Verdict, u64)],
+    rows: usize,
+) -> (Vec<Entry>, Census) {
+    let census = Census::counted(family, found.iter().copied());
     (names::entries(&census, rows.max(census.indispensable() + 1), true), census)
 }
 
