@@ -22,6 +22,9 @@ const MOST_STEPS: usize = 1500;
 const STRAIGHT: f64 = 0.95;
 /// How far apart the places are that are kept of a branch, in lengths of the parameter's range.
 const KEPT: f64 = 0.15;
+/// A test function that is no larger on either side of a zero is zero all along, but for rounding: as that of a
+/// Neimark-Sacker bifurcation is where nothing dissipates.
+const ROUNDING: f64 = 1e-9;
 /// Multipliers up to this count as stable.
 const STABLE: f64 = 1.0 + 1e-7;
 
@@ -93,7 +96,8 @@ fn follow(branch: &Branch, start: PathPoint, found: &mut Followed) {
         };
         if seen.stable || watched.stable {
             for (index, kind) in Kind::smooth(&branch.0.pattern).into_iter().enumerate() {
-                if seen.tests[index] * watched.tests[index] < 0.0 {
+                let [a, b] = [seen.tests[index], watched.tests[index]];
+                if a * b < 0.0 && a.abs().max(b.abs()) > ROUNDING {
                     let located = locate(branch, &here, ds, |w| w.tests[index]);
                     found.events.extend(located.and_then(|y| smooth_event(branch, &y, kind)));
                 }
