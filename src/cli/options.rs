@@ -332,11 +332,6 @@ pub struct PlaneArgs {
 }
 
 impl PlaneArgs {
-    /// Refuses another system than the paper's for a command that cannot follow it.
-    pub fn of_paper(&self, command: &str) -> Result<(), CliError> {
-        self.axes.system.of_paper(command)
-    }
-
     /// The checked plane.
     pub fn plane(&self) -> Result<Plane, CliError> {
         self.axes.plane(self.schedule())

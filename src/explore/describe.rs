@@ -7,7 +7,7 @@ use super::backends;
 use super::scene::Scene;
 use crate::model::{Parameter, joined};
 use crate::plane::{Axis, Component, Plane, Quantity, Start};
-use crate::render::{live_title, words};
+use crate::render::live_title;
 use crate::system::{BUILTIN, Family};
 
 /// A parameter with the range of its slider.
@@ -114,13 +114,8 @@ pub fn scene(scene: &Scene, own: &'static Family) -> Value {
         "starts_symmetric": family.is_paper(),
         "backend": scene.computing.backend.name(),
         "adapter": scene.computing.backend.adapter(),
-        "curves": crate::curves::check(plane).is_ok() && follows_paper(family),
+        "curves": crate::curves::check(plane).is_ok(),
     })
-}
-
-/// Whether orbits, diagrams and curves follow a family in this version.
-pub fn follows_paper(family: &Family) -> bool {
-    family.is_paper()
 }
 
 /// What every page is told first: the systems, the back ends, the plane to begin with.
@@ -150,9 +145,4 @@ pub fn start_words(start: Start) -> String {
         Start::Rest => "from rest".into(),
         Start::Symmetric => "on the 1-1-1 motion, else from rest".into(),
     }
-}
-
-/// Some text in parts.
-pub fn plain(text: &str) -> Value {
-    json!(words(&text.into()))
 }

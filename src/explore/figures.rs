@@ -6,7 +6,6 @@ use std::panic::{self, AssertUnwindSafe};
 use serde_json::{Value, json};
 
 use super::asked::{Refused, because, refused};
-use super::describe::follows_paper;
 use super::gather;
 use super::lattice::Window;
 use super::limits;
@@ -54,11 +53,6 @@ pub fn curves(
 /// The curves of a map.
 fn followed(map: &RegionMap, max_period: u32, task: &Task) -> Result<Vec<Curve>, Ended> {
     check(&map.plane).map_err(because)?;
-    let family = map.plane.parameters.family();
-    if !follows_paper(family) {
-        let why = format!("curves follow the paper's oscillator only in this version, not {}", family.name());
-        return Err(refused(why).into());
-    }
     if !(1..=limits::CURVES_MAX_PERIOD).contains(&max_period) {
         let most = limits::CURVES_MAX_PERIOD;
         return Err(refused(format!("N up to {max_period} cannot be used: give 1 to {most}")).into());
