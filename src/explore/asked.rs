@@ -53,10 +53,8 @@ pub fn family(asked: &AskedSystem, own: &'static Family) -> Result<&'static Fami
             limits::SYSTEM_TEXT
         ))),
         AskedSystem::Text(text) => {
-            Family::parse(text, OWN_SYSTEM).map_err(|error| Refused {
-                line: Some(error.place.line),
-                message: error.to_string(),
-            })?;
+            Family::parse(text, OWN_SYSTEM)
+                .map_err(|error| Refused { line: Some(error.place.line), message: error.to_string() })?;
             let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
             let texts = texts.get_or_insert_default();
             if !texts.contains(text) && texts.len() >= limits::SYSTEM_TEXTS {

@@ -48,10 +48,10 @@ impl Asked {
     /// [`BackendError::NoAdapter`] where there is none.
     pub fn adapter(text: &str) -> Result<Asked, BackendError> {
         let wanted = text.to_lowercase();
-        let found = adapters().iter().position(|adapter| adapter.to_string().to_lowercase().contains(&wanted));
-        let none = || {
-            BackendError::NoAdapter(format!("no adapter matches `{text}`: see `impact-atlas adapters`"))
-        };
+        let found =
+            adapters().iter().position(|adapter| adapter.to_string().to_lowercase().contains(&wanted));
+        let none =
+            || BackendError::NoAdapter(format!("no adapter matches `{text}`: see `impact-atlas adapters`"));
         found.map(Asked::Adapter).ok_or_else(none)
     }
 

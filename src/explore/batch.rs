@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use super::outbox::Page;
 use super::lattice::{Cell, SIDE, TileKey};
+use super::outbox::Page;
 use super::reply::Outgoing;
 use super::scene::Scene;
 use super::store::Tiles;
@@ -61,11 +61,7 @@ impl Watch for Flag<'_> {
 ///
 /// # Errors
 /// [`Stopped`], also where the program has a mistake.
-pub fn verdicts(
-    scene: &Scene,
-    cells: &[Cell],
-    watch: &dyn Watch,
-) -> Result<Vec<Option<Verdict>>, Stopped> {
+pub fn verdicts(scene: &Scene, cells: &[Cell], watch: &dyn Watch) -> Result<Vec<Option<Verdict>>, Stopped> {
     let jobs: Vec<Option<Job>> = cells.par_iter().map(|&cell| scene.job(cell)).collect();
     let followed: Vec<Job> = jobs.iter().flatten().cloned().collect();
     let decided = panic::catch_unwind(AssertUnwindSafe(|| {
@@ -75,7 +71,9 @@ pub fn verdicts(
         Ok(Ok(verdicts)) => verdicts,
         Ok(Err(BackendError::Cancelled)) => return Err(Stopped::Cancelled),
         Ok(Err(error)) => return Err(Stopped::Failed(error.to_string())),
-        Err(_) => return Err(Stopped::Failed("internal error: a mistake in the program; please report it".into())),
+        Err(_) => {
+            return Err(Stopped::Failed("internal error: a mistake in the program; please report it".into()));
+        }
     };
     let mut decided = decided.into_iter();
     Ok(jobs.iter().map(|job| job.as_ref().and_then(|_| decided.next())).collect())

@@ -73,9 +73,8 @@ pub fn asked(plane: &Plane, backend: &str, own: &'static Family) -> Value {
         true => json!({ "name": family.origin() }),
         false => json!({ "text": family.text() }),
     };
-    let varied = |parameter: Parameter| {
-        [plane.x.quantity, plane.y.quantity].contains(&Quantity::Parameter(parameter))
-    };
+    let varied =
+        |parameter: Parameter| [plane.x.quantity, plane.y.quantity].contains(&Quantity::Parameter(parameter));
     let set: serde_json::Map<String, Value> = (plane.parameters.entries())
         .filter(|(parameter, _)| !varied(*parameter))
         .map(|(parameter, value)| (parameter.name().to_owned(), json!(value)))
@@ -120,9 +119,7 @@ pub fn scene(scene: &Scene, own: &'static Family) -> Value {
 
 /// What every page is told first: the systems, the back ends, the plane to begin with.
 pub fn hello(first: &Plane, backend: &str, own: &'static Family) -> Value {
-    let entry = |name: &str, family: &'static Family| {
-        json!({ "name": name, "title": family.name(), "text": family.text() })
-    };
+    let entry = |name: &str, family: &'static Family| json!({ "name": name, "title": family.name(), "text": family.text() });
     let mut systems: Vec<Value> =
         BUILTIN.iter().map(|builtin| entry(builtin.name, Family::builtin(builtin.name))).collect();
     if !BUILTIN.iter().any(|builtin| builtin.name == own.origin()) {
@@ -134,6 +131,7 @@ pub fn hello(first: &Plane, backend: &str, own: &'static Family) -> Value {
         "layout": super::tile::VERSION,
         "systems": systems,
         "backends": backends::choosable(),
+        "layers": super::layer::layers(),
         "plane": asked(first, backend, own),
     })
 }

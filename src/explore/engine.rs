@@ -18,9 +18,6 @@ const BATCH: Duration = Duration::from_millis(220);
 /// How long tiles wait for something that somebody clicked on.
 const WAIT: Duration = Duration::from_millis(1500);
 
-
-
-
 /// The worker's door.
 #[derive(Clone, Debug)]
 pub struct Engine {
@@ -162,7 +159,8 @@ impl Shared {
             state.running = None;
             match computed {
                 Ok(done) => {
-                    let told = state.wanted.get_mut(&id).map(|wanted| wanted.told.entry(scene.id).or_default());
+                    let told =
+                        state.wanted.get_mut(&id).map(|wanted| wanted.told.entry(scene.id).or_default());
                     batch::send(&scene, &done, &page, told);
                     if done.computed > 0 {
                         let spent = began.elapsed().div_f64(done.computed as f64);

@@ -38,8 +38,7 @@ pub fn curves(
     let lines: Vec<Value> = live_lines(&map, &found, shown)
         .into_iter()
         .map(|line| {
-            let points: Vec<[f64; 2]> =
-                line.points.iter().map(|[a, b]| [x.place(*a), y.place(*b)]).collect();
+            let points: Vec<[f64; 2]> = line.points.iter().map(|[a, b]| [x.place(*a), y.place(*b)]).collect();
             json!({
                 "about": line.about, "name": line.name, "colour": line.colour, "widths": line.widths,
                 "dashes": line.dashes, "points": points,
@@ -117,7 +116,10 @@ fn drawn(map: &RegionMap, size: Size, curves: Option<u32>, task: &Task) -> Resul
 /// [`Refused`] where it is too large or too small.
 pub fn figure_size([width, height]: [u32; 2]) -> Result<Size, Refused> {
     if width.max(height) > limits::FIGURE {
-        return Err(refused(format!("{width} × {height} pixels are too many: {} a side at most", limits::FIGURE)));
+        return Err(refused(format!(
+            "{width} × {height} pixels are too many: {} a side at most",
+            limits::FIGURE
+        )));
     }
     Size::new(width, height).map_err(because)
 }

@@ -58,9 +58,9 @@ impl Guard {
             return true;
         }
         let origin = text(ORIGIN);
-        let authority = origin.as_deref().and_then(|origin| {
-            origin.strip_prefix("http://").or_else(|| origin.strip_prefix("https://"))
-        });
+        let authority = origin
+            .as_deref()
+            .and_then(|origin| origin.strip_prefix("http://").or_else(|| origin.strip_prefix("https://")));
         authority == Some(&*host)
     }
 }

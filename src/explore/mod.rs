@@ -17,6 +17,7 @@ mod figures;
 mod gather;
 mod guard;
 mod lattice;
+mod layer;
 mod limits;
 mod outbox;
 mod page;

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::lattice::{Cell, TileKey, Window};
+use super::layer::Layer;
 
 /// A message from a page. `ask` is a number of the page's choice that every answer carries.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -19,6 +20,8 @@ pub enum Request {
     Legend { ask: u32, scene: u32, cells: Vec<(u16, u64)>, rows: usize },
     /// Ticks and titles for what is seen: places in cells of level 0, pixels across and up, the size of letters.
     Axes { ask: u32, scene: u32, x: [f64; 2], y: [f64; 2], size: [f64; 2], em: f64 },
+    /// The colour bar of a layer of numbers, of what is known of a window.
+    Bar { ask: u32, scene: u32, layer: Layer, window: Window, length: f64, em: f64 },
     /// Everything about one cell.
     Probe { ask: u32, scene: u32, cell: Cell, width: u32 },
     /// The bifurcation curves of a window.
@@ -93,6 +96,7 @@ impl Request {
             Request::Want { scene, .. } => (None, Some(scene)),
             Request::Legend { ask, scene, .. }
             | Request::Axes { ask, scene, .. }
+            | Request::Bar { ask, scene, .. }
             | Request::Probe { ask, scene, .. }
             | Request::Curves { ask, scene, .. }
             | Request::Slice { ask, scene, .. }

@@ -10,6 +10,7 @@ use serde_json::json;
 
 use super::asked::{Refused, refused};
 use super::lattice::Cell;
+use super::layer::bar;
 use super::outbox::Page;
 use super::probe::probe;
 use super::reply::Outgoing;
@@ -45,7 +46,9 @@ impl Session {
     pub fn hear(&self, text: &str) {
         let request: Request = match serde_json::from_str(text) {
             Ok(request) => request,
-            Err(error) => return self.refuse(None, &refused(format!("the message is not understood: {error}"))),
+            Err(error) => {
+                return self.refuse(None, &refused(format!("the message is not understood: {error}")));
+            }
         };
         let (ask, scene) = request.ask();
         let done = match scene.map(|id| self.served.scene(id)).transpose() {
@@ -97,6 +100,9 @@ impl Session {
                 let plane = window.plane(&scene.plane).map_err(super::asked::because)?;
                 let text = command::map(&plane, scene.computing.asked, size, curves);
                 self.reply("command", ask, json!({ "text": text }));
+            }
+            (Request::Bar { ask, layer, window, length, em, .. }, Some(scene)) => {
+                self.reply("bar", ask, bar(&scene, served.engine.tiles(), layer, &window, length, em)?);
             }
             (Request::Probe { ask, cell, width, .. }, Some(scene)) => {
                 if !Cell::is_near(cell) {
@@ -174,21 +180,14 @@ fn legend(scene: &Scene, cells: &[(u16, u64)], rows: usize) -> Result<serde_json
     if cells.len() > limits::MOTIONS {
         return Err(refused("too many motions"));
     }
-    let known = |&(number, count): &(u16, u64)| {
-        Some((scene.motion(number)?, count.min(1 << 40)))
-    };
+    let known = |&(number, count): &(u16, u64)| Some((scene.motion(number)?, count.min(1 << 40)));
     let found: Option<Vec<_>> = cells.iter().map(known).collect();
     let found = found.ok_or_else(|| refused("there is no such motion on this plane"))?;
     Ok(json!(live_legend(scene.plane.parameters.family(), &found, rows.min(limits::LEGEND_ROWS))))
 }
 
 /// Ticks and titles of what is seen, with places in cells of level 0.
-fn axes(
-    scene: &Scene,
-    [x, y]: [[f64; 2]; 2],
-    size: [f64; 2],
-    em: f64,
-) -> Result<serde_json::Value, Refused> {
+fn axes(scene: &Scene, [x, y]: [[f64; 2]; 2], size: [f64; 2], em: f64) -> Result<serde_json::Value, Refused> {
     let sane = size.iter().all(|length| (20.0..=20_000.0).contains(length)) && (4.0..=100.0).contains(&em);
     let side = |axis: &Axis, [from, to]: [f64; 2], length: f64, across: bool| {
         let ends = [axis.at(from), axis.at(to)];

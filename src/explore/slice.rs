@@ -18,6 +18,8 @@ use crate::theory::confirmed;
 const OBSERVE: u32 = 150;
 /// Forcing periods before that.
 const TRANSIENT: u32 = 300;
+/// The size of letters in pixels.
+const EM: f64 = 12.5;
 /// Points kept of a column.
 const POINTS: u32 = 4 * OBSERVE;
 
@@ -48,7 +50,8 @@ pub fn slice(
     let share = |i: u32| f64::from(i) / f64::from(columns - 1);
     let at = |k: usize, i: u32| axes[k].at(from[k] + share(i) * (to[k] - from[k]));
     let Axis { quantity, spacing, .. } = axes[over];
-    let axis = Axis::spaced(quantity, at(over, 0), at(over, columns - 1), columns, spacing).map_err(because)?;
+    let axis =
+        Axis::spaced(quantity, at(over, 0), at(over, columns - 1), columns, spacing).map_err(because)?;
     let jobs: Vec<Job> = (0..columns)
         .map(|i| match over {
             0 => scene.job_at(axis.value(i), at(1, i)),
@@ -85,9 +88,11 @@ pub fn slice(
     let branches = vec![Branch { direction: Direction::Each, traces, spectrum: None }];
     let diagram = Diagram { spec, provenance: provenance(backend), branches };
     let ends = [at(other, 0), at(other, columns - 1)];
-    let figure = slice_figure(&diagram, axes[other].quantity, ends);
-    let size = figure.natural_size(width.clamp(360, 2400));
-    let size = super::figures::figure_size([size.width(), (size.height() * 5 / 8).max(260)])?;
+    let mut figure = slice_figure(&diagram, axes[other].quantity, ends);
+    let width = width.clamp(360, 2400);
+    // Letters of the page's own size.
+    figure.width = (f64::from(width) / EM).max(30.0);
+    let size = super::figures::figure_size([width, (width * 3 / 8).clamp(340, 460)])?;
     match figure.draw(size, &diagram.config()) {
         Ok(picture) => task.answer("slice", json!({ "svg": picture.svg() })),
         Err(error) => return Err(because(error).into()),

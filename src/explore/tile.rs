@@ -44,7 +44,7 @@ pub fn encoded(scene: u32, key: TileKey, cells: &Cells, motions: &[u16]) -> Vec<
 }
 
 /// Impacts per forcing period: of a periodic motion those of its label, infinite where rebounds accumulate; NaN elsewhere.
-fn impacts_per_period(verdict: &Verdict) -> f32 {
+pub fn impacts_per_period(verdict: &Verdict) -> f32 {
     match verdict.n {
         0 if verdict.regime == crate::analysis::Regime::NoImpact => 0.0,
         0 => f32::NAN,
@@ -146,10 +146,14 @@ mod tests {
             ("want", r#""scene":1,"tiles":[[0,1,-2]]"#.to_owned()),
             ("legend", r#""ask":1,"scene":1,"cells":[[0,12]],"rows":9"#.to_owned()),
             ("axes", r#""ask":1,"scene":1,"x":[0,1],"y":[0,1],"size":[300,200],"em":13"#.to_owned()),
+            ("bar", format!(r#""ask":1,"scene":1,"layer":"peak","window":{window},"length":200,"em":12"#)),
             ("probe", r#""ask":1,"scene":1,"cell":[0,1,2],"width":300"#.to_owned()),
             ("curves", format!(r#""ask":1,"scene":1,"window":{window},"max_period":2,"all":false"#)),
             ("slice", r#""ask":1,"scene":1,"from":[0,1],"to":[2,3],"columns":9,"width":500"#.to_owned()),
-            ("save", format!(r#""ask":1,"scene":1,"window":{window},"format":"png","size":[9,9],"curves":null"#)),
+            (
+                "save",
+                format!(r#""ask":1,"scene":1,"window":{window},"format":"png","size":[9,9],"curves":null"#),
+            ),
             ("command", format!(r#""ask":1,"scene":1,"window":{window},"size":[9,9],"curves":2"#)),
             ("cancel", r#""ask":1"#.to_owned()),
         ];

@@ -45,8 +45,8 @@ pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, Str
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
 pub use live::{
-    LiveAxis, LiveLegend, LiveLine, LiveRow, Word, css, live_axis, live_hatch, live_legend, live_lines, live_title,
-    slice_figure, words,
+    LiveAxis, LiveBar, LiveLegend, LiveLine, LiveRow, Word, css, live_axis, live_bar, live_hatch,
+    live_legend, live_lines, live_title, slice_figure, words,
 };
 pub use motion::Motion;
 pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};

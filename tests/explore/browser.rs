@@ -35,8 +35,13 @@ impl Browser {
             .next()
             .expect("chromedriver says its port");
         let arguments = [
-            "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--force-device-scale-factor=1", "--hide-scrollbars",
-            "--disable-gpu", &format!("--window-size={width},{height}"),
+            "--headless=new",
+            "--no-sandbox",
+            "--disable-dev-shm-usage",
+            "--force-device-scale-factor=1",
+            "--hide-scrollbars",
+            "--disable-gpu",
+            &format!("--window-size={width},{height}"),
         ];
         let options = json!({ "goog:chromeOptions": { "args": arguments } });
         let Value::Object(capabilities) = options else { unreachable!() };
@@ -60,7 +65,8 @@ impl Browser {
     /// Shows the page as in the dark.
     pub async fn scheme(&self, scheme: &str) {
         let features = json!([{ "name": "prefers-color-scheme", "value": scheme }]);
-        self.devtools(json!({ "cmd": "Emulation.setEmulatedMedia", "params": { "features": features } })).await;
+        self.devtools(json!({ "cmd": "Emulation.setEmulatedMedia", "params": { "features": features } }))
+            .await;
     }
 
     async fn devtools(&self, command: Value) {

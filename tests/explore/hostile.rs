@@ -28,27 +28,44 @@ fn request(path: &str, host: &str, more: &str) -> String {
 /// Requests that must not get the page, nor a file.
 fn outsiders(port: u16, token: &str) -> Vec<String> {
     let own = format!("127.0.0.1:{port}");
-    let wrong = ["0".repeat(48), String::new(), "%00".into(), "..".into(), token[..47].into(), format!("{token}x")];
+    let wrong =
+        ["0".repeat(48), String::new(), "%00".into(), "..".into(), token[..47].into(), format!("{token}x")];
     let mut all: Vec<String> = wrong
         .iter()
         .flat_map(|token| {
-            ["", "/", "/main.js", "/ws", "/font/Inter-Regular.otf"].map(|part| request(&format!("/{token}{part}"), &own, ""))
+            ["", "/", "/main.js", "/ws", "/font/Inter-Regular.otf"]
+                .map(|part| request(&format!("/{token}{part}"), &own, ""))
         })
         .collect();
-    let hosts = ["evil.example", "evil.example:80", "127.0.0.1.evil.example", "", "127.0.0.1:x", "0.0.0.0", "a b"];
+    let hosts =
+        ["evil.example", "evil.example:80", "127.0.0.1.evil.example", "", "127.0.0.1:x", "0.0.0.0", "a b"];
     all.extend(hosts.map(|host| request(&format!("/{token}/"), host, "")));
-    let origins = ["http://evil.example", "null", "http://127.0.0.1:1", "file:///etc/passwd", "http://localhost"];
+    let origins =
+        ["http://evil.example", "null", "http://127.0.0.1:1", "file:///etc/passwd", "http://localhost"];
     let upgrade = "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n\
                    Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
-    all.extend(origins.map(|origin| request(&format!("/{token}/ws"), &own, &format!("Origin: {origin}\r\n{upgrade}"))));
+    all.extend(
+        origins
+            .map(|origin| request(&format!("/{token}/ws"), &own, &format!("Origin: {origin}\r\n{upgrade}"))),
+    );
     let paths = [
-        "/../../../../etc/passwd", "/..%2f..%2f..%2fetc%2fpasswd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd",
-        "/main.js/../../Cargo.toml", "/map.npz", "/style/", "/.git/config", "/index.html%00.js", "/ws?x=1",
+        "/../../../../etc/passwd",
+        "/..%2f..%2f..%2fetc%2fpasswd",
+        "/%2e%2e/%2e%2e/etc/passwd",
+        "//etc/passwd",
+        "/main.js/../../Cargo.toml",
+        "/map.npz",
+        "/style/",
+        "/.git/config",
+        "/index.html%00.js",
+        "/ws?x=1",
     ];
     all.extend(paths.map(|path| request(&format!("/{token}{path}"), &own, "")));
     all.push(format!("POST /{token}/ HTTP/1.1\r\nHost: {own}\r\nContent-Length: 999999999\r\n\r\n"));
     all.push(format!("DELETE /{token}/main.js HTTP/1.1\r\nHost: {own}\r\nConnection: close\r\n\r\n"));
-    all.push(format!("GET /{token}/ HTTP/1.1\r\nHost: {own}\r\nHost: evil.example\r\nConnection: close\r\n\r\n"));
+    all.push(format!(
+        "GET /{token}/ HTTP/1.1\r\nHost: {own}\r\nHost: evil.example\r\nConnection: close\r\n\r\n"
+    ));
     all.push(format!("GET /{token}/ HTTP/1.1\r\nConnection: close\r\n\r\n"));
     all.push(request(&format!("/{token}/"), "evil.example", &format!("X-Forwarded-Host: {own}\r\n")));
     all.push(format!("GET /{} HTTP/1.1\r\nHost: {own}\r\nConnection: close\r\n\r\n", "a".repeat(70_000)));
@@ -91,22 +108,37 @@ fn messages(scene: u64, plane: &serde_json::Value) -> Vec<String> {
         plane[key] = value;
         json!({ "type": "open", "ask": 9, "plane": plane }).to_string()
     };
-    let mut all: Vec<String> = ["", "{", "null", "[]", "1e999", "\"open\"", "{\"type\":\"open\"}", "{\"type\":\"exec\"}"]
-        .map(str::to_owned)
-        .to_vec();
+    let mut all: Vec<String> =
+        ["", "{", "null", "[]", "1e999", "\"open\"", "{\"type\":\"open\"}", "{\"type\":\"exec\"}"]
+            .map(str::to_owned)
+            .to_vec();
     all.push("[".repeat(100_000));
     all.push(format!("{{\"type\":\"want\",\"scene\":{scene},\"tiles\":{}", "[".repeat(50_000)));
-    for name in ["/etc/passwd", "../secret.toml", "luo-ma-lv/../../x", "", "file:///etc/passwd", "\u{0}", "map.npz"] {
+    for name in
+        ["/etc/passwd", "../secret.toml", "luo-ma-lv/../../x", "", "file:///etc/passwd", "\u{0}", "map.npz"]
+    {
         all.push(changed("system", json!({ "name": name })));
     }
     let deep = format!("a = {}", "[".repeat(20_000));
-    let texts = ["", "= = =", "name = 1", "\u{0}", &deep, &"x".repeat(70_000), "[system]\nmass = [[\"1/0\"]]"];
+    let texts =
+        ["", "= = =", "name = 1", "\u{0}", &deep, &"x".repeat(70_000), "[system]\nmass = [[\"1/0\"]]"];
     for text in texts {
         all.push(changed("system", json!({ "text": text })));
     }
     for axis in [
-        "", "omega", "omega=1:2:1e12", "omega=NaN:2:9", "omega=-1:2:9", "omega=1:1:9", "omega=1:2:1", "delta=0:1:9",
-        "gain=0:1:9", "omega=1e-300:1e300:9:log", "omega=1:2:99999999", "$(reboot)=1:2:3", "omega=0:1:9",
+        "",
+        "omega",
+        "omega=1:2:1e12",
+        "omega=NaN:2:9",
+        "omega=-1:2:9",
+        "omega=1:1:9",
+        "omega=1:2:1",
+        "delta=0:1:9",
+        "gain=0:1:9",
+        "omega=1e-300:1e300:9:log",
+        "omega=1:2:99999999",
+        "$(reboot)=1:2:3",
+        "omega=0:1:9",
     ] {
         all.push(changed("x", json!(axis)));
     }
@@ -114,9 +146,18 @@ fn messages(scene: u64, plane: &serde_json::Value) -> Vec<String> {
         all.push(changed("start", json!(start)));
     }
     for (key, value) in [
-        ("transient", json!(4_000_000_000_u32)), ("transient", json!(-1)), ("observe", json!(0)), ("observe", json!(1e9)),
-        ("max_period", json!(0)), ("max_period", json!(99_999)), ("backend", json!("adapter:99")), ("backend", json!("sh")),
-        ("set", json!({ "zeta": -1 })), ("set", json!({ "zeta": 1e308 })), ("set", json!({ "PATH": 1 })), ("set", json!([1])),
+        ("transient", json!(4_000_000_000_u32)),
+        ("transient", json!(-1)),
+        ("observe", json!(0)),
+        ("observe", json!(1e9)),
+        ("max_period", json!(0)),
+        ("max_period", json!(99_999)),
+        ("backend", json!("adapter:99")),
+        ("backend", json!("sh")),
+        ("set", json!({ "zeta": -1 })),
+        ("set", json!({ "zeta": 1e308 })),
+        ("set", json!({ "PATH": 1 })),
+        ("set", json!([1])),
     ] {
         all.push(changed(key, value));
     }
@@ -143,13 +184,19 @@ fn messages(scene: u64, plane: &serde_json::Value) -> Vec<String> {
     all.push(about("probe", json!({ "cell": [0, -4000, 3], "width": 300 })));
     for window in [&huge, &backwards, &outside, &last] {
         all.push(about("curves", json!({ "window": window, "max_period": 2, "all": false })));
-        all.push(about("save", json!({ "window": window, "format": "png", "size": [400, 300], "curves": null })));
+        all.push(about(
+            "save",
+            json!({ "window": window, "format": "png", "size": [400, 300], "curves": null }),
+        ));
         all.push(about("command", json!({ "window": window, "size": [400, 300], "curves": null })));
     }
     let few = json!({ "z": 0, "columns": [0, 9], "rows": [0, 9] });
     all.push(about("curves", json!({ "window": few, "max_period": 999, "all": true })));
     all.push(about("save", json!({ "window": few, "format": "exe", "size": [400, 300], "curves": null })));
-    all.push(about("save", json!({ "window": few, "format": "png", "size": [90_000, 90_000], "curves": null })));
+    all.push(about(
+        "save",
+        json!({ "window": few, "format": "png", "size": [90_000, 90_000], "curves": null }),
+    ));
     all.push(about("save", json!({ "window": few, "format": "png", "size": [0, 0], "curves": null })));
     all.push(about("slice", json!({ "from": [0, 0], "to": [0, 0], "columns": 50, "width": 600 })));
     all.push(about("slice", json!({ "from": [0, 0], "to": [9, 9], "columns": 9_000_000, "width": 600 })));
@@ -174,7 +221,9 @@ async fn hostile_messages_are_refused_and_others_are_served() {
             (socket, _) = Socket::connect(&explorer).await;
         }
         // Nothing answers a `cancel`, nor a `want`; a question of no consequence tells when the message was heard.
-        socket.send(json!({ "type": "legend", "ask": 77, "scene": scene, "cells": [], "rows": 3 }).to_string()).await;
+        socket
+            .send(json!({ "type": "legend", "ask": 77, "scene": scene, "cells": [], "rows": 3 }).to_string())
+            .await;
         loop {
             match socket.hear().await {
                 Heard::Text(answer) => {

@@ -105,7 +105,8 @@ async fn a_part_that_is_taken_along_is_computed_at_its_own_values() {
     let map = read_map(Cursor::new(socket.file().await)).unwrap();
     let cpu = open(impact_atlas::backend::Choice::Cpu, None).unwrap();
     let fresh = sweep(&map.plane, &*cpu, &Unwatched).unwrap();
-    let states = |map: &impact_atlas::plane::RegionMap| map.verdicts.iter().map(|v| v.state).collect::<Vec<_>>();
+    let states =
+        |map: &impact_atlas::plane::RegionMap| map.verdicts.iter().map(|v| v.state).collect::<Vec<_>>();
     assert_eq!(states(&map), states(&fresh));
     assert_eq!(map.verdicts.len(), 27 * 20);
 }

@@ -7,7 +7,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// A plane whose cells take a moment only.
-pub const SMALL: &str = "--backend cpu --x omega=1.2:3.6:96 --y delta=0.08:0.3:72 --transient 80 --observe 48";
+pub const SMALL: &str =
+    "--backend cpu --x omega=1.2:3.6:96 --y delta=0.08:0.3:72 --transient 80 --observe 48";
 
 /// The program, serving a page.
 pub struct Explorer {

@@ -6,7 +6,7 @@ const WORDS = ['x', 'y', 'start', 'backend'];
 const NUMBERS = ['transient', 'observe', 'max_period'];
 
 /** A view as the part of the address behind #. */
-export function written({ plane, window, cell, curves }) {
+export function written({ plane, window, cell, curves, layer }) {
   const words = new URLSearchParams();
   if (plane.system.name) words.set('system', plane.system.name);
   else words.set('described', plane.system.text);
@@ -16,6 +16,7 @@ export function written({ plane, window, cell, curves }) {
   if (window) words.set('view', window.map((value) => Number(value.toPrecision(12))).join(','));
   if (cell) words.set('cell', cell.join(','));
   if (curves) words.set('curves', '1');
+  if (layer) words.set('layer', layer);
   return words.toString();
 }
 
@@ -35,7 +36,8 @@ export function read(hash, first) {
     const values = (words.get(key) ?? '').split(',').map(Number);
     return words.has(key) && values.length === count && values.every(Number.isFinite) ? values : null;
   };
-  return { plane, window: numbers('view', 4), cell: numbers('cell', 3), curves: words.get('curves') === '1' };
+  return { plane, window: numbers('view', 4), cell: numbers('cell', 3), curves: words.get('curves') === '1',
+    layer: words.get('layer') };
 }
 
 export class Address {

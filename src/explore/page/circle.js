@@ -28,7 +28,7 @@ export function multipliers({ values, stable, none }) {
     return `${digits(re, 4)} ${im < 0 ? '−' : '+'} ${digits(Math.abs(im), 4)} i  (|·| = ${size})`;
   };
   const says = stable == null ? '' : stable ? 'All lie within the unit circle: stable.' : 'Not all lie within the unit circle: unstable.';
-  return element('div', { class: 'multipliers' }, plot(values),
+  return element('div', { class: 'floquet' }, plot(values),
     element('div', {}, element('ol', {}, ...values.map((value) => element('li', { text: text(value) }))),
       element('p', { text: says })));
 }

@@ -70,18 +70,26 @@ export class Curves {
       d, stroke: colour, 'stroke-width': width(widths[0]), 'stroke-dasharray': dashes.map((length) => length * em).join(' ') || null,
     }));
     const felt = lines.map(({ d, about }) => shape('path', { d, class: 'felt' }, shape('title', { text: about })));
-    const named = lines.map((line) => this.label(line, view, left, top)).filter(Boolean);
+    // The paper's names come first; a name that would cover another one is left out, and is there on hover.
+    const taken = [];
+    const order = [...lines].sort((a, b) => /^L\d/.test(b.name) - /^L\d/.test(a.name));
+    const named = order.map((line) => this.label(line, view, left, top, taken)).filter(Boolean);
     this.group.replaceChildren(...cased, ...inked, ...named, ...felt);
   }
 
   /** The name of a curve at its middle in sight, where it is long enough. */
-  label({ name, colour, points }, view, left, top) {
+  label({ name, colour, points }, view, left, top, taken) {
     const [width, height] = view.size;
     const pixels = points.map(([x, y]) => view.pixelAt(x, y)).filter(([x, y]) => x > 20 && y > 14 && x < width - 20 && y < height - 8);
     if (pixels.length < 2) return null;
     const [a, b] = [pixels[0], pixels.at(-1)];
     if (Math.hypot(a[0] - b[0], a[1] - b[1]) < 60) return null;
-    const [x, y] = pixels[Math.floor(pixels.length / 2)];
+    const half = 3.6 * name.length + 4;
+    const free = ([x, y]) => taken.every(([cx, cy, ch]) => Math.abs(x - cx) > half + ch || Math.abs(y - cy) > 14);
+    const found = [0.5, 0.3, 0.7, 0.15, 0.85].map((share) => pixels[Math.floor(share * (pixels.length - 1))]).find(free);
+    if (!found) return null;
+    const [x, y] = found;
+    taken.push([x, y, half]);
     return shape('text', { x: left + x, y: top + y - 6, fill: colour, class: 'curve-name', 'text-anchor': 'middle', text: name });
   }
 }

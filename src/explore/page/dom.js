@@ -28,6 +28,8 @@ export function drawn(svg, name) {
   const root = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
   if (root.localName !== 'svg') return element('p', { text: 'The figure cannot be shown.' });
   root.querySelector('metadata')?.remove();
+  // Styles are in the page's own sheets.
+  for (const node of root.querySelectorAll('[style]')) node.removeAttribute('style');
   root.setAttribute('role', 'img');
   root.setAttribute('aria-label', name);
   root.classList.add('figure');

@@ -13,6 +13,8 @@ export class Grid {
     this.range = [0, -1, 0, -1];
     this.motion = new Uint16Array(0);
     this.from = new Int8Array(0);
+    /** The layer of numbers that is shown, by the name of its field in a tile; null for motions. */
+    this.layer = null;
   }
 
   get columns() { return this.range[1] - this.range[0] + 1; }
@@ -33,6 +35,7 @@ export class Grid {
     const cells = this.columns * this.rows;
     this.motion = new Uint16Array(cells).fill(UNKNOWN);
     this.from = new Int8Array(cells).fill(-128);
+    this.value = this.layer ? new Float32Array(cells).fill(NaN) : null;
     const wide = { level: view.level, cells: (z) => view.cells(z, MARGIN) };
     // Coarser levels first: finer ones cover them.
     for (let z = Tiles.first(view) - 3; z <= this.level; z++) {
@@ -50,6 +53,7 @@ export class Grid {
     if (finer < 0 || finer > 20) return;
     const [a0, a1, b0, b1] = this.range;
     const columns = this.columns;
+    const values = this.layer ? tile[this.layer] : null;
     const size = 2 ** finer, half = size / 2;
     for (let row = 0; row < SIDE; row++) {
       const middle = (tile.j * SIDE + row) * size;
@@ -64,6 +68,7 @@ export class Grid {
             if (this.from[line + i] <= tile.z) {
               this.motion[line + i] = motion;
               this.from[line + i] = tile.z;
+              if (values) this.value[line + i] = values[row * SIDE + column];
             }
           }
         }

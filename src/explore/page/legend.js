@@ -1,6 +1,6 @@
 // The legend of what is in sight, in the words and paints of the pictures.
 
-import { element } from './dom.js';
+import { element, shape } from './dom.js';
 import { asHtml } from './words.js';
 
 /** A sample of paints side by side. */
@@ -19,7 +19,24 @@ export class Legend {
     this.root = root;
     this.rows = element('table', {});
     this.notes = element('p', { class: 'notes' });
-    this.root.append(this.rows, this.notes);
+    this.bar = element('div', { class: 'bar', hidden: true });
+    this.root.append(this.bar, this.rows, this.notes);
+  }
+
+  /** The colour bar of a layer of numbers above the motions; none for null. */
+  scale(bar) {
+    this.bar.hidden = bar == null;
+    if (bar == null) return;
+    const { colours, ticks, title } = bar;
+    const strip = shape('svg', { viewBox: `0 0 ${colours.length} 10`, preserveAspectRatio: 'none', 'aria-hidden': 'true' },
+      ...colours.map((fill, x) => shape('rect', { x, width: 1.5, height: 10, fill })));
+    const labels = ticks.map(([share, text]) => {
+      const label = element('span', { text });
+      label.style.left = `${100 * share}%`;
+      return label;
+    });
+    this.bar.replaceChildren(element('p', {}, ...asHtml(title)), strip, element('div', { class: 'ticks' }, ...labels),
+      element('p', { class: 'notes' }, sample([['#d9d9d9', null]]), ' not measured, or without meaning'));
   }
 
   show({ rows, notes }) {

@@ -5,6 +5,7 @@ import { Axes } from './axes.js';
 import { Controls } from './controls.js';
 import { Curves } from './curves.js';
 import { element, seldom, shape } from './dom.js';
+import { choice } from './form.js';
 import { Grid } from './grid.js';
 import { readout } from './hover.js';
 import { Keys } from './keys.js';
@@ -21,7 +22,7 @@ import { Tiles } from './tiles.js';
 import { View } from './view.js';
 import { asHtml, asText } from './words.js';
 
-const MARGINS = { left: 78, right: 14, top: 10, bottom: 56 };
+const MARGINS = { left: innerWidth < 760 ? 60 : 78, right: 14, top: 10, bottom: 56 };
 const EM = 13;
 
 theme.begin();
@@ -46,7 +47,7 @@ const legend = new Legend(at('legend'));
 const panel = new Panel(at('cards'), link, () => { redraw(); address.write(true); });
 const save = new Save(link, status, () => ({ scene: state.scene.scene, window: shown(), curves: curves.shown }));
 const address = new Address(() => ({
-  plane: state.scene.plane, window: view.window, cell: panel.current?.cell, curves: curves.shown,
+  plane: state.scene.plane, window: view.window, cell: panel.current?.cell, curves: curves.shown, layer: grid.layer,
 }), go);
 let controls = null;
 
@@ -76,10 +77,12 @@ function hear(type, message) {
 function welcome(hello) {
   status.clear('link');
   address.first = hello.plane;
+  state.layers = hello.layers;
   controls ??= new Controls(at('controls'), hello, (asked) => open(asked, { step: true }));
-  const before = state.scene && { plane: state.scene.plane, window: view.window, cell: null, curves: false };
+  const before = state.scene && { plane: state.scene.plane, window: view.window, cell: null, curves: false, layer: grid.layer };
   const wanted = before ?? read(location.hash, hello.plane) ?? { plane: hello.plane };
   state.scene = null;
+  grid.layer = layered(wanted.layer);
   open(wanted.plane, { ...wanted, fallback: hello.plane, again: before != null });
 }
 
@@ -200,8 +203,41 @@ function redraw() {
   });
 }
 
+/** The name of a layer of numbers; null for motions and for names that there are not. */
+function layered(name) {
+  return state.layers?.some((layer) => layer.name === name) ? name : null;
+}
+
+/** Shows motions, or a layer of numbers. */
+function showLayer(name) {
+  grid.layer = layered(name);
+  paint.bar = null;
+  legend.scale(null);
+  if (!state.stale) grid.rebuild(view, tiles);
+  count();
+  redraw();
+  address.replace();
+}
+
+/** Asks for the colour bar of what is in sight. */
+function askBar() {
+  let z = view.level;
+  const cells = () => { const [i0, i1, j0, j1] = view.cells(z); return (i1 - i0 + 1) * (j1 - j0 + 1); };
+  while (z > -12 && cells() > 20000) z -= 1;
+  const [i0, i1, j0, j1] = view.cells(z);
+  const request = { type: 'bar', scene: state.scene.scene, layer: grid.layer, window: { z, columns: [i0, i1], rows: [j0, j1] },
+    length: Math.max(100, at('legend').clientWidth - 28), em: 12 };
+  link.once(request, 'bar').then((bar) => {
+    if (grid.layer !== request.layer || !bar) return;
+    paint.bar = bar;
+    legend.scale(bar);
+    redraw();
+  }, () => {});
+}
+
 const count = seldom(120, () => {
   if (!state.scene || state.stale) return;
+  if (grid.layer) askBar();
   const { counts, unknown } = grid.count(view);
   state.unknown = unknown;
   if (counts.length === 0) return;
@@ -266,6 +302,7 @@ function home() {
 function go(wanted) {
   const { scene } = state;
   wanted ??= { plane: address.first };
+  if (layered(wanted.layer) !== grid.layer) showLayer(wanted.layer);
   if (!scene || JSON.stringify(wanted.plane) !== JSON.stringify({ ...scene.plane })) return void open(wanted.plane, wanted);
   view.set(wanted.window ?? view.whole);
   const cell = panel.current?.cell;
@@ -282,11 +319,18 @@ function toggleCurves(on) {
   address.replace();
 }
 
+/** The choice of what is shown. */
+function layers() {
+  const options = [['motion', 'Motions'], ...(state.layers ?? []).map(({ name, title }) => [name, title])];
+  return choice(options, grid.layer ?? 'motion', 'layer', showLayer);
+}
+
 function tools() {
   const button = (text, title, pressed, onclick, disabled = false) => element('button', { type: 'button', text, title, onclick,
     'aria-pressed': pressed == null ? null : String(pressed), disabled });
   const inactive = !state.scene?.curves;
   at('tools').replaceChildren(
+    layers(),
     button('Whole plane', 'The whole plane (key 0)', null, home),
     button('Curves', inactive ? 'Curves need two parameters of the paper’s oscillator in this version'
       : 'Bifurcation curves of what is in sight', curves.shown, () => toggleCurves(!curves.shown), inactive),

@@ -3,6 +3,9 @@
 import { NOWHERE } from './protocol.js';
 import { UNKNOWN } from './grid.js';
 
+/** Cells whose number was not measured, or has no meaning. */
+const UNDEFINED = 0xffd9d9d9;
+
 /** A colour #rrggbb as the four bytes of a pixel. */
 function pixel(css) {
   const rgb = parseInt(css.slice(1), 16);
@@ -16,12 +19,26 @@ export class Paint {
     this.grounds = new Uint32Array(65536);
     this.hatches = new Uint32Array(65536);
     this.hatch = [7, 2];
+    this.scale = null;
   }
 
   /** The paint of a motion: ground and hatch. */
   set(motion, [ground, hatch]) {
     this.grounds[motion] = pixel(ground);
     this.hatches[motion] = hatch ? pixel(hatch) : 0;
+  }
+
+  /** The colour bar of a layer of numbers; null for motions. */
+  set bar(bar) {
+    this.scale = bar && { ...bar, colours: Uint32Array.from(bar.colours, pixel) };
+  }
+
+  /** The colour of a number. */
+  number(value) {
+    const { ends: [low, high], log, colours } = this.scale;
+    if (Number.isNaN(value)) return UNDEFINED;
+    const share = log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+    return colours[Math.max(0, Math.min(colours.length - 1, Math.floor(share * colours.length)))];
   }
 
   clear() {
@@ -50,6 +67,7 @@ export class Paint {
       columns[x] = i < grid.range[0] || i > grid.range[1] ? -1 : i - grid.range[0];
     }
     const [spacing, thickness] = this.hatch.map((length) => Math.max(1, Math.round(length * this.ratio)));
+    const numbers = grid.layer && grid.value && this.scale;
     for (let y = 0; y < height; y++) {
       const [, place] = view.placeAt(0, (y + 0.5) / this.ratio);
       const j = Math.round(place * unit);
@@ -59,6 +77,10 @@ export class Paint {
         const motion = outside || columns[x] < 0 ? UNKNOWN : grid.motion[line + columns[x]];
         if (motion === UNKNOWN || motion === NOWHERE) {
           this.pixels[at] = 0;
+          continue;
+        }
+        if (numbers) {
+          this.pixels[at] = this.number(grid.value[line + columns[x]]);
           continue;
         }
         const hatch = this.hatches[motion];

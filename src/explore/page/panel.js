@@ -38,6 +38,9 @@ export class Panel {
     this.cards.unshift(entry);
     this.root.prepend(entry.card.root);
     this.hint.hidden = true;
+    // Beside the plane the card comes into sight; below it, on a phone, the plane stays where it is.
+    const column = this.root.parentElement;
+    if (column.scrollHeight > column.clientHeight) column.scrollTop = entry.card.root.offsetTop - column.offsetTop - 8;
     this.changed(cell);
   }
 

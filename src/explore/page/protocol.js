@@ -8,11 +8,11 @@ export const NOWHERE = 65535;
 export const HEADER = 32;
 
 /** The requests that a page makes, by their types, each with a number `ask` unless nothing answers it. */
-export const REQUESTS = ['open', 'want', 'legend', 'axes', 'probe', 'curves', 'slice', 'save', 'command', 'cancel'];
+export const REQUESTS = ['open', 'want', 'legend', 'axes', 'bar', 'probe', 'curves', 'slice', 'save', 'command', 'cancel'];
 
 /** The messages that a page hears, by their types. */
 export const MESSAGES = [
-  'hello', 'scene', 'motions', 'legend', 'axes', 'motion', 'portrait', 'series', 'multipliers', 'section', 'exponents',
+  'hello', 'scene', 'motions', 'legend', 'axes', 'bar', 'motion', 'portrait', 'series', 'multipliers', 'section', 'exponents',
   'coexisting', 'curves', 'slice', 'file', 'command', 'progress', 'done', 'refused', 'failed',
 ];
 

@@ -7,7 +7,7 @@ use crate::dynamics::{self, Recording};
 use crate::explore::task::Task;
 use crate::model::{Setting, System};
 use crate::plane::Start;
-use crate::render::{Orbit, OrbitPanel, orbit_figure};
+use crate::render::{Orbit, OrbitPanel, Size, orbit_figure};
 
 /// Samples of a curve in each forcing period.
 const SAMPLES: u32 = 200;
@@ -58,7 +58,9 @@ fn draw(
     let mut figure = orbit_figure(&orbit, Start::State(verdict.state), panels, &[]);
     // The panel's own heading says where it is.
     figure.title.clear();
-    let size = figure.natural_size(width.clamp(280, 2000));
+    let width = width.clamp(280, 2000);
+    let height = if kind == "series" { width * 5 / 8 } else { figure.natural_size(width).height() };
+    let size = Size::new(width, height).unwrap_or_else(|_| figure.natural_size(width));
     match figure.draw(size, "{}") {
         Ok(picture) => task.answer(kind, json!({ "svg": picture.svg() })),
         Err(error) => task.answer(kind, json!({ "none": error.to_string() })),

@@ -44,7 +44,11 @@ pub fn live_legend(family: &'static Family, found: &[(Verdict, u64)], rows: usiz
     });
     LiveLegend {
         rows: rows.collect(),
-        paints: census.region_of.iter().map(|&region| paint(&census.regions[region as usize].paint)).collect(),
+        paints: census
+            .region_of
+            .iter()
+            .map(|&region| paint(&census.regions[region as usize].paint))
+            .collect(),
         notes: definition_of(&census).iter().map(words).collect(),
     }
 }

@@ -3,12 +3,14 @@
 //! A live plane looks like its picture because both ask here: there is no second palette and no second choice of ticks.
 
 mod axis;
+mod bar;
 mod legend;
 mod lines;
 mod slice;
 mod words;
 
 pub use axis::{LiveAxis, live_axis, live_title};
+pub use bar::{LiveBar, live_bar};
 pub use legend::{LiveLegend, LiveRow, live_legend};
 pub use lines::{LiveLine, live_lines};
 pub use slice::slice_figure;
