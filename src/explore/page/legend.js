@@ -3,6 +3,9 @@
 import { element, shape } from './dom.js';
 import { asHtml } from './words.js';
 
+/** A bar is chosen by at most so many cells. */
+const MOST_CELLS = 20000;
+
 /** A sample of paints side by side. */
 export function sample(paints) {
   const part = ([ground, hatch]) => {
@@ -21,6 +24,19 @@ export class Legend {
     this.notes = element('p', { class: 'notes' });
     this.bar = element('div', { class: 'bar', hidden: true });
     this.root.append(this.bar, this.rows, this.notes);
+  }
+
+  /** Asks for the colour bar of a layer, from some of the cells in sight. */
+  ask(link, scene, layer, view) {
+    let z = view.level;
+    const cells = () => {
+      const [i0, i1, j0, j1] = view.cells(z);
+      return (i1 - i0 + 1) * (j1 - j0 + 1);
+    };
+    while (z > -12 && cells() > MOST_CELLS) z -= 1;
+    const [i0, i1, j0, j1] = view.cells(z);
+    const window = { z, columns: [i0, i1], rows: [j0, j1] };
+    return link.once({ type: 'bar', scene, layer, window, length: Math.max(100, this.root.clientWidth - 28), em: 12 }, 'bar');
   }
 
   /** The colour bar of a layer of numbers above the motions; none for null. */

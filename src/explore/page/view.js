@@ -27,7 +27,10 @@ export class View {
   /** The level whose cells are shown. */
   get level() {
     const [across, up] = this.scale;
-    let z = Math.floor(Math.log2(Math.min(across, up) / LEAST_PIXELS));
+    // Of the whole plane its own cells are shown; closer up, about as many.
+    const [x0, x1, y0, y1] = this.window, [a0, a1, b0, b1] = this.whole;
+    const closer = Math.log2(Math.max((a1 - a0) / (x1 - x0), (b1 - b0) / (y1 - y0)));
+    let z = Math.floor(Math.min(Math.log2(Math.min(across, up) / LEAST_PIXELS), closer + 1e-6));
     const cells = (level) => ((this.size[0] / across) * (this.size[1] / up)) * 4 ** level;
     while (cells(z) > MOST_CELLS) z -= 1;
     return Math.max(COARSEST, Math.min(FINEST, z));
@@ -92,4 +95,13 @@ export class View {
   reset() {
     this.window = [...this.whole];
   }
+}
+
+/** The part of a window of cells that lies on a plane of so many columns and rows, where any does. */
+export function clipped({ z, columns, rows }, across, up) {
+  const inside = ([from, to], count) => {
+    const last = Math.floor((count - 1) * 2 ** z);
+    return to < 0 || from > last ? [from, to] : [Math.max(from, 0), Math.min(to, last)];
+  };
+  return { z, columns: inside(columns, across), rows: inside(rows, up) };
 }
