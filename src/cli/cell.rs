@@ -121,14 +121,10 @@ impl Made {
 /// The index of the cell that holds a value.
 fn index(axis: &Axis, value: f64) -> Result<u32, CliError> {
     let steps = f64::from(axis.count - 1);
-    let at = if axis.count == 1 {
-        value - axis.first
-    } else {
-        (value - axis.first) / (axis.last - axis.first) * steps
-    };
+    let at = if axis.count == 1 { value - axis.first } else { axis.place(value) };
     let rounding = 1e-9 * (1.0 + value.abs());
     let half = if axis.count == 1 { rounding } else { 0.5 };
-    if at < -half || at > steps + half {
+    if !(-half..=steps + half).contains(&at) {
         return Err(CliError::Input(anyhow!(
             "{} = {value} lies outside the map, whose axis is {axis}",
             axis.quantity.name()
@@ -151,6 +147,16 @@ mod tests {
         let single: Axis = "delta=0.1:0.1:1".parse().unwrap();
         assert_eq!(index(&single, 0.1).unwrap(), 0);
         assert!(index(&single, 0.2).is_err());
+    }
+
+    #[test]
+    fn on_an_axis_of_equal_ratios_the_nearest_cell_is_that_of_the_ratio() {
+        let axis: Axis = "omega=0.1:10:5:log".parse().unwrap();
+        for i in 0..5 {
+            assert_eq!(index(&axis, axis.value(i)).unwrap(), i);
+        }
+        assert_eq!((index(&axis, 0.17).unwrap(), index(&axis, 0.18).unwrap()), (0, 1));
+        assert!(index(&axis, 0.0).is_err() && index(&axis, -1.0).is_err());
     }
 
     #[test]
