@@ -110,6 +110,35 @@ pub struct Verdict {
 }
 
 impl Verdict {
+    /// The verdict on a trajectory that went on from where an earlier one left it, over the periods and impacts of both.
+    #[must_use]
+    pub fn going_on_from(self, earlier: &Verdict) -> Self {
+        Verdict {
+            periods: earlier.periods.saturating_add(self.periods),
+            impacts_total: earlier.impacts_total.saturating_add(self.impacts_total),
+            ..self
+        }
+    }
+
+    /// A verdict of which only the motion matters, for tests.
+    #[cfg(test)]
+    pub(crate) fn of_motion(regime: Regime, [n, p, q]: [u16; 3], symmetric: bool) -> Self {
+        Verdict {
+            regime,
+            n,
+            p,
+            q,
+            symmetric,
+            lyapunov: 0.0,
+            state: [0.0; 4],
+            impacts: 0,
+            impacts_total: 0,
+            peak_impact_velocity: 0.0,
+            periods: 1,
+            returning: 0,
+        }
+    }
+
     /// "N-p-q" where periodic (∞ for infinitely many impacts), the regime's name elsewhere.
     pub fn label(&self) -> String {
         if self.regime.is_periodic() {

@@ -59,18 +59,25 @@ struct Look {
 
 /// The looks in their order.
 fn looks(schedule: &Schedule) -> [Look; 2] {
-    let transient = |times: u32| schedule.transient.saturating_mul(times).min(Schedule::LONGEST);
-    let observe = schedule.observe.saturating_mul(LONGER_OBSERVATION).min(Schedule::LONGEST);
     let chaos = Schedule {
-        transient: transient(2).min(CHAOS_LOOK),
+        transient: schedule.transient.saturating_mul(2).min(CHAOS_LOOK),
         observe: schedule.observe.min(CHAOS_OBSERVATION),
         ..*schedule
     };
-    let second = Schedule { transient: transient(SECOND_LOOK), observe, ..*schedule };
     [
         Look { in_doubt: may_be_transient, decides: is_settled, schedule: chaos },
-        Look { in_doubt: is_open, decides: |_| true, schedule: second },
+        Look { in_doubt: is_open, decides: |_| true, schedule: second_look(schedule) },
     ]
+}
+
+/// The schedule by which a trajectory goes on that is still undecided.
+pub fn second_look(schedule: &Schedule) -> Schedule {
+    let times = |periods: u32, times: u32| periods.saturating_mul(times).min(Schedule::LONGEST);
+    Schedule {
+        transient: times(schedule.transient, SECOND_LOOK),
+        observe: times(schedule.observe, LONGER_OBSERVATION),
+        ..*schedule
+    }
 }
 
 fn may_be_transient(verdict: &Verdict) -> bool {
@@ -104,11 +111,8 @@ impl Look {
             let first = verdicts[i];
             let decided =
                 if (self.decides)(&later) { later } else { Verdict { state: later.state, ..first } };
-            verdicts[i] = Verdict {
-                periods: first.periods.saturating_add(later.periods),
-                impacts_total: first.impacts_total.saturating_add(later.impacts_total),
-                ..decided
-            };
+            let Verdict { periods, impacts_total, .. } = later.going_on_from(&first);
+            verdicts[i] = Verdict { periods, impacts_total, ..decided };
         }
         Ok(())
     }

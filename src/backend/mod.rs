@@ -6,7 +6,7 @@ mod gpu;
 mod select;
 
 pub use cpu::{Cpu, follow, follow_controlled, trace};
-pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide};
+pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use select::{Choice, open};
 

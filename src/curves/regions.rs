@@ -76,26 +76,13 @@ mod tests {
             schedule: Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: false },
         };
         let verdict = |letter: char| {
-            let (regime, [n, p, q]) = match letter {
+            let (regime, counts) = match letter {
                 'u' => (Regime::Periodic, [1, 2, 1]),
                 'd' => (Regime::Periodic, [1, 1, 2]),
                 's' => (Regime::Periodic, [1, 1, 1]),
                 _ => (Regime::Chaotic, [0; 3]),
             };
-            Verdict {
-                regime,
-                n,
-                p,
-                q,
-                symmetric: letter == 's',
-                lyapunov: 0.0,
-                state: [0.0; 4],
-                impacts: 0,
-                impacts_total: 0,
-                peak_impact_velocity: 0.0,
-                periods: 1,
-                returning: 0,
-            }
+            Verdict::of_motion(regime, counts, letter == 's')
         };
         let provenance =
             Provenance { version: String::new(), backend: String::new(), adapter: String::new() };

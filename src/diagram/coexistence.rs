@@ -142,20 +142,7 @@ mod tests {
     use crate::plane::{Provenance, Start};
 
     fn trace(regime: Regime, n: u16, readings: &[f64]) -> Trace {
-        let verdict = Verdict {
-            regime,
-            n,
-            p: n,
-            q: n,
-            symmetric: n == 1,
-            lyapunov: 0.0,
-            state: [0.0; 4],
-            impacts: 0,
-            impacts_total: 0,
-            peak_impact_velocity: 0.0,
-            periods: 1,
-            returning: 0,
-        };
+        let verdict = Verdict::of_motion(regime, [n; 3], n == 1);
         Trace { verdict, readings: readings.to_vec(), left_out: 0, rebounds: 0 }
     }
 

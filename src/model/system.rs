@@ -116,6 +116,12 @@ impl System {
         &self.parameters
     }
 
+    /// A state with the first mass no farther than its stops: rounding may have left it beyond.
+    pub fn between_stops(&self, [x1, x2, v1, v2]: [f64; 4]) -> [f64; 4] {
+        let delta = self.parameters.delta;
+        [x1.clamp(-delta, delta), x2, v1, v2]
+    }
+
     /// The forcing period T = 2π/ω, non-dimensional.
     pub fn period(&self) -> f64 {
         std::f64::consts::TAU / self.parameters.omega

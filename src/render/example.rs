@@ -5,24 +5,6 @@ use crate::curves::{Criticality, Curve, CurveMotion, CurvePoint, End, Kind, Spec
 use crate::model::Parameters;
 use crate::plane::{Plane, Provenance, RegionMap, Start};
 
-/// A verdict of which only the motion matters.
-pub(super) fn verdict(regime: Regime, [n, p, q]: [u16; 3], symmetric: bool) -> Verdict {
-    Verdict {
-        regime,
-        n,
-        p,
-        q,
-        symmetric,
-        lyapunov: 0.0,
-        state: [0.0; 4],
-        impacts: 0,
-        impacts_total: 0,
-        peak_impact_velocity: 0.0,
-        periods: 1,
-        returning: 0,
-    }
-}
-
 /// A plane over the forcing frequency and the clearance with the given verdicts.
 pub(super) fn of(columns: u32, rows: u32, cell: impl Fn(u32, u32) -> Verdict) -> RegionMap {
     let axis = |name, count| format!("{name}:{count}").parse().unwrap();
@@ -89,9 +71,9 @@ pub(super) fn curves(map: &RegionMap) -> Vec<Curve> {
 }
 
 fn motion(x: f64, y: f64, cell: u32) -> Verdict {
-    let periodic = |counts, symmetric| verdict(Regime::Periodic, counts, symmetric);
-    let other = |regime| verdict(regime, [0; 3], false);
-    let sticking = |counts, symmetric| verdict(Regime::PeriodicSticking, counts, symmetric);
+    let periodic = |counts, symmetric| Verdict::of_motion(Regime::Periodic, counts, symmetric);
+    let other = |regime| Verdict::of_motion(regime, [0; 3], false);
+    let sticking = |counts, symmetric| Verdict::of_motion(Regime::PeriodicSticking, counts, symmetric);
     let infinite = INFINITELY_MANY;
     let wave = y + 0.05 * (9.0 * x).sin();
     let radius = (x - 0.3).hypot(1.4 * (y - 0.45));

@@ -55,12 +55,12 @@ impl Motion {
 
 #[cfg(test)]
 mod tests {
-    use super::super::example::verdict;
     use super::*;
+    use crate::analysis::Verdict;
 
     #[test]
     fn names_say_what_tells_motions_apart() {
-        let name = |regime, counts, symmetric| Motion::name(&verdict(regime, counts, symmetric));
+        let name = |regime, counts, symmetric| Motion::name(&Verdict::of_motion(regime, counts, symmetric));
         assert_eq!(name(Regime::Periodic, [1, 1, 1], true), "1-1-1 symmetric");
         assert_eq!(name(Regime::Periodic, [2, 4, 4], false), "2-4-4 unsymmetric");
         assert_eq!(name(Regime::Periodic, [1, 1, 2], false), "1-1-2");
@@ -69,7 +69,8 @@ mod tests {
             "1-∞-∞ symmetric, sticking"
         );
         assert_eq!(name(Regime::Chaotic, [7, 7, 7], true), "chaotic");
-        let short = |regime, counts, symmetric| Motion::short_name(&verdict(regime, counts, symmetric));
+        let short =
+            |regime, counts, symmetric| Motion::short_name(&Verdict::of_motion(regime, counts, symmetric));
         assert_eq!(short(Regime::Periodic, [1, 1, 1], true), "1-1-1 sym.");
         assert_eq!(short(Regime::Periodic, [1, 1, 1], false), "1-1-1 unsym.");
         assert_eq!(short(Regime::PeriodicSticking, [1, u16::MAX, 0], false), "1-∞-0");
@@ -78,7 +79,7 @@ mod tests {
 
     #[test]
     fn counts_of_what_is_not_periodic_mean_nothing() {
-        let of = |regime, counts| Motion::of(&verdict(regime, counts, true));
+        let of = |regime, counts| Motion::of(&Verdict::of_motion(regime, counts, true));
         assert_eq!(of(Regime::Chaotic, [1, 2, 3]), of(Regime::Chaotic, [0, 0, 0]));
         assert_ne!(of(Regime::Periodic, [1, 2, 3]), of(Regime::Periodic, [1, 3, 2]));
         assert_ne!(of(Regime::Periodic, [1, 2, 2]), of(Regime::PeriodicSticking, [1, 2, 2]));

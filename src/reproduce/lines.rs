@@ -1,7 +1,7 @@
 //! The curves L1 to L7 of Fig. 5: whether they part the regions that the paper says they part.
 
 use super::Claim;
-use super::regions::{Region, place};
+use super::regions::Region;
 use crate::curves::{Criticality, Curve, CurvePoint, Kind};
 use crate::plane::RegionMap;
 
@@ -130,7 +130,7 @@ impl Parting {
             self.low[i] = values.iter().fold(self.low[i], |low, &value| low.min(value));
             self.high[i] = values.iter().fold(self.high[i], |high, &value| high.max(value));
         }
-        let at = |point: &CurvePoint| [place(&map.plane.x, point.x), place(&map.plane.y, point.y)];
+        let at = |point: &CurvePoint| [map.plane.x.place(point.x), map.plane.y.place(point.y)];
         let (a, b) = (at(a), at(b));
         let along = [b[0] - a[0], b[1] - a[1]];
         let length = along[0].hypot(along[1]);

@@ -175,15 +175,18 @@ impl Loss {
 const STEPS: u32 = 200;
 const HALVINGS: u32 = 40;
 
+/// The motion on which a point settles, where that is a periodic one.
+fn settled(point: &PaperPoint) -> Option<PeriodicMotion> {
+    let verdict = point.verdict();
+    let is_periodic = verdict.regime.is_periodic();
+    is_periodic.then(|| settled_motion(&point.system(), verdict.state, verdict.n.into()).ok())?
+}
+
 /// Follows the motion on which a point settles to another frequency, and says where it loses its stability.
 ///
 /// None where it settles on no periodic motion, or keeps its stability, or ceases to exist first.
 pub(super) fn lost(point: &PaperPoint, until: f64) -> Option<Loss> {
-    let verdict = point.verdict();
-    if !verdict.regime.is_periodic() {
-        return None;
-    }
-    let mut motion = settled_motion(&point.system(), verdict.state, verdict.n.into()).ok()?;
+    let mut motion = settled(point)?;
     let at = |omega: f64, from: &PeriodicMotion| {
         let system = system(omega, point.delta);
         let motion = PeriodicMotion::refine(&system, &from.pattern, &from.sections).ok()?;
@@ -218,11 +221,7 @@ pub(super) fn lost(point: &PaperPoint, until: f64) -> Option<Loss> {
 ///
 /// None where it settles on no periodic motion, or is one all the way.
 pub(super) fn grazes(point: &PaperPoint, until: f64) -> Option<f64> {
-    let verdict = point.verdict();
-    if !verdict.regime.is_periodic() {
-        return None;
-    }
-    let mut motion = settled_motion(&point.system(), verdict.state, verdict.n.into()).ok()?;
+    let mut motion = settled(point)?;
     let near = |omega: f64, from: &PeriodicMotion| {
         let next = PeriodicMotion::refine(&system(omega, point.delta), &from.pattern, &from.sections).ok()?;
         (next.pattern == from.pattern).then_some(next)

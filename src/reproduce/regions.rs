@@ -4,7 +4,7 @@ use super::Claim;
 use super::bench::{PaperPoint, words};
 use crate::analysis::{Regime, Verdict};
 use crate::curves::paper_region;
-use crate::plane::{Axis, Cell, RegionMap, connected};
+use crate::plane::{Cell, RegionMap, connected};
 
 /// How near to a point of the paper a region begins that it lies in, in cells: the point is beside the cells' middles.
 const NEAR: u32 = 2;
@@ -118,17 +118,12 @@ fn around(map: &RegionMap, region: Region, points: &[PaperPoint]) -> Option<Vec<
     let keys: Vec<Option<()>> =
         map.verdicts.iter().map(|verdict| region.has(verdict).then_some(())).collect();
     let near = |cell: &Cell, point: &PaperPoint| {
-        let (column, row) = (place(&map.plane.x, point.omega), place(&map.plane.y, point.delta));
+        let (column, row) = (map.plane.x.place(point.omega), map.plane.y.place(point.delta));
         (f64::from(cell.0) - column).abs() <= f64::from(NEAR)
             && (f64::from(cell.1) - row).abs() <= f64::from(NEAR)
     };
     let has_all = |cells: &Vec<Cell>| points.iter().all(|point| cells.iter().any(|cell| near(cell, point)));
     connected(&keys, map.plane.x.count, map.plane.y.count).into_iter().filter(has_all).max_by_key(Vec::len)
-}
-
-/// Where a value stands on an axis, in cells from the first.
-pub(super) fn place(axis: &Axis, value: f64) -> f64 {
-    (value - axis.first) / (axis.last - axis.first) * f64::from(axis.count - 1)
 }
 
 #[cfg(test)]

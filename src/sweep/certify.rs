@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::SweepError;
 use super::map::cell_job;
 use crate::analysis::{Regime, Schedule, Verdict};
-use crate::backend::{Backend, BackendError, Job, LONGER_OBSERVATION, SECOND_LOOK, Watch, decide};
+use crate::backend::{Backend, BackendError, Job, Watch, decide, second_look};
 use crate::plane::{Multipliers, RegionMap};
 use crate::theory::{StrobeMotion, approached, approached_from, with_motion};
 
@@ -132,8 +132,7 @@ fn by_neighbour(
 
 fn certified(verdict: &Verdict, motion: &StrobeMotion) -> Option<Certified> {
     let multipliers = motion.multipliers()?.map(|value| [value.re, value.im]);
-    let impacts = motion.sticking || u32::from(motion.p) + u32::from(motion.q) > 0;
-    impacts.then(|| Certified { verdict: with_motion(verdict, motion), multipliers })
+    motion.has_impacts().then(|| Certified { verdict: with_motion(verdict, motion), multipliers })
 }
 
 /// Verdicts on the trajectories of some cells after a longer look, from where they ended.
@@ -145,18 +144,12 @@ fn reexamined(
     backend: &dyn Backend,
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>, BackendError> {
-    let longer = Schedule {
-        transient: schedule.transient.saturating_mul(SECOND_LOOK).min(Schedule::LONGEST),
-        observe: schedule.observe.saturating_mul(LONGER_OBSERVATION).min(Schedule::LONGEST),
-        fixed_periods: false,
-        ..*schedule
-    };
+    let longer = Schedule { fixed_periods: false, ..second_look(schedule) };
     let again: Vec<Job> =
         cells.iter().map(|&cell| Job { system: jobs[cell].system, start: before[cell].state }).collect();
     let mut verdicts = decide(backend, &again, &longer, watch)?;
     for (verdict, &cell) in verdicts.iter_mut().zip(cells) {
-        verdict.periods = verdict.periods.saturating_add(before[cell].periods);
-        verdict.impacts_total = verdict.impacts_total.saturating_add(before[cell].impacts_total);
+        *verdict = verdict.going_on_from(&before[cell]);
     }
     Ok(verdicts)
 }

@@ -79,9 +79,8 @@ fn carried(
             return Err(BackendError::Cancelled.into());
         }
         let system = systems[column as usize];
-        let delta = system.parameters().delta;
         let start = match last.filter(|state| state.iter().all(|value| value.is_finite())) {
-            Some([x1, x2, v1, v2]) => [x1.clamp(-delta, delta), x2, v1, v2],
+            Some(state) => system.between_stops(state),
             None => spec.start.state(&system),
         };
         let trace = trace::<f64>(&Job { system, start }, &spec.schedule, spec.probe, spec.capacity);
@@ -119,10 +118,7 @@ fn with_spectra(
 
 /// The four exponents, largest first whatever their statistical error, NaN where the trajectory could not be followed.
 fn exponents(system: &System, trace: &Trace, observe: u32, unit: ExponentUnit) -> [f64; 4] {
-    let state = trace.verdict.state;
-    let delta = system.parameters().delta;
-    let start = [state[0].clamp(-delta, delta), state[1], state[2], state[3]];
-    let spectrum = Spectrum::of(system, start, 0, observe);
+    let spectrum = Spectrum::of(system, system.between_stops(trace.verdict.state), 0, observe);
     let mut exponents = spectrum.map_or([f64::NAN; 4], |spectrum| unit.of(&spectrum));
     exponents.sort_by(|a, b| b.total_cmp(a));
     exponents

@@ -27,10 +27,10 @@ pub fn approached(system: &System, state: [f64; 4], n: u32) -> Option<StrobeMoti
 
 /// The stable motion that a strobe state approaches, found from `guess` with Newton's method over `n` forcing periods.
 pub fn approached_from(system: &System, guess: [f64; 4], state: [f64; 4], n: u32) -> Option<StrobeMotion> {
-    let delta = system.parameters().delta;
-    let between = |[x1, x2, v1, v2]: [f64; 4]| [x1.clamp(-delta, delta), x2, v1, v2];
-    let motion = StrobeMotion::refine(system, between(guess), n).ok()?;
-    (motion.is_stable() == Some(true) && leads_to(system, between(state), &motion)).then_some(motion)
+    let motion = StrobeMotion::refine(system, system.between_stops(guess), n).ok()?;
+    let is_approached =
+        motion.is_stable() == Some(true) && leads_to(system, system.between_stops(state), &motion);
+    is_approached.then_some(motion)
 }
 
 /// Whether one turn from a state near a motion ends where the motion's Jacobian foretells it.
@@ -69,8 +69,7 @@ pub fn confirmed(system: &System, verdict: &Verdict) -> Option<Verdict> {
     let motion = (verdict.returning > 0)
         .then(|| approached(system, verdict.state, u32::from(verdict.returning)))
         .flatten()?;
-    let impacts = motion.sticking || u32::from(motion.p) + u32::from(motion.q) > 0;
-    impacts.then(|| with_motion(verdict, &motion))
+    motion.has_impacts().then(|| with_motion(verdict, &motion))
 }
 
 #[cfg(test)]

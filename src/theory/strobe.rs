@@ -51,6 +51,11 @@ pub struct StrobeMotion {
 }
 
 impl StrobeMotion {
+    /// Whether it touches a stop at all.
+    pub fn has_impacts(&self) -> bool {
+        self.sticking || self.p > 0 || self.q > 0
+    }
+
     /// The fixed point of Pᴺ near a state at forcing phase 0, by Newton's method; N is reduced to the period of the motion
     /// where that is a divisor.
     ///
@@ -58,7 +63,6 @@ impl StrobeMotion {
     /// [`NoMotion::NotConverged`] if there is none near by, or the trajectory cannot be followed.
     pub fn refine(system: &System, state: [f64; 4], n: u32) -> Result<Self, NoMotion> {
         let flight = Flight::new(system);
-        let delta = flight.delta;
         let mut state = Vector4::from(state);
         let mut turn = Turn::from(&flight, state.into(), n).ok_or(NoMotion::NotConverged)?;
         for _ in 0..MOST_STEPS {
@@ -66,8 +70,8 @@ impl StrobeMotion {
             let step = (turn.jacobian - Matrix4::identity()).lu().solve(&defect);
             let better = step.and_then(|step| {
                 (0..MOST_HALVINGS).find_map(|halvings| {
-                    let mut trial = state - step * 0.5f64.powi(halvings as i32);
-                    trial[0] = trial[0].clamp(-delta, delta);
+                    let trial = state - step * 0.5f64.powi(halvings as i32);
+                    let trial = Vector4::from(system.between_stops(trial.into()));
                     let next = Turn::from(&flight, trial.into(), n)?;
                     ((next.end - trial).norm() < defect.norm()).then_some((trial, next))
                 })

@@ -79,7 +79,5 @@ fn whole_periods(n: u32, max_period: u32) -> Schedule {
 fn job(map: &RegionMap, index: usize) -> Result<Job, SweepError> {
     let (column, row) = (index as u32 % map.plane.x.count, index as u32 / map.plane.x.count);
     let system = System::new(map.plane.parameters_at(column, row))?;
-    let delta = system.parameters().delta;
-    let [x1, x2, v1, v2] = map.verdicts[index].state;
-    Ok(Job { system, start: [x1.clamp(-delta, delta), x2, v1, v2] })
+    Ok(Job { system, start: system.between_stops(map.verdicts[index].state) })
 }

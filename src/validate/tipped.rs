@@ -80,10 +80,9 @@ fn copies(map: &RegionMap, index: usize) -> impl Iterator<Item = Job> + '_ {
         let system = System::new(varied).ok()?;
         let delta = system.parameters().delta;
         let start = map.plane.start_at(column, row).state(&system);
-        let mut start: [f64; 4] =
+        let start =
             std::array::from_fn(|i| start[i] + change(8 + i as u32) * start[i].abs().max(delta.min(1.0)));
-        start[0] = start[0].clamp(-delta, delta);
-        Some(Job { system, start })
+        Some(Job { system, start: system.between_stops(start) })
     })
 }
 

@@ -217,15 +217,15 @@ mod tests {
 
     /// Stripes of 20 columns: R1, chaos, no impact, R2, chaos, R5, 2-4-4 with chaos in it, chaos.
     fn stripes() -> RegionMap {
-        let periodic = |counts, symmetric| example::verdict(Regime::Periodic, counts, symmetric);
-        let chaos = example::verdict(Regime::Chaotic, [0; 3], false);
+        let periodic = |counts, symmetric| Verdict::of_motion(Regime::Periodic, counts, symmetric);
+        let chaos = Verdict::of_motion(Regime::Chaotic, [0; 3], false);
         example::of(160, 40, |column, row| match column / 20 {
             0 => periodic([1, 1, 1], true),
-            2 => example::verdict(Regime::NoImpact, [0; 3], false),
+            2 => Verdict::of_motion(Regime::NoImpact, [0; 3], false),
             3 => periodic([1, 1, 1], false),
             5 => periodic([1, 2, 2], false),
             6 if column < 139 && row % 2 == 0 => periodic([2, 4, 4], false),
-            6 if column == 139 => example::verdict(Regime::NoImpact, [0; 3], false),
+            6 if column == 139 => Verdict::of_motion(Regime::NoImpact, [0; 3], false),
             _ => chaos,
         })
     }
@@ -273,7 +273,7 @@ mod tests {
     #[test]
     fn specks_do_not_narrow_a_region() {
         let mut map = stripes();
-        let window = example::verdict(Regime::Periodic, [3, 7, 7], true);
+        let window = Verdict::of_motion(Regime::Periodic, [3, 7, 7], true);
         map.verdicts[20 * 160 + 70] = window;
         assert!(found(&map, &[]).contains(&("R2", 3)));
         for row in 0..40 {

@@ -179,11 +179,11 @@ fn notes(diagram: &Diagram) -> Vec<Text> {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::analysis::Verdict;
     use crate::analysis::{Probe, Reading, Regime, Trace};
     use crate::diagram::{DiagramSpec, ExponentUnit, Sweep};
     use crate::model::Parameters;
     use crate::plane::{Provenance, Start};
-    use crate::render::example::verdict;
     use crate::render::figure::tests::faults;
     use crate::render::size::Size;
 
@@ -203,7 +203,12 @@ pub(super) mod tests {
         let trace = |i: u32| {
             let regime = Regime::ALL[(8 * i / count) as usize];
             let readings = (0..4).map(|k| level + spread * f64::from((i * k) % 7)).collect();
-            Trace { verdict: verdict(regime, [1, 2, 2], true), readings, left_out: i % 3, rebounds: i % 11 }
+            Trace {
+                verdict: Verdict::of_motion(regime, [1, 2, 2], true),
+                readings,
+                left_out: i % 3,
+                rebounds: i % 11,
+            }
         };
         let exponents = |i: u32| {
             [

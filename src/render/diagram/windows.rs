@@ -103,11 +103,11 @@ impl Columns {
 mod tests {
     use super::*;
     use crate::analysis::Regime;
-    use crate::render::example::verdict;
+    use crate::analysis::Verdict;
 
     fn traces(motions: &[(u16, usize)]) -> Vec<Trace> {
         let trace = |&(n, count): &(u16, usize)| {
-            let verdict = verdict(Regime::Periodic, [n, n, n], false);
+            let verdict = Verdict::of_motion(Regime::Periodic, [n, n, n], false);
             vec![Trace { verdict, readings: Vec::new(), left_out: 0, rebounds: u32::from(n) }; count]
         };
         motions.iter().flat_map(trace).collect()

@@ -121,7 +121,7 @@ fn darkened(colour: Colour) -> Colour {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::Regime;
+    use crate::analysis::{Regime, Verdict};
     use crate::render::{Motion, example, paint_of};
 
     fn colour(map: &RegionMap, column: u32, row: u32) -> Colour {
@@ -130,9 +130,9 @@ mod tests {
 
     #[test]
     fn the_first_row_is_at_the_bottom() {
-        let left = example::verdict(Regime::Periodic, [1, 1, 1], true);
-        let right = example::verdict(Regime::Chaotic, [0; 3], false);
-        let above = example::verdict(Regime::NoImpact, [0; 3], false);
+        let left = Verdict::of_motion(Regime::Periodic, [1, 1, 1], true);
+        let right = Verdict::of_motion(Regime::Chaotic, [0; 3], false);
+        let above = Verdict::of_motion(Regime::NoImpact, [0; 3], false);
         let map = example::of(2, 2, |column, row| match (column, row) {
             (0, 0) => left,
             (1, 0) => right,
@@ -148,8 +148,8 @@ mod tests {
 
     #[test]
     fn a_thin_region_is_not_hidden_by_lines() {
-        let thin = example::verdict(Regime::Chaotic, [0; 3], false);
-        let wide = example::verdict(Regime::Periodic, [1, 1, 1], true);
+        let thin = Verdict::of_motion(Regime::Chaotic, [0; 3], false);
+        let wide = Verdict::of_motion(Regime::Periodic, [1, 1, 1], true);
         let map = example::of(100, 10, |column, _| if column == 50 { thin } else { wide });
         let image = draw(&map, &Census::of(&map), 200, 100, 10.0);
         let shown = (0..200).filter(|&x| *image.get_pixel(x, 50) == colour(&map, 50, 0)).count();
@@ -158,8 +158,8 @@ mod tests {
 
     #[test]
     fn a_small_picture_shows_the_most_frequent() {
-        let rare = example::verdict(Regime::Chaotic, [0; 3], false);
-        let common = example::verdict(Regime::Periodic, [1, 1, 1], true);
+        let rare = Verdict::of_motion(Regime::Chaotic, [0; 3], false);
+        let common = Verdict::of_motion(Regime::Periodic, [1, 1, 1], true);
         let map =
             example::of(400, 300, |column, row| if column % 4 == 0 && row % 3 == 0 { rare } else { common });
         let image = draw(&map, &Census::of(&map), 100, 100, 10.0);

@@ -4,7 +4,7 @@ use resvg::tiny_skia::Rect;
 use resvg::usvg::{Group, Node, Options, Tree};
 
 use super::*;
-use crate::analysis::Regime;
+use crate::analysis::{Regime, Verdict};
 use crate::plane::Start;
 use crate::render::curves::Key;
 use crate::render::{example, font};
@@ -26,7 +26,7 @@ const SIZES: [(u32, u32); 12] = [
 
 /// Planes that strain the layout: many regions, one region, one cell, long labels, long titles.
 fn strained() -> Vec<RegionMap> {
-    let one = example::verdict(Regime::Periodic, [1, 1, 1], true);
+    let one = Verdict::of_motion(Regime::Periodic, [1, 1, 1], true);
     let mut long = example::map(40, 30);
     long.plane.x = "x2=-1e-7:3e-7:40".parse().unwrap();
     long.plane.y = "v1=1000.00001:1000.00002:30".parse().unwrap();
