@@ -19,13 +19,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // Follow the trajectory until it has settled, and classify it.
     let schedule = Schedule { transient: 1000, observe: 500, max_period: 32, fixed_periods: false };
-    let verdict = follow::<f64>(&Job { system, start }, &schedule);
+    let verdict = follow::<f64>(&Job { system: system.clone(), start: start.into() }, &schedule);
     println!("omega = {omega}, delta = {delta}: {}", verdict.label());
     println!("largest Lyapunov exponent per forcing period: {:.4}", verdict.lyapunov);
 
     // Write down what it does from its end state on, for one period of the motion (or one forcing period).
     let periods = u32::from(verdict.n).max(1);
-    let recording = record(&system, verdict.state, 0, periods, 0);
+    let recording = record(&system, verdict.state.into(), 0, periods, 0);
     println!("{:>10}  stop  {:>10}  {:>10}", "time", "v1 before", "v1 after");
     for impact in &recording.impacts {
         println!(

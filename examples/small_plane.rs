@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let plane = Plane {
         x: "omega=2.4:3.8:80".parse()?,
         y: "r=0.5:0.95:60".parse()?,
-        parameters: Parameters::default(),
+        parameters: Parameters::default().into(),
         start: Start::Symmetric,
         schedule: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
     };

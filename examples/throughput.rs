@@ -77,7 +77,7 @@ fn jobs(side: u32) -> Result<Vec<Job>, Box<dyn std::error::Error>> {
             let omega = value(1.0, 5.0, column);
             let delta = value(0.1, 0.6, row);
             let system = System::new(Parameters { omega, delta, ..Parameters::default() })?;
-            jobs.push(Job { system, start: [0.0; 4] });
+            jobs.push(Job { system, start: [0.0; 4].into() });
         }
     }
     Ok(jobs)
@@ -91,7 +91,7 @@ fn report_errors(jobs: &[Job], verdicts: &[Verdict]) -> Result<(), BackendError>
         .zip(verdicts)
         .filter(|(reference, _)| reference.lyapunov < 0.0)
         .map(|(reference, verdict)| {
-            let pairs = reference.state.iter().zip(verdict.state);
+            let pairs = reference.state.iter().zip(verdict.state.iter());
             pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
         })
         .collect();

@@ -11,6 +11,7 @@
 //!
 //! | room | what it holds |
 //! |---|---|
+//! | [`system`] | any linear oscillator with rigid stops: its file, its parameters, the numbers of one cell |
 //! | [`model`] | parameters and their ranges, the equations of motion, the constants of linear flight |
 //! | [`dynamics`] | flight, contact, impact, chatter, sticking: a [`Trajectory`](dynamics::Trajectory) moves from event to event |
 //! | [`analysis`] | periodicity, the largest Lyapunov exponent, regimes |
@@ -121,5 +122,6 @@ pub mod render;
 pub mod reproduce;
 pub mod store;
 pub mod sweep;
+pub mod system;
 pub mod theory;
 pub mod validate;

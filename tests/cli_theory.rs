@@ -399,7 +399,7 @@ fn bad_input_is_refused() {
         refuses(&[command, "--no-such-option"], &["--no-such-option"]);
     }
     for command in ["motion", "lyapunov"] {
-        refuses(&[command, "--start", "0.2,0,0,0"], &["x1 = 0.2", "delta = 0.1"]);
+        refuses(&[command, "--start", "0.2,0,0,0"], &["x1 = 0.2", "gap is 0.1"]);
         refuses(&[command, "--start", "0,NaN,0,0"], &["not a finite number"]);
         refuses(&[command, "--observe", "0"], &["0 forcing periods", "1 to"]);
         refuses(&[command, "--transient", "4000000000"], &["4000000000", "at most"]);

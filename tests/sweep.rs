@@ -48,7 +48,7 @@ fn bits(backend: &dyn Backend, tile: usize, threads: usize) -> Vec<String> {
     let plane = Plane {
         x: "omega=0.4:4.4:12".parse().unwrap(),
         y: "delta=0.05:0.4:9".parse().unwrap(),
-        parameters: Parameters::default(),
+        parameters: Parameters::default().into(),
         start: Start::Symmetric,
         schedule: Schedule { transient: 100, observe: 100, max_period: 16, fixed_periods: false },
     };

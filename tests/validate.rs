@@ -1,8 +1,8 @@
 //! The validation against back ends that are right, rounded, and wrong on purpose.
 
-use impact_atlas::analysis::{Schedule, Verdict};
+use impact_atlas::analysis::{Counts, Schedule, Verdict};
 use impact_atlas::backend::{Backend, BackendError, Cpu, Job, Unwatched, Watch, follow};
-use impact_atlas::model::{Parameter, Parameters, System};
+use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::{Plane, Start};
 use impact_atlas::sweep::sweep;
 use impact_atlas::validate::{Agreement, Thresholds, compare_continued, continue_strays, tipped};
@@ -35,8 +35,8 @@ fn single_precision(job: &Job, schedule: &Schedule) -> Verdict {
 
 fn restitution_a_little_low(job: &Job, schedule: &Schedule) -> Verdict {
     let parameters = job.system.parameters();
-    let system = System::new(parameters.with(Parameter::R, parameters.r - 1e-3)).unwrap();
-    follow::<f64>(&Job { system, ..*job }, schedule)
+    let system = System::new(Parameters { r: parameters.r - 1e-3, ..parameters }).unwrap();
+    follow::<f64>(&Job { system, start: job.start }, schedule)
 }
 
 fn exponent_forgotten(job: &Job, schedule: &Schedule) -> Verdict {
@@ -47,7 +47,7 @@ fn exponent_forgotten(job: &Job, schedule: &Schedule) -> Verdict {
 
 fn one_label_for_another(job: &Job, schedule: &Schedule) -> Verdict {
     let mut verdict = follow::<f64>(job, schedule);
-    verdict.p += u16::from(verdict.regime.is_periodic());
+    verdict.counts = Counts::new(&[verdict.p() + u16::from(verdict.regime.is_periodic()), verdict.q()]);
     verdict
 }
 
@@ -55,7 +55,7 @@ fn validate(candidate: &dyn Backend) -> Agreement {
     let plane = Plane {
         x: "omega=2.4:4.4:40".parse().unwrap(),
         y: "delta=0.05:0.3:25".parse().unwrap(),
-        parameters: Parameters::default(),
+        parameters: Parameters::default().into(),
         start: Start::Symmetric,
         schedule: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
     };
@@ -76,7 +76,7 @@ fn ragged() -> Plane {
     Plane {
         x: "mu_m=0.1:0.9:10".parse().unwrap(),
         y: "zeta=0.01:0.3:10".parse().unwrap(),
-        parameters: Parameters { omega: 2.4, ..Parameters::default() },
+        parameters: Parameters { omega: 2.4, ..Parameters::default() }.into(),
         start: Start::Symmetric,
         schedule: Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false },
     }

@@ -20,7 +20,7 @@ fn exponent_at_strobe() -> f32 {
     let length = tangent_length(tangent);
     var growth = 0.0;
     if length > 0.0 && is_finite(length) {
-        tangent = tangent * (1.0 / length);
+        tangent = state_scaled(1.0 / length, tangent);
         growth = log(length);
     } else {
         tangent = tangent_seed();

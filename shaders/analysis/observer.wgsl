@@ -9,7 +9,7 @@ struct Schedule {
 
 struct Observer {
     trajectory: Trajectory,
-    tangent: array<f32, 4>,
+    tangent: State,
     recurrence: Recurrence,
     exponent: Exponent,
     spread: Spread,
@@ -28,11 +28,10 @@ struct Observer {
 struct Verdict {
     regime: u32,
     n: u32,
-    p: u32,
-    q: u32,
     symmetric: u32,
     lyapunov: f32,
-    state: array<f32, 4>,
+    impacts_per_stop: array<u32, MOST>,
+    state: array<f32, 8>,
     impacts: u32,
     impacts_total: u32,
     peak_impact_velocity: f32,
@@ -47,23 +46,22 @@ var<private> schedule: Schedule;
 fn observer_resume(saved: Observer) {
     observer = saved;
     trajectory = saved.trajectory;
-    let t = saved.tangent;
-    tangent = vec4(t[0], t[1], t[2], t[3]);
+    tangent = saved.tangent;
 }
 
 // The observer as it is to be stored.
 fn observer_saved() -> Observer {
     var saved = observer;
     saved.trajectory = trajectory;
-    saved.tangent = array<f32, 4>(tangent.x, tangent.y, tangent.z, tangent.w);
+    saved.tangent = tangent;
     return saved;
 }
 
 // Begins at forcing phase 0. While an observer works, `trajectory` and `tangent` hold what it will store.
-fn observer_begin(start: vec4<f32>) {
+fn observer_begin(start: State) {
     trajectory = trajectory_new(start);
     tangent = tangent_seed();
-    observer.recurrence = recurrence_anchored(point_state(trajectory.point));
+    observer.recurrence = recurrence_anchored(trajectory.point.state);
     observer.exponent = exponent_over(schedule.observe);
     observer.spread = spread_about(trajectory.point);
     observer.grown = 0.0;
@@ -87,12 +85,12 @@ fn observer_note(taken: Move) {
         observer.stuck = 1u;
     }
     if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER && taken.velocity != 0.0 {
-        recurrence_count(taken.side, taken.event == EVENT_COMPLETE_CHATTER);
+        recurrence_count(taken.stop, taken.event == EVENT_COMPLETE_CHATTER);
         observer.impacts = observer.impacts + 1u;
         observer.impacts_total = observer.impacts_total + 1u;
         observer.peak = max(observer.peak, abs(taken.velocity));
     } else if taken.event == EVENT_HALF_PERIOD && observer.stage == STAGE_OBSERVATION {
-        recurrence_at_half_period(point_state(trajectory.point), RETURNED);
+        recurrence_at_half_period(trajectory.point.state, RETURNED);
     } else if taken.event == EVENT_STROBE {
         observer_strobe();
     }
@@ -102,17 +100,19 @@ fn observer_note(taken: Move) {
 }
 
 fn observer_strobe() {
-    let state = point_state(trajectory.point);
+    let state = trajectory.point.state;
     observer.moves = 0u;
     observer.periods = observer.periods + 1u;
-    if !(is_finite(state.x) && is_finite(state.y) && is_finite(state.z) && is_finite(state.w)) {
+    if !state_is_finite(state) {
         observer.stage = STAGE_FAILED;
         return;
     }
-    if trajectory.contact == CONTACT_CLAMPED {
-        recurrence_count(1.0, true);
-        recurrence_count(-1.0, true);
+    //: each normal
+    if contact_is_clamped_along(trajectory.contact, $ku) {
+        recurrence_count(flight.normals[$k].stop[0], true);
+        recurrence_count(flight.normals[$k].stop[1], true);
     }
+    //: end
     if observer.stage == STAGE_TRANSIENT {
         observer_settle(state);
     } else {
@@ -120,7 +120,7 @@ fn observer_strobe() {
     }
 }
 
-fn observer_settle(state: vec4<f32>) {
+fn observer_settle(state: State) {
     if schedule.fixed_periods == 0u {
         if trajectory.contact == CONTACT_FREE && is_quiet(trajectory.point) {
             observer.stage = STAGE_QUIET;
@@ -147,16 +147,16 @@ fn observer_begin_observation(observe: u32) {
     observer.stuck = 0u;
     tangent = tangent_seed();
     if trajectory.contact != CONTACT_FREE {
-        // While the first mass rests, nothing can deviate that it does not carry.
-        tangent = vec4(0.0, tangent.y, 0.0, tangent.w);
+        // While a mass rests, nothing can deviate that it does not carry.
+        tangent = tangent_caught(tangent, trajectory.contact);
     }
-    observer.recurrence = recurrence_anchored(point_state(trajectory.point));
+    observer.recurrence = recurrence_anchored(trajectory.point.state);
     observer.exponent = exponent_over(observe);
     observer.spread = spread_about(trajectory.point);
     observer.grown = 0.0;
 }
 
-fn observer_observe(state: vec4<f32>) {
+fn observer_observe(state: State) {
     observer.observed = observer.observed + 1u;
     let half = observer.observe / 2u;
     let growth = exponent_at_strobe();
@@ -202,7 +202,11 @@ fn observer_regime() -> u32 {
         return REGIME_NO_IMPACT;
     }
     let returns = recurrence_holds_for(observer_proof());
-    if returns && observer.recurrence.p + observer.recurrence.q == 0u && observer.stuck == 0u {
+    var impacts = 0u;
+    //: each stop
+    impacts = max(impacts, observer.recurrence.impacts[$k]);
+    //: end
+    if returns && impacts == 0u && observer.stuck == 0u {
         return REGIME_NO_IMPACT;
     }
     if returns && observer_is_settled() {
@@ -228,6 +232,14 @@ fn observer_regime() -> u32 {
     return REGIME_UNRESOLVED;
 }
 
+// The state that is reported: where the trajectory ends, or the forced response that motion decays onto.
+fn observer_state(regime: u32) -> State {
+    if regime == REGIME_NO_IMPACT && observer.stage == STAGE_QUIET && flight.quiet_decays == 1u {
+        return flight.quiet_forced;
+    }
+    return trajectory.point.state;
+}
+
 fn observer_verdict() -> Verdict {
     let regime = observer_regime();
     let periodic = regime == REGIME_PERIODIC || regime == REGIME_PERIODIC_STICKING;
@@ -244,15 +256,17 @@ fn observer_verdict() -> Verdict {
     let in_question = !periodic || observer_is_late();
     let returning = may_return && in_question && recurrence_holds_for(0u);
     let symmetric = periodic && observer.recurrence.n % 2u == 1u && observer.recurrence.symmetric == 1u;
-    let point = trajectory.point;
+    var impacts_per_stop = array<u32, MOST>();
+    //: each stop
+    impacts_per_stop[$k] = select(0u, observer.recurrence.impacts[$k], periodic);
+    //: end
     return Verdict(
         regime,
         select(0u, observer.recurrence.n, periodic),
-        select(0u, observer.recurrence.p, periodic),
-        select(0u, observer.recurrence.q, periodic),
         select(0u, 1u, symmetric),
         lyapunov,
-        array<f32, 4>(point.x1, point.x2, point.v1, point.v2),
+        impacts_per_stop,
+        state_values(observer_state(regime)),
         observer.impacts,
         observer.impacts_total,
         observer.peak,

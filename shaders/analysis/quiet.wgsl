@@ -1,10 +1,20 @@
 // Motion that can never impact again.
 
 fn is_quiet(point: Point) -> bool {
-    let x2 = point.x2 - flight.forced.y;
-    let stretch = (point.x1 - flight.forced.x) - x2;
-    let v1 = point.v1 - flight.forced.z;
-    let v2 = point.v2 - flight.forced.w;
-    let twice_energy = (v1 * v1 + flight.mass * v2 * v2) + (stretch * stretch + flight.ground * x2 * x2);
-    return flight.reach + flight.compliance * sqrt(twice_energy) < flight.delta;
+    if flight.quiet_exists == 0u {
+        return false;
+    }
+    let away = state_plus(point.state, -1.0, flight.quiet_forced);
+    let first = applied(flight.quiet_xx, away.x) + applied(flight.quiet_xv, away.v);
+    let second = applied(flight.quiet_vv, away.v);
+    let size = sqrt(along(first, first) + along(second, second));
+    var stays = true;
+    //: each normal
+    {
+        let stretch = flight.normals[$k].stretch * size;
+        stays = stays && flight.normals[$k].reach[0] + stretch < flight.normals[$k].gap[0];
+        stays = stays && flight.normals[$k].reach[1] + stretch < flight.normals[$k].gap[1];
+    }
+    //: end
+    return stays;
 }

@@ -1,13 +1,12 @@
 // Periodicity: does the strobe state come back, and keep coming back?
 
 struct Recurrence {
-    anchor: array<f32, 4>,
+    anchor: State,
     since: u32,
     n: u32,
-    p: u32,
-    q: u32,
-    running_p: u32,
-    running_q: u32,
+    // Impacts at each stop in the first cycle after the anchor, and in the present one.
+    impacts: array<u32, STOPS>,
+    running: array<u32, STOPS>,
     worst: f32,
     early: f32,
     moved: u32,
@@ -15,9 +14,9 @@ struct Recurrence {
     symmetric: u32,
 }
 
-fn recurrence_anchored(state: vec4<f32>) -> Recurrence {
-    let anchor = array<f32, 4>(state.x, state.y, state.z, state.w);
-    return Recurrence(anchor, 0u, 0u, 0u, 0u, 0u, 0u, 0.0, 0.0, 0u, FARTHEST, 0u);
+fn recurrence_anchored(state: State) -> Recurrence {
+    let none = array<u32, STOPS>();
+    return Recurrence(state, 0u, 0u, none, none, 0.0, 0.0, 0u, FARTHEST, 0u);
 }
 
 fn counted(running: u32, complete_chatter: bool) -> u32 {
@@ -27,31 +26,31 @@ fn counted(running: u32, complete_chatter: bool) -> u32 {
     return select(running, running + 1u, running < INFINITELY_MANY - 1u);
 }
 
-fn recurrence_count(side: f32, complete_chatter: bool) {
-    if side > 0.0 {
-        observer.recurrence.running_q = counted(observer.recurrence.running_q, complete_chatter);
-    } else {
-        observer.recurrence.running_p = counted(observer.recurrence.running_p, complete_chatter);
+fn recurrence_count(stop: u32, complete_chatter: bool) {
+    //: each stop
+    if stop == $ku {
+        observer.recurrence.running[$k] = counted(observer.recurrence.running[$k], complete_chatter);
     }
+    //: end
 }
 
-fn recurrence_at_half_period(state: vec4<f32>, tolerance: f32) {
+fn recurrence_at_half_period(state: State, tolerance: f32) {
     let n = observer.recurrence.n;
-    if n % 2u == 1u {
+    if flight.mirror_exists == 1u && n % 2u == 1u {
         if observer.recurrence.since % n == n / 2u {
-            observer.recurrence.symmetric = select(0u, 1u, anchor_distance(-state) <= tolerance);
+            let mirrored = State(applied(flight.mirror, state.x), applied(flight.mirror, state.v));
+            observer.recurrence.symmetric = select(0u, 1u, anchor_distance(mirrored) <= tolerance);
         }
     }
 }
 
-fn recurrence_at_strobe(state: vec4<f32>, tolerance: f32, late: bool) {
+fn recurrence_at_strobe(state: State, tolerance: f32, late: bool) {
     observer.recurrence.since = observer.recurrence.since + 1u;
     let away = anchor_distance(state);
     if observer.recurrence.n == 0u {
         if away <= tolerance {
             observer.recurrence.n = observer.recurrence.since;
-            observer.recurrence.p = observer.recurrence.running_p;
-            observer.recurrence.q = observer.recurrence.running_q;
+            observer.recurrence.impacts = observer.recurrence.running;
             recurrence_returned(away);
         } else if observer.recurrence.since >= schedule.max_period {
             recurrence_start_over(state, late);
@@ -60,8 +59,10 @@ fn recurrence_at_strobe(state: vec4<f32>, tolerance: f32, late: bool) {
     }
     let turned = observer.recurrence.since % observer.recurrence.n;
     if turned == 0u {
-        let same = observer.recurrence.running_p == observer.recurrence.p
-            && observer.recurrence.running_q == observer.recurrence.q;
+        var same = true;
+        //: each stop
+        same = same && observer.recurrence.running[$k] == observer.recurrence.impacts[$k];
+        //: end
         if same && away <= tolerance {
             recurrence_returned(away);
             if late && observer.recurrence.moved == 0u {
@@ -75,22 +76,21 @@ fn recurrence_at_strobe(state: vec4<f32>, tolerance: f32, late: bool) {
     }
 }
 
-fn recurrence_start_over(state: vec4<f32>, late: bool) {
+fn recurrence_start_over(state: State, late: bool) {
     observer.recurrence = recurrence_anchored(state);
     observer.recurrence.moved = select(0u, 1u, late);
 }
 
 // The motion is compared with its present self from now on.
-fn recurrence_move_along(state: vec4<f32>) {
-    observer.recurrence.anchor = array<f32, 4>(state.x, state.y, state.z, state.w);
+fn recurrence_move_along(state: State) {
+    observer.recurrence.anchor = state;
     observer.recurrence.moved = 1u;
     observer.recurrence.early = observer.recurrence.worst;
     observer.recurrence.worst = 0.0;
 }
 
 fn recurrence_returned(away: f32) {
-    observer.recurrence.running_p = 0u;
-    observer.recurrence.running_q = 0u;
+    observer.recurrence.running = array<u32, STOPS>();
     observer.recurrence.worst = max(observer.recurrence.worst, away);
 }
 
@@ -108,12 +108,9 @@ fn recurrence_is_settled() -> bool {
 }
 
 // The largest difference of a state's components from the anchor's.
-fn anchor_distance(state: vec4<f32>) -> f32 {
-    let a = observer.recurrence.anchor;
-    let anchor = vec4(a[0], a[1], a[2], a[3]);
-    let difference = abs(state - anchor);
-    let extent = abs(anchor);
-    let distance = max(max(difference.x, difference.y), max(difference.z, difference.w));
-    let size = max(max(max(extent.x, extent.y), max(extent.z, extent.w)), 1.0);
+fn anchor_distance(state: State) -> f32 {
+    let anchor = observer.recurrence.anchor;
+    let distance = max(largest(state.x - anchor.x), largest(state.v - anchor.v));
+    let size = max(max(largest(anchor.x), largest(anchor.v)), 1.0);
     return distance / size;
 }

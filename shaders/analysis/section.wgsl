@@ -24,30 +24,27 @@ fn probe_meets(taken: Move) -> bool {
     if probe.section == SECTION_STROBE {
         return taken.event == EVENT_STROBE;
     }
-    return is_impact(taken) && (probe.section == SECTION_A) == (taken.side > 0.0);
+    return is_impact(taken) && probe.section == taken.stop;
 }
 
 fn probe_read(taken: Move) -> f32 {
-    let point = trajectory.point;
     switch probe.reading {
         case READING_V_BEFORE: {
             return taken.velocity;
         }
-        case READING_V_AFTER, READING_V1: {
-            return select(-(flight.r * taken.velocity), point.v1, probe.section == SECTION_STROBE);
+        case READING_V_AFTER: {
+            return taken.rebound;
         }
-        case READING_X1: {
-            return point.x1;
-        }
-        case READING_X2: {
-            return point.x2;
-        }
-        case READING_V2: {
-            return point.v2;
-        }
-        default: {
+        case READING_TAU: {
             let steps = f32(trajectory.step) + trajectory.offset * flight.inverse_h;
             return steps * (TAU / f32(flight.steps));
+        }
+        default: {
+            if probe.reading == READING_V1 && probe.section != SECTION_STROBE {
+                return taken.rebound;
+            }
+            var values = state_values(trajectory.point.state);
+            return values[probe.reading - READING_X1];
         }
     }
 }

@@ -1,41 +1,36 @@
 // Is the motion stationary? The spread of its strobe points, early against late.
 
 struct Moments {
-    x2: f32,
-    v2: f32,
+    sum: State,
     square: f32,
 }
 
 struct Spread {
-    x2: f32,
-    v2: f32,
+    about: State,
     early: Moments,
     late: Moments,
 }
 
 fn spread_about(point: Point) -> Spread {
-    let none = Moments(0.0, 0.0, 0.0);
-    return Spread(point.x2, point.v2, none, none);
+    let none = Moments(State(X(0.0), X(0.0)), 0.0);
+    return Spread(point.state, none, none);
 }
 
-fn moments_with(moments: Moments, x2: f32, v2: f32) -> Moments {
-    return Moments(moments.x2 + x2, moments.v2 + v2, moments.square + (x2 * x2 + v2 * v2));
+fn moments_with(moments: Moments, away: State) -> Moments {
+    return Moments(state_plus(moments.sum, 1.0, away), moments.square + state_square(away));
 }
 
 fn spread_at_strobe(point: Point, late: bool) {
-    let x2 = point.x2 - observer.spread.x2;
-    let v2 = point.v2 - observer.spread.v2;
+    let away = state_plus(point.state, -1.0, observer.spread.about);
     if late {
-        observer.spread.late = moments_with(observer.spread.late, x2, v2);
+        observer.spread.late = moments_with(observer.spread.late, away);
     } else {
-        observer.spread.early = moments_with(observer.spread.early, x2, v2);
+        observer.spread.early = moments_with(observer.spread.early, away);
     }
 }
 
 fn moments_variance(moments: Moments, count: f32) -> f32 {
-    let x2 = moments.x2 / count;
-    let v2 = moments.v2 / count;
-    return moments.square / count - (x2 * x2 + v2 * v2);
+    return moments.square / count - state_square(State(moments.sum.x / count, moments.sum.v / count));
 }
 
 fn spread_is_stationary(half: u32) -> bool {

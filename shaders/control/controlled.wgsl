@@ -9,7 +9,7 @@ struct ControlSchedule {
 
 struct Controlled {
     trajectory: Trajectory,
-    tangent: array<f32, 4>,
+    tangent: State,
     adapted: Adapted,
     memory: Memory,
     deviations: array<array<f32, 4>, DELAYS>,
@@ -47,10 +47,19 @@ struct Outcome {
     effort: f32,
 }
 
+// What a force in phase with the forcing changes of the constants of flight.
+struct Driven {
+    gamma_sin: State,
+    gamma_cos: State,
+    sin: X,
+    bound: f32,
+}
+
+var<private> driven: Driven;
 var<private> controlled: Controlled;
 var<private> control_schedule: ControlSchedule;
 
-fn controlled_begin(start: vec4<f32>) {
+fn controlled_begin(start: State) {
     trajectory = trajectory_new(start);
     tangent = tangent_seed();
     adapted = Adapted(control.amplitude, control.weight, -1.0);
@@ -83,10 +92,10 @@ fn controlled_begin(start: vec4<f32>) {
 fn controlled_force(force: f32) {
     let s = control.drive_sin;
     let c = control.drive_cos;
-    flight.force1 = flights[cell].force1 + force;
-    flight.gamma_sin = flights[cell].gamma_sin + force * vec4(s[0], s[1], s[2], s[3]);
-    flight.gamma_cos = flights[cell].gamma_cos + force * vec4(c[0], c[1], c[2], c[3]);
-    flight.bound_forcing = flights[cell].bound_forcing + abs(force) * control.drive_bound;
+    driven.sin = flights[cell].sin + force * vec2(control.push[0], control.push[1]);
+    driven.gamma_sin = state_plus(flights[cell].gamma_sin, force, State(vec2(s[0], s[1]), vec2(s[2], s[3])));
+    driven.gamma_cos = state_plus(flights[cell].gamma_cos, force, State(vec2(c[0], c[1]), vec2(c[2], c[3])));
+    driven.bound = abs(force) * control.drive_bound;
     controlled.force = force;
 }
 
@@ -101,7 +110,7 @@ fn controlled_note(taken: Move) {
         controlled.impacts = controlled.impacts + 1u;
         controlled.impacts_total = controlled.impacts_total + 1u;
         controlled.peak = max(controlled.peak, abs(taken.velocity));
-        if taken.side > 0.0 {
+        if taken.stop == 0u {
             controlled_arrive(count);
         } else {
             controlled.at_b = added(controlled.at_b, count);
@@ -120,9 +129,9 @@ fn controlled_strobe() {
     controlled.moves = 0u;
     controlled.periods = controlled.periods + 1u;
     controlled.passage = controlled.passage + 1u;
-    if !section_is_finite(point_state(trajectory.point)) {
+    if !state_is_finite(trajectory.point.state) {
         controlled.progress = PROGRESS_FAILED;
-    } else if controlled.passage > LONGEST_PASSAGE || trajectory.contact == CONTACT_CLAMPED {
+    } else if controlled.passage > LONGEST_PASSAGE || contact_is_clamped(trajectory.contact) {
         controlled.progress = PROGRESS_LOST;
     }
 }
@@ -270,11 +279,10 @@ fn controlled_outcome() -> Outcome {
         Verdict(
             controlled_regime(period),
             counts.x,
-            counts.y,
-            counts.z,
             select(0u, 1u, symmetric),
             lyapunov,
-            array<f32, 4>(point.x, point.y, point.z, point.w),
+            array<u32, MOST>(counts.z, counts.y, 0u, 0u),
+            array<f32, 8>(point.x, point.y, point.z, point.w, 0.0, 0.0, 0.0, 0.0),
             controlled.impacts,
             controlled.impacts_total,
             controlled.peak,

@@ -16,16 +16,15 @@ fn deviations_seed() {
 
 // The rates of (x1, x2, v1, v2) at the trajectory's present point.
 fn deviation_rates() -> vec4<f32> {
-    let a = point_accelerations(trajectory.point);
-    let a1 = select(0.0, a.x, trajectory.contact == CONTACT_FREE);
-    return vec4(trajectory.point.v1, trajectory.point.v2, a1, a.y);
+    return vec4(trajectory.point.state.v, point_motion(trajectory.point, trajectory.contact).acceleration);
 }
 
 // The deviation, at fixed time, of the trajectory that leaves the present point.
-fn deviations_leaving() -> vec4<f32> {
+fn deviations_leaving() -> State {
     let present = deviation_at(0u);
     let shift = present.w / flight.omega;
-    return vec4(0.0, present.y, present.x, present.z) - shift * deviation_rates();
+    let deviation = vec4(0.0, present.y, present.x, present.z) - shift * deviation_rates();
+    return State(deviation.xy, deviation.zw);
 }
 
 // The deviation of the point at which the trajectory arrives.
@@ -33,12 +32,12 @@ fn deviations_arrived() -> vec4<f32> {
     let rate = deviation_rates();
     var shift = 0.0;
     if rate.x != 0.0 {
-        shift = -(tangent.x / rate.x);
+        shift = -(tangent.x.x / rate.x);
     }
     return vec4(
-        tangent.z + rate.z * shift,
-        tangent.y + rate.y * shift,
-        tangent.w + rate.w * shift,
+        tangent.v.x + rate.z * shift,
+        tangent.x.y + rate.y * shift,
+        tangent.v.y + rate.w * shift,
         flight.omega * shift,
     );
 }

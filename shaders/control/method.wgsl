@@ -18,6 +18,8 @@ struct Control {
     drive_bound: f32,
     point: array<f32, 4>,
     gains: array<f32, 4>,
+    // What a unit force accelerates.
+    push: array<f32, 2>,
     drive_sin: array<f32, 4>,
     drive_cos: array<f32, 4>,
 }

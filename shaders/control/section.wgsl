@@ -1,8 +1,8 @@
 // A point of the impact Poincaré section: (v1+, x2, v2, τ) just after an impact at stop A.
 
 fn section_of_trajectory() -> vec4<f32> {
-    let point = trajectory.point;
-    return vec4(point.v1, point.x2, point.v2, phase_of(trajectory.step, trajectory.offset));
+    let state = trajectory.point.state;
+    return vec4(state.v.x, state.x.y, state.v.y, phase_of(trajectory.step, trajectory.offset));
 }
 
 // The mirror image of where the trajectory is, just after an impact at Ā.
@@ -14,7 +14,8 @@ fn section_mirrored() -> vec4<f32> {
 // The trajectory that begins at this point.
 fn section_trajectory(section: vec4<f32>, resting: bool) -> Trajectory {
     let phasor = sine_and_cosine(section.w);
-    let point = Point(flight.delta, section.y, section.x, section.z, phasor.x, phasor.y);
+    let state = State(vec2(flight.normals[0].gap[0], section.y), section.xz);
+    let point = Point(state, phasor.x, phasor.y);
     let stuck = resting && section.x == 0.0;
     let steps = f32(flight.steps);
     let place = section.w * INVERSE_TAU * steps;
@@ -22,7 +23,8 @@ fn section_trajectory(section: vec4<f32>, resting: bool) -> Trajectory {
     let step = select(last, floor(place), place < last);
     let behind = (place - step) * flight.h;
     let offset = select(flight.h * (1.0 - EPSILON), behind, behind < flight.h);
-    return trajectory_from_point(point, select(CONTACT_FREE, CONTACT_STUCK_A, stuck), u32(step), offset);
+    let at_a = contact_with(CONTACT_FREE, End(0u, 0u));
+    return trajectory_from_point(point, select(CONTACT_FREE, at_a, stuck), u32(step), offset);
 }
 
 // One point minus another; τ the short way round.

@@ -1,47 +1,60 @@
 // Complete chatter: infinitely many rebounds in finite time, closed in one go.
 
-// Whether the sequence is closed, and the integral of its gaps.
+// The rebound with which a sequence begins.
+struct Rebound {
+    speed: f32,
+    restitution: f32,
+    unresolved: f32,
+    room: f32,
+}
+
+// Whether the sequence is closed, the integral of its gaps, how high its rebounds rise and how long they last at most.
 struct Closure {
     closes: bool,
     gap_integral: f32,
+    height: f32,
+    lasts: f32,
 }
 
-fn chatter_close(speed: f32, motion: Motion, room: f32) -> Closure {
-    let force = motion.acceleration;
-    if speed <= unresolved() {
-        return Closure(force >= -unresolved(), 0.0);
+fn chatter_close(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
+    let force = towards.acceleration;
+    let speed = rebound.speed;
+    if speed <= rebound.unresolved {
+        return Closure(force >= -rebound.unresolved, 0.0, 0.0, 0.0);
     }
     if force <= 0.0 {
-        return Closure(false, 0.0);
+        return Closure(false, 0.0, 0.0, 0.0);
     }
-    if flight.r >= 1.0 {
-        return chatter_drag(speed, motion);
+    let r = rebound.restitution;
+    if r >= 1.0 {
+        return chatter_drag(normal, speed, towards);
     }
-    let r = flight.r;
     let time = (speed + speed) / (force * (1.0 - r));
-    let change = time * (abs(motion.jerk) + 0.5 * motion.bound * time) / force + flight.rate * time;
+    let change = time * (abs(towards.jerk) + 0.5 * towards.bound * time) / force + flight.rate * time;
     let cube = speed * speed * speed;
     let gap_integral = TWO_THIRDS * cube / (force * force * (1.0 - r * r * r));
-    let effect = gap_integral * flight.inverse_mass * (1.0 + flight.coupling_damping);
-    let closes = time + time <= room
+    let effect = gap_integral * flight.normals[normal].coupling;
+    let lasts = time + time;
+    let closes = lasts <= rebound.room
         && change <= STEADY
         && effect * change <= CHATTER
-        && stays_low(speed, force);
-    return Closure(closes, gap_integral);
+        && stays_low(normal, speed, force);
+    return Closure(closes, gap_integral, speed * speed / force, lasts);
 }
 
-// Whether rebounds surely do not reach the other stop.
-fn stays_low(speed: f32, force: f32) -> bool {
-    return speed * speed < (flight.delta + flight.delta) * force;
+// Whether rebounds surely do not reach the stop at the other end of the normal.
+fn stays_low(normal: u32, speed: f32, force: f32) -> bool {
+    return speed * speed < (flight.normals[normal].gap[0] + flight.normals[normal].gap[1]) * force;
 }
 
-// Rebounds without loss, dragged down by the damper.
-fn chatter_drag(speed: f32, motion: Motion) -> Closure {
-    let damping = flight.coupling_damping;
-    let force = motion.acceleration;
+// Rebounds without loss, dragged down by the damping along the normal.
+fn chatter_drag(normal: u32, speed: f32, towards: Approach) -> Closure {
+    let damping = flight.normals[normal].drag;
+    let force = towards.acceleration;
     if damping <= 0.0 {
-        return Closure(false, 0.0);
+        return Closure(false, 0.0, 0.0, 0.0);
     }
-    let lasts = damping * force >= DRAGGED * abs(motion.jerk);
-    return Closure(lasts && speed <= SLOW && stays_low(speed, force), speed * speed / ((force + force) * damping));
+    let lasts = damping * force >= DRAGGED * abs(towards.jerk);
+    let closes = lasts && speed <= SLOW && stays_low(normal, speed, force);
+    return Closure(closes, speed * speed / ((force + force) * damping), 0.0, 0.0);
 }

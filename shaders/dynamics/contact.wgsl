@@ -3,45 +3,137 @@
 fn contact_clears(before: Point, after: Point) -> bool {
     let third = flight.h * THIRD;
     let h2 = flight.h * flight.h;
-    let room = flight.delta - (h2 * h2) * HERMITE * point_bound(before);
-    let leaving = before.x1 + third * before.v1;
-    let arriving = after.x1 - third * after.v1;
-    return abs(before.x1) < room && abs(leaving) < room && abs(arriving) < room && abs(after.x1) < room;
+    let widening = (h2 * h2) * HERMITE;
+    var clear = true;
+    //: each normal
+    {
+        let direction = flight.normals[$k].direction;
+        let margin = widening * point_bound(before, $ku);
+        let begins = along(direction, before.state.x);
+        let ends = along(direction, after.state.x);
+        let leaving = begins + third * along(direction, before.state.v);
+        let arriving = ends - third * along(direction, after.state.v);
+        let upper = flight.normals[$k].gap[0] - margin;
+        let lower = margin - flight.normals[$k].gap[1];
+        clear = clear && begins < upper && leaving < upper && arriving < upper && ends < upper;
+        clear = clear && begins > lower && leaving > lower && arriving > lower && ends > lower;
+    }
+    //: end
+    return clear;
 }
 
-// The time left to a stop if it is touched (0) or reached in one straight line; FAR otherwise.
-fn contact_imminent(point: Point, side: f32) -> f32 {
-    let gap = flight.delta - side * point.x1;
-    let speed = side * point.v1;
-    if flight.rate * abs(gap) < IMMINENT * speed {
-        return gap / speed;
+// A time for which the motion provably stays off all stops but those at the ends that `ignored` includes.
+fn contact_safe_time(point: Point, motion: Motion, ignored: u32, window: f32) -> f32 {
+    var safe = window;
+    //: each normal
+    {
+        let direction = flight.normals[$k].direction;
+        let place = along(direction, point.state.x);
+        let speed = along(direction, point.state.v);
+        let approach = point_approach(point, motion, $ku);
+        let upper = flight.normals[$k].gap[0];
+        if upper < FAR && !contact_includes(ignored, End($ku, 0u)) {
+            safe = min(safe, safe_from_stop(upper - place, speed, approach, 1.0, window));
+        }
+        let lower = flight.normals[$k].gap[1];
+        if lower < FAR && !contact_includes(ignored, End($ku, 1u)) {
+            safe = min(safe, safe_from_stop(lower + place, -speed, approach, -1.0, window));
+        }
     }
-    if gap <= TOUCH * flight.delta && (speed >= 0.0 || is_held(point, side)) {
-        return 0.0;
+    //: end
+    return safe;
+}
+
+// A stop that is reached in one straight line, and the time left; FAR where there is none.
+struct Reached {
+    end: End,
+    left: f32,
+}
+
+// The stop that is touched, or reached so soon that the square of the time left is lost in rounding; of several the first.
+fn contact_imminent(point: Point, contact: u32) -> Reached {
+    let ignored = contact_with_opposite_ends(contact);
+    var first = Reached(End(0u, 0u), FAR);
+    //: each normal
+    first = contact_sooner(first, point, contact, ignored, End($ku, 0u));
+    first = contact_sooner(first, point, contact, ignored, End($ku, 1u));
+    //: end
+    return first;
+}
+
+// The sooner of what was found so far and one more end.
+fn contact_sooner(found: Reached, point: Point, contact: u32, ignored: u32, end: End) -> Reached {
+    if flight.normals[end.normal].gap[end.side] >= FAR || contact_includes(ignored, end) {
+        return found;
+    }
+    let left = contact_imminent_at(point, contact, end);
+    if left < found.left {
+        return Reached(end, left);
+    }
+    return found;
+}
+
+// The time left to one stop; FAR if it is not imminent.
+fn contact_imminent_at(point: Point, contact: u32, end: End) -> f32 {
+    let direction = flight.normals[end.normal].direction;
+    let sign = end_sign(end);
+    let gap = flight.normals[end.normal].gap[end.side] - sign * along(direction, point.state.x);
+    let speed = sign * along(direction, point.state.v);
+    let extent = max(abs(flight.normals[end.normal].gap[end.side]), largest_part(direction, point.state.x));
+    if gap <= TOUCH * extent {
+        if speed > 0.0 || is_held(point, contact, end, speed) {
+            return 0.0;
+        }
+        return FAR;
+    }
+    if flight.rate * gap < IMMINENT * speed {
+        return gap / speed;
     }
     return FAR;
 }
 
 // Whether a hop off the stop would be lost in rounding.
-fn is_held(point: Point, side: f32) -> bool {
-    return abs(point.v1) <= unresolved() && side * point_accelerations(point).x > 0.0;
+fn is_held(point: Point, contact: u32, end: End, speed: f32) -> bool {
+    let direction = flight.normals[end.normal].direction;
+    return abs(speed) <= unresolved(end, point.state)
+        && end_sign(end) * along(direction, point_motion(point, contact).acceleration) >= 0.0;
 }
 
-// Speeds and accelerations up to this cannot be told from 0.
-fn unresolved() -> f32 {
-    return EPSILON * (flight.delta + 1.0);
+// Speeds and accelerations up to this cannot be told from 0: d·v is a difference of velocities.
+fn unresolved(end: End, state: State) -> f32 {
+    var size = abs(flight.normals[end.normal].gap[end.side]) + 1.0;
+    //: each coordinate
+    size = size + abs(flight.normals[end.normal].direction$c * state.v$c);
+    //: end
+    return EPSILON * size;
 }
 
-fn contact_safe_time(point: Point, motion: Motion, window: f32) -> f32 {
-    let at_a = safe_from_stop(flight.delta - point.x1, point.v1, motion.acceleration, motion, 1.0, window);
-    let at_b = safe_from_stop(flight.delta + point.x1, -point.v1, -motion.acceleration, motion, -1.0, window);
-    return min(at_a, at_b);
+// Whether a point lies within all stops but those at the ends that `ignored` includes.
+fn contact_is_within(point: Point, ignored: u32) -> bool {
+    var within = true;
+    //: each normal
+    {
+        let place = along(flight.normals[$k].direction, point.state.x);
+        within = within && (contact_includes(ignored, End($ku, 0u)) || place <= flight.normals[$k].gap[0]);
+        within = within && (contact_includes(ignored, End($ku, 1u)) || -place <= flight.normals[$k].gap[1]);
+    }
+    //: end
+    return within;
 }
 
-// A time for which a mass that leaves the stop at `side` provably does not reach the other one.
-fn contact_safe_across(point: Point, motion: Motion, side: f32, window: f32) -> f32 {
-    let gap = flight.delta + side * point.x1;
-    return safe_from_stop(gap, -(side * point.v1), -(side * motion.acceleration), motion, -side, window);
+// Whether masses that hop on a stop, never higher than `height` and for no longer than `time`, surely stay off all stops
+// along other normals.
+fn contact_clears_elsewhere(point: Point, contact: u32, end: End, height: f32, time: f32) -> bool {
+    if NORMALS == 1u || time == 0.0 {
+        return true;
+    }
+    let motion = point_motion(point, contact);
+    let ignored = contact_with_opposite_ends(contact);
+    var raised = point;
+    raised.state.x = point.state.x + -(end_sign(end) * height) * flight.normals[end.normal].response;
+    return contact_is_within(point, ignored)
+        && contact_safe_time(point, motion, ignored, time) >= time
+        && contact_safe_time(raised, motion, ignored, time) >= time;
 }
 
 // The bound on the mean acceleration towards the stop within a window.
@@ -49,18 +141,8 @@ fn steepest(acceleration: f32, jerk: f32, bound: f32, window: f32) -> f32 {
     return acceleration + max(window * (jerk + bound * window), 0.0);
 }
 
-// How one stop is approached.
-struct Approach {
-    gap: f32,
-    speed: f32,
-    acceleration: f32,
-    jerk: f32,
-    bound: f32,
-}
-
-fn safe_within(approach: Approach, window: f32) -> f32 {
-    let steep = steepest(approach.acceleration, approach.jerk, approach.bound, window);
-    return min(closing_time(approach.gap, approach.speed, steep), window);
+fn safe_within(gap: f32, speed: f32, acceleration: f32, jerk: f32, bound: f32, window: f32) -> f32 {
+    return min(closing_time(gap, speed, steepest(acceleration, jerk, bound, window)), window);
 }
 
 // Whether a gap surely stays open for a time, by a glance.
@@ -68,35 +150,28 @@ fn stays_clear(gap: f32, speed: f32, acceleration: f32, time: f32) -> bool {
     return gap > time * (max(speed, 0.0) + 0.5 * max(acceleration, 0.0) * time);
 }
 
-fn safe_from_stop(
-    distance: f32,
-    speed: f32,
-    acceleration: f32,
-    motion: Motion,
-    side: f32,
-    window: f32,
-) -> f32 {
+fn safe_from_stop(distance: f32, speed: f32, approach: Approach, sign: f32, window: f32) -> f32 {
     let gap = max(distance, 0.0);
-    let jerk = side * motion.jerk * THIRD;
-    let bound = motion.bound * TWELFTH;
+    let acceleration = sign * approach.acceleration;
+    let jerk = sign * approach.jerk * THIRD;
+    let bound = approach.bound * TWELFTH;
     if stays_clear(gap, speed, steepest(acceleration, jerk, bound, window), window) {
         return window;
     }
-    let approach = Approach(gap, speed, acceleration, jerk, bound);
     if speed <= 0.0 {
         let pulled_off = pulled_off_time(acceleration, jerk, bound);
         if pulled_off >= window {
             return window;
         }
         let expected = WIDENING * closing_time(gap, speed, acceleration);
-        return max(safe_within(approach, min(expected, window)), pulled_off);
+        return max(safe_within(gap, speed, acceleration, jerk, bound, min(expected, window)), pulled_off);
     }
     if acceleration < 0.0 {
-        if safe_within(approach, window) >= window {
+        if safe_within(gap, speed, acceleration, jerk, bound, window) >= window {
             return window;
         }
     }
-    return safe_within(approach, min(WIDENING * gap / speed, window));
+    return safe_within(gap, speed, acceleration, jerk, bound, min(WIDENING * gap / speed, window));
 }
 
 fn closing_time(gap: f32, speed: f32, acceleration: f32) -> f32 {

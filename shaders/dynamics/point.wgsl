@@ -1,52 +1,67 @@
-// A point of the motion and its free flight.
+// A point of the motion and its flight.
 
 // State and forcing phasor at one instant.
 struct Point {
-    x1: f32,
-    x2: f32,
-    v1: f32,
-    v2: f32,
+    state: State,
     sin: f32,
     cos: f32,
 }
 
-// How the first mass moves for the next instants: x1'', x1''', and a bound on |x1''''|.
+// How the masses move for the next instants, with the contacts that hold: x'', x''', what presses on each contact, and
+// its derivative.
 struct Motion {
+    acceleration: X,
+    jerk: X,
+    pressing: array<f32, NORMALS>,
+    pressing_rate: array<f32, NORMALS>,
+}
+
+// How a motion goes on along one normal: (d·x)'', (d·x)''', and a bound on |(d·x)''''|.
+struct Approach {
     acceleration: f32,
     jerk: f32,
     bound: f32,
 }
 
-fn point_at_phase_zero(state: vec4<f32>) -> Point {
-    return Point(state.x, state.y, state.z, state.w, 0.0, 1.0);
+// What contacts leave of accelerations, and what presses on each.
+struct Held {
+    rest: X,
+    pressing: array<f32, NORMALS>,
 }
 
-fn point_state(point: Point) -> vec4<f32> {
-    return vec4(point.x1, point.x2, point.v1, point.v2);
+fn point_at_phase_zero(state: State) -> Point {
+    return Point(state, 0.0, 1.0);
 }
 
 // One whole step h of free flight.
 fn point_stepped(point: Point) -> Point {
-    let y = (flight.phi[0] * point.x1 + flight.phi[1] * point.x2)
-        + (flight.phi[2] * point.v1 + flight.phi[3] * point.v2)
-        + (flight.gamma_sin * point.sin + flight.gamma_cos * point.cos);
+    var state = flight.gamma_one;
+    state = state_plus(state_plus(state, point.sin, flight.gamma_sin), point.cos, flight.gamma_cos);
+    //: each coordinate
+    state = state_plus(state, point.state.x$c, flight.phi_x[$i]);
+    //: end
+    //: each coordinate
+    state = state_plus(state, point.state.v$c, flight.phi_v[$i]);
+    //: end
     return Point(
-        y.x,
-        y.y,
-        y.z,
-        y.w,
+        state,
         point.sin * flight.turn_cos + point.cos * flight.turn_sin,
         point.cos * flight.turn_cos - point.sin * flight.turn_sin,
     );
 }
 
-// A flight of length s ≤ h; `free` is 1 in free flight and 0 while the first mass rests on a stop.
-fn point_flown(point: Point, s: f32, free: f32) -> Point {
-    let series = series_new(s, free);
+// A flight of length s ≤ h with the contacts that hold.
+fn point_flown(point: Point, s: f32, contact: u32) -> Point {
+    let series = series_new(s);
     let turn = flight.omega * s;
-    let force = vec2(flight.force1 * (s * free), flight.force2 * s);
-    var before = vec2(point.v1, point.v2);
-    var last = series_first(series, vec2(point.x1, point.x2), before) + point.sin * force;
+    let force_sin = s * flight.sin;
+    let force_cos = s * flight.cos;
+    var before = point.state.v;
+    let first = series_first(series, point.state.x, before);
+    var last = ((first + point.sin * force_sin) + point.cos * force_cos) + s * flight.load;
+    if contact != CONTACT_FREE {
+        last = held(contact, last).rest;
+    }
     var phasor = vec2(point.cos * turn, -(point.sin * turn));
     var velocity = before;
     var mean = before;
@@ -62,71 +77,87 @@ fn point_flown(point: Point, s: f32, free: f32) -> Point {
         if power * weight < TRUNCATION {
             break;
         }
-        let next = series_next(series, before, last, phasor.x * force);
+        var next = series_next(series, before, last, phasor.x * force_sin + phasor.y * force_cos);
+        if contact != CONTACT_FREE {
+            next = held(contact, next).rest;
+        }
         before = last;
         last = next;
         phasor = vec2(phasor.y * turn, -(phasor.x * turn));
     }
-    return Point(
-        point.x1 + mean.x * s,
-        point.x2 + mean.y * s,
-        velocity.x,
-        velocity.y,
-        phase.x,
-        phase.y,
-    );
+    return Point(State(point.state.x + s * mean, velocity), phase.x, phase.y);
 }
 
-// The point with v1 changed by `kick` a time s ≤ h ago.
-fn point_kicked(point: Point, kick: f32, s: f32) -> Point {
+// The point with the speed along a normal changed by `kick` a time s ≤ h ago.
+fn point_kicked(point: Point, normal: u32, kick: f32, s: f32) -> Point {
     let u = s * flight.inverse_h;
-    var sum = kicks[cell].terms[ORDER];
+    let first = (cell * NORMALS + normal) * KICK_TERMS;
+    var sum = kicks[first + ORDER];
     for (var k = ORDER; k > 0u; k--) {
-        sum = sum * u + kicks[cell].terms[k - 1u];
+        sum = state_plus(kicks[first + k - 1u], u, sum);
     }
-    return Point(
-        point.x1 + kick * sum.x,
-        point.x2 + kick * sum.y,
-        point.v1 + kick * sum.z,
-        point.v2 + kick * sum.w,
-        point.sin,
-        point.cos,
-    );
-}
-
-// x1'' and x2'' of Eq. (2).
-fn point_accelerations(point: Point) -> vec2<f32> {
-    let coupling = (point.x2 - point.x1) + flight.coupling_damping * (point.v2 - point.v1);
-    let a1 = coupling + flight.force1 * point.sin;
-    let a2 = (flight.force2 * point.sin - flight.ground_stiffness * point.x2)
-        - (flight.ground_damping * point.v2 + flight.inverse_mass * coupling);
-    return vec2(a1, a2);
+    return Point(state_plus(point.state, kick, sum), point.sin, point.cos);
 }
 
 // The point a time s later, so short that its square is lost in rounding.
-fn point_nudged(point: Point, s: f32) -> Point {
-    let a = point_accelerations(point);
+fn point_nudged(point: Point, s: f32, contact: u32) -> Point {
+    let acceleration = held(contact, point_accelerations(point)).rest;
     let turn = flight.omega * s;
     return Point(
-        point.x1 + point.v1 * s,
-        point.x2 + point.v2 * s,
-        point.v1 + a.x * s,
-        point.v2 + a.y * s,
+        State(point.state.x + s * point.state.v, point.state.v + s * acceleration),
         point.sin + point.cos * turn,
         point.cos - point.sin * turn,
     );
 }
 
-fn point_bound(point: Point) -> f32 {
-    return (flight.bound.x * abs(point.x1) + flight.bound.y * abs(point.x2))
-        + (flight.bound.z * abs(point.v1) + flight.bound.w * abs(point.v2))
-        + flight.bound_forcing;
+// x'' in free flight.
+fn point_accelerations(point: Point) -> X {
+    let inner = applied(flight.stiffness, point.state.x) + applied(flight.damping, point.state.v);
+    let outer = (flight.load + point.sin * flight.sin) + point.cos * flight.cos;
+    return inner + outer;
 }
 
-// What decides when a stop can be reached (`free` = 1), or left (`free` = 0).
-fn point_motion(point: Point, free: f32) -> Motion {
-    let a = point_accelerations(point);
-    let jerk = ((point.v2 - point.v1) + flight.coupling_damping * (a.y - free * a.x))
-        + flight.force1 * flight.omega * point.cos;
-    return Motion(a.x, jerk, point_bound(point));
+// What decides when a stop can be reached, or left.
+fn point_motion(point: Point, contact: u32) -> Motion {
+    let a = held(contact, point_accelerations(point));
+    let inner = applied(flight.stiffness, point.state.v) + applied(flight.damping, a.rest);
+    let outer = -(flight.omega * point.sin) * flight.cos + (flight.omega * point.cos) * flight.sin;
+    let j = held(contact, inner + outer);
+    return Motion(a.rest, j.rest, a.pressing, j.pressing);
+}
+
+// A bound on |(d·x)''''| along a normal for the rest of the step.
+fn point_bound(point: Point, normal: u32) -> f32 {
+    return dot_absolute(flight.normals[normal].bound_x, point.state.x)
+        + dot_absolute(flight.normals[normal].bound_v, point.state.v)
+        + flight.normals[normal].bound_forcing;
+}
+
+fn point_approach(point: Point, motion: Motion, normal: u32) -> Approach {
+    let direction = flight.normals[normal].direction;
+    return Approach(
+        along(direction, motion.acceleration),
+        along(direction, motion.jerk),
+        point_bound(point, normal),
+    );
+}
+
+// Accelerations (or their derivatives) with what the contacts that hold take from them, and what presses on each.
+fn held(contact: u32, free: X) -> Held {
+    var pressing = array<f32, NORMALS>();
+    if contact == CONTACT_FREE {
+        return Held(free, pressing);
+    }
+    let contacts = contact_held(contact);
+    //: each normal
+    let along$k = along(flight.normals[$k].direction, free);
+    //: end
+    //: each pair of normals
+    pressing[$k] = pressing[$k] + pressing_share(contacts, $ku, $lu) * along$l;
+    //: end
+    var rest = free;
+    //: each normal
+    rest = rest - pressing[$k] * flight.normals[$k].response;
+    //: end
+    return Held(rest, pressing);
 }

@@ -1,18 +1,37 @@
-// A small deviation from the motion: (x1, x2, v1, v2), carried through flight and impact.
+// A small deviation from the motion, carried through flight and impact.
 
-fn tangent_seed() -> vec4<f32> {
-    return vec4(0.5, 0.5, 0.5, 0.5);
+// An impact as a deviation meets it.
+struct Saltation {
+    normal: u32,
+    velocity: f32,
+    kick: f32,
+    before: X,
+    after: X,
+    contact: u32,
 }
 
-fn tangent_stepped(tangent: vec4<f32>) -> vec4<f32> {
-    return (flight.phi[0] * tangent.x + flight.phi[1] * tangent.y)
-        + (flight.phi[2] * tangent.z + flight.phi[3] * tangent.w);
+fn tangent_seed() -> State {
+    return State(X(TANGENT_SEED), X(TANGENT_SEED));
 }
 
-fn tangent_flown(tangent: vec4<f32>, s: f32, free: f32) -> vec4<f32> {
-    let series = series_new(s, free);
-    var before = tangent.zw;
-    var last = series_first(series, tangent.xy, before);
+fn tangent_stepped(tangent: State) -> State {
+    var state = State(X(0.0), X(0.0));
+    //: each coordinate
+    state = state_plus(state, tangent.x$c, flight.phi_x[$i]);
+    //: end
+    //: each coordinate
+    state = state_plus(state, tangent.v$c, flight.phi_v[$i]);
+    //: end
+    return state;
+}
+
+fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
+    let series = series_new(s);
+    var before = tangent.v;
+    var last = series_first(series, tangent.x, before);
+    if contact != CONTACT_FREE {
+        last = held(contact, last).rest;
+    }
     var velocity = before;
     var mean = before;
     var power = 1.0;
@@ -24,26 +43,38 @@ fn tangent_flown(tangent: vec4<f32>, s: f32, free: f32) -> vec4<f32> {
         if power * weight < TRUNCATION {
             break;
         }
-        let next = series_next(series, before, last, vec2(0.0, 0.0));
+        var next = series_next(series, before, last, X(0.0));
+        if contact != CONTACT_FREE {
+            next = held(contact, next).rest;
+        }
         before = last;
         last = next;
     }
-    return vec4(tangent.xy + mean * s, velocity);
+    return State(tangent.x + s * mean, velocity);
 }
 
-// The saltation of an impact, Eq. (3).
-fn tangent_struck(tangent: vec4<f32>, velocity: f32, kick: f32, before: f32, after: f32) -> vec4<f32> {
-    let shift = tangent.x / velocity;
-    let damper = flight.inverse_mass * flight.coupling_damping * kick;
-    return vec4(
-        -(flight.r * tangent.x),
-        tangent.y,
-        (flight.r * before + after) * shift - flight.r * tangent.z,
-        tangent.w + damper * shift,
+// The saltation of the impact law.
+fn tangent_struck(tangent: State, impact: Saltation) -> State {
+    let direction = flight.normals[impact.normal].direction;
+    let response = flight.normals[impact.normal].response;
+    let shift = along(direction, tangent.x) / impact.velocity;
+    let factor = impact.kick / impact.velocity;
+    let speed = along(direction, tangent.v) - along(direction, impact.before) * shift;
+    let v = tangent.v + (factor * speed) * response;
+    let struck = State(
+        tangent.x + (impact.kick * shift) * response,
+        v + (impact.after - impact.before) * shift,
     );
+    if impact.contact == CONTACT_FREE {
+        return struck;
+    }
+    return tangent_caught(struck, impact.contact);
 }
 
-fn tangent_length(tangent: vec4<f32>) -> f32 {
-    let squares = tangent * tangent;
-    return sqrt((squares.x + squares.y) + (squares.z + squares.w));
+fn tangent_caught(tangent: State, contact: u32) -> State {
+    return State(held(contact, tangent.x).rest, held(contact, tangent.v).rest);
+}
+
+fn tangent_length(tangent: State) -> f32 {
+    return sqrt(state_square(tangent));
 }

@@ -16,8 +16,8 @@ struct ControlDispatch {
 
 @group(0) @binding(0) var<uniform> dispatch: ControlDispatch;
 @group(0) @binding(1) var<storage, read> flights: array<Flight>;
-@group(0) @binding(2) var<storage, read> kicks: array<Kick>;
-@group(0) @binding(3) var<storage, read> starts: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read> kicks: array<State>;
+@group(0) @binding(3) var<storage, read> starts: array<f32>;
 // Which cells are not finished yet.
 @group(0) @binding(4) var<storage, read> unfinished: array<u32>;
 @group(0) @binding(5) var<storage, read_write> states: array<Controlled>;
@@ -31,17 +31,16 @@ fn control_trajectories(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     cell = unfinished[index];
-    flight = flights[cell];
     control = controls[cell];
     control_schedule = dispatch.schedule;
     reach = dispatch.max_period;
     if dispatch.begin == 1u {
-        controlled_begin(starts[cell]);
+        controlled_force(0.0);
+        controlled_begin(start_of_cell());
     } else {
         controlled = states[cell];
         trajectory = controlled.trajectory;
-        let t = controlled.tangent;
-        tangent = vec4(t[0], t[1], t[2], t[3]);
+        tangent = controlled.tangent;
         adapted = controlled.adapted;
         memory = controlled.memory;
         deviations = controlled.deviations;
@@ -59,7 +58,7 @@ fn control_trajectories(@builtin(global_invocation_id) id: vec3<u32>) {
         controlled.progress = PROGRESS_FAILED;
     }
     controlled.trajectory = trajectory;
-    controlled.tangent = array<f32, 4>(tangent.x, tangent.y, tangent.z, tangent.w);
+    controlled.tangent = tangent;
     controlled.adapted = adapted;
     controlled.memory = memory;
     controlled.deviations = deviations;

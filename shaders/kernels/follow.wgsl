@@ -14,8 +14,8 @@ struct Dispatch {
 
 @group(0) @binding(0) var<uniform> dispatch: Dispatch;
 @group(0) @binding(1) var<storage, read> flights: array<Flight>;
-@group(0) @binding(2) var<storage, read> kicks: array<Kick>;
-@group(0) @binding(3) var<storage, read> starts: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read> kicks: array<State>;
+@group(0) @binding(3) var<storage, read> starts: array<f32>;
 // Which cells are not finished yet.
 @group(0) @binding(4) var<storage, read> unfinished: array<u32>;
 @group(0) @binding(5) var<storage, read_write> observers: array<Observer>;
@@ -28,10 +28,9 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     cell = unfinished[index];
-    flight = flights[cell];
     schedule = dispatch.schedule;
     if dispatch.begin == 1u {
-        observer_begin(starts[cell]);
+        observer_begin(start_of_cell());
     } else {
         observer_resume(observers[cell]);
     }

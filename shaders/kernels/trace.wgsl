@@ -20,8 +20,8 @@ struct TraceDispatch {
 
 @group(0) @binding(0) var<uniform> dispatch: TraceDispatch;
 @group(0) @binding(1) var<storage, read> flights: array<Flight>;
-@group(0) @binding(2) var<storage, read> kicks: array<Kick>;
-@group(0) @binding(3) var<storage, read> starts: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read> kicks: array<State>;
+@group(0) @binding(3) var<storage, read> starts: array<f32>;
 // Which cells are not finished yet.
 @group(0) @binding(4) var<storage, read> unfinished: array<u32>;
 @group(0) @binding(5) var<storage, read_write> observers: array<Observer>;
@@ -36,11 +36,10 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     cell = unfinished[index];
-    flight = flights[cell];
     schedule = dispatch.schedule;
     probe = Probe(dispatch.section, dispatch.reading);
     if dispatch.begin == 1u {
-        observer_begin(starts[cell]);
+        observer_begin(start_of_cell());
         rebounds = Rebounds(0.0, 0u, 0u);
         passages = 0u;
     } else {

@@ -46,7 +46,7 @@ impl<T: Real> Exponent<T> {
     ///
     /// A vector that was lost altogether (sticking can do that) starts afresh.
     #[inline(always)]
-    pub fn at_strobe(&mut self, tangent: &mut Tangent<T>) -> T {
+    pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>) -> T {
         let length = tangent.length();
         let growth = if length > T::zero() && length.is_finite() {
             *tangent = tangent.scaled(T::one() / length);

@@ -6,8 +6,8 @@ use super::recurrence::Recurrence;
 use super::schedule::Schedule;
 use super::spread::Spread;
 use crate::dynamics::constants::MOST_MOVES;
-use crate::dynamics::{Contact, Event, Move, Stop, Tangent, Trajectory, Variation};
-use crate::model::{Flight, Real};
+use crate::dynamics::{Event, Move, Stop, Tangent, Trajectory, Variation};
+use crate::model::{Flight, Real, State};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
 /// one that is called symmetric; absolute for states of order one and less, relative above. Both back ends use it.
@@ -49,12 +49,12 @@ impl Stage {
 
 /// A trajectory and everything that is noted about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Observer<T> {
-    pub(super) trajectory: Trajectory<T>,
-    tangent: Tangent<T>,
-    pub(super) recurrence: Recurrence<T>,
+pub struct Observer<T, const N: usize> {
+    pub(super) trajectory: Trajectory<T, N>,
+    tangent: Tangent<T, N>,
+    pub(super) recurrence: Recurrence<T, N>,
     pub(super) exponent: Exponent<T>,
-    pub(super) spread: Spread<T>,
+    pub(super) spread: Spread<T, N>,
     /// Logarithmic growth of the tangent vector since the recurrence's anchor was set.
     pub(super) grown: T,
     pub(super) stage: Stage,
@@ -76,14 +76,14 @@ pub struct Observer<T> {
     pub(super) stuck: bool,
 }
 
-impl<T: Real> Observer<T> {
-    /// Begins at forcing phase 0 with (x1, x2, v1, v2), |x1| ≤ δ.
-    pub fn new(flight: &Flight<T>, schedule: &Schedule, start: [T; 4]) -> Self {
+impl<T: Real, const N: usize> Observer<T, N> {
+    /// Begins at forcing phase 0 with a state within the stops.
+    pub fn new(flight: &Flight<T, N>, schedule: &Schedule, start: State<T, N>) -> Self {
         let trajectory = Trajectory::new(flight, start);
         let mut observer = Observer {
             trajectory,
             tangent: Tangent::seed(),
-            recurrence: Recurrence::anchored(trajectory.point.state()),
+            recurrence: Recurrence::anchored(trajectory.point.state),
             exponent: Exponent::over(schedule.observe),
             spread: Spread::about(&trajectory.point),
             grown: T::zero(),
@@ -98,15 +98,15 @@ impl<T: Real> Observer<T> {
             stuck: false,
         };
         if schedule.transient == 0 {
-            observer.begin_observation(schedule.observe);
+            observer.begin_observation(flight, schedule.observe);
         }
         observer
     }
 
     /// Follows the trajectory to its end.
     #[inline(always)]
-    pub fn follow(&mut self, flight: &Flight<T>, schedule: &Schedule) {
-        self.follow_listening(flight, schedule, &mut |_: &Trajectory<T>, _: &Event<T>| ());
+    pub fn follow(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
+        self.follow_listening(flight, schedule, &mut |_: &Trajectory<T, N>, _: &Event<T>| ());
     }
 
     /// Follows the trajectory to its end; `listen` is told of every event of the observation, with the trajectory
@@ -114,9 +114,9 @@ impl<T: Real> Observer<T> {
     #[inline(always)]
     pub fn follow_listening(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         schedule: &Schedule,
-        listen: &mut impl FnMut(&Trajectory<T>, &Event<T>),
+        listen: &mut impl FnMut(&Trajectory<T, N>, &Event<T>),
     ) {
         loop {
             match self.stage {
@@ -135,13 +135,13 @@ impl<T: Real> Observer<T> {
     /// Follows the trajectory to the next phase 0 or π, on copies that the compiler can hold in registers;
     /// `keep` takes the variation back.
     #[inline(always)]
-    fn follow_to_phase<V: Variation<T>>(
+    fn follow_to_phase<V: Variation<T, N>>(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         schedule: &Schedule,
         mut variation: V,
         keep: impl Fn(&mut Self, V),
-        listen: &mut impl FnMut(&Trajectory<T>, &Event<T>),
+        listen: &mut impl FnMut(&Trajectory<T, N>, &Event<T>),
     ) {
         let mut trajectory = self.trajectory;
         loop {
@@ -160,9 +160,9 @@ impl<T: Real> Observer<T> {
     }
 
     #[inline(always)]
-    fn note(&mut self, flight: &Flight<T>, schedule: &Schedule, taken: &Move<T>) {
+    fn note(&mut self, flight: &Flight<T, N>, schedule: &Schedule, taken: &Move<T>) {
         self.moves += 1;
-        if taken.free == T::zero() {
+        if !taken.contact.is_free() {
             self.stuck = true;
         }
         match taken.event {
@@ -176,7 +176,7 @@ impl<T: Real> Observer<T> {
             }
             Event::HalfPeriod => {
                 if self.stage == Stage::Observation {
-                    self.recurrence.at_half_period(&self.trajectory.point, T::of(RETURNED));
+                    self.recurrence.at_half_period(flight, &self.trajectory.point, T::of(RETURNED));
                 }
             }
             Event::Strobe => self.strobe(flight, schedule),
@@ -196,31 +196,33 @@ impl<T: Real> Observer<T> {
     }
 
     #[inline(always)]
-    fn strobe(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+    fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         let point = self.trajectory.point;
         self.moves = 0;
         self.periods += 1;
-        if !point.state().iter().all(|value| value.is_finite()) {
+        if !point.state.is_finite() {
             self.stage = Stage::Failed;
             return;
         }
-        if self.trajectory.contact == Contact::Clamped {
-            self.recurrence.count(Stop::A, true);
-            self.recurrence.count(Stop::B, true);
+        for (k, normal) in flight.normals().iter().enumerate() {
+            if self.trajectory.contact.is_clamped_along(k) {
+                self.recurrence.count(Stop(normal.stop[0]), true);
+                self.recurrence.count(Stop(normal.stop[1]), true);
+            }
         }
         if self.stage == Stage::Transient {
             self.settle(flight, schedule);
         } else {
-            self.observe(schedule);
+            self.observe(flight, schedule);
         }
     }
 
     /// A strobe of the transient: may it end here?
     #[inline(always)]
-    fn settle(&mut self, flight: &Flight<T>, schedule: &Schedule) {
+    fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         let point = self.trajectory.point;
         if !schedule.fixed_periods {
-            if self.trajectory.contact == Contact::Free && is_quiet(flight, &point) {
+            if self.trajectory.contact.is_free() && is_quiet(flight, &point) {
                 self.stage = Stage::Quiet;
                 return;
             }
@@ -228,16 +230,16 @@ impl<T: Real> Observer<T> {
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
             if self.recurrence.holds_for(if at_rest { SETTLING_AT_REST } else { SETTLING }) {
                 let needed = SETTLED_OBSERVATION.max(4 * self.recurrence.n);
-                self.begin_observation(needed.min(schedule.observe));
+                self.begin_observation(flight, needed.min(schedule.observe));
                 return;
             }
         }
         if self.periods >= schedule.transient {
-            self.begin_observation(schedule.observe);
+            self.begin_observation(flight, schedule.observe);
         }
     }
 
-    fn begin_observation(&mut self, observe: u32) {
+    fn begin_observation(&mut self, flight: &Flight<T, N>, observe: u32) {
         let point = self.trajectory.point;
         self.stage = Stage::Observation;
         self.observe = observe;
@@ -245,10 +247,9 @@ impl<T: Real> Observer<T> {
         self.impacts = 0;
         self.peak = T::zero();
         self.stuck = false;
-        let seed = Tangent::seed();
-        // While the first mass rests, nothing can deviate that it does not carry.
-        self.tangent = if self.trajectory.contact == Contact::Free { seed } else { seed.caught() };
-        self.recurrence = Recurrence::anchored(point.state());
+        // While a mass rests, nothing can deviate that it does not carry.
+        self.tangent = Tangent::seed().caught(flight, self.trajectory.contact);
+        self.recurrence = Recurrence::anchored(point.state);
         self.exponent = Exponent::over(observe);
         self.spread = Spread::about(&point);
         self.grown = T::zero();
@@ -256,7 +257,7 @@ impl<T: Real> Observer<T> {
 
     /// A strobe of the observation.
     #[inline(always)]
-    fn observe(&mut self, schedule: &Schedule) {
+    fn observe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         let point = self.trajectory.point;
         self.observed += 1;
         let half = self.observe / 2;
@@ -272,10 +273,10 @@ impl<T: Real> Observer<T> {
         let early = self.observe < schedule.observe;
         if early && !self.recurrence.holds_for(self.proof()) {
             // It had not settled after all: go on as if nothing had been seen.
-            self.recurrence = Recurrence::anchored(point.state());
+            self.recurrence = Recurrence::anchored(point.state);
             self.stage = Stage::Transient;
             if self.periods >= schedule.transient {
-                self.begin_observation(schedule.observe);
+                self.begin_observation(flight, schedule.observe);
             }
         } else {
             self.stage = Stage::Observed;

@@ -1,19 +1,28 @@
 //! Motion that can never impact again.
 
 use crate::dynamics::Point;
+use crate::model::vector::{added, applied, dot};
 use crate::model::{Flight, Real};
 
 /// Whether free motion from this strobe point on stays between the stops for ever.
 ///
-/// The deviation from the forced response loses energy, and x1 of a deviation with energy E is at most
-/// √(2E (K⁻¹)₁₁); so x1 stays within that plus the forced amplitude.
+/// The deviation y from the forced response lets a quadratic form E = yᵀPy decay or at most stay (twice the energy where
+/// that is one), and d·x of a deviation is at most √(E dᵀ(P⁻¹)d); so d·x stays within that plus the farthest reach of
+/// the forced response.
 #[inline(always)]
-pub fn is_quiet<T: Real>(flight: &Flight<T>, point: &Point<T>) -> bool {
-    let [forced_x1, forced_x2, forced_v1, forced_v2] = flight.forced;
-    let x2 = point.x2 - forced_x2;
-    let stretch = (point.x1 - forced_x1) - x2;
-    let v1 = point.v1 - forced_v1;
-    let v2 = point.v2 - forced_v2;
-    let twice_energy = (v1 * v1 + flight.mass * v2 * v2) + (stretch * stretch + flight.ground * x2 * x2);
-    flight.reach + flight.compliance * twice_energy.sqrt() < flight.delta
+pub fn is_quiet<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>) -> bool {
+    let quiet = &flight.quiet;
+    if !quiet.exists {
+        return false;
+    }
+    let away = point.state.plus(-T::one(), &quiet.forced);
+    let first = added(&applied(&quiet.xx, &away.x), &applied(&quiet.xv, &away.v));
+    let second = applied(&quiet.vv, &away.v);
+    let size = (dot(&first, &first) + dot(&second, &second)).sqrt();
+    let mut stays = true;
+    for normal in flight.normals() {
+        let stretch = normal.stretch * size;
+        stays &= normal.reach[0] + stretch < normal.gap[0] && normal.reach[1] + stretch < normal.gap[1];
+    }
+    stays
 }

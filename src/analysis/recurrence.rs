@@ -2,7 +2,8 @@
 
 use super::regime::INFINITELY_MANY;
 use crate::dynamics::{Point, Stop};
-use crate::model::Real;
+use crate::model::vector::{MOST, applied};
+use crate::model::{Flight, Real, State};
 
 /// How many times farther than its returns the state must be after a divisor of N. An alternation with the multiplier −μ
 /// returns within 1 − μᵏ of its size over k periods.
@@ -20,20 +21,17 @@ pub const FARTHEST: f64 = 3e38;
 /// that dies out slowly. Half-way through the observation the anchor therefore moves along with the motion, so that
 /// [`Recurrence::is_settled`] can ask whether the returns come closer, and whether the motion has no shorter period.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Recurrence<T> {
-    anchor: [T; 4],
+pub struct Recurrence<T, const N: usize> {
+    anchor: State<T, N>,
     /// Periods since the anchor.
     pub since: u32,
     /// N, or 0 while there was no return.
     pub n: u32,
-    /// p, impacts at Ā in the first cycle after the anchor.
-    pub p: u32,
-    /// q, impacts at A in the first cycle after the anchor.
-    pub q: u32,
-    /// Impacts at Ā in the present cycle.
-    running_p: u32,
-    /// Impacts at A in the present cycle.
-    running_q: u32,
+    /// Impacts at each stop in the first cycle after the anchor.
+    pub impacts: [u32; MOST],
+    /// Impacts at each stop in the present cycle.
+    running: [u32; MOST],
+    /// The largest distance of a return from the anchor.
     /// The largest distance of a return from the anchor, where that is now.
     worst: T,
     /// The same before the anchor moved along with the motion.
@@ -46,17 +44,15 @@ pub struct Recurrence<T> {
     pub symmetric: bool,
 }
 
-impl<T: Real> Recurrence<T> {
+impl<T: Real, const N: usize> Recurrence<T, N> {
     /// Begins with the state of a strobe as the anchor.
-    pub fn anchored(state: [T; 4]) -> Self {
+    pub fn anchored(state: State<T, N>) -> Self {
         Recurrence {
             anchor: state,
             since: 0,
             n: 0,
-            p: 0,
-            q: 0,
-            running_p: 0,
-            running_q: 0,
+            impacts: [0; MOST],
+            running: [0; MOST],
             worst: T::zero(),
             early: T::zero(),
             moved: false,
@@ -68,10 +64,7 @@ impl<T: Real> Recurrence<T> {
     /// Counts an impact; infinitely many if it ends a complete chatter sequence.
     #[inline(always)]
     pub fn count(&mut self, stop: Stop, complete_chatter: bool) {
-        let running = match stop {
-            Stop::A => &mut self.running_q,
-            Stop::B => &mut self.running_p,
-        };
+        let running = &mut self.running[stop.index()];
         *running = if complete_chatter {
             u32::from(INFINITELY_MANY)
         } else if *running < u32::from(INFINITELY_MANY) - 1 {
@@ -83,29 +76,29 @@ impl<T: Real> Recurrence<T> {
 
     /// Sees the state at phase π: half a cycle after a return, an odd cycle may show its mirror image.
     #[inline(always)]
-    pub fn at_half_period(&mut self, point: &Point<T>, tolerance: T) {
+    pub fn at_half_period(&mut self, flight: &Flight<T, N>, point: &Point<T, N>, tolerance: T) {
+        let Some(mirror) = &flight.mirror else { return };
         if self.n % 2 == 1 && self.since % self.n == self.n / 2 {
-            let mirrored = point.state().map(|value| -value);
+            let mirrored = State { x: applied(mirror, &point.state.x), v: applied(mirror, &point.state.v) };
             self.symmetric = distance(&mirrored, &self.anchor) <= tolerance;
         }
     }
 
     /// Sees the state at phase 0; `late` is the later half of the time in which the motion is to be compared with itself.
     #[inline(always)]
-    pub fn at_strobe(&mut self, point: &Point<T>, tolerance: T, max_period: u32, late: bool) {
+    pub fn at_strobe(&mut self, point: &Point<T, N>, tolerance: T, max_period: u32, late: bool) {
         self.since += 1;
-        let away = distance(&point.state(), &self.anchor);
+        let away = distance(&point.state, &self.anchor);
         if self.n == 0 {
             if away <= tolerance {
                 self.n = self.since;
-                self.p = self.running_p;
-                self.q = self.running_q;
+                self.impacts = self.running;
                 self.returned(away);
             } else if self.since >= max_period {
                 self.start_over(point, late);
             }
         } else if self.since.is_multiple_of(self.n) {
-            if self.running_p == self.p && self.running_q == self.q && away <= tolerance {
+            if self.running == self.impacts && away <= tolerance {
                 self.returned(away);
                 if late && !self.moved {
                     self.move_along(point);
@@ -119,14 +112,14 @@ impl<T: Real> Recurrence<T> {
     }
 
     #[inline(always)]
-    fn start_over(&mut self, point: &Point<T>, late: bool) {
-        *self = Recurrence { moved: late, ..Self::anchored(point.state()) };
+    fn start_over(&mut self, point: &Point<T, N>, late: bool) {
+        *self = Recurrence { moved: late, ..Self::anchored(point.state) };
     }
 
     /// The motion is compared with its present self from now on.
     #[inline(always)]
-    fn move_along(&mut self, point: &Point<T>) {
-        self.anchor = point.state();
+    fn move_along(&mut self, point: &Point<T, N>) {
+        self.anchor = point.state;
         self.moved = true;
         self.early = self.worst;
         self.worst = T::zero();
@@ -134,8 +127,7 @@ impl<T: Real> Recurrence<T> {
 
     #[inline(always)]
     fn returned(&mut self, away: T) {
-        self.running_p = 0;
-        self.running_q = 0;
+        self.running = [0; MOST];
         self.worst = if away > self.worst { away } else { self.worst };
     }
 
@@ -162,13 +154,13 @@ impl<T: Real> Recurrence<T> {
 
 /// The largest difference of two states' components: absolute for states of order one and less, relative above.
 #[inline(always)]
-fn distance<T: Real>(state: &[T; 4], anchor: &[T; 4]) -> T {
+fn distance<T: Real, const N: usize>(state: &State<T, N>, anchor: &State<T, N>) -> T {
     let mut distance = T::zero();
     let mut size = T::one();
-    for i in 0..4 {
-        let difference = (state[i] - anchor[i]).abs();
+    for (value, anchor) in state.values().zip(anchor.values()) {
+        let difference = (value - anchor).abs();
         distance = if difference > distance { difference } else { distance };
-        let extent = anchor[i].abs();
+        let extent = anchor.abs();
         size = if extent > size { extent } else { size };
     }
     distance / size

@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::model::StateVector;
+use crate::model::vector::MOST;
+
 /// What a cell's trajectory settles on.
 ///
 /// The discriminants are the codes of the data files and of the GPU, which gets them generated from here.
@@ -85,22 +88,20 @@ pub struct Verdict {
     pub regime: Regime,
     /// N, the forcing periods in one period of the motion; 0 where the regime is not periodic.
     pub n: u16,
-    /// p, the impacts at stop Ā (x1 = −δ) in one period of the motion; [`INFINITELY_MANY`] with complete chatter.
-    pub p: u16,
-    /// q, the impacts at stop A (x1 = +δ) in one period of the motion; [`INFINITELY_MANY`] with complete chatter.
-    pub q: u16,
-    /// Whether x(t + Nπ/ω) = −x(t).
+    /// The impacts at each stop in one period of the motion, in the order of labels; zeros where the regime is not periodic.
+    pub counts: Counts,
+    /// Whether the motion is its own mirror image half a period later: x(t + Nπ/ω) = P x(t).
     pub symmetric: bool,
     /// Largest Lyapunov exponent per forcing period (natural logarithm), of the motion reached where it is periodic; NaN
     /// where it was not measured.
     pub lyapunov: f32,
-    /// (x1, x2, v1, v2) at the end, at forcing phase 0; non-dimensional.
-    pub state: [f64; 4],
+    /// (x1 … xn, v1 … vn) at the end, at forcing phase 0; non-dimensional.
+    pub state: StateVector,
     /// Impacts in the observed window.
     pub impacts: u32,
     /// Impacts over the whole trajectory, transient included (a measure of work, not written to files).
     pub impacts_total: u32,
-    /// Largest |v1−| of the observed window; non-dimensional.
+    /// Largest |d·v−| before an impact of the observed window; non-dimensional.
     pub peak_impact_velocity: f32,
     /// Forcing periods simulated.
     pub periods: u32,
@@ -126,11 +127,10 @@ impl Verdict {
         Verdict {
             regime,
             n,
-            p,
-            q,
+            counts: Counts::new(&[p, q]),
             symmetric,
             lyapunov: 0.0,
-            state: [0.0; 4],
+            state: [0.0; 4].into(),
             impacts: 0,
             impacts_total: 0,
             peak_impact_velocity: 0.0,
@@ -142,16 +142,85 @@ impl Verdict {
     /// "N-p-q" where periodic (∞ for infinitely many impacts), the regime's name elsewhere.
     pub fn label(&self) -> String {
         if self.regime.is_periodic() {
-            motion_label(u32::from(self.n), self.p, self.q)
+            motion_label(u32::from(self.n), &self.counts)
         } else {
             self.regime.name().to_owned()
         }
     }
 }
 
-/// "N-p-q" of a periodic motion, with ∞ for [`INFINITELY_MANY`] impacts.
-pub fn motion_label(n: u32, p: u16, q: u16) -> String {
-    format!("{n}-{}-{}", Count(p), Count(q))
+impl Verdict {
+    /// The impacts at the first stop in the order of labels: p, those at Ā, of the paper's oscillator.
+    pub fn p(&self) -> u16 {
+        self.counts.first().copied().unwrap_or(0)
+    }
+
+    /// The impacts at the second stop in the order of labels: q, those at A, of the paper's oscillator.
+    pub fn q(&self) -> u16 {
+        self.counts.get(1).copied().unwrap_or(0)
+    }
+}
+
+/// Impacts at each stop in one period of a motion, in the order in which labels count them; [`INFINITELY_MANY`] with
+/// complete chatter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Counts {
+    values: [u16; MOST],
+    stops: u8,
+}
+
+impl Counts {
+    /// Counts in the order of labels, at most four.
+    pub fn new(counts: &[u16]) -> Self {
+        let mut values = [0; MOST];
+        values[..counts.len()].copy_from_slice(counts);
+        Counts { values, stops: counts.len() as u8 }
+    }
+
+    /// Counts given in the order of the plant's stops, brought into the order of labels.
+    pub fn in_order(per_stop: &[u16], label_order: &[usize]) -> Self {
+        let ordered: Vec<u16> = label_order.iter().map(|&stop| per_stop[stop]).collect();
+        Counts::new(&ordered)
+    }
+
+    /// The counts in the order of the plant's stops.
+    pub fn per_stop(&self, label_order: &[usize]) -> Vec<u16> {
+        let mut per_stop = vec![0; label_order.len()];
+        for (&stop, &count) in label_order.iter().zip(self.iter()) {
+            per_stop[stop] = count;
+        }
+        per_stop
+    }
+}
+
+impl std::ops::Deref for Counts {
+    type Target = [u16];
+
+    fn deref(&self) -> &[u16] {
+        &self.values[..usize::from(self.stops)]
+    }
+}
+
+impl Serialize for Counts {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
+    }
+}
+
+impl<'de> Deserialize<'de> for Counts {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let counts = Vec::<u16>::deserialize(deserializer)?;
+        if counts.len() <= MOST {
+            Ok(Counts::new(&counts))
+        } else {
+            Err(serde::de::Error::invalid_length(counts.len(), &"the counts of at most four stops"))
+        }
+    }
+}
+
+/// N and the impacts at each stop, "N-p-q" of the paper's motions, with ∞ for [`INFINITELY_MANY`] impacts.
+pub fn motion_label(n: u32, counts: &[u16]) -> String {
+    counts.iter().fold(n.to_string(), |label, &count| format!("{label}-{}", Count(count)))
 }
 
 /// An impact count as it is printed: a number, or ∞.

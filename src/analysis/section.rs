@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::dynamics::{Event, Stop, Trajectory};
-use crate::model::{Flight, Real};
+use crate::model::{Flight, Real, State};
 
 /// How many impacts in a row at one stop, each slower than the one before, are called chatter.
 pub const CHATTER_RUN: u32 = 5;
@@ -143,15 +143,15 @@ impl Probe {
     /// The last impact before sticking stands for the rebounds that follow it in finite time; coming to rest on a
     /// stop without an impact is none.
     #[inline(always)]
-    pub fn read<T: Real>(
+    pub fn read<T: Real, const N: usize>(
         &self,
-        flight: &Flight<T>,
-        trajectory: &Trajectory<T>,
+        flight: &Flight<T, N>,
+        trajectory: &Trajectory<T, N>,
         event: &Event<T>,
     ) -> Option<T> {
-        let point = &trajectory.point;
+        let State { x, v } = trajectory.point.state;
         let (before, after) = match (self.section, event) {
-            (Section::Strobe, Event::Strobe) => (T::zero(), point.v1),
+            (Section::Strobe, Event::Strobe) => (T::zero(), v[0]),
             (section, Event::Impact(impact) | Event::Caught { impact, .. })
                 if section == section_of(impact.stop) && impact.velocity_before != T::zero() =>
             {
@@ -162,9 +162,9 @@ impl Probe {
         Some(match self.reading {
             Reading::VBefore => before,
             Reading::VAfter | Reading::V1 => after,
-            Reading::X1 => point.x1,
-            Reading::X2 => point.x2,
-            Reading::V2 => point.v2,
+            Reading::X1 => x[0],
+            Reading::X2 => x[1],
+            Reading::V2 => v[1],
             Reading::Tau => phase(flight, trajectory),
         })
     }
@@ -173,15 +173,12 @@ impl Probe {
 /// The impact Poincaré section of a stop.
 #[inline(always)]
 fn section_of(stop: Stop) -> Section {
-    match stop {
-        Stop::A => Section::A,
-        Stop::B => Section::B,
-    }
+    if stop == Stop::A { Section::A } else { Section::B }
 }
 
 /// The forcing phase, from the step and the offset in it.
 #[inline(always)]
-fn phase<T: Real>(flight: &Flight<T>, trajectory: &Trajectory<T>) -> T {
+fn phase<T: Real, const N: usize>(flight: &Flight<T, N>, trajectory: &Trajectory<T, N>) -> T {
     let steps = T::of(f64::from(trajectory.step)) + trajectory.offset * flight.inverse_h;
     steps * (T::of(TAU) / T::of(f64::from(flight.steps)))
 }
@@ -277,8 +274,8 @@ mod tests {
     /// The printed X* at ω = 3.7: what is read at an impact is the impact's.
     #[test]
     fn readings_are_those_of_the_instant() {
-        let flight = Flight::new(&System::new(Parameters::default()).unwrap());
-        let mut trajectory = Trajectory::new(&flight, [0.0; 4]);
+        let flight = Flight::<f64, 2>::new(&System::new(Parameters::default()).unwrap());
+        let mut trajectory = Trajectory::new(&flight, State::zero());
         let mut last = [f64::NAN; 7];
         let mut strobes = 0;
         while strobes < 2000 {

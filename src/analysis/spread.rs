@@ -1,13 +1,12 @@
 //! Is the motion stationary? The spread of its strobe points, early against late.
 
 use crate::dynamics::Point;
-use crate::model::Real;
+use crate::model::{Real, State};
 
-/// First and second moments of the second mass's strobe points, about a reference point.
+/// First and second moments of the strobe points, about a reference point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Moments<T> {
-    x2: T,
-    v2: T,
+struct Moments<T, const N: usize> {
+    sum: State<T, N>,
     square: T,
 }
 
@@ -15,32 +14,29 @@ struct Moments<T> {
 ///
 /// On a quasi-periodic motion the two agree; on one that still spirals in or out they do not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread<T> {
-    x2: T,
-    v2: T,
-    early: Moments<T>,
-    late: Moments<T>,
+pub struct Spread<T, const N: usize> {
+    about: State<T, N>,
+    early: Moments<T, N>,
+    late: Moments<T, N>,
 }
 
 /// The largest ratio of the later to the earlier variance, or its inverse, of a stationary motion.
 pub const STATIONARY: f64 = 1.25;
 
-impl<T: Real> Spread<T> {
+impl<T: Real, const N: usize> Spread<T, N> {
     /// Begins at a strobe point.
-    pub fn about<D>(point: &Point<T, D>) -> Self {
-        let none = Moments { x2: T::zero(), v2: T::zero(), square: T::zero() };
-        Spread { x2: point.x2, v2: point.v2, early: none, late: none }
+    pub fn about<D>(point: &Point<T, N, D>) -> Self {
+        let none = Moments { sum: State::zero(), square: T::zero() };
+        Spread { about: point.state, early: none, late: none }
     }
 
     /// Adds a strobe point to the earlier or the later half.
     #[inline(always)]
-    pub fn at_strobe<D>(&mut self, point: &Point<T, D>, late: bool) {
-        let x2 = point.x2 - self.x2;
-        let v2 = point.v2 - self.v2;
+    pub fn at_strobe<D>(&mut self, point: &Point<T, N, D>, late: bool) {
+        let away = point.state.plus(-T::one(), &self.about);
         let moments = if late { &mut self.late } else { &mut self.early };
-        moments.x2 = moments.x2 + x2;
-        moments.v2 = moments.v2 + v2;
-        moments.square = moments.square + (x2 * x2 + v2 * v2);
+        moments.sum = moments.sum.added(&away);
+        moments.square = moments.square + square(&away);
     }
 
     /// Whether the two halves, of `half` points each, scatter alike.
@@ -53,10 +49,18 @@ impl<T: Real> Spread<T> {
     }
 }
 
-impl<T: Real> Moments<T> {
+impl<T: Real, const N: usize> Moments<T, N> {
     fn variance(&self, count: T) -> T {
-        let x2 = self.x2 / count;
-        let v2 = self.v2 / count;
-        self.square / count - (x2 * x2 + v2 * v2)
+        self.square / count - square(&self.sum.map(|value| value / count))
     }
+}
+
+/// The square of a state's length.
+#[inline(always)]
+fn square<T: Real, const N: usize>(state: &State<T, N>) -> T {
+    let mut sum = T::zero();
+    for i in 0..N {
+        sum = sum + (state.x[i] * state.x[i] + state.v[i] * state.v[i]);
+    }
+    sum
 }

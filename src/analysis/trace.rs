@@ -37,7 +37,12 @@ impl<T: Real> Tracer<T> {
 
     /// Sees an event, and the trajectory just after it.
     #[inline(always)]
-    pub fn see(&mut self, flight: &Flight<T>, trajectory: &Trajectory<T>, event: &Event<T>) {
+    pub fn see<const N: usize>(
+        &mut self,
+        flight: &Flight<T, N>,
+        trajectory: &Trajectory<T, N>,
+        event: &Event<T>,
+    ) {
         self.rebounds.see(event);
         if let Some(reading) = self.probe.read(flight, trajectory, event) {
             self.passages = self.passages.saturating_add(1);

@@ -1,12 +1,12 @@
 //! What an observed trajectory settled on.
 
 use super::observer::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, Observer, SIGNIFICANCE, Stage};
-use super::regime::{Regime, Verdict};
-use crate::model::{Flight, Real};
+use super::regime::{Counts, Regime, Verdict};
+use crate::model::{Flight, Real, State, StateVector};
 
-impl<T: Real> Observer<T> {
-    /// What the trajectory settled on.
-    pub fn verdict(&self, flight: &Flight<T>) -> Verdict {
+impl<T: Real, const N: usize> Observer<T, N> {
+    /// What the trajectory settled on; labels count the impacts at the plant's stops in `label_order`.
+    pub fn verdict(&self, flight: &Flight<T, N>, label_order: &[usize]) -> Verdict {
         let regime = self.regime();
         let recurrence = &self.recurrence;
         let count = |value: u32| if regime.is_periodic() { value as u16 } else { 0 };
@@ -24,17 +24,23 @@ impl<T: Real> Observer<T> {
         Verdict {
             regime,
             n: count(recurrence.n),
-            p: count(recurrence.p),
-            q: count(recurrence.q),
+            counts: Counts::in_order(&recurrence.impacts.map(count), label_order),
             symmetric: regime.is_periodic() && recurrence.n % 2 == 1 && recurrence.symmetric,
             lyapunov: lyapunov.widen() as f32,
-            state: self.trajectory.point.state().map(T::widen),
+            state: StateVector::of(&self.state(flight, regime)),
             impacts: self.impacts,
             impacts_total: self.impacts_total,
             peak_impact_velocity: self.peak.widen() as f32,
             periods: self.periods,
             returning: returning as u16,
         }
+    }
+
+    /// The state that is reported: where the trajectory ends, or of motion that decays onto the forced response without
+    /// another impact, that response.
+    fn state(&self, flight: &Flight<T, N>, regime: Regime) -> State<T, N> {
+        let forced = regime == Regime::NoImpact && self.stage == Stage::Quiet && flight.quiet.decays;
+        if forced { flight.quiet.forced } else { self.trajectory.point.state }
     }
 
     /// Whether the state began to return only within the observation.
@@ -47,7 +53,7 @@ impl<T: Real> Observer<T> {
             Stage::Failed => Regime::Failed,
             Stage::Quiet => Regime::NoImpact,
             _ if self.impacts == 0 && !self.stuck => Regime::NoImpact,
-            _ if self.returns() && self.recurrence.p + self.recurrence.q == 0 && !self.stuck => {
+            _ if self.returns() && self.recurrence.impacts.iter().all(|&count| count == 0) && !self.stuck => {
                 Regime::NoImpact
             }
             _ if self.returns() && self.is_settled() => {

@@ -84,43 +84,100 @@ pub fn follow_controlled<T: Real>(
     schedule: &ControlSchedule,
 ) -> Result<Outcome, BackendError> {
     let ControlJob { job: Job { system, start }, controller } = job;
-    control::<T, _>(system, *start, controller, schedule, &mut ())
+    control::<T, _>(system, start, controller, schedule, &mut ())
         .map_err(|error| BackendError::Unsupported(error.to_string()))
 }
 
 /// Follows one trajectory in the given precision; in f32 it does what the GPU does.
-pub fn follow<T: Real>(job: &Job, schedule: &Schedule) -> Verdict {
-    let flight = Flight::new(&job.system).round::<T>();
-    let mut observer = Observer::new(&flight, schedule, job.start.map(T::of));
-    follow_to_end(&mut observer, &flight, schedule);
-    observer.verdict(&flight)
+pub fn follow<T: Precision>(job: &Job, schedule: &Schedule) -> Verdict {
+    T::follow(job, schedule)
 }
 
-/// Follows one trajectory in the given precision and reads a section while it is observed.
-pub fn trace<T: Real>(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace {
-    let flight = Flight::new(&job.system).round::<T>();
-    let mut observer = Observer::new(&flight, schedule, job.start.map(T::of));
-    let mut tracer = Tracer::new(probe, capacity as usize);
+/// Follows one trajectory of two coordinates in the given precision and reads a section while it is observed.
+///
+/// # Panics
+/// If the system does not have two coordinates.
+pub fn trace<T: Precision>(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace {
+    T::trace(job, schedule, probe, capacity)
+}
+
+/// A precision in which trajectories of any number of coordinates are followed; see [`follow`] and [`trace`].
+///
+/// It is compiled here, once for each precision, and not again wherever it is used.
+pub trait Precision: Real {
+    /// See [`follow`].
+    fn follow(job: &Job, schedule: &Schedule) -> Verdict;
+
+    /// See [`trace`].
+    fn trace(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace;
+}
+
+macro_rules! precision {
+    ($real:ty) => {
+        impl Precision for $real {
+            fn follow(job: &Job, schedule: &Schedule) -> Verdict {
+                match job.system.plant().n {
+                    1 => followed::<$real, 1>(job, schedule, Observer::follow),
+                    2 => followed::<$real, 2>(job, schedule, follow_to_end),
+                    3 => followed::<$real, 3>(job, schedule, Observer::follow),
+                    _ => followed::<$real, 4>(job, schedule, Observer::follow),
+                }
+            }
+
+            fn trace(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace {
+                traced::<$real, 2>(job, schedule, Tracer::new(probe, capacity as usize))
+            }
+        }
+    };
+}
+
+precision!(f64);
+precision!(f32);
+
+/// Follows one trajectory of N coordinates to its end with `to_end`.
+fn followed<T: Real, const N: usize>(
+    Job { system, start }: &Job,
+    schedule: &Schedule,
+    to_end: fn(&mut Observer<T, N>, &Flight<T, N>, &Schedule),
+) -> Verdict {
+    let flight = Flight::<f64, N>::new(system).round::<T>();
+    let mut observer = Observer::new(&flight, schedule, start.state());
+    to_end(&mut observer, &flight, schedule);
+    observer.verdict(&flight, system.label_order())
+}
+
+/// The same, and what is read on a section.
+fn traced<T: Real, const N: usize>(
+    Job { system, start }: &Job,
+    schedule: &Schedule,
+    mut tracer: Tracer<T>,
+) -> Trace {
+    let flight = Flight::<f64, N>::new(system).round::<T>();
+    let mut observer = Observer::new(&flight, schedule, start.state());
     trace_to_end(&mut observer, &flight, schedule, &mut tracer);
-    tracer.finish(observer.verdict(&flight))
+    tracer.finish(observer.verdict(&flight, system.label_order()))
 }
 
 /// [`Observer::follow`] with the instructions of the processor at hand; no operation is contracted or reordered, so
 /// the results do not depend on them.
 #[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
-fn follow_to_end<T: Real>(observer: &mut Observer<T>, flight: &Flight<T>, schedule: &Schedule) {
+fn follow_to_end<T: Real, const N: usize>(
+    observer: &mut Observer<T, N>,
+    flight: &Flight<T, N>,
+    schedule: &Schedule,
+) {
     observer.follow(flight, schedule);
 }
 
 /// The same for [`Observer::follow_listening`].
 #[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
-fn trace_to_end<T: Real>(
-    observer: &mut Observer<T>,
-    flight: &Flight<T>,
+fn trace_to_end<T: Real, const N: usize>(
+    observer: &mut Observer<T, N>,
+    flight: &Flight<T, N>,
     schedule: &Schedule,
     tracer: &mut Tracer<T>,
 ) {
-    observer.follow_listening(flight, schedule, &mut |trajectory: &Trajectory<T>, event: &Event<T>| {
+    observer.follow_listening(flight, schedule, &mut |trajectory: &Trajectory<T, N>, event: &Event<T>| {
         tracer.see(flight, trajectory, event);
     });
 }

@@ -104,7 +104,7 @@ impl Look {
     ) -> Result<(), BackendError> {
         let open: Vec<usize> = (0..verdicts.len()).filter(|&i| (self.in_doubt)(&verdicts[i])).collect();
         let again: Vec<Job> =
-            open.iter().map(|&i| Job { system: jobs[i].system, start: verdicts[i].state }).collect();
+            open.iter().map(|&i| Job { system: jobs[i].system.clone(), start: verdicts[i].state }).collect();
         let mut later = backend.run(&again, &self.schedule, &Silent(watch))?;
         confirm(&again, &mut later);
         for (i, later) in open.into_iter().zip(later) {

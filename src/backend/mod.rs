@@ -5,7 +5,7 @@ mod decide;
 mod gpu;
 mod select;
 
-pub use cpu::{Cpu, follow, follow_controlled, trace};
+pub use cpu::{Cpu, Precision, follow, follow_controlled, trace};
 pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use select::{Choice, open};
@@ -16,19 +16,19 @@ use thiserror::Error;
 
 use crate::analysis::{Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, Controller, Outcome};
-use crate::model::System;
+use crate::model::{StateVector, System};
 
 /// One trajectory to follow: a system and its start at forcing phase 0.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Job {
     /// The system.
     pub system: System,
-    /// (x1, x2, v1, v2) at forcing phase 0; non-dimensional, |x1| ≤ δ.
-    pub start: [f64; 4],
+    /// (x1 … xn, v1 … vn) at forcing phase 0, within the stops; non-dimensional.
+    pub start: StateVector,
 }
 
 /// One trajectory to control.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct ControlJob {
     /// The system and the start.
     pub job: Job,

@@ -1,7 +1,7 @@
 //! What was asked of two back ends: a plane, or a plane under control.
 
 use impact_atlas::control::ControlQuantity;
-use impact_atlas::model::{Number, Parameter, Parameters};
+use impact_atlas::model::{Number, Setting};
 use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity};
 use serde::Serialize;
 
@@ -38,15 +38,19 @@ impl Asked<'_> {
                 (format!(" --control {}{settings}", plane.control.method()), &plane.parameters, plane.start)
             }
         };
-        let sets: String = Parameter::ALL
-            .into_iter()
-            .filter(|&p| !varied(Quantity::Parameter(p)))
-            .filter(|&p| parameters.get(p) != Parameters::default().get(p))
-            .map(|p| format!(" --set {p}={}", Number(parameters.get(p))))
+        let family = parameters.family();
+        let defaults = Setting::defaults(family);
+        let system = if family.is_paper() { String::new() } else { format!(" --system {}", family.origin()) };
+        let sets: String = parameters
+            .entries()
+            .filter(|&(p, value)| !varied(Quantity::Parameter(p)) && value != defaults.get(p))
+            .map(|(p, value)| format!(" --set {p}={}", Number(value)))
             .collect();
         let [x, y] = [one(x, column), one(y, row)];
         let lengths = self.lengths();
-        format!("impact-atlas validate{method} --x {x} --y {y}{sets} --start={start} {lengths} {candidate}")
+        format!(
+            "impact-atlas validate{system}{method} --x {x} --y {y}{sets} --start={start} {lengths} {candidate}"
+        )
     }
 
     /// The options that say how long a cell is followed.

@@ -42,8 +42,8 @@ pub struct BifurcationArgs {
     ///
     /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2. With :log behind COUNT, as
     /// in delta=0.01:1:400:log, values have equal ratios.
-    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]", value_parser = parse::<SweepAxis>)]
-    x: SweepAxis,
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]")]
+    x: String,
 
     #[command(flatten)]
     system: SystemArgs,
@@ -194,9 +194,11 @@ impl BifurcationArgs {
         }
         let default = if self.section == Section::Strobe { Reading::X2 } else { Reading::VBefore };
         let probe = Probe::new(self.section, self.record.unwrap_or(default)).map_err(CliError::input)?;
+        self.system.of_paper("bifurcation")?;
+        let x = SweepAxis::from(self.system.axis("--x <NAME=FIRST:LAST:COUNT>", &self.x)?);
         let spec = DiagramSpec {
-            x: self.x,
-            parameters: self.system.parameters_beside("--x", &self.x.to_string(), self.x.quantity())?,
+            x,
+            parameters: self.system.parameters_beside("--x", &x.to_string(), x.quantity())?,
             sweep: self.sweep,
             start: self.start.unwrap_or(Start::Rest),
             probe,

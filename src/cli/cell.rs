@@ -6,7 +6,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 use anyhow::{Context, anyhow};
-use impact_atlas::plane::{Axis, Plane, Provenance, Quantity};
+use impact_atlas::plane::{Axis, Plane, Provenance};
 use impact_atlas::render::carried_configuration;
 use impact_atlas::store::read_config;
 use serde::{Deserialize, Serialize};
@@ -15,22 +15,21 @@ use thiserror::Error;
 use super::CliError;
 
 /// A place on a plane, `NAME=VALUE,NAME=VALUE`: a value for either axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place([(Quantity, f64); 2]);
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place([(String, f64); 2]);
 
 impl FromStr for Place {
     type Err = PlaceError;
 
     fn from_str(text: &str) -> Result<Self, PlaceError> {
         let malformed = || PlaceError(text.to_owned());
-        let value = |part: &str| -> Option<(Quantity, f64)> {
+        let value = |part: &str| -> Option<(String, f64)> {
             let (name, value) = part.split_once('=')?;
             let value: f64 = value.trim().parse().ok()?;
-            value.is_finite().then_some((name.trim().parse().ok()?, value))
+            value.is_finite().then_some((name.trim().to_owned(), value))
         };
         let parts: Option<Vec<_>> = text.split(',').map(value).collect();
-        let [a, b] = parts.ok_or_else(malformed)?[..] else { return Err(malformed()) };
-        Ok(Place([a, b]))
+        Ok(Place(parts.ok_or_else(malformed)?.try_into().map_err(|_| malformed())?))
     }
 }
 
@@ -100,11 +99,10 @@ pub fn made(path: &Path) -> Result<Made, CliError> {
 
 impl Made {
     /// The cell that holds a place.
-    pub fn cell(&self, Place(values): Place) -> Result<Cell, CliError> {
+    pub fn cell(&self, Place(values): &Place) -> Result<Cell, CliError> {
         let Plane { x, y, .. } = &self.plane;
         let on = |axis: &Axis| {
-            let value =
-                values.iter().find(|(quantity, _)| *quantity == axis.quantity).map(|(_, value)| *value);
+            let value = values.iter().find(|(name, _)| name == axis.quantity.name()).map(|(_, value)| *value);
             value.ok_or_else(|| {
                 CliError::Input(anyhow!(
                     "the map's axes are {} and {}: --at must give a value for either",
@@ -162,15 +160,9 @@ mod tests {
     #[test]
     fn places_are_read_and_bad_ones_are_named() {
         assert!("omega=3.7, delta=0.1".parse::<Place>().is_ok());
-        for text in [
-            "",
-            "omega=1",
-            "omega=1,delta",
-            "omega=1,delta=x",
-            "a=1,b=2",
-            "omega=1,delta=2,r=0.5",
-            "omega=nan,delta=1",
-        ] {
+        for text in
+            ["", "omega=1", "omega=1,delta", "omega=1,delta=x", "omega=1,delta=2,r=0.5", "omega=nan,delta=1"]
+        {
             assert_eq!(text.parse::<Place>(), Err(PlaceError(text.to_owned())));
         }
     }

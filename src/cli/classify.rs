@@ -6,8 +6,8 @@ use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Backend, Job, decide};
-use impact_atlas::model::System;
-use impact_atlas::plane::{Provenance, Start};
+use impact_atlas::model::{StateVector, System};
+use impact_atlas::plane::{Component, Provenance, Start};
 use impact_atlas::sweep::certify_cells;
 use serde::Serialize;
 
@@ -35,7 +35,7 @@ pub struct ClassifyArgs {
     system: SystemArgs,
 
     /// Answers for a cell of this map: a picture or the data that `map` wrote
-    #[arg(long, value_name = "FILE", requires = "at", conflicts_with_all = ["assignments", "start", "transient",
+    #[arg(long, value_name = "FILE", requires = "at", conflicts_with_all = ["family", "assignments", "start", "transient",
         "observe", "max_period", "fixed_periods"])]
     from: Option<PathBuf>,
 
@@ -74,7 +74,7 @@ pub struct ClassifyArgs {
     #[command(flatten)]
     backend: BackendArgs,
 
-    /// Prints JSON; p and q are 65535 for infinitely many impacts (complete chatter), lyapunov null where it was not
+    /// Prints JSON; impacts_per_stop counts in the order of the system's stops, p and q in that of its labels; they are 65535 for infinitely many impacts (complete chatter), lyapunov null where it was not
     /// measured
     #[arg(long)]
     json: bool,
@@ -90,11 +90,15 @@ struct Classification {
     q: u16,
     symmetric: bool,
     lyapunov: f32,
-    state: [f64; 4],
+    impacts_per_stop: Vec<u16>,
+    state: StateVector,
     peak_impact_velocity: f32,
     periods: u32,
     start: String,
-    start_state: [f64; 4],
+    start_state: StateVector,
+    /// Whether symmetry means anything: only where the plant has a mirror.
+    #[serde(skip)]
+    has_mirror: bool,
     /// With --from: where the cell is on its map.
     #[serde(skip_serializing_if = "Option::is_none")]
     cell: Option<Cell>,
@@ -103,7 +107,7 @@ struct Classification {
 }
 
 /// What is to be followed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Asked {
     job: Job,
     start: Start,
@@ -114,14 +118,14 @@ struct Asked {
 
 /// Runs the command.
 pub fn run(args: &ClassifyArgs) -> Result<(), CliError> {
-    let (asked, options) = match (&args.from, args.at) {
+    let (asked, options) = match (&args.from, &args.at) {
         (Some(from), Some(at)) => of_map(from, at, &args.backend)?,
         _ => (args.asked()?, args.backend.clone()),
     };
     let progress = Progress::of_trajectory();
     let classification = abandonable(move || -> Result<_, CliError> {
         let backend = options.open()?;
-        let jobs = [asked.job];
+        let jobs = [asked.job.clone()];
         let mut verdicts = decide(&*backend, &jobs, &asked.schedule, &Interruptible)?;
         if asked.certified {
             certify_cells(&jobs, 1, &mut verdicts, &asked.schedule, &*backend, &Interruptible)?;
@@ -136,7 +140,7 @@ pub fn run(args: &ClassifyArgs) -> Result<(), CliError> {
 /// A cell of a map that was computed before, on the back end that computed it unless another is asked for.
 fn of_map(
     from: &std::path::Path,
-    at: Place,
+    at: &Place,
     backend: &BackendArgs,
 ) -> Result<(Asked, BackendArgs), CliError> {
     let made = made(from)?;
@@ -146,7 +150,8 @@ fn of_map(
     note(&format!("column {column}, row {row} of `{}`: {x} = {}, {y} = {}", from.display(), cell.x, cell.y));
     let system = System::new(made.plane.parameters_at(column, row)).map_err(CliError::input)?;
     let start = made.plane.start_at(column, row);
-    let job = Job { system, start: start_state(&system, start) };
+    let state = start_state(&system, start);
+    let job = Job { system, start: state };
     let asked =
         Asked { job, start, schedule: made.plane.schedule, cell: Some(cell), certified: made.certified };
     Ok((asked, same_backend(backend, &made.provenance)))
@@ -181,8 +186,9 @@ impl Classification {
             label: verdict.label(),
             regime: verdict.regime.name(),
             n: verdict.n,
-            p: verdict.p,
-            q: verdict.q,
+            p: verdict.p(),
+            q: verdict.q(),
+            impacts_per_stop: verdict.counts.per_stop(asked.job.system.label_order()),
             symmetric: verdict.symmetric,
             lyapunov: verdict.lyapunov,
             state: verdict.state,
@@ -190,6 +196,7 @@ impl Classification {
             periods: verdict.periods,
             start: asked.start.to_string(),
             start_state: asked.job.start,
+            has_mirror: asked.job.system.mirror().is_some(),
             cell: asked.cell,
             backend: backend.name(),
             adapter: backend.adapter(),
@@ -199,6 +206,7 @@ impl Classification {
     fn text(&self) -> String {
         let symmetric = match (self.n, self.symmetric) {
             (0, _) => "",
+            _ if !self.has_mirror => "",
             (_, true) => ", symmetric",
             (_, false) => ", unsymmetric",
         };
@@ -223,6 +231,7 @@ impl Classification {
     }
 }
 
-fn components([x1, x2, v1, v2]: [f64; 4]) -> String {
-    format!("x1 {x1:.9}, x2 {x2:.9}, v1 {v1:.9}, v2 {v2:.9}")
+fn components(state: StateVector) -> String {
+    let named = Component::all(state.coordinates()).zip(state.iter());
+    named.map(|(component, value)| format!("{} {value:.9}", component.name())).collect::<Vec<_>>().join(", ")
 }

@@ -4,11 +4,13 @@ use std::path::PathBuf;
 
 use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::analysis::{Observer, Schedule};
+use impact_atlas::analysis::Schedule;
+use impact_atlas::backend::{Job, follow};
 use impact_atlas::control::{
-    ControlSchedule, Controller, History, LONGEST, Outcome, Scheme, control, converged_at, multipliers,
+    ControlSchedule, Controller, History, LONGEST, Outcome, Scheme, SectionValues, control, converged_at,
+    multipliers, section_names,
 };
-use impact_atlas::model::{Flight, Parameters, System};
+use impact_atlas::model::{Setting, System};
 use impact_atlas::plane::Start;
 use impact_atlas::render::{ControlPicture, Size};
 use impact_atlas::store;
@@ -101,15 +103,18 @@ struct Report {
     method: &'static str,
     label_before: String,
     label_after: String,
+    /// The components of X by name.
+    #[serde(skip)]
+    names: Vec<String>,
     /// X = (v1+, x2, v2, τ) if every iterate ends there.
-    fixed_point: Option<[f64; 4]>,
+    fixed_point: Option<SectionValues<f64>>,
     /// Iterates from switching control on until the points stay within the tolerance of the final ones.
     converged_at: Option<u32>,
     tolerance: f64,
     /// Mean length of a correction, or mean |B| of a force.
     effort: f32,
     /// The two points of a period-two motion.
-    period_two: Option<[[f64; 4]; 2]>,
+    period_two: Option<[SectionValues<f64>; 2]>,
     escapes: u32,
     /// Iterates in one period of the motion reached.
     period: Option<u32>,
@@ -129,7 +134,7 @@ struct Report {
 #[derive(Debug, Serialize)]
 struct Config<'a> {
     version: &'a str,
-    parameters: &'a Parameters,
+    parameters: &'a Setting,
     start: Start,
     control: &'a Scheme,
     schedule: ControlSchedule,
@@ -137,7 +142,8 @@ struct Config<'a> {
 
 /// Runs the command.
 pub fn run(args: &ControlArgs) -> Result<(), CliError> {
-    let (system_args, set) = args.system.split();
+    args.system.of_paper("control")?;
+    let (system_args, set) = args.system.split()?;
     let scheme = args.settings.scheme(args.method, &set)?;
     let schedule = ControlSchedule {
         from: args.from,
@@ -148,7 +154,8 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     check_lengths(args)?;
     schedule.check().map_err(CliError::input)?;
     let (system, start) = system_args.system_and_start(args.start)?;
-    if system.parameters().delta == 0.0 {
+    let start: [f64; 4] = start.into();
+    if system.is_clamped() {
         return Err(CliError::Input(anyhow!(
             "with delta = 0 there are no impacts to control at: raise delta"
         )));
@@ -161,10 +168,12 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     let [out, data] = files::prepare(args.overwrite, wanted)?;
     note("computing on cpu: f64");
     let progress = Progress::of_trajectory();
+    let followed = system.clone();
     let (history, outcome, before) = interrupt::abandonable(move || {
+        let system = followed;
         let last = schedule.iterates.saturating_sub(defaults::CONTROL_PORTRAIT);
         let mut history = History::new(last, system.period() / f64::from(defaults::DRAWN_SAMPLES));
-        let outcome = control::<f64, _>(&system, start, &controller, &schedule, &mut history);
+        let outcome = control::<f64, _>(&system, &start, &controller, &schedule, &mut history);
         (history, outcome, label_before(&system, start))
     })?;
     drop(progress);
@@ -179,7 +188,7 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     let report = Report::new(args, &system, &controller, &history, &outcome, before)?;
     let config = Config {
         version: env!("CARGO_PKG_VERSION"),
-        parameters: system.parameters(),
+        parameters: system.setting().expect("a system that is asked for is made of a setting"),
         start: args.start,
         control: &scheme,
         schedule,
@@ -234,10 +243,8 @@ fn label_before(system: &System, start: [f64; 4]) -> String {
         max_period: defaults::MAX_PERIOD,
         fixed_periods: false,
     };
-    let flight = Flight::new(system);
-    let mut observer = Observer::new(&flight, &schedule, start);
-    observer.follow(&flight, &schedule);
-    observer.verdict(&flight).label()
+    let job = Job { system: system.clone(), start: start.into() };
+    follow::<f64>(&job, &schedule).label()
 }
 
 impl Report {
@@ -250,20 +257,20 @@ impl Report {
         before: String,
     ) -> Result<Self, CliError> {
         let returns = &history.returns;
-        let point = |back: usize| returns[returns.len() - 1 - back].section.components;
+        let point = |back: usize| returns[returns.len() - 1 - back].section;
         let fixed_point = (outcome.period == 1).then(|| point(0));
         let mut held = *controller;
         if let Controller::Sine(sine) = &mut held {
             sine.amplitude = f64::from(outcome.signal);
         }
         let found = match fixed_point {
-            Some(fixed) => multipliers(system, &held, fixed).map_err(CliError::input)?,
+            Some(fixed) => multipliers(system, &held, &fixed).map_err(CliError::input)?,
             None => None,
         };
         let target = match controller {
             Controller::Sine(sine) => Some(vec![sine.target]),
-            Controller::Pulse(pulse) => Some(pulse.target.components.to_vec()),
-            Controller::None | Controller::Delay(_) => None,
+            Controller::Pulse(pulse) => Some(pulse.target.to_vec()),
+            Controller::None(_) | Controller::Delay(_) => None,
         };
         Ok(Report {
             method: match args.method {
@@ -272,6 +279,7 @@ impl Report {
                 MethodName::Delay => "delay",
             },
             label_before: before,
+            names: section_names(system.plant(), controller.stop()),
             label_after: if outcome.runaway { "runaway".to_owned() } else { outcome.verdict.label() },
             fixed_point,
             converged_at: converged_at(returns, args.from, outcome.period, args.tolerance),
@@ -294,8 +302,11 @@ impl Report {
             format!("before control  {}", self.label_before),
             format!("under control   {}", self.label_after),
         ];
-        let point =
-            |[v1, x2, v2, tau]: [f64; 4]| format!("v1+ {v1:.9}, x2 {x2:.9}, v2 {v2:.9}, tau {tau:.9}");
+        let point = |values: SectionValues<f64>| {
+            let named =
+                self.names.iter().zip(values.iter()).map(|(name, value)| format!("{name} {value:.9}"));
+            named.collect::<Vec<_>>().join(", ")
+        };
         lines.extend(self.fixed_point.map(|fixed| format!("fixed point     {}", point(fixed))));
         if let Some([a, b]) = self.period_two {
             lines.push(format!("period two      {}\n                {}", point(a), point(b)));

@@ -58,7 +58,7 @@ impl ControlledArgs {
 mod tests {
     use clap::Parser;
     use impact_atlas::control::Scheme;
-    use impact_atlas::model::Parameters;
+    use impact_atlas::model::Setting;
 
     use super::*;
     use crate::cli::Cli;
@@ -78,7 +78,7 @@ mod tests {
     }
 
     /// The system and the scheme of a cell.
-    fn cell(plane: &ControlPlane, column: u32, row: u32) -> (Parameters, Scheme) {
+    fn cell(plane: &ControlPlane, column: u32, row: u32) -> (Setting, Scheme) {
         (plane.plane().parameters_at(column, row), plane.scheme_at(column, row))
     }
 

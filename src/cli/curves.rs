@@ -75,6 +75,7 @@ pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
         max_period: defaults::MAX_PERIOD.max(args.max_period),
         fixed_periods: false,
     };
+    args.axes.system.of_paper("curves")?;
     let plane = args.axes.plane_of(schedule, args.cells, defaults::CURVES_CELLS)?;
     curves::check(&plane).map_err(CliError::input)?;
     let [output] = files::prepare(args.overwrite, [Kind::Table.at(args.out.as_deref())])?;

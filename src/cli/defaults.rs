@@ -1,25 +1,9 @@
 //! Every default of the command line.
 
-use impact_atlas::model::Parameter;
-use impact_atlas::plane::{Axis, Quantity, Spacing, Start};
+use impact_atlas::plane::Start;
 
-/// The horizontal axis of a map: the paper's Fig. 5.
-pub const X: Axis = Axis {
-    quantity: Quantity::Parameter(Parameter::Omega),
-    first: 0.2,
-    last: 5.0,
-    count: 800,
-    spacing: Spacing::Linear,
-};
-
-/// The vertical axis of a map: the paper's Fig. 5.
-pub const Y: Axis = Axis {
-    quantity: Quantity::Parameter(Parameter::Delta),
-    first: 0.02,
-    last: 0.8,
-    count: 600,
-    spacing: Spacing::Linear,
-};
+/// The system: that of the paper.
+pub const SYSTEM: &str = "luo-ma-lv";
 
 /// Cells that `validate` computes of the default plane: 400 × 300.
 pub const VALIDATED_CELLS: u32 = 120_000;

@@ -56,12 +56,12 @@ pub struct LyapunovArgs {
 /// What is printed; every quantity non-dimensional.
 #[derive(Debug, Serialize)]
 struct Exponents {
-    exponents_per_period: [Option<f64>; 4],
-    exponents_per_iterate: Option<[Option<f64>; 4]>,
-    exponents_per_time: [Option<f64>; 4],
+    exponents_per_period: Vec<Option<f64>>,
+    exponents_per_iterate: Option<Vec<Option<f64>>>,
+    exponents_per_time: Vec<Option<f64>>,
     /// Per forcing period.
-    standard_error: [Option<f64>; 4],
-    standard_error_per_time: [Option<f64>; 4],
+    standard_error: Vec<Option<f64>>,
+    standard_error_per_time: Vec<Option<f64>>,
     lost_directions: u32,
     #[serde(skip)]
     clamped: bool,
@@ -79,10 +79,15 @@ pub fn run(args: &LyapunovArgs) -> Result<(), CliError> {
     let (transient, observe) = (args.transient, args.observe);
     let schedule = Schedule { transient, observe, max_period: defaults::MAX_PERIOD, fixed_periods: true };
     schedule.check().map_err(CliError::input)?;
+    args.system.of_paper("lyapunov")?;
     let (system, start) = args.system.system_and_start(args.start)?;
+    let start: [f64; 4] = start.into();
     note_cpu();
     let progress = Progress::of_trajectory();
-    let spectrum = abandonable(move || Spectrum::of(&system, start, transient, observe))?;
+    let spectrum = {
+        let system = system.clone();
+        abandonable(move || Spectrum::of(&system, &start[..], transient, observe))?
+    };
     drop(progress);
     let spectrum = spectrum.map_err(|failed| CliError::NotFound(failed.to_string()))?;
     let exponents = Exponents::new(&system, &spectrum);
@@ -91,18 +96,22 @@ pub fn run(args: &LyapunovArgs) -> Result<(), CliError> {
 
 impl Exponents {
     fn new(system: &System, spectrum: &Spectrum) -> Self {
-        let finite = |values: [f64; 4]| values.map(|value| value.is_finite().then_some(value));
-        let kept = 4 - spectrum.lost as usize;
-        let errors = |values: [f64; 4]| std::array::from_fn(|j| (j < kept).then_some(values[j]));
+        let finite =
+            |values: Vec<f64>| values.iter().map(|&value| value.is_finite().then_some(value)).collect();
+        let kept = spectrum.per_period.len() - spectrum.lost as usize;
+        let errors = |unit: f64| {
+            let errors = spectrum.standard_error.iter().enumerate();
+            errors.map(|(j, &error)| (j < kept).then_some(error / unit)).collect()
+        };
         let whole = spectrum.lost == 0;
         Exponents {
-            exponents_per_period: finite(spectrum.per_period),
+            exponents_per_period: finite(spectrum.per_period.clone()),
             exponents_per_iterate: spectrum.per_iterate().map(finite),
             exponents_per_time: finite(spectrum.per_time()),
-            standard_error: errors(spectrum.standard_error),
-            standard_error_per_time: errors(spectrum.standard_error.map(|error| error / spectrum.period)),
+            standard_error: errors(1.0),
+            standard_error_per_time: errors(spectrum.period),
             lost_directions: spectrum.lost,
-            clamped: system.parameters().delta == 0.0,
+            clamped: system.is_clamped(),
             iterates: spectrum.iterates,
             impacts: spectrum.impacts,
             periods: spectrum.periods,
@@ -117,7 +126,7 @@ impl Exponents {
             "{:<12}{:>16}{:>16}{:>16}{:>16}",
             "exponent", "per period", "± (period)", "per time", "per iterate"
         )];
-        for j in 0..4 {
+        for j in 0..self.exponents_per_period.len() {
             let Some(per_period) = self.exponents_per_period[j] else {
                 let why = if self.clamped {
                     "the stops hold the first mass, whose place and velocity do not count"
@@ -129,7 +138,7 @@ impl Exponents {
                 lines.push(format!("{:<12}{:>16}  (minus infinity): {why}", j + 1, "lost"));
                 continue;
             };
-            let per_iterate = self.exponents_per_iterate.and_then(|values| values[j]);
+            let per_iterate = self.exponents_per_iterate.as_ref().and_then(|values| values[j]);
             let number = |value: Option<f64>| value.map_or("–".to_owned(), |value| format!("{value:.6}"));
             lines.push(format!(
                 "{:<12}{per_period:>16.6}{:>16}{:>16}{:>16}",

@@ -160,7 +160,11 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     }
     args.control.cells.refuse_settings()?;
     let plane = args.plane.plane()?;
+    if args.certify {
+        args.plane.of_paper("map --certify")?;
+    }
     if args.curves.is_some() {
+        args.plane.of_paper("map --curves")?;
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }
     let npz = files::data_beside(&args.out, args.data.as_deref());

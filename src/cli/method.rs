@@ -3,9 +3,10 @@
 use anyhow::anyhow;
 use clap::{Args, ValueEnum};
 use impact_atlas::control::{
-    ControlQuantity, Convention, DelaySetting, PulseSetting, Scheme, Sign, SineSetting, Target,
+    ControlQuantity, Convention, DelaySetting, PulseSetting, Scheme, SectionValues, Sign, SineSetting, Target,
 };
 
+use impact_atlas::dynamics::Stop;
 use impact_atlas::plane::Quantity;
 
 use super::values::{Assignment, count};
@@ -182,12 +183,14 @@ impl MethodArgs {
         Ok(match method {
             MethodName::Sine => Scheme::Sine(self.sine()?),
             MethodName::Pulse => Scheme::Pulse(PulseSetting {
+                stop: Stop::A,
                 period: self.period.unwrap_or(1),
                 target: self.target(4)?,
                 noise: self.noise.unwrap_or(0.0),
                 seed: self.seed.unwrap_or(1),
             }),
             MethodName::Delay => Scheme::Delay(DelaySetting {
+                stop: Stop::A,
                 gains: self.gains()?,
                 delay: self.delay.unwrap_or(1),
                 sign: match self.sign {
@@ -258,6 +261,8 @@ impl MethodArgs {
         let mut target = self.target(1)?;
         target.given.swap(0, component);
         Ok(SineSetting {
+            stop: Stop::A,
+            coordinate: 0,
             convention: match self.convention.unwrap_or(ConventionName::Kick) {
                 ConventionName::Kick => Convention::Kick,
                 ConventionName::Force => Convention::Force,
@@ -273,9 +278,11 @@ impl MethodArgs {
         })
     }
 
-    fn gains(&self) -> Result<[f64; 4], CliError> {
-        let Some(gains) = &self.gains else { return Ok([self.gain.unwrap_or(defaults::GAIN); 4]) };
-        gains.as_slice().try_into().map_err(|_| {
+    fn gains(&self) -> Result<SectionValues<f64>, CliError> {
+        let Some(gains) = &self.gains else {
+            return Ok(SectionValues::new([self.gain.unwrap_or(defaults::GAIN); 4]));
+        };
+        SectionValues::from_slice(gains).filter(|gains| gains.len() == 4).ok_or_else(|| {
             CliError::Input(anyhow!(
                 "--gains has {} numbers: give four, for v1+, x2, v2 and tau",
                 gains.len()
@@ -286,7 +293,7 @@ impl MethodArgs {
     /// The target, from so many numbers or from a reference motion; a single number comes first.
     fn target(&self, count: usize) -> Result<Target, CliError> {
         let reference = self.reference.unwrap_or(defaults::REFERENCE);
-        let mut given = [None; 4];
+        let mut given = SectionValues::new([None; 4]);
         if let Some(values) = &self.target {
             if values.len() != count {
                 let wanted =

@@ -34,6 +34,8 @@ mod scripts;
 mod spans;
 mod spelled;
 mod symmetric;
+mod system;
+mod systems;
 mod terminal;
 mod validate;
 mod values;
@@ -48,9 +50,11 @@ use values::counted;
 
 /// Parameter planes of vibro-impact systems, explored on the GPU.
 ///
-/// The system is a two-degree-of-freedom oscillator whose first mass moves between two rigid stops at x1 = ±delta,
-/// forced by sin(omega t). All quantities are non-dimensional. A periodic motion is labelled N-p-q: N forcing
-/// periods, p impacts at the stop x1 = -delta and q impacts at the stop x1 = +delta in one period of the motion.
+/// The system is a linear oscillator with rigid stops, given by --system: one that comes with the program (see `systems`)
+/// or a file of your own. By default it is that of Luo, Ma and Lv, two masses, the first of which moves between two rigid
+/// stops at x1 = ±delta, forced by sin(omega t). All quantities are non-dimensional. A periodic motion is labelled N-p-q: N
+/// forcing periods, p impacts at the stop x1 = -delta and q impacts at the stop x1 = +delta in one period of the motion;
+/// other systems state the order of their stops.
 #[derive(Debug, Parser)]
 #[command(name = "impact-atlas", version, after_long_help = EXIT_CODES)]
 pub struct Cli {
@@ -85,6 +89,7 @@ enum Command {
     Lyapunov(lyapunov::LyapunovArgs),
     Reproduce(reproduce::ReproduceArgs),
     Validate(validate::ValidateArgs),
+    Systems(systems::SystemsArgs),
     Adapters(adapters::AdaptersArgs),
     Completions(scripts::CompletionsArgs),
     Man(scripts::ManArgs),
@@ -110,6 +115,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Motion(args) => motion::run(args),
         Command::Lyapunov(args) => lyapunov::run(args),
         Command::Validate(args) => validate::run(args),
+        Command::Systems(args) => systems::run(args),
         Command::Adapters(args) => adapters::run(args),
         Command::Completions(args) => scripts::complete(args, Cli::command()),
         Command::Man(args) => scripts::manual(args, Cli::command()),

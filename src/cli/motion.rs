@@ -77,11 +77,13 @@ struct Motion {
     symmetric: bool,
     stable: Option<bool>,
     sticking: bool,
-    section: Option<[f64; 4]>,
+    section: Option<Vec<f64>>,
+    #[serde(skip)]
+    section_text: Option<String>,
     section_stop: Option<String>,
-    multipliers: Option<[[f64; 2]; 4]>,
-    half_multipliers: Option<[[f64; 2]; 4]>,
-    state: [f64; 4],
+    multipliers: Option<Vec<[f64; 2]>>,
+    half_multipliers: Option<Vec<[f64; 2]>>,
+    state: Vec<f64>,
     residual: f64,
     method: &'static str,
 }
@@ -95,8 +97,10 @@ pub fn run(args: &MotionArgs) -> Result<(), CliError> {
         fixed_periods: false,
     };
     schedule.check().map_err(CliError::input)?;
+    args.system.of_paper("motion")?;
     let (system, start) = args.system.system_and_start(args.start)?;
-    let label = args.label;
+    let start: [f64; 4] = start.into();
+    let label = args.label.clone();
     note_cpu();
     let progress = Progress::of_trajectory();
     let motion = abandonable(move || match label {
@@ -109,11 +113,11 @@ pub fn run(args: &MotionArgs) -> Result<(), CliError> {
 
 /// The motion of a label.
 fn named(system: &System, start: [f64; 4], schedule: &Schedule, label: Label) -> Result<Motion, CliError> {
-    if system.parameters().delta == 0.0 {
+    if system.is_clamped() {
         let why = "the stops hold the first mass (delta = 0), and nothing can move between them";
         return Err(CliError::NotFound(format!("there is no {label} motion: {why}; choose delta above 0")));
     }
-    let search = Search { start, transient: schedule.transient, observe: schedule.observe };
+    let search = Search { start: start.to_vec(), transient: schedule.transient, observe: schedule.observe };
     let motion =
         labelled_motion(system, label, &search).map_err(|error| CliError::NotFound(error.to_string()))?;
     Ok(Motion::of_impacts(system, &motion))
@@ -121,7 +125,8 @@ fn named(system: &System, start: [f64; 4], schedule: &Schedule, label: Label) ->
 
 /// The motion that a start leads to.
 fn reached(system: &System, start: [f64; 4], schedule: &Schedule) -> Result<Motion, CliError> {
-    let verdicts = decide(&Cpu, &[Job { system: *system, start }], schedule, &Interruptible)?;
+    let verdicts =
+        decide(&Cpu, &[Job { system: system.clone(), start: start.into() }], schedule, &Interruptible)?;
     let verdict =
         verdicts.first().ok_or_else(|| CliError::Machine(anyhow!("the back end gave no verdict")))?;
     if let Some(elsewhere) = elsewhere(verdict) {
@@ -135,7 +140,7 @@ fn reached(system: &System, start: [f64; 4], schedule: &Schedule) -> Result<Moti
     })?;
     Ok(match settled {
         SettledMotion::Impacts(motion) => Motion::of_impacts(system, &motion),
-        SettledMotion::Strobe(motion) => Motion::of_strobe(&motion),
+        SettledMotion::Strobe(motion) => Motion::of_strobe(system, &motion),
     })
 }
 
@@ -184,7 +189,8 @@ impl Motion {
             symmetric: motion.is_symmetric(),
             stable: motion.is_stable(system),
             sticking: false,
-            section: Some(motion.section().map(|value| value + 0.0)),
+            section: Some(motion.section().into_iter().map(|value| value + 0.0).collect()),
+            section_text: Some(multipliers::section(system, motion.pattern.stops[0], &motion.section())),
             section_stop: Some(motion.pattern.stops[0].to_string()),
             multipliers: motion.multipliers(system).map(pairs),
             half_multipliers: motion.half_multipliers(system).map(pairs),
@@ -194,20 +200,22 @@ impl Motion {
         }
     }
 
-    fn of_strobe(motion: &StrobeMotion) -> Self {
+    fn of_strobe(system: &System, motion: &StrobeMotion) -> Self {
+        let section = motion.section.as_ref();
         Motion {
             label: motion.label(),
             n: motion.n,
-            p: motion.p.into(),
-            q: motion.q.into(),
+            p: motion.p().into(),
+            q: motion.q().into(),
             symmetric: motion.symmetric,
             stable: motion.is_stable(),
             sticking: motion.sticking,
-            section: motion.section.map(|(_, section)| section),
-            section_stop: motion.section.map(|(stop, _)| stop.to_string()),
+            section: section.map(|(_, section)| section.clone()),
+            section_text: section.map(|(stop, section)| multipliers::section(system, *stop, section)),
+            section_stop: section.map(|(stop, _)| stop.to_string()),
             multipliers: motion.multipliers().map(pairs),
             half_multipliers: motion.half_multipliers().map(pairs),
-            state: motion.state,
+            state: motion.state.clone(),
             residual: motion.residual,
             method: "strobe map",
         }
@@ -219,8 +227,7 @@ impl Motion {
         let stability = multipliers::stability(self.stable);
         let stop = self.section_stop.as_deref().unwrap_or("A");
         let never = if stop == Stop::B.to_string() { " (stop A is never struck)" } else { "" };
-        let section =
-            self.section.map_or_else(|| "none: there is no impact".to_owned(), multipliers::section);
+        let section = self.section_text.as_deref().unwrap_or("none: there is no impact");
         let mut text = format!(
             "{}, {symmetry}{sticking}, {stability}\n\
              section at stop {stop}           {section}{never}\n\
@@ -234,7 +241,7 @@ impl Motion {
         text += &format!(
             "\nstate at forcing phase 0    {}\n\
              solved by                   Newton's method on the {}, residual {:.1e}",
-            multipliers::state(self.state),
+            multipliers::state(&self.state),
             self.method,
             self.residual
         );

@@ -1,6 +1,9 @@
 //! How multipliers and sections are printed.
 
 use impact_atlas::backend::{Backend, Cpu};
+use impact_atlas::dynamics::Stop;
+use impact_atlas::model::System;
+use impact_atlas::theory::section_names;
 use nalgebra::Complex;
 
 use super::note;
@@ -11,25 +14,25 @@ pub fn note_cpu() {
 }
 
 /// Complex numbers as [real part, imaginary part].
-pub fn pairs(values: [Complex<f64>; 4]) -> [[f64; 2]; 4] {
+pub fn pairs(values: Vec<Complex<f64>>) -> Vec<[f64; 2]> {
     // −0 is printed as 0.
-    values.map(|value| [value.re + 0.0, value.im + 0.0])
+    values.iter().map(|value| [value.re + 0.0, value.im + 0.0]).collect()
 }
 
 /// Complex numbers as text.
-pub fn text(values: Option<&[[f64; 2]; 4]>) -> String {
+pub fn text(values: Option<&Vec<[f64; 2]>>) -> String {
     let Some(values) = values else {
         return "none: an impact grazes, or they are beyond all numbers".to_owned();
     };
-    let texts = values.map(|[re, im]| {
+    let text = |&[re, im]: &[f64; 2]| {
         let re = number(re, 6);
         match im {
             0.0 => re,
             _ if im < 0.0 => format!("{re} - {:.6}i", -im),
             _ => format!("{re} + {im:.6}i"),
         }
-    });
-    texts.join(", ")
+    };
+    values.iter().map(text).collect::<Vec<_>>().join(", ")
 }
 
 /// A number with so many decimals, and no sign where they are all 0.
@@ -42,15 +45,23 @@ fn number(value: f64, decimals: usize) -> String {
 }
 
 /// A state at forcing phase 0 as text.
-pub fn state(state: [f64; 4]) -> String {
-    let [x1, x2, v1, v2] = state.map(|value| number(value, 9));
-    format!("x1 {x1}, x2 {x2}, v1 {v1}, v2 {v2}")
+pub fn state(state: &[f64]) -> String {
+    let n = state.len() / 2;
+    let name = |i: usize| if i < n { format!("x{}", i + 1) } else { format!("v{}", i + 1 - n) };
+    named((0..2 * n).map(name), state)
 }
 
-/// A point of the impact Poincaré section as text.
-pub fn section(section: [f64; 4]) -> String {
-    let [v1, x2, v2, tau] = section.map(|value| number(value, 9));
-    format!("v1+ {v1}, x2 {x2}, v2 {v2}, tau {tau}")
+/// A point of the impact Poincaré section at a stop as text.
+pub fn section(system: &System, stop: Stop, section: &[f64]) -> String {
+    let mut names = section_names(system, stop);
+    // Just after the impact.
+    names[0].push('+');
+    named(names, section)
+}
+
+fn named(names: impl IntoIterator<Item = String>, values: &[f64]) -> String {
+    let texts = names.into_iter().zip(values).map(|(name, &value)| format!("{name} {}", number(value, 9)));
+    texts.collect::<Vec<_>>().join(", ")
 }
 
 /// Stability as text.

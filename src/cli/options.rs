@@ -5,29 +5,50 @@ use clap::{Args, ValueEnum};
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::control::{ControlQuantity, ControlSchedule};
-use impact_atlas::model::{Parameter, Parameters, System};
+use impact_atlas::model::{Parameter, Setting, StateVector, System};
 use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity, Start};
+use impact_atlas::system::Family;
 use impact_atlas::theory::symmetric_start;
 
 use super::method::{MethodArgs, MethodName};
+use super::system::{Chosen, of_paper, parse_system};
 use super::values::{Assignment, count, parse};
 use super::{CliError, defaults, note};
 
-/// The system's fixed parameters.
+/// The system and its fixed parameters.
 #[derive(Clone, Debug, Args)]
 pub struct SystemArgs {
-    /// Sets a parameter; may be given for each of omega, delta, zeta, r, mu_m, mu_k, mu_c, f20
+    /// The system: one that comes with the program (see `impact-atlas systems`), or a file that describes one
+    #[arg(long = "system", value_name = "NAME|FILE", value_parser = parse_system, default_value = defaults::SYSTEM)]
+    family: Chosen,
+
+    /// Sets a parameter of the system; may be given for each of them
     ///
-    /// Those not given have the paper's values: omega=3.7, delta=0.1, zeta=0.1, r=0.8, mu_m=mu_k=mu_c=0.5, f20=0. Under
-    /// control it sets what the method has, too: gain, delay; amplitude, alpha, dead_band, gamma, phase; period, noise;
-    /// target_v1, target_x2, target_v2, target_tau.
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = parse::<Assignment>)]
-    assignments: Vec<Assignment>,
+    /// Those not given have the system's defaults; the paper's are omega=3.7, delta=0.1, zeta=0.1, r=0.8,
+    /// mu_m=mu_k=mu_c=0.5, f20=0. Under control it sets what the method has, too: gain, delay; amplitude, alpha, dead_band,
+    /// gamma, phase; period, noise; target_v1, target_x2, target_v2, target_tau.
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    assignments: Vec<String>,
 }
 
 impl SystemArgs {
+    /// The family of the system.
+    pub fn family(&self) -> &'static Family {
+        self.family.0
+    }
+
+    /// Refuses another system than the paper's for a command that cannot follow it.
+    pub fn of_paper(&self, command: &str) -> Result<(), CliError> {
+        of_paper(self.family(), command)
+    }
+
+    /// An axis of the system, given as `option`.
+    pub fn axis(&self, option: &str, text: &str) -> Result<Axis, CliError> {
+        Axis::of_family(text, self.family()).map_err(|error| invalid(text, option, error))
+    }
+
     /// The parameters as set; those of `axes` are left to the axes.
-    pub fn parameters(&self, axes: &[(&str, Axis)]) -> Result<Parameters, CliError> {
+    pub fn parameters(&self, axes: &[(&str, Axis)]) -> Result<Setting, CliError> {
         for (option, axis) in axes {
             self.check_beside(option, &axis.to_string(), axis.quantity)?;
         }
@@ -40,13 +61,21 @@ impl SystemArgs {
         option: &str,
         axis: &str,
         quantity: Quantity,
-    ) -> Result<Parameters, CliError> {
+    ) -> Result<Setting, CliError> {
         self.check_beside(option, axis, quantity)?;
         self.assigned()
     }
 
+    fn assignments(&self) -> Result<Vec<Assignment>, CliError> {
+        let read = |text: &String| {
+            Assignment::of_family(text, self.family())
+                .map_err(|error| invalid(text, "--set <NAME=VALUE>", error))
+        };
+        self.assignments.iter().map(read).collect()
+    }
+
     fn check_beside(&self, option: &str, axis: &str, quantity: Quantity) -> Result<(), CliError> {
-        match self.assignments.iter().find(|set| set.quantity == quantity) {
+        match self.assignments()?.iter().find(|set| set.quantity == quantity) {
             Some(set) => Err(CliError::Input(anyhow!(
                 "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
                 quantity.name()
@@ -56,40 +85,51 @@ impl SystemArgs {
     }
 
     /// The parameters of the system alone, and the settings of a control method that were set beside them.
-    pub fn split(&self) -> (SystemArgs, Vec<Assignment>) {
+    pub fn split(&self) -> Result<(SystemArgs, Vec<Assignment>), CliError> {
         let of_method = |set: &Assignment| matches!(set.quantity, Quantity::Control(_));
-        let (settings, assignments) = self.assignments.iter().copied().partition(of_method);
-        (SystemArgs { assignments }, settings)
+        let all = self.assignments()?;
+        let texts = self.assignments.iter().zip(&all).filter(|(_, set)| !of_method(set));
+        let assignments = texts.map(|(text, _)| text.clone()).collect();
+        let settings = all.iter().copied().filter(of_method).collect();
+        Ok((SystemArgs { family: self.family, assignments }, settings))
     }
 
-    fn assigned(&self) -> Result<Parameters, CliError> {
-        let mut parameters = Parameters::default();
-        for (i, set) in self.assignments.iter().enumerate() {
-            if let Some(other) = self.assignments[..i].iter().find(|other| other.quantity == set.quantity) {
+    fn assigned(&self) -> Result<Setting, CliError> {
+        let mut setting = Setting::defaults(self.family());
+        let assignments = self.assignments()?;
+        for (i, set) in assignments.iter().enumerate() {
+            if let Some(other) = assignments[..i].iter().find(|other| other.quantity == set.quantity) {
                 return Err(CliError::Input(anyhow!(
                     "{} is set twice, by --set {other} and --set {set}: drop one of the two",
                     set.quantity.name()
                 )));
             }
             let Quantity::Parameter(parameter) = set.quantity else {
+                let known: Vec<&str> = Parameter::all(self.family()).map(Parameter::name).collect();
                 return Err(CliError::Input(anyhow!(
                     "--set {set} has no effect without control: {} is a setting of a control method (see `control` \
                      and `map --control`); the parameters are {}",
                     set.quantity.name(),
-                    Parameter::ALL.map(Parameter::name).join(", ")
+                    known.join(", ")
                 )));
             };
-            parameters = parameters.with(parameter, set.value);
+            setting = setting.with(parameter, set.value);
         }
-        Ok(parameters)
+        Ok(setting)
     }
 
     /// The system, with a start that lies between its stops.
-    pub fn system_and_start(&self, start: Start) -> Result<(System, [f64; 4]), CliError> {
+    pub fn system_and_start(&self, start: Start) -> Result<(System, StateVector), CliError> {
         let system = System::new(self.parameters(&[])?).map_err(CliError::input)?;
-        start.check(system.parameters().delta).map_err(CliError::input)?;
-        Ok((system, start_state(&system, start)))
+        start.check(system.plant()).map_err(CliError::input)?;
+        let state = start_state(&system, start);
+        Ok((system, state))
     }
+}
+
+/// An option whose value cannot be used.
+fn invalid(text: &str, option: &str, error: impl std::error::Error + Send + Sync + 'static) -> CliError {
+    CliError::Input(anyhow!("invalid value '{text}' for '{option}': {:#}", anyhow::Error::new(error)))
 }
 
 /// What becomes of files that are there.
@@ -101,8 +141,9 @@ pub struct OverwriteArgs {
 }
 
 /// The state that a start means for a system, which is told where it is not the one named.
-pub fn start_state(system: &System, start: Start) -> [f64; 4] {
-    if start == Start::Symmetric && symmetric_start(system).is_none() {
+pub fn start_state(system: &System, start: Start) -> StateVector {
+    let is_sought = system.is_paper();
+    if start == Start::Symmetric && is_sought && symmetric_start(system).is_none() {
         note("there is no physical symmetric 1-1-1 motion here: starting from rest");
     }
     start.state(system)
@@ -158,21 +199,21 @@ impl BackendArgs {
 /// The axes of a plane, what is fixed on it, and how its cells begin.
 #[derive(Debug, Args)]
 pub struct AxesArgs {
-    /// Horizontal axis, ends included [default: omega=0.2:5:800]
+    /// Horizontal axis, ends included [default: that of the system; the paper's omega=0.2:5:800]
     ///
-    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2. FIRST may be greater than
+    /// NAME is any of the parameters (see --set) or a component of the start: x1 … xn, v1 … vn. FIRST may be greater than
     /// LAST. With :log behind COUNT, as in omega=0.1:10:400:log, values have equal ratios.
-    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]", value_parser = parse::<Axis>)]
-    x: Option<Axis>,
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]")]
+    x: Option<String>,
 
-    /// Vertical axis, ends included [default: delta=0.02:0.8:600]
-    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]", value_parser = parse::<Axis>)]
-    y: Option<Axis>,
+    /// Vertical axis, ends included [default: that of the system; the paper's delta=0.02:0.8:600]
+    #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]")]
+    y: Option<String>,
 
     #[command(flatten)]
-    system: SystemArgs,
+    pub system: SystemArgs,
 
-    /// How cells begin: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
+    /// How cells begin: rest, symmetric, or a state X1,X2,V1,V2 (x1 … xn, v1 … vn) at forcing phase 0
     /// [default: symmetric, or rest where an axis varies the start]
     ///
     /// `symmetric` is the stable-branch 1-1-1 motion of the cell where there is one, nudged so that an unstable one
@@ -184,7 +225,7 @@ pub struct AxesArgs {
 impl AxesArgs {
     /// The checked plane whose cells run by `schedule`.
     pub fn plane(&self, schedule: Schedule) -> Result<Plane, CliError> {
-        let (x, y) = (self.x.unwrap_or(defaults::X), self.y.unwrap_or(defaults::Y));
+        let [x, y] = self.axes()?;
         let plane = Plane {
             x,
             y,
@@ -194,6 +235,24 @@ impl AxesArgs {
         };
         plane.check().map_err(CliError::input)?;
         Ok(plane)
+    }
+
+    /// The axes as given, or those of the system's default plane.
+    fn axes(&self) -> Result<[Axis; 2], CliError> {
+        let plane = self.system.family().plane();
+        let axis =
+            |option: &str, given: &Option<String>, default: Option<&String>| match given.as_ref().or(default)
+            {
+                Some(text) => self.system.axis(&format!("{option} <NAME=FIRST:LAST:COUNT[:log]>"), text),
+                None => Err(CliError::Input(anyhow!(
+                    "the system {} has no default plane: give {option} NAME=FIRST:LAST:COUNT",
+                    self.system.family().origin()
+                ))),
+            };
+        Ok([
+            axis("--x", &self.x, plane.map(|plane| &plane.x))?,
+            axis("--y", &self.y, plane.map(|plane| &plane.y))?,
+        ])
     }
 
     /// The plane with about `cells` cells; where there is no such number and no axis is given, with `default` ones.
@@ -258,6 +317,11 @@ pub struct PlaneArgs {
 }
 
 impl PlaneArgs {
+    /// Refuses another system than the paper's for a command that cannot follow it.
+    pub fn of_paper(&self, command: &str) -> Result<(), CliError> {
+        self.axes.system.of_paper(command)
+    }
+
     /// The checked plane.
     pub fn plane(&self) -> Result<Plane, CliError> {
         self.axes.plane(self.schedule())
@@ -270,14 +334,15 @@ impl PlaneArgs {
         settings: &MethodArgs,
         iterates: ControlSchedule,
     ) -> Result<ControlPlane, CliError> {
-        let (x, y) = (self.axes.x.unwrap_or(defaults::X), self.axes.y.unwrap_or(defaults::Y));
+        self.axes.system.of_paper("map --control")?;
+        let [x, y] = self.axes.axes()?;
         let axes = [("--x", x), ("--y", y)];
         let varied = axes.map(|(option, axis)| (format!("{option} {axis} varies"), axis.quantity));
         settings.refuse_replaced(method, &varied)?;
         for (option, axis) in axes {
             self.axes.system.check_beside(option, &axis.to_string(), axis.quantity)?;
         }
-        let (system, set) = self.axes.system.split();
+        let (system, set) = self.axes.system.split()?;
         let plane = ControlPlane {
             x,
             y,

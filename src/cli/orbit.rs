@@ -6,7 +6,7 @@ use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Reading, Schedule};
 use impact_atlas::dynamics::{self, ImpactEvent, Recording, Stop};
-use impact_atlas::model::{Number, Parameter, Parameters};
+use impact_atlas::model::{Number, Setting};
 use impact_atlas::plane::Start;
 use impact_atlas::render::{Orbit, OrbitPanel, Picture, Size, Zoom, orbit_figure};
 use serde::Serialize;
@@ -109,7 +109,7 @@ pub struct OrbitArgs {
 struct Config<'a> {
     version: &'a str,
     command: &'a str,
-    parameters: &'a Parameters,
+    parameters: &'a Setting,
     start: Start,
     transient: u32,
     periods: u32,
@@ -121,7 +121,9 @@ struct Config<'a> {
 
 /// Runs the command.
 pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
+    args.system.of_paper("orbit")?;
     let (system, start) = args.system.system_and_start(args.start)?;
+    let start: [f64; 4] = start.into();
     let (transient, periods) = (args.transient, args.periods);
     let samples = args.samples();
     if u64::from(periods) * u64::from(samples) > LARGEST {
@@ -140,7 +142,9 @@ pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
     let section_periods =
         if panels.iter().any(|panel| panel.is_section()) { args.section_periods } else { 0 };
     let progress = Progress::of_trajectory();
+    let followed = system.clone();
     let (recording, sections) = interrupt::abandonable(move || {
+        let system = followed;
         let recording = dynamics::record(&system, start, transient, periods, samples);
         let sections = match section_periods {
             0 => Recording::default(),
@@ -194,7 +198,7 @@ impl OrbitArgs {
         let figure = orbit_figure(orbit, self.start, panels, &self.zooms);
         let width = if panels.len() == 1 { defaults::NARROW_FIGURE } else { defaults::WIDE_FIGURE };
         let size = self.size.unwrap_or_else(|| figure.natural_size(width));
-        let parameters = orbit.system.parameters();
+        let parameters = orbit.system.setting().expect("a system that is asked for is made of a setting");
         let config = Config {
             version: env!("CARGO_PKG_VERSION"),
             command: &self.command(parameters, panels),
@@ -212,10 +216,10 @@ impl OrbitArgs {
     }
 
     /// The command that makes the figure again.
-    fn command(&self, parameters: &Parameters, panels: &[OrbitPanel]) -> String {
+    fn command(&self, parameters: &Setting, panels: &[OrbitPanel]) -> String {
         let mut command = String::from("impact-atlas orbit");
-        for parameter in Parameter::ALL {
-            command.push_str(&format!(" --set {parameter}={}", Number(parameters.get(parameter))));
+        for (parameter, value) in parameters.entries() {
+            command.push_str(&format!(" --set {parameter}={}", Number(value)));
         }
         command.push_str(&format!(
             " --start {} --transient {} --periods {} --samples {} --section-periods {}",

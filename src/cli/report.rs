@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use impact_atlas::analysis::Regime;
 use impact_atlas::model::Number;
+use impact_atlas::model::StateVector;
 use impact_atlas::plane::Provenance;
 use impact_atlas::validate::{Agreement, Boundaries, Check, Share, Spread, Thresholds, WorstCell};
 use serde::Serialize;
@@ -37,8 +38,8 @@ struct Suspect {
     reference: String,
     candidate: String,
     difference: Option<f64>,
-    reference_state: [f64; 4],
-    candidate_state: [f64; 4],
+    reference_state: StateVector,
+    candidate_state: StateVector,
     command: String,
 }
 
@@ -258,11 +259,10 @@ mod tests {
         Verdict {
             regime: Regime::Periodic,
             n,
-            p: n,
-            q: n,
+            counts: impact_atlas::analysis::Counts::new(&[n, n]),
             symmetric: true,
             lyapunov: -0.25,
-            state: [0.05, -0.01, 0.3, 0.02],
+            state: [0.05, -0.01, 0.3, 0.02].into(),
             impacts: 400,
             impacts_total: 1200,
             peak_impact_velocity: 0.4,
@@ -277,8 +277,8 @@ mod tests {
         let plane = Plane {
             x: "x1=-0.05:0.05:5".parse().unwrap(),
             y: "r=0.5:0.75:4".parse().unwrap(),
-            parameters: Parameters { zeta: 0.025, ..Parameters::default() },
-            start: Start::State([0.0, 0.5, -0.25, 1e-7]),
+            parameters: Parameters { zeta: 0.025, ..Parameters::default() }.into(),
+            start: Start::State([0.0, 0.5, -0.25, 1e-7].into()),
             schedule: Schedule { transient: 40, observe: 20, max_period: 8, fixed_periods: true },
         };
         RegionMap { plane, provenance, verdicts: vec![verdict(1); 20], multipliers: None }

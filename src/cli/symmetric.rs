@@ -42,18 +42,21 @@ struct Solutions {
 
 #[derive(Debug, Serialize)]
 struct Solution {
-    section: [f64; 4],
+    section: Vec<f64>,
+    #[serde(skip)]
+    section_text: String,
     physical: bool,
     reason: Option<String>,
-    half_multipliers: Option<[[f64; 2]; 4]>,
-    multipliers: Option<[[f64; 2]; 4]>,
+    half_multipliers: Option<Vec<[f64; 2]>>,
+    multipliers: Option<Vec<[f64; 2]>>,
     stable: Option<bool>,
-    state: Option<[f64; 4]>,
+    state: Option<Vec<f64>>,
     residual: f64,
 }
 
 /// Runs the command.
 pub fn run(args: &SymmetricArgs) -> Result<(), CliError> {
+    args.system.of_paper("symmetric")?;
     let system = System::new(args.system.parameters(&[])?).map_err(CliError::input)?;
     note_cpu();
     let result = abandonable(move || Solutions::of(&system))?;
@@ -85,13 +88,14 @@ impl Solution {
         let motion = &solution.motion;
         let physical = solution.at_phase_zero.is_ok();
         Solution {
-            section: motion.section().map(|value| value + 0.0),
+            section_text: multipliers::section(system, motion.pattern.stops[0], &motion.section()),
+            section: motion.section().into_iter().map(|value| value + 0.0).collect(),
             physical,
-            reason: solution.at_phase_zero.err().map(|reason| reason.to_string()),
+            reason: solution.at_phase_zero.as_ref().err().map(|reason| reason.to_string()),
             half_multipliers: motion.half_multipliers(system).map(pairs),
             multipliers: motion.multipliers(system).map(pairs),
             stable: motion.is_stable(system).filter(|_| physical),
-            state: solution.at_phase_zero.ok(),
+            state: solution.at_phase_zero.clone().ok(),
             residual: motion.residual,
         }
     }
@@ -103,14 +107,14 @@ impl Solution {
         };
         let half = multipliers::text(self.half_multipliers.as_ref());
         let whole = multipliers::text(self.multipliers.as_ref());
-        let section = multipliers::section(self.section);
+        let section = &self.section_text;
         let mut text = format!(
             "{what}\n\
              section at stop A           {section}\n\
              half multipliers            {half}\n\
              multipliers                 {whole}"
         );
-        if let Some(state) = self.state {
+        if let Some(state) = &self.state {
             text += &format!("\nstate at forcing phase 0    {}", multipliers::state(state));
         }
         text

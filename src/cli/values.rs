@@ -4,9 +4,10 @@ use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 
-use impact_atlas::model::{Number, ParameterError, whole};
+use impact_atlas::model::{Number, Parameter, ParameterError, whole};
 use impact_atlas::plane::Quantity;
 use impact_atlas::render::Size;
+use impact_atlas::system::Family;
 use thiserror::Error;
 
 /// Reads a value for clap, with the whole chain of causes in the message.
@@ -33,17 +34,19 @@ impl fmt::Display for Assignment {
     }
 }
 
-impl FromStr for Assignment {
-    type Err = AssignmentError;
-
-    fn from_str(text: &str) -> Result<Self, AssignmentError> {
+impl Assignment {
+    /// Reads `NAME=VALUE` with the names of a family.
+    ///
+    /// # Errors
+    /// What is wrong with the text, with the name or with the value.
+    pub fn of_family(text: &str, family: &'static Family) -> Result<Self, AssignmentError> {
         let malformed = || AssignmentError::Malformed(text.to_owned());
         let (name, value) = text.split_once('=').ok_or_else(malformed)?;
         let name = name.trim();
-        let quantity = match name.parse() {
+        let quantity = match Quantity::named(name, family) {
             Ok(Quantity::Start(_)) => return Err(AssignmentError::Component(name.to_owned())),
             Ok(quantity) => quantity,
-            Err(_) => Quantity::Parameter(name.parse()?),
+            Err(_) => Quantity::Parameter(Parameter::of(family, name)?),
         };
         let value = value.trim().parse().map_err(|_| malformed())?;
         match quantity {
@@ -122,16 +125,18 @@ pub fn parse_range(text: &str) -> Result<[u32; 2], String> {
 #[cfg(test)]
 mod tests {
     use impact_atlas::control::ControlQuantity;
-    use impact_atlas::model::Parameter;
 
     use super::*;
 
     #[test]
     fn assignments_are_read_and_bad_ones_are_named() {
-        let set = parse::<Assignment>("mu_m = 0.25").unwrap();
-        assert_eq!(set, Assignment { quantity: Quantity::Parameter(Parameter::MuM), value: 0.25 });
-        assert_eq!(parse::<Assignment>("mu_m=1e-100").unwrap().to_string(), "mu_m=1e-100");
-        let gain = parse::<Assignment>("gain=0.3").unwrap();
+        let set = Assignment::of_family("mu_m = 0.25", Family::paper()).unwrap();
+        assert_eq!(
+            set,
+            Assignment { quantity: Quantity::named("mu_m", Family::paper()).unwrap(), value: 0.25 }
+        );
+        assert_eq!(Assignment::of_family("mu_m=1e-100", Family::paper()).unwrap().to_string(), "mu_m=1e-100");
+        let gain = Assignment::of_family("gain=0.3", Family::paper()).unwrap();
         assert_eq!(gain, Assignment { quantity: Quantity::Control(ControlQuantity::Gain), value: 0.3 });
         let refused = [
             ("omega", "NAME=VALUE"),
@@ -147,7 +152,7 @@ mod tests {
             ("mu_m=-1e-100", "mu_m = -1e-100"),
         ];
         for (text, part) in refused {
-            let message = parse::<Assignment>(text).unwrap_err();
+            let message = Assignment::of_family(text, Family::paper()).unwrap_err().to_string();
             assert!(message.contains(part), "{text}: {message}");
         }
     }

@@ -1,75 +1,83 @@
-//! A trajectory under control: what each of its moves and its returns to σ changes, and its outcome.
+//! A trajectory under control: what each of its moves and its returns to σ changes.
 
 use super::actuated::Actuated;
+use super::components::Components;
 use super::deviation::Deviations;
-use super::memory::{LONGEST, Memory, added};
-use super::method::{Action, Controller, Method, Seen, length};
-use super::outcome::{NEVER, Outcome};
+use super::memory::{Counts, Memory, added};
+use super::method::{Action, Controller, Method, Seen};
 use super::progress::Progress;
 use super::schedule::ControlSchedule;
 use super::section::Section;
+use super::surface::Surface;
+use super::values::SectionValues;
 use super::witness::{Return, Witness};
-use crate::analysis::constants::{CHAOTIC_GROWTH, MOST_MOVES, NEUTRAL_GROWTH, RETURNED, SIGNIFICANCE};
-use crate::analysis::{Exponent, INFINITELY_MANY, Regime, Spread, Verdict};
-use crate::dynamics::{Contact, Event, Impact, Move, Stop, Tangent, Trajectory};
+use crate::analysis::constants::MOST_MOVES;
+use crate::analysis::{Exponent, INFINITELY_MANY, Spread};
+use crate::dynamics::{Event, Impact, Move, Tangent, Trajectory};
+use crate::model::vector::MOST;
 use crate::model::{Flight, Real};
 
-/// Forcing periods without an impact at A after which σ counts as never reached.
+/// Forcing periods without an impact at the section's stop after which σ counts as never reached.
 pub const LONGEST_PASSAGE: u32 = 1000;
-
-/// A component of a point on σ larger than this is beyond all bounds: static deflections are of order one.
-pub const RUNAWAY: f64 = 1e3;
 
 /// Iterates for which a settled motion must have kept returning before it finishes early.
 pub const SETTLING: u32 = 64;
 
 /// A trajectory under control.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Controlled<T: Real, D: Actuated<T> = ()> {
+pub struct Controlled<T: Real, const N: usize, D: Actuated<T, N> = ()> {
     /// The trajectory.
-    pub trajectory: Trajectory<T, D>,
+    pub trajectory: Trajectory<T, N, D>,
     pub(super) tangent: D::Deviation,
+    pub(super) surface: Surface,
     controller: Controller<T>,
     /// The last points on σ.
-    pub memory: Memory<T>,
-    deviations: Deviations<T>,
-    exponent: Exponent<T>,
-    spread: Spread<T>,
+    pub memory: Memory<T, N>,
+    deviations: Deviations<T, N>,
+    pub(super) exponent: Exponent<T>,
+    pub(super) spread: Spread<T, N>,
     /// Where it is in its schedule.
     pub progress: Progress,
     /// Returns to σ so far.
     pub(super) iterates: u32,
     /// Iterates observed so far.
-    observed: u32,
+    pub(super) observed: u32,
     /// Forcing periods of the observed iterates.
-    observed_turns: T,
+    pub(super) observed_turns: T,
     /// Forcing periods since the start.
-    periods: u32,
+    pub(super) periods: u32,
     /// Forcing periods since the last return.
     passage: u32,
     /// Moves since the last strobe or correction.
-    moves: u32,
-    at_b: u32,
-    /// The mirror image of the last impact at Ā.
-    mirrored: Section<T>,
-    impacts: u32,
-    impacts_total: u32,
-    peak: T,
-    /// 1 + the returns before the first mass last rested on a stop; 0 if it never did.
-    stuck: u32,
+    pub(super) moves: u32,
+    /// Impacts at each stop since the last return.
+    pub(super) at_stops: Counts,
+    /// The mirror image of the last impact at the twin of the section's stop.
+    pub(super) mirrored: Section<T, N>,
+    pub(super) impacts: u32,
+    pub(super) impacts_total: u32,
+    pub(super) peak: T,
+    /// 1 + the returns before a mass last rested on a stop; 0 if none ever did.
+    pub(super) stuck: u32,
     /// Whether control has erased a deviation altogether: the motion has no exponent then.
-    erased: bool,
-    escapes: u32,
-    effort: T,
-    signal: T,
+    pub(super) erased: bool,
+    pub(super) escapes: u32,
+    pub(super) effort: T,
+    pub(super) signal: T,
 }
 
-impl<T: Real, D: Actuated<T>> Controlled<T, D> {
-    /// Begins with a trajectory.
-    pub fn new(trajectory: Trajectory<T, D>, controller: Controller<T>, schedule: &ControlSchedule) -> Self {
+impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
+    /// Begins with a trajectory; `surface` is that of the controller's stop.
+    pub fn new(
+        trajectory: Trajectory<T, N, D>,
+        surface: Surface,
+        controller: Controller<T>,
+        schedule: &ControlSchedule,
+    ) -> Self {
         Controlled {
             trajectory,
             tangent: trajectory.point.drive.deviating(Tangent::seed(), T::zero()),
+            surface,
             controller,
             memory: Memory::new(schedule.max_period),
             deviations: Deviations::seed(),
@@ -82,8 +90,8 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             periods: 0,
             passage: 0,
             moves: 0,
-            at_b: 0,
-            mirrored: Section::new([T::zero(); 4]),
+            at_stops: [0; MOST],
+            mirrored: Section::zero(),
             impacts: 0,
             impacts_total: 0,
             peak: T::zero(),
@@ -96,8 +104,8 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     }
 
     /// Applies the force that the controller sets at the present point, and nothing else.
-    pub fn force(&mut self, flight: &Flight<T>) {
-        let section = Section::of(flight, &self.trajectory);
+    pub fn force(&mut self, flight: &Flight<T, N>) {
+        let section = Section::of(flight, &self.surface, &self.trajectory);
         let turns = T::zero();
         let seen = Seen { section, turns, periods: 0, controlled: 0, memory: &self.memory };
         let Action { force, phase, .. } = self.controller.act(&seen);
@@ -109,13 +117,13 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     #[inline(always)]
     pub(super) fn note(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         schedule: &ControlSchedule,
         taken: &Move<T>,
-        witness: &mut impl Witness<T, D>,
+        witness: &mut impl Witness<T>,
     ) {
         self.moves += 1;
-        if taken.free == T::zero() {
+        if !taken.contact.is_free() && !taken.contact.is_clamped_only() {
             self.stuck = self.iterates + 1;
         }
         match taken.event {
@@ -135,11 +143,11 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     #[inline(always)]
     fn impact(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         schedule: &ControlSchedule,
         impact: &Impact<T>,
         complete: bool,
-        witness: &mut impl Witness<T, D>,
+        witness: &mut impl Witness<T>,
     ) {
         if impact.velocity_before == T::zero() {
             return;
@@ -149,12 +157,15 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         self.impacts_total = self.impacts_total.saturating_add(1);
         let speed = impact.velocity_before.abs();
         self.peak = if speed > self.peak { speed } else { self.peak };
-        match impact.stop {
-            Stop::A => self.arrive(flight, schedule, count, witness),
-            Stop::B => {
-                self.at_b = added(self.at_b, count);
-                self.mirrored = Section::mirrored(flight, &self.trajectory);
-            }
+        let here = &mut self.at_stops[impact.stop.index()];
+        *here = added(*here, count);
+        if self.surface.twin() == Some(impact.stop)
+            && let Some(mirrored) = Section::mirrored(flight, &self.surface, &self.trajectory)
+        {
+            self.mirrored = mirrored;
+        }
+        if impact.stop == self.surface.stop {
+            self.arrive(flight, schedule, witness);
         }
     }
 
@@ -162,23 +173,22 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         self.moves = 0;
         self.periods += 1;
         self.passage += 1;
-        if !self.trajectory.point.state().iter().all(|value| value.is_finite()) {
+        if !self.trajectory.point.state.is_finite() {
             self.progress = Progress::Failed;
-        } else if self.passage > LONGEST_PASSAGE || self.trajectory.contact == Contact::Clamped {
+        } else if self.passage > LONGEST_PASSAGE || self.is_clamped() {
             self.progress = Progress::Lost;
         }
     }
 
+    /// Whether the section's stop holds a mass for ever.
+    fn is_clamped(&self) -> bool {
+        self.trajectory.contact.is_clamped_along(self.surface.end.normal)
+    }
+
     /// A return to σ.
     #[inline(always)]
-    fn arrive(
-        &mut self,
-        flight: &Flight<T>,
-        schedule: &ControlSchedule,
-        at_a: u32,
-        witness: &mut impl Witness<T, D>,
-    ) {
-        let arrived = Section::of(flight, &self.trajectory);
+    fn arrive(&mut self, flight: &Flight<T, N>, schedule: &ControlSchedule, witness: &mut impl Witness<T>) {
+        let arrived = Section::of(flight, &self.surface, &self.trajectory);
         if !arrived.is_finite() {
             self.progress = Progress::Failed;
             return;
@@ -196,38 +206,41 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             memory: &self.memory,
         };
         let observing = self.progress == Progress::Observed;
-        let deviation = self.deviations.arrived(flight, &self.trajectory, &D::tangent(&self.tangent));
+        let tangent = D::tangent(&self.tangent);
+        let deviation = self.deviations.arrived(flight, &self.surface, &self.trajectory, &tangent);
         let mut action = if on { self.controller.act(&seen) } else { Action::none() };
         let mut section = arrived.plus(&action.correction);
-        let escaped = section.components[0] > T::zero();
+        let escaped = !action.correction.is_zero() && !self.admits(flight, &section);
         if escaped {
             section = arrived;
             self.escapes += 1;
-            action.correction = [T::zero(); 4];
+            action.correction = Components::zero();
         }
         if observing {
             let deviation =
                 if escaped { deviation } else { self.deviations.passed(&self.controller, &seen, deviation) };
             self.deviations.push(deviation);
         }
-        self.memory.push(section, turns, self.at_b, at_a);
+        self.memory.push(section, turns, self.at_stops);
         self.signal = action.signal;
         if on {
-            self.effort = self.effort + (length(&action.correction) + action.force.abs());
+            self.effort = self.effort + (action.correction.length() + action.force.abs());
             self.go_on_from(flight, &section, &action);
         }
         witness.returned(&Return {
             iterate: self.iterates,
-            arrived,
-            section,
+            stop: self.surface.stop,
+            arrived: SectionValues::of(&arrived.components),
+            section: SectionValues::of(&section.components),
+            velocity: self.velocity_along(flight, &section),
             signal: action.signal,
             escaped,
-            at_b: self.at_b,
+            impacts: self.at_stops,
             turns,
         });
         self.iterates += 1;
         self.passage = 0;
-        self.at_b = 0;
+        self.at_stops = [0; MOST];
         if self.progress == Progress::Runaway {
             return;
         }
@@ -240,40 +253,16 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     }
 
     /// Forcing periods since the last return.
-    fn turns_to(&self, arrived: &Section<T>) -> T {
+    fn turns_to(&self, arrived: &Section<T, N>) -> T {
         if self.memory.seen == 0 {
             return T::zero();
         }
-        let from = self.memory.points[0].components[3];
-        T::of(f64::from(self.passage)) + (arrived.components[3] - from) * T::of(1.0 / std::f64::consts::TAU)
-    }
-
-    /// Leaves σ from a corrected point, under a force.
-    fn go_on_from(&mut self, flight: &Flight<T>, section: &Section<T>, action: &Action<T>) {
-        let zero = T::zero();
-        let drive = self.trajectory.point.drive.actuated(action.force, action.phase);
-        if section.distance(&Section::new([zero; 4])) > T::of(RUNAWAY) {
-            self.progress = Progress::Runaway;
-            return;
-        }
-        let unchanged = action.correction.iter().all(|&value| value == zero);
-        if unchanged && drive == self.trajectory.point.drive {
-            return;
-        }
-        if unchanged {
-            let Trajectory { mut point, contact, step, offset, .. } = self.trajectory;
-            point.drive = drive;
-            self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
-        } else {
-            let resting = self.trajectory.contact != Contact::Free;
-            self.trajectory = section.trajectory(flight, resting, drive);
-            // A phase that jumps back time and again never passes a strobe.
-            self.moves = 0;
-        }
+        let from = self.memory.points[0].tau();
+        T::of(f64::from(self.passage)) + (arrived.tau() - from) * T::of(1.0 / std::f64::consts::TAU)
     }
 
     /// Adds an iterate to the exponent.
-    fn observe(&mut self, flight: &Flight<T>, turns: T, schedule: &ControlSchedule) {
+    fn observe(&mut self, flight: &Flight<T, N>, turns: T, schedule: &ControlSchedule) {
         self.observed += 1;
         self.observed_turns = self.observed_turns + turns;
         match self.deviations.growth() {
@@ -284,11 +273,11 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
         if self.observed <= 2 * half {
             self.spread.at_strobe(&self.trajectory.point, self.observed > half);
         }
-        self.tangent = self.deviations.leaving(flight, &self.trajectory, &self.controller);
+        self.tangent = self.deviations.leaving(flight, &self.surface, &self.trajectory, &self.controller);
     }
 
     /// Goes on to the next part of the schedule where it is due.
-    fn schedule_on(&mut self, flight: &Flight<T>, schedule: &ControlSchedule) {
+    fn schedule_on(&mut self, flight: &Flight<T, N>, schedule: &ControlSchedule) {
         let settled = !schedule.fixed && self.controller.is_at_rest() && self.memory.is_settled(SETTLING);
         if self.iterates >= schedule.iterates || settled {
             self.progress = Progress::Done;
@@ -299,100 +288,8 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
             self.impacts = 0;
             self.peak = T::zero();
             self.deviations = Deviations::seed();
-            self.tangent = self.deviations.leaving(flight, &self.trajectory, &self.controller);
+            self.tangent = self.deviations.leaving(flight, &self.surface, &self.trajectory, &self.controller);
             self.spread = Spread::about(&self.trajectory.point);
-        }
-    }
-
-    /// What the trajectory settled on.
-    pub fn outcome(&self, schedule: &ControlSchedule) -> Outcome {
-        let controlled = self.iterates.saturating_sub(schedule.from);
-        let period = self.period(controlled);
-        let regime = self.regime(period);
-        let [n, p, q] = if period > 0 { self.memory.counts(period) } else { [0; 3] };
-        let symmetric = period > 0 && n % 2 == 1 && p == q && self.is_symmetric(period);
-        let point = if period > 0 { self.memory.hardest(period) } else { self.memory.points[0] };
-        let measured = self.exponent.batches > 0 && !self.erased && self.observed_turns > T::zero();
-        let lyapunov = if measured {
-            let periods = self.observed_turns / T::of(f64::from(self.observed));
-            self.exponent.per_period() / periods
-        } else {
-            T::nan()
-        };
-        let since = if period > 0 { self.memory.returning[period as usize - 1] } else { 0 };
-        Outcome {
-            verdict: Verdict {
-                regime,
-                n: n as u16,
-                p: p as u16,
-                q: q as u16,
-                symmetric,
-                lyapunov: lyapunov.widen() as f32,
-                state: point.components.map(T::widen),
-                impacts: self.impacts,
-                impacts_total: self.impacts_total,
-                peak_impact_velocity: self.peak.widen() as f32,
-                periods: self.periods,
-                returning: 0,
-            },
-            period,
-            iterates: self.iterates,
-            converged_at: if period > 0 { since.saturating_sub(schedule.from) } else { NEVER },
-            signal: self.signal.widen() as f32,
-            runaway: self.progress == Progress::Runaway,
-            escapes: self.escapes,
-            effort: if controlled > 0 {
-                (self.effort / T::of(f64::from(controlled))).widen() as f32
-            } else {
-                0.0
-            },
-        }
-    }
-
-    /// The period of the motion in iterates, 0 if there is none.
-    fn period(&self, controlled: u32) -> u32 {
-        if self.progress != Progress::Done {
-            return 0;
-        }
-        self.memory.period((controlled / 4).min(SETTLING))
-    }
-
-    fn is_symmetric(&self, period: u32) -> bool {
-        let points = &self.memory.points[..(period as usize).min(LONGEST)];
-        points.iter().any(|point| point.distance(&self.mirrored) <= T::of(RETURNED))
-    }
-
-    fn regime(&self, period: u32) -> Regime {
-        match self.progress {
-            Progress::Failed => Regime::Failed,
-            Progress::Lost if self.at_b == 0 => Regime::NoImpact,
-            Progress::Lost | Progress::Settling | Progress::Runaway => Regime::Unresolved,
-            _ if period > 0 && self.has_stuck_for(period) => Regime::PeriodicSticking,
-            _ if period > 0 => Regime::Periodic,
-            _ if self.has_stuck_for(self.observed) => Regime::AperiodicSticking,
-            _ => self.irregular(),
-        }
-    }
-
-    /// Whether the first mass rested on a stop in the last so many iterates.
-    fn has_stuck_for(&self, iterates: u32) -> bool {
-        self.stuck > 0 && self.stuck + iterates > self.iterates
-    }
-
-    /// The regime of a motion that does not return; see [`Observer`](crate::analysis::Observer).
-    fn irregular(&self) -> Regime {
-        let exponent = &self.exponent;
-        if exponent.batches == 0 || self.erased {
-            return Regime::Unresolved;
-        }
-        let growth = exponent.total_growth();
-        let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
-        if growth > T::of(CHAOTIC_GROWTH) && significant {
-            Regime::Chaotic
-        } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observed / 2) {
-            Regime::QuasiPeriodic
-        } else {
-            Regime::Unresolved
         }
     }
 }

@@ -1,7 +1,11 @@
 //! Delayed feedback: Eq. (30), with the sign that stabilises.
 
+use super::components::Components;
 use super::memory::Memory;
 use super::method::{Action, Method, Seen};
+use super::section::Section;
+use super::values::SectionValues;
+use crate::dynamics::Stop;
 use crate::model::Real;
 
 /// Delayed feedback at work: X(n+1) = F(X(n)) + G (X(n) − X(n−p)).
@@ -9,15 +13,17 @@ use crate::model::Real;
 /// Print has G (X(n−p) − X(n)), which is this with negative gains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Delay<T> {
-    /// The diagonal of G; its sign is the one above.
-    pub gains: [T; 4],
+    /// The stop on whose section it acts.
+    pub stop: Stop,
+    /// The diagonal of G, one for each component; its sign is the one above.
+    pub gains: SectionValues<T>,
     /// p, in iterates.
     pub delay: u32,
 }
 
-impl<T: Real> Method<T> for Delay<T> {
+impl<T: Real, const N: usize> Method<T, N> for Delay<T> {
     #[inline(always)]
-    fn act(&mut self, seen: &Seen<T>) -> Action<T> {
+    fn act(&mut self, seen: &Seen<T, N>) -> Action<T, N> {
         if seen.memory.seen <= self.delay {
             return Action::none();
         }
@@ -26,12 +32,13 @@ impl<T: Real> Method<T> for Delay<T> {
 }
 
 impl<T: Real> Delay<T> {
-    fn past(&self, memory: &Memory<T>) -> super::Section<T> {
+    fn past<const N: usize>(&self, memory: &Memory<T, N>) -> Section<T, N> {
         memory.points[self.delay as usize]
     }
 
     /// G times a difference.
-    pub fn feedback(&self, difference: &[T; 4]) -> [T; 4] {
-        std::array::from_fn(|i| self.gains[i] * difference[i])
+    #[inline(always)]
+    pub fn feedback<const N: usize>(&self, difference: &Components<T, N>) -> Components<T, N> {
+        Components::from_fn(|i| self.gains[i] * difference[i])
     }
 }

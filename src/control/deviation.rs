@@ -1,27 +1,31 @@
 //! A small deviation of the points on σ, carried through flight and control: whether neighbours part.
 
 use super::actuated::Actuated;
+use super::components::Components;
 use super::memory::LONGEST_DELAY;
 use super::method::{Controller, Seen};
-use crate::dynamics::{Contact, Drive, Tangent, Trajectory};
-use crate::model::{Flight, Real};
+use super::surface::Surface;
+use crate::dynamics::{Drive, Tangent, Trajectory};
+use crate::model::vector::dot;
+use crate::model::{Flight, Real, State};
 
 /// Points that feedback remembers: the present one and those before it, as far as the longest delay.
 pub const DELAYS: usize = LONGEST_DELAY + 1;
 
-/// The deviations of the last points (v1+, x2, v2, τ), the present one first; non-dimensional.
+/// The deviations of the last points on σ, the present one first; non-dimensional.
 ///
 /// Feedback remembers, so that a deviation of the controlled map is one of all the points that it remembers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Deviations<T> {
-    points: [[T; 4]; DELAYS],
+pub struct Deviations<T, const N: usize> {
+    points: [Components<T, N>; DELAYS],
 }
 
-impl<T: Real> Deviations<T> {
+impl<T: Real, const N: usize> Deviations<T, N> {
     /// The deviation every observation begins with: all components of the present point alike.
     pub fn seed() -> Self {
-        let mut points = [[T::zero(); 4]; DELAYS];
-        points[0] = [T::of(0.5); 4];
+        let mut points = [Components::zero(); DELAYS];
+        let each = T::one() / T::of(2.0 * N as f64).sqrt();
+        points[0] = Components::from_fn(|_| each);
         Deviations { points }
     }
 
@@ -29,62 +33,60 @@ impl<T: Real> Deviations<T> {
     ///
     /// A point met later by δτ/ω was, at the same time, that much of its motion behind; and so was a force that begins
     /// with it.
-    pub fn leaving<D: Actuated<T>>(
+    pub fn leaving<D: Actuated<T, N>>(
         &self,
-        flight: &Flight<T>,
-        trajectory: &Trajectory<T, D>,
+        flight: &Flight<T, N>,
+        surface: &Surface,
+        trajectory: &Trajectory<T, N, D>,
         controller: &Controller<T>,
     ) -> D::Deviation {
-        let [v1, x2, v2, tau] = self.points[0];
-        let shift = tau / flight.omega;
-        let rate = rates(flight, trajectory);
-        let tangent = Tangent {
-            x1: -(rate[0] * shift),
-            x2: x2 - rate[1] * shift,
-            v1: v1 - rate[2] * shift,
-            v2: v2 - rate[3] * shift,
-        };
+        let tau = self.points[0][Components::<T, N>::TAU];
+        let within = surface.deviation(flight, &self.points[0]);
+        let tangent = Tangent(within.plus(-(tau / flight.omega), &rates(flight, trajectory)));
         let lag = match controller {
             Controller::Sine(sine) => sine.lag(tau),
-            Controller::None | Controller::Pulse(_) | Controller::Delay(_) => T::zero(),
+            Controller::None(_) | Controller::Pulse(_) | Controller::Delay(_) => T::zero(),
         };
         trajectory.point.drive.deviating(tangent, lag)
     }
 
     /// The deviation of the point at which a trajectory with this tangent vector arrives.
-    pub fn arrived<D: Drive<T>>(
+    pub fn arrived<D: Drive<T, N>>(
         &self,
-        flight: &Flight<T>,
-        trajectory: &Trajectory<T, D>,
-        tangent: &Tangent<T>,
-    ) -> [T; 4] {
+        flight: &Flight<T, N>,
+        surface: &Surface,
+        trajectory: &Trajectory<T, N, D>,
+        tangent: &Tangent<T, N>,
+    ) -> Components<T, N> {
         let rate = rates(flight, trajectory);
-        let shift = if rate[0] == T::zero() { T::zero() } else { -(tangent.x1 / rate[0]) };
-        [
-            tangent.v1 + rate[2] * shift,
-            tangent.x2 + rate[1] * shift,
-            tangent.v2 + rate[3] * shift,
-            flight.omega * shift,
-        ]
+        let direction = &flight.normals[surface.end.normal].direction;
+        let speed = dot(direction, &rate.x);
+        let shift = if speed == T::zero() { T::zero() } else { -(dot(direction, &tangent.0.x) / speed) };
+        surface.components(&tangent.0.plus(shift, &rate), flight.omega * shift)
     }
 
     /// What control makes of the deviation of an arriving point.
-    pub fn passed(&self, controller: &Controller<T>, seen: &Seen<T>, arrived: [T; 4]) -> [T; 4] {
+    pub fn passed(
+        &self,
+        controller: &Controller<T>,
+        seen: &Seen<T, N>,
+        arrived: Components<T, N>,
+    ) -> Components<T, N> {
         match controller {
-            Controller::None => arrived,
+            Controller::None(_) => arrived,
             Controller::Sine(sine) => sine.deviated(seen, &self.points[0], arrived),
-            Controller::Pulse(pulse) if pulse.is_due(seen) => [T::zero(); 4],
+            Controller::Pulse(pulse) if pulse.is_due(seen) => Components::zero(),
             Controller::Pulse(_) => arrived,
             Controller::Delay(delay) => {
                 let past = &self.points[delay.delay as usize];
-                let feedback = delay.feedback(&added(&self.points[0], &past.map(|value| -value)));
-                added(&arrived, &feedback)
+                let feedback = delay.feedback(&self.points[0].added(&past.map(|value| -value)));
+                arrived.added(&feedback)
             }
         }
     }
 
     /// Takes in the deviation of the present point.
-    pub fn push(&mut self, deviation: [T; 4]) {
+    pub fn push(&mut self, deviation: Components<T, N>) {
         for i in (1..DELAYS).rev() {
             self.points[i] = self.points[i - 1];
         }
@@ -96,8 +98,8 @@ impl<T: Real> Deviations<T> {
     /// `None` where it is lost altogether, as a pulse does; it starts afresh then.
     pub fn growth(&mut self) -> Option<T> {
         let mut squares = T::zero();
-        for [a, b, c, d] in self.points {
-            squares = squares + ((a * a + b * b) + (c * c + d * d));
+        for point in &self.points {
+            squares = squares + point.square();
         }
         let length = squares.sqrt();
         if !(length > T::zero() && length.is_finite()) {
@@ -110,14 +112,12 @@ impl<T: Real> Deviations<T> {
     }
 }
 
-/// The rates of (x1, x2, v1, v2) at a trajectory's present point.
-fn rates<T: Real, D: Drive<T>>(flight: &Flight<T>, trajectory: &Trajectory<T, D>) -> [T; 4] {
+/// The rates of displacements and velocities at a trajectory's present point.
+#[inline(always)]
+fn rates<T: Real, const N: usize, D: Drive<T, N>>(
+    flight: &Flight<T, N>,
+    trajectory: &Trajectory<T, N, D>,
+) -> State<T, N> {
     let point = &trajectory.point;
-    let (a1, a2) = point.accelerations(flight);
-    let a1 = if trajectory.contact == Contact::Free { a1 } else { T::zero() };
-    [point.v1, point.v2, a1, a2]
-}
-
-fn added<T: Real>(a: &[T; 4], b: &[T; 4]) -> [T; 4] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
+    State { x: point.state.v, v: point.motion(flight, trajectory.contact).acceleration }
 }

@@ -8,14 +8,14 @@ use super::witness::Witness;
 use crate::dynamics::Variation;
 use crate::model::{Flight, Real};
 
-impl<T: Real, D: Actuated<T>> Controlled<T, D> {
+impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     /// Follows the trajectory to its end.
     #[inline(always)]
     pub fn follow(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         schedule: &ControlSchedule,
-        witness: &mut impl Witness<T, D>,
+        witness: &mut impl Witness<T>,
     ) {
         loop {
             match self.progress {
@@ -34,10 +34,10 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     /// Follows the trajectory for so many returns at most, without observing it; whether it made them.
     pub fn iterate(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         schedule: &ControlSchedule,
         returns: u32,
-        witness: &mut impl Witness<T, D>,
+        witness: &mut impl Witness<T>,
     ) -> bool {
         let end = self.iterates + returns;
         while self.iterates < end && self.progress <= Progress::Observed {
@@ -47,13 +47,13 @@ impl<T: Real, D: Actuated<T>> Controlled<T, D> {
     }
 
     #[inline(always)]
-    fn advance<V: Variation<T>>(
+    fn advance<V: Variation<T, N>>(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         schedule: &ControlSchedule,
         mut variation: V,
         keep: impl Fn(&mut Self, V),
-        witness: &mut impl Witness<T, D>,
+        witness: &mut impl Witness<T>,
     ) {
         let mut trajectory = self.trajectory;
         let taken = trajectory.advance(flight, &mut variation);

@@ -2,7 +2,7 @@
 
 use super::witness::{Return, Witness};
 use crate::dynamics::{
-    Contact, Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Stop, Trajectory,
+    Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Trajectory, resting_on,
 };
 use crate::model::Flight;
 
@@ -14,7 +14,7 @@ const NEAR: f64 = 1e-3;
 pub struct History {
     /// The returns, in order.
     pub returns: Vec<Return<f64>>,
-    /// The flight from iterate `from` on; times are non-dimensional and count from its beginning.
+    /// The flight from iterate `from` on, of the first two coordinates (0 for one that is not there); times are non-dimensional and count from its beginning.
     pub recording: Recording,
     from: u32,
     interval: f64,
@@ -33,28 +33,38 @@ impl History {
         self.returns.last().is_some_and(|last| last.iterate >= self.from)
     }
 
-    fn impact<D>(&mut self, impact: Impact<f64>, flight: &Flight<f64>, after: &Trajectory<f64, D>) {
+    fn impact<const N: usize, D>(
+        &mut self,
+        impact: Impact<f64>,
+        flight: &Flight<f64, N>,
+        after: &Trajectory<f64, N, D>,
+    ) {
         if impact.velocity_before != 0.0 {
             self.recording.impacts.push(ImpactEvent {
                 time: self.time,
                 stop: impact.stop,
                 velocity_before: impact.velocity_before,
                 velocity_after: impact.velocity_after,
-                x2: after.point.x2,
-                v2: after.point.v2,
+                x2: second(&after.point.state.x),
+                v2: second(&after.point.state.v),
                 phase: super::section::phase_of(flight, after.step, after.offset),
             });
         }
     }
 }
 
-impl<D: Drive<f64>> Witness<f64, D> for History {
-    fn moved(
+/// The value of the second coordinate, 0 where there is none.
+fn second<const N: usize>(values: &[f64; N]) -> f64 {
+    values.get(1).copied().unwrap_or(0.0)
+}
+
+impl Witness<f64> for History {
+    fn moved<const N: usize, D: Drive<f64, N>>(
         &mut self,
-        flight: &Flight<f64>,
-        before: &Trajectory<f64, D>,
+        flight: &Flight<f64, N>,
+        before: &Trajectory<f64, N, D>,
         taken: &Move<f64>,
-        after: &Trajectory<f64, D>,
+        after: &Trajectory<f64, N, D>,
     ) {
         if !self.is_recording() {
             return;
@@ -70,14 +80,15 @@ impl<D: Drive<f64>> Witness<f64, D> for History {
                 // The impact stands there already.
                 continue;
             }
-            let [x1, x2, v1, v2] = before.point.flown(flight, (at - self.time).max(0.0), taken.free).state();
-            self.recording.samples.push(Sample { time: at, x1, x2, v1, v2 });
+            let state = before.point.flown(flight, (at - self.time).max(0.0), taken.contact).state;
+            let (x2, v2) = (second(&state.x), second(&state.v));
+            self.recording.samples.push(Sample { time: at, x1: state.x[0], x2, v1: state.v[0], v2 });
         }
         self.time = end;
-        if let (Contact::Stuck(stop), None) = (before.contact, self.recording.sticks.last()) {
+        if let (Some(stop), None) = (resting_on(flight, before.contact), self.recording.sticks.last()) {
             self.recording.sticks.push(Stick { stop, from: 0.0, until: end });
         }
-        if let (Contact::Stuck(_), Some(stick)) = (before.contact, self.recording.sticks.last_mut()) {
+        if let (false, Some(stick)) = (before.contact.is_free(), self.recording.sticks.last_mut()) {
             stick.until = end;
         }
         match taken.event {
@@ -92,8 +103,8 @@ impl<D: Drive<f64>> Witness<f64, D> for History {
 
     fn returned(&mut self, met: &Return<f64>) {
         // A kick changes the velocity that the impact left behind.
-        if let Some(last) = self.recording.impacts.last_mut().filter(|last| last.stop == Stop::A) {
-            last.velocity_after = met.section.components[0];
+        if let Some(last) = self.recording.impacts.last_mut().filter(|last| last.stop == met.stop) {
+            last.velocity_after = met.velocity;
         }
         self.returns.push(*met);
     }

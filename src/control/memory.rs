@@ -2,7 +2,7 @@
 
 use super::section::Section;
 use crate::analysis::{INFINITELY_MANY, constants::RETURNED};
-use crate::model::Real;
+use crate::model::{Real, vector::MOST};
 
 /// The largest number of iterates in one period of a controlled motion that can be looked for.
 pub const LONGEST: usize = 32;
@@ -17,17 +17,18 @@ pub const LONGEST_DELAY: usize = 8;
 /// Points that are remembered: the present one and those that it is compared with.
 pub const DEPTH: usize = LONGEST + 1;
 
+/// Impacts at each stop, in the plant's order.
+pub type Counts = [u32; MOST];
+
 /// The last points on σ, the present one first, with what lay before each of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Memory<T> {
+pub struct Memory<T, const N: usize> {
     /// The points, as corrected.
-    pub points: [Section<T>; DEPTH],
+    pub points: [Section<T, N>; DEPTH],
     /// The forcing periods from the point before.
     pub turns: [T; DEPTH],
-    /// Impacts at Ā since the point before; [`INFINITELY_MANY`] with complete chatter.
-    pub at_b: [u32; DEPTH],
-    /// Impacts at A since the point before: 1, or [`INFINITELY_MANY`].
-    pub at_a: [u32; DEPTH],
+    /// Impacts at each stop since the point before, its own with them; [`INFINITELY_MANY`] with complete chatter.
+    pub impacts: [Counts; DEPTH],
     /// The largest number of iterates in one period that is looked for.
     pub reach: u32,
     /// Points ever seen.
@@ -38,15 +39,14 @@ pub struct Memory<T> {
     pub settled: [u32; LONGEST],
 }
 
-impl<T: Real> Memory<T> {
+impl<T: Real, const N: usize> Memory<T, N> {
     /// A memory of nothing, for periods of up to `reach` iterates.
     pub fn new(reach: u32) -> Self {
         Memory {
             reach: reach.clamp(1, LONGEST as u32),
-            points: [Section::new([T::zero(); 4]); DEPTH],
+            points: [Section::zero(); DEPTH],
             turns: [T::zero(); DEPTH],
-            at_b: [0; DEPTH],
-            at_a: [0; DEPTH],
+            impacts: [[0; MOST]; DEPTH],
             seen: 0,
             returning: [0; LONGEST],
             settled: [0; LONGEST],
@@ -54,18 +54,16 @@ impl<T: Real> Memory<T> {
     }
 
     /// Takes in the present point.
-    pub fn push(&mut self, point: Section<T>, turns: T, at_b: u32, at_a: u32) {
+    pub fn push(&mut self, point: Section<T, N>, turns: T, impacts: Counts) {
         let kept = (self.reach as usize).max(LONGEST_DELAY);
         for i in (1..=kept).rev() {
             self.points[i] = self.points[i - 1];
             self.turns[i] = self.turns[i - 1];
-            self.at_b[i] = self.at_b[i - 1];
-            self.at_a[i] = self.at_a[i - 1];
+            self.impacts[i] = self.impacts[i - 1];
         }
         self.points[0] = point;
         self.turns[0] = turns;
-        self.at_b[0] = at_b;
-        self.at_a[0] = at_a;
+        self.impacts[0] = impacts;
         self.seen += 1;
         for m in 1..=self.reach as usize {
             let away = if self.seen > m as u32 { point.distance(&self.points[m]) } else { T::one() };
@@ -104,25 +102,24 @@ impl<T: Real> Memory<T> {
         0
     }
 
-    /// N, p and q of one period of `period` iterates; N is the time in forcing periods, to the nearest whole number.
-    pub fn counts(&self, period: u32) -> [u32; 3] {
+    /// N and the impacts at each stop in one period of `period` iterates; N is the time in forcing periods, to the nearest
+    /// whole number.
+    pub fn counts(&self, period: u32) -> (u32, Counts) {
         let mut turns = T::zero();
-        let mut p = 0;
-        let mut q = 0;
+        let mut impacts = [0; MOST];
         for i in 0..period as usize {
             turns = turns + self.turns[i];
-            p = added(p, self.at_b[i]);
-            q = added(q, self.at_a[i]);
+            impacts = std::array::from_fn(|stop| added(impacts[stop], self.impacts[i][stop]));
         }
-        let n = (turns + T::of(0.5)).floor().widen() as u32;
-        [n, p, q]
+        ((turns + T::of(0.5)).floor().widen() as u32, impacts)
     }
 
-    /// The point of one period that is the hardest impact: which of them is met last says nothing.
-    pub fn hardest(&self, period: u32) -> Section<T> {
+    /// The point of one period that is the hardest impact, by the velocity into the stop that it has afterwards: which of
+    /// them is met last says nothing.
+    pub fn hardest(&self, period: u32, approach: impl Fn(&Section<T, N>) -> T) -> Section<T, N> {
         let mut hardest = self.points[0];
         for i in 1..period as usize {
-            if self.points[i].components[0] < hardest.components[0] {
+            if approach(&self.points[i]) < approach(&hardest) {
                 hardest = self.points[i];
             }
         }

@@ -1,16 +1,21 @@
 //! Suppressing chaos: the three control methods of sections 6 and 8, acting at each return to the section σ.
 //!
-//! A [`Controlled`] trajectory flies from one impact at A to the next. At each of them its [`Controller`] sees the point
-//! X = (v1+, x2, v2, τ) that it has arrived at and answers with a correction of it, or with a force on the first mass
-//! until the next. A correction that would lead off the section (v1+ > 0: the first mass would move into its stop) is left
-//! out altogether, and counted as an escape.
+//! A [`Controlled`] trajectory flies from one impact at a stop, the section's, to the next. At each of them its
+//! [`Controller`] sees the point X that it has arrived at ((v1+, x2, v2, τ) on the paper's section, at its first stop) and
+//! answers with a correction of it, or with a force on one coordinate until the next. A correction that would lead off the
+//! section (into its stop, or beyond another) is left out altogether, and counted as an escape.
+//!
+//! A point X has 2n components for n coordinates: a [`Section`] in flight, and [`SectionValues`] where the number of
+//! coordinates is known at run time only.
 
 mod actuated;
+mod components;
 mod controlled;
 mod delay;
 mod deviation;
 mod follow;
 mod history;
+mod leaving;
 mod memory;
 mod method;
 mod multipliers;
@@ -22,14 +27,17 @@ mod schedule;
 mod scheme;
 mod section;
 mod sine;
+mod surface;
+mod values;
 mod witness;
 
 pub use actuated::{Actuated, Lagging};
+pub use components::Components;
 pub use controlled::Controlled;
 pub use delay::Delay;
 pub use deviation::DELAYS;
 pub use history::{History, converged_at};
-pub use memory::{LONGEST, LONGEST_DELAY, LONGEST_ON_DEVICE, Memory};
+pub use memory::{Counts, LONGEST, LONGEST_DELAY, LONGEST_ON_DEVICE, Memory};
 pub use method::{Action, Controller, Method, Seen};
 pub use multipliers::multipliers;
 pub use outcome::{NEVER, Outcome};
@@ -42,9 +50,12 @@ pub use scheme::{
 };
 pub use section::Section;
 pub use sine::{Convention, Sine};
+pub use surface::{Surface, section_names};
+pub use values::{MOST_COMPONENTS, SectionValues};
 pub use witness::{Return, Witness};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
-    pub use super::controlled::{LONGEST_PASSAGE, RUNAWAY, SETTLING};
+    pub use super::controlled::{LONGEST_PASSAGE, SETTLING};
+    pub use super::leaving::RUNAWAY;
 }

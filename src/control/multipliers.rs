@@ -7,62 +7,90 @@ use super::controlled::Controlled;
 use super::deviation::DELAYS;
 use super::memory::LONGEST_DELAY;
 use super::method::Controller;
+use super::run::force_of;
 use super::schedule::ControlSchedule;
 use super::section::Section;
+use super::surface::Surface;
 use super::witness::{Return, Witness};
 use crate::dynamics::{Contact, Phasor, Point, Trajectory};
+use crate::model::vector::MOST;
 use crate::model::{Drive, Flight, System, SystemError};
 
 /// How far the points are moved for the differences; non-dimensional.
 const STEP: f64 = 1e-6;
 
-/// The multipliers of one controlled iterate at a fixed point of it, the adaptation of a sine force held: those of F
-/// without control, and of all the points that feedback remembers with it. The largest modulus first.
+/// The multipliers of one controlled iterate at a fixed point of it on the section of the controller's stop, the adaptation
+/// of a sine force held: 2n, those of F without control, and with feedback those of all the points that it remembers.
+/// The largest modulus first.
 ///
 /// From central differences, so good to about eight digits; `None` where σ is not met again.
+///
+/// # Errors
+/// [`SystemError::TooStiff`] where the steps of a forced flight would be too many.
+///
+/// # Panics
+/// If the fixed point does not have 2n components.
 pub fn multipliers(
     system: &System,
     controller: &Controller<f64>,
-    fixed_point: [f64; 4],
+    fixed_point: &[f64],
 ) -> Result<Option<Vec<Complex<f64>>>, SystemError> {
-    let points = remembered(controller);
-    let held = held(controller);
-    let (ratio, force) = match &held {
-        Controller::Sine(sine) if sine.convention != super::Convention::Kick => (sine.ratio, true),
-        _ => (1.0, false),
-    };
-    let system = system.following(ratio)?;
-    let flight = Flight::new(&system);
-    let constants = Drive::new(&system, &flight, ratio);
-    let map = |points: &[[f64; 4]]| {
-        if force {
-            let none = Phasor::new(&constants, 0.0, [0.0, 1.0]);
-            iterate(&flight, held, points, none)
-        } else {
-            iterate(&flight, held, points, ())
-        }
-    };
-    let size = 4 * points;
-    let mut jacobian = DMatrix::zeros(size, size);
-    let at = vec![fixed_point; points];
-    for j in 0..size {
-        let moved = |by: f64| {
-            let mut moved = at.clone();
-            moved[j / 4][j % 4] += by;
-            map(&moved)
-        };
-        let (Some(ahead), Some(behind)) = (moved(STEP), moved(-STEP)) else { return Ok(None) };
-        let difference = Section::new(ahead).minus(&Section::new(behind));
-        for (i, value) in difference.into_iter().enumerate() {
-            jacobian[(i, j)] = value / (2.0 * STEP);
-        }
-        if j + 4 < size {
-            jacobian[(j + 4, j)] = 1.0;
-        }
+    match system.plant().n {
+        1 => multipliers_of(system, controller, Section::<f64, 1>::new(fixed_point)),
+        2 => multipliers_of(system, controller, Section::<f64, 2>::new(fixed_point)),
+        3 => multipliers_of(system, controller, Section::<f64, 3>::new(fixed_point)),
+        _ => multipliers_of(system, controller, Section::<f64, 4>::new(fixed_point)),
     }
+}
+
+fn multipliers_of<const N: usize>(
+    system: &System,
+    controller: &Controller<f64>,
+    fixed_point: Section<f64, N>,
+) -> Result<Option<Vec<Complex<f64>>>, SystemError> {
+    let held = held(controller);
+    let force = force_of(&held);
+    let system = system.following(force.map_or(1.0, |sine| sine.ratio))?;
+    let flight = Flight::<f64, N>::new(&system);
+    let surface = Surface::new(&system, &flight, held.stop());
+    let at = vec![fixed_point; remembered(controller)];
+    let jacobian = match force {
+        Some(sine) => {
+            let constants = Drive::on(sine.coordinate, &system, &flight, sine.ratio);
+            let none = Phasor::new(&constants, 0.0, [0.0, 1.0]);
+            differences(|points| iterate(&flight, surface, held, points, none), &at)
+        }
+        None => differences(|points| iterate(&flight, surface, held, points, ()), &at),
+    };
+    let Some(jacobian) = jacobian else { return Ok(None) };
     let mut found: Vec<Complex<f64>> = jacobian.complex_eigenvalues().iter().copied().collect();
     found.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
     Ok(Some(found))
+}
+
+/// The Jacobian of a map that makes the next point of those remembered, the present one first, and moves them on.
+fn differences<const N: usize>(
+    map: impl Fn(&[Section<f64, N>]) -> Option<Section<f64, N>>,
+    at: &[Section<f64, N>],
+) -> Option<DMatrix<f64>> {
+    let components = 2 * N;
+    let size = components * at.len();
+    let mut jacobian = DMatrix::zeros(size, size);
+    for j in 0..size {
+        let moved = |by: f64| {
+            let mut moved = at.to_vec();
+            moved[j / components].components[j % components] += by;
+            map(&moved)
+        };
+        let difference = moved(STEP)?.minus(&moved(-STEP)?);
+        for (i, value) in difference.values().enumerate() {
+            jacobian[(i, j)] = value / (2.0 * STEP);
+        }
+        if j + components < size {
+            jacobian[(j + components, j)] = 1.0;
+        }
+    }
+    Some(jacobian)
 }
 
 /// Points on which the next one depends.
@@ -83,36 +111,37 @@ fn held(controller: &Controller<f64>) -> Controller<f64> {
 }
 
 /// One controlled iterate from remembered points, the present one first.
-fn iterate<D: Actuated<f64>>(
-    flight: &Flight<f64>,
+fn iterate<const N: usize, D: Actuated<f64, N>>(
+    flight: &Flight<f64, N>,
+    surface: Surface,
     controller: Controller<f64>,
-    points: &[[f64; 4]],
+    points: &[Section<f64, N>],
     drive: D,
-) -> Option<[f64; 4]> {
+) -> Option<Section<f64, N>> {
     let schedule = ControlSchedule {
         from: 0,
         iterates: LONGEST_DELAY as u32 + ControlSchedule::SHORTEST,
         fixed: true,
         max_period: ControlSchedule::MAX_PERIOD,
     };
-    let [v1, x2, v2, tau] = points[0];
-    let (sin, cos) = tau.sin_cos();
-    let point = Point { x1: flight.delta, x2, v1, v2, sin, cos, drive };
-    let placed = Section::new(points[0]).trajectory(flight, false, drive);
-    let begun = Trajectory::from_point(flight, point, Contact::Free, placed.step, placed.offset);
-    let mut controlled = Controlled::new(begun, controller, &schedule);
-    for &past in points.iter().rev() {
-        controlled.memory.push(Section::new(past), 1.0, 0, 1);
+    let (sin, cos) = points[0].tau().sin_cos();
+    let placed = points[0].trajectory(flight, &surface, Contact::FREE, drive);
+    let point = Point { sin, cos, ..placed.point };
+    let begun = Trajectory::from_point(flight, point, Contact::FREE, placed.step, placed.offset);
+    let mut controlled = Controlled::new(begun, surface, controller, &schedule);
+    for past in points.iter().rev() {
+        controlled.memory.push(*past, 1.0, [0; MOST]);
     }
     controlled.force(flight);
     let mut last = Last(None);
-    controlled.iterate(flight, &schedule, 1, &mut last).then_some(last.0?.section.components)
+    let returned = controlled.iterate(flight, &schedule, 1, &mut last);
+    returned.then_some(Section::new(&last.0?.section))
 }
 
 /// Keeps the last return.
 struct Last(Option<Return<f64>>);
 
-impl<D> Witness<f64, D> for Last {
+impl Witness<f64> for Last {
     fn returned(&mut self, met: &Return<f64>) {
         self.0 = Some(*met);
     }

@@ -2,7 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::analysis::Verdict;
+use super::actuated::Actuated;
+use super::controlled::{Controlled, SETTLING};
+use super::memory::{Counts, LONGEST};
+use super::progress::Progress;
+use super::schedule::ControlSchedule;
+use super::section::Section;
+use super::values::SectionValues;
+use crate::analysis::constants::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SIGNIFICANCE};
+use crate::analysis::{self, Regime, Verdict};
+use crate::model::vector::MOST;
+use crate::model::{Flight, Real, StateVector};
 
 /// The convergence time of a motion that did not converge.
 pub const NEVER: u32 = u32::MAX;
@@ -10,8 +20,8 @@ pub const NEVER: u32 = u32::MAX;
 /// What became of one controlled trajectory.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
-    /// The motion reached. Its `state` is the point (v1+, x2, v2, τ) on σ, that of the hardest impact at A where a
-    /// period has several; N counts flight time in forcing periods, rounded, since a correction may jump in phase.
+    /// The motion reached. Its `state` is the point on σ, that of the hardest impact at its stop where a period has several;
+    /// N counts flight time in forcing periods, rounded, since a correction may jump in phase.
     pub verdict: Verdict,
     /// Iterates in one period of the motion, 0 where it has none.
     pub period: u32,
@@ -23,8 +33,114 @@ pub struct Outcome {
     pub signal: f32,
     /// Whether control drove the points on σ beyond all bounds (1000 static deflections), where the run ended.
     pub runaway: bool,
-    /// Corrections left out because they led off the section, v1+ > 0.
+    /// Corrections left out because they led off the section: into its stop, or beyond another.
     pub escapes: u32,
     /// Mean length of the corrections made, or mean |B| of a force, per controlled iterate; non-dimensional.
     pub effort: f32,
+}
+
+impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
+    /// What the trajectory settled on; labels count the impacts at the plant's stops in `label_order`.
+    pub fn outcome(
+        &self,
+        flight: &Flight<T, N>,
+        schedule: &ControlSchedule,
+        label_order: &[usize],
+    ) -> Outcome {
+        let controlled = self.iterates.saturating_sub(schedule.from);
+        let period = self.period(controlled);
+        let regime = self.regime(period);
+        let (n, impacts) = if period > 0 { self.memory.counts(period) } else { (0, [0; MOST]) };
+        let symmetric = period > 0 && n % 2 == 1 && self.is_symmetric(period, &impacts);
+        let approach = |point: &Section<T, N>| {
+            self.surface.approach(flight, &self.surface.state(flight, &point.components))
+        };
+        let point = if period > 0 { self.memory.hardest(period, approach) } else { self.memory.points[0] };
+        let point = SectionValues::of(&point.components).map(T::widen);
+        let measured = self.exponent.batches > 0 && !self.erased && self.observed_turns > T::zero();
+        let lyapunov = if measured {
+            let periods = self.observed_turns / T::of(f64::from(self.observed));
+            self.exponent.per_period() / periods
+        } else {
+            T::nan()
+        };
+        let since = if period > 0 { self.memory.returning[period as usize - 1] } else { 0 };
+        Outcome {
+            verdict: Verdict {
+                regime,
+                n: n as u16,
+                counts: analysis::Counts::in_order(&impacts.map(|count| count as u16), label_order),
+                symmetric,
+                lyapunov: lyapunov.widen() as f32,
+                state: StateVector::from_slice(&point).expect("a point has 2 to 8 components"),
+                impacts: self.impacts,
+                impacts_total: self.impacts_total,
+                peak_impact_velocity: self.peak.widen() as f32,
+                periods: self.periods,
+                returning: 0,
+            },
+            period,
+            iterates: self.iterates,
+            converged_at: if period > 0 { since.saturating_sub(schedule.from) } else { NEVER },
+            signal: self.signal.widen() as f32,
+            runaway: self.progress == Progress::Runaway,
+            escapes: self.escapes,
+            effort: if controlled > 0 {
+                (self.effort / T::of(f64::from(controlled))).widen() as f32
+            } else {
+                0.0
+            },
+        }
+    }
+
+    /// The period of the motion in iterates, 0 if there is none.
+    fn period(&self, controlled: u32) -> u32 {
+        if self.progress != Progress::Done {
+            return 0;
+        }
+        self.memory.period((controlled / 4).min(SETTLING))
+    }
+
+    /// Whether the mirror image of the motion half its period later is the motion, as far as its points on σ tell and the
+    /// impacts at stops that are each other's images.
+    fn is_symmetric(&self, period: u32, impacts: &Counts) -> bool {
+        let Some(mirror) = self.surface.mirror else { return false };
+        let points = &self.memory.points[..(period as usize).min(LONGEST)];
+        (0..MOST).all(|stop| impacts[stop] == impacts[mirror[stop].index()])
+            && points.iter().any(|point| point.distance(&self.mirrored) <= T::of(RETURNED))
+    }
+
+    fn regime(&self, period: u32) -> Regime {
+        match self.progress {
+            Progress::Failed => Regime::Failed,
+            Progress::Lost if self.at_stops == [0; MOST] => Regime::NoImpact,
+            Progress::Lost | Progress::Settling | Progress::Runaway => Regime::Unresolved,
+            _ if period > 0 && self.has_stuck_for(period) => Regime::PeriodicSticking,
+            _ if period > 0 => Regime::Periodic,
+            _ if self.has_stuck_for(self.observed) => Regime::AperiodicSticking,
+            _ => self.irregular(),
+        }
+    }
+
+    /// Whether a mass rested on a stop in the last so many iterates.
+    fn has_stuck_for(&self, iterates: u32) -> bool {
+        self.stuck > 0 && self.stuck + iterates > self.iterates
+    }
+
+    /// The regime of a motion that does not return; see [`Observer`](crate::analysis::Observer).
+    fn irregular(&self) -> Regime {
+        let exponent = &self.exponent;
+        if exponent.batches == 0 || self.erased {
+            return Regime::Unresolved;
+        }
+        let growth = exponent.total_growth();
+        let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
+        if growth > T::of(CHAOTIC_GROWTH) && significant {
+            Regime::Chaotic
+        } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observed / 2) {
+            Regime::QuasiPeriodic
+        } else {
+            Regime::Unresolved
+        }
+    }
 }

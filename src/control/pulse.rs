@@ -1,40 +1,43 @@
 //! Period pulses that bring every P-th point back to the target: Eqs. (26) to (29).
 
+use super::components::Components;
 use super::method::{Action, Method, Seen};
 use super::section::Section;
+use super::values::SectionValues;
+use crate::dynamics::Stop;
 use crate::model::Real;
 
 /// The period pulse at work.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulse<T> {
+    /// The stop on whose section it acts.
+    pub stop: Stop,
     /// P, iterates from one pulse to the next.
     pub period: u32,
     /// X0.
-    pub target: Section<T>,
+    pub target: SectionValues<T>,
     /// E: each component of X is measured with an error of up to so much.
     pub noise: T,
     /// What the errors are drawn from.
     pub seed: u32,
 }
 
-impl<T: Real> Method<T> for Pulse<T> {
+impl<T: Real, const N: usize> Method<T, N> for Pulse<T> {
     /// Q = X(n) − X0 is taken away, X(n) as measured.
     #[inline(always)]
-    fn act(&mut self, seen: &Seen<T>) -> Action<T> {
+    fn act(&mut self, seen: &Seen<T, N>) -> Action<T, N> {
         if !self.is_due(seen) {
             return Action::none();
         }
-        let mut correction = self.target.minus(&seen.section);
-        for (i, value) in correction.iter_mut().enumerate() {
-            *value = *value - self.noise * uniform(self.seed, seen.controlled, i as u32);
-        }
-        Action::correcting(correction)
+        let away = Section::new(&self.target).minus(&seen.section);
+        let error = |i: usize| self.noise * uniform(self.seed, seen.controlled, i as u32);
+        Action::correcting(Components::from_fn(|i| away[i] - error(i)))
     }
 }
 
 impl<T: Real> Pulse<T> {
     /// Whether a pulse falls on this iterate.
-    pub fn is_due(&self, seen: &Seen<T>) -> bool {
+    pub fn is_due<const N: usize>(&self, seen: &Seen<T, N>) -> bool {
         seen.controlled.is_multiple_of(self.period)
     }
 }

@@ -5,57 +5,83 @@ use super::controlled::Controlled;
 use super::method::Controller;
 use super::outcome::Outcome;
 use super::schedule::ControlSchedule;
-use super::sine::Convention;
+use super::sine::{Convention, Sine};
+use super::surface::Surface;
 use super::witness::Witness;
-use crate::dynamics::{Contact, Phasor, Point, Trajectory};
-use crate::model::{Drive, Flight, Real, System, SystemError};
+use crate::dynamics::{Phasor, Point, Trajectory};
+use crate::model::{Drive, Flight, Real, State, System, SystemError};
 
-/// Follows a trajectory from (x1, x2, v1, v2) at forcing phase 0 under control, to the end of its schedule.
+/// Follows a trajectory from x1 … xn, v1 … vn at forcing phase 0 under control, to the end of its schedule.
 ///
 /// # Errors
 /// [`SystemError::TooStiff`] where the steps of a forced flight would be too many.
-pub fn control<T: Real, W>(
+///
+/// # Panics
+/// If the start does not have 2n values, or the controller is not one of this system: see
+/// [`Scheme::resolve`](super::Scheme::resolve).
+pub fn control<T: Real, W: Witness<T>>(
     system: &System,
-    start: [f64; 4],
+    start: &[f64],
     controller: &Controller<f64>,
     schedule: &ControlSchedule,
     witness: &mut W,
-) -> Result<Outcome, SystemError>
-where
-    W: Witness<T, ()> + for<'a> Witness<T, Phasor<'a, T>>,
-{
-    let rounded = Controller::<T>::rounded(controller);
-    let start = start.map(T::of);
-    let Some(ratio) = force_ratio(controller).filter(|_| system.parameters().delta > 0.0) else {
-        let flight = Flight::new(system).round::<T>();
-        let trajectory = Trajectory::new(&flight, start);
-        return Ok(follow(Controlled::new(trajectory, rounded, schedule), &flight, schedule, witness));
-    };
-    let system = system.following(ratio)?;
-    let flight = Flight::new(&system);
-    let constants = Drive::new(&system, &flight, ratio).round::<T>();
-    let flight = flight.round::<T>();
-    let [x1, x2, v1, v2] = start;
-    let none = Phasor::new(&constants, T::zero(), [T::zero(), T::one()]);
-    let point = Point { x1, x2, v1, v2, sin: T::zero(), cos: T::one(), drive: none };
-    let trajectory = Trajectory::from_point(&flight, point, Contact::Free, 0, T::zero());
-    Ok(follow(Controlled::new(trajectory, rounded, schedule), &flight, schedule, witness))
+) -> Result<Outcome, SystemError> {
+    match system.plant().n {
+        1 => controlled::<T, W, 1>(system, start, controller, schedule, witness),
+        2 => controlled::<T, W, 2>(system, start, controller, schedule, witness),
+        3 => controlled::<T, W, 3>(system, start, controller, schedule, witness),
+        _ => controlled::<T, W, 4>(system, start, controller, schedule, witness),
+    }
 }
 
-/// γ, if a controller forces the first mass between impacts.
-fn force_ratio(controller: &Controller<f64>) -> Option<f64> {
+fn controlled<T: Real, W: Witness<T>, const N: usize>(
+    system: &System,
+    start: &[f64],
+    controller: &Controller<f64>,
+    schedule: &ControlSchedule,
+    witness: &mut W,
+) -> Result<Outcome, SystemError> {
+    let values: Vec<T> = start.iter().map(|&value| T::of(value)).collect();
+    let start = State::<T, N>::from_slice(&values);
+    let rounded = Controller::<T>::rounded(controller);
+    let force = force_of(controller);
+    let system = system.following(force.map_or(0.0, |sine| sine.ratio))?;
+    let cell = Flight::<f64, N>::new(&system);
+    let flight = cell.round::<T>();
+    let surface = Surface::new(&system, &flight, controller.stop());
+    let begun = Trajectory::new(&flight, start);
+    let Some(sine) = force else {
+        return Ok(follow(
+            &system,
+            Controlled::new(begun, surface, rounded, schedule),
+            &flight,
+            schedule,
+            witness,
+        ));
+    };
+    let constants = Drive::on(sine.coordinate, &system, &cell, sine.ratio).round::<T>();
+    let drive = Phasor::new(&constants, T::zero(), [T::zero(), T::one()]);
+    let Trajectory { point, contact, step, offset, .. } = begun;
+    let point = Point { state: point.state, sin: point.sin, cos: point.cos, one: point.one, drive };
+    let begun = Trajectory::from_point(&flight, point, contact, step, offset);
+    Ok(follow(&system, Controlled::new(begun, surface, rounded, schedule), &flight, schedule, witness))
+}
+
+/// The sine force, if a controller has one that acts between impacts.
+pub fn force_of<T>(controller: &Controller<T>) -> Option<&Sine<T>> {
     match controller {
-        Controller::Sine(sine) if sine.convention != Convention::Kick => Some(sine.ratio),
+        Controller::Sine(sine) if sine.convention != Convention::Kick => Some(sine),
         _ => None,
     }
 }
 
-fn follow<T: Real, D: Actuated<T>>(
-    mut controlled: Controlled<T, D>,
-    flight: &Flight<T>,
+fn follow<T: Real, const N: usize, D: Actuated<T, N>>(
+    system: &System,
+    mut controlled: Controlled<T, N, D>,
+    flight: &Flight<T, N>,
     schedule: &ControlSchedule,
-    witness: &mut impl Witness<T, D>,
+    witness: &mut impl Witness<T>,
 ) -> Outcome {
     controlled.follow(flight, schedule, witness);
-    controlled.outcome(schedule)
+    controlled.outcome(flight, schedule, system.label_order())
 }

@@ -2,46 +2,75 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
 
+use super::components::Components;
+use super::surface::Surface;
 use crate::dynamics::constants::INVERSE_FACTORIALS;
-use crate::dynamics::{Contact, Drive, Point, Stop, Trajectory};
-use crate::model::{Flight, Real};
+use crate::dynamics::{Contact, Drive, Point, Trajectory};
+use crate::model::vector::applied;
+use crate::model::{Flight, Real, State};
 
-/// X = (v1+, x2, v2, τ): just after an impact at stop A, x1 = +δ; non-dimensional, 0 ≤ τ < 2π.
+/// X = (v_c+, the other x, the other v, τ): just after an impact at the stop of a [`Surface`]; non-dimensional,
+/// 0 ≤ τ < 2π. On the paper's, at stop A, it is (v1+, x2, v2, τ).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Section<T> {
-    /// (v1+, x2, v2, τ).
-    pub components: [T; 4],
+pub struct Section<T, const N: usize> {
+    /// The components, in the order of [`section_names`](super::section_names).
+    pub components: Components<T, N>,
 }
 
-/// Where τ stands in a section point.
-pub const TAU_INDEX: usize = 3;
-
-impl<T: Real> Section<T> {
+impl<T: Real, const N: usize> Section<T, N> {
     /// The section point with these components.
-    pub fn new(components: [T; 4]) -> Self {
-        Section { components }
+    ///
+    /// # Panics
+    /// If there are not 2N of them.
+    pub fn new(components: &[T]) -> Self {
+        Section { components: Components::from_slice(components) }
     }
 
-    /// Where a trajectory is that has just met stop A.
-    pub fn of<D>(flight: &Flight<T>, trajectory: &Trajectory<T, D>) -> Self {
+    /// All zeros.
+    pub fn zero() -> Self {
+        Section { components: Components::zero() }
+    }
+
+    /// τ.
+    #[inline(always)]
+    pub fn tau(&self) -> T {
+        self.components[Components::<T, N>::TAU]
+    }
+
+    /// Where a trajectory is that has just met the stop.
+    #[inline(always)]
+    pub fn of<D>(flight: &Flight<T, N>, surface: &Surface, trajectory: &Trajectory<T, N, D>) -> Self {
         let Trajectory { point, step, offset, .. } = trajectory;
-        Section { components: [point.v1, point.x2, point.v2, phase_of(flight, *step, *offset)] }
+        Section { components: surface.components(&point.state, phase_of(flight, *step, *offset)) }
     }
 
-    /// The mirror image of where a trajectory is that has just met stop Ā: a symmetric motion is there half its
-    /// period after A.
-    pub fn mirrored<D>(flight: &Flight<T>, trajectory: &Trajectory<T, D>) -> Self {
-        let [v1, x2, v2, tau] = Section::of(flight, trajectory).components;
-        Section { components: [-v1, -x2, -v2, into_turn(tau + T::of(PI))] }
+    /// The mirror image of where a trajectory is that has just met the stop's twin: a symmetric motion is there half its
+    /// period after this stop. None where the system has no mirror.
+    #[inline(always)]
+    pub fn mirrored<D>(
+        flight: &Flight<T, N>,
+        surface: &Surface,
+        trajectory: &Trajectory<T, N, D>,
+    ) -> Option<Self> {
+        let mirror = flight.mirror.as_ref()?;
+        let Trajectory { point, step, offset, .. } = trajectory;
+        let image = State { x: applied(mirror, &point.state.x), v: applied(mirror, &point.state.v) };
+        let tau = into_turn(phase_of(flight, *step, *offset) + T::of(PI));
+        Some(Section { components: surface.components(&image, tau) })
     }
 
-    /// The trajectory that begins at this point; `resting` says whether the first mass stays on the stop if its velocity
-    /// is 0.
-    pub fn trajectory<D: Drive<T>>(&self, flight: &Flight<T>, resting: bool, drive: D) -> Trajectory<T, D> {
-        let [v1, x2, v2, tau] = self.components;
+    /// The trajectory that begins at this point with the given contacts.
+    pub fn trajectory<D: Drive<T, N>>(
+        &self,
+        flight: &Flight<T, N>,
+        surface: &Surface,
+        contact: Contact,
+        drive: D,
+    ) -> Trajectory<T, N, D> {
+        let tau = self.tau();
         let [sin, cos] = sine_and_cosine(tau);
-        let point = Point { x1: flight.delta, x2, v1, v2, sin, cos, drive };
-        let contact = if resting && v1 == T::zero() { Contact::Stuck(Stop::A) } else { Contact::Free };
+        let state = surface.state(flight, &self.components);
+        let point = Point { state, sin, cos, one: T::one(), drive };
         let steps = T::of(f64::from(flight.steps));
         let place = tau * T::of(1.0 / TAU) * steps;
         let last = steps - T::one();
@@ -52,24 +81,29 @@ impl<T: Real> Section<T> {
     }
 
     /// This point minus another; τ the short way round.
-    pub fn minus(&self, other: &Self) -> [T; 4] {
-        let mut difference: [T; 4] = std::array::from_fn(|i| self.components[i] - other.components[i]);
-        difference[TAU_INDEX] = short_way(difference[TAU_INDEX]);
+    #[inline(always)]
+    pub fn minus(&self, other: &Self) -> Components<T, N> {
+        let mut difference = Components::from_fn(|i| self.components[i] - other.components[i]);
+        let tau = &mut difference[Components::<T, N>::TAU];
+        *tau = short_way(*tau);
         difference
     }
 
     /// This point moved by a correction.
-    pub fn plus(&self, correction: &[T; 4]) -> Self {
-        let mut components: [T; 4] = std::array::from_fn(|i| self.components[i] + correction[i]);
-        components[TAU_INDEX] = into_turn(components[TAU_INDEX]);
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(&self, correction: &Components<T, N>) -> Self {
+        let mut components = self.components.added(correction);
+        let tau = &mut components[Components::<T, N>::TAU];
+        *tau = into_turn(*tau);
         Section { components }
     }
 
     /// The largest difference of a component.
+    #[inline(always)]
     pub fn distance(&self, other: &Self) -> T {
-        let difference = self.minus(other);
         let mut largest = T::zero();
-        for value in difference {
+        for value in self.minus(other).values() {
             let size = value.abs();
             largest = if size > largest { size } else { largest };
         }
@@ -78,12 +112,12 @@ impl<T: Real> Section<T> {
 
     /// Whether every component is a finite number.
     pub fn is_finite(&self) -> bool {
-        self.components.iter().all(|value| value.is_finite())
+        self.components.values().all(|value| value.is_finite())
     }
 }
 
 /// The forcing phase, 0 ≤ τ < 2π, at a time `offset` after the beginning of a step.
-pub fn phase_of<T: Real>(flight: &Flight<T>, step: u32, offset: T) -> T {
+pub fn phase_of<T: Real, const N: usize>(flight: &Flight<T, N>, step: u32, offset: T) -> T {
     let whole = T::of(f64::from(step)) / T::of(f64::from(flight.steps));
     into_turn(T::of(TAU) * whole + flight.omega * offset)
 }
@@ -130,6 +164,7 @@ pub fn sine_and_cosine<T: Real>(angle: T) -> [T; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::Stop;
     use crate::model::{Parameters, System};
 
     #[test]
@@ -147,14 +182,32 @@ mod tests {
 
     #[test]
     fn a_point_is_found_again_on_its_trajectory() {
-        let flight = Flight::new(&System::new(Parameters::default()).unwrap());
-        for tau in [0.0, 1e-9, 1.8, PI, TAU - 1e-7] {
-            let point = Section::new([-0.3, 0.01, 0.02, tau]);
-            let found = Section::of(&flight, &point.trajectory(&flight, false, ()));
-            assert!(found.distance(&point) < 1e-14, "{tau}: {found:?}");
+        let system = System::new(Parameters::default()).unwrap();
+        let flight = Flight::<f64, 2>::new(&system);
+        for (stop, sign) in [(Stop::A, 1.0), (Stop::B, -1.0)] {
+            let surface = Surface::new(&system, &flight, stop);
+            for tau in [0.0, 1e-9, 1.8, PI, TAU - 1e-7] {
+                let point = Section::new(&[-0.3 * sign, 0.01, 0.02, tau]);
+                let trajectory = point.trajectory(&flight, &surface, Contact::FREE, ());
+                assert_eq!(trajectory.point.state.x[0], 0.1 * sign);
+                let found = Section::of(&flight, &surface, &trajectory);
+                assert!(found.distance(&point) < 1e-14, "{tau}: {found:?}");
+            }
         }
-        let nearly_round = Section::new([-0.3, 0.01, 0.02, TAU - 1e-8]);
-        let begun = Section::new([-0.3, 0.01, 0.02, 1e-8]);
+        let nearly_round = Section::<f64, 2>::new(&[-0.3, 0.01, 0.02, TAU - 1e-8]);
+        let begun = Section::new(&[-0.3, 0.01, 0.02, 1e-8]);
         assert!(nearly_round.distance(&begun) < 1e-7);
+    }
+
+    #[test]
+    fn the_mirror_image_lies_on_the_twins_section() {
+        let system = System::new(Parameters::default()).unwrap();
+        let flight = Flight::<f64, 2>::new(&system);
+        let [at_a, at_b] = [Stop::A, Stop::B].map(|stop| Surface::new(&system, &flight, stop));
+        assert_eq!((at_a.twin(), at_b.twin()), (Some(Stop::B), Some(Stop::A)));
+        let point = Section::new(&[0.3, 0.01, 0.02, 4.0]);
+        let trajectory = point.trajectory(&flight, &at_b, Contact::FREE, ());
+        let image = Section::mirrored(&flight, &at_a, &trajectory).unwrap();
+        assert!(image.distance(&Section::new(&[-0.3, -0.01, -0.02, 4.0 - PI])) < 1e-14, "{image:?}");
     }
 }

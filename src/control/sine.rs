@@ -1,9 +1,11 @@
-//! A sine force on the first mass, its amplitude adapted: Eqs. (21) to (23).
+//! A sine force on one coordinate, its amplitude adapted: Eqs. (21) to (23).
 
 use std::f64::consts::TAU;
 
+use super::components::Components;
 use super::method::{Action, Method, Seen};
-use super::section::{Section, TAU_INDEX, short_way, sine_and_cosine};
+use super::section::{Section, short_way, sine_and_cosine};
+use crate::dynamics::Stop;
 use crate::model::Real;
 
 /// What u = B sin(γωt + φ) is; print leaves it open.
@@ -11,19 +13,23 @@ use crate::model::Real;
 #[serde(rename_all = "kebab-case")]
 #[repr(u32)]
 pub enum Convention {
-    /// A kick: at each return to σ, a time t after the last one, v1+ is changed by u.
+    /// A kick: at each return to σ, a time t after the last one, v_c+ (v1+ on the paper's) is changed by u.
     Kick = 0,
-    /// A force on the first mass between impacts; γωt is γ times the phase of the forcing.
+    /// A force on one coordinate between impacts; γωt is γ times the phase of the forcing.
     Force = 1,
-    /// A force on the first mass between impacts; t counts from each impact at A.
+    /// A force on one coordinate between impacts; t counts from each impact at the section's stop.
     ForceLocal = 2,
 }
 
 /// The adapted sine force at work.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sine<T> {
+    /// The stop on whose section it acts.
+    pub stop: Stop,
     /// What u is.
     pub convention: Convention,
+    /// The coordinate that a force acts on.
+    pub coordinate: usize,
     /// B.
     pub amplitude: T,
     /// α, with its present sign.
@@ -42,12 +48,12 @@ pub struct Sine<T> {
     pub error: T,
 }
 
-impl<T: Real> Method<T> for Sine<T> {
+impl<T: Real, const N: usize> Method<T, N> for Sine<T> {
     /// Adapts B to the error, and kicks or sets the force.
     ///
     /// |e| < Δ leaves B alone; otherwise α changes its sign where |e(n+1)/e(n)| > 1, and B(n+1) = B(n) + α |e(n+1)|.
     #[inline(always)]
-    fn act(&mut self, seen: &Seen<T>) -> Action<T> {
+    fn act(&mut self, seen: &Seen<T, N>) -> Action<T, N> {
         let error = self.error_of(&seen.section);
         if error >= self.dead_band {
             if self.error >= T::zero() && error > self.error {
@@ -56,13 +62,14 @@ impl<T: Real> Method<T> for Sine<T> {
             self.amplitude = self.amplitude + self.weight * error;
         }
         self.error = error;
-        let tau = seen.section.components[TAU_INDEX] * T::of(1.0 / TAU);
+        let tau = seen.section.tau() * T::of(1.0 / TAU);
         match self.convention {
             Convention::Kick => {
                 let [sin, _] = sine_and_cosine(self.angle(self.ratio * seen.turns));
-                let kick = self.amplitude * sin;
-                let z = T::zero();
-                Action { correction: [kick, z, z, z], force: z, phase: [z, T::one()], signal: self.amplitude }
+                let mut correction = Components::zero();
+                correction[0] = self.amplitude * sin;
+                let none = T::zero();
+                Action { correction, force: none, phase: [none, T::one()], signal: self.amplitude }
             }
             Convention::Force => {
                 let periods = T::of(f64::from(seen.periods));
@@ -75,9 +82,9 @@ impl<T: Real> Method<T> for Sine<T> {
 
 impl<T: Real> Sine<T> {
     /// |e|.
-    fn error_of(&self, section: &Section<T>) -> T {
+    fn error_of<const N: usize>(&self, section: &Section<T, N>) -> T {
         let error = section.components[self.component] - self.target;
-        if self.component == TAU_INDEX { short_way(error).abs() } else { error.abs() }
+        if self.component == Components::<T, N>::TAU { short_way(error).abs() } else { error.abs() }
     }
 
     /// An angle given in turns, with φ, between 0 and 2π.
@@ -86,9 +93,9 @@ impl<T: Real> Sine<T> {
         T::of(TAU) * (turns - turns.floor())
     }
 
-    fn force(&self, turns: T) -> Action<T> {
+    fn force<const N: usize>(&self, turns: T) -> Action<T, N> {
         Action {
-            correction: [T::zero(); 4],
+            correction: Components::zero(),
             force: self.amplitude,
             phase: sine_and_cosine(self.angle(turns)),
             signal: self.amplitude,
@@ -100,7 +107,7 @@ impl<T: Real> Sine<T> {
         self.weight == T::zero() || (self.error >= T::zero() && self.error < self.dead_band)
     }
 
-    /// How far a force is behind in phase on a trajectory that has met A later, by `later` of the forcing's phase.
+    /// How far a force is behind in phase on a trajectory that has met the stop later, by `later` of the forcing's phase.
     pub fn lag(&self, later: T) -> T {
         match self.convention {
             Convention::Kick | Convention::Force => T::zero(),
@@ -109,12 +116,18 @@ impl<T: Real> Sine<T> {
     }
 
     /// How a deviation (δX(n), then δX(n+1) as it arrives) passes the kick, B and α taken as they are.
-    pub fn deviated(&self, seen: &Seen<T>, before: &[T; 4], arrived: [T; 4]) -> [T; 4] {
+    pub fn deviated<const N: usize>(
+        &self,
+        seen: &Seen<T, N>,
+        before: &Components<T, N>,
+        arrived: Components<T, N>,
+    ) -> Components<T, N> {
         if self.convention != Convention::Kick {
             return arrived;
         }
         let [_, cos] = sine_and_cosine(self.angle(self.ratio * seen.turns));
-        let later = arrived[TAU_INDEX] - before[TAU_INDEX];
+        let tau = Components::<T, N>::TAU;
+        let later = arrived[tau] - before[tau];
         let mut deviated = arrived;
         deviated[0] = arrived[0] + self.amplitude * cos * (self.ratio * later);
         deviated

@@ -1,38 +1,44 @@
 //! What is heard of a controlled trajectory: its moves, and its returns to σ.
 
-use super::section::Section;
-use crate::dynamics::{Move, Trajectory};
-use crate::model::Flight;
+use super::memory::Counts;
+use super::values::SectionValues;
+use crate::dynamics::{Drive, Move, Stop, Trajectory};
+use crate::model::{Flight, Real};
 
 /// What happened at one return to σ; everything is non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Return<T> {
     /// The iterate n: 0 at the first return.
     pub iterate: u32,
+    /// The stop on whose section it is.
+    pub stop: Stop,
     /// The point as it arrived, F(X(n−1)).
-    pub arrived: Section<T>,
+    pub arrived: SectionValues<T>,
     /// The point as corrected, X(n).
-    pub section: Section<T>,
+    pub section: SectionValues<T>,
+    /// d·v+ as corrected, as an [`Impact`](crate::dynamics::Impact) at this stop has it.
+    pub velocity: T,
     /// The control signal: B, or the length of the correction that was wanted.
     pub signal: T,
     /// Whether the correction was left out because it led off the section.
     pub escaped: bool,
-    /// Impacts at Ā since the last return; [`INFINITELY_MANY`](crate::analysis::INFINITELY_MANY) with complete chatter.
-    pub at_b: u32,
+    /// Impacts at each stop since the last return, in the plant's order and this one with them;
+    /// [`INFINITELY_MANY`](crate::analysis::INFINITELY_MANY) with complete chatter.
+    pub impacts: Counts,
     /// Forcing periods since the last return.
     pub turns: T,
 }
 
-/// Hears how a controlled trajectory goes on.
-pub trait Witness<T, D> {
+/// Hears how a controlled trajectory goes on, of however many coordinates.
+pub trait Witness<T: Real> {
     /// A move went from `before` to `after`; where it met σ, control has yet to act.
     #[inline(always)]
-    fn moved(
+    fn moved<const N: usize, D: Drive<T, N>>(
         &mut self,
-        flight: &Flight<T>,
-        before: &Trajectory<T, D>,
+        flight: &Flight<T, N>,
+        before: &Trajectory<T, N, D>,
         taken: &Move<T>,
-        after: &Trajectory<T, D>,
+        after: &Trajectory<T, N, D>,
     ) {
         let _ = (flight, before, taken, after);
     }
@@ -45,4 +51,4 @@ pub trait Witness<T, D> {
 }
 
 /// Nobody hears.
-impl<T, D> Witness<T, D> for () {}
+impl<T: Real> Witness<T> for () {}

@@ -1,6 +1,6 @@
 //! A motion followed in one parameter, and the bifurcations met on the way.
 
-use nalgebra::{Complex, DVector, Matrix4};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::condition::{Kind, split, test_function};
 use super::locus::Branch;
@@ -9,8 +9,8 @@ use super::path::PathPoint;
 use super::seeds::Seed;
 use super::touch::{Touch, arrival_speeds, nearest, touches};
 use super::unknowns::{Span, Unknowns};
-use crate::model::Parameters;
-use crate::theory::{Flow, Pattern, PeriodicMotion, Section, eigenvalues, turn};
+use crate::model::{Setting, System};
+use crate::theory::{Flow, Pattern, PeriodicMotion, Section, eigenvalues, phase, turn};
 
 /// The longest step, in lengths of the parameter's range.
 const LONGEST: f64 = 0.02;
@@ -31,7 +31,7 @@ pub(super) struct Event {
     pub kind: Kind,
     pub pattern: Pattern,
     pub sections: Vec<Section>,
-    pub parameters: Parameters,
+    pub parameters: Setting,
     /// For grazing: the arc, the stop and the phase.
     pub touch: Option<Touch>,
 }
@@ -170,19 +170,19 @@ fn smooth_event(branch: &Branch, y: &DVector<f64>, kind: Kind) -> Option<Event> 
         kind,
         pattern: unknowns.pattern.clone(),
         sections,
-        parameters: *system.parameters(),
+        parameters: *system.setting().expect("a curve's systems are made of settings"),
         touch: None,
     };
-    Some(if kind == Kind::Fold { event.of_simpler_motion() } else { event })
+    Some(if kind == Kind::Fold { event.of_simpler_motion(&system) } else { event })
 }
 
 impl Event {
     /// A branch that is born in a pitchfork or a period doubling turns around there, as if at a fold: the motion is the
     /// simpler one then, and the bifurcation is that one's.
-    fn of_simpler_motion(self) -> Self {
+    fn of_simpler_motion(self, system: &System) -> Self {
         let motion =
             PeriodicMotion { pattern: self.pattern.clone(), sections: self.sections.clone(), residual: 0.0 };
-        let Some((pattern, differences)) = parting(&motion) else { return self };
+        let Some((pattern, differences)) = parting(system, &motion) else { return self };
         let count = pattern.stops.len();
         let near = |(a, difference): (&Section, &Section)| difference.amax() < 1e-3 * (1.0 + a.amax());
         let repeats = self.sections.iter().zip(&differences).all(near);
@@ -221,16 +221,16 @@ fn grazing_event(branch: &Branch, y: &DVector<f64>, watched: &Watched) -> Option
     }
     let mut fewer = PeriodicMotion { pattern: pattern.clone(), sections, residual: 0.0 };
     if impact == 0 {
-        fewer.rotate(1);
+        fewer.rotate(&Flow::new(&unknowns.system(y)?), 1);
     }
     let impact = if impact == 0 { count - 1 } else { impact };
     let stop = fewer.pattern.stops.remove(impact);
-    let phase = fewer.sections.remove(impact)[3];
+    let phase = phase(&fewer.sections.remove(impact));
     Some(event(fewer.pattern, fewer.sections, Touch { arc: impact - 1, stop, phase, gap: 0.0 }))
 }
 
 /// The multipliers of a turn at a point; none where it grazes.
-pub(super) fn multipliers_at(unknowns: &Unknowns, y: &DVector<f64>) -> Option<[Complex<f64>; 4]> {
-    let map: Matrix4<f64> = turn(&Flow::new(&unknowns.system(y)?), &unknowns.pattern, &unknowns.sections(y))?;
+pub(super) fn multipliers_at(unknowns: &Unknowns, y: &DVector<f64>) -> Option<Vec<Complex<f64>>> {
+    let map: DMatrix<f64> = turn(&Flow::new(&unknowns.system(y)?), &unknowns.pattern, &unknowns.sections(y))?;
     eigenvalues(&map)
 }

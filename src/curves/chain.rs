@@ -1,6 +1,6 @@
 //! One turn of a motion with one of its impacts moved.
 
-use nalgebra::Matrix4;
+use nalgebra::DMatrix;
 
 use crate::theory::newton::{arc, arcs};
 use crate::theory::{Flow, Pattern, Section};
@@ -11,49 +11,48 @@ pub(super) struct Chain<'a> {
     pattern: &'a Pattern,
     sections: Vec<Section>,
     /// The product of the arcs before each one.
-    before: Vec<Matrix4<f64>>,
-    /// The product of each arc and those after it, with the closing factors.
-    from: Vec<Matrix4<f64>>,
+    before: Vec<DMatrix<f64>>,
+    /// The product of each arc and those after it, with the mirror.
+    from: Vec<DMatrix<f64>>,
     /// The product of all arcs but the first and the last.
-    between: Matrix4<f64>,
+    between: DMatrix<f64>,
 }
 
 impl<'a> Chain<'a> {
     /// The parts of a motion's turn; none where an impact grazes.
     pub fn new(flow: &'a Flow, pattern: &'a Pattern, sections: Vec<Section>) -> Option<Self> {
-        let jacobians: Vec<Matrix4<f64>> =
+        let jacobians: Vec<DMatrix<f64>> =
             arcs(flow, pattern, &sections).iter().map(|arc| arc.jacobian()).collect::<Option<_>>()?;
         let count = jacobians.len();
-        let mut before = vec![Matrix4::identity()];
-        before.extend(jacobians.iter().scan(Matrix4::identity(), |product, jacobian| {
-            *product = jacobian * *product;
-            Some(*product)
-        }));
-        let closing = Matrix4::from_diagonal(&pattern.closing_factors());
-        let mut from = vec![closing; count + 1];
+        let identity = DMatrix::identity(2 * flow.n, 2 * flow.n);
+        let mut before = vec![identity.clone()];
+        for jacobian in &jacobians {
+            before.push(jacobian * &before[before.len() - 1]);
+        }
+        let mut from = vec![pattern.reopening_matrix(flow); count + 1];
         for i in (0..count).rev() {
-            from[i] = from[i + 1] * jacobians[i];
+            from[i] = &from[i + 1] * &jacobians[i];
         }
         let inner = jacobians.get(1..count.saturating_sub(1)).unwrap_or_default();
-        let between = inner.iter().fold(Matrix4::identity(), |product, jacobian| jacobian * product);
+        let between = inner.iter().fold(identity, |product, jacobian| jacobian * product);
         Some(Chain { flow, pattern, sections, before, from, between })
     }
 
     /// The Jacobian of the turn with the `i`-th impact somewhere else; none where an impact grazes then.
-    pub fn turn_with(&mut self, i: usize, section: Section) -> Option<Matrix4<f64>> {
+    pub fn turn_with(&mut self, i: usize, section: Section) -> Option<DMatrix<f64>> {
         let own = std::mem::replace(&mut self.sections[i], section);
         let turned = self.turned(i);
         self.sections[i] = own;
         turned.filter(|map| map.iter().all(|value| value.is_finite()))
     }
 
-    fn turned(&self, i: usize) -> Option<Matrix4<f64>> {
+    fn turned(&self, i: usize) -> Option<DMatrix<f64>> {
         let count = self.sections.len();
         let jacobian = |i: usize| arc(self.flow, self.pattern, &self.sections, i).jacobian();
         Some(match i {
-            0 if count == 1 => self.from[1] * jacobian(0)?,
-            0 => self.from[count] * jacobian(count - 1)? * self.between * jacobian(0)?,
-            _ => self.from[i + 1] * jacobian(i)? * jacobian(i - 1)? * self.before[i - 1],
+            0 if count == 1 => &self.from[1] * jacobian(0)?,
+            0 => &self.from[count] * jacobian(count - 1)? * &self.between * jacobian(0)?,
+            _ => &self.from[i + 1] * jacobian(i)? * jacobian(i - 1)? * &self.before[i - 1],
         })
     }
 }
@@ -79,14 +78,14 @@ mod tests {
             let flow = Flow::new(&system);
             let mut chain = Chain::new(&flow, &motion.pattern, motion.sections.clone()).unwrap();
             for i in 0..motion.sections.len() {
-                let moved = motion.sections[i] + Section::new(1e-3, -2e-3, 1e-3, 3e-3);
+                let moved = &motion.sections[i] + Section::from_row_slice(&[1e-3, -2e-3, 1e-3, 3e-3]);
                 let mut sections = motion.sections.clone();
-                sections[i] = moved;
+                sections[i] = moved.clone();
                 let whole = turn(&flow, &motion.pattern, &sections).unwrap();
                 let unmoved = turn(&flow, &motion.pattern, &motion.sections).unwrap();
                 let parts = chain.turn_with(i, moved).unwrap();
-                assert!((parts - whole).amax() < 1e-11 * whole.amax(), "{omega}, impact {i}");
-                assert!((unmoved - whole).amax() > 1e-4 * whole.amax(), "the check can fail");
+                assert!((parts - &whole).amax() < 1e-11 * whole.amax(), "{omega}, impact {i}");
+                assert!((unmoved - &whole).amax() > 1e-4 * whole.amax(), "the check can fail");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! What defines a bifurcation: a function of a motion that vanishes there.
 
-use nalgebra::{Complex, Matrix4, Matrix6};
+use nalgebra::{Complex, DMatrix};
 use serde::{Serialize, Serializer};
 
 use crate::theory::{Flow, Pattern, Section, turn};
@@ -49,11 +49,16 @@ impl Serialize for Kind {
 /// Π (μᵢ − 1), Π (μᵢ + 1), or Π over pairs (μᵢ μⱼ − 1).
 ///
 /// It is smooth in the motion and the parameters even where multipliers meet.
-pub(super) fn test_function(kind: Kind, map: &Matrix4<f64>) -> f64 {
+pub(super) fn test_function(kind: Kind, map: &DMatrix<f64>) -> f64 {
+    let identity = |size: usize| DMatrix::identity(size, size);
     match kind {
-        Kind::Fold => (map - Matrix4::identity()).determinant(),
-        Kind::PeriodDoubling | Kind::Pitchfork => (map + Matrix4::identity()).determinant(),
-        Kind::NeimarkSacker => (compound(map) - Matrix6::identity()).determinant(),
+        Kind::Fold => (map - identity(map.nrows())).determinant(),
+        Kind::PeriodDoubling | Kind::Pitchfork => (map + identity(map.nrows())).determinant(),
+        Kind::NeimarkSacker => {
+            let compound = compound(map);
+            let size = compound.nrows();
+            (compound - identity(size)).determinant()
+        }
         Kind::Grazing => f64::NAN,
     }
 }
@@ -69,16 +74,17 @@ pub(super) fn test_of_motion(
 }
 
 /// The second compound: all 2 × 2 minors, whose eigenvalues are the products of pairs of eigenvalues.
-fn compound(map: &Matrix4<f64>) -> Matrix6<f64> {
-    const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
-    Matrix6::from_fn(|row, column| {
-        let ((i, j), (k, l)) = (PAIRS[row], PAIRS[column]);
+fn compound(map: &DMatrix<f64>) -> DMatrix<f64> {
+    let size = map.nrows();
+    let pairs: Vec<(usize, usize)> = (0..size).flat_map(|i| (i + 1..size).map(move |j| (i, j))).collect();
+    DMatrix::from_fn(pairs.len(), pairs.len(), |row, column| {
+        let ((i, j), (k, l)) = (pairs[row], pairs[column]);
         map[(i, k)] * map[(j, l)] - map[(i, l)] * map[(j, k)]
     })
 }
 
 /// The multipliers that are critical at a bifurcation, and the others.
-pub(super) fn split(kind: Kind, multipliers: &[Complex<f64>; 4]) -> (Vec<Complex<f64>>, Vec<Complex<f64>>) {
+pub(super) fn split(kind: Kind, multipliers: &[Complex<f64>]) -> (Vec<Complex<f64>>, Vec<Complex<f64>>) {
     let mut sorted = multipliers.to_vec();
     let (critical, distance): (usize, fn(&Complex<f64>) -> f64) = match kind {
         Kind::Fold => (1, |value| (value - 1.0).norm()),
@@ -92,26 +98,30 @@ pub(super) fn split(kind: Kind, multipliers: &[Complex<f64>; 4]) -> (Vec<Complex
 }
 
 /// The pair whose product is nearest to 1.
-fn split_pair(multipliers: &[Complex<f64>; 4]) -> (Vec<Complex<f64>>, Vec<Complex<f64>>) {
-    let pairs = (0..4).flat_map(|i| (i + 1..4).map(move |j| (i, j)));
+fn split_pair(multipliers: &[Complex<f64>]) -> (Vec<Complex<f64>>, Vec<Complex<f64>>) {
+    let count = multipliers.len();
+    let pairs = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j)));
     let off = |&(i, j): &(usize, usize)| (multipliers[i] * multipliers[j] - 1.0).norm();
     let (i, j) = pairs.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or((0, 1));
-    let others = (0..4).filter(|&k| k != i && k != j).map(|k| multipliers[k]).collect();
+    let others = (0..count).filter(|&k| k != i && k != j).map(|k| multipliers[k]).collect();
     (vec![multipliers[i], multipliers[j]], others)
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{Matrix4, Vector4};
+
     use super::*;
 
     /// A matrix with multipliers e^(±iθ)·radius, and two real ones, in no special basis.
-    fn map(theta: f64, radius: f64, a: f64, b: f64) -> Matrix4<f64> {
+    fn map(theta: f64, radius: f64, a: f64, b: f64) -> DMatrix<f64> {
         let (s, c) = theta.sin_cos();
-        let mut normal = Matrix4::from_diagonal(&nalgebra::Vector4::new(radius * c, radius * c, a, b));
+        let mut normal = Matrix4::from_diagonal(&Vector4::new(radius * c, radius * c, a, b));
         normal[(0, 1)] = -radius * s;
         normal[(1, 0)] = radius * s;
         let basis = Matrix4::new(2., 1., 0., 1., 0., 3., 1., 0., 1., 0., 2., 0., 0., 1., 1., 4.);
-        basis * normal * basis.try_inverse().unwrap()
+        let map = basis * normal * basis.try_inverse().unwrap();
+        DMatrix::from_column_slice(4, 4, map.as_slice())
     }
 
     #[test]

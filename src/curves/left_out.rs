@@ -73,7 +73,7 @@ impl LeftOut {
             (true, false) => " unsymmetric",
             (false, _) => "",
         };
-        format!("{}{symmetry}", motion_label(n, p as u16, q as u16))
+        format!("{}{symmetry}", motion_label(n, &[p as u16, q as u16]))
     }
 }
 

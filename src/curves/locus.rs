@@ -7,7 +7,7 @@ use super::condition::{Kind, test_function, test_of_motion};
 use super::path::{Equations, differences, differences_of_each};
 use super::seeds::Seed;
 use super::touch::grazing;
-use super::unknowns::Unknowns;
+use super::unknowns::{SECTION, Unknowns};
 use crate::dynamics::Stop;
 use crate::theory::{Flow, PeriodicMotion, Section};
 
@@ -60,17 +60,17 @@ impl Locus {
     fn test_by_sections(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
         let flow = Flow::new(&self.unknowns.system(y)?);
         let mut chain = Chain::new(&flow, &self.unknowns.pattern, self.unknowns.sections(y))?;
-        differences_of_each(y, 0..4 * self.unknowns.pattern.stops.len(), |j, value| {
-            let mut section: Section = y.fixed_rows::<4>(j / 4 * 4).into_owned();
-            section[j % 4] = value;
-            let test = test_function(self.kind, &chain.turn_with(j / 4, section)?);
+        differences_of_each(y, 0..SECTION * self.unknowns.pattern.stops.len(), |j, value| {
+            let mut section: Section = y.rows(j / SECTION * SECTION, SECTION).into_owned();
+            section[j % SECTION] = value;
+            let test = test_function(self.kind, &chain.turn_with(j / SECTION, section)?);
             test.is_finite().then(|| DVector::from_element(1, test))
         })
     }
 
     /// The phase at which the stop is touched.
     pub fn touch_phase(&self, y: &DVector<f64>) -> f64 {
-        y[4 * self.unknowns.pattern.stops.len()]
+        y[SECTION * self.unknowns.pattern.stops.len()]
     }
 }
 
@@ -84,7 +84,7 @@ impl Equations for Locus {
 
     fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
         let matching = self.unknowns.matching_derivative(y)?;
-        let sections = 4 * self.unknowns.pattern.stops.len();
+        let sections = SECTION * self.unknowns.pattern.stops.len();
         let by_sections = match self.touch {
             Some(_) => differences(y, 0..sections, |y| self.condition(y))?,
             None => self.test_by_sections(y)?,

@@ -9,7 +9,7 @@ use super::locus::Locus;
 use super::path::PathPoint;
 use super::special::{Monitor, monitors};
 use super::touch::{arrival_speeds, touches};
-use crate::model::{Flight, Parameters, System};
+use crate::model::{Setting, System};
 use crate::theory::{PeriodicMotion, flip_coefficient, fly, neimark_sacker_coefficient};
 
 /// The length by which a stop may be crossed before it counts; non-dimensional.
@@ -23,7 +23,7 @@ pub(super) type Reason = (End, Option<Special>);
 pub(super) struct Seen {
     pub point: CurvePoint,
     pub motion: PeriodicMotion,
-    pub parameters: Parameters,
+    pub parameters: Setting,
     pub monitors: Vec<Monitor>,
     /// Why the path cannot go beyond it, if it is already beyond the end.
     pub beyond: Option<Reason>,
@@ -81,7 +81,7 @@ pub(super) fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
             neimark_sacker_coefficient(&system, &motion, critical[0].arg().abs()).map(|re_d| -re_d)
         }
     };
-    let parameters = system.parameters();
+    let parameters = unknowns.parameters(&at.y);
     let point = CurvePoint {
         x: parameters.get(unknowns.spans[0].parameter),
         y: parameters.get(unknowns.spans[1].parameter),
@@ -92,7 +92,7 @@ pub(super) fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
     };
     let monitors = monitors(locus, at, &system, &motion, coefficient, &critical, &others);
     let beyond = beyond(locus, &at.y, &system, &motion, &critical);
-    Some(Seen { point, parameters: *parameters, monitors, beyond, motion })
+    Some(Seen { point, parameters, monitors, beyond, motion })
 }
 
 /// Why a curve ends before this point, if it does.
@@ -124,6 +124,6 @@ fn beyond(
     let crossed = touches(system, pattern, &motion.sections)
         .iter()
         .any(|touch| touch.gap < -CROSSED && !own(touch.arc, touch.phase));
-    let certified = locus.kind == Kind::Grazing || fly(&Flight::new(system), motion).is_ok();
+    let certified = locus.kind == Kind::Grazing || fly(system, motion).is_ok();
     (crossed || !certified).then_some((End::Grazes, Some(Special::Grazing)))
 }

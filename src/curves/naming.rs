@@ -92,7 +92,7 @@ mod tests {
         Plane {
             x: x.parse().unwrap(),
             y: "delta=0.1:0.5:5".parse().unwrap(),
-            parameters,
+            parameters: parameters.into(),
             start: Start::Symmetric,
             schedule: Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: false },
         }

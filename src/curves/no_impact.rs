@@ -6,7 +6,7 @@ use super::condition::Kind;
 use super::curve::{Curve, CurveMotion, CurvePoint, End};
 use super::path::{Equations, PathPoint};
 use super::unknowns::Span;
-use crate::model::{Flight, Parameters, System};
+use crate::model::{Flight, Setting, System};
 use crate::plane::RegionMap;
 
 /// The longest step, in sides of the plane.
@@ -18,12 +18,12 @@ const SCAN: u32 = 64;
 
 /// The amplitude of the forced response of x1 equals δ.
 struct Reach {
-    fixed: Parameters,
+    fixed: Setting,
     spans: [Span; 2],
 }
 
 impl Reach {
-    fn parameters(&self, shares: [f64; 2]) -> Parameters {
+    fn parameters(&self, shares: [f64; 2]) -> Setting {
         self.spans
             .iter()
             .zip(shares)
@@ -33,7 +33,10 @@ impl Reach {
     /// ln of amplitude over half clearance: as smooth at a resonance as elsewhere.
     fn excess(&self, shares: [f64; 2]) -> Option<f64> {
         let system = System::new(self.parameters(shares)).ok()?;
-        let excess = (Flight::new(&system).reach / system.parameters().delta).ln();
+        let excess = {
+            let normal = Flight::<f64, 2>::new(&system).normals[0];
+            (normal.reach[0] / normal.gap[0]).ln()
+        };
         excess.is_finite().then_some(excess)
     }
 }
@@ -87,7 +90,8 @@ fn traced(reach: &Reach, start: [f64; 2]) -> Option<(Vec<[f64; 2]>, Curve)> {
         .map(|&share| {
             let parameters = reach.parameters(share);
             let [x, y] = reach.spans.map(|span| parameters.get(span.parameter));
-            let bounding = parameters.zeta > 0.0;
+            let bounding =
+                System::new(parameters).is_ok_and(|system| Flight::<f64, 2>::new(&system).quiet.decays);
             CurvePoint { x, y, criticality: None, bounding, special: None }
         })
         .collect();

@@ -3,17 +3,19 @@
 use super::condition::Kind;
 use super::curve::{Criticality, Curve, CurveMotion};
 use crate::analysis::{Regime, Verdict};
-use crate::model::{Parameter, Parameters};
+use crate::model::{Parameter, Parameters, Setting};
 use crate::plane::{Plane, Quantity};
 
 /// Whether the paper's names have a meaning on a plane: ω and δ vary, and everything else is as in the paper.
 pub fn is_plane_of_paper(plane: &Plane) -> bool {
-    let varied = |parameter| [plane.x.quantity, plane.y.quantity].contains(&Quantity::Parameter(parameter));
-    let paper = Parameters::default();
-    let others = Parameter::ALL.into_iter().filter(|&p| !matches!(p, Parameter::Omega | Parameter::Delta));
-    varied(Parameter::Omega)
-        && varied(Parameter::Delta)
-        && others.into_iter().all(|parameter| plane.parameters.get(parameter) == paper.get(parameter))
+    let names = [plane.x.quantity, plane.y.quantity].map(Quantity::name);
+    let paper = Setting::from(Parameters::default());
+    let as_printed = |(parameter, value): (Parameter, f64)| {
+        names.contains(&parameter.name()) || plane.parameters.get(parameter) == value
+    };
+    plane.parameters.family().is_paper()
+        && ["omega", "delta"].iter().all(|name| names.contains(name))
+        && paper.entries().all(as_printed)
 }
 
 /// The paper's name of a curve where it has some criticality, L1 to L7, by motion and kind; none for most curves.
@@ -40,7 +42,7 @@ pub fn paper_region(verdict: &Verdict) -> Option<&'static str> {
     if verdict.regime != Regime::Periodic {
         return None;
     }
-    match ([verdict.n, verdict.p, verdict.q], verdict.symmetric) {
+    match ([verdict.n, verdict.p(), verdict.q()], verdict.symmetric) {
         ([1, 1, 1], true) => Some("R1"),
         ([1, 1, 1], false) => Some("R2"),
         ([1, 2, 2], true) => Some("R4"),

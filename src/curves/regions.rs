@@ -41,7 +41,7 @@ pub(super) fn shown(map: &RegionMap) -> Vec<Shown> {
     let named = |((key, sticks), mut regions): (Key, Vec<Vec<Cell>>)| {
         regions.sort_by_key(|region| std::cmp::Reverse(region.len()));
         let upright =
-            regions.iter().flatten().filter(|cell| map.at(cell.0, cell.1).p == key.p as u16).count();
+            regions.iter().flatten().filter(|cell| map.at(cell.0, cell.1).p() == key.p as u16).count();
         let all: usize = regions.iter().map(Vec::len).sum();
         let motion = if 2 * upright >= all { key } else { key.mirror_image() };
         Shown { motion, sticks, regions }
@@ -54,7 +54,8 @@ type Key = (CurveMotion, bool);
 
 /// The key of a cell's motion; none where it shows no periodic one.
 fn key(verdict: &Verdict) -> Option<Key> {
-    let Verdict { regime, n, p, q, symmetric, .. } = *verdict;
+    let Verdict { regime, n, symmetric, .. } = *verdict;
+    let (p, q) = (verdict.p(), verdict.q());
     let motion = CurveMotion { n: n.into(), p: p.max(q).into(), q: p.min(q).into(), symmetric };
     regime.is_periodic().then_some((motion, regime == Regime::PeriodicSticking))
 }
@@ -71,7 +72,7 @@ mod tests {
         let plane = Plane {
             x: format!("omega=1:2:{}", lines[0].len()).parse().unwrap(),
             y: format!("delta=0.1:0.5:{}", lines.len()).parse().unwrap(),
-            parameters: Parameters::default(),
+            parameters: Parameters::default().into(),
             start: Start::Symmetric,
             schedule: Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: false },
         };

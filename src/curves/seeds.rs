@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::curve::CurveMotion;
 use super::regions::Shown;
-use crate::model::{Parameters, System};
+use crate::model::{Setting, System};
 use crate::plane::{Cell, RegionMap};
 use crate::theory::{PeriodicMotion, settled_motion};
 
@@ -31,7 +31,7 @@ pub(super) fn fewest(map: &RegionMap) -> usize {
 /// A motion at a point of the plane.
 #[derive(Clone, Debug)]
 pub(super) struct Seed {
-    pub parameters: Parameters,
+    pub parameters: Setting,
     pub motion: PeriodicMotion,
 }
 
@@ -66,12 +66,13 @@ fn seed(map: &RegionMap, (column, row): Cell, named: &CurveMotion) -> Option<See
     let parameters = map.plane.parameters_at(column, row);
     let system = System::new(parameters).ok()?;
     let verdict = map.at(column, row);
-    let motion = settled_motion(&system, verdict.state, u32::from(verdict.n)).ok()?;
+    let motion = settled_motion(&system, &verdict.state[..], u32::from(verdict.n)).ok()?;
     let found = CurveMotion::of(&motion.pattern);
     if found == *named {
         return Some(Seed { parameters, motion });
     }
-    (found.mirror_image() == *named).then(|| Seed { parameters, motion: motion.mirror_image() })
+    let image = motion.mirror_image(&system).filter(|_| found.mirror_image() == *named)?;
+    Some(Seed { parameters, motion: image })
 }
 
 /// Cells of a region from which it is entered.

@@ -9,7 +9,7 @@ use super::curve::Special;
 use super::locus::Locus;
 use super::path::PathPoint;
 use crate::model::System;
-use crate::theory::{PeriodicMotion, Section, fold_coefficient};
+use crate::theory::{PeriodicMotion, fold_coefficient};
 
 /// A function along a curve, and what its zeros are.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ pub(super) fn monitors(
     match locus.kind {
         Kind::Fold => {
             // The null vector's sign is free: the path's own direction, which it is at a cusp, settles it.
-            let along: Section = at.tangent.fixed_rows::<4>(0).into_owned();
+            let along = at.tangent.rows(0, motion.sections[0].len()).into_owned();
             vec![
                 monitor(Special::Cusp, fold_coefficient(system, motion, &along)),
                 monitor(Special::Resonance11, from(1.0)),

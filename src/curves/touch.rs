@@ -2,11 +2,10 @@
 
 use crate::dynamics::Stop;
 use crate::model::System;
-use crate::model::generator::{V1, X1};
 use crate::theory::newton::{arcs, next};
-use crate::theory::{Flow, Pattern, Section};
+use crate::theory::{Flow, Pattern, Section, phase};
 
-/// A turning point of x1 in flight.
+/// A turning point in flight, along a stop's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Touch {
     /// The arc it lies on: after the impact of this number.
@@ -19,7 +18,7 @@ pub(super) struct Touch {
     pub gap: f64,
 }
 
-/// Every turning point of x1 towards a stop, in order.
+/// Every turning point towards a stop, in order.
 ///
 /// They are looked for at steps short against the fastest motion and placed by cubic interpolation: near enough to
 /// begin with, not a certificate.
@@ -27,23 +26,24 @@ pub(super) fn touches(system: &System, pattern: &Pattern, sections: &[Section]) 
     let flow = Flow::new(system);
     let mut found = Vec::new();
     for (arc, section) in sections.iter().enumerate() {
-        let time = (next(pattern, sections, arc).section[3] - section[3]) / flow.omega;
+        let time = (phase(&next(&flow, pattern, sections, arc).section) - phase(section)) / flow.omega;
         let steps = (time * f64::from(system.steps()) / system.period() * 2.0).ceil().max(1.0);
         let h = time / steps;
         let step = flow.over(h);
         let mut here = flow.lifted(pattern.stops[arc], section);
         for k in 0..steps as u32 {
-            let there = step * here;
-            if here[V1] * there[V1] < 0.0 {
-                let side = if here[V1] > 0.0 { Stop::A } else { Stop::B };
-                let share = here[V1] / (here[V1] - there[V1]);
-                let x1 = hermite(share, h, here[X1], here[V1], there[X1], there[V1]);
-                found.push(Touch {
-                    arc,
-                    stop: side,
-                    phase: section[3] + flow.omega * h * (f64::from(k) + share),
-                    gap: flow.delta - side.side::<f64>() * x1,
-                });
+            let there = &step * &here;
+            for (stop, face) in flow.faces() {
+                let ([x, v], [x_end, v_end]) = (face.along(&here), face.along(&there));
+                if v > 0.0 && v_end < 0.0 {
+                    let share = v / (v - v_end);
+                    found.push(Touch {
+                        arc,
+                        stop,
+                        phase: phase(section) + flow.omega * h * (f64::from(k) + share),
+                        gap: face.gap - hermite(share, h, x, v, x_end, v_end),
+                    });
+                }
             }
             here = there;
         }
@@ -68,23 +68,22 @@ pub(super) fn nearest(touches: &[Touch]) -> Option<Touch> {
 /// the first belongs to the second impact.
 pub(super) fn arrival_speeds(system: &System, pattern: &Pattern, sections: &[Section]) -> Vec<f64> {
     let flow = Flow::new(system);
-    arcs(&flow, pattern, sections)
-        .iter()
-        .enumerate()
-        .map(|(i, arc)| next(pattern, sections, i).stop.side::<f64>() * arc.approach() * flow.omega)
-        .collect()
+    arcs(&flow, pattern, sections).iter().map(|arc| arc.approach() * flow.omega).collect()
 }
 
-/// x1 ∓ δ and v1 of a motion at a phase on one of its arcs: both vanish where it grazes.
+/// How far beyond the stop a motion is at a phase on one of its arcs, and how fast it moves into it: both vanish where it
+/// grazes.
 pub(super) fn grazing(
     flow: &Flow,
     pattern: &Pattern,
     sections: &[Section],
     touch: (usize, Stop),
-    phase: f64,
+    at: f64,
 ) -> [f64; 2] {
     let (arc, stop) = touch;
     let section = &sections[arc];
-    let z = flow.over((phase - section[3]) / flow.omega) * flow.lifted(pattern.stops[arc], section);
-    [z[X1] - stop.side::<f64>() * flow.delta, z[V1]]
+    let z = flow.over((at - phase(section)) / flow.omega) * flow.lifted(pattern.stops[arc], section);
+    let face = flow.face(stop);
+    let [place, speed] = face.along(&z);
+    [place - face.gap, speed]
 }

@@ -8,6 +8,7 @@ use super::look::{Reason, Seen, look};
 use super::parting::passed;
 use super::path::PathPoint;
 use super::unknowns::{Span, Unknowns};
+use crate::model::System;
 
 /// The longest step, in sides of the plane.
 const LONGEST: f64 = 0.01;
@@ -107,7 +108,8 @@ fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<Seen>, Reason) {
             continue;
         };
         let beyond = |there: &Seen| {
-            let passed = passed(&seen.motion, &there.motion);
+            let system = System::new(there.parameters);
+            let passed = system.is_ok_and(|system| passed(&system, &seen.motion, &there.motion));
             there.beyond.or(passed.then_some((End::Simplifies, None)))
         };
         if let Some(reason) = beyond(&looked) {

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::path::differences;
-use crate::model::{Parameter, Parameters, System};
+use crate::model::{Parameter, Setting, System};
 use crate::plane::Spacing;
 use crate::theory::newton::{arcs, derivative, is_ordered, residual};
 use crate::theory::{Flow, Pattern, Section};
@@ -29,11 +29,14 @@ impl Span {
     }
 }
 
+/// Components of a section of the paper's oscillator.
+pub(super) const SECTION: usize = 4;
+
 /// What a vector of unknowns stands for: 4 for each impact, then `extra` ones, then one for each parameter.
 #[derive(Clone, Debug)]
 pub(super) struct Unknowns {
     pub pattern: Pattern,
-    pub fixed: Parameters,
+    pub fixed: Setting,
     pub extra: usize,
     pub spans: Vec<Span>,
 }
@@ -41,11 +44,11 @@ pub(super) struct Unknowns {
 impl Unknowns {
     /// Where the parameters begin.
     pub fn parameters_at(&self) -> usize {
-        4 * self.pattern.stops.len() + self.extra
+        SECTION * self.pattern.stops.len() + self.extra
     }
 
     /// The vector of a motion.
-    pub fn pack(&self, sections: &[Section], extra: &[f64], parameters: &Parameters) -> DVector<f64> {
+    pub fn pack(&self, sections: &[Section], extra: &[f64], parameters: &Setting) -> DVector<f64> {
         let shares = self.shares(parameters);
         let values = sections.iter().flat_map(|section| section.iter().copied().collect::<Vec<_>>());
         DVector::from_iterator(
@@ -55,13 +58,13 @@ impl Unknowns {
     }
 
     /// Where parameters stand on the spans.
-    pub fn shares(&self, parameters: &Parameters) -> DVector<f64> {
+    pub fn shares(&self, parameters: &Setting) -> DVector<f64> {
         let share = |span: &Span| span.share(parameters.get(span.parameter));
         DVector::from_iterator(self.spans.len(), self.spans.iter().map(share))
     }
 
     /// The parameters.
-    pub fn parameters(&self, y: &DVector<f64>) -> Parameters {
+    pub fn parameters(&self, y: &DVector<f64>) -> Setting {
         self.spans
             .iter()
             .zip(y.iter().skip(self.parameters_at()))
@@ -70,12 +73,12 @@ impl Unknowns {
 
     /// The system; none where its parameters are outside their physical range.
     pub fn system(&self, y: &DVector<f64>) -> Option<System> {
-        System::new(self.parameters(y)).ok().filter(|system| system.parameters().delta > 0.0)
+        System::new(self.parameters(y)).ok().filter(|system| !system.is_clamped())
     }
 
     /// The sections.
     pub fn sections(&self, y: &DVector<f64>) -> Vec<Section> {
-        (0..self.pattern.stops.len()).map(|i| y.fixed_rows::<4>(4 * i).into_owned()).collect()
+        (0..self.pattern.stops.len()).map(|i| y.rows(SECTION * i, SECTION).into_owned()).collect()
     }
 
     /// Residuals of the matching equations.
@@ -89,7 +92,7 @@ impl Unknowns {
     /// Derivatives of the matching equations with respect to all unknowns.
     pub fn matching_derivative(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
         let flow = Flow::new(&self.system(y)?);
-        let own = derivative(&arcs(&flow, &self.pattern, &self.sections(y)), &self.pattern);
+        let own = derivative(&flow, &arcs(&flow, &self.pattern, &self.sections(y)), &self.pattern);
         let rows = own.nrows();
         let with_parameters = differences(y, self.parameters_at()..y.len(), |y| self.matching(y))?;
         let mut all = DMatrix::zeros(rows, y.len());

@@ -3,12 +3,12 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::plane::{Axis, AxisError, Quantity};
 
 /// An axis whose values are visited in rising or in falling order.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(transparent)]
 pub struct SweepAxis(Axis);
 
@@ -61,6 +61,12 @@ impl SweepAxis {
         let as_written = (self.0.first > self.0.last) == falling;
         let indices = 0..self.0.count;
         if as_written { indices.collect() } else { indices.rev().collect() }
+    }
+}
+
+impl From<Axis> for SweepAxis {
+    fn from(axis: Axis) -> Self {
+        SweepAxis(axis)
     }
 }
 

@@ -151,7 +151,7 @@ mod tests {
         Diagram {
             spec: DiagramSpec {
                 x: format!("omega=3:1:{}", down.len()).parse().unwrap(),
-                parameters: Parameters::default(),
+                parameters: Parameters::default().into(),
                 sweep: Sweep::Both,
                 start: Start::Rest,
                 probe: Probe::new(Section::A, Reading::VBefore).unwrap(),

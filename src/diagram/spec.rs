@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use super::axis::SweepAxis;
 use crate::analysis::{Probe, Schedule, ScheduleError};
-use crate::model::{Parameter, ParameterError, Parameters};
+use crate::model::{ParameterError, Setting, StateVector};
 use crate::plane::{Component, Quantity, Start, StartError};
 use crate::theory::Spectrum;
 
@@ -111,12 +111,12 @@ impl Direction {
 /// A bifurcation diagram to compute.
 ///
 /// Together with the version, back end and adapter this is everything needed to compute it again.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DiagramSpec {
     /// The horizontal axis: a parameter, or a component of the start.
     pub x: SweepAxis,
     /// The parameters that the axis does not vary.
-    pub parameters: Parameters,
+    pub parameters: Setting,
     /// How columns begin.
     pub sweep: Sweep,
     /// How the first column of a carried sweep begins.
@@ -146,11 +146,12 @@ pub enum ExponentUnit {
 impl ExponentUnit {
     /// The exponents of a spectrum in this unit, as they are; NaN where it has no meaning.
     pub fn of(self, spectrum: &Spectrum) -> [f64; 4] {
-        match self {
-            ExponentUnit::Period => spectrum.per_period,
-            ExponentUnit::Iterate => spectrum.per_iterate().unwrap_or([f64::NAN; 4]),
+        let exponents = match self {
+            ExponentUnit::Period => spectrum.per_period.clone(),
+            ExponentUnit::Iterate => spectrum.per_iterate().unwrap_or_default(),
             ExponentUnit::Time => spectrum.per_time(),
-        }
+        };
+        std::array::from_fn(|j| exponents.get(j).copied().unwrap_or(f64::NAN))
     }
 
     /// The unit in words.
@@ -178,6 +179,9 @@ impl DiagramSpec {
     /// The first thing that cannot be used, with its value and the remedy.
     pub fn check(&self) -> Result<(), DiagramError> {
         self.schedule.check()?;
+        if self.parameters.family().n() != 2 {
+            return Err(DiagramError::Coordinates(self.parameters.family().n()));
+        }
         let branches = self.sweep.branches().len() as u64;
         let readings = branches * u64::from(self.x.count()) * u64::from(self.capacity);
         if self.capacity == 0 || readings > Self::LARGEST {
@@ -198,19 +202,17 @@ impl DiagramSpec {
             return Err(DiagramError::SymmetricStartVaried);
         }
         let first = if self.sweep.is_carried() { self.start } else { Start::Rest };
-        let narrowest = match self.x.quantity() {
-            Quantity::Parameter(Parameter::Delta) => self.x.least(),
-            _ => self.parameters.delta,
-        };
-        first.check(narrowest)?;
         for end in [0, self.x.count() - 1] {
-            self.start_at(end).check(narrowest)?;
+            self.start_at(end).fits(self.parameters.family())?;
+            let Ok(plant) = self.parameters_at(end).plant() else { continue };
+            first.check(&plant)?;
+            self.start_at(end).check(&plant)?;
         }
         Ok(())
     }
 
     /// The parameters of a column.
-    pub fn parameters_at(&self, column: u32) -> Parameters {
+    pub fn parameters_at(&self, column: u32) -> Setting {
         match self.x.quantity() {
             Quantity::Parameter(parameter) => self.parameters.with(parameter, self.x.value(column)),
             Quantity::Start(_) | Quantity::Control(_) => self.parameters,
@@ -225,13 +227,15 @@ impl DiagramSpec {
         };
         match self.x.quantity() {
             Quantity::Parameter(_) | Quantity::Control(_) => start,
-            Quantity::Start(component) => start_with(start, component, self.x.value(column)),
+            Quantity::Start(component) => {
+                start_with(start, component, self.x.value(column), self.parameters.family().n())
+            }
         }
     }
 }
 
-fn start_with(start: Start, component: Component, value: f64) -> Start {
-    let mut state = if let Start::State(state) = start { state } else { [0.0; 4] };
+fn start_with(start: Start, component: Component, value: f64, coordinates: usize) -> Start {
+    let mut state = if let Start::State(state) = start { state } else { StateVector::zeros(coordinates) };
     state[component.index()] = value;
     Start::State(state)
 }
@@ -239,6 +243,9 @@ fn start_with(start: Start, component: Component, value: f64) -> Start {
 /// Why a diagram was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum DiagramError {
+    /// Sections are read of systems with two coordinates only.
+    #[error("diagrams are of systems with two coordinates in this version, and this one has {0}")]
+    Coordinates(usize),
     /// No such way to begin.
     #[error("`{0}` is no sweep: write rest, symmetric, X1,X2,V1,V2, down, up or both")]
     Sweep(String),

@@ -1,14 +1,37 @@
 //! Complete chatter: infinitely many rebounds in finite time, closed in one go.
 
-use super::contact;
-use super::point::Motion;
-use crate::model::{Flight, Real};
+use super::point::Approach;
+use crate::model::{ContactNormal, Flight, Real};
 
-/// What is left of a chatter sequence once the first mass is put to rest on its stop.
+/// What is left of a chatter sequence once the contact holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closure<T> {
     /// ∫ gap dt over all the rebounds that are skipped.
     pub gap_integral: T,
+    /// How high they rise at most; 0 where that is lost in rounding.
+    pub height: T,
+    /// How long they last at most; 0 where that is lost in rounding.
+    pub lasts: T,
+}
+
+impl<T: Real> Closure<T> {
+    /// Of rebounds that are over at once.
+    fn at_once(gap_integral: T) -> Self {
+        Closure { gap_integral, height: T::zero(), lasts: T::zero() }
+    }
+}
+
+/// The rebound with which a sequence begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rebound<T> {
+    /// The speed off the stop.
+    pub speed: T,
+    /// r, the stop's coefficient of restitution.
+    pub restitution: T,
+    /// Speeds and accelerations up to this cannot be told from 0.
+    pub unresolved: T,
+    /// The time to the next strobe.
+    pub room: T,
 }
 
 /// The largest relative change of the pressing force over a sequence, reckoned with the force at its beginning,
@@ -21,61 +44,69 @@ pub const SLOW: f64 = 1e-6;
 /// … if the force lasts for so many times 1/c: a third of it in exponents of e.
 pub const DRAGGED: f64 = 21.0;
 
-/// Closes the sequence of rebounds that begins with `speed` off a stop, if that is as good as following them.
+/// Closes the sequence of rebounds off a stop, if that is as good as following them.
 ///
 /// Against a pressing acceleration a, a rebound of speed u lasts 2u/a and opens a gap whose integral is ⅔ u³/a²;
 /// the next has speed r·u. The sums are geometric: 2u/(a(1 − r)) and ⅔ u³/(a²(1 − r³)). They hold up to the
-/// relative change of a meanwhile; the effect of that on the second mass (through the spring and damper
+/// relative change of a meanwhile; the effect of that on the other masses (through the springs and dampers
 /// between the masses) must be below [`Real::CHATTER`], and the pressing must outlast the sequence, so that
-/// it surely completes. It must also complete before the next strobe, `room` away, whose state would still show its
-/// rebounds; a steady enough force makes it at most twice as long as reckoned. A speed
-/// that rounding cannot tell from 0 is 0: the mass rests, unless it is pulled off.
-/// `motion` is that after the impact, towards the stop.
+/// it surely completes. It must also complete before the next strobe, whose state would still show its
+/// rebounds; a steady enough force makes it at most twice as long as reckoned. The caller makes sure that no stop along
+/// another normal is reached meanwhile. A speed that rounding cannot tell from 0
+/// is 0: the mass rests, unless it is pulled off. `towards` is the motion after the impact, towards the stop.
 #[inline(always)]
-pub fn close<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>, room: T) -> Option<Closure<T>> {
-    let force = motion.acceleration;
+pub fn close<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
+    normal: &ContactNormal<T, N>,
+    rebound: &Rebound<T>,
+    towards: &Approach<T>,
+) -> Option<Closure<T>> {
+    let Rebound { speed, restitution: r, unresolved, room } = *rebound;
+    let force = towards.acceleration;
     let one = T::one();
-    let unresolved = contact::unresolved(flight);
     if speed <= unresolved {
-        let gap_integral = T::zero();
-        return if force >= -unresolved { Some(Closure { gap_integral }) } else { None };
+        return (force >= -unresolved).then(|| Closure::at_once(T::zero()));
     }
     if force <= T::zero() {
         return None;
     }
-    if flight.r >= one {
-        return drag(flight, speed, motion);
+    if r >= one {
+        return drag(normal, speed, towards);
     }
-    let r = flight.r;
     let time = (speed + speed) / (force * (one - r));
-    let change = time * (motion.jerk.abs() + T::of(0.5) * motion.bound * time) / force + flight.rate * time;
+    let change = time * (towards.jerk.abs() + T::of(0.5) * towards.bound * time) / force + flight.rate * time;
     let cube = speed * speed * speed;
     let gap_integral = T::of(2.0 / 3.0) * cube / (force * force * (one - r * r * r));
-    let effect = gap_integral * flight.inverse_mass * (one + flight.coupling_damping);
-    let closes = time + time <= room
+    let effect = gap_integral * normal.coupling;
+    let lasts = time + time;
+    let closes = lasts <= room
         && change <= T::of(STEADY)
         && effect * change <= T::of(T::CHATTER)
-        && stays_low(flight, speed, force);
-    if closes { Some(Closure { gap_integral }) } else { None }
+        && stays_low(normal, speed, force);
+    closes.then(|| Closure { gap_integral, height: speed * speed / force, lasts })
 }
 
-/// Whether rebounds that begin with `speed` surely do not reach the other stop, 2δ away: a force that stays above half
-/// of what it is lets them rise to u²/a at most.
+/// Whether rebounds that begin with `speed` surely do not reach the stop at the other end of the normal: a force that stays
+/// above half of what it is lets them rise to u²/a at most.
 #[inline(always)]
-fn stays_low<T: Real>(flight: &Flight<T>, speed: T, force: T) -> bool {
-    speed * speed < (flight.delta + flight.delta) * force
+fn stays_low<T: Real, const N: usize>(normal: &ContactNormal<T, N>, speed: T, force: T) -> bool {
+    speed * speed < (normal.gap[0] + normal.gap[1]) * force
 }
 
-/// Rebounds without loss (r = 1) do not end in finite time, but the damper drags them down: their speed u decays
-/// like exp(−ct/3), c = 2ζ, ever more of them in a given time. Once they are slow, and the force lasts until they
+/// Rebounds without loss (r = 1) do not end in finite time, but the damping c along the normal drags them down: their
+/// speed u decays like exp(−ct/3), ever more of them in a given time. Once they are slow, and the force lasts until they
 /// are gone, the mass is as good as at rest; ∫ gap dt is u²/(2ac) then.
 #[inline(always)]
-fn drag<T: Real>(flight: &Flight<T>, speed: T, motion: &Motion<T>) -> Option<Closure<T>> {
-    let damping = flight.coupling_damping;
-    let force = motion.acceleration;
-    let lasts = damping * force >= T::of(DRAGGED) * motion.jerk.abs();
-    if damping > T::zero() && lasts && speed <= T::of(SLOW) && stays_low(flight, speed, force) {
-        Some(Closure { gap_integral: speed * speed / ((force + force) * damping) })
+fn drag<T: Real, const N: usize>(
+    normal: &ContactNormal<T, N>,
+    speed: T,
+    towards: &Approach<T>,
+) -> Option<Closure<T>> {
+    let damping = normal.drag;
+    let force = towards.acceleration;
+    let lasts = damping * force >= T::of(DRAGGED) * towards.jerk.abs();
+    if damping > T::zero() && lasts && speed <= T::of(SLOW) && stays_low(normal, speed, force) {
+        Some(Closure::at_once(speed * speed / ((force + force) * damping)))
     } else {
         None
     }

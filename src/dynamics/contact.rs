@@ -1,88 +1,237 @@
 //! The next contact with a stop, approached from the safe side: no impact can be missed.
 
 use super::drive::Drive;
-use super::point::{Motion, Point};
-use crate::model::{Flight, Real};
+use super::point::{Approach, Motion, Point};
+use super::stop::{Contact, End};
+use crate::model::vector::{axpy, dot, dot_absolute};
+use crate::model::{ContactNormal, FAR, Flight, Real, State};
 
-/// Whether the step from `from` to `to` provably stays off both stops.
+/// Whether the step from `from` to `to` provably stays off all stops.
 ///
-/// x1 lies within h⁴/384·max|x1''''| of its cubic Hermite interpolant, and that within the hull of its four
-/// Bézier points.
+/// Along each normal d·x lies within h⁴/384·max|(d·x)''''| of its cubic Hermite interpolant, and that within the hull of
+/// its four Bézier points.
 #[inline(always)]
-pub fn clears<T: Real, D: Drive<T>>(flight: &Flight<T>, from: &Point<T, D>, to: &Point<T, D>) -> bool {
+pub fn clears<T: Real, const N: usize, D: Drive<T, N>>(
+    flight: &Flight<T, N>,
+    from: &Point<T, N, D>,
+    to: &Point<T, N, D>,
+) -> bool {
     let third = flight.h * T::of(1.0 / 3.0);
     let h2 = flight.h * flight.h;
-    let room = flight.delta - (h2 * h2) * T::of(HERMITE) * from.bound(flight);
-    let leaving = from.x1 + third * from.v1;
-    let arriving = to.x1 - third * to.v1;
-    from.x1.abs() < room && leaving.abs() < room && arriving.abs() < room && to.x1.abs() < room
+    let widening = (h2 * h2) * T::of(HERMITE);
+    let mut clear = true;
+    for (k, normal) in flight.normals().iter().enumerate() {
+        let margin = widening * from.bound(flight, k);
+        let begins = dot(&normal.direction, &from.state.x);
+        let ends = dot(&normal.direction, &to.state.x);
+        let leaving = begins + third * dot(&normal.direction, &from.state.v);
+        let arriving = ends - third * dot(&normal.direction, &to.state.v);
+        let (upper, lower) = (normal.gap[0] - margin, margin - normal.gap[1]);
+        clear &= begins < upper && leaving < upper && arriving < upper && ends < upper;
+        clear &= begins > lower && leaving > lower && arriving > lower && ends > lower;
+    }
+    clear
 }
 
-/// A time for which free flight from `point` provably stays between the stops: `window` if it does so for all of
-/// it, else a time just short of the first contact (0 at the contact itself, moving outwards).
+/// A time for which the motion from `point` provably stays off all stops but those at the ends that `ignored` includes:
+/// `window` if it does so for all of it, else a time just short of the first contact (0 at the contact itself, moving
+/// outwards).
 #[inline(always)]
-pub fn safe_time<T: Real, D>(flight: &Flight<T>, point: &Point<T, D>, motion: &Motion<T>, window: T) -> T {
-    let at_a =
-        safe_from_stop(flight.delta - point.x1, point.v1, motion.acceleration, motion, T::one(), window);
-    let at_b =
-        safe_from_stop(flight.delta + point.x1, -point.v1, -motion.acceleration, motion, -T::one(), window);
-    if at_a < at_b { at_a } else { at_b }
-}
-
-/// A time, at most `window`, for which a mass that leaves the stop at `side` provably does not reach the other one.
-#[inline(always)]
-pub fn safe_across<T: Real, D>(
-    flight: &Flight<T>,
-    point: &Point<T, D>,
-    motion: &Motion<T>,
-    side: T,
+pub fn safe_time<T: Real, const N: usize, D: Drive<T, N>>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N, D>,
+    motion: &Motion<T, N>,
+    ignored: Contact,
     window: T,
 ) -> T {
-    let gap = flight.delta + side * point.x1;
-    safe_from_stop(gap, -(side * point.v1), -(side * motion.acceleration), motion, -side, window)
+    let mut safe = window;
+    for (k, normal) in flight.normals().iter().enumerate() {
+        let place = dot(&normal.direction, &point.state.x);
+        let speed = dot(&normal.direction, &point.state.v);
+        let approach = point.approach(flight, motion, k);
+        for side in 0..2 {
+            let end = End { normal: k, side };
+            if normal.gap[side] >= T::of(FAR) || ignored.includes(end) {
+                continue;
+            }
+            let sign = end.sign::<T>();
+            let time = safe_from_stop(normal.gap[side] - sign * place, sign * speed, &approach, sign, window);
+            safe = if time < safe { time } else { safe };
+        }
+    }
+    safe
 }
 
-/// Whether a point lies between the stops, up to the rounding of the flights that led to it.
-pub fn holds<T: Real, D: Drive<T>>(flight: &Flight<T>, point: &Point<T, D>) -> bool {
-    let force = (T::one() + point.x2.abs()) + flight.coupling_damping * (point.v1.abs() + point.v2.abs());
-    let size = flight.delta + flight.h * (point.v1.abs() + flight.h * point.drive.bounded(force));
-    let beyond = point.x1.abs() - flight.delta;
-    beyond.is_nan() || beyond <= T::of(ROUNDINGS) * T::epsilon() * size
+/// Whether a point lies within all stops but those at the ends that `ignored` includes.
+#[inline(always)]
+fn is_within<T: Real, const N: usize, D>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N, D>,
+    ignored: Contact,
+) -> bool {
+    let mut within = true;
+    for (k, normal) in flight.normals().iter().enumerate() {
+        let place = dot(&normal.direction, &point.state.x);
+        within &= ignored.includes(End { normal: k, side: 0 }) || place <= normal.gap[0];
+        within &= ignored.includes(End { normal: k, side: 1 }) || -place <= normal.gap[1];
+    }
+    within
 }
 
-/// As many roundings of x1 as [`holds`] lets pass.
+/// Whether a point lies within all stops, up to the rounding of the flights that led to it.
+pub fn holds<T: Real, const N: usize, D>(flight: &Flight<T, N>, point: &Point<T, N, D>) -> bool {
+    let State { x, v } = &point.state;
+    let size = |i: usize, row: &[[T; N]; N], of: &[T; N]| {
+        (0..N).fold(T::zero(), |sum, j| sum + (row[j][i] * of[j]).abs())
+    };
+    // The size of what adds up in one step to each coordinate.
+    let moved: [T; N] = std::array::from_fn(|i| {
+        let loads = flight.sin[i].abs() + flight.cos[i].abs() + flight.load[i].abs();
+        let pulls = size(i, &flight.stiffness, x) + size(i, &flight.damping, v) + loads;
+        x[i].abs() + flight.h * (v[i].abs() + flight.h * pulls)
+    });
+    flight.normals().iter().all(|normal| {
+        let place = dot(&normal.direction, x);
+        let rounding = T::of(ROUNDINGS) * T::epsilon() * dot_absolute(&normal.direction.map(T::abs), &moved);
+        [place - normal.gap[0], -place - normal.gap[1]].into_iter().all(|beyond| {
+            beyond.is_nan()
+                || beyond
+                    <= rounding
+                        + T::of(ROUNDINGS) * T::epsilon() * normal.gap[0].abs().min(normal.gap[1].abs())
+        })
+    })
+}
+
+/// As many roundings of a place as [`holds`] lets pass.
 const ROUNDINGS: f64 = 64.0;
 
-/// The time left to a stop, if it is so short that its square is lost in rounding; 0 if the stop is touched.
+/// A stop that is reached in one straight line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached<T> {
+    /// Where.
+    pub end: End,
+    /// The time left; 0 if the stop is touched.
+    pub left: T,
+}
+
+/// The stop that is touched, or reached so soon that the square of the time left is lost in rounding; of several the one
+/// that is reached first, and of those reached at the same time the first in the order of normals and ends.
 #[inline(always)]
-pub fn imminent<T: Real, D: Drive<T>>(flight: &Flight<T>, point: &Point<T, D>, side: T) -> Option<T> {
-    let gap = flight.delta - side * point.x1;
-    let speed = side * point.v1;
-    if flight.rate * gap.abs() < T::of(T::IMMINENT) * speed {
-        return Some(gap / speed);
+pub fn imminent<T: Real, const N: usize, D: Drive<T, N>>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N, D>,
+    contact: Contact,
+) -> Option<Reached<T>> {
+    let ignored = contact.with_opposite_ends();
+    let mut first: Option<Reached<T>> = None;
+    for (k, normal) in flight.normals().iter().enumerate() {
+        for side in 0..2 {
+            let end = End { normal: k, side };
+            if normal.gap[side] >= T::of(FAR) || ignored.includes(end) {
+                continue;
+            }
+            let Some(left) = imminent_at(flight, point, contact, end) else { continue };
+            if first.is_none_or(|first| left < first.left) {
+                first = Some(Reached { end, left });
+            }
+        }
     }
-    let touches = gap <= T::of(T::TOUCH) * flight.delta;
-    (touches && (speed >= T::zero() || is_held(flight, point, side))).then_some(T::zero())
+    first
 }
 
-/// Whether a mass on its stop leaves it with a speed that rounding cannot tell from 0, against a force that presses
-/// it back: the hop would be lost in rounding.
+/// The time left to one stop; see [`imminent`].
 #[inline(always)]
-fn is_held<T: Real, D: Drive<T>>(flight: &Flight<T>, point: &Point<T, D>, side: T) -> bool {
-    point.v1.abs() <= unresolved(flight) && side * point.motion(flight, T::one()).acceleration > T::zero()
+fn imminent_at<T: Real, const N: usize, D: Drive<T, N>>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N, D>,
+    contact: Contact,
+    end: End,
+) -> Option<T> {
+    let normal = &flight.normals[end.normal];
+    let sign = end.sign::<T>();
+    let gap = normal.gap[end.side] - sign * dot(&normal.direction, &point.state.x);
+    let speed = sign * dot(&normal.direction, &point.state.v);
+    if gap <= T::of(T::TOUCH) * extent(normal, point, end.side) {
+        let meets = speed > T::zero() || is_held(flight, point, contact, end, speed);
+        return meets.then_some(T::zero());
+    }
+    (flight.rate * gap < T::of(T::IMMINENT) * speed).then(|| gap / speed)
 }
 
-/// Speeds and accelerations up to this cannot be told from 0.
+/// The size of the numbers whose difference the gap is.
 #[inline(always)]
-pub fn unresolved<T: Real>(flight: &Flight<T>) -> T {
-    T::epsilon() * (flight.delta + T::one())
+fn extent<T: Real, const N: usize, D>(
+    normal: &ContactNormal<T, N>,
+    point: &Point<T, N, D>,
+    side: usize,
+) -> T {
+    let mut extent = normal.gap[side].abs();
+    for (d, x) in normal.direction.iter().zip(&point.state.x) {
+        let part = (*d * *x).abs();
+        extent = if part > extent { part } else { extent };
+    }
+    extent
+}
+
+/// Whether masses on their stop leave it with a speed that rounding cannot tell from 0, against a force that presses
+/// them back: the hop would be lost in rounding.
+#[inline(always)]
+fn is_held<T: Real, const N: usize, D: Drive<T, N>>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N, D>,
+    contact: Contact,
+    end: End,
+    speed: T,
+) -> bool {
+    let normal = &flight.normals[end.normal];
+    let sign = end.sign::<T>();
+    speed.abs() <= unresolved(normal, end.side, &point.state)
+        && sign * dot(&normal.direction, &point.motion(flight, contact).acceleration) >= T::zero()
+}
+
+/// Speeds and accelerations up to this cannot be told from 0: d·v is a difference of velocities.
+#[inline(always)]
+pub fn unresolved<T: Real, const N: usize>(
+    normal: &ContactNormal<T, N>,
+    side: usize,
+    state: &State<T, N>,
+) -> T {
+    let mut size = normal.gap[side].abs() + T::one();
+    for (d, v) in normal.direction.iter().zip(&state.v) {
+        size = size + (*d * *v).abs();
+    }
+    T::epsilon() * size
+}
+
+/// Whether masses that hop on a stop, never higher than `height` and for no longer than `time` ≤ h, surely stay off all
+/// stops along other normals.
+///
+/// `point` is where the hops end, and `contact` includes their stop. What is reached with the hops lies between what is
+/// reached at rest and what is reached `height` off the stop. Hops that are over at once reach nothing.
+#[inline(always)]
+pub fn clears_elsewhere<T: Real, const N: usize, D: Drive<T, N>>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N, D>,
+    contact: Contact,
+    end: End,
+    height: T,
+    time: T,
+) -> bool {
+    if flight.count == 1 || time == T::zero() {
+        return true;
+    }
+    let motion = point.motion(flight, contact);
+    let ignored = contact.with_opposite_ends();
+    let response = &flight.normals[end.normal].response;
+    let raised = axpy(-(end.sign::<T>() * height), response, &point.state.x);
+    let raised = Point { state: State { x: raised, ..point.state }, ..*point };
+    is_within(flight, point, ignored)
+        && safe_time(flight, point, &motion, ignored, time) >= time
+        && safe_time(flight, &raised, &motion, ignored, time) >= time
 }
 
 /// The cubic Hermite interpolant's error constant, in h⁴·max|x''''|.
 pub const HERMITE: f64 = 1.0 / 384.0;
-
-/// A time longer than any window, and finite in either precision.
-pub const FAR: f64 = 1e30;
 
 /// How far beyond the expected contact the window reaches.
 pub const WIDENING: f64 = 1.25;
@@ -93,10 +242,11 @@ pub const WIDENING: f64 = 1.25;
 /// bracket is at most its larger end value on any window, so the quadratic's root is safe within that window. A
 /// narrow window gives a tight bracket: it reaches just beyond where the contact is expected.
 #[inline(always)]
-fn safe_from_stop<T: Real>(gap: T, speed: T, acceleration: T, motion: &Motion<T>, side: T, window: T) -> T {
+fn safe_from_stop<T: Real>(gap: T, speed: T, approach: &Approach<T>, sign: T, window: T) -> T {
     let gap = if gap > T::zero() { gap } else { T::zero() };
-    let jerk = side * motion.jerk * T::of(1.0 / 3.0);
-    let bound = motion.bound * T::of(1.0 / 12.0);
+    let acceleration = sign * approach.acceleration;
+    let jerk = sign * approach.jerk * T::of(1.0 / 3.0);
+    let bound = approach.bound * T::of(1.0 / 12.0);
     let steepest = |s: T| {
         let change = s * (jerk + bound * s);
         if change > T::zero() { acceleration + change } else { acceleration }
@@ -155,7 +305,7 @@ fn pulled_off_time<T: Real>(acceleration: T, jerk: T, bound: T) -> T {
     if jerk > T::zero() { -(two * acceleration) / (jerk + root) } else { (root - jerk) / (two * bound) }
 }
 
-/// A time for which the force that presses the first mass on its stop provably lasts, at most `window`: `force`
+/// A time for which what presses a mass on its stop provably lasts, at most `window`: `force`
 /// ≥ 0 now, `slope` its derivative, `bound` on its second derivative.
 #[inline(always)]
 pub fn pressed_time<T: Real>(force: T, slope: T, bound: T, window: T) -> T {

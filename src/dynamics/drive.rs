@@ -1,29 +1,30 @@
-//! A second harmonic force, on the first mass: one more phasor beside the forcing's, so that flight stays exact.
+//! A second harmonic force, on one coordinate: one more phasor beside the forcing's, so that flight stays exact.
 
 use std::fmt::Debug;
 
-use crate::model::{Drive as Constants, Real};
+use crate::model::vector::axpy;
+use crate::model::{Drive as Constants, Real, State};
 
-/// What drives the first mass besides the forcing: nothing, or a [`Phasor`].
-pub trait Drive<T>: Copy + Debug + PartialEq {
+/// What drives one coordinate besides the forcing: nothing, or a [`Phasor`].
+pub trait Drive<T, const N: usize>: Copy + Debug + PartialEq {
     /// The Taylor series of the drive within one flight.
-    type Series: DriveSeries<T, Drive = Self>;
+    type Series: DriveSeries<T, N, Drive = Self>;
 
-    /// `acceleration` of the first mass with the drive's share.
+    /// Accelerations with the drive's share.
     #[must_use]
-    fn pushed(&self, acceleration: T) -> T;
+    fn pushed(&self, acceleration: [T; N]) -> [T; N];
 
-    /// `jerk` of the first mass with the drive's share.
+    /// Their derivatives with the drive's share.
     #[must_use]
-    fn jerked(&self, jerk: T) -> T;
+    fn jerked(&self, jerk: [T; N]) -> [T; N];
 
-    /// A bound on |x1''''| with the drive's share.
+    /// A bound on the fourth derivative of d·x along a normal, with the drive's share.
     #[must_use]
-    fn bounded(&self, bound: T) -> T;
+    fn bounded(&self, normal: usize, bound: T) -> T;
 
-    /// Component `i` of the state after one step, with what the drive adds to it.
+    /// The state after one step, with what the drive adds to it.
     #[must_use]
-    fn carried(&self, i: usize, value: T) -> T;
+    fn carried(&self, state: State<T, N>) -> State<T, N>;
 
     /// The drive one step later.
     #[must_use]
@@ -38,13 +39,13 @@ pub trait Drive<T>: Copy + Debug + PartialEq {
 }
 
 /// Derivatives of a drive, each multiplied by its power of the flight's length, and the sum of the series.
-pub trait DriveSeries<T>: Copy {
+pub trait DriveSeries<T, const N: usize>: Copy {
     /// What the series sums up to.
     type Drive;
 
-    /// A term of the first mass's velocity with what the present derivative forces, `time` being s in free flight.
+    /// A term of the velocities with what the present derivative forces, in a flight of length `s`.
     #[must_use]
-    fn forced(&self, term: T, time: T) -> T;
+    fn forced(&self, term: [T; N], s: T) -> [T; N];
 
     /// Goes on to the next derivative and adds it to the sum with its weight 1/k!.
     fn next(&mut self, weight: T);
@@ -54,27 +55,27 @@ pub trait DriveSeries<T>: Copy {
 }
 
 /// No drive, at no cost.
-impl<T> Drive<T> for () {
+impl<T, const N: usize> Drive<T, N> for () {
     type Series = ();
 
     #[inline(always)]
-    fn pushed(&self, acceleration: T) -> T {
+    fn pushed(&self, acceleration: [T; N]) -> [T; N] {
         acceleration
     }
 
     #[inline(always)]
-    fn jerked(&self, jerk: T) -> T {
+    fn jerked(&self, jerk: [T; N]) -> [T; N] {
         jerk
     }
 
     #[inline(always)]
-    fn bounded(&self, bound: T) -> T {
+    fn bounded(&self, _: usize, bound: T) -> T {
         bound
     }
 
     #[inline(always)]
-    fn carried(&self, _: usize, value: T) -> T {
-        value
+    fn carried(&self, state: State<T, N>) -> State<T, N> {
+        state
     }
 
     #[inline(always)]
@@ -87,11 +88,11 @@ impl<T> Drive<T> for () {
     fn series(&self, _: T) -> Self::Series {}
 }
 
-impl<T> DriveSeries<T> for () {
+impl<T, const N: usize> DriveSeries<T, N> for () {
     type Drive = ();
 
     #[inline(always)]
-    fn forced(&self, term: T, _: T) -> T {
+    fn forced(&self, term: [T; N], _: T) -> [T; N] {
         term
     }
 
@@ -102,9 +103,9 @@ impl<T> DriveSeries<T> for () {
     fn end(&self) -> Self::Drive {}
 }
 
-/// The force u = B sin θ on the first mass, θ' = γω: the phasor (B sin θ, B cos θ), non-dimensional.
+/// The force u = B sin θ on one coordinate, θ' = γω: the phasor (B sin θ, B cos θ), non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Phasor<'a, T> {
+pub struct Phasor<'a, T, const N: usize> {
     /// B sin θ, the force.
     pub sin: T,
     /// B cos θ.
@@ -112,37 +113,37 @@ pub struct Phasor<'a, T> {
     /// |B|.
     pub amplitude: T,
     /// What the drive does to the flight, per unit of B.
-    pub constants: &'a Constants<T>,
+    pub constants: &'a Constants<T, N>,
 }
 
-impl<'a, T: Real> Phasor<'a, T> {
+impl<'a, T: Real, const N: usize> Phasor<'a, T, N> {
     /// A force of amplitude `b` whose phase θ has the given sine and cosine.
-    pub fn new(constants: &'a Constants<T>, b: T, [sin, cos]: [T; 2]) -> Self {
+    pub fn new(constants: &'a Constants<T, N>, b: T, [sin, cos]: [T; 2]) -> Self {
         Phasor { sin: b * sin, cos: b * cos, amplitude: b.abs(), constants }
     }
 }
 
-impl<'a, T: Real> Drive<T> for Phasor<'a, T> {
-    type Series = PhasorSeries<'a, T>;
+impl<'a, T: Real, const N: usize> Drive<T, N> for Phasor<'a, T, N> {
+    type Series = PhasorSeries<'a, T, N>;
 
     #[inline(always)]
-    fn pushed(&self, acceleration: T) -> T {
-        acceleration + self.sin
+    fn pushed(&self, acceleration: [T; N]) -> [T; N] {
+        axpy(self.sin, &self.constants.push, &acceleration)
     }
 
     #[inline(always)]
-    fn jerked(&self, jerk: T) -> T {
-        jerk + self.constants.omega * self.cos
+    fn jerked(&self, jerk: [T; N]) -> [T; N] {
+        axpy(self.constants.omega * self.cos, &self.constants.push, &jerk)
     }
 
     #[inline(always)]
-    fn bounded(&self, bound: T) -> T {
-        bound + self.constants.bound * self.amplitude
+    fn bounded(&self, normal: usize, bound: T) -> T {
+        bound + self.constants.bound[normal] * self.amplitude
     }
 
     #[inline(always)]
-    fn carried(&self, i: usize, value: T) -> T {
-        value + (self.constants.gamma_sin[i] * self.sin + self.constants.gamma_cos[i] * self.cos)
+    fn carried(&self, state: State<T, N>) -> State<T, N> {
+        state.plus(self.sin, &self.constants.gamma_sin).plus(self.cos, &self.constants.gamma_cos)
     }
 
     #[inline(always)]
@@ -169,18 +170,20 @@ impl<'a, T: Real> Drive<T> for Phasor<'a, T> {
 
 /// See [`DriveSeries`].
 #[derive(Clone, Copy, Debug)]
-pub struct PhasorSeries<'a, T> {
-    sum: Phasor<'a, T>,
+pub struct PhasorSeries<'a, T, const N: usize> {
+    sum: Phasor<'a, T, N>,
+    /// The derivatives of (sin, cos), multiplied by their power of the length.
     term: [T; 2],
+    /// γω s.
     turn: T,
 }
 
-impl<'a, T: Real> DriveSeries<T> for PhasorSeries<'a, T> {
-    type Drive = Phasor<'a, T>;
+impl<'a, T: Real, const N: usize> DriveSeries<T, N> for PhasorSeries<'a, T, N> {
+    type Drive = Phasor<'a, T, N>;
 
     #[inline(always)]
-    fn forced(&self, term: T, time: T) -> T {
-        term + self.term[0] * time
+    fn forced(&self, term: [T; N], s: T) -> [T; N] {
+        axpy(self.term[0] * s, &self.sum.constants.push, &term)
     }
 
     #[inline(always)]

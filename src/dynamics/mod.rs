@@ -1,24 +1,34 @@
 //! Motion: flight, impact, chatter, sticking. No I/O, no threads.
+//!
+//! Impacts at one instant happen one after the other: of the stops that are touched and run into, the first in the order of
+//! contact normals (that of their first stops in the plant) and of their ends (first the one met along the first stop's
+//! direction). A contact that an impact elsewhere drives into its stop is an impact at the same instant; one that it pulls
+//! off opens. Impacts whose directions are perpendicular in the metric of M⁻¹ commute.
 
 mod chatter;
 mod contact;
 mod drive;
+mod placing;
 mod point;
 mod recording;
 mod series;
+mod stop;
 mod tangent;
 mod trajectory;
 
+pub use contact::holds;
 pub use drive::{Drive, DriveSeries, Phasor};
-pub use point::Point;
-pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record};
-pub use tangent::{Tangent, Variation};
-pub use trajectory::{Contact, Event, Impact, Move, Stop, Trajectory};
+pub use point::{Motion, Point};
+pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record, resting_on};
+pub use stop::{Contact, End, Stop};
+pub use tangent::{Saltation, Tangent, Variation};
+pub use trajectory::{Event, Impact, Move, Trajectory};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::chatter::{DRAGGED, SLOW, STEADY};
-    pub use super::contact::{FAR, HERMITE, WIDENING};
+    pub use super::contact::{HERMITE, WIDENING};
     pub use super::series::INVERSE_FACTORIALS;
     pub use super::trajectory::{MOST_KICKS, MOST_MOVES};
+    pub use crate::model::FAR;
 }

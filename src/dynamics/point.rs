@@ -1,88 +1,93 @@
-//! A point of the motion and its free flight, as exact as the arithmetic.
+//! A point of the motion and its flight, as exact as the arithmetic.
 
 use super::drive::{Drive, DriveSeries};
-use super::series::{INVERSE_FACTORIALS, Series, axpy};
-use crate::model::{Flight, Real};
+use super::series::{INVERSE_FACTORIALS, Series};
+use super::stop::Contact;
+use crate::model::vector::{MOST, added, applied, axpy, dot, dot_absolute, scaled};
+use crate::model::{Flight, Real, State};
 
 /// State and forcing phasor at one instant, and that of a second force where there is one; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point<T, D = ()> {
-    /// Displacement of the first mass.
-    pub x1: T,
-    /// Displacement of the second mass.
-    pub x2: T,
-    /// Velocity of the first mass.
-    pub v1: T,
-    /// Velocity of the second mass.
-    pub v2: T,
+pub struct Point<T, const N: usize, D = ()> {
+    /// Displacements and velocities.
+    pub state: State<T, N>,
     /// Sine of the forcing phase.
     pub sin: T,
     /// Cosine of the forcing phase.
     pub cos: T,
-    /// What else drives the first mass; `()` is nothing.
+    /// 1, the factor of the constant load; 0 for a deviation, which does not feel it.
+    pub one: T,
+    /// What else drives a coordinate; `()` is nothing.
     pub drive: D,
 }
 
-/// How the first mass moves for the next instants.
+/// How the masses move for the next instants, with the contacts that hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion<T> {
-    /// x1''.
+pub struct Motion<T, const N: usize> {
+    /// x''.
+    pub acceleration: [T; N],
+    /// x'''.
+    pub jerk: [T; N],
+    /// What presses on each contact that holds, as an acceleration along its normal; 0 for the others.
+    pub pressing: [T; MOST],
+    /// Its derivative.
+    pub pressing_rate: [T; MOST],
+}
+
+/// How a motion goes on along one normal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Approach<T> {
+    /// (d·x)''.
     pub acceleration: T,
-    /// x1'''.
+    /// (d·x)'''.
     pub jerk: T,
-    /// A bound on |x1''''| for the rest of the step.
+    /// A bound on |(d·x)''''| for the rest of the step.
     pub bound: T,
 }
 
-impl<T: Real> Point<T> {
+impl<T: Real, const N: usize> Point<T, N> {
     /// A point at forcing phase 0.
-    pub fn at_phase_zero([x1, x2, v1, v2]: [T; 4]) -> Self {
-        Point { x1, x2, v1, v2, sin: T::zero(), cos: T::one(), drive: () }
+    pub fn at_phase_zero(state: State<T, N>) -> Self {
+        Point { state, sin: T::zero(), cos: T::one(), one: T::one(), drive: () }
     }
 }
 
-impl<T: Real, D: Drive<T>> Point<T, D> {
-    /// (x1, x2, v1, v2).
-    #[inline(always)]
-    pub fn state(&self) -> [T; 4] {
-        [self.x1, self.x2, self.v1, self.v2]
-    }
-
+impl<T: Real, const N: usize, D: Drive<T, N>> Point<T, N, D> {
     /// The point one whole step h of free flight later.
     #[inline(always)]
-    pub fn stepped(&self, flight: &Flight<T>) -> Self {
-        let [c0, c1, c2, c3] = &flight.phi;
-        let row = |i: usize| {
-            let value = (c0[i] * self.x1 + c1[i] * self.x2)
-                + (c2[i] * self.v1 + c3[i] * self.v2)
-                + (flight.gamma_sin[i] * self.sin + flight.gamma_cos[i] * self.cos);
-            self.drive.carried(i, value)
-        };
+    pub fn stepped(&self, flight: &Flight<T, N>) -> Self {
+        let mut state = flight.gamma_one.scaled(self.one);
+        state = state.plus(self.sin, &flight.gamma_sin).plus(self.cos, &flight.gamma_cos);
+        for (column, &x) in flight.phi_x.iter().zip(&self.state.x) {
+            state = state.plus(x, column);
+        }
+        for (column, &v) in flight.phi_v.iter().zip(&self.state.v) {
+            state = state.plus(v, column);
+        }
         Point {
-            x1: row(0),
-            x2: row(1),
-            v1: row(2),
-            v2: row(3),
+            state: self.drive.carried(state),
             sin: self.sin * flight.turn_cos + self.cos * flight.turn_sin,
             cos: self.cos * flight.turn_cos - self.sin * flight.turn_sin,
+            one: self.one,
             drive: self.drive.stepped(),
         }
     }
 
-    /// The point a time `s` ≤ h later, by the Taylor polynomial of Eq. (2).
+    /// The point a time `s` ≤ h later with the contacts that hold, by the Taylor polynomial of the equations of motion.
     ///
-    /// `free` is 1 in free flight and 0 while the first mass rests on a stop. The terms are kept as
-    /// Vₖ = v⁽ᵏ⁾ sᵏ, which obey a recurrence of second order; 1/k! comes from a table.
+    /// The terms are kept as Vₖ = v⁽ᵏ⁾ sᵏ, which obey a recurrence of second order; 1/k! comes from a table.
     #[inline(always)]
-    pub fn flown(&self, flight: &Flight<T>, s: T, free: T) -> Self {
-        let series = Series::new(flight, s, free);
+    pub fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
+        let series = Series::new(flight, s);
         let turn = flight.omega * s;
-        let force = [flight.force1 * (s * free), flight.force2 * s];
-        let mut before = [self.v1, self.v2];
-        let first = series.first(flight, [self.x1, self.x2], before);
-        let mut last = axpy(self.sin, force, first);
+        let force_sin = scaled(s, &flight.sin);
+        let force_cos = scaled(s, &flight.cos);
         let mut drive = self.drive.series(s);
-        last[0] = drive.forced(last[0], s * free);
+        let mut before = self.state.v;
+        let first = series.first(flight, &self.state.x, &before);
+        let first = axpy(self.cos, &force_cos, &axpy(self.sin, &force_sin, &first));
+        let first = axpy(s * self.one, &flight.load, &first);
+        let mut last = held(flight, contact, drive.forced(first, s)).0;
         let mut phasor = [self.cos * turn, -(self.sin * turn)];
         let mut velocity = before;
         let mut mean = before;
@@ -91,100 +96,127 @@ impl<T: Real, D: Drive<T>> Point<T, D> {
         for k in 1..=T::ORDER {
             let weight = T::of(INVERSE_FACTORIALS[k]);
             let lower = T::of(INVERSE_FACTORIALS[k + 1]);
-            velocity = axpy(weight, last, velocity);
-            mean = axpy(lower, last, mean);
-            phase = axpy(weight, phasor, phase);
+            velocity = axpy(weight, &last, &velocity);
+            mean = axpy(lower, &last, &mean);
+            phase = axpy(weight, &phasor, &phase);
             drive.next(weight);
             let negligible;
             (power, negligible) = series.grow(power, k);
             if negligible {
                 break;
             }
-            let forced = [drive.forced(phasor[0] * force[0], s * free), phasor[0] * force[1]];
-            let next = series.next(before, last, forced);
+            let forced = axpy(phasor[1], &force_cos, &scaled(phasor[0], &force_sin));
+            let next = series.next(&before, &last, &drive.forced(forced, s));
             before = last;
-            last = next;
+            last = held(flight, contact, next).0;
             phasor = [phasor[1] * turn, -(phasor[0] * turn)];
         }
         Point {
-            x1: self.x1 + mean[0] * s,
-            x2: self.x2 + mean[1] * s,
-            v1: velocity[0],
-            v2: velocity[1],
+            state: State { x: axpy(s, &mean, &self.state.x), v: velocity },
             sin: phase[0],
             cos: phase[1],
+            one: self.one,
             drive: drive.end(),
         }
     }
 
-    /// The point with v1 changed by `kick` a time `s` ≤ h ago: flight is linear, so the change just adds.
+    /// The point with the speed along a normal changed by `kick` a time `s` ≤ h ago: flight is linear, so the change
+    /// just adds.
     #[inline(always)]
-    pub fn kicked(&self, flight: &Flight<T>, kick: T, s: T) -> Self {
+    pub fn kicked(&self, flight: &Flight<T, N>, normal: usize, kick: T, s: T) -> Self {
         let u = s * flight.inverse_h;
-        let mut sum = flight.kick[T::ORDER];
+        let terms = &flight.normals[normal].kick;
+        let mut sum = terms[T::ORDER];
         for k in (0..T::ORDER).rev() {
-            for (sum, term) in sum.iter_mut().zip(flight.kick[k]) {
-                *sum = *sum * u + term;
-            }
+            sum = terms[k].plus(u, &sum);
         }
-        let [x1, x2, v1, v2] = sum;
-        Point {
-            x1: self.x1 + kick * x1,
-            x2: self.x2 + kick * x2,
-            v1: self.v1 + kick * v1,
-            v2: self.v2 + kick * v2,
-            ..*self
-        }
+        Point { state: self.state.plus(kick, &sum), ..*self }
     }
 
     /// The point a time `s` later, so short that its square is lost in rounding.
     #[inline(always)]
-    pub fn nudged(&self, flight: &Flight<T>, s: T) -> Self {
-        let (a1, a2) = self.accelerations(flight);
+    pub fn nudged(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
+        let acceleration = held(flight, contact, self.accelerations(flight)).0;
         let turn = flight.omega * s;
         Point {
-            x1: self.x1 + self.v1 * s,
-            x2: self.x2 + self.v2 * s,
-            v1: self.v1 + a1 * s,
-            v2: self.v2 + a2 * s,
+            state: State {
+                x: axpy(s, &self.state.v, &self.state.x),
+                v: axpy(s, &acceleration, &self.state.v),
+            },
             sin: self.sin + self.cos * turn,
             cos: self.cos - self.sin * turn,
+            one: self.one,
             drive: self.drive.nudged(s),
         }
     }
 
-    /// x1'' and x2'' of Eq. (2).
+    /// x'' in free flight.
     #[inline(always)]
-    pub fn accelerations(&self, flight: &Flight<T>) -> (T, T) {
-        let coupling = (self.x2 - self.x1) + flight.coupling_damping * (self.v2 - self.v1);
-        let a1 = self.drive.pushed(coupling + flight.force1 * self.sin);
-        let a2 = (flight.force2 * self.sin - flight.ground_stiffness * self.x2)
-            - (flight.ground_damping * self.v2 + flight.inverse_mass * coupling);
-        (a1, a2)
+    pub fn accelerations(&self, flight: &Flight<T, N>) -> [T; N] {
+        let inner =
+            added(&applied(&flight.stiffness, &self.state.x), &applied(&flight.damping, &self.state.v));
+        let load = scaled(self.one, &flight.load);
+        let outer = axpy(self.cos, &flight.cos, &axpy(self.sin, &flight.sin, &load));
+        self.drive.pushed(added(&inner, &outer))
     }
 
-    /// What decides when a stop can be reached (`free` = 1), or left (`free` = 0): in contact the acceleration
-    /// is the contact force's, and the derivatives are along the motion that rests.
+    /// What decides when a stop can be reached, or left.
     #[inline(always)]
-    pub fn motion(&self, flight: &Flight<T>, free: T) -> Motion<T> {
-        let (acceleration, a2) = self.accelerations(flight);
-        Motion {
-            acceleration,
-            jerk: self.drive.jerked(
-                ((self.v2 - self.v1) + flight.coupling_damping * (a2 - free * acceleration))
-                    + flight.force1 * flight.omega * self.cos,
-            ),
-            bound: self.bound(flight),
+    pub fn motion(&self, flight: &Flight<T, N>, contact: Contact) -> Motion<T, N> {
+        let (acceleration, pressing) = held(flight, contact, self.accelerations(flight));
+        let inner =
+            added(&applied(&flight.stiffness, &self.state.v), &applied(&flight.damping, &acceleration));
+        let outer =
+            axpy(flight.omega * self.cos, &flight.sin, &scaled(-(flight.omega * self.sin), &flight.cos));
+        let jerk = self.drive.jerked(added(&inner, &outer));
+        let (jerk, pressing_rate) = held(flight, contact, jerk);
+        Motion { acceleration, jerk, pressing, pressing_rate }
+    }
+
+    /// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for the rest
+    /// of the step.
+    #[inline(always)]
+    pub fn bound(&self, flight: &Flight<T, N>, normal: usize) -> T {
+        let along = &flight.normals[normal];
+        let bound = dot_absolute(&along.bound_x, &self.state.x)
+            + dot_absolute(&along.bound_v, &self.state.v)
+            + along.bound_forcing;
+        self.drive.bounded(normal, bound)
+    }
+
+    /// How a motion from here goes on along a normal.
+    #[inline(always)]
+    pub fn approach(&self, flight: &Flight<T, N>, motion: &Motion<T, N>, normal: usize) -> Approach<T> {
+        let direction = &flight.normals[normal].direction;
+        Approach {
+            acceleration: dot(direction, &motion.acceleration),
+            jerk: dot(direction, &motion.jerk),
+            bound: self.bound(flight, normal),
         }
     }
+}
 
-    /// A bound on |x1''''| (in contact: on the second derivative of the contact force) for the rest of the step.
-    #[inline(always)]
-    pub fn bound(&self, flight: &Flight<T>) -> T {
-        let [b0, b1, b2, b3] = flight.bound;
-        let bound = (b0 * self.x1.abs() + b1 * self.x2.abs())
-            + (b2 * self.v1.abs() + b3 * self.v2.abs())
-            + flight.bound_forcing;
-        self.drive.bounded(bound)
+/// Accelerations (or their derivatives) with what the contacts that hold take from them, and what presses on each.
+#[inline(always)]
+pub fn held<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
+    contact: Contact,
+    free: [T; N],
+) -> ([T; N], [T; MOST]) {
+    let mut pressing = [T::zero(); MOST];
+    if contact.is_free() {
+        return (free, pressing);
     }
+    let matrix = &flight.pressing[contact.held() as usize];
+    for (t, normal) in flight.normals().iter().enumerate() {
+        let along = dot(&normal.direction, &free);
+        for s in 0..flight.count {
+            pressing[s] = pressing[s] + matrix[s][t] * along;
+        }
+    }
+    let mut rest = free;
+    for (s, normal) in flight.normals().iter().enumerate() {
+        rest = axpy(-pressing[s], &normal.response, &rest);
+    }
+    (rest, pressing)
 }

@@ -3,8 +3,9 @@
 use thiserror::Error;
 
 use super::point::Point;
-use super::trajectory::{Contact, Event, Impact, MOST_MOVES, Stop, Trajectory};
-use crate::model::{Flight, System};
+use super::stop::{Contact, Stop};
+use super::trajectory::{Event, Impact, MOST_MOVES, Move, Trajectory};
+use crate::model::{Flight, State, System};
 
 /// An impact, at its instant; everything is non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,8 +97,8 @@ pub fn record(
     periods: u32,
     samples_per_period: u32,
 ) -> Recording {
-    let flight = Flight::new(system);
-    let mut trajectory = Trajectory::new(&flight, start);
+    let flight = Flight::<f64, 2>::new(system);
+    let mut trajectory = Trajectory::new(&flight, State::from_slice(&start));
     for period in 0..transient {
         if !pass_period(&flight, &mut trajectory) {
             return Recording { given_up: Some(GivenUp::Moves(period)), ..Recording::default() };
@@ -111,7 +112,7 @@ pub fn record(
         let taken = trajectory.advance(&flight, &mut ());
         let began = recorder.time(period, &before);
         let within = recorder.elapsed(&before);
-        recorder.sample(&flight, period, within, &before.point, taken.time, taken.free);
+        recorder.sample(&flight, period, within, &before.point, &taken);
         moves += 1;
         if taken.event == Event::Strobe {
             period += 1;
@@ -129,7 +130,7 @@ pub fn record(
 }
 
 /// Follows a trajectory to the end of its forcing period; `false` where it makes no headway.
-fn pass_period(flight: &Flight<f64>, trajectory: &mut Trajectory<f64>) -> bool {
+fn pass_period(flight: &Flight<f64, 2>, trajectory: &mut Trajectory<f64, 2>) -> bool {
     (0..=MOST_MOVES).any(|_| trajectory.advance(flight, &mut ()).event == Event::Strobe)
 }
 
@@ -146,8 +147,8 @@ struct Recorder {
 impl Recorder {
     fn new(
         system: &System,
-        flight: &Flight<f64>,
-        trajectory: &Trajectory<f64>,
+        flight: &Flight<f64, 2>,
+        trajectory: &Trajectory<f64, 2>,
         transient: u32,
         samples_per_period: u32,
     ) -> Self {
@@ -159,7 +160,7 @@ impl Recorder {
             samples_per_period,
             next: 0,
         };
-        if let Contact::Stuck(stop) = trajectory.contact {
+        if let Some(stop) = resting_on(flight, trajectory.contact) {
             let from = recorder.time(transient, trajectory);
             recorder.recording.sticks.push(Stick { stop, from, until: from });
         }
@@ -167,31 +168,31 @@ impl Recorder {
     }
 
     /// Time since the last strobe.
-    fn elapsed(&self, trajectory: &Trajectory<f64>) -> f64 {
+    fn elapsed(&self, trajectory: &Trajectory<f64, 2>) -> f64 {
         f64::from(trajectory.step) * self.h + trajectory.offset
     }
 
     /// Time since the start.
-    fn time(&self, period: u32, trajectory: &Trajectory<f64>) -> f64 {
+    fn time(&self, period: u32, trajectory: &Trajectory<f64, 2>) -> f64 {
         f64::from(period) * self.period + self.elapsed(trajectory)
     }
 
     /// Takes the samples that fall within a move of length `time` that began `elapsed` after the last strobe.
     fn sample(
         &mut self,
-        flight: &Flight<f64>,
+        flight: &Flight<f64, 2>,
         period: u32,
         elapsed: f64,
-        point: &Point<f64>,
-        time: f64,
-        free: f64,
+        point: &Point<f64, 2>,
+        taken: &Move<f64>,
     ) {
         while self.next < self.samples_per_period {
             let at = self.period * f64::from(self.next) / f64::from(self.samples_per_period);
-            if at >= elapsed + time && self.next > 0 {
+            if at >= elapsed + taken.time && self.next > 0 {
                 return;
             }
-            let [x1, x2, v1, v2] = point.flown(flight, (at - elapsed).max(0.0), free).state();
+            let State { x: [x1, x2], v: [v1, v2] } =
+                point.flown(flight, (at - elapsed).max(0.0), taken.contact).state;
             self.recording.samples.push(Sample {
                 time: f64::from(period) * self.period + at,
                 x1,
@@ -203,7 +204,7 @@ impl Recorder {
         }
     }
 
-    fn note(&mut self, began: f64, duration: f64, trajectory: &Trajectory<f64>, event: Event<f64>) {
+    fn note(&mut self, began: f64, duration: f64, trajectory: &Trajectory<f64, 2>, event: Event<f64>) {
         let time = began + duration;
         match event {
             Event::Impact(impact) => self.impact(time, trajectory, impact),
@@ -223,8 +224,8 @@ impl Recorder {
         }
     }
 
-    fn impact(&mut self, time: f64, trajectory: &Trajectory<f64>, impact: Impact<f64>) {
-        let Point { x2, v2, .. } = trajectory.point;
+    fn impact(&mut self, time: f64, trajectory: &Trajectory<f64, 2>, impact: Impact<f64>) {
+        let State { x: [_, x2], v: [_, v2] } = trajectory.point.state;
         self.recording.impacts.push(ImpactEvent {
             time,
             stop: impact.stop,
@@ -236,20 +237,30 @@ impl Recorder {
         });
     }
 
-    fn give_up(mut self, why: GivenUp, period: u32, trajectory: &Trajectory<f64>) -> Recording {
+    fn give_up(mut self, why: GivenUp, period: u32, trajectory: &Trajectory<f64, 2>) -> Recording {
         self.recording.given_up = Some(why);
         self.finish(period, trajectory)
     }
 
-    fn finish(mut self, period: u32, trajectory: &Trajectory<f64>) -> Recording {
+    fn finish(mut self, period: u32, trajectory: &Trajectory<f64, 2>) -> Recording {
         let time = self.time(period, trajectory);
-        if let (Contact::Stuck(_), Some(stick)) = (trajectory.contact, self.recording.sticks.last_mut()) {
+        if let (false, Some(stick)) = (trajectory.contact.is_free(), self.recording.sticks.last_mut()) {
             stick.until = time;
         }
         if self.samples_per_period > 0 {
-            let [x1, x2, v1, v2] = trajectory.point.state();
+            let State { x: [x1, x2], v: [v1, v2] } = trajectory.point.state;
             self.recording.samples.push(Sample { time, x1, x2, v1, v2 });
         }
         self.recording
     }
+}
+
+/// The stop on which a mass rests, pressed; none where it is free, or clamped.
+pub fn resting_on<T: crate::model::Real, const N: usize>(
+    flight: &Flight<T, N>,
+    contact: Contact,
+) -> Option<Stop> {
+    let held =
+        (0..flight.count).filter(|&k| !contact.is_clamped_along(k)).find_map(|k| contact.end_along(k))?;
+    Some(Stop(flight.normals[held.normal].stop[held.side]))
 }

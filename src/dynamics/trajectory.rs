@@ -1,13 +1,14 @@
 //! One trajectory: steps of flight, impacts, chatter, sticking, until it has gone as far as was asked.
 
-use std::fmt;
-
-use super::chatter;
-use super::contact;
+use super::chatter::{self, Closure, Rebound};
+use super::contact::{self, Reached};
 use super::drive::Drive;
-use super::point::{Motion, Point};
-use super::tangent::Variation;
-use crate::model::{Flight, Real};
+use super::placing::{clamped, placed, rested};
+use super::point::{Approach, Motion, Point};
+use super::stop::{Contact, End, Stop};
+use super::tangent::{Saltation, Variation};
+use crate::model::vector::{added, applied, axpy, dot};
+use crate::model::{Flight, Real, State};
 
 /// The most kicks that are added to the end of one step; after more, the step is flown to its end instead.
 pub const MOST_KICKS: u32 = 4;
@@ -15,54 +16,14 @@ pub const MOST_KICKS: u32 = 4;
 /// Moves in one forcing period beyond which a trajectory is given up.
 pub const MOST_MOVES: u32 = 1 << 24;
 
-/// One of the two rigid stops.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Stop {
-    /// A, at x1 = +δ.
-    A,
-    /// Ā, at x1 = −δ.
-    B,
-}
-
-impl Stop {
-    /// +1 at A, −1 at Ā: the direction in which the stop is approached.
-    #[inline(always)]
-    pub fn side<T: Real>(self) -> T {
-        match self {
-            Stop::A => T::one(),
-            Stop::B => -T::one(),
-        }
-    }
-}
-
-impl fmt::Display for Stop {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Stop::A => "A",
-            Stop::B => "B",
-        })
-    }
-}
-
-/// What the first mass touches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Contact {
-    /// Nothing: free flight.
-    Free,
-    /// It rests on a stop, pressed.
-    Stuck(Stop),
-    /// Both stops at once: the limit δ = 0.
-    Clamped,
-}
-
-/// An impact, Eq. (3).
+/// An impact: d·v+ = −r d·v− along its normal, v+ = v− + (d·v+ − d·v−) M⁻¹d/(dᵀM⁻¹d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact<T> {
     /// Where.
     pub stop: Stop,
-    /// v1−.
+    /// d·v−, d being the direction of the first stop on this normal.
     pub velocity_before: T,
-    /// v1+ = −r v1−.
+    /// d·v+ = −r d·v−.
     pub velocity_after: T,
 }
 
@@ -77,26 +38,26 @@ pub enum Event<T> {
     HalfPeriod,
     /// Phase 0: a forcing period is complete.
     Strobe,
-    /// An impact after which the first mass flies on.
+    /// An impact after which the masses part from the stop.
     Impact(Impact<T>),
     /// An impact that ends in sticking; `complete_chatter` if infinitely many rebounds were closed with it.
     Caught {
-        /// The impact; its speed is 0 where the first mass came to rest on the stop without one.
+        /// The impact; its speed is 0 where a mass came to rest on the stop without one.
         impact: Impact<T>,
         /// Whether rebounds follow it, infinitely many in finite time.
         complete_chatter: bool,
     },
-    /// The pressing force vanished and the first mass leaves its stop.
+    /// What pressed on a contact vanished, and it opens.
     Released(Stop),
 }
 
-/// A move: how long it took, in what contact, and what ended it.
+/// A move: how long it took, with what contacts, and what ended it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move<T> {
     /// Its duration; non-dimensional.
     pub time: T,
-    /// 1 if the first mass flew, 0 if it rested.
-    pub free: T,
+    /// The contacts that held during it.
+    pub contact: Contact,
     /// What happened at its end.
     pub event: Event<T>,
 }
@@ -105,14 +66,14 @@ pub struct Move<T> {
 ///
 /// Time is never summed up: the place is a step within the forcing period and an offset within the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Trajectory<T, D = ()> {
+pub struct Trajectory<T, const N: usize, D = ()> {
     /// The present state and forcing phasor.
-    pub point: Point<T, D>,
-    /// Where the present step ends if nothing more is met on the way; known while the first mass flies.
-    ahead: Point<T, D>,
+    pub point: Point<T, N, D>,
+    /// Where the present step ends if nothing more is met on the way; known in free flight.
+    ahead: Point<T, N, D>,
     /// Kicks that were added to it, each with its rounding.
     kicks: u32,
-    /// What the first mass touches.
+    /// What is in contact.
     pub contact: Contact,
     /// The step within the forcing period, 0 ≤ step < M.
     pub step: u32,
@@ -120,67 +81,58 @@ pub struct Trajectory<T, D = ()> {
     pub offset: T,
 }
 
-impl<T: Real> Trajectory<T> {
-    /// A trajectory that begins at forcing phase 0 with (x1, x2, v1, v2), |x1| ≤ δ.
-    pub fn new(flight: &Flight<T>, start: [T; 4]) -> Self {
-        let mut point = Point::at_phase_zero(start);
-        let clamped = flight.delta == T::zero();
-        if clamped {
-            point.x1 = T::zero();
-            point.v1 = T::zero();
-        }
-        let contact = if clamped { Contact::Clamped } else { Contact::Free };
+impl<T: Real, const N: usize> Trajectory<T, N> {
+    /// A trajectory that begins at forcing phase 0 with a state within the stops.
+    pub fn new(flight: &Flight<T, N>, start: State<T, N>) -> Self {
+        let contact = clamped(flight);
+        let point = Point::at_phase_zero(rested(flight, &start, contact));
         Trajectory { point, ahead: point, kicks: 0, contact, step: 0, offset: T::zero() }
     }
 
-    /// A trajectory that begins at forcing phase `phase`, 0 ≤ phase < 2π, with (x1, x2, v1, v2), |x1| ≤ δ > 0.
-    pub fn at_phase(flight: &Flight<T>, [x1, x2, v1, v2]: [T; 4], phase: f64) -> Self {
+    /// A trajectory that begins at forcing phase `phase`, 0 ≤ phase < 2π, with a state within the stops.
+    pub fn at_phase(flight: &Flight<T, N>, state: State<T, N>, phase: f64) -> Self {
         let steps = phase / std::f64::consts::TAU * f64::from(flight.steps);
         let step = (steps as u32).min(flight.steps - 1);
         let (sin, cos) = phase.sin_cos();
-        let point = Point { x1, x2, v1, v2, sin: T::of(sin), cos: T::of(cos), drive: () };
+        let contact = clamped(flight);
+        let state = rested(flight, &state, contact);
+        let point = Point { state, sin: T::of(sin), cos: T::of(cos), one: T::one(), drive: () };
         let offset = T::of((steps - f64::from(step)) * flight.h.widen());
-        Trajectory::from_point(flight, point, Contact::Free, step, offset)
+        Trajectory::from_point(flight, point, contact, step, offset)
     }
 }
 
-impl<T: Real, D: Drive<T>> Trajectory<T, D> {
+impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     /// A trajectory that goes on from a point at a time `offset`, 0 ≤ offset < h, after the beginning of a step.
     ///
     /// The point's phasor must be that of this time.
     pub fn from_point(
-        flight: &Flight<T>,
-        point: Point<T, D>,
+        flight: &Flight<T, N>,
+        point: Point<T, N, D>,
         contact: Contact,
         step: u32,
         offset: T,
     ) -> Self {
-        let ahead = match contact {
-            Contact::Free => point.flown(flight, flight.h - offset, T::one()),
-            Contact::Stuck(_) | Contact::Clamped => point,
-        };
+        let ahead = if contact.is_free() { point.flown(flight, flight.h - offset, contact) } else { point };
         Trajectory { point, ahead, kicks: 0, contact, step, offset }
     }
 
     /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none.
     #[inline(always)]
-    pub fn advance<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V) -> Move<T> {
-        let taken = match self.contact {
-            Contact::Free => self.fly(flight, variation),
-            Contact::Stuck(stop) => self.rest(flight, variation, stop),
-            Contact::Clamped => {
-                let window = flight.h - self.offset;
-                self.glide(flight, variation, window, T::zero());
-                Move { time: window, free: T::zero(), event: self.end_step(flight) }
-            }
-        };
+    pub fn advance<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
+        let taken =
+            if self.contact.is_free() { self.fly(flight, variation) } else { self.rest(flight, variation) };
         debug_assert!(contact::holds(flight, &self.point), "beyond a stop after {taken:?}: {self:?}");
         taken
     }
 
     /// Moves on like [`Trajectory::advance`], but passes over the ends of steps at which nothing happens.
     #[inline(always)]
-    pub fn advance_to_event<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V) -> Move<T> {
+    pub fn advance_to_event<V: Variation<T, N>>(
+        &mut self,
+        flight: &Flight<T, N>,
+        variation: &mut V,
+    ) -> Move<T> {
         loop {
             let taken = self.advance(flight, variation);
             if taken.event != Event::StepEnd {
@@ -191,154 +143,266 @@ impl<T: Real, D: Drive<T>> Trajectory<T, D> {
 
     /// Free flight: a whole step where it provably clears the stops, else as far as is safe.
     #[inline(always)]
-    fn fly<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V) -> Move<T> {
+    fn fly<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
         let window = flight.h - self.offset;
-        let whole = self.offset == T::zero();
-        let free = T::one();
-        if whole {
+        let contact = Contact::FREE;
+        if self.offset == T::zero() {
             self.ahead = self.point.stepped(flight);
             self.kicks = 0;
             if contact::clears(flight, &self.point, &self.ahead) {
                 return self.go_ahead(flight, variation, window);
             }
         }
-        let motion = self.point.motion(flight, free);
-        let time = contact::safe_time(flight, &self.point, &motion, window);
+        let motion = self.point.motion(flight, contact);
+        let time = contact::safe_time(flight, &self.point, &motion, contact, window);
         if time >= window {
             return self.go_ahead(flight, variation, window);
         }
-        self.glide(flight, variation, time, free);
-        self.offset = self.offset + time;
-        let stop = if self.point.x1 >= T::zero() { Stop::A } else { Stop::B };
-        let side = stop.side::<T>();
-        let imminent = contact::imminent(flight, &self.point, side);
-        // A contact beyond the end of the step belongs to the next one.
-        let Some(left) = imminent.filter(|&left| self.offset + left <= flight.h) else {
-            return Move { time, free, event: Event::Flight };
-        };
-        if side * self.point.v1 < T::zero() {
-            self.point.v1 = T::zero();
+        self.glide(flight, variation, time);
+        match self.imminent(flight) {
+            None => Move { time, contact, event: Event::Flight },
+            Some(reached) => {
+                let event = self.strike(flight, variation, reached);
+                Move { time: time + reached.left, contact, event }
+            }
         }
-        let event = self.strike(flight, variation, stop, left);
-        Move { time: time + left, free, event }
+    }
+
+    /// The stop that is reached in one straight line within the step; a contact beyond its end belongs to the next one.
+    #[inline(always)]
+    fn imminent(&self, flight: &Flight<T, N>) -> Option<Reached<T>> {
+        contact::imminent(flight, &self.point, self.contact)
+            .filter(|reached| self.offset + reached.left <= flight.h)
     }
 
     /// The rest of a step, known to clear the stops.
     #[inline(always)]
-    fn go_ahead<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V, window: T) -> Move<T> {
+    fn go_ahead<V: Variation<T, N>>(
+        &mut self,
+        flight: &Flight<T, N>,
+        variation: &mut V,
+        window: T,
+    ) -> Move<T> {
+        let contact = Contact::FREE;
         self.point =
-            if self.kicks <= MOST_KICKS { self.ahead } else { self.point.flown(flight, window, T::one()) };
+            if self.kicks <= MOST_KICKS { self.ahead } else { self.point.flown(flight, window, contact) };
         *variation = if self.offset == T::zero() {
             variation.stepped(flight)
         } else {
-            variation.flown(flight, window, T::one())
+            variation.flown(flight, window, contact)
         };
-        Move { time: window, free: T::one(), event: self.end_step(flight) }
+        Move { time: window, contact, event: self.end_step(flight) }
     }
 
-    /// An impact, a time `left` ahead: restitution (3), and sticking where the rebounds that follow can be closed.
+    /// An impact, a time `left` ahead: restitution, and sticking where the rebounds that follow can be closed.
     #[inline(always)]
-    fn strike<V: Variation<T>>(
+    fn strike<V: Variation<T, N>>(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         variation: &mut V,
-        stop: Stop,
-        left: T,
+        Reached { end, left }: Reached<T>,
     ) -> Event<T> {
-        let side = stop.side::<T>();
-        let arrived = self.point.nudged(flight, left);
-        let before = arrived.motion(flight, T::one());
-        let velocity = arrived.v1;
-        let rebound = -(flight.r * velocity);
-        self.point = Point { x1: side * flight.delta, v1: rebound, ..arrived };
-        self.offset = self.offset + left;
-        let after = self.point.motion(flight, T::one());
-        if velocity != T::zero() {
-            let kick = rebound - velocity;
-            *variation = variation.struck(flight, velocity, kick, before.acceleration, after.acceleration);
+        let normal = &flight.normals[end.normal];
+        let sign = end.sign::<T>();
+        let speed = dot(&normal.direction, &self.point.state.v);
+        if sign * speed < T::zero() {
+            self.point.state.v = axpy(-speed, &normal.response, &self.point.state.v);
         }
-        let impact = Impact { stop, velocity_before: velocity, velocity_after: rebound };
-        let towards = Motion { acceleration: side * after.acceleration, ..after };
-        let speed = rebound.abs();
-        let room = T::of(f64::from(flight.steps - self.step)) * flight.h - self.offset;
-        let Some(closure) = chatter::close(flight, speed, &towards, room) else {
-            self.kicks += 1;
-            if self.kicks <= MOST_KICKS {
-                self.ahead = self.ahead.kicked(flight, rebound - velocity, flight.h - self.offset);
+        let held = self.contact;
+        let arrived = self.point.nudged(flight, left, held);
+        let before = arrived.motion(flight, held).acceleration;
+        let velocity = dot(&normal.direction, &arrived.state.v);
+        let rebound = -(normal.restitution[end.side] * velocity);
+        let kick = rebound - velocity;
+        self.point = Point { state: placed(flight, &arrived.state, end, rebound), ..arrived };
+        self.offset = self.offset + left;
+        if !held.is_free() {
+            self.keep_pressed(flight, end.normal, kick);
+        }
+        let after = self.point.motion(flight, self.contact);
+        if velocity != T::zero() {
+            let contact = self.contact;
+            let after = after.acceleration;
+            *variation = variation
+                .struck(flight, &Saltation { normal: end.normal, velocity, kick, before, after, contact });
+        }
+        let impact =
+            Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
+        let Some(closure) = self.closure(flight, end, rebound, &after) else {
+            let lost = contact::unresolved(normal, end.side, &self.point.state);
+            if rebound.abs() <= lost {
+                // Pulled off the stop as soon as it is met: rounding must not make that another impact.
+                let parting = -(sign * (lost + lost));
+                self.point.state = placed(flight, &self.point.state, end, parting);
             }
+            self.bounce(flight, end.normal, kick, held);
             return Event::Impact(impact);
         };
-        // The gap of the skipped rebounds lets the coupling's spring and damper act on the second mass.
-        let push = side * flight.inverse_mass * closure.gap_integral;
-        let drag =
-            flight.coupling_damping * (flight.inverse_mass * flight.coupling_damping + flight.ground_damping);
-        self.point.x2 = self.point.x2 - flight.coupling_damping * push;
-        self.point.v2 = self.point.v2 - (T::one() - drag) * push;
-        self.point.v1 = T::zero();
-        self.contact = Contact::Stuck(stop);
-        *variation = variation.caught();
-        Event::Caught { impact, complete_chatter: speed > T::zero() }
+        self.come_to_rest(flight, end, closure.gap_integral);
+        *variation = variation.caught(flight, self.contact);
+        Event::Caught { impact, complete_chatter: rebound.abs() > T::zero() }
     }
 
-    /// Sticking: the second mass moves alone until the force on the first no longer presses it on the stop.
+    /// The closure of the rebounds that follow an impact, if that is as good as following them.
     #[inline(always)]
-    fn rest<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V, stop: Stop) -> Move<T> {
+    fn closure(
+        &self,
+        flight: &Flight<T, N>,
+        end: End,
+        rebound: T,
+        after: &Motion<T, N>,
+    ) -> Option<Closure<T>> {
+        let normal = &flight.normals[end.normal];
+        let along = self.point.approach(flight, after, end.normal);
+        let towards = Approach { acceleration: end.sign::<T>() * along.acceleration, ..along };
+        let room = T::of(f64::from(flight.steps - self.step)) * flight.h - self.offset;
+        let rebound = Rebound {
+            speed: rebound.abs(),
+            restitution: normal.restitution[end.side],
+            unresolved: contact::unresolved(normal, end.side, &self.point.state),
+            room,
+        };
+        let closure = chatter::close(flight, normal, &rebound, &towards)?;
+        let resting = self.at_rest(flight, end, closure.gap_integral);
+        let contact = self.contact.with(end);
+        let Closure { height, lasts, .. } = closure;
+        contact::clears_elsewhere(flight, &resting, contact, end, height, lasts).then_some(closure)
+    }
+
+    /// An impact that ends in flight: the end of the step is where the kick takes it.
+    #[inline(always)]
+    fn bounce(&mut self, flight: &Flight<T, N>, normal: usize, kick: T, held: Contact) {
+        if !self.contact.is_free() {
+            return;
+        }
+        if !held.is_free() {
+            self.kicks = 0;
+            self.ahead = self.point.flown(flight, flight.h - self.offset, self.contact);
+            return;
+        }
+        self.kicks += 1;
+        if self.kicks <= MOST_KICKS {
+            self.ahead = self.ahead.kicked(flight, normal, kick, flight.h - self.offset);
+        }
+    }
+
+    /// The end of a chatter sequence whose rebounds opened the gap for `gap_integral` in all: meanwhile springs and dampers
+    /// acted on the masses that are free with the contact, and now it holds.
+    #[inline(never)]
+    fn come_to_rest(&mut self, flight: &Flight<T, N>, end: End, gap_integral: T) {
+        self.point = self.at_rest(flight, end, gap_integral);
+        self.contact = self.contact.with(end);
+    }
+
+    /// See [`Trajectory::come_to_rest`].
+    #[inline(never)]
+    fn at_rest(&self, flight: &Flight<T, N>, end: End, gap_integral: T) -> Point<T, N, D> {
+        let contact = self.contact.with(end);
+        let free = |v: [T; N]| super::point::held(flight, contact, v).0;
+        let response = &flight.normals[end.normal].response;
+        let push = free(applied(&flight.damping, response));
+        let pull = free(added(&applied(&flight.stiffness, response), &applied(&flight.damping, &push)));
+        let signed = -(end.sign::<T>() * gap_integral);
+        let State { x, v } = self.point.state;
+        let state = State { x: axpy(signed, &push, &x), v: axpy(signed, &pull, &v) };
+        Point { state: rested(flight, &state, contact), ..self.point }
+    }
+
+    /// After an impact along the normal `struck`: a contact whose speed this changes, by more than is lost in rounding, no
+    /// longer holds; where it is directed into the stop, the next move is an impact there, at the same instant.
+    #[inline(never)]
+    fn keep_pressed(&mut self, flight: &Flight<T, N>, struck: usize, kick: T) {
+        let response = &flight.normals[struck].response;
+        for (k, normal) in flight.normals().iter().enumerate() {
+            let Some(end) = self.contact.end_along(k) else { continue };
+            let change = kick * dot(&normal.direction, response);
+            let lost = contact::unresolved(normal, end.side, &self.point.state)
+                + T::of(4.0) * T::epsilon() * kick.abs();
+            if !self.contact.is_clamped_along(k) && change.abs() > lost {
+                self.contact = self.contact.without(k);
+            }
+        }
+        self.point.state = rested(flight, &self.point.state, self.contact);
+    }
+
+    /// Sticking: the masses that are free move on until a stop is met, or what presses on a contact vanishes.
+    #[inline(never)]
+    fn rest<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
         let window = flight.h - self.offset;
-        let side = stop.side::<T>();
-        let free = T::zero();
-        let motion = self.point.motion(flight, free);
-        let force = side * motion.acceleration;
-        let slope = side * motion.jerk;
-        if force <= contact::unresolved(flight) && slope < T::zero() {
-            return self.release(flight, variation, stop, slope);
-        }
+        let contact = self.contact;
+        let motion = self.point.motion(flight, contact);
         let least = flight.h * T::epsilon().sqrt();
-        let time = contact::pressed_time(force, slope, motion.bound, window);
-        let time = if time > least { time } else { least };
-        if time >= window {
-            self.glide(flight, variation, window, free);
-            return Move { time: window, free, event: self.end_step(flight) };
+        let clear = contact::safe_time(flight, &self.point, &motion, contact.with_opposite_ends(), window);
+        if clear <= least
+            && let Some(reached) = self.imminent(flight)
+        {
+            let event = self.strike(flight, variation, reached);
+            return Move { time: reached.left, contact, event };
         }
-        self.glide(flight, variation, time, free);
-        self.offset = self.offset + time;
-        Move { time, free, event: Event::Flight }
+        let mut time = clear;
+        for k in 0..flight.count {
+            let Some(end) = contact.end_along(k).filter(|_| !contact.is_clamped_along(k)) else { continue };
+            let sign = end.sign::<T>();
+            let (force, slope) = (sign * motion.pressing[k], sign * motion.pressing_rate[k]);
+            let bound = self.point.bound(flight, k);
+            let unresolved = contact::unresolved(&flight.normals[k], end.side, &self.point.state);
+            if (force <= unresolved && slope < T::zero()) || force < -unresolved {
+                return self.release(flight, variation, end, bound);
+            }
+            let pressed = contact::pressed_time(force, slope, bound, window);
+            let pressed = if pressed > least { pressed } else { least };
+            time = if pressed < time { pressed } else { time };
+        }
+        if time >= window {
+            self.glide(flight, variation, window);
+            return Move { time: window, contact, event: self.end_step(flight) };
+        }
+        self.glide(flight, variation, time);
+        Move { time, contact, event: Event::Flight }
     }
 
-    /// The first mass leaves its stop, from rest and without acceleration; the jerk alone pulls it off, for as long as
-    /// it surely outweighs what is left of the series, and the other stop is surely not reached.
-    #[inline(always)]
-    fn release<V: Variation<T>>(
+    /// A contact opens, from rest and without acceleration; the jerk alone pulls the masses off.
+    #[inline(never)]
+    fn release<V: Variation<T, N>>(
         &mut self,
-        flight: &Flight<T>,
+        flight: &Flight<T, N>,
         variation: &mut V,
-        stop: Stop,
-        slope: T,
+        end: End,
+        bound: T,
     ) -> Move<T> {
-        let free = T::one();
-        let motion = self.point.motion(flight, free);
         let half_window = T::of(0.5) * (flight.h - self.offset);
         let least = flight.h * T::epsilon().sqrt();
-        let pulled = -slope / (motion.bound + motion.bound);
+        let before = self.contact;
+        self.contact = before.without(end.normal);
+        let motion = self.point.motion(flight, self.contact);
+        let slope = end.sign::<T>() * dot(&flight.normals[end.normal].direction, &motion.jerk);
+        let pulled = if slope < T::zero() { -slope / (bound + bound) } else { least };
         let pulled = if pulled > least { pulled } else { least };
-        let pulled = if pulled < half_window { pulled } else { half_window };
-        let pulled = contact::safe_across(flight, &self.point, &motion, stop.side(), pulled);
-        self.contact = Contact::Free;
-        self.glide(flight, variation, pulled, free);
-        self.offset = self.offset + pulled;
-        self.ahead = self.point.flown(flight, flight.h - self.offset, free);
-        self.kicks = 0;
-        Move { time: pulled, free, event: Event::Released(stop) }
+        let ignored = self.contact.with_opposite_ends().with(end);
+        let clear = contact::safe_time(flight, &self.point, &motion, ignored, half_window);
+        let pulled = if pulled < clear { pulled } else { clear };
+        let contact = self.contact;
+        self.glide(flight, variation, pulled);
+        if self.contact.is_free() {
+            self.ahead = self.point.flown(flight, flight.h - self.offset, contact);
+            self.kicks = 0;
+        }
+        let stop = Stop(flight.normals[end.normal].stop[end.side]);
+        Move { time: pulled, contact, event: Event::Released(stop) }
     }
 
+    /// Moves on for a time within the step, with the present contacts.
     #[inline(always)]
-    fn glide<V: Variation<T>>(&mut self, flight: &Flight<T>, variation: &mut V, time: T, free: T) {
-        self.point = self.point.flown(flight, time, free);
-        *variation = variation.flown(flight, time, free);
+    fn glide<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V, time: T) {
+        let point = self.point.flown(flight, time, self.contact);
+        self.point = Point { state: rested(flight, &point.state, self.contact), ..point };
+        *variation = variation.flown(flight, time, self.contact);
+        self.offset = self.offset + time;
     }
 
     /// Begins the next step; the forcing phasor is exact at phases 0 and π.
     #[inline(always)]
-    fn end_step(&mut self, flight: &Flight<T>) -> Event<T> {
+    fn end_step(&mut self, flight: &Flight<T, N>) -> Event<T> {
         self.offset = T::zero();
         self.step += 1;
         if self.step == flight.steps {

@@ -1,54 +1,71 @@
-//! What flying under a second harmonic force on the first mass needs, computed once per cell in f64.
+//! What flying under a second harmonic force needs, computed once per cell in f64.
 
-use super::flight::{Flight, bounds};
-use super::generator::{self, COS, SIN};
+use nalgebra::SVector;
+
+use super::equations::Equations;
+use super::flight::{Flight, driven_bounds, driven_steps};
 use super::real::Real;
+use super::state::State;
 use super::system::System;
+use super::vector::MOST;
 
-/// The constants of a force B sin θ on the first mass, θ' = γω, per unit of B; everything is non-dimensional.
+/// The constants of a force B sin θ on one coordinate, θ' = γω, per unit of B; everything is non-dimensional.
 ///
 /// Flight is linear, so the force adds to a step what the exponential of the generator with this force in place of
 /// the forcing says: Γs B sin θ + Γc B cos θ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drive<T> {
+pub struct Drive<T, const N: usize> {
     /// γω, the drive's frequency.
     pub omega: T,
+    /// What a unit force accelerates: a column of M⁻¹.
+    pub push: [T; N],
     /// What one step adds per unit of B sin θ at its beginning.
-    pub gamma_sin: [T; 4],
+    pub gamma_sin: State<T, N>,
     /// What one step adds per unit of B cos θ at its beginning.
-    pub gamma_cos: [T; 4],
+    pub gamma_cos: State<T, N>,
     /// sin γωh, by which a step turns the phasor.
     pub turn_sin: T,
     /// cos γωh.
     pub turn_cos: T,
-    /// What a unit of |B| adds to the bound on |x1''''| within one step; see [`Flight::bound`].
-    pub bound: T,
+    /// What a unit of |B| adds to the bounds on |(d·x)''''| within one step, by normal.
+    pub bound: [T; MOST],
 }
 
-impl Drive<f64> {
-    /// For a drive of frequency γω, `ratio` = γ ≥ 0, on a cell whose steps are short enough for it: see
+impl<const N: usize> Drive<f64, N> {
+    /// For a drive of frequency γω, `ratio` = γ ≥ 0, of the first coordinate: see [`Drive::on`].
+    pub fn new(system: &System, flight: &Flight<f64, N>, ratio: f64) -> Self {
+        Drive::on(0, system, flight, ratio)
+    }
+
+    /// For a drive of frequency γω, `ratio` = γ ≥ 0, of one coordinate, on a cell whose steps are short enough for it: see
     /// [`System::following`].
-    pub fn new(system: &System, flight: &Flight<f64>, ratio: f64) -> Self {
-        let driven = system.driven(ratio);
-        let omega = driven.parameters().omega;
-        let column = |j: usize| {
-            let z = generator::exponential_column(&driven, flight.h, j);
-            [z[generator::X1], z[generator::X2], z[generator::V1], z[generator::V2]]
-        };
+    ///
+    /// # Panics
+    /// If there is no such coordinate.
+    pub fn on(coordinate: usize, system: &System, flight: &Flight<f64, N>, ratio: f64) -> Self {
+        assert!(coordinate < N, "coordinate {coordinate} of {N}");
+        let plant = system.plant();
+        let undriven = Equations::<N>::new(plant);
+        let push = SVector::<f64, N>::from_column_slice(system.unit_force(coordinate).as_slice());
+        let omega = ratio * plant.omega;
+        let driven =
+            Equations { sin: push, cos: SVector::zeros(), load: SVector::zeros(), omega, ..undriven };
+        let [gamma_sin, gamma_cos] = driven_steps(&driven, flight.h);
         let (turn_sin, turn_cos) = (omega * flight.h).sin_cos();
-        let (_, bound) = bounds(&driven, flight.h);
-        Drive { omega, gamma_sin: column(SIN), gamma_cos: column(COS), turn_sin, turn_cos, bound }
+        let bound = driven_bounds(&driven, flight.h);
+        Drive { omega, push: push.into(), gamma_sin, gamma_cos, turn_sin, turn_cos, bound }
     }
 
     /// The same constants, rounded to another precision.
-    pub fn round<T: Real>(&self) -> Drive<T> {
+    pub fn round<T: Real>(&self) -> Drive<T, N> {
         Drive {
             omega: T::of(self.omega),
+            push: self.push.map(T::of),
             gamma_sin: self.gamma_sin.map(T::of),
             gamma_cos: self.gamma_cos.map(T::of),
             turn_sin: T::of(self.turn_sin),
             turn_cos: T::of(self.turn_cos),
-            bound: T::of(self.bound),
+            bound: self.bound.map(T::of),
         }
     }
 }

@@ -1,16 +1,23 @@
-//! The system: its parameters, the equations of motion (2), and the constants of linear flight.
+//! The system: its parameters, the equations of motion, and the constants of linear flight.
 
 mod drive;
+mod equations;
 mod flight;
-pub(crate) mod generator;
-mod number;
+mod flow;
+mod forced;
 mod parameters;
 mod real;
+mod state;
 mod system;
+pub mod vector;
 
+pub use crate::system::{Number, joined, whole};
+pub use crate::system::{Parameter, ParameterError, Setting};
 pub use drive::Drive;
-pub use flight::Flight;
-pub use number::{Number, joined, whole};
-pub use parameters::{Parameter, ParameterError, Parameters};
+pub use equations::Equations;
+pub use flight::{ContactNormal, FAR, Flight, Quiet};
+pub use forced::{ForcedResponse, Trap};
+pub use parameters::Parameters;
 pub use real::Real;
+pub use state::{State, StateVector};
 pub use system::{System, SystemError};

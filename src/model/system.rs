@@ -1,39 +1,22 @@
-//! The equations of motion (2), in the form that every computation uses.
+//! A system: a plant at one place of its parameters, with the steps in which it is followed.
 
-use nalgebra::Matrix4;
+use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use super::generator;
-use super::number::Number;
-use super::parameters::{ParameterError, Parameters};
+use super::parameters::Parameters;
+use crate::system::Number;
+use crate::system::{CellError, Plant, PlantError, Setting};
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
-/// The free flight, |x1| < δ, is Eq. (2) solved for the accelerations. With the force in the coupling
-/// F = (x2 − x1) + 2ζ (v2 − v1) and the forcing phasor (s, c) = (sin φ, cos φ), φ = ωt:
-///
-/// ```text
-/// x1'' = F + force1 · s
-/// x2'' = −inverse_mass · F − ground_stiffness · x2 − ground_damping · v2 + force2 · s
-/// ```
-///
 /// Any μm, μk, μc and ζ are covered: proportional or not, under- or overdamped, no modes are formed.
 /// Everything is non-dimensional.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct System {
-    parameters: Parameters,
-    /// 2ζ, the damping of the coupling.
-    pub coupling_damping: f64,
-    /// 1/m2 = (1 − μm)/μm, m2 the second mass in units of the first.
-    pub inverse_mass: f64,
-    /// (1/m2) μk/(1 − μk), stiffness of the second mass to ground over its mass.
-    pub ground_stiffness: f64,
-    /// (1/m2) 2ζ μc/(1 − μc), damping of the second mass to ground over its mass.
-    pub ground_damping: f64,
-    /// Amplitude of the forcing on the first mass, 1 − f20.
-    pub force1: f64,
-    /// Amplitude of the forcing on the second mass over its mass, f20/m2.
-    pub force2: f64,
+    /// The setting it was made from, if it was made from one.
+    setting: Option<Setting>,
+    plant: Plant,
+    label_order: Vec<usize>,
     rate: f64,
     steps: u32,
 }
@@ -47,36 +30,63 @@ impl System {
     /// A system with checked parameters.
     ///
     /// # Errors
-    /// The first parameter that is out of its physical range, and [`SystemError::TooStiff`] where ω is so slow,
-    /// the damping so strong, or the second mass so light, that one forcing period holds more than
+    /// The first parameter that is out of its range, what the family cannot make of the values, and
+    /// [`SystemError::TooStiff`] where ω is so slow, or the damping so strong, that one forcing period holds more than
     /// [`System::MOST_STEPS`] steps of the fastest motion.
-    pub fn new(parameters: Parameters) -> Result<Self, SystemError> {
-        parameters.check()?;
-        let Parameters { omega, zeta, mu_m, mu_k, mu_c, f20, .. } = parameters;
-        let inverse_mass = (1.0 - mu_m) / mu_m;
-        let mut system = System {
-            parameters,
-            coupling_damping: 2.0 * zeta,
-            inverse_mass,
-            ground_stiffness: inverse_mass * (mu_k / (1.0 - mu_k)),
-            ground_damping: inverse_mass * (2.0 * zeta * (mu_c / (1.0 - mu_c))),
-            force1: 1.0 - f20,
-            force2: inverse_mass * f20,
-            rate: omega,
-            steps: 0,
-        };
-        let fastest = fastest(&generator::free(&system).fixed_view::<4, 4>(0, 0).into_owned());
-        // Not `max`, which would pass over a number that is none.
-        system.rate = if fastest < omega { omega } else { fastest };
+    pub fn new(setting: impl Into<Setting>) -> Result<Self, SystemError> {
+        let setting = setting.into();
+        let plant = setting.plant()?;
+        let rate = rate(&plant);
+        let label_order = setting.family().label_order().to_vec();
+        let mut system = System { setting: Some(setting), plant, label_order, rate, steps: 0 };
         system.divide()?;
         Ok(system)
+    }
+
+    /// The system of a plant.
+    ///
+    /// # Errors
+    /// What is wrong with the plant, and [`SystemError::TooStiff`] where one forcing period holds too many steps of the
+    /// fastest motion.
+    pub fn of_plant(plant: Plant) -> Result<Self, SystemError> {
+        plant.check()?;
+        let rate = rate(&plant);
+        let label_order = (0..plant.stops.len()).collect();
+        let mut system = System { setting: None, plant, label_order, rate, steps: 0 };
+        system.divide()?;
+        Ok(system)
+    }
+
+    /// The system of another plant with the same stops, its labels in the same order.
+    ///
+    /// # Errors
+    /// As [`System::of_plant`].
+    pub fn with_plant(&self, plant: Plant) -> Result<Self, SystemError> {
+        let label_order = self.label_order.clone();
+        System::of_plant(plant).map(|system| System { label_order, ..system })
+    }
+
+    /// The same system with another order in which labels count the impacts at its stops, each of them once.
+    ///
+    /// # Panics
+    /// If a stop is missing or named twice.
+    #[must_use]
+    pub fn labelled(self, label_order: Vec<usize>) -> Self {
+        let mut sorted = label_order.clone();
+        sorted.sort_unstable();
+        assert!(sorted.into_iter().eq(0..self.plant.stops.len()), "each stop once: {label_order:?}");
+        System { label_order, ..self }
     }
 
     /// Cuts the forcing period into steps short enough for the fastest motion.
     fn divide(&mut self) -> Result<(), SystemError> {
         let half_steps = (0.5 * self.rate * self.period() / Self::STEP).ceil();
         if half_steps.is_nan() || half_steps > f64::from(Self::MOST_STEPS / 2) {
-            return Err(SystemError::TooStiff(self.parameters));
+            return Err(SystemError::TooStiff(Box::new(Stiff {
+                setting: self.setting,
+                omega: self.plant.omega,
+                rate: self.rate,
+            })));
         }
         self.steps = 2 * half_steps as u32;
         Ok(())
@@ -86,45 +96,131 @@ impl System {
     ///
     /// # Errors
     /// [`SystemError::TooStiff`] where one forcing period would hold too many of them.
-    pub fn following(mut self, ratio: f64) -> Result<Self, SystemError> {
-        let frequency = ratio * self.parameters.omega;
+    pub fn following(&self, ratio: f64) -> Result<Self, SystemError> {
+        let mut system = self.clone();
+        let frequency = ratio * self.plant.omega;
         if !frequency.is_finite() || frequency > self.rate {
-            self.rate = frequency;
-            self.divide()?;
+            system.rate = frequency;
+            system.divide()?;
         }
-        Ok(self)
+        Ok(system)
     }
 
-    /// The same masses, springs and dampers under nothing but a unit force of frequency γω on the first mass.
-    pub(super) fn driven(mut self, ratio: f64) -> Self {
-        self.parameters.omega *= ratio;
-        self.force1 = 1.0;
-        self.force2 = 0.0;
-        self
+    /// The same system forced at another frequency ω: its setting's omega, where it was made from one that has it.
+    ///
+    /// # Errors
+    /// As [`System::new`] and [`System::of_plant`].
+    pub fn at_frequency(&self, omega: f64) -> Result<Self, SystemError> {
+        match self.setting.filter(|setting| setting.named("omega").is_some()) {
+            Some(setting) => System::new(setting.with_named("omega", omega)),
+            None => System::of_plant(Plant { omega, ..self.plant.clone() }),
+        }
     }
 
     /// The same system without forcing; ω stays as the clock that counts periods.
     #[must_use]
     pub fn unforced(mut self) -> Self {
-        self.force1 = 0.0;
-        self.force2 = 0.0;
+        self.plant.force_sin.fill(0.0);
+        self.plant.force_cos.fill(0.0);
         self
     }
 
-    /// The parameters the system was made from.
-    pub fn parameters(&self) -> &Parameters {
-        &self.parameters
+    /// The same system with other loads of sin φ on its coordinates.
+    #[must_use]
+    pub fn loaded(mut self, force_sin: &[f64]) -> Self {
+        self.plant.force_sin.copy_from_slice(force_sin);
+        self
     }
 
-    /// A state with the first mass no farther than its stops: rounding may have left it beyond.
-    pub fn between_stops(&self, [x1, x2, v1, v2]: [f64; 4]) -> [f64; 4] {
-        let delta = self.parameters.delta;
-        [x1.clamp(-delta, delta), x2, v1, v2]
+    /// The stops in the order in which labels count their impacts: the family's, or that of the plant.
+    pub fn label_order(&self) -> &[usize] {
+        &self.label_order
+    }
+
+    /// The setting that the system was made from; none where it was made from a plant.
+    pub fn setting(&self) -> Option<&Setting> {
+        self.setting.as_ref()
+    }
+
+    /// Whether it is the paper's oscillator, of which the exact theory speaks.
+    pub fn is_paper(&self) -> bool {
+        self.setting.as_ref().is_some_and(|setting| setting.family().is_paper())
+    }
+
+    /// The parameters of the paper's oscillator.
+    ///
+    /// # Panics
+    /// If it is another system.
+    pub fn parameters(&self) -> Parameters {
+        self.setting.as_ref().and_then(Parameters::of).expect("the system is the paper's oscillator")
+    }
+
+    /// The numbers of its equations of motion.
+    pub fn plant(&self) -> &Plant {
+        &self.plant
+    }
+
+    /// A state (x1 … xn, v1 … vn) whose displacements lie beyond a stop, moved onto it along the stop's direction; any other
+    /// as it is.
+    #[must_use]
+    pub fn between_stops<S: std::ops::DerefMut<Target = [f64]>>(&self, mut state: S) -> S {
+        for stop in &self.plant.stops {
+            let along =
+                |state: &[f64]| -> f64 { stop.direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum() };
+            let beyond = along(&state) - stop.gap;
+            if beyond > 0.0 {
+                let square = stop.direction.norm_squared();
+                for (value, d) in state.iter_mut().zip(stop.direction.iter()) {
+                    *value -= beyond * d / square;
+                }
+            }
+        }
+        state
+    }
+
+    /// Whether two opposed stops leave no room between them: the limit of a closing clearance.
+    pub fn is_clamped(&self) -> bool {
+        self.plant.stops.iter().enumerate().any(|(i, stop)| {
+            self.plant.stops[..i].iter().any(|other| {
+                let scale = stop.direction.dot(&other.direction) / other.direction.norm_squared();
+                super::equations::are_parallel(&stop.direction, &other.direction)
+                    && scale < 0.0
+                    && stop.gap == scale * other.gap
+            })
+        })
+    }
+
+    /// How many contact normals the stops have: parallel directions share one.
+    pub fn normals(&self) -> usize {
+        let mut found: Vec<&DVector<f64>> = Vec::new();
+        for stop in &self.plant.stops {
+            if !found.iter().any(|other| super::equations::are_parallel(&stop.direction, other)) {
+                found.push(&stop.direction);
+            }
+        }
+        found.len()
+    }
+
+    /// The accelerations of a unit force on one coordinate: a column of M⁻¹.
+    pub fn unit_force(&self, coordinate: usize) -> DVector<f64> {
+        let unit = DVector::from_fn(self.plant.n, |i, _| if i == coordinate { 1.0 } else { 0.0 });
+        self.plant.mass.clone().lu().solve(&unit).expect("a plant's mass matrix was checked to be invertible")
+    }
+
+    /// The mirror P, P² = 1, under which the system half a forcing period later is itself, if there is one.
+    pub fn mirror(&self) -> Option<DMatrix<f64>> {
+        self.plant.mirror().map(|mirror| mirror.matrix)
+    }
+
+    /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.
+    pub fn contraction(&self) -> f64 {
+        let inverse = self.plant.mass.clone().try_inverse();
+        (inverse.expect("a plant's mass matrix was checked to be invertible") * &self.plant.damping).trace()
     }
 
     /// The forcing period T = 2π/ω, non-dimensional.
     pub fn period(&self) -> f64 {
-        std::f64::consts::TAU / self.parameters.omega
+        std::f64::consts::TAU / self.plant.omega
     }
 
     /// The fastest rate of the flow: ω, or ‖A⁸‖^(1/8) of the unforced generator A, which lies just above the
@@ -139,45 +235,68 @@ impl System {
     }
 }
 
+/// See [`System::rate`].
+fn rate(plant: &Plant) -> f64 {
+    match plant.n {
+        1 => super::Equations::<1>::new(plant).rate(),
+        2 => super::Equations::<2>::new(plant).rate(),
+        3 => super::Equations::<3>::new(plant).rate(),
+        _ => super::Equations::<4>::new(plant).rate(),
+    }
+}
+
 /// Why a system was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum SystemError {
-    /// A parameter is outside its physical range.
+    /// A parameter is outside its range, or the family cannot make a plant of the values.
     #[error(transparent)]
-    Parameter(#[from] ParameterError),
+    Cell(#[from] CellError),
     /// The time scales are too far apart.
     #[error(
-        "omega = {} with zeta = {}, mu_m = {}, mu_k = {} and mu_c = {} needs more than {most} steps per \
-         forcing period: {remedy}",
-        Number(.0.omega), Number(.0.zeta), Number(.0.mu_m), Number(.0.mu_k), Number(.0.mu_c),
-        most = System::MOST_STEPS, remedy = remedy(.0)
+        "{} needs more than {most} steps per forcing period, since the fastest motion has a rate of {rate:.3e}: {remedy}",
+        .0.place(),
+        most = System::MOST_STEPS,
+        rate = .0.rate,
+        remedy = .0.remedy()
     )]
-    TooStiff(Parameters),
+    TooStiff(Box<Stiff>),
+    /// The plant cannot be followed.
+    #[error(transparent)]
+    Plant(#[from] PlantError),
 }
 
-/// The parameter that is furthest from its default, in powers of e, and where to move it.
-fn remedy(parameters: &Parameters) -> String {
-    let odds = |ratio: f64| (ratio / (1.0 - ratio)).ln();
-    let least = f64::MIN_POSITIVE;
-    let far = [
-        (-parameters.omega.max(least).ln(), "raise omega"),
-        (parameters.zeta.max(least).ln() + 2.0, "lower zeta"),
-        (-odds(parameters.mu_m.max(least)), "raise mu_m"),
-        (odds(parameters.mu_k), "lower mu_k"),
-        (odds(parameters.mu_c), "lower mu_c"),
-    ];
-    let (_, furthest) = far.into_iter().fold((0.0, "raise omega"), |a, b| if b.0 > a.0 { b } else { a });
-    furthest.to_owned()
+/// A system whose time scales are too far apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stiff {
+    setting: Option<Setting>,
+    omega: f64,
+    rate: f64,
 }
 
-/// ‖A⁸‖^(1/8), scaled by a power of two against overflow; not a number where A holds what is none.
-fn fastest(a: &Matrix4<f64>) -> f64 {
-    if !a.iter().all(|entry| entry.is_finite()) {
-        return f64::NAN;
+impl Stiff {
+    /// The parameters with their values, or the frequency alone.
+    fn place(&self) -> String {
+        let Some(setting) = &self.setting else {
+            return format!("a forcing frequency of {}", Number(self.omega));
+        };
+        let named = setting.entries().map(|(parameter, value)| format!("{parameter} = {}", Number(value)));
+        named.collect::<Vec<_>>().join(", ")
     }
-    let scale = 2.0_f64.powi(a.amax().log2().floor() as i32);
-    let a = a / scale;
-    let a2 = a * a;
-    let a4 = a2 * a2;
-    scale * (a4 * a4).norm().powf(0.125)
+
+    /// Of the paper's oscillator the parameter that is furthest from its default, in powers of e, and where to move it.
+    fn remedy(&self) -> &'static str {
+        let Some(parameters) = self.setting.as_ref().and_then(Parameters::of) else {
+            return "raise the forcing frequency, lower stiffness and damping, or raise the lightest mass";
+        };
+        let odds = |ratio: f64| (ratio / (1.0 - ratio)).ln();
+        let least = f64::MIN_POSITIVE;
+        let far = [
+            (-parameters.omega.max(least).ln(), "raise omega"),
+            (parameters.zeta.max(least).ln() + 2.0, "lower zeta"),
+            (-odds(parameters.mu_m.max(least)), "raise mu_m"),
+            (odds(parameters.mu_k), "lower mu_k"),
+            (odds(parameters.mu_c), "lower mu_c"),
+        ];
+        far.into_iter().fold((0.0, "raise omega"), |a, b| if b.0 > a.0 { b } else { a }).1
+    }
 }

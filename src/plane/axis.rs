@@ -3,50 +3,59 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::axis_error::AxisError;
 use super::spacing::Spacing;
 use crate::control::ControlQuantity;
+use crate::model::vector::MOST;
 use crate::model::{Number, Parameter, whole};
+use crate::system::Family;
 
 /// A component of the start state, at forcing phase 0; non-dimensional.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Component {
-    /// Displacement of the first mass, between the stops.
-    X1,
-    /// Displacement of the second mass.
-    X2,
-    /// Velocity of the first mass.
-    V1,
-    /// Velocity of the second mass.
-    V2,
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Component {
+    coordinates: usize,
+    index: usize,
 }
 
-impl Component {
-    /// Every component, in the order of a state.
-    pub const ALL: [Component; 4] = [Component::X1, Component::X2, Component::V1, Component::V2];
+/// The names of displacements and of velocities.
+const NAMES: [[&str; MOST]; 2] = [["x1", "x2", "x3", "x4"], ["v1", "v2", "v3", "v4"]];
 
-    /// The name used on the command line and in files.
+impl Component {
+    /// Every component, in the order of a state (x1 … xn, v1 … vn).
+    pub fn all(coordinates: usize) -> impl Iterator<Item = Component> {
+        (0..2 * coordinates).map(move |index| Component { coordinates, index })
+    }
+
+    /// The component of a name, if there is one.
+    pub fn named(name: &str, coordinates: usize) -> Option<Component> {
+        Component::all(coordinates).find(|component| component.name() == name)
+    }
+
+    /// The name used on the command line and in files: x1 … xn, v1 … vn.
     pub fn name(self) -> &'static str {
-        match self {
-            Component::X1 => "x1",
-            Component::X2 => "x2",
-            Component::V1 => "v1",
-            Component::V2 => "v2",
-        }
+        NAMES[usize::from(self.is_velocity())][self.coordinate()]
+    }
+
+    /// Whether it is a velocity.
+    pub fn is_velocity(self) -> bool {
+        self.index >= self.coordinates
+    }
+
+    /// Which coordinate it belongs to, counted from 0.
+    pub fn coordinate(self) -> usize {
+        self.index % self.coordinates
     }
 
     /// Where the component stands in a state.
     pub fn index(self) -> usize {
-        self as usize
+        self.index
     }
 }
 
 /// What an axis varies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(untagged)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
     /// A parameter of the system.
     Parameter(Parameter),
@@ -65,24 +74,37 @@ impl Quantity {
             Quantity::Control(setting) => setting.name(),
         }
     }
-}
 
-impl FromStr for Quantity {
-    type Err = AxisError;
-
-    fn from_str(name: &str) -> Result<Self, AxisError> {
-        if let Some(component) = Component::ALL.into_iter().find(|c| c.name() == name) {
+    /// The quantity of a name: a component of the start, a parameter of the family, a setting of a control method, in this
+    /// order.
+    ///
+    /// # Errors
+    /// [`AxisError::UnknownName`] with the names that there are.
+    pub fn named(name: &str, family: &'static Family) -> Result<Self, AxisError> {
+        if let Some(component) = Component::named(name, family.n()) {
             return Ok(Quantity::Start(component));
         }
-        if let Some(setting) = ControlQuantity::ALL.into_iter().find(|c| c.name() == name) {
-            return Ok(Quantity::Control(setting));
+        if let Ok(parameter) = Parameter::of(family, name) {
+            return Ok(Quantity::Parameter(parameter));
         }
-        name.parse().map(Quantity::Parameter).map_err(|_| AxisError::UnknownName(name.to_owned()))
+        let setting = ControlQuantity::ALL.into_iter().find(|setting| setting.name() == name);
+        setting.map(Quantity::Control).ok_or_else(|| {
+            let known: Vec<&str> = (Parameter::all(family).map(Parameter::name))
+                .chain(Component::all(family.n()).map(Component::name))
+                .collect();
+            AxisError::UnknownName { name: name.to_owned(), known: known.join(", ") }
+        })
+    }
+}
+
+impl Serialize for Quantity {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
     }
 }
 
 /// An axis of a plane: `count` values from `first` to `last`, both included; they may rise or fall.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Axis {
     /// What is varied.
     pub quantity: Quantity,
@@ -93,7 +115,7 @@ pub struct Axis {
     /// How many values.
     pub count: u32,
     /// How they are spaced.
-    #[serde(default, skip_serializing_if = "Spacing::is_linear")]
+    #[serde(skip_serializing_if = "Spacing::is_linear")]
     pub spacing: Spacing,
 }
 
@@ -207,11 +229,21 @@ impl fmt::Display for Axis {
 impl FromStr for Axis {
     type Err = AxisError;
 
-    /// Reads `NAME=FIRST:LAST:COUNT` or `NAME=FIRST:LAST:COUNT:log`.
+    /// Reads an axis of the paper's oscillator.
     fn from_str(text: &str) -> Result<Self, AxisError> {
+        Axis::of_family(text, Family::paper())
+    }
+}
+
+impl Axis {
+    /// Reads `NAME=FIRST:LAST:COUNT` or `NAME=FIRST:LAST:COUNT:log`, with the names of a family.
+    ///
+    /// # Errors
+    /// What is wrong with the text, and those of [`Axis::spaced`].
+    pub fn of_family(text: &str, family: &'static Family) -> Result<Self, AxisError> {
         let malformed = || AxisError::Malformed(text.to_owned());
         let (name, range) = text.split_once('=').ok_or_else(malformed)?;
-        let quantity: Quantity = name.trim().parse()?;
+        let quantity = Quantity::named(name.trim(), family)?;
         let parts: Vec<&str> = range.split(':').map(str::trim).collect();
         let (first, last, count, spacing) = match parts[..] {
             [first, last, count] => (first, last, count, Spacing::Linear),
@@ -228,6 +260,7 @@ impl FromStr for Axis {
 
 #[cfg(test)]
 mod tests {
+    use super::super::written::WrittenAxis;
     use super::*;
 
     #[test]
@@ -253,8 +286,9 @@ mod tests {
             let values = axis.values();
             let ratio = |pair: &[f64]| pair[1] / pair[0];
             assert!(values.windows(2).all(|pair| (ratio(pair) - ratio(&values[..2])).abs() < 1e-12));
-            let stored = serde_json::to_string(&axis).unwrap();
-            assert_eq!(serde_json::from_str::<Axis>(&stored).unwrap(), axis);
+            let stored = serde_json::to_string(&WrittenAxis::of(&axis)).unwrap();
+            let read: WrittenAxis = serde_json::from_str(&stored).unwrap();
+            assert_eq!(read.read(Family::paper()), Ok(axis));
         }
         let log: Axis = "omega=0.1:10:401:log".parse().unwrap();
         assert!((log.value(200) - 1.0).abs() < 1e-12 && (log.place(1.0) - 200.0).abs() < 1e-9);

@@ -16,11 +16,16 @@ pub enum AxisError {
     Malformed(String),
     /// Neither a parameter nor a component of the start.
     #[error(
-        "unknown axis `{0}`; an axis is one of the parameters omega, delta, zeta, r, mu_m, mu_k, mu_c, f20 \
-         or a component of the start x1, x2, v1, v2 (or, with --control, a setting of the method: gain, delay, \
-         amplitude, alpha, dead_band, gamma, phase, period, noise, target_v1, target_x2, target_v2, target_tau)"
+        "unknown axis `{name}`; an axis is one of the parameters or a component of the start: {known} (or, with \
+         --control, a setting of the method: gain, delay, amplitude, alpha, dead_band, gamma, phase, period, noise, \
+         target_v1, target_x2, target_v2, target_tau)"
     )]
-    UnknownName(String),
+    UnknownName {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: String,
+    },
     /// An end is NaN or infinite.
     #[error("axis {name}={}:{} has an end that is not a finite number", Number(*first), Number(*last))]
     NotFinite {

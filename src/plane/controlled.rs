@@ -1,6 +1,6 @@
 //! A plane under control: what is asked, and what came out of every cell.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use thiserror::Error;
 
 use super::axis::{Axis, Quantity};
@@ -9,17 +9,17 @@ use super::spec::{Plane, PlaneError};
 use super::start::Start;
 use crate::analysis::Schedule;
 use crate::control::{ControlError, ControlSchedule, ControlScheduleError, Outcome, Scheme};
-use crate::model::Parameters;
+use crate::model::Setting;
 
 /// A plane of parameters, start components and settings of a control method, whose cells are all controlled.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ControlPlane {
     /// The horizontal axis.
     pub x: Axis,
     /// The vertical axis; its first value is the first row.
     pub y: Axis,
     /// The parameters that no axis varies.
-    pub parameters: Parameters,
+    pub parameters: Setting,
     /// How every cell begins.
     pub start: Start,
     /// What controls them; axes over its settings override those.

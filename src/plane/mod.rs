@@ -8,6 +8,7 @@ mod region_map;
 mod spacing;
 mod spec;
 mod start;
+pub mod written;
 
 pub use axis::{Axis, Component, Quantity};
 pub use axis_error::AxisError;

@@ -3,22 +3,24 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::axis::{Axis, Component, Quantity};
+use super::axis::{Axis, Quantity};
 use super::start::{Start, StartError};
+use super::written::{WrittenAxis, WrittenParameters, WrittenSystem, parameters, setting};
 use crate::analysis::{Schedule, ScheduleError};
-use crate::model::{Parameter, ParameterError, Parameters};
+use crate::model::{ParameterError, Setting, StateVector};
 
 /// A plane of parameter pairs (or of start components), cell by cell in rows of equal y.
 ///
 /// Together with the version, back end and adapter this is everything needed to compute a map again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(into = "WrittenPlane", try_from = "WrittenPlane")]
 pub struct Plane {
     /// The horizontal axis.
     pub x: Axis,
     /// The vertical axis; its first value is the first row.
     pub y: Axis,
     /// The parameters that no axis varies (those of an axis are overridden cell by cell).
-    pub parameters: Parameters,
+    pub parameters: Setting,
     /// How every cell begins; an axis over a start component overrides that component.
     pub start: Start,
     /// How long every cell runs.
@@ -54,22 +56,20 @@ impl Plane {
     }
 
     fn check_starts(&self) -> Result<(), PlaneError> {
-        let varied = |c: Component| [&self.x, &self.y].into_iter().find(|a| a.quantity == Quantity::Start(c));
-        let any_varied = Component::ALL.into_iter().any(|c| varied(c).is_some());
-        if self.start == Start::Symmetric && any_varied {
+        let axes = [&self.x, &self.y];
+        let varies_start = |axis: &&Axis| matches!(axis.quantity, Quantity::Start(_));
+        if self.start == Start::Symmetric && axes.iter().any(varies_start) {
             return Err(PlaneError::SymmetricStartVaried);
         }
-        let farthest = match (varied(Component::X1), self.start) {
-            (Some(axis), _) if axis.first.abs() > axis.last.abs() => axis.first,
-            (Some(axis), _) => axis.last,
-            (None, Start::State([x1, ..])) => x1,
-            (None, _) => 0.0,
-        };
-        let narrowest = [&self.x, &self.y]
-            .into_iter()
-            .find(|axis| axis.quantity == Quantity::Parameter(Parameter::Delta))
-            .map_or(self.parameters.delta, Axis::least);
-        Ok(Start::State([farthest, 0.0, 0.0, 0.0]).check(narrowest)?)
+        self.start.fits(self.parameters.family())?;
+        // The places between the stops are convex, and the gaps are seldom anything but monotone: the corners decide.
+        for column in [0, self.x.count - 1] {
+            for row in [0, self.y.count - 1] {
+                let Ok(plant) = self.parameters_at(column, row).plant() else { continue };
+                self.start_at(column, row).check(&plant)?;
+            }
+        }
+        Ok(())
     }
 
     /// How many cells the plane has.
@@ -78,7 +78,7 @@ impl Plane {
     }
 
     /// The parameters of the cell in column `column` of row `row`.
-    pub fn parameters_at(&self, column: u32, row: u32) -> Parameters {
+    pub fn parameters_at(&self, column: u32, row: u32) -> Setting {
         [(&self.x, column), (&self.y, row)].into_iter().fold(self.parameters, |parameters, (axis, i)| {
             match axis.quantity {
                 Quantity::Parameter(parameter) => parameters.with(parameter, axis.value(i)),
@@ -93,11 +93,53 @@ impl Plane {
             match (axis.quantity, start) {
                 (Quantity::Parameter(_) | Quantity::Control(_), start) => start,
                 (Quantity::Start(component), start) => {
-                    let mut state = if let Start::State(state) = start { state } else { [0.0; 4] };
+                    let n = self.parameters.family().n();
+                    let mut state =
+                        if let Start::State(state) = start { state } else { StateVector::zeros(n) };
                     state[component.index()] = axis.value(i);
                     Start::State(state)
                 }
             }
+        })
+    }
+}
+
+/// A plane as files carry it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct WrittenPlane {
+    x: WrittenAxis,
+    y: WrittenAxis,
+    #[serde(default)]
+    system: Option<WrittenSystem>,
+    parameters: WrittenParameters,
+    start: Start,
+    schedule: Schedule,
+}
+
+impl From<Plane> for WrittenPlane {
+    fn from(plane: Plane) -> Self {
+        WrittenPlane {
+            x: WrittenAxis::of(&plane.x),
+            y: WrittenAxis::of(&plane.y),
+            system: Some(WrittenSystem::of(plane.parameters.family())),
+            parameters: parameters(&plane.parameters),
+            start: plane.start,
+            schedule: plane.schedule,
+        }
+    }
+}
+
+impl TryFrom<WrittenPlane> for Plane {
+    type Error = String;
+
+    fn try_from(written: WrittenPlane) -> Result<Self, String> {
+        let family = WrittenSystem::read(written.system.as_ref())?;
+        Ok(Plane {
+            x: written.x.read(family)?,
+            y: written.y.read(family)?,
+            parameters: setting(family, &written.parameters)?,
+            start: written.start,
+            schedule: written.schedule,
         })
     }
 }

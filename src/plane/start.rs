@@ -6,7 +6,8 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::model::{Number, System, joined};
+use crate::model::{Number, StateVector, System, joined};
+use crate::system::{Family, Plant};
 use crate::theory::symmetric_start;
 
 /// How a trajectory begins, at forcing phase 0.
@@ -15,31 +16,69 @@ use crate::theory::symmetric_start;
 pub enum Start {
     /// Both masses at rest at their equilibrium.
     Rest,
-    /// The stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical; rest elsewhere.
+    /// The stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical; rest elsewhere, and in
+    /// every system but the paper's oscillator.
     Symmetric,
-    /// The given (x1, x2, v1, v2); non-dimensional.
-    State([f64; 4]),
+    /// The given (x1 … xn, v1 … vn); non-dimensional.
+    State(StateVector),
 }
 
 impl Start {
-    /// The (x1, x2, v1, v2) that a trajectory of this system begins with, at forcing phase 0; non-dimensional.
-    pub fn state(&self, system: &System) -> [f64; 4] {
+    /// The state (x1 … xn, v1 … vn) that a trajectory of this system begins with, at forcing phase 0; non-dimensional.
+    ///
+    /// Rest is the origin, moved onto a stop beyond which it would lie.
+    pub fn state(&self, system: &System) -> StateVector {
+        let rest = || system.between_stops(StateVector::zeros(system.plant().n));
         match *self {
-            Start::Rest => [0.0; 4],
-            Start::Symmetric => symmetric_start(system).unwrap_or([0.0; 4]),
+            Start::Rest => rest(),
+            Start::Symmetric => {
+                symmetric_start(system).and_then(|state| StateVector::from_slice(&state)).unwrap_or_else(rest)
+            }
             Start::State(state) => state,
         }
     }
 
-    /// Checks that the first mass begins between stops at ±`delta`.
+    /// Checks that the start has as many components as a family's states.
     ///
     /// # Errors
-    /// [`StartError::OutsideStops`] with both values.
-    pub fn check(&self, delta: f64) -> Result<(), StartError> {
+    /// [`StartError::Components`] with both numbers.
+    pub fn fits(&self, family: &Family) -> Result<(), StartError> {
         match *self {
-            Start::State([x1, ..]) if x1.abs() > delta => Err(StartError::OutsideStops { x1, delta }),
+            Start::State(state) if state.coordinates() != family.n() => {
+                Err(StartError::Components { given: state.len(), needed: 2 * family.n() })
+            }
             _ => Ok(()),
         }
+    }
+
+    /// Checks that the masses begin between the stops of a plant.
+    ///
+    /// # Errors
+    /// [`StartError::OutsideStops`] with the place, and [`StartError::Components`].
+    pub fn check(&self, plant: &Plant) -> Result<(), StartError> {
+        let Start::State(state) = *self else { return Ok(()) };
+        if state.coordinates() != plant.n {
+            return Err(StartError::Components { given: state.len(), needed: 2 * plant.n });
+        }
+        for (number, stop) in plant.stops.iter().enumerate() {
+            let place: f64 = stop.direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum();
+            if place > stop.gap {
+                // Most stops are met by one coordinate.
+                let alone = stop.direction.iter().filter(|d| **d != 0.0).count() == 1;
+                let met = stop.direction.iter().position(|d| *d != 0.0).filter(|_| alone);
+                let place = met.map_or_else(
+                    || format!("its place along stop {} is {}", number + 1, Number(place)),
+                    |i| format!("x{} = {}", i + 1, Number(state[i])),
+                );
+                return Err(StartError::OutsideStops {
+                    start: *self,
+                    stop: number + 1,
+                    place: place.into(),
+                    gap: stop.gap,
+                });
+            }
+        }
+        Ok(())
     }
 }
 
@@ -64,7 +103,8 @@ impl FromStr for Start {
         }
         let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
         let numbers = numbers.map_err(|_| StartError::Malformed(text.to_owned()))?;
-        let state: [f64; 4] = numbers.try_into().map_err(|_| StartError::Malformed(text.to_owned()))?;
+        let state =
+            StateVector::from_slice(&numbers).ok_or_else(|| StartError::Malformed(text.to_owned()))?;
         if state.iter().all(|value| value.is_finite()) {
             Ok(Start::State(state))
         } else {
@@ -76,40 +116,66 @@ impl FromStr for Start {
 /// Why a start was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum StartError {
-    /// Neither a name nor four numbers.
-    #[error("`{0}` is not a start: write rest, symmetric, or four numbers X1,X2,V1,V2")]
+    /// Neither a name nor the numbers of a state.
+    #[error(
+        "`{0}` is not a start: write rest, symmetric, or a state X1,X2,V1,V2 (x1 … xn, v1 … vn: two numbers for each coordinate)"
+    )]
     Malformed(String),
     /// A component is NaN or infinite.
     #[error("start `{0}` has a component that is not a finite number")]
     NotFinite(String),
-    /// The first mass would begin beyond a stop.
-    #[error("the start x1 = {} lies outside the stops at ±{delta} (delta = {delta}); choose |x1| ≤ delta", Number(*x1), delta = Number(*delta))]
+    /// The system has another number of coordinates.
+    #[error(
+        "the start has {given} components, and a state of this system has {needed}: give x1 … xn, v1 … vn"
+    )]
+    Components {
+        /// The components given.
+        given: usize,
+        /// The components of a state.
+        needed: usize,
+    },
+    /// A mass would begin beyond a stop.
+    #[error(
+        "the start {start} lies beyond stop {stop}: {place}, and the gap is {}; choose it within the gap",
+        Number(*gap)
+    )]
     OutsideStops {
-        /// The first mass's displacement.
-        x1: f64,
-        /// The half clearance.
-        delta: f64,
+        /// The start.
+        start: Start,
+        /// Which stop, counted from 1 in the order of the family.
+        stop: usize,
+        /// Where it would begin, in words: the coordinate that meets the stop, or direction · x.
+        place: Box<str>,
+        /// The stop's gap.
+        gap: f64,
     },
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Setting;
 
     #[test]
     fn a_start_lies_between_the_stops() {
-        assert_eq!(Start::Rest.check(0.0), Ok(()));
-        assert_eq!(Start::State([-0.1, 9.0, 9.0, 9.0]).check(0.1), Ok(()));
-        let outside = Start::State([-0.2, 0.0, 0.0, 0.0]).check(0.1);
-        assert_eq!(outside, Err(StartError::OutsideStops { x1: -0.2, delta: 0.1 }));
+        let plant = Setting::defaults(Family::paper()).plant().unwrap();
+        assert_eq!(Start::Rest.check(&plant), Ok(()));
+        assert_eq!(Start::State([-0.1, 9.0, 9.0, 9.0].into()).check(&plant), Ok(()));
+        let start = Start::State([-0.2, 0.0, 0.0, 0.0].into());
+        assert_eq!(
+            start.check(&plant),
+            Err(StartError::OutsideStops { start, stop: 2, place: "x1 = -0.2".into(), gap: 0.1 })
+        );
+        let short = Start::State(StateVector::zeros(1));
+        assert_eq!(short.check(&plant), Err(StartError::Components { given: 2, needed: 4 }));
     }
 
     #[test]
     fn starts_round_trip_and_bad_ones_are_named() {
-        for start in [Start::Rest, Start::Symmetric, Start::State([0.05, -1.5, 0.0, 2e-3])] {
+        for start in [Start::Rest, Start::Symmetric, Start::State([0.05, -1.5, 0.0, 2e-3].into())] {
             assert_eq!(start.to_string().parse(), Ok(start));
         }
-        for text in ["", "Rest", "1,2,3", "1,2,3,4,5", "a,b,c,d"] {
+        for text in ["", "Rest", "1,2,3", "1,2,3,4,5,6,7,8,9,10", "a,b,c,d"] {
             assert_eq!(text.parse::<Start>(), Err(StartError::Malformed(text.to_owned())));
         }
         assert!(matches!("0,inf,0,0".parse::<Start>(), Err(StartError::NotFinite(_))));

@@ -22,7 +22,7 @@ impl Colouring {
     /// to any eye; then it has another one. Once no distinct paint is left, motions share one.
     pub fn of(motions: impl IntoIterator<Item = Motion>) -> Self {
         let unlike = Regime::ALL.into_iter().filter(|regime| !regime.is_periodic());
-        let reserved = unlike.map(|regime| paint_of(Motion { regime, counts: [0; 3], symmetric: false }));
+        let reserved = unlike.map(|regime| paint_of(Motion { regime, counts: [0; 5], symmetric: false }));
         let mut taken: Vec<(Option<Colour>, Seen)> =
             reserved.chain([SHARED]).map(|paint| (paint.hatch, Seen::of(paint.fill))).collect();
         let mut own = HashMap::new();
@@ -63,8 +63,8 @@ impl Colouring {
 mod tests {
     use super::*;
 
-    fn motion(regime: Regime, counts: [u16; 3], symmetric: bool) -> Motion {
-        Motion { regime, counts, symmetric }
+    fn motion(regime: Regime, [n, p, q]: [u16; 3], symmetric: bool) -> Motion {
+        Motion { regime, counts: [n, p, q, 0, 0], symmetric }
     }
 
     /// Two hundred motions with and without sticking, after all that is not periodic.

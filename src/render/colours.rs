@@ -118,7 +118,9 @@ pub fn paint_of(motion: Motion) -> Paint {
 }
 
 fn tone_of(motion: Motion) -> Colour {
-    let [n, p, q] = motion.counts;
+    let [n, p, q, further @ ..] = motion.counts;
+    // The impacts at further stops count with those at the second.
+    let q = further.into_iter().fold(q, u16::saturating_add);
     let label = [n, p.min(q), p.max(q)];
     let common = COMMON.iter().find(|(common, _)| *common == label);
     let [first, second] = common.map_or_else(|| OTHERS[scattered(label) % OTHERS.len()], |(_, tones)| *tones);
@@ -158,8 +160,8 @@ mod tests {
         differences(a, b)[..3].iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    fn motion(regime: Regime, counts: [u16; 3], symmetric: bool) -> Colour {
-        paint_of(Motion { regime, counts, symmetric }).fill
+    fn motion(regime: Regime, [n, p, q]: [u16; 3], symmetric: bool) -> Colour {
+        paint_of(Motion { regime, counts: [n, p, q, 0, 0], symmetric }).fill
     }
 
     fn not_periodic() -> Vec<(String, Colour)> {
@@ -251,7 +253,7 @@ mod tests {
 
     #[test]
     fn a_motion_with_sticking_is_the_motion_hatched() {
-        let of = |regime| paint_of(Motion { regime, counts: [1, 2, 2], symmetric: true });
+        let of = |regime| paint_of(Motion { regime, counts: [1, 2, 2, 0, 0], symmetric: true });
         let (free, sticking) = (of(Regime::Periodic), of(Regime::PeriodicSticking));
         assert_eq!(free.fill, sticking.fill);
         assert!(free.hatch.is_none() && sticking.hatch.is_some());

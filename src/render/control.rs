@@ -9,7 +9,7 @@ use super::symbols;
 use super::text::Text;
 use crate::analysis::Reading;
 use crate::control::{ControlQuantity, ControlSchedule, Convention, History, Scheme, Sign};
-use crate::model::System;
+use crate::model::{Setting, System};
 use crate::plane::Start;
 
 /// Dots and lines, in em.
@@ -91,13 +91,9 @@ impl ControlPicture<'_> {
         let points: Vec<[f64; 2]> = (self.history.returns.iter())
             .filter(|met| (from..=until).contains(&met.iterate))
             .map(|met| {
-                let [v1, x2, v2, tau] = met.section.components;
                 let value = match of {
                     Response::Signal => met.signal,
-                    Response::Component(Reading::X2) => x2,
-                    Response::Component(Reading::V2) => v2,
-                    Response::Component(Reading::Tau) => tau,
-                    Response::Component(_) => v1,
+                    Response::Component(reading) => component(&met.section, reading),
                 };
                 [f64::from(met.iterate), value]
             })
@@ -126,15 +122,9 @@ impl ControlPicture<'_> {
     /// The projection of the section points after so many iterates under control.
     pub fn section(&self, [x, y]: [Reading; 2], settled: u32) -> Panel {
         let begun = self.schedule.from + settled;
-        let value = |components: [f64; 4], of| match of {
-            Reading::X2 => components[1],
-            Reading::V2 => components[2],
-            Reading::Tau => components[3],
-            _ => components[0],
-        };
         let points: Vec<[f64; 2]> = (self.history.returns.iter())
             .filter(|met| met.iterate >= begun)
-            .map(|met| [value(met.section.components, x), value(met.section.components, y)])
+            .map(|met| [component(&met.section, x), component(&met.section, y)])
             .collect();
         let scale = |i: usize| Scale::around(points.iter().map(|point| point[i]), AROUND);
         let frame = Frame {
@@ -161,10 +151,14 @@ impl ControlPicture<'_> {
         }
     }
 
+    fn setting(&self) -> &Setting {
+        self.system.setting().expect("a system that is drawn is made of a setting")
+    }
+
     /// The system, the start and the method, without the settings of which `varied` says so.
     pub fn title(&self, varied: impl Fn(ControlQuantity) -> bool) -> Vec<Text> {
-        let mut title = symbols::equations(self.system.parameters(), |_| false);
-        title.extend(symbols::start(self.start, |_| false));
+        let mut title = symbols::equations(self.setting(), |_| false);
+        title.extend(symbols::start(self.start, self.system.plant().n, |_| false));
         if let Some(last) = title.last_mut() {
             *last = last.clone().upright(";");
         }
@@ -180,6 +174,16 @@ impl ControlPicture<'_> {
             Text::from("Iterates are returns to x").subscript("1").upright(" = +").italic("δ").upright(","),
             "just after an impact.".into(),
         ]
+    }
+}
+
+/// A component of a point on the section of a stop of the first coordinate.
+fn component(section: &[f64], reading: Reading) -> f64 {
+    match reading {
+        Reading::X2 => section[1],
+        Reading::V2 => section[section.len() / 2],
+        Reading::Tau => section[section.len() - 1],
+        _ => section[0],
     }
 }
 
@@ -221,7 +225,7 @@ pub(super) fn describe(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool
             ("period pulse", settings.to_vec())
         }
         Scheme::Delay(delay) => {
-            let [g, ..] = delay.gains;
+            let g = delay.gains[0];
             let gain = if delay.gains.iter().all(|&gain| gain == g) {
                 setting(Q::Gain, g)
             } else {

@@ -169,7 +169,7 @@ fn cells(map: &ControlMap, times: &Times) -> RgbImage {
 }
 
 fn unconverged() -> Colour {
-    paint_of(Motion { regime: Regime::Unresolved, counts: [0; 3], symmetric: false }).fill
+    paint_of(Motion { regime: Regime::Unresolved, counts: [0; 5], symmetric: false }).fill
 }
 
 /// Draws a bar of all colours with the numbers of iterates beside it.

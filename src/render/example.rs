@@ -12,7 +12,7 @@ pub(super) fn of(columns: u32, rows: u32, cell: impl Fn(u32, u32) -> Verdict) ->
         plane: Plane {
             x: axis("omega=0.2:5", columns),
             y: axis("delta=0.02:0.8", rows),
-            parameters: Parameters::default(),
+            parameters: Parameters::default().into(),
             start: Start::Symmetric,
             schedule: Schedule { transient: 500, observe: 500, max_period: 64, fixed_periods: false },
         },

@@ -1,14 +1,15 @@
 //! What the regions of a plane are told apart by.
 
 use crate::analysis::{Regime, Verdict};
+use crate::model::vector::MOST;
 
 /// What two cells have in common that are drawn as one region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Motion {
     /// What the trajectory settles on.
     pub regime: Regime,
-    /// N, p and q where periodic, zeros elsewhere.
-    pub counts: [u16; 3],
+    /// N and the impacts at each stop in the order of labels where periodic, zeros elsewhere.
+    pub counts: [u16; 1 + MOST],
     /// Whether the motion is its own mirror image; only motions with p = q can be.
     pub symmetric: bool,
 }
@@ -16,11 +17,13 @@ pub struct Motion {
 impl Motion {
     /// The motion of a cell.
     pub fn of(verdict: &Verdict) -> Self {
-        let Verdict { regime, n, p, q, symmetric, .. } = *verdict;
+        let Verdict { regime, n, counts, symmetric, .. } = *verdict;
         if regime.is_periodic() {
-            Motion { regime, counts: [n, p, q], symmetric: symmetric && p == q }
+            let counts =
+                std::array::from_fn(|i| if i == 0 { n } else { counts.get(i - 1).copied().unwrap_or(0) });
+            Motion { regime, counts, symmetric }
         } else {
-            Motion { regime, counts: [0; 3], symmetric: false }
+            Motion { regime, counts: [0; 1 + MOST], symmetric: false }
         }
     }
 
@@ -39,8 +42,10 @@ impl Motion {
     /// A motion with p ≠ q cannot be symmetric, so that nothing is said about it.
     pub fn name(verdict: &Verdict) -> String {
         let label = verdict.label();
-        let Motion { regime, counts: [_, p, q], symmetric } = Motion::of(verdict);
-        let symmetry = match (p == q, symmetric) {
+        let Motion { regime, symmetric, .. } = Motion::of(verdict);
+        let alike =
+            verdict.counts.len() > 1 && verdict.counts.iter().all(|count| *count == verdict.counts[0]);
+        let symmetry = match (alike, symmetric) {
             (true, true) => " symmetric",
             (true, false) => " unsymmetric",
             (false, _) => "",

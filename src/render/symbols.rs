@@ -4,25 +4,43 @@ use super::frame::AxisTitle;
 use super::text::Text;
 use crate::analysis::Reading;
 use crate::control::ControlQuantity;
-use crate::model::{Parameter, Parameters};
+use crate::model::{Setting, StateVector};
 use crate::plane::{Component, Quantity, Start};
 
 /// The symbol of a quantity.
 pub(super) fn symbol(quantity: Quantity) -> Text {
-    let letter = |letter, subscript| Text::new().italic(letter).subscript(subscript);
     match quantity {
-        Quantity::Parameter(Parameter::MuM) => letter("μ", "m"),
-        Quantity::Parameter(Parameter::MuK) => letter("μ", "k"),
-        Quantity::Parameter(Parameter::MuC) => letter("μ", "c"),
-        Quantity::Parameter(Parameter::F20) => letter("f", "20"),
-        Quantity::Parameter(parameter) => Text::new().italic(parameter.symbol()),
-        Quantity::Start(Component::X1) => letter("x", "1"),
-        Quantity::Start(Component::X2) => letter("x", "2"),
-        Quantity::Start(Component::V1) => letter("v", "1"),
-        Quantity::Start(Component::V2) => letter("v", "2"),
+        Quantity::Parameter(parameter) => {
+            let (letter, subscript) = split_symbol(parameter.symbol());
+            Text::new().italic(letter).subscript(subscript)
+        }
+        Quantity::Start(component) => {
+            let (letter, subscript) = component.name().split_at(1);
+            Text::new().italic(letter).subscript(subscript)
+        }
         Quantity::Control(setting) => control_symbol(setting),
     }
 }
+
+/// A symbol as its letter and its subscript: everything after the first letter.
+fn split_symbol(symbol: &str) -> (&str, &str) {
+    let end = symbol.chars().next().map_or(0, char::len_utf8);
+    symbol.split_at(end)
+}
+
+const START_DISPLACEMENT: [&str; 4] = [
+    "start displacement of the first mass",
+    "start displacement of the second mass",
+    "start displacement of the third mass",
+    "start displacement of the fourth mass",
+];
+
+const START_VELOCITY: [&str; 4] = [
+    "start velocity of the first mass",
+    "start velocity of the second mass",
+    "start velocity of the third mass",
+    "start velocity of the fourth mass",
+];
 
 /// The symbol of a setting of a control method.
 pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
@@ -48,10 +66,8 @@ pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
 pub(super) fn axis_title(quantity: Quantity) -> AxisTitle {
     let description = match quantity {
         Quantity::Parameter(parameter) => parameter.description(),
-        Quantity::Start(Component::X1) => "start displacement of the first mass",
-        Quantity::Start(Component::X2) => "start displacement of the second mass",
-        Quantity::Start(Component::V1) => "start velocity of the first mass",
-        Quantity::Start(Component::V2) => "start velocity of the second mass",
+        Quantity::Start(component) if component.is_velocity() => START_VELOCITY[component.coordinate()],
+        Quantity::Start(component) => START_DISPLACEMENT[component.coordinate()],
         Quantity::Control(setting) => setting.description(),
     };
     let short = symbol(quantity);
@@ -90,12 +106,11 @@ pub(super) fn reading_title(reading: Reading) -> AxisTitle {
 /// Parameters as equations, in pieces that belong together, without those of which `varied` says so.
 ///
 /// Mass, stiffness and damping ratios that are alike share one equation.
-pub(super) fn equations(parameters: &Parameters, varied: impl Fn(Quantity) -> bool) -> Vec<Text> {
+pub(super) fn equations(parameters: &Setting, varied: impl Fn(Quantity) -> bool) -> Vec<Text> {
     let mut pieces: Vec<(Text, f64)> = Vec::new();
-    for parameter in Parameter::ALL {
+    for (parameter, value) in parameters.entries() {
         let quantity = Quantity::Parameter(parameter);
-        let value = parameters.get(parameter);
-        let ratio = matches!(parameter, Parameter::MuK | Parameter::MuC);
+        let ratio = matches!(parameter.name(), "mu_k" | "mu_c");
         match pieces.last_mut() {
             _ if varied(quantity) => {}
             Some((names, same)) if ratio && *same == value => {
@@ -108,15 +123,15 @@ pub(super) fn equations(parameters: &Parameters, varied: impl Fn(Quantity) -> bo
 }
 
 /// How trajectories begin, in pieces that belong together; `varied` says which components of the start are not fixed.
-pub(super) fn start(start: Start, varied: impl Fn(Component) -> bool) -> Vec<Text> {
-    let any_varied = Component::ALL.into_iter().any(&varied);
+pub(super) fn start(start: Start, coordinates: usize, varied: impl Fn(Component) -> bool) -> Vec<Text> {
+    let any_varied = Component::all(coordinates).any(&varied);
     let state = match start {
         Start::Symmetric => return vec!["start on the 1-1-1 motion, else at rest".into()],
         Start::Rest if !any_varied => return vec!["start at rest".into()],
-        Start::Rest => [0.0; 4],
+        Start::Rest => StateVector::zeros(coordinates),
         Start::State(state) => state,
     };
-    let fixed: Vec<Component> = Component::ALL.into_iter().filter(|&c| !varied(c)).collect();
+    let fixed: Vec<Component> = Component::all(coordinates).filter(|&c| !varied(c)).collect();
     let last = fixed.len() - 1;
     let piece = |(i, component): (usize, Component)| {
         let before = if i == 0 { "start " } else { "" };

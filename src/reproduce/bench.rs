@@ -51,14 +51,14 @@ impl PaperPoint {
         let system = self.system();
         let schedule =
             Schedule { transient: self.transient, observe: OBSERVE, max_period: 32, fixed_periods: false };
-        let job = Job { system, start: self.start.state(&system) };
-        decide(&Cpu, &[job], &schedule, &Unwatched).expect("nothing stops the CPU path")[0]
+        let start = self.start.state(&system);
+        decide(&Cpu, &[Job { system, start }], &schedule, &Unwatched).expect("nothing stops the CPU path")[0]
     }
 
     /// What it does after the transient, for so many periods.
     pub fn recorded(&self, periods: u32, samples: u32) -> Recording {
         let system = self.system();
-        record(&system, self.start.state(&system), self.transient, periods, samples)
+        record(&system, self.start.state(&system).into(), self.transient, periods, samples)
     }
 
     /// "ω = 3.7, δ = 0.1", for reports.
@@ -84,7 +84,7 @@ pub(super) fn words(verdict: &Verdict) -> String {
     if !verdict.regime.is_periodic() {
         return verdict.label();
     }
-    let symmetry = match (verdict.p == verdict.q, verdict.symmetric) {
+    let symmetry = match (verdict.p() == verdict.q(), verdict.symmetric) {
         (true, true) => " symmetric",
         (true, false) => " unsymmetric",
         (false, _) => "",

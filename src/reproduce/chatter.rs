@@ -26,7 +26,8 @@ fn check(figure: u32, printed: &Printed) -> Claim {
     let system = point.system();
     let probe = Probe { section: Section::A, reading: Reading::VBefore };
     let schedule = Schedule { transient: point.transient, observe: 500, max_period: 32, fixed_periods: true };
-    let job = Job { system, start: point.start.state(&system) };
+    let start = point.start.state(&system);
+    let job = Job { system, start };
     let found = trace::<f64>(&job, &schedule, probe, 0);
     let verdict = found.verdict;
     let recording = point.recorded(LOOKED_AT, 0);

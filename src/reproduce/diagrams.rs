@@ -27,7 +27,7 @@ const PERIODS: u32 = 20_000;
 fn spec(delta: f64) -> DiagramSpec {
     DiagramSpec {
         x: "omega=0.2:5:1600".parse().expect("an axis"),
-        parameters: Parameters { delta, ..Parameters::default() },
+        parameters: Parameters { delta, ..Parameters::default() }.into(),
         sweep: Sweep::Each(Start::Symmetric),
         start: Start::Rest,
         probe: Probe { section: Section::A, reading: Reading::VBefore },

@@ -173,7 +173,7 @@ mod tests {
         let plane = Plane {
             x: "omega=3.3:4.1:40".parse().unwrap(),
             y: "delta=0.08:0.14:20".parse().unwrap(),
-            parameters: Parameters::default(),
+            parameters: Parameters::default().into(),
             start: Start::Symmetric,
             schedule: Schedule { transient: 200, observe: 100, max_period: 8, fixed_periods: false },
         };

@@ -91,8 +91,8 @@ fn motion(omega: f64, delta: f64) -> Option<(System, SymmetricMotion)> {
 /// What the physical 1-1-1 symmetric motion is like.
 pub(super) fn state(omega: f64, delta: f64) -> State {
     let Some((system, motion)) = motion(omega, delta) else { return State::None };
-    let Some([largest, ..]) = motion.motion.half_multipliers(&system) else { return State::None };
-    match largest {
+    let Some(multipliers) = motion.motion.half_multipliers(&system) else { return State::None };
+    match multipliers[0] {
         value if value.norm() < 1.0 => State::Stable,
         Complex { re, im: 0.0 } if re < 0.0 => State::BeyondMinusOne,
         Complex { im: 0.0, .. } => State::BeyondOne,
@@ -141,7 +141,7 @@ fn criticality(delta: f64, omega: f64, before: State, after: State) -> Option<bo
     }
     let (system, motion) = motion(omega, delta)?;
     if states.contains(&State::PairOutside) {
-        let [largest, ..] = motion.motion.half_multipliers(&system)?;
+        let largest = motion.motion.half_multipliers(&system)?[0];
         return neimark_sacker_coefficient(&system, &motion.motion, largest.arg().abs()).map(|c| c < 0.0);
     }
     if states.contains(&State::BeyondMinusOne) {
@@ -190,7 +190,7 @@ pub(super) fn lost(point: &PaperPoint, until: f64) -> Option<Loss> {
     let at = |omega: f64, from: &PeriodicMotion| {
         let system = system(omega, point.delta);
         let motion = PeriodicMotion::refine(&system, &from.pattern, &from.sections).ok()?;
-        let [largest, ..] = motion.multipliers(&system)?;
+        let largest = motion.multipliers(&system)?[0];
         Some((motion, largest))
     };
     let mut stable = point.omega;

@@ -78,7 +78,7 @@ impl PaperFigure for Figure7 {
             motions
                 .into_iter()
                 .find(|motion| motion.at_phase_zero.is_ok())
-                .map(|motion| motion.motion.section())
+                .and_then(|motion| <[f64; 4]>::try_from(motion.motion.section()).ok())
         });
         for (i, (name, printed)) in FIXED_POINT.into_iter().enumerate() {
             let component = |section: [f64; 4]| section[i];
@@ -153,7 +153,7 @@ pub(super) fn largest_exponent(
 ) -> Claim {
     let system = point.system();
     let claim = format!("largest Lyapunov exponent per iterate at {}", point.words());
-    let found = Spectrum::of(&system, point.start.state(&system), point.transient, periods);
+    let found = Spectrum::of(&system, &point.start.state(&system)[..], point.transient, periods);
     let per_iterate = found.as_ref().ok().and_then(|spectrum| Some((spectrum, spectrum.per_iterate()?)));
     match per_iterate {
         Some((spectrum, exponents)) => {
@@ -161,8 +161,10 @@ pub(super) fn largest_exponent(
                 if spectrum.per_period[0] == 0.0 { 1.0 } else { exponents[0] / spectrum.per_period[0] };
             let error = spectrum.standard_error[0] * scale.abs();
             let computed = format!("{} ± {}", rounded(exponents[0]), rounded(error).trim_start_matches('+'));
-            Claim::new(figure, claim, printed, computed, holds(exponents[0], error))
-                .noted(format!("all four: {}", exponents.map(rounded).join(", ")))
+            Claim::new(figure, claim, printed, computed, holds(exponents[0], error)).noted(format!(
+                "all four: {}",
+                exponents.iter().copied().map(rounded).collect::<Vec<_>>().join(", ")
+            ))
         }
         None => Claim::new(figure, claim, printed, "none", false),
     }
@@ -250,7 +252,7 @@ impl PaperFigure for Figure10 {
 
 /// The largest modulus among the multipliers of the motion that a trajectory settled on.
 fn multipliers(system: &System, verdict: &Verdict) -> Option<f64> {
-    let motion = settled_motion(system, verdict.state, verdict.n.into()).ok()?;
+    let motion = settled_motion(system, &verdict.state[..], verdict.n.into()).ok()?;
     Some(motion.multipliers(system)?[0].norm())
 }
 

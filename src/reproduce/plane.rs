@@ -24,7 +24,7 @@ fn plane() -> Plane {
     Plane {
         x: "omega=0.2:5:400".parse().expect("an axis"),
         y: "delta=0.02:0.8:300".parse().expect("an axis"),
-        parameters: Parameters::default(),
+        parameters: Parameters::default().into(),
         start: Start::Symmetric,
         schedule: Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false },
     }
@@ -62,7 +62,7 @@ fn mirrored() -> Vec<Claim> {
     let point = PaperPoint::new(1.65, 0.1);
     let settled = point.verdict();
     let other = PaperPoint { start: mirror(&point, &settled), transient: 0, ..point }.verdict();
-    let apart = settled.state.iter().zip(other.state).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let apart = settled.state.iter().zip(other.state.iter()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let (first, second) = (words(&settled), words(&other));
     let holds = first == second && first == "1-2-2 unsymmetric" && apart > 1e-3;
     let computed = format!("{first} and {second}, strobe states {apart:.4} apart");
@@ -73,7 +73,7 @@ fn mirrored() -> Vec<Claim> {
 /// The mirror image of a settled motion's state, half a forcing period on.
 fn mirror(point: &PaperPoint, settled: &Verdict) -> Start {
     let system = point.system();
-    let half = crate::dynamics::record(&system, settled.state, 0, 1, 2);
+    let half = crate::dynamics::record(&system, settled.state.into(), 0, 1, 2);
     let state = half.samples.get(1).map_or([0.0; 4], |s| [-s.x1, -s.x2, -s.v1, -s.v2]);
-    Start::State(state)
+    Start::State(state.into())
 }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::SweepError;
 use super::map::cell_job;
-use crate::analysis::{Regime, Schedule, Verdict};
+use crate::analysis::{Counts, Regime, Schedule, Verdict};
 use crate::backend::{Backend, BackendError, Job, Watch, decide, second_look};
 use crate::plane::{Multipliers, RegionMap};
 use crate::theory::{StrobeMotion, approached, approached_from, with_motion};
@@ -125,13 +125,15 @@ fn by_neighbour(
     neighbours.filter_map(|(c, r)| found[r * columns + c]).find_map(|neighbour| {
         let n = u32::from(neighbour.verdict.n);
         let system = &jobs[cell].system;
-        let motion = approached_from(system, neighbour.verdict.state, verdict.state, n)?;
+        let motion = approached_from(system, &neighbour.verdict.state[..], &verdict.state[..], n)?;
         certified(verdict, &motion)
     })
 }
 
 fn certified(verdict: &Verdict, motion: &StrobeMotion) -> Option<Certified> {
-    let multipliers = motion.multipliers()?.map(|value| [value.re, value.im]);
+    let multipliers = motion.multipliers()?;
+    let multipliers =
+        std::array::from_fn(|j| multipliers.get(j).map_or([f64::NAN; 2], |value| [value.re, value.im]));
     motion.has_impacts().then(|| Certified { verdict: with_motion(verdict, motion), multipliers })
 }
 
@@ -145,8 +147,10 @@ fn reexamined(
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>, BackendError> {
     let longer = Schedule { fixed_periods: false, ..second_look(schedule) };
-    let again: Vec<Job> =
-        cells.iter().map(|&cell| Job { system: jobs[cell].system, start: before[cell].state }).collect();
+    let again: Vec<Job> = cells
+        .iter()
+        .map(|&cell| Job { system: jobs[cell].system.clone(), start: before[cell].state })
+        .collect();
     let mut verdicts = decide(backend, &again, &longer, watch)?;
     for (verdict, &cell) in verdicts.iter_mut().zip(cells) {
         *verdict = verdict.going_on_from(&before[cell]);
@@ -156,7 +160,7 @@ fn reexamined(
 
 /// The same trajectory without a motion that it is known to be on.
 fn unresolved(verdict: &Verdict) -> Verdict {
-    Verdict { regime: Regime::Unresolved, n: 0, p: 0, q: 0, symmetric: false, ..*verdict }
+    Verdict { regime: Regime::Unresolved, n: 0, counts: Counts::default(), symmetric: false, ..*verdict }
 }
 
 fn counted(
@@ -165,7 +169,7 @@ fn counted(
     found: &[Option<Certified>],
     reexamined: usize,
 ) -> Certification {
-    let label = |v: &Verdict| (v.regime, v.n, v.p, v.q, v.symmetric);
+    let label = |v: &Verdict| (v.regime, v.n, v.counts, v.symmetric);
     let mut counts = Certification { reexamined: reexamined as u64, ..Certification::default() };
     for ((before, after), found) in before.iter().zip(after).zip(found) {
         if before.regime.is_periodic() {

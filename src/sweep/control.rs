@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::map::check_border;
 use super::provenance;
-use crate::analysis::{Regime, Verdict};
+use crate::analysis::{Counts, Regime, Verdict};
 use crate::backend::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::control::{ControlError, NEVER, Outcome};
 use crate::model::{System, SystemError};
@@ -36,7 +36,7 @@ pub fn sweep_control(
         }
         let range = first..cells.min(first + tile as u64);
         let jobs = range.into_par_iter().map(|cell| job(plane, cell)).collect::<Result<Vec<_>, _>>()?;
-        let wanted: Vec<ControlJob> = jobs.iter().filter_map(|job| job.as_ref().ok()).copied().collect();
+        let wanted: Vec<ControlJob> = jobs.iter().filter_map(|job| job.as_ref().ok()).cloned().collect();
         any |= !wanted.is_empty();
         let mut computed = backend.control(&wanted, &plane.iterates, watch)?.into_iter();
         for job in jobs {
@@ -45,7 +45,7 @@ pub fn sweep_control(
                 Err(why) => {
                     watch.finished(1);
                     missing = missing.or(why);
-                    outcomes.push(UNCONTROLLED);
+                    outcomes.push(uncontrolled());
                 }
             }
         }
@@ -65,7 +65,7 @@ pub(super) fn job(
     let (column, row) = ((cell % columns) as u32, (cell / columns) as u32);
     let cells = plane.plane();
     let system = System::new(cells.parameters_at(column, row))?;
-    if system.parameters().delta == 0.0 {
+    if system.is_clamped() {
         return Ok(Err(None));
     }
     let scheme = plane.scheme_at(column, row);
@@ -82,29 +82,30 @@ pub(super) fn job(
 }
 
 /// A cell that cannot be controlled.
-const UNCONTROLLED: Outcome = Outcome {
-    verdict: Verdict {
-        regime: Regime::Unresolved,
-        n: 0,
-        p: 0,
-        q: 0,
-        symmetric: false,
-        lyapunov: f32::NAN,
-        state: [0.0; 4],
-        impacts: 0,
-        impacts_total: 0,
-        peak_impact_velocity: 0.0,
-        periods: 0,
-        returning: 0,
-    },
-    period: 0,
-    iterates: 0,
-    converged_at: NEVER,
-    signal: 0.0,
-    runaway: false,
-    escapes: 0,
-    effort: 0.0,
-};
+fn uncontrolled() -> Outcome {
+    Outcome {
+        verdict: Verdict {
+            regime: Regime::Unresolved,
+            n: 0,
+            counts: Counts::default(),
+            symmetric: false,
+            lyapunov: f32::NAN,
+            state: [0.0; 4].into(),
+            impacts: 0,
+            impacts_total: 0,
+            peak_impact_velocity: 0.0,
+            periods: 0,
+            returning: 0,
+        },
+        period: 0,
+        iterates: 0,
+        converged_at: NEVER,
+        signal: 0.0,
+        runaway: false,
+        escapes: 0,
+        effort: 0.0,
+    }
+}
 
 /// Why a plane under control was not computed.
 #[derive(Debug, Error)]

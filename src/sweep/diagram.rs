@@ -6,7 +6,7 @@ use super::{SweepError, provenance};
 use crate::analysis::Trace;
 use crate::backend::{Backend, BackendError, Cpu, Job, Watch, trace};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
-use crate::model::System;
+use crate::model::{StateVector, System};
 use crate::theory::{Spectrum, confirmed};
 
 /// Computes a bifurcation diagram.
@@ -53,7 +53,7 @@ fn each(
 ) -> Result<Vec<Trace>, SweepError> {
     let jobs: Vec<Job> = (0..)
         .zip(systems)
-        .map(|(column, &system)| Job { system, start: spec.start_at(column).state(&system) })
+        .map(|(column, system)| Job { system: system.clone(), start: spec.start_at(column).state(system) })
         .collect();
     let mut traces = Vec::new();
     for tile in jobs.chunks(backend.tile().max(1)) {
@@ -73,12 +73,12 @@ fn carried(
     watch: &dyn Watch,
 ) -> Result<Vec<Trace>, SweepError> {
     let mut traces: Vec<Option<Trace>> = vec![None; systems.len()];
-    let mut last: Option<[f64; 4]> = None;
+    let mut last: Option<StateVector> = None;
     for column in spec.x.order(falling) {
         if watch.cancelled() {
             return Err(BackendError::Cancelled.into());
         }
-        let system = systems[column as usize];
+        let system = systems[column as usize].clone();
         let start = match last.filter(|state| state.iter().all(|value| value.is_finite())) {
             Some(state) => system.between_stops(state),
             None => spec.start.state(&system),
@@ -118,7 +118,8 @@ fn with_spectra(
 
 /// The four exponents, largest first whatever their statistical error, NaN where the trajectory could not be followed.
 fn exponents(system: &System, trace: &Trace, observe: u32, unit: ExponentUnit) -> [f64; 4] {
-    let spectrum = Spectrum::of(system, system.between_stops(trace.verdict.state), 0, observe);
+    let start = system.between_stops(trace.verdict.state);
+    let spectrum = Spectrum::of(system, &start[..], 0, observe);
     let mut exponents = spectrum.map_or([f64::NAN; 4], |spectrum| unit.of(&spectrum));
     exponents.sort_by(|a, b| b.total_cmp(a));
     exponents

@@ -51,7 +51,8 @@ pub(super) fn cell_job(plane: &Plane, cell: u64) -> Result<Job, SystemError> {
     let columns = u64::from(plane.x.count);
     let (column, row) = ((cell % columns) as u32, (cell / columns) as u32);
     let system = System::new(plane.parameters_at(column, row))?;
-    Ok(Job { system, start: plane.start_at(column, row).state(&system) })
+    let start = plane.start_at(column, row).state(&system);
+    Ok(Job { system, start })
 }
 
 #[cfg(test)]
@@ -100,11 +101,10 @@ mod tests {
         Verdict {
             regime: Regime::NoImpact,
             n: 0,
-            p: 0,
-            q: 0,
+            counts: crate::analysis::Counts::new(&[0, 0]),
             symmetric: false,
             lyapunov: 0.0,
-            state: [parameters.omega, parameters.delta, job.start[0], job.start[2]],
+            state: [parameters.omega, parameters.delta, job.start[0], job.start[2]].into(),
             impacts: 0,
             impacts_total: 0,
             peak_impact_velocity: 0.0,
@@ -117,7 +117,7 @@ mod tests {
         Plane {
             x: x.parse().unwrap(),
             y: y.parse().unwrap(),
-            parameters: Parameters::default(),
+            parameters: Parameters::default().into(),
             start,
             schedule: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
         }
@@ -125,14 +125,14 @@ mod tests {
 
     #[test]
     fn every_cell_is_in_its_place_for_any_tile() {
-        let plane = plane("omega=1:3:5", "delta=0.1:0.4:4", Start::State([0.05, 0.0, -1.0, 0.0]));
+        let plane = plane("omega=1:3:5", "delta=0.1:0.4:4", Start::State([0.05, 0.0, -1.0, 0.0].into()));
         for tile in [0, 1, 3, 5, 7, 20, 1000] {
             let map = sweep(&plane, &Echo { tile }, &Unwatched).unwrap();
             assert_eq!(map.verdicts.len(), 20);
             for row in 0..4 {
                 for column in 0..5 {
                     let expected = [plane.x.value(column), plane.y.value(row), 0.05, -1.0];
-                    assert_eq!(map.at(column, row).state, expected, "column {column}, row {row}");
+                    assert_eq!(map.at(column, row).state, expected.into(), "column {column}, row {row}");
                 }
             }
         }
@@ -142,8 +142,8 @@ mod tests {
     fn axes_over_the_start_vary_the_start() {
         let plane = plane("x1=-0.1:0.1:3", "v1=-2:2:2", Start::Rest);
         let map = sweep(&plane, &Echo { tile: 4 }, &Unwatched).unwrap();
-        assert_eq!(map.at(2, 0).state, [3.7, 0.1, 0.1, -2.0]);
-        assert_eq!(map.at(0, 1).state, [3.7, 0.1, -0.1, 2.0]);
+        assert_eq!(map.at(2, 0).state, [3.7, 0.1, 0.1, -2.0].into());
+        assert_eq!(map.at(0, 1).state, [3.7, 0.1, -0.1, 2.0].into());
     }
 
     #[test]

@@ -84,7 +84,7 @@ mod tests {
         let plane = Plane {
             x: "omega=2:4:6".parse().unwrap(),
             y: "delta=0.05:0.3:5".parse().unwrap(),
-            parameters: Parameters::default(),
+            parameters: Parameters::default().into(),
             start: Start::Symmetric,
             schedule: Schedule { transient: 60, observe: 40, max_period: 8, fixed_periods: false },
         };

@@ -4,11 +4,13 @@ use std::f64::consts::TAU;
 
 use thiserror::Error;
 
-use super::flow::{PHASE, V1_PLUS, V2, X2};
+use super::flow::{Flow, phase};
+use super::follower::{Follower, follower};
+use super::matching::Node;
 use super::motion::PeriodicMotion;
 use super::newton::next;
-use crate::dynamics::{Event, Stop, Trajectory};
-use crate::model::Flight;
+use crate::dynamics::{Event, Impact, Stop};
+use crate::model::System;
 
 /// How far an impact may be from where the solution has it, relative to states of order one.
 const TOLERANCE: f64 = 1e-8;
@@ -17,11 +19,13 @@ const TOLERANCE: f64 = 1e-8;
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum Inadmissible {
     /// It would leave its stop outwards.
-    #[error("wrong velocity sign: it would leave stop {stop} outwards, with v1 = {velocity}")]
+    #[error("wrong velocity sign: it would leave stop {stop} outwards, with v{} = {velocity}", coordinate + 1)]
     WrongVelocity {
         /// The stop.
         stop: Stop,
-        /// v1+.
+        /// The contact's own coordinate, counted from 0.
+        coordinate: usize,
+        /// Its velocity just after the impact.
         velocity: f64,
     },
     /// It would pass through a stop before its next impact.
@@ -32,8 +36,8 @@ pub enum Inadmissible {
         /// Forcing phase at which it gets there, mod 2π.
         phase: f64,
     },
-    /// The first mass would come to rest on a stop.
-    #[error("sticks: the first mass would come to rest on stop {0}")]
+    /// A mass would come to rest on a stop.
+    #[error("sticks: a mass would come to rest on stop {0}")]
     Sticks(Stop),
     /// The next impact is not met where it should be.
     #[error("misses stop {0}: the impact that should follow does not happen")]
@@ -52,69 +56,116 @@ impl Inadmissible {
     }
 }
 
-/// (x1, x2, v1, v2) at forcing phase 0 where a motion meets it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Where a motion that the system follows is at forcing phase 0.
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Flown {
-    /// None if the motion is not met there.
-    pub at_phase_zero: Option<[f64; 4]>,
+    /// (x, v) there; none if the motion is not met there.
+    pub at_phase_zero: Option<Vec<f64>>,
 }
 
 /// Follows every arc of a motion with the certified flight of the simulation.
 ///
 /// Each arc begins anew at its impact, so that unstable motions are followed as well as stable ones.
-pub(crate) fn fly(flight: &Flight<f64>, motion: &PeriodicMotion) -> Result<Flown, Inadmissible> {
+pub(crate) fn fly(system: &System, motion: &PeriodicMotion) -> Result<Flown, Inadmissible> {
+    let flow = Flow::new(system);
+    let mut follower = follower(system);
     let mut flown = Flown { at_phase_zero: None };
-    for (i, section) in motion.sections.iter().enumerate() {
-        let stop = motion.pattern.stops[i];
-        let due = next(&motion.pattern, &motion.sections, i);
-        let velocity = section[V1_PLUS];
-        if stop.side::<f64>() * velocity > 0.0 {
-            return Err(Inadmissible::WrongVelocity { stop, velocity });
+    for i in 0..motion.sections.len() {
+        let from = Node { stop: motion.pattern.stops[i], section: motion.sections[i].clone() };
+        let due = next(&flow, &motion.pattern, &motion.sections, i);
+        let mirrored = motion.pattern.mirrored;
+        Passage::new(&flow, &from, due)?.follow(follower.as_mut(), &from, mirrored, &mut flown)?;
+    }
+    Ok(flown)
+}
+
+/// An arc that is to be followed.
+struct Passage<'a> {
+    flow: &'a Flow,
+    due: Node,
+    /// The speed after the impact that is due.
+    due_speed: f64,
+    /// A bound on the speed at which it is reached.
+    arrival: f64,
+    scale: f64,
+}
+
+impl<'a> Passage<'a> {
+    fn new(flow: &'a Flow, from: &Node, due: Node) -> Result<Self, Inadmissible> {
+        let face = flow.face(from.stop);
+        let speed = face.speed(&from.section);
+        if face.is_left_outwards(&from.section) {
+            let (coordinate, velocity) = (face.coordinate, from.section[0]);
+            return Err(Inadmissible::WrongVelocity { stop: from.stop, coordinate, velocity });
         }
-        let scale = 1.0 + velocity.abs() + due.section[V1_PLUS].abs();
-        let start = [stop.side::<f64>() * flight.delta, section[X2], velocity, section[V2]];
-        let mut trajectory = Trajectory::at_phase(flight, start, wrapped(section[PHASE]));
-        let time = (due.section[PHASE] - section[PHASE]) / flight.omega;
+        let due_face = flow.face(due.stop);
+        let due_speed = due_face.speed(&due.section);
+        let arrival = (due_speed / due_face.restitution.max(0.1)).abs() + TOLERANCE;
+        let scale = 1.0 + speed.abs() + due_speed.abs();
+        Ok(Passage { flow, due, due_speed, arrival, scale })
+    }
+
+    fn follow(
+        &self,
+        follower: &mut dyn Follower,
+        from: &Node,
+        mirrored: bool,
+        flown: &mut Flown,
+    ) -> Result<(), Inadmissible> {
+        let z = self.flow.lifted(from.stop, &from.section);
+        let n = self.flow.n;
+        let begins = phase(&from.section);
+        follower.begin_at(z.rows(0, n).as_slice(), z.rows(n, n).as_slice(), wrapped(begins));
+        let time = (phase(&self.due.section) - begins) / self.flow.omega;
         let mut elapsed = 0.0;
         loop {
-            let taken = trajectory.advance(flight, &mut ());
+            let taken = follower.advance();
             elapsed += taken.time;
-            let speed = (due.section[V1_PLUS] / flight.r.max(0.1)).abs() + TOLERANCE;
             // A time is as uncertain as the place is over the speed.
-            let early = (time - elapsed) * speed > TOLERANCE * scale;
+            let early = (time - elapsed) * self.arrival > TOLERANCE * self.scale;
             match taken.event {
                 Event::Impact(impact) => {
-                    let here = wrapped(section[PHASE] + flight.omega * elapsed);
-                    if impact.stop != due.stop || early {
-                        return Err(Inadmissible::CrossesStop { stop: impact.stop, phase: here });
-                    }
-                    if (impact.velocity_after - due.section[V1_PLUS]).abs() > TOLERANCE * scale {
-                        return Err(Inadmissible::Misses(due.stop));
-                    }
-                    break;
+                    let here = wrapped(begins + self.flow.omega * elapsed);
+                    return self.meet(follower, &impact, early, here);
                 }
-                Event::Caught { impact, .. } if early => return Err(Inadmissible::Sticks(impact.stop)),
-                Event::Caught { impact, .. } => {
-                    if impact.stop != due.stop {
-                        return Err(Inadmissible::Sticks(impact.stop));
-                    }
-                    break;
+                Event::Caught { impact, .. } if early || impact.stop != self.due.stop => {
+                    return Err(Inadmissible::Sticks(impact.stop));
                 }
+                Event::Caught { .. } => return Ok(()),
                 Event::Strobe => {
-                    flown.at_phase_zero.get_or_insert(trajectory.point.state());
+                    flown.at_phase_zero.get_or_insert_with(|| follower.state().as_slice().to_vec());
                 }
-                Event::HalfPeriod if motion.pattern.mirrored => {
+                Event::HalfPeriod if mirrored => {
                     // Its mirror image is met at phase 0.
-                    flown.at_phase_zero.get_or_insert(trajectory.point.state().map(|value| -value));
+                    let [x, v] = [follower.x(), follower.v()].map(|values| self.flow.reflected(values));
+                    let image = x.iter().chain(v.iter()).copied();
+                    flown.at_phase_zero.get_or_insert_with(|| image.collect());
                 }
                 Event::Flight | Event::StepEnd | Event::HalfPeriod | Event::Released(_) => {}
             }
-            if (elapsed - time) * speed > TOLERANCE * scale {
-                return Err(Inadmissible::Misses(due.stop));
+            if (elapsed - time) * self.arrival > TOLERANCE * self.scale {
+                return Err(Inadmissible::Misses(self.due.stop));
             }
         }
     }
-    Ok(flown)
+
+    /// Compares an impact with the one that is due.
+    fn meet(
+        &self,
+        follower: &dyn Follower,
+        impact: &Impact<f64>,
+        early: bool,
+        phase: f64,
+    ) -> Result<(), Inadmissible> {
+        if impact.stop != self.due.stop || early {
+            return Err(Inadmissible::CrossesStop { stop: impact.stop, phase });
+        }
+        let speed = self.flow.face(impact.stop).speed_of(follower.v());
+        if (speed - self.due_speed).abs() > TOLERANCE * self.scale {
+            return Err(Inadmissible::Misses(self.due.stop));
+        }
+        Ok(())
+    }
 }
 
 /// A phase in [0, 2π).

@@ -4,11 +4,11 @@
 //! period, or wander in a narrow band. Newton's method tells which: the exact motion beside the state has a period,
 //! multipliers, and a linear map that foretells where the state must be one turn later.
 
-use nalgebra::Vector4;
+use nalgebra::DVector;
 
 use super::strobe::StrobeMotion;
-use crate::analysis::{Regime, Verdict};
-use crate::model::System;
+use crate::analysis::{Counts, Regime, Verdict};
+use crate::model::{StateVector, System};
 
 /// The largest distance of a strobe state from the motion that it approaches, for states of order one.
 const NEAR: f64 = 1e-2;
@@ -21,28 +21,33 @@ const UNCERTAIN: f64 = 1e-6;
 /// divisor, or of twice as much, since a motion that has just doubled its period returns closely after half of it.
 ///
 /// None where the exact motion is unstable, or where one turn does not lead the state towards it.
-pub fn approached(system: &System, state: [f64; 4], n: u32) -> Option<StrobeMotion> {
-    [n, 2 * n].into_iter().find_map(|n| approached_from(system, state, state, n))
+pub fn approached(system: &System, state: StateVector, n: u32) -> Option<StrobeMotion> {
+    [n, 2 * n].into_iter().find_map(|n| approached_from(system, &state[..], &state[..], n))
 }
 
 /// The stable motion that a strobe state approaches, found from `guess` with Newton's method over `n` forcing periods.
-pub fn approached_from(system: &System, guess: [f64; 4], state: [f64; 4], n: u32) -> Option<StrobeMotion> {
-    let motion = StrobeMotion::refine(system, system.between_stops(guess), n).ok()?;
-    let is_approached =
-        motion.is_stable() == Some(true) && leads_to(system, system.between_stops(state), &motion);
-    is_approached.then_some(motion)
+pub fn approached_from(
+    system: &System,
+    guess: impl AsRef<[f64]>,
+    state: impl AsRef<[f64]>,
+    n: u32,
+) -> Option<StrobeMotion> {
+    let between = |state: &[f64]| system.between_stops(state.to_vec());
+    let motion = StrobeMotion::refine(system, between(guess.as_ref()), n).ok()?;
+    (motion.is_stable() == Some(true) && leads_to(system, &between(state.as_ref()), &motion))
+        .then_some(motion)
 }
 
 /// Whether one turn from a state near a motion ends where the motion's Jacobian foretells it.
-fn leads_to(system: &System, state: [f64; 4], motion: &StrobeMotion) -> bool {
-    let exact = Vector4::from(motion.state);
+fn leads_to(system: &System, state: &[f64], motion: &StrobeMotion) -> bool {
+    let exact = DVector::from_column_slice(&motion.state);
     let scale = 1.0 + exact.amax();
-    let before = Vector4::from(state) - exact;
+    let before = DVector::from_column_slice(state) - &exact;
     if before.amax() > NEAR * scale {
         return false;
     }
     let Some(after) = StrobeMotion::turned(system, state, motion.n) else { return false };
-    let missed = Vector4::from(after) - exact - motion.jacobian * before;
+    let missed = DVector::from_vec(after) - exact - &motion.jacobian * &before;
     missed.norm() <= FORETOLD * before.norm() + UNCERTAIN * scale
 }
 
@@ -52,11 +57,10 @@ pub fn with_motion(verdict: &Verdict, motion: &StrobeMotion) -> Verdict {
     Verdict {
         regime,
         n: motion.n as u16,
-        p: motion.p,
-        q: motion.q,
+        counts: Counts::new(&motion.counts()),
         symmetric: motion.symmetric,
         lyapunov: motion.exponent().map_or(f32::NAN, |exponent| exponent as f32),
-        state: motion.state,
+        state: StateVector::from_slice(&motion.state).unwrap_or(verdict.state),
         peak_impact_velocity: motion.peak as f32,
         returning: 0,
         ..*verdict
@@ -85,13 +89,14 @@ mod tests {
     fn flipping() -> (System, StrobeMotion) {
         let system = system(1.338_983_050_847_457_6, 0.14);
         let state = StrobeMotion::turned(&system, [0.0; 4], 4000).unwrap();
-        (system, StrobeMotion::refine(&system, state, 1).unwrap())
+        let motion = StrobeMotion::refine(&system, state, 1).unwrap();
+        (system, motion)
     }
 
     #[test]
     fn twice_the_period_of_a_motion_is_found_to_be_the_motion() {
         let (system, motion) = flipping();
-        let doubled = StrobeMotion::refine(&system, motion.state, 2).unwrap();
+        let doubled = StrobeMotion::refine(&system, &motion.state, 2).unwrap();
         assert_eq!((doubled.n, doubled.label()), (1, motion.label()));
     }
 
@@ -100,13 +105,15 @@ mod tests {
         let (system, motion) = flipping();
         assert!(motion.is_stable().unwrap());
         let beside = |by: f64| {
-            let [x1, x2, v1, v2] = motion.state;
+            let [x1, x2, v1, v2] = motion.state[..] else { panic!("four components") };
             [x1, x2 + by, v1, v2]
         };
-        let found = approached(&system, beside(1e-4), 2).unwrap();
+        let found = approached(&system, beside(1e-4).into(), 2).unwrap();
         assert_eq!(found.label(), motion.label());
-        assert!(approached(&system, beside(0.3), 2).is_none_or(|other| other.label() != motion.label()));
-        assert!(!leads_to(&system, beside(0.05), &motion), "too far to be foretold");
+        assert!(
+            approached(&system, beside(0.3).into(), 2).is_none_or(|other| other.label() != motion.label())
+        );
+        assert!(!leads_to(&system, &beside(0.05), &motion), "too far to be foretold");
     }
 
     #[test]
@@ -114,6 +121,6 @@ mod tests {
         // The 1-1-1 symmetric motion beyond its pitchfork.
         let system = system(3.6, 0.1);
         let unstable = crate::theory::symmetric_motions(&system).unwrap()[0].motion.at_phase_zero(&system);
-        assert!(approached(&system, unstable, 1).is_none());
+        assert!(approached(&system, StateVector::from_slice(&unstable).unwrap(), 1).is_none());
     }
 }

@@ -1,56 +1,156 @@
 //! Free flight over any length of time, as a matrix.
 
-use nalgebra::{Matrix6, Vector4, Vector6};
+use nalgebra::{DMatrix, DVector, SMatrix};
 
+use super::face::{Face, slots};
+use super::matching::Node;
 use crate::dynamics::Stop;
-use crate::model::{System, generator};
+use crate::model::System;
+use crate::system::Mirror;
 
-/// A state just after an impact, on the section at its stop: (v1+, x2, v2, φ), where φ is the forcing phase, not
-/// reduced. Non-dimensional; on the section at A it is the paper's X = (x1'+, x2, x2', τ).
-pub type Section = Vector4<f64>;
+/// A state just after an impact, on the section at its stop: (v_c+, the other x, the other v, φ), 2n numbers, where c is
+/// the contact's own coordinate and φ the forcing phase, not reduced. Non-dimensional; on the section at A of the paper's
+/// oscillator it is the paper's X = (x1'+, x2, x2', τ). See [`section_names`](super::section_names).
+pub type Section = DVector<f64>;
 
-/// Where the components of a [`Section`] stand.
-pub(crate) const V1_PLUS: usize = 0;
-/// Displacement of the second mass.
-pub(crate) const X2: usize = 1;
-/// Velocity of the second mass.
-pub(crate) const V2: usize = 2;
-/// Forcing phase.
-pub(crate) const PHASE: usize = 3;
+/// The forcing phase of a section.
+pub(crate) fn phase(section: &Section) -> f64 {
+    section[section.len() - 1]
+}
 
-/// The flow z' = G z of Eq. (2) between impacts, with the forcing phasor in z = (x1, x2, v1, v2, sin φ, cos φ).
+/// The flow z' = G z between impacts, z = (x, v, sin φ, cos φ, 1), and the stops.
 #[derive(Clone, Debug)]
 pub(crate) struct Flow {
-    /// G.
-    pub generator: Matrix6<f64>,
+    /// n, the coordinates.
+    pub n: usize,
+    /// G, (2n + 3) × (2n + 3).
+    pub generator: DMatrix<f64>,
     /// ω.
     pub omega: f64,
-    /// δ.
-    pub delta: f64,
-    /// r.
-    pub r: f64,
+    faces: Vec<Face>,
+    mirror: Option<Mirror>,
 }
 
 impl Flow {
     /// The flow of a system.
     pub fn new(system: &System) -> Self {
-        let parameters = system.parameters();
-        Flow {
-            generator: generator::free(system),
-            omega: parameters.omega,
-            delta: parameters.delta,
-            r: parameters.r,
+        let plant = system.plant();
+        let n = plant.n;
+        let inverse =
+            plant.mass.clone().try_inverse().expect("a plant's mass matrix was checked to be invertible");
+        let mut g = DMatrix::zeros(2 * n + 3, 2 * n + 3);
+        g.view_mut((0, n), (n, n)).fill_with_identity();
+        g.view_mut((n, 0), (n, n)).copy_from(&-(&inverse * &plant.stiffness));
+        g.view_mut((n, n), (n, n)).copy_from(&-(&inverse * &plant.damping));
+        for (k, load) in [&plant.force_sin, &plant.force_cos, &plant.load].into_iter().enumerate() {
+            g.view_mut((n, 2 * n + k), (n, 1)).copy_from(&(&inverse * load));
         }
+        g[(2 * n, 2 * n + 1)] = plant.omega;
+        g[(2 * n + 1, 2 * n)] = -plant.omega;
+        let faces = plant.stops.iter().map(|stop| Face::new(stop, &inverse)).collect();
+        Flow { n, generator: g, omega: plant.omega, faces, mirror: plant.mirror() }
+    }
+
+    /// A stop.
+    pub fn face(&self, stop: Stop) -> &Face {
+        &self.faces[stop.index()]
+    }
+
+    /// Every stop, in the plant's order.
+    pub fn faces(&self) -> impl Iterator<Item = (Stop, &Face)> {
+        self.faces.iter().enumerate().map(|(i, face)| (Stop(i as u8), face))
     }
 
     /// exp(G t).
-    pub fn over(&self, time: f64) -> Matrix6<f64> {
-        (self.generator * time).exp()
+    pub fn over(&self, time: f64) -> DMatrix<f64> {
+        exponential(&(&self.generator * time))
     }
 
-    /// The whole state just after an impact.
-    pub fn lifted(&self, stop: Stop, section: &Section) -> Vector6<f64> {
-        let (sin, cos) = section[PHASE].sin_cos();
-        Vector6::new(stop.side::<f64>() * self.delta, section[X2], section[V1_PLUS], section[V2], sin, cos)
+    /// The whole state z just after an impact.
+    pub fn lifted(&self, stop: Stop, section: &Section) -> DVector<f64> {
+        let face = self.face(stop);
+        let mut z = &face.origin + &face.lift * section;
+        let (sin, cos) = phase(section).sin_cos();
+        z[2 * self.n] = sin;
+        z[2 * self.n + 1] = cos;
+        z
     }
+
+    /// How z changes with the forcing phase alone.
+    pub fn turned(&self, z: &DVector<f64>) -> DVector<f64> {
+        let mut turned = DVector::zeros(z.len());
+        turned[2 * self.n] = z[2 * self.n + 1];
+        turned[2 * self.n + 1] = -z[2 * self.n];
+        turned
+    }
+
+    /// The mirror: P, and the stop that each stop is mapped onto.
+    ///
+    /// # Panics
+    /// If the system has none.
+    fn mirror(&self) -> &Mirror {
+        self.mirror.as_ref().expect("a mirrored motion belongs to a system with a mirror")
+    }
+
+    /// P x of displacements, or P v of velocities.
+    pub fn reflected(&self, values: &[f64]) -> DVector<f64> {
+        &self.mirror().matrix * DVector::from_column_slice(values)
+    }
+
+    /// The mirror image of (x, v).
+    pub fn mirrored(&self, state: &DVector<f64>) -> DVector<f64> {
+        self.mirrored_columns(&DMatrix::from_column_slice(2 * self.n, 1, state.as_slice()))
+            .column(0)
+            .into_owned()
+    }
+
+    /// The mirror images of columns of (x, v).
+    pub fn mirrored_columns(&self, columns: &DMatrix<f64>) -> DMatrix<f64> {
+        let p = &self.mirror().matrix;
+        let mut image = columns.clone();
+        for at in [0, self.n] {
+            image.rows_mut(at, self.n).copy_from(&(p * columns.rows(at, self.n)));
+        }
+        image
+    }
+
+    /// The mirror image of an impact, at the same phase.
+    pub fn mirror_image(&self, node: &Node) -> Node {
+        let n = self.n;
+        let z = self.lifted(node.stop, &node.section);
+        let stop = Stop(self.mirror().stops[node.stop.index()] as u8);
+        let [x, v] = [0, n].map(|at| self.reflected(z.rows(at, n).as_slice()));
+        let section = self.face(stop).section(x.as_slice(), v.as_slice(), phase(&node.section));
+        Node { stop, section }
+    }
+
+    /// The derivative of the mirror image with respect to the section at a stop; 2n × 2n.
+    pub fn reflection(&self, stop: Stop) -> DMatrix<f64> {
+        let n = self.n;
+        let image = &self.faces[self.mirror().stops[stop.index()]];
+        let lift = &self.face(stop).lift;
+        let [x, v] = [0, n].map(|at| &self.mirror().matrix * lift.rows(at, n));
+        let mut reflection = DMatrix::zeros(2 * n, 2 * n);
+        for (k, slot) in slots(n, image.coordinate).into_iter().enumerate() {
+            reflection.set_row(k, &if slot < n { x.row(slot) } else { v.row(slot - n) });
+        }
+        reflection[(2 * n - 1, 2 * n - 1)] = 1.0;
+        reflection
+    }
+}
+
+/// The exponential of a matrix, without allocation for the sizes of plants.
+fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    macro_rules! sized {
+        ($($size:literal)*) => {
+            match matrix.nrows() {
+                $($size => {
+                    let fixed = SMatrix::<f64, $size, $size>::from_column_slice(matrix.as_slice());
+                    DMatrix::from_column_slice($size, $size, fixed.exp().as_slice())
+                })*
+                _ => matrix.exp(),
+            }
+        };
+    }
+    sized!(5 7 9 11)
 }

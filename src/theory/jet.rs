@@ -2,12 +2,13 @@
 
 use std::ops::{Add, Mul};
 
-use nalgebra::{SVector, Vector6};
+use nalgebra::DVector;
 
-use super::flow::{Flow, PHASE, Section, V1_PLUS, V2, X2};
+use super::flow::{Flow, Section, phase};
+use super::matching::Node;
 use super::newton::next;
 use super::pattern::Pattern;
-use crate::model::generator;
+use crate::dynamics::Stop;
 
 /// The order that is kept, and the number of coefficients.
 const TERMS: usize = 4;
@@ -49,7 +50,7 @@ impl Jet {
 }
 
 /// A vector of series, coefficient by coefficient.
-type Jets<const N: usize> = [SVector<f64, N>; TERMS];
+type Jets = [DVector<f64>; TERMS];
 
 /// Where one turn around a motion takes the sections u₀ + ε·direction: the coefficients of 1, ε, ε² and ε³.
 ///
@@ -61,65 +62,113 @@ pub(super) fn turn(
     sections: &[Section],
     direction: &Section,
 ) -> Option<[Section; TERMS]> {
-    let mut jets: Jets<4> = [sections[0], *direction, Section::zeros(), Section::zeros()];
+    let zero = || Section::zeros(direction.len());
+    let mut jets: Jets = [sections[0].clone(), direction.clone(), zero(), zero()];
     for i in 0..sections.len() {
-        let due = next(pattern, sections, i);
-        let time = (due.section[PHASE] - sections[i][PHASE]) / flow.omega;
-        jets = arc(flow, pattern.stops[i].side(), &jets, time, due.stop.side())?;
+        let due = next(flow, pattern, sections, i);
+        let time = (phase(&due.section) - phase(&sections[i])) / flow.omega;
+        jets = arc(flow, pattern.stops[i], &jets, time, due.stop)?;
     }
-    let factors = pattern.closing_factors();
-    let mut closed = jets.map(|section| section.component_mul(&factors));
-    closed[0][PHASE] -= f64::from(pattern.half_turns) * std::f64::consts::PI;
-    Some(closed)
+    jets[0][direction.len() - 1] -= pattern.turn();
+    let reopening = pattern.reopening_matrix(flow);
+    let [begin, ..] = &jets;
+    let image = Node { stop: pattern.closing_stop(), section: begin.clone() };
+    let begin = if pattern.mirrored { flow.mirror_image(&image).section } else { image.section };
+    let [_, first, second, third] = jets;
+    Some([begin, &reopening * first, &reopening * second, &reopening * third])
 }
 
-/// One arc: flight for `time`, then for the little longer or shorter that the stop is away, then restitution.
-fn arc(flow: &Flow, from: f64, sections: &Jets<4>, time: f64, to: f64) -> Option<Jets<4>> {
-    let series = |j: usize| Jet(sections.map(|section| section[j]));
-    let (sin, cos) = series(PHASE).sin_cos();
+/// One arc: flight for `time`, then for the little longer or shorter that the stop is away, then the impact.
+fn arc(flow: &Flow, from: Stop, sections: &Jets, time: f64, to: Stop) -> Option<Jets> {
+    let last = 2 * flow.n - 1;
+    let series = |j: usize| Jet(std::array::from_fn(|k| sections[k][j]));
+    let (sin, cos) = series(last).sin_cos();
     let over = flow.over(time);
-    let start: Jets<6> = std::array::from_fn(|k| {
-        let x1 = if k == 0 { from * flow.delta } else { 0.0 };
-        let section = &sections[k];
-        Vector6::new(x1, section[X2], section[V1_PLUS], section[V2], sin.0[k], cos.0[k])
+    let (departure, arrived) = (flow.face(from), flow.face(to));
+    let arrival: Jets = std::array::from_fn(|k| {
+        let mut z = &departure.lift * &sections[k];
+        if k == 0 {
+            z += &departure.origin;
+        }
+        z[2 * flow.n] = sin.0[k];
+        z[2 * flow.n + 1] = cos.0[k];
+        &over * z
     });
-    let arrival = start.map(|z| over * z);
-    let speed = arrival[0][generator::V1];
+    let [place, speed] = arrived.along(&arrival[0]);
+    debug_assert!((place - arrived.gap).abs() < 1e-6 * (1.0 + arrived.gap.abs()));
     // The remaining time σ has no constant term; each pass finds one more coefficient.
     let mut left = Jet([0.0; TERMS]);
-    let mut reached = arrival;
+    let mut reached = arrival.clone();
     for _ in 1..TERMS {
         for (left, reached) in left.0.iter_mut().zip(&reached).skip(1) {
-            *left -= reached[generator::X1] / speed;
+            *left -= arrived.along(reached)[0] / speed;
         }
         reached = flown(flow, &arrival, left);
     }
     if !left.0.iter().all(|c| c.is_finite()) {
         return None;
     }
-    debug_assert!((reached[0][generator::X1] - to * flow.delta).abs() < 1e-6);
     Some(std::array::from_fn(|k| {
-        let z = &reached[k];
         let constant = if k == 0 { flow.omega * time } else { 0.0 };
-        Section::new(
-            -flow.r * z[generator::V1],
-            z[generator::X2],
-            z[generator::V2],
-            sections[k][PHASE] + constant + flow.omega * left.0[k],
-        )
+        let mut section = &arrived.restituted * &reached[k];
+        section[last] = sections[k][last] + constant + flow.omega * left.0[k];
+        section
     }))
 }
 
 /// exp(Gσ) z for a series σ without constant term.
-fn flown(flow: &Flow, z: &Jets<6>, sigma: Jet) -> Jets<6> {
-    let mut sum = *z;
-    let mut term = *z;
+fn flown(flow: &Flow, z: &Jets, sigma: Jet) -> Jets {
+    let mut sum = z.clone();
+    let mut term = z.clone();
     for k in 1..TERMS {
-        let rate = term.map(|z| flow.generator * z / k as f64);
-        term = std::array::from_fn(|k| (0..=k).map(|i| rate[i] * sigma.0[k - i]).sum());
+        let rate = term.map(|z| &flow.generator * z / k as f64);
+        term = std::array::from_fn(|k| {
+            (0..=k).fold(DVector::zeros(z[0].len()), |sum, i| sum + &rate[i] * sigma.0[k - i])
+        });
         for (sum, term) in sum.iter_mut().zip(&term) {
             *sum += term;
         }
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::theory::example::chain;
+    use crate::theory::{PeriodicMotion, impact_map, symmetric_motions};
+
+    /// The whole period of the chain's symmetric motion, as a motion that is not mirrored.
+    fn motion() -> PeriodicMotion {
+        let solutions = symmetric_motions(&chain()).unwrap();
+        let physical = solutions.into_iter().find(|solution| solution.at_phase_zero.is_ok()).unwrap();
+        let mut motion = physical.motion;
+        let flow = Flow::new(&chain());
+        let again = motion.pattern.closing(&flow, &motion.sections[0]);
+        motion.sections.push(again.section);
+        motion.pattern = Pattern::new(&chain(), vec![motion.pattern.stops[0], again.stop], 2, false);
+        motion
+    }
+
+    /// First and second derivatives of the return map against differences of the simulated one.
+    #[test]
+    fn the_series_is_that_of_the_simulated_map() {
+        let (system, motion) = (chain(), motion());
+        let flow = Flow::new(&system);
+        let direction = Section::from_row_slice(&[0.5, -0.3, 0.2, 0.4, -0.6, 0.3]);
+        let series = turn(&flow, &motion.pattern, &motion.sections, &direction).unwrap();
+        let at = |h: f64| {
+            let section = &motion.sections[0] + &direction * h;
+            Section::from_vec(impact_map(&system, section.as_slice()).unwrap().section)
+        };
+        let h = 1e-3;
+        let first = ((at(h) - at(-h)) * 8.0 - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
+        let second = (at(h) + at(-h) - at(0.0) * 2.0) / (h * h);
+        let third = (at(2.0 * h) - at(-2.0 * h) - (at(h) - at(-h)) * 2.0) / (2.0 * h * h * h);
+        let off = |found: &Section, simulated: &Section| (found - simulated).amax() / simulated.amax();
+        assert!(off(&series[1], &first) < 1e-7, "{}{first}", series[1]);
+        assert!(off(&(&series[2] * 2.0), &second) < 1e-3, "{}{second}", &series[2] * 2.0);
+        assert!(off(&(&series[3] * 6.0), &third) < 1e-2, "{}{third}", &series[3] * 6.0);
+        assert!(off(&(&series[2] * 2.1), &second) > 1e-3, "the check can fail");
+    }
 }

@@ -1,4 +1,4 @@
-//! The label N-p-q of a periodic motion that is asked for.
+//! The label of a periodic motion that is asked for: N-p-q of the paper's oscillator.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,51 +8,79 @@ use thiserror::Error;
 use crate::analysis::{INFINITELY_MANY, Schedule};
 
 /// The label of a periodic motion that is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
     /// N, forcing periods.
     pub n: u32,
-    /// p, impacts at Ā.
-    pub p: u32,
-    /// q, impacts at A.
-    pub q: u32,
+    /// Impacts at each stop, in the order of labels: p at Ā and q at A of the paper's oscillator.
+    pub impacts: Vec<u32>,
 }
 
 impl Label {
     /// The most impacts in one period of a motion whose label can be asked for.
     pub const MOST_IMPACTS: u32 = 10_000;
-}
 
-impl fmt::Display for Label {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}-{}-{}", self.n, self.p, self.q)
+    /// The label of N and the impacts at each stop.
+    pub fn new(n: u32, impacts: &[u32]) -> Self {
+        Label { n, impacts: impacts.to_vec() }
     }
-}
 
-impl FromStr for Label {
-    type Err = LabelError;
+    /// Impacts in one period of the motion.
+    pub fn count(&self) -> u32 {
+        self.impacts.iter().fold(0, |sum, &count| sum.saturating_add(count))
+    }
 
-    fn from_str(text: &str) -> Result<Self, LabelError> {
-        let malformed = || LabelError::Malformed(text.to_owned());
+    /// Reads the label of a motion of a system with so many stops: N and a number for each of them.
+    ///
+    /// # Errors
+    /// [`LabelError`] with the text and what is wrong with it.
+    pub fn read(text: &str, stops: usize) -> Result<Self, LabelError> {
+        let malformed = || match stops {
+            2 => LabelError::Malformed(text.to_owned()),
+            _ => LabelError::Numbers { text: text.to_owned(), stops },
+        };
         let parts: Vec<&str> = text.split('-').map(str::trim).collect();
-        let [n, p, q] = parts[..] else { return Err(malformed()) };
-        if [p, q].iter().any(|&part| part == "∞" || part == INFINITELY_MANY.to_string()) {
+        if parts.len() != stops + 1 {
+            return Err(malformed());
+        }
+        if parts[1..].iter().any(|&part| part == "∞" || part == INFINITELY_MANY.to_string()) {
             return Err(LabelError::Endless(text.to_owned()));
         }
-        let number = |part: &str| {
+        let number = |part: &&str| {
             let digits = !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
             // More digits than fit are a number that is too large all the same.
             if digits { Ok(part.parse().unwrap_or(u32::MAX)) } else { Err(malformed()) }
         };
-        let label = Label { n: number(n)?, p: number(p)?, q: number(q)? };
+        let numbers = parts.iter().map(number).collect::<Result<Vec<u32>, LabelError>>()?;
+        let label = Label::new(numbers[0], &numbers[1..]);
         if !(1..=Schedule::LARGEST_PERIOD).contains(&label.n) {
             return Err(LabelError::Period(text.to_owned()));
         }
-        match label.p.saturating_add(label.q) {
+        match label.count() {
             0 => Err(LabelError::NoImpact(text.to_owned())),
             1..=Self::MOST_IMPACTS => Ok(label),
             _ => Err(LabelError::TooMany(text.to_owned())),
         }
+    }
+}
+
+/// N and the impacts at each stop, in the order of labels, as text.
+pub(super) fn spelled<T: fmt::Display>(n: u32, impacts: impl IntoIterator<Item = T>) -> String {
+    impacts.into_iter().fold(n.to_string(), |text, count| format!("{text}-{count}"))
+}
+
+impl fmt::Display for Label {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&spelled(self.n, &self.impacts))
+    }
+}
+
+/// As [`Label::read`] for two stops.
+impl FromStr for Label {
+    type Err = LabelError;
+
+    fn from_str(text: &str) -> Result<Self, LabelError> {
+        Label::read(text, 2)
     }
 }
 
@@ -65,11 +93,23 @@ pub enum LabelError {
          and one at x1 = +delta"
     )]
     Malformed(String),
+    /// Not N and one number for each stop.
+    #[error(
+        "`{text}` is not a label here: write N and the impacts at each stop, {} numbers with - between them, for \
+         example 1{} for one forcing period with one impact at each",
+        stops + 1, "-1".repeat(*stops)
+    )]
+    Numbers {
+        /// The text.
+        text: String,
+        /// How many stops the system has.
+        stops: usize,
+    },
     /// N is 0 or too large.
     #[error("label `{0}`: N, the forcing periods in one period of the motion, must be 1 to {largest}",
         largest = Schedule::LARGEST_PERIOD)]
     Period(String),
-    /// p and q are 0.
+    /// There is no impact.
     #[error(
         "label `{0}` names a motion without impact, of which there is nothing to solve: give p or q above 0"
     )]
@@ -92,10 +132,10 @@ mod tests {
 
     #[test]
     fn labels_round_trip_and_bad_ones_are_named() {
-        for label in [Label { n: 1, p: 2, q: 1 }, Label { n: 1024, p: 0, q: 10_000 }] {
+        for label in [Label::new(1, &[2, 1]), Label::new(1024, &[0, 10_000])] {
             assert_eq!(label.to_string().parse(), Ok(label));
         }
-        assert_eq!(" 2 - 4 - 4 ".parse(), Ok(Label { n: 2, p: 4, q: 4 }));
+        assert_eq!(" 2 - 4 - 4 ".parse(), Ok(Label::new(2, &[4, 4])));
         for text in ["", "1", "1-1", "1-1-1-1", "a-b-c", "1-+1-1", "1--1-1", "1.5-1-1", "-1-1-1"] {
             assert_eq!(text.parse::<Label>(), Err(LabelError::Malformed(text.to_owned())));
         }
@@ -111,5 +151,18 @@ mod tests {
         for (text, error) in refused {
             assert_eq!(text.parse::<Label>(), Err(error(text.to_owned())));
         }
+    }
+
+    #[test]
+    fn labels_have_a_number_for_each_stop() {
+        assert_eq!(Label::read("3-2", 1), Ok(Label::new(3, &[2])));
+        let four = Label::read("1-2-0-1-5", 4).unwrap();
+        assert_eq!((four.count(), four.to_string().as_str()), (8, "1-2-0-1-5"));
+        let error = Label::read("1-1-1", 3).unwrap_err().to_string();
+        assert!(
+            error.contains("`1-1-1`") && error.contains("4 numbers") && error.contains("1-1-1-1"),
+            "{error}"
+        );
+        assert_eq!(Label::read("1-0", 1), Err(LabelError::NoImpact("1-0".to_owned())));
     }
 }

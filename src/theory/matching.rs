@@ -1,13 +1,12 @@
 //! One arc of a motion: the flight from one impact to the next, and the equations that join the two.
 
-use nalgebra::{Matrix4, Vector4};
+use nalgebra::{DMatrix, DVector};
 
-use super::flow::{Flow, PHASE, Section};
+use super::flow::{Flow, Section, phase};
 use crate::dynamics::Stop;
-use crate::model::generator;
 
 /// An impact on a motion: where, and the state just after it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Node {
     /// The stop.
     pub stop: Stop,
@@ -17,71 +16,64 @@ pub struct Node {
 
 /// The equations that join two impacts, linearised.
 ///
-/// Flight from u for a time (φ′ − φ)/ω must arrive at the next stop, and restitution (3) must turn its arrival
-/// into u′: four equations R(u, u′) = 0 in the order of [`Section`], the last one being x1 = ±δ.
-#[derive(Clone, Copy, Debug)]
+/// Flight from u for a time (φ′ − φ)/ω must arrive at the next stop, and the law of impact must turn its arrival
+/// into u′: 2n equations R(u, u′) = 0 in the order of [`Section`], the last one being d·x = gap.
+#[derive(Clone, Debug)]
 pub(crate) struct Arc {
     /// R.
-    pub residual: Vector4<f64>,
+    pub residual: DVector<f64>,
     /// ∂R/∂u.
-    pub from: Matrix4<f64>,
-    /// −∂R/∂φ′ without the −1 on the diagonal: how (−r v1, x2, v2, x1) change with the phase of arrival.
-    pub arriving: Vector4<f64>,
+    pub from: DMatrix<f64>,
+    /// ∂R/∂φ′: how the section after the impact, with d·x in place of the phase, changes with the phase of arrival.
+    pub arriving: DVector<f64>,
 }
 
 impl Arc {
     /// The arc between two impacts.
     pub fn between(flow: &Flow, from: &Node, to: &Node) -> Self {
         let start = flow.lifted(from.stop, &from.section);
-        let time = (to.section[PHASE] - from.section[PHASE]) / flow.omega;
+        let time = (phase(&to.section) - phase(&from.section)) / flow.omega;
         let over = flow.over(time);
-        let arrival = over * start;
-        let rate = flow.generator * arrival / flow.omega;
-        let seen = |z: &nalgebra::Vector6<f64>| {
-            Vector4::new(-flow.r * z[generator::V1], z[generator::X2], z[generator::V2], z[generator::X1])
-        };
-        let mut turned = nalgebra::Vector6::zeros();
-        turned[generator::SIN] = start[generator::COS];
-        turned[generator::COS] = -start[generator::SIN];
-        let column = |j: usize| seen(&over.column(j).into_owned());
-        let target =
-            Vector4::new(to.section[0], to.section[1], to.section[2], to.stop.side::<f64>() * flow.delta);
+        let arrival = &over * &start;
+        let rate = &flow.generator * &arrival / flow.omega;
+        let face = flow.face(to.stop);
+        let last = 2 * flow.n - 1;
+        let mut target = to.section.clone();
+        target[last] = face.gap;
+        let mut through = &over * &flow.face(from.stop).lift;
+        through.set_column(last, &(&over * flow.turned(&start) - &rate));
         Arc {
-            residual: seen(&arrival) - target,
-            from: Matrix4::from_columns(&[
-                column(generator::V1),
-                column(generator::X2),
-                column(generator::V2),
-                seen(&(over * turned - rate)),
-            ]),
-            arriving: seen(&rate),
+            residual: &face.restituted * arrival - target,
+            from: &face.restituted * through,
+            arriving: &face.restituted * rate,
         }
     }
 
     /// ∂R/∂u′.
-    pub fn to(&self) -> Matrix4<f64> {
-        let mut to = -Matrix4::from_diagonal(&Vector4::new(1.0, 1.0, 1.0, 0.0));
-        to.set_column(PHASE, &self.arriving);
+    pub fn to(&self) -> DMatrix<f64> {
+        let size = self.residual.len();
+        let mut to = -DMatrix::identity(size, size);
+        to.set_column(size - 1, &self.arriving);
         to
     }
 
-    /// v1−/ω, the rate at which the stop is reached.
+    /// d·v−/ω, the rate at which the stop is reached.
     pub fn approach(&self) -> f64 {
-        self.arriving[PHASE]
+        self.arriving[self.arriving.len() - 1]
     }
 
     /// The Jacobian ∂u′/∂u of the impact map from this impact to the next, Eqs. (A.1)–(A.6): the arrival shifts by
-    /// −(∂x1/∂u)/(∂x1/∂φ′), and everything else with it.
+    /// −(∂(d·x)/∂u)/(∂(d·x)/∂φ′), and everything else with it.
     ///
-    /// None where the next impact is a grazing one, v1− = 0: the map is not differentiable there.
-    pub fn jacobian(&self) -> Option<Matrix4<f64>> {
-        let approach = self.approach();
-        let shift = -self.from.row(PHASE) / approach;
+    /// None where the next impact is a grazing one, d·v− = 0: the map is not differentiable there.
+    pub fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let last = self.residual.len() - 1;
+        let shift = -self.from.row(last) / self.approach();
         if !shift.iter().all(|value| value.is_finite()) {
             return None;
         }
-        let mut jacobian = self.from + self.arriving * shift;
-        jacobian.set_row(PHASE, &shift);
+        let mut jacobian = &self.from + &self.arriving * &shift;
+        jacobian.set_row(last, &shift);
         Some(jacobian)
     }
 }

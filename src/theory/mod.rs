@@ -1,14 +1,20 @@
 //! The theory on top of the map: exact periodic motions, their multipliers and how they lose stability, Lyapunov
 //! spectra.
 //!
-//! A periodic motion is a sequence of impacts whose times and states satisfy matching equations; free flight between
+//! All of it holds for any system of `n` coordinates: a section has 2n components (see [`section_names`]), a motion 2n
+//! multipliers, a trajectory 2n exponents. A periodic motion is a sequence of impacts whose times and states satisfy matching equations; free flight between
 //! them is an exact matrix. Newton's method solves them for stable and unstable motions alike, and the certified flight
 //! of the simulation then decides whether the system really moves like that. Everything is in f64.
 
 mod admissible;
 mod approached;
 mod cyclic;
+#[cfg(test)]
+mod example;
+mod face;
 mod flow;
+mod follower;
+mod frame;
 mod impact_map;
 mod jet;
 mod label;
@@ -28,15 +34,16 @@ mod symmetric;
 pub use admissible::Inadmissible;
 pub(crate) use admissible::fly;
 pub use approached::{approached, approached_from, confirmed, with_motion};
-pub(crate) use flow::Flow;
+pub use face::section_names;
 pub use flow::Section;
-pub use impact_map::{NoReturn, Return, impact_map};
+pub(crate) use flow::{Flow, phase};
+pub use impact_map::{NoReturn, Return, impact_map, impact_map_at};
 pub use label::{Label, LabelError};
 pub use matching::Node;
 pub use motion::{NoMotion, PeriodicMotion};
 pub(crate) use multipliers::{eigenvalues, turn};
 pub use normal_form::{flip_coefficient, fold_coefficient, neimark_sacker_coefficient};
-pub use pattern::Pattern;
+pub use pattern::{Pattern, StopSet};
 pub use search::{NotFound, labelled_motion};
 pub use seeding::{Search, settled_motion};
 pub use settled::SettledMotion;

@@ -2,17 +2,16 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::Complex;
+use nalgebra::{Complex, DMatrix};
 use thiserror::Error;
 
 use super::admissible::{Inadmissible, fly};
-use super::flow::{Flow, PHASE, Section};
+use super::flow::{Flow, Section, phase};
+use super::matching::Node;
 use super::multipliers::{STABLE, eigenvalues, ordered, turn};
 use super::newton;
-use super::pattern::{Pattern, opposite};
-use crate::dynamics::Stop;
-use crate::model::generator::{V1, V2, X1, X2};
-use crate::model::{Flight, System};
+use super::pattern::Pattern;
+use crate::model::System;
 
 /// A periodic motion with finitely many impacts, stable or not: a solution of the matching equations of its pattern.
 ///
@@ -46,45 +45,46 @@ impl PeriodicMotion {
     pub fn refine(system: &System, pattern: &Pattern, guess: &[Section]) -> Result<Self, NoMotion> {
         let flow = Flow::new(system);
         let (sections, residual) = newton::solve(&flow, pattern, guess).ok_or(NoMotion::NotConverged)?;
-        let motion = PeriodicMotion { pattern: pattern.clone(), sections, residual }.normalised();
-        fly(&Flight::new(system), &motion)?;
+        let motion = PeriodicMotion { pattern: pattern.clone(), sections, residual }.normalised(&flow);
+        fly(system, &motion)?;
         Ok(motion.reduced(&flow))
     }
 
-    /// The mirror image of the motion half a forcing period later, −x(t + π/ω): as much a motion as this one.
-    #[must_use]
-    pub fn mirror_image(&self) -> Self {
-        let turned =
-            |section: &Section| Section::new(-section[0], -section[1], -section[2], section[PHASE] + PI);
-        let stops = self.pattern.stops.iter().map(|&stop| opposite(stop)).collect();
-        let pattern = Pattern { stops, ..self.pattern.clone() };
-        let sections = self.sections.iter().map(turned).collect();
-        PeriodicMotion { pattern, sections, residual: self.residual }.normalised()
+    /// The mirror image of the motion half a forcing period later, P x(t + π/ω): as much a motion as this one.
+    ///
+    /// None where the system has no mirror.
+    pub fn mirror_image(&self, system: &System) -> Option<Self> {
+        let flow = Flow::new(system);
+        if !self.pattern.among.has_mirror() {
+            return None;
+        }
+        let mut image = self.clone();
+        for (stop, section) in image.pattern.stops.iter_mut().zip(&mut image.sections) {
+            let node = flow.mirror_image(&Node { stop: *stop, section: section.clone() });
+            (*stop, *section) = (node.stop, node.section);
+            *later(section) += PI;
+        }
+        Some(image.normalised(&flow))
     }
 
-    /// Begins at the first impact at A, if there is one, with a phase in [0, 2π).
-    fn normalised(mut self) -> Self {
-        if let Some(first) = self.pattern.stops.iter().position(|&stop| stop == Stop::A) {
-            self.rotate(first);
-        } else if self.pattern.mirrored {
-            // All impacts of this half are at Ā: the other half has them at A.
-            self.pattern.stops.fill(Stop::A);
-            for section in &mut self.sections {
-                *section = section.component_mul(&self.pattern.closing_factors());
-                section[PHASE] += f64::from(self.pattern.half_turns) * PI;
-            }
-        }
-        let turns = (self.sections[0][PHASE] / TAU).floor();
+    /// Begins at the first impact at the first of the stops that it strikes, with a phase in [0, 2π).
+    fn normalised(mut self, flow: &Flow) -> Self {
+        let Pattern { stops, mirrored, among, .. } = &self.pattern;
+        let images = stops.iter().filter(|_| *mirrored).map(|&stop| among.image(stop));
+        let all: Vec<_> = stops.iter().copied().chain(images).collect();
+        let first = (0..all.len()).min_by_key(|&i| all[i]).unwrap_or(0);
+        self.rotate(flow, first);
+        let turns = (phase(&self.sections[0]) / TAU).floor();
         for section in &mut self.sections {
-            section[PHASE] -= turns * TAU;
+            *later(section) -= turns * TAU;
         }
         self
     }
 
     /// Begins at the `first`-th impact of the pattern.
-    pub(crate) fn rotate(&mut self, first: usize) {
+    pub(crate) fn rotate(&mut self, flow: &Flow, first: usize) {
         for _ in 0..first {
-            let again = self.pattern.closing(&self.sections[0]);
+            let again = self.pattern.closing(flow, &self.sections[0]);
             self.sections.remove(0);
             self.pattern.stops.remove(0);
             self.sections.push(again.section);
@@ -110,7 +110,7 @@ impl PeriodicMotion {
 
     /// The pattern of one of so many equal parts, if the order of the stops and the half turns allow it.
     pub(crate) fn part(&self, parts: usize) -> Option<Pattern> {
-        let Pattern { stops, half_turns, mirrored } = &self.pattern;
+        let Pattern { stops, half_turns, mirrored, among } = &self.pattern;
         let size = stops.len() / parts;
         if !half_turns.is_multiple_of(parts as u32) {
             return None;
@@ -120,16 +120,17 @@ impl PeriodicMotion {
         let follows = |mirror: bool| {
             stops.chunks(size).enumerate().all(|(k, chunk)| {
                 let turned = mirror && k % 2 == 1;
-                chunk.iter().zip(part).all(|(a, b)| (a == b) != turned)
+                chunk.iter().zip(part).all(|(&a, &b)| a == if turned { among.image(b) } else { b })
             })
         };
         // An even number of mirrored parts closes on itself, an odd one on the mirror image.
         let odd = half_turns % 2 == 1;
         let closes = if odd { (parts % 2 == 1) == *mirrored } else { !*mirrored };
-        (closes && follows(odd)).then(|| Pattern { stops: part.to_vec(), half_turns, mirrored: odd })
+        let pattern = Pattern { stops: part.to_vec(), half_turns, mirrored: odd, among: among.clone() };
+        (closes && (among.has_mirror() || !odd) && follows(odd)).then_some(pattern)
     }
 
-    /// N-p-q.
+    /// N and the impacts at each stop, N-p-q of the paper's oscillator.
     pub fn label(&self) -> String {
         self.pattern.label()
     }
@@ -139,53 +140,67 @@ impl PeriodicMotion {
         self.pattern.mirrored
     }
 
-    /// The fixed point on the section of its first impact, at A unless it never strikes A: (v1+, x2, v2, τ),
-    /// 0 ≤ τ < 2π.
-    pub fn section(&self) -> [f64; 4] {
-        self.sections[0].into()
+    /// The fixed point on the section of its first impact, at the first of the stops that it strikes; see
+    /// [`section_names`](super::section_names). 2n components, the last one in [0, 2π).
+    pub fn section(&self) -> Vec<f64> {
+        self.sections[0].as_slice().to_vec()
     }
 
-    /// (x1, x2, v1, v2) at forcing phase 0, from the impact before it.
-    pub fn at_phase_zero(&self, system: &System) -> [f64; 4] {
+    /// (x, v) at forcing phase 0, from the impact before it.
+    pub fn at_phase_zero(&self, system: &System) -> Vec<f64> {
         let flow = Flow::new(system);
-        let begins = self.sections[0][PHASE];
+        let begins = phase(&self.sections[0]);
         let mut half_turns = (begins / PI).ceil();
         if half_turns.rem_euclid(2.0) != 0.0 && !self.pattern.mirrored {
             half_turns += 1.0;
         }
-        // Half a turn off, a symmetric motion's mirror image is met.
-        let side = if half_turns.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
-        let phase = half_turns * PI;
-        let last = self.sections.iter().rposition(|section| section[PHASE] <= phase).unwrap_or(0);
+        let strobe = half_turns * PI;
+        let last = self.sections.iter().rposition(|section| phase(section) <= strobe).unwrap_or(0);
         let section = &self.sections[last];
         let start = flow.lifted(self.pattern.stops[last], section);
-        let z = flow.over((phase - section[PHASE]) / flow.omega) * start;
-        [X1, X2, V1, V2].map(|k| side * z[k] + 0.0)
+        let z = flow.over((strobe - phase(section)) / flow.omega) * start;
+        // Half a turn off, a symmetric motion's mirror image is met.
+        let turned = half_turns.rem_euclid(2.0) != 0.0;
+        let values = [0, flow.n].map(|at| {
+            let part = z.rows(at, flow.n).into_owned();
+            if turned { flow.reflected(part.as_slice()) } else { part }
+        });
+        values.iter().flatten().map(|value| value + 0.0).collect()
+    }
+
+    /// The Jacobian of one turn around the motion on the section of its first impact, 2n × 2n: of one period, or of half
+    /// of it followed by the mirror where the motion is symmetric.
+    ///
+    /// None for a motion that grazes, where there is no derivative.
+    pub fn jacobian(&self, system: &System) -> Option<DMatrix<f64>> {
+        turn(&Flow::new(system), &self.pattern, &self.sections)
     }
 
     /// Eigenvalues of the half map of a symmetric motion, largest modulus first: flight over N/2 forcing periods with its
     /// impacts, then the mirror.
     ///
     /// None for a motion that is not symmetric, or that grazes.
-    pub fn half_multipliers(&self, system: &System) -> Option<[Complex<f64>; 4]> {
-        let flow = Flow::new(system);
-        self.pattern
-            .mirrored
-            .then(|| turn(&flow, &self.pattern, &self.sections))?
-            .and_then(|map| eigenvalues(&map))
+    pub fn half_multipliers(&self, system: &System) -> Option<Vec<Complex<f64>>> {
+        self.pattern.mirrored.then(|| self.jacobian(system))?.and_then(|map| eigenvalues(&map))
     }
 
-    /// The Floquet multipliers, largest modulus first: the eigenvalues of the Jacobian of one period.
+    /// The 2n Floquet multipliers, largest modulus first: the eigenvalues of the Jacobian of one period.
     ///
     /// None for a motion that grazes, where there is no derivative.
-    pub fn multipliers(&self, system: &System) -> Option<[Complex<f64>; 4]> {
-        let half =
-            turn(&Flow::new(system), &self.pattern, &self.sections).and_then(|map| eigenvalues(&map))?;
-        Some(if self.pattern.mirrored { ordered(half.map(|value| value * value)) } else { half })
+    pub fn multipliers(&self, system: &System) -> Option<Vec<Complex<f64>>> {
+        let turn = self.jacobian(system).and_then(|map| eigenvalues(&map))?;
+        let squares = |values: Vec<Complex<f64>>| values.iter().map(|value| value * value).collect();
+        Some(if self.pattern.mirrored { ordered(squares(turn)) } else { turn })
     }
 
     /// Whether all Floquet multipliers lie within the unit circle; none where there are none.
     pub fn is_stable(&self, system: &System) -> Option<bool> {
         Some(self.multipliers(system)?.iter().all(|value| value.norm() < STABLE))
     }
+}
+
+/// The forcing phase of a section, to be changed.
+fn later(section: &mut Section) -> &mut f64 {
+    let last = section.len() - 1;
+    &mut section[last]
 }

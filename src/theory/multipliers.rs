@@ -1,6 +1,6 @@
 //! Jacobians of whole motions, and their Floquet multipliers.
 
-use nalgebra::{Complex, Matrix4, Schur};
+use nalgebra::{Complex, DMatrix, Schur};
 
 use super::flow::{Flow, Section};
 use super::newton::arcs;
@@ -17,24 +17,23 @@ pub(super) const STABLE: f64 = 1.0 - 1e-9;
 /// followed by the mirror where the pattern is mirrored.
 ///
 /// It is the product of the Jacobians of its impacts. None where an impact grazes, since the map has no derivative there.
-pub(crate) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Option<Matrix4<f64>> {
-    let mut product = Matrix4::identity();
+pub(crate) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Option<DMatrix<f64>> {
+    let mut product = DMatrix::identity(2 * flow.n, 2 * flow.n);
     for arc in arcs(flow, pattern, sections) {
         product = arc.jacobian()? * product;
     }
-    // The closing factors are their own inverse.
-    let closed = Matrix4::from_diagonal(&pattern.closing_factors()) * product;
+    let closed = pattern.reopening_matrix(flow) * product;
     closed.iter().all(|value| value.is_finite()).then_some(closed)
 }
 
 /// The eigenvalues, largest modulus first; of a complex pair the one with the positive imaginary part first.
-pub(crate) fn eigenvalues(matrix: &Matrix4<f64>) -> Option<[Complex<f64>; 4]> {
-    let schur = Schur::try_new(*matrix, f64::EPSILON, MOST_SWEEPS)?;
-    Some(ordered(schur.complex_eigenvalues().into()))
+pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
+    let schur = Schur::try_new(matrix.clone(), f64::EPSILON, MOST_SWEEPS)?;
+    Some(ordered(schur.complex_eigenvalues().as_slice().to_vec()))
 }
 
 /// The same numbers, largest modulus first; of a complex pair the one with the positive imaginary part first.
-pub(super) fn ordered(mut values: [Complex<f64>; 4]) -> [Complex<f64>; 4] {
+pub(super) fn ordered(mut values: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
     values
 }

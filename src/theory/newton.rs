@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::cyclic;
-use super::flow::{Flow, PHASE, Section};
+use super::flow::{Flow, Section, phase};
 use super::matching::{Arc, Node};
 use super::pattern::Pattern;
 
@@ -21,40 +21,38 @@ pub(crate) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Vec<
 
 /// The arc after the `i`-th impact.
 pub(crate) fn arc(flow: &Flow, pattern: &Pattern, sections: &[Section], i: usize) -> Arc {
-    let from = Node { stop: pattern.stops[i], section: sections[i] };
-    Arc::between(flow, &from, &next(pattern, sections, i))
+    let from = Node { stop: pattern.stops[i], section: sections[i].clone() };
+    Arc::between(flow, &from, &next(flow, pattern, sections, i))
 }
 
 /// The impact that follows the `i`-th.
-pub(crate) fn next(pattern: &Pattern, sections: &[Section], i: usize) -> Node {
+pub(crate) fn next(flow: &Flow, pattern: &Pattern, sections: &[Section], i: usize) -> Node {
     match sections.get(i + 1) {
-        Some(&section) => Node { stop: pattern.stops[i + 1], section },
-        None => pattern.closing(&sections[0]),
+        Some(section) => Node { stop: pattern.stops[i + 1], section: section.clone() },
+        None => pattern.closing(flow, &sections[0]),
     }
+}
+
+/// The phase of the impact that follows the `i`-th.
+pub(crate) fn next_phase(pattern: &Pattern, sections: &[Section], i: usize) -> f64 {
+    sections.get(i + 1).map_or_else(|| pattern.closing_phase(&sections[0]), phase)
 }
 
 /// The residuals of all arcs.
 pub(crate) fn residual(arcs: &[Arc]) -> DVector<f64> {
-    DVector::from_iterator(
-        4 * arcs.len(),
-        arcs.iter().flat_map(|arc| arc.residual.iter().copied().collect::<Vec<_>>()),
-    )
+    let count = arcs.iter().map(|arc| arc.residual.len()).sum();
+    DVector::from_iterator(count, arcs.iter().flat_map(|arc| arc.residual.iter().copied()))
 }
 
-/// Their derivatives with respect to all sections: square, 4K × 4K.
-pub(crate) fn derivative(arcs: &[Arc], pattern: &Pattern) -> DMatrix<f64> {
-    let count = arcs.len();
-    let mut matrix = DMatrix::zeros(4 * count, 4 * count);
+/// Their derivatives with respect to all sections: square, 2nK × 2nK.
+pub(crate) fn derivative(flow: &Flow, arcs: &[Arc], pattern: &Pattern) -> DMatrix<f64> {
+    let (count, size) = (arcs.len(), 2 * flow.n);
+    let mut matrix = DMatrix::zeros(size * count, size * count);
     for (i, arc) in arcs.iter().enumerate() {
-        let mut own = matrix.fixed_view_mut::<4, 4>(4 * i, 4 * i);
-        own += arc.from;
-        let mut to = arc.to();
-        if i + 1 == count {
-            for (mut column, factor) in to.column_iter_mut().zip(pattern.closing_factors().iter()) {
-                column *= *factor;
-            }
-        }
-        let mut following = matrix.fixed_view_mut::<4, 4>(4 * i, 4 * ((i + 1) % count));
+        let mut own = matrix.view_mut((size * i, size * i), (size, size));
+        own += &arc.from;
+        let to = if i + 1 == count { arc.to() * pattern.closing_matrix(flow) } else { arc.to() };
+        let mut following = matrix.view_mut((size * i, size * ((i + 1) % count)), (size, size));
         following += to;
     }
     matrix
@@ -73,7 +71,7 @@ pub(crate) fn solve(flow: &Flow, pattern: &Pattern, guess: &[Section]) -> Option
         if !size.is_finite() {
             return None;
         }
-        let step = cyclic::solve(&joined, pattern)?;
+        let step = cyclic::solve(flow, &joined, pattern)?;
         let mut share = 1.0;
         let mut accepted = false;
         for _ in 0..MOST_HALVINGS {
@@ -88,8 +86,8 @@ pub(crate) fn solve(flow: &Flow, pattern: &Pattern, guess: &[Section]) -> Option
             }
             share *= 0.5;
         }
-        let scale =
-            1.0 + sections.iter().map(|section| section.fixed_rows::<3>(0).amax()).fold(0.0, f64::max);
+        let scale = 1.0
+            + sections.iter().map(|section| section.rows(0, section.len() - 1).amax()).fold(0.0, f64::max);
         let solved = residuals.amax() <= SOLVED * scale;
         if !accepted || (solved && step.amax() * share <= 1e-9 * scale) {
             return solved.then_some((sections, residuals.amax()));
@@ -99,10 +97,11 @@ pub(crate) fn solve(flow: &Flow, pattern: &Pattern, guess: &[Section]) -> Option
 }
 
 fn moved(sections: &[Section], step: &DVector<f64>, share: f64) -> Vec<Section> {
-    sections.iter().enumerate().map(|(i, section)| section + share * step.fixed_rows::<4>(4 * i)).collect()
+    let size = sections[0].len();
+    sections.iter().enumerate().map(|(i, section)| section + share * step.rows(size * i, size)).collect()
 }
 
 /// Whether every impact comes after the one before it.
 pub(crate) fn is_ordered(pattern: &Pattern, sections: &[Section]) -> bool {
-    (0..sections.len()).all(|i| next(pattern, sections, i).section[PHASE] > sections[i][PHASE])
+    (0..sections.len()).all(|i| next_phase(pattern, sections, i) > phase(&sections[i]))
 }

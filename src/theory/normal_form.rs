@@ -1,6 +1,6 @@
 //! How a motion loses its stability: the normal-form coefficient, and super- or subcritical from its sign.
 
-use nalgebra::{Complex, Matrix4, Vector4};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::flow::{Flow, Section};
 use super::jet;
@@ -8,7 +8,7 @@ use super::motion::PeriodicMotion;
 use super::multipliers::turn;
 use crate::model::System;
 
-type Complex4 = Vector4<Complex<f64>>;
+type ComplexSection = DVector<Complex<f64>>;
 
 /// The bilinear and trilinear derivatives of the map of one turn, by polarisation of its exact series.
 struct Forms<'a> {
@@ -23,12 +23,12 @@ impl Forms<'_> {
 
     /// B(a, b) of real vectors.
     fn bilinear(&self, a: &Section, b: &Section) -> Option<Section> {
-        Some(self.series(&(a + b))?[2] - self.series(a)?[2] - self.series(b)?[2])
+        Some(&self.series(&(a + b))?[2] - &self.series(a)?[2] - &self.series(b)?[2])
     }
 
     /// C(a, a, a) of a real vector.
     fn cube(&self, a: &Section) -> Option<Section> {
-        Some(self.series(a)?[3] * 6.0)
+        Some(&self.series(a)?[3] * 6.0)
     }
 
     /// C(a, a, b) of real vectors.
@@ -37,7 +37,7 @@ impl Forms<'_> {
     }
 
     /// B(a, b) of complex vectors.
-    fn complex_bilinear(&self, a: &Complex4, b: &Complex4) -> Option<Complex4> {
+    fn complex_bilinear(&self, a: &ComplexSection, b: &ComplexSection) -> Option<ComplexSection> {
         let (ar, ai) = parts(a);
         let (br, bi) = parts(b);
         let real = self.bilinear(&ar, &br)? - self.bilinear(&ai, &bi)?;
@@ -46,7 +46,7 @@ impl Forms<'_> {
     }
 
     /// C(q, q, q̄) of a complex vector.
-    fn complex_trilinear(&self, q: &Complex4) -> Option<Complex4> {
+    fn complex_trilinear(&self, q: &ComplexSection) -> Option<ComplexSection> {
         let (a, b) = parts(q);
         let real = self.cube(&a)? + self.trilinear(&b, &a)?;
         let imaginary = self.trilinear(&a, &b)? + self.cube(&b)?;
@@ -54,11 +54,11 @@ impl Forms<'_> {
     }
 }
 
-fn parts(vector: &Complex4) -> (Section, Section) {
+fn parts(vector: &ComplexSection) -> (Section, Section) {
     (vector.map(|z| z.re), vector.map(|z| z.im))
 }
 
-fn joined(real: &Section, imaginary: &Section) -> Complex4 {
+fn joined(real: &Section, imaginary: &Section) -> ComplexSection {
     real.zip_map(imaginary, Complex::new)
 }
 
@@ -73,7 +73,7 @@ pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64>
     let map = turn(&flow, &motion.pattern, &motion.sections)?;
     let (q, p) = real_eigenvectors(&map, -1.0)?;
     let square = forms.bilinear(&q, &q)?;
-    let shift = (Matrix4::identity() - map).lu().solve(&square)?;
+    let shift = (DMatrix::identity(map.nrows(), map.ncols()) - map).lu().solve(&square)?;
     let c = (p.dot(&forms.cube(&q)?) + 3.0 * p.dot(&forms.bilinear(&q, &shift)?)) / 6.0;
     c.is_finite().then_some(c)
 }
@@ -109,10 +109,10 @@ pub fn neimark_sacker_coefficient(system: &System, motion: &PeriodicMotion, thet
     let p = null_vector(&complex.transpose(), unit.conj())?;
     let scale = p.dotc(&q);
     let p = p.map(|z| z / scale.conj());
-    let identity = Matrix4::<Complex<f64>>::identity();
+    let identity = DMatrix::<Complex<f64>>::identity(map.nrows(), map.ncols());
     let conjugate = q.map(|z| z.conj());
-    let inner = (identity - complex).lu().solve(&forms.complex_bilinear(&q, &conjugate)?)?;
-    let outer = (identity * (unit * unit) - complex).lu().solve(&forms.complex_bilinear(&q, &q)?)?;
+    let inner = (&identity - &complex).lu().solve(&forms.complex_bilinear(&q, &conjugate)?)?;
+    let outer = (identity * (unit * unit) - &complex).lu().solve(&forms.complex_bilinear(&q, &q)?)?;
     let cubic = forms.complex_trilinear(&q)?
         + forms.complex_bilinear(&q, &inner)?.map(|z| z * 2.0)
         + forms.complex_bilinear(&conjugate, &outer)?;
@@ -121,10 +121,10 @@ pub fn neimark_sacker_coefficient(system: &System, motion: &PeriodicMotion, thet
 }
 
 /// Right and left eigenvectors q and p of a real multiplier, |q| = 1 and p·q = 1.
-fn real_eigenvectors(map: &Matrix4<f64>, multiplier: f64) -> Option<(Section, Section)> {
+fn real_eigenvectors(map: &DMatrix<f64>, multiplier: f64) -> Option<(Section, Section)> {
     let complex = map.map(|value| Complex::new(value, 0.0));
     let value = Complex::new(multiplier, 0.0);
-    let real = |v: Complex4| {
+    let real = |v: ComplexSection| {
         let largest = v.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap_or_default();
         v.map(|z| (z / largest).re)
     };
@@ -135,15 +135,11 @@ fn real_eigenvectors(map: &Matrix4<f64>, multiplier: f64) -> Option<(Section, Se
 }
 
 /// A unit vector v with matrix·v = value·v, by inverse iteration just beside the value.
-fn null_vector(matrix: &Matrix4<Complex<f64>>, value: Complex<f64>) -> Option<Complex4> {
+fn null_vector(matrix: &DMatrix<Complex<f64>>, value: Complex<f64>) -> Option<ComplexSection> {
     let beside = value * Complex::new(1.0 + 1e-10, 1e-10);
-    let factors = (matrix - Matrix4::identity() * beside).lu();
-    let mut vector = Complex4::new(
-        Complex::new(0.6, 0.0),
-        Complex::new(-0.5, 0.0),
-        Complex::new(0.4, 0.0),
-        Complex::new(0.5, 0.0),
-    );
+    let factors = (matrix - DMatrix::identity(matrix.nrows(), matrix.ncols()) * beside).lu();
+    const START: [f64; 8] = [0.6, -0.5, 0.4, 0.5, -0.3, 0.7, 0.2, -0.4];
+    let mut vector = ComplexSection::from_fn(matrix.nrows(), |i, _| Complex::new(START[i], 0.0));
     for _ in 0..4 {
         vector = factors.solve(&vector)?;
         let length = vector.norm();

@@ -32,15 +32,26 @@ impl SettledMotion {
             return Err(NoMotion::NotConverged);
         }
         let finite = verdict.regime == Regime::Periodic
-            && u32::from(verdict.p) + u32::from(verdict.q) <= Label::MOST_IMPACTS;
+            && verdict.counts.iter().map(|&count| u32::from(count)).sum::<u32>() <= Label::MOST_IMPACTS;
+        Self::near(system, &verdict.state[..], n, finite)
+    }
+
+    /// The exact motion near (x, v) at forcing phase 0, where a trajectory returns after `n` forcing periods; `finite`
+    /// where it has finitely many impacts, and does not stick.
+    ///
+    /// Of one that is unstable, a stable one of twice the length is preferred.
+    ///
+    /// # Errors
+    /// [`NoMotion`] if Newton's method leads nowhere from there.
+    pub fn near(system: &System, state: &[f64], n: u32, finite: bool) -> Result<Self, NoMotion> {
         let solved = |n: u32| {
             let impacts = if finite {
-                settled_motion(system, verdict.state, n).map(SettledMotion::Impacts)
+                settled_motion(system, state, n).map(SettledMotion::Impacts)
             } else {
                 Err(NoMotion::NotConverged)
             };
             impacts.or_else(|error| {
-                let strobe = StrobeMotion::refine(system, verdict.state, n)
+                let strobe = StrobeMotion::refine(system, state, n)
                     .map(|motion| SettledMotion::Strobe(Box::new(motion)));
                 strobe.map_err(|_| error)
             })
@@ -61,16 +72,16 @@ impl SettledMotion {
         }
     }
 
-    /// (x1, x2, v1, v2) at forcing phase 0; non-dimensional.
-    pub fn at_phase_zero(&self, system: &System) -> [f64; 4] {
+    /// (x, v) at forcing phase 0; non-dimensional.
+    pub fn at_phase_zero(&self, system: &System) -> Vec<f64> {
         match self {
             SettledMotion::Impacts(motion) => motion.at_phase_zero(system),
-            SettledMotion::Strobe(motion) => motion.state,
+            SettledMotion::Strobe(motion) => motion.state.clone(),
         }
     }
 
     /// The Floquet multipliers, largest modulus first; none for a motion that grazes.
-    pub fn multipliers(&self, system: &System) -> Option<[Complex<f64>; 4]> {
+    pub fn multipliers(&self, system: &System) -> Option<Vec<Complex<f64>>> {
         match self {
             SettledMotion::Impacts(motion) => motion.multipliers(system),
             SettledMotion::Strobe(motion) => motion.multipliers(),

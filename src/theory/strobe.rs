@@ -1,12 +1,16 @@
 //! Periodic motions as fixed points of the strobe map: those that stick, and have no finite impact sequence, too.
 
-use nalgebra::{Complex, Matrix4, Vector4};
+use nalgebra::{Complex, DMatrix, DVector};
 
+use super::flow::Flow;
+use super::follower::{Follower, follower};
+use super::label::spelled;
 use super::motion::NoMotion;
 use super::multipliers::{STABLE, eigenvalues};
-use crate::analysis::{INFINITELY_MANY, motion_label};
-use crate::dynamics::{Contact, Event, Stop, Tangent, Trajectory, Variation};
-use crate::model::{Flight, System};
+use super::pattern::StopSet;
+use crate::analysis::INFINITELY_MANY;
+use crate::dynamics::{Event, Impact, Stop};
+use crate::model::System;
 
 /// The most Newton steps.
 const MOST_STEPS: usize = 30;
@@ -27,53 +31,56 @@ const MOST_MOVES: u32 = 1 << 24;
 pub struct StrobeMotion {
     /// N, forcing periods in one period of the motion.
     pub n: u32,
-    /// p, impacts at Ā in one period; [`INFINITELY_MANY`] with complete chatter.
-    pub p: u16,
-    /// q, impacts at A in one period; [`INFINITELY_MANY`] with complete chatter.
-    pub q: u16,
-    /// Whether x(t + Nπ/ω) = −x(t).
+    /// Impacts at each stop in one period, in the plant's order; [`INFINITELY_MANY`] with complete chatter.
+    pub impacts: Vec<u16>,
+    /// Whether x(t + Nπ/ω) = P x(t) with the mirror P of the system.
     pub symmetric: bool,
-    /// Whether the first mass rests on a stop on the way.
+    /// Whether a mass rests on a stop on the way.
     pub sticking: bool,
-    /// (x1, x2, v1, v2) at forcing phase 0.
-    pub state: [f64; 4],
-    /// The largest |v1−| of an impact.
+    /// (x, v) at forcing phase 0.
+    pub state: Vec<f64>,
+    /// The largest |d·v−| of an impact.
     pub peak: f64,
-    /// The hardest impact of the period, at A if that is struck at all: the stop and (v1+, x2, v2, τ) just after it,
-    /// 0 ≤ τ < 2π. None where there is no impact, the first mass being held by its stops.
-    pub section: Option<(Stop, [f64; 4])>,
-    /// ∂Pᴺ/∂s at the fixed point; sticking makes two of its directions vanish.
-    pub jacobian: Matrix4<f64>,
-    /// Minus the derivative of half of it: the half map of a symmetric motion.
-    half_jacobian: Option<Matrix4<f64>>,
+    /// The hardest impact of the period, at the first of the stops that are struck at all: the stop and the section just
+    /// after it ((v1+, x2, v2, τ) of the paper's oscillator), its phase in [0, 2π). None where there is no impact, the
+    /// masses being held by their stops.
+    pub section: Option<(Stop, Vec<f64>)>,
+    /// ∂Pᴺ/∂s at the fixed point, 2n × 2n; sticking makes two of its directions vanish.
+    pub jacobian: DMatrix<f64>,
+    /// The derivative of half of it and the mirror: the half map of a symmetric motion.
+    half_jacobian: Option<DMatrix<f64>>,
     /// The largest component of Pᴺ(s) − s.
     pub residual: f64,
+    among: StopSet,
 }
 
 impl StrobeMotion {
     /// Whether it touches a stop at all.
     pub fn has_impacts(&self) -> bool {
-        self.sticking || self.p > 0 || self.q > 0
+        self.sticking || self.impacts.iter().any(|&count| count > 0)
     }
 
-    /// The fixed point of Pᴺ near a state at forcing phase 0, by Newton's method; N is reduced to the period of the motion
+    /// The fixed point of Pᴺ near (x, v) at forcing phase 0, by Newton's method; N is reduced to the period of the motion
     /// where that is a divisor.
     ///
     /// # Errors
     /// [`NoMotion::NotConverged`] if there is none near by, or the trajectory cannot be followed.
-    pub fn refine(system: &System, state: [f64; 4], n: u32) -> Result<Self, NoMotion> {
-        let flight = Flight::new(system);
-        let mut state = Vector4::from(state);
-        let mut turn = Turn::from(&flight, state.into(), n).ok_or(NoMotion::NotConverged)?;
+    pub fn refine(system: &System, state: impl AsRef<[f64]>, n: u32) -> Result<Self, NoMotion> {
+        let flow = Flow::new(system);
+        let among = StopSet::of(system);
+        let mut follower = follower(system);
+        let mut state = DVector::from_column_slice(state.as_ref());
+        let size = state.len();
+        let mut turn = Turn::from(follower.as_mut(), &flow, &state, n).ok_or(NoMotion::NotConverged)?;
         for _ in 0..MOST_STEPS {
-            let defect = turn.end - state;
-            let step = (turn.jacobian - Matrix4::identity()).lu().solve(&defect);
+            let defect = &turn.end - &state;
+            let step = (&turn.jacobian - DMatrix::identity(size, size)).lu().solve(&defect);
             let better = step.and_then(|step| {
                 (0..MOST_HALVINGS).find_map(|halvings| {
-                    let trial = state - step * 0.5f64.powi(halvings as i32);
-                    let trial = Vector4::from(system.between_stops(trial.into()));
-                    let next = Turn::from(&flight, trial.into(), n)?;
-                    ((next.end - trial).norm() < defect.norm()).then_some((trial, next))
+                    let mut trial = &state - &step * 0.5f64.powi(halvings as i32);
+                    follower.bring_within(&mut trial.as_mut_slice()[..size / 2]);
+                    let next = Turn::from(follower.as_mut(), &flow, &trial, n)?;
+                    ((&next.end - &trial).norm() < defect.norm()).then_some((trial, next))
                 })
             });
             match better {
@@ -81,49 +88,72 @@ impl StrobeMotion {
                 None => break,
             }
         }
-        let residual = (turn.end - state).amax();
+        let residual = (&turn.end - &state).amax();
         let scale = 1.0 + state.amax();
         if residual.is_nan() || residual > SOLVED * scale {
             return Err(NoMotion::NotConverged);
         }
         if let Some(shorter) = turn.shorter(n, REPEATED * scale) {
-            return Self::refine(system, state.into(), shorter);
+            return Self::refine(system, state.as_slice(), shorter);
         }
-        let symmetric = turn.half.is_some_and(|(half, _)| (half + state).amax() <= MIRRORED * scale);
+        let half = turn.half.take().filter(|_| among.has_mirror());
+        let symmetric =
+            half.as_ref().is_some_and(|(half, _)| (half - flow.mirrored(&state)).amax() <= MIRRORED * scale);
         Ok(StrobeMotion {
             n,
-            p: turn.p,
-            q: turn.q,
+            impacts: turn.impacts,
             symmetric,
             sticking: turn.sticking,
-            state: state.map(|value| value + 0.0).into(),
+            state: state.iter().map(|value| value + 0.0).collect(),
             peak: turn.peak,
-            section: turn.hardest,
+            section: turn.hardest.map(|hardest| (hardest.stop, hardest.section)),
             jacobian: turn.jacobian,
-            half_jacobian: turn.half.filter(|_| symmetric).map(|(_, jacobian)| -jacobian),
+            half_jacobian: half.filter(|_| symmetric).map(|(_, jacobian)| flow.mirrored_columns(&jacobian)),
             residual,
+            among,
         })
     }
 
-    /// P^n of a state at forcing phase 0; none if the trajectory cannot be followed.
-    pub fn turned(system: &System, state: [f64; 4], n: u32) -> Option<[f64; 4]> {
-        Turn::from(&Flight::new(system), state, n).map(|turn| turn.end.into())
+    /// P^n of (x, v) at forcing phase 0; none if the trajectory cannot be followed.
+    pub fn turned(system: &System, state: impl AsRef<[f64]>, n: u32) -> Option<Vec<f64>> {
+        let start = DVector::from_column_slice(state.as_ref());
+        let turn = Turn::from(follower(system).as_mut(), &Flow::new(system), &start, n)?;
+        Some(turn.end.as_slice().to_vec())
     }
 
-    /// N-p-q, with ∞ for infinitely many impacts.
+    /// p: impacts at Ā, the paper's second stop, in one period; 0 where there is no second stop.
+    pub fn p(&self) -> u16 {
+        self.impacts.get(Stop::B.index()).copied().unwrap_or(0)
+    }
+
+    /// q: impacts at A, the first stop, in one period.
+    pub fn q(&self) -> u16 {
+        self.impacts[Stop::A.index()]
+    }
+
+    /// Impacts at each stop in one period, in the order of labels.
+    pub fn counts(&self) -> Vec<u16> {
+        self.among.in_label_order(&self.impacts)
+    }
+
+    /// N and the impacts at each stop (N-p-q of the paper's oscillator), with ∞ for infinitely many.
     pub fn label(&self) -> String {
-        motion_label(self.n, self.p, self.q)
+        let number = |count: u16| match count {
+            INFINITELY_MANY => "∞".to_owned(),
+            count => count.to_string(),
+        };
+        spelled(self.n, self.counts().into_iter().map(number))
     }
 
     /// The Floquet multipliers, largest modulus first; 0 for a direction that sticking loses.
     ///
     /// None where an impact grazes, since there is no derivative.
-    pub fn multipliers(&self) -> Option<[Complex<f64>; 4]> {
+    pub fn multipliers(&self) -> Option<Vec<Complex<f64>>> {
         finite(&self.jacobian).and_then(eigenvalues)
     }
 
     /// Eigenvalues of the half map of a symmetric motion, largest modulus first: N/2 forcing periods, then the mirror.
-    pub fn half_multipliers(&self) -> Option<[Complex<f64>; 4]> {
+    pub fn half_multipliers(&self) -> Option<Vec<Complex<f64>>> {
         self.half_jacobian.as_ref().and_then(finite).and_then(eigenvalues)
     }
 
@@ -138,127 +168,105 @@ impl StrobeMotion {
     }
 }
 
-fn finite(matrix: &Matrix4<f64>) -> Option<&Matrix4<f64>> {
+fn finite(matrix: &DMatrix<f64>) -> Option<&DMatrix<f64>> {
     matrix.iter().all(|value| value.is_finite()).then_some(matrix)
 }
 
 /// One turn of a trajectory over N forcing periods, with its derivative.
 struct Turn {
-    end: Vector4<f64>,
+    end: DVector<f64>,
     /// The states at the forcing periods before the end.
-    strobes: Vec<Vector4<f64>>,
-    jacobian: Matrix4<f64>,
+    strobes: Vec<DVector<f64>>,
+    jacobian: DMatrix<f64>,
     /// The state and its derivative half a turn from the start, for odd N.
-    half: Option<(Vector4<f64>, Matrix4<f64>)>,
-    p: u16,
-    q: u16,
+    half: Option<(DVector<f64>, DMatrix<f64>)>,
+    impacts: Vec<u16>,
     sticking: bool,
     peak: f64,
-    hardest: Option<(Stop, [f64; 4])>,
+    hardest: Option<Hardest>,
+}
+
+/// The hardest impact of a turn.
+struct Hardest {
+    stop: Stop,
+    speed: f64,
+    section: Vec<f64>,
 }
 
 impl Turn {
     /// Follows a trajectory; none if its state is not finite, or it makes too many moves.
-    fn from(flight: &Flight<f64>, start: [f64; 4], n: u32) -> Option<Self> {
-        let mut trajectory = Trajectory::new(flight, start);
-        let mut frame = unit_frame();
-        let clamped = trajectory.contact == Contact::Clamped;
-        if clamped {
-            frame = frame.caught();
-        }
+    fn from(follower: &mut dyn Follower, flow: &Flow, start: &DVector<f64>, n: u32) -> Option<Self> {
+        follower.begin(start.as_slice());
+        follower.carry();
+        let clamping = follower.clamping();
+        let clamped = |(stop, _)| if clamping.contains(&stop) { INFINITELY_MANY } else { 0 };
         let mut turn = Turn {
-            end: Vector4::from(start),
+            end: start.clone(),
             strobes: Vec::new(),
-            jacobian: Matrix4::identity(),
+            jacobian: follower.tangents(),
             half: None,
-            p: if clamped { INFINITELY_MANY } else { 0 },
-            q: if clamped { INFINITELY_MANY } else { 0 },
-            sticking: clamped,
+            impacts: flow.faces().enumerate().map(clamped).collect(),
+            sticking: !clamping.is_empty(),
             peak: 0.0,
             hardest: None,
         };
         for period in 0..n {
             let mut moves = 0;
-            turn.strobes.push(trajectory.point.state().into());
+            turn.strobes.push(follower.state());
             loop {
-                let taken = trajectory.advance_to_event(flight, &mut frame);
+                let taken = follower.advance_to_event();
                 moves += 1;
-                if moves > MOST_MOVES || !trajectory.point.state().iter().all(|value| value.is_finite()) {
+                if moves > MOST_MOVES || !follower.is_finite() {
                     return None;
                 }
-                turn.sticking |= taken.free == 0.0;
+                turn.sticking |= !taken.contact.is_free();
                 match taken.event {
-                    Event::Impact(impact) => {
-                        turn.count(impact.stop, false);
-                        turn.harden(flight, &trajectory, impact.stop, impact.velocity_after);
-                        turn.peak = turn.peak.max(impact.velocity_before.abs());
-                    }
+                    Event::Impact(impact) => turn.note(follower, flow, &impact, false),
                     Event::Caught { impact, complete_chatter } => {
                         turn.sticking = true;
                         if impact.velocity_before != 0.0 {
-                            turn.count(impact.stop, complete_chatter);
-                            turn.harden(flight, &trajectory, impact.stop, impact.velocity_after);
-                            turn.peak = turn.peak.max(impact.velocity_before.abs());
+                            turn.note(follower, flow, &impact, complete_chatter);
                         }
                     }
                     Event::HalfPeriod if n % 2 == 1 && period == n / 2 => {
-                        turn.half = Some((trajectory.point.state().into(), columns(&frame)));
+                        turn.half = Some((follower.state(), follower.tangents()));
                     }
                     Event::Strobe => break,
                     _ => {}
                 }
             }
         }
-        turn.end = trajectory.point.state().into();
-        turn.jacobian = columns(&frame);
+        turn.end = follower.state();
+        turn.jacobian = follower.tangents();
         Some(turn)
     }
 
     /// The smallest divisor of n after which the state is the same already.
     fn shorter(&self, n: u32, tolerance: f64) -> Option<u32> {
-        let same = |m: &u32| (self.strobes[*m as usize] - self.strobes[0]).amax() <= tolerance;
+        let same = |m: &u32| (&self.strobes[*m as usize] - &self.strobes[0]).amax() <= tolerance;
         (1..n).filter(|m| n.is_multiple_of(*m)).find(same)
     }
 
-    fn count(&mut self, stop: Stop, complete_chatter: bool) {
-        let count = match stop {
-            Stop::A => &mut self.q,
-            Stop::B => &mut self.p,
-        };
-        *count = if complete_chatter {
-            INFINITELY_MANY
+    /// Counts an impact, and keeps it if it is the hardest so far; those at an earlier stop count before all others.
+    fn note(&mut self, follower: &dyn Follower, flow: &Flow, impact: &Impact<f64>, complete_chatter: bool) {
+        let stop = impact.stop;
+        let count = &mut self.impacts[stop.index()];
+        if complete_chatter {
+            *count = INFINITELY_MANY;
         } else if *count < INFINITELY_MANY - 1 {
-            *count + 1
-        } else {
-            *count
-        };
-    }
-
-    /// Keeps an impact if it is the hardest so far; those at A count before all others.
-    fn harden(&mut self, flight: &Flight<f64>, trajectory: &Trajectory<f64>, stop: Stop, velocity: f64) {
-        let before = match &self.hardest {
-            Some((Stop::A, _)) if stop == Stop::B => return,
-            Some((other, section)) if *other == stop => section[0].abs(),
-            _ => -1.0,
-        };
-        if velocity.abs() > before {
-            let elapsed = f64::from(trajectory.step) * flight.h + trajectory.offset;
-            let phase = super::admissible::wrapped(flight.omega * elapsed);
-            let point = trajectory.point;
-            self.hardest = Some((stop, [velocity + 0.0, point.x2, point.v2, phase]));
+            *count += 1;
+        }
+        self.peak = self.peak.max(impact.velocity_before.abs());
+        let speed = impact.velocity_after.abs();
+        let harder = self
+            .hardest
+            .as_ref()
+            .is_none_or(|hardest| stop < hardest.stop || (stop == hardest.stop && speed > hardest.speed));
+        if harder {
+            let phase = follower.phase(flow.omega);
+            let section = flow.face(stop).section(follower.x(), follower.v(), phase);
+            let section = section.iter().map(|value| value + 0.0).collect();
+            self.hardest = Some(Hardest { stop, speed, section });
         }
     }
-}
-
-/// The unit vectors of (x1, x2, v1, v2).
-fn unit_frame() -> [Tangent<f64>; 4] {
-    std::array::from_fn(|j| {
-        let at = |i: usize| if i == j { 1.0 } else { 0.0 };
-        Tangent { x1: at(0), x2: at(1), v1: at(2), v2: at(3) }
-    })
-}
-
-/// The matrix whose columns are the tangent vectors.
-fn columns(frame: &[Tangent<f64>; 4]) -> Matrix4<f64> {
-    Matrix4::from_columns(&frame.map(|t| Vector4::new(t.x1, t.x2, t.v1, t.v2)))
 }

@@ -1,17 +1,17 @@
-//! The period-one double-impact symmetric motion of section 3, in closed form.
+//! The period-one double-impact symmetric motion of section 3, in closed form, of any system with a mirror.
 
 use std::f64::consts::PI;
 
-use nalgebra::{Matrix4, Matrix4x5, Vector4};
+use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
 use super::admissible::{Inadmissible, fly, wrapped};
-use super::flow::{Flow, PHASE, Section};
+use super::flow::{Flow, Section, phase};
 use super::motion::PeriodicMotion;
 use super::newton;
-use super::pattern::Pattern;
+use super::pattern::{Pattern, StopSet};
 use crate::dynamics::Stop;
-use crate::model::{Flight, System};
+use crate::model::System;
 
 /// How far a start on the symmetric motion is moved off it, so that an unstable one is left; non-dimensional.
 pub const NUDGE: f64 = 1e-3;
@@ -21,8 +21,8 @@ pub const NUDGE: f64 = 1e-3;
 pub struct SymmetricMotion {
     /// The motion that the conditions describe, whether or not the system follows it.
     pub motion: PeriodicMotion,
-    /// (x1, x2, v1, v2) at forcing phase 0 if the motion is physical, otherwise why no trajectory follows it.
-    pub at_phase_zero: Result<[f64; 4], Inadmissible>,
+    /// (x, v) at forcing phase 0 if the motion is physical, otherwise why no trajectory follows it.
+    pub at_phase_zero: Result<Vec<f64>, Inadmissible>,
 }
 
 impl SymmetricMotion {
@@ -37,6 +37,9 @@ impl SymmetricMotion {
 /// Why the matching conditions (5) have no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum NoSymmetricMotion {
+    /// The system has no mirror, or its mirror maps every stop onto itself.
+    #[error("does not exist: the system has no mirror that exchanges two stops")]
+    NoMirror,
     /// There is no room to move.
     #[error("does not exist: the stops hold the first mass (delta = 0)")]
     Clamped,
@@ -46,47 +49,69 @@ pub enum NoSymmetricMotion {
          ±{delta}"
     )]
     OutOfReach {
-        /// The largest x1 at impact over all phases.
+        /// The largest displacement at impact over all phases, along the stop's direction.
         amplitude: f64,
-        /// The half clearance.
+        /// The stop's gap.
         delta: f64,
+    },
+    /// Whatever the phase, the motion would not reach from stop to stop, and the constant load has a share in that.
+    #[error("does not exist: the matched motion would need a forcing {factor} times as strong")]
+    TooWeak {
+        /// How strong the forcing would have to be at least.
+        factor: f64,
     },
     /// The matching conditions are singular.
     #[error("does not exist: the matching conditions are singular here")]
     Singular,
 }
 
-/// Both solutions of (5), in the order of τ.
+/// Both solutions of (5), in the order of τ: the motion between two stops that the mirror exchanges, the first such.
 ///
-/// With Φ the flight over half a period from (x1, x2, v1, v2), Γs and Γc what forcing at phase τ adds to it, and
-/// D = diag(1, 1, −r, 1), the state s just after the impact at A satisfies (I + DΦ) s + D (Γs sin τ + Γc cos τ) = 0 with
-/// s₁ = δ: four equations for (x2, v1, v2, sin τ, cos τ). Their solutions are a straight line, which
-/// sin² τ + cos² τ = 1 meets twice. I + DΦ itself is singular at a resonance without damping, and wherever r = 1 and
-/// ζ = 0; the line is not.
+/// With Φ the flight over half a period from y = (x, v), Γs, Γc and Γ₁ what forcing at phase τ and the constant load add
+/// to it, D the impact at the other stop and P the mirror, the state y just after the impact at the first stop satisfies
+/// (DΦ − P) y + D (Γs sin τ + Γc cos τ + Γ₁) = 0 with d·x = gap: 2n equations for the other 2n − 1 components of y,
+/// sin τ and cos τ. Their solutions are a straight line, which sin² τ + cos² τ = 1 meets twice. DΦ − P itself is singular
+/// at a resonance without damping, and wherever r = 1 and ζ = 0 in the paper's oscillator; the line is not.
 ///
 /// # Errors
-/// [`NoSymmetricMotion`] where no real τ solves it.
+/// [`NoSymmetricMotion`] where no real τ solves it, or there is no such mirror.
 pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymmetricMotion> {
-    let flow = Flow::new(system);
-    let delta = flow.delta;
-    if delta == 0.0 {
+    let stop = exchanged_stop(system).ok_or(NoSymmetricMotion::NoMirror)?;
+    let among = StopSet::of(system);
+    let stops = &system.plant().stops;
+    let opposite = &stops[among.image(stop).index()];
+    let own = &stops[stop.index()];
+    let room = own.gap / own.direction.norm() + opposite.gap / opposite.direction.norm();
+    let facing = &own.direction / own.direction.norm() + &opposite.direction / opposite.direction.norm();
+    if room == 0.0 && facing.amax() <= 1e-12 {
         return Err(NoSymmetricMotion::Clamped);
     }
-    let line = Line::of_matching(&flow).ok_or(NoSymmetricMotion::Singular)?;
-    let nearest = line.point[3].hypot(line.point[4]);
+    let flow = Flow::new(system);
+    let face = flow.face(stop);
+    let line = Line::of_matching(&flow, stop, among.image(stop)).ok_or(NoSymmetricMotion::Singular)?;
+    let nearest = line.nearest();
     if nearest > 1.0 {
-        return Err(NoSymmetricMotion::OutOfReach { amplitude: delta / nearest, delta });
+        let load = system.plant().load.amax() > 0.0;
+        let (amplitude, delta) = (face.gap / nearest, face.gap);
+        return Err(match load || delta == 0.0 {
+            false => NoSymmetricMotion::OutOfReach { amplitude, delta },
+            true => NoSymmetricMotion::TooWeak { factor: nearest },
+        });
     }
-    let flight = Flight::new(system);
     let half_chord = (1.0 - nearest * nearest).sqrt();
     let mut sections = [-half_chord, half_chord].map(|along| {
-        let [x2, v1, v2, sin, cos]: [f64; 5] = line.at(along).into();
-        // Without restitution the first mass leaves the stop from rest, whatever rounding says.
-        let v1 = if flow.r == 0.0 { 0.0 } else { v1 };
-        Section::new(v1, x2, v2, wrapped(sin.atan2(cos)))
+        let values = line.at(along);
+        let last = 2 * flow.n - 1;
+        let mut section = values.rows(0, 2 * flow.n).into_owned();
+        section[last] = wrapped(values[last].atan2(values[last + 1]));
+        if face.restitution == 0.0 {
+            // Without restitution the stop is left from rest, whatever rounding says.
+            section[0] = face.resting_speed(&section);
+        }
+        section
     });
-    sections.sort_by(|a, b| a[PHASE].total_cmp(&b[PHASE]));
-    let solutions = sections.map(|section| solution(&flight, &flow, section));
+    sections.sort_by(|a, b| phase(a).total_cmp(&phase(b)));
+    let solutions = sections.map(|section| solution(system, &flow, stop, section));
     let scale = |section: &Section| 1.0 + section.amax();
     let solved = |solution: &SymmetricMotion| {
         solution.motion.residual <= ACCEPTED * scale(&solution.motion.sections[0])
@@ -94,71 +119,102 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
     if solutions.iter().all(solved) { Ok(solutions) } else { Err(NoSymmetricMotion::Singular) }
 }
 
+/// The first stop that the mirror maps onto another.
+fn exchanged_stop(system: &System) -> Option<Stop> {
+    let mirror = system.plant().mirror()?;
+    let first = mirror.stops.iter().enumerate().position(|(stop, &image)| stop != image)?;
+    Some(Stop(first as u8))
+}
+
 /// The largest residual of the matching equations that a solution in closed form may leave, for states of order one.
 const ACCEPTED: f64 = 1e-8;
 
-/// The solutions (x2, v1, v2, sin τ, cos τ) of the matching equations, before sin² τ + cos² τ = 1.
+/// The solutions of the matching equations before sin² τ + cos² τ = 1: the section without its phase, then sin τ and
+/// cos τ, 2n + 1 numbers.
 struct Line {
     /// Its point nearest to (sin τ, cos τ) = 0 in those two.
-    point: Vector5,
+    point: DVector<f64>,
     /// Its direction, of unit length in (sin τ, cos τ).
-    direction: Vector5,
+    direction: DVector<f64>,
 }
 
-type Vector5 = nalgebra::SVector<f64, 5>;
-
 impl Line {
-    fn of_matching(flow: &Flow) -> Option<Self> {
+    fn of_matching(flow: &Flow, from: Stop, to: Stop) -> Option<Self> {
+        let (n, face, image) = (flow.n, flow.face(from), flow.face(to));
+        let size = 2 * n;
         let half = flow.over(PI / flow.omega);
-        let restitution = Matrix4::from_diagonal(&Vector4::new(1.0, 1.0, -flow.r, 1.0));
-        let phi: Matrix4<f64> = half.fixed_view::<4, 4>(0, 0).into_owned();
-        let matching = Matrix4::identity() + restitution * phi;
-        let gamma = |j: usize| -> Vector4<f64> { restitution * half.fixed_view::<4, 1>(0, j) };
-        let column = |j: usize| -> Vector4<f64> { matching.column(j).into_owned() };
-        let matrix = Matrix4x5::from_columns(&[column(1), column(2), column(3), gamma(4), gamma(5)]);
-        let point: Vector5 = matrix.svd(true, true).solve(&(column(0) * -flow.delta), 0.0).ok()?;
-        // The null vector of four rows in five dimensions: their cross product.
-        let minor = |j: usize| matrix.remove_column(j).determinant();
-        let null = Vector5::from_fn(|j, _| if j % 2 == 0 { minor(j) } else { -minor(j) });
-        let direction = null / null[3].hypot(null[4]);
+        // After the impact, as components of the section there; the last one is d·x.
+        let arrived = &image.restituted * &half;
+        // The same of the mirror image.
+        let due = |z: &DVector<f64>| {
+            let y = flow.mirrored(&z.rows(0, size).into_owned());
+            let mut section = image.section(y.rows(0, n).as_slice(), y.rows(n, n).as_slice(), 0.0);
+            section[size - 1] = image.along(&y)[0];
+            section
+        };
+        let defect = |z: &DVector<f64>| &arrived * z - due(z);
+        let mut columns: Vec<DVector<f64>> =
+            (0..size - 1).map(|k| defect(&face.lift.column(k).into_owned())).collect();
+        columns.extend([size, size + 1].map(|k| arrived.column(k).into_owned()));
+        let matrix = DMatrix::from_columns(&columns);
+        let point = matrix.clone().svd(true, true).solve(&-defect(&face.origin), 0.0).ok()?;
+        // The null vector of 2n rows in 2n + 1 dimensions: their cross product.
+        let minor = |j: usize| matrix.clone().remove_column(j).determinant();
+        let null = DVector::from_fn(size + 1, |j, _| if j % 2 == 0 { minor(j) } else { -minor(j) });
+        let direction = &null / null[size - 1].hypot(null[size]);
         if !direction.iter().chain(point.iter()).all(|value| value.is_finite()) {
             return None;
         }
-        let point = point - direction * (direction[3] * point[3] + direction[4] * point[4]);
+        let along = direction[size - 1] * point[size - 1] + direction[size] * point[size];
+        let point = point - &direction * along;
         Some(Line { point, direction })
     }
 
-    fn at(&self, along: f64) -> Vector5 {
-        self.point + self.direction * along
+    /// How near it comes to (sin τ, cos τ) = 0.
+    fn nearest(&self) -> f64 {
+        let size = self.point.len();
+        self.point[size - 2].hypot(self.point[size - 1])
+    }
+
+    fn at(&self, along: f64) -> DVector<f64> {
+        &self.point + &self.direction * along
     }
 }
 
 /// One solution, and whether the system follows it.
-fn solution(flight: &Flight<f64>, flow: &Flow, section: Section) -> SymmetricMotion {
-    let pattern = Pattern { stops: vec![Stop::A], half_turns: 1, mirrored: true };
+fn solution(system: &System, flow: &Flow, stop: Stop, section: Section) -> SymmetricMotion {
+    let pattern = Pattern::new(system, vec![stop], 1, true);
+    let image = pattern.closing_stop();
+    let face = flow.face(stop);
+    let (coordinate, velocity) = (face.coordinate, section[0]);
+    let rests = face.speed(&section) == 0.0 && face.restitution > 0.0;
     let sections = vec![section];
     let residual = newton::residual(&newton::arcs(flow, &pattern, &sections)).amax();
     let motion = PeriodicMotion { pattern, sections, residual };
-    let velocity = section[0];
-    let at_phase_zero = if velocity == 0.0 && flow.r > 0.0 {
-        Err(Inadmissible::WrongVelocity { stop: Stop::A, velocity })
+    let at_phase_zero = if rests {
+        Err(Inadmissible::WrongVelocity { stop, coordinate, velocity })
     } else {
-        fly(flight, &motion).and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(Stop::B)))
+        fly(system, &motion).and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(image)))
     };
     SymmetricMotion { motion, at_phase_zero }
 }
 
-/// (x1, x2, v1, v2) at forcing phase 0 on the stable-branch 1-1-1 symmetric motion, nudged, where it exists and is
-/// physical.
+/// (x, v) at forcing phase 0 on the stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical.
 ///
-/// Of two physical solutions the one with the smaller multipliers is taken.
-pub fn symmetric_start(system: &System) -> Option<[f64; 4]> {
-    let [x1, x2, v1, v2] = stable_branch(system)?.at_phase_zero.ok()?;
-    Some([x1, x2 + NUDGE, v1, v2])
+/// Of two physical solutions the one with the smaller multipliers is taken. The first displacement that no stop bears on
+/// is nudged, the first velocity where there is none.
+pub fn symmetric_start(system: &System) -> Option<Vec<f64>> {
+    let mut state = stable_branch(system)?.at_phase_zero.ok()?;
+    let plant = system.plant();
+    let borne = |i: &usize| plant.stops.iter().any(|stop| stop.direction[*i] != 0.0);
+    let nudged = (0..plant.n).find(|i| !borne(i)).unwrap_or(plant.n);
+    state[nudged] += NUDGE;
+    Some(state)
 }
 
-/// The fixed point (v1+, x2, v2, τ) of the same motion on σ, where it exists and is physical.
-pub fn symmetric_target(system: &System) -> Option<[f64; 4]> {
+/// The fixed point of the same motion on the section at its first stop, (v1+, x2, v2, τ) of the paper's oscillator, where
+/// it exists and is physical.
+pub fn symmetric_target(system: &System) -> Option<Vec<f64>> {
     stable_branch(system).map(|motion| motion.motion.section())
 }
 

@@ -161,7 +161,7 @@ fn is_of(verdict: &Verdict, motion: &CurveMotion) -> bool {
     if motion.p + motion.q == 0 {
         return verdict.regime == Regime::NoImpact;
     }
-    let (n, p, q) = (u32::from(verdict.n), u32::from(verdict.p), u32::from(verdict.q));
+    let (n, p, q) = (u32::from(verdict.n), u32::from(verdict.p()), u32::from(verdict.q()));
     verdict.regime == Regime::Periodic
         && n == motion.n
         && verdict.symmetric == motion.symmetric

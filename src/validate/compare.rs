@@ -52,7 +52,7 @@ pub fn compare_continued(reference: &RegionMap, candidate: &RegionMap, continued
 
 /// Whether regime and label are equal.
 pub(super) fn same_label(a: &Verdict, b: &Verdict) -> bool {
-    (a.regime, a.n, a.p, a.q) == (b.regime, b.n, b.p, b.q)
+    (a.regime, a.n, a.counts) == (b.regime, b.n, b.counts)
 }
 
 /// Whether both are the same periodic motion by label.
@@ -61,7 +61,7 @@ pub(super) fn same_motion(a: &Verdict, b: &Verdict) -> bool {
 }
 
 /// The largest absolute difference of the strobe states; infinite where one is not a number.
-pub(super) fn state_difference(a: &[f64; 4], b: &[f64; 4]) -> f64 {
+pub(super) fn state_difference(a: &[f64], b: &[f64]) -> f64 {
     let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
     differences.fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { d.max(largest) })
 }

@@ -79,5 +79,6 @@ fn whole_periods(n: u32, max_period: u32) -> Schedule {
 fn job(map: &RegionMap, index: usize) -> Result<Job, SweepError> {
     let (column, row) = (index as u32 % map.plane.x.count, index as u32 / map.plane.x.count);
     let system = System::new(map.plane.parameters_at(column, row))?;
-    Ok(Job { system, start: system.between_stops(map.verdicts[index].state) })
+    let start = system.between_stops(map.verdicts[index].state);
+    Ok(Job { system, start })
 }

@@ -2,7 +2,7 @@
 
 use super::agreement::Agreement;
 use super::compare::compare;
-use crate::control::Section;
+use crate::control::SectionValues;
 use crate::plane::ControlMap;
 
 /// Compares the motions that two maps of the same plane under control reach.
@@ -17,8 +17,12 @@ pub fn compare_controlled(reference: &ControlMap, candidate: &ControlMap) -> Agr
     let ours = reference.motions();
     let mut theirs = candidate.motions();
     for (a, b) in ours.verdicts.iter().zip(&mut theirs.verdicts) {
-        let away = Section::new(b.state).minus(&Section::new(a.state));
-        b.state = std::array::from_fn(|i| a.state[i] + away[i]);
+        let [ours, theirs] = [&a.state, &b.state]
+            .map(|state| SectionValues::from_slice(state).expect("a state has 2 to 8 values"));
+        let away = theirs.minus(&ours);
+        for ((b, &a), &away) in b.state.iter_mut().zip(a.state.iter()).zip(away.iter()) {
+            *b = a + away;
+        }
     }
     compare(&ours, &theirs)
 }

@@ -13,11 +13,10 @@ fn motion(n: u16, symmetric: bool) -> Verdict {
     Verdict {
         regime: Regime::Periodic,
         n,
-        p: n,
-        q: n,
+        counts: crate::analysis::Counts::new(&[n, n]),
         symmetric,
         lyapunov: -0.25,
-        state: [0.05, -0.01, 0.3, 0.02],
+        state: [0.05, -0.01, 0.3, 0.02].into(),
         impacts: 400,
         impacts_total: 1200,
         peak_impact_velocity: 0.4,
@@ -27,7 +26,7 @@ fn motion(n: u16, symmetric: bool) -> Verdict {
 }
 
 fn of_regime(regime: Regime) -> Verdict {
-    Verdict { regime, n: 0, p: 0, q: 0, lyapunov: 0.125, ..motion(1, false) }
+    Verdict { regime, n: 0, counts: crate::analysis::Counts::default(), lyapunov: 0.125, ..motion(1, false) }
 }
 
 /// A map whose left half is 1-1-1 symmetric and whose right half is what is given.
@@ -35,7 +34,7 @@ fn halves(right: Verdict) -> RegionMap {
     let plane = Plane {
         x: format!("omega=1:3:{COLUMNS}").parse().unwrap(),
         y: format!("delta=0.1:0.4:{ROWS}").parse().unwrap(),
-        parameters: Parameters::default(),
+        parameters: Parameters::default().into(),
         start: Start::Rest,
         schedule: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
     };
@@ -197,8 +196,12 @@ impl Backend for Attractor {
 
 impl Attractor {
     fn follow(&self, job: &Job) -> Verdict {
-        let near = job.start.iter().zip(&self.state).all(|(a, b)| (a - b).abs() < 0.01);
-        if near { Verdict { state: self.state, ..motion(2, false) } } else { of_regime(Regime::Chaotic) }
+        let near = job.start.iter().zip(self.state.iter()).all(|(a, b)| (a - b).abs() < 0.01);
+        if near {
+            Verdict { state: self.state.into(), ..motion(2, false) }
+        } else {
+            of_regime(Regime::Chaotic)
+        }
     }
 }
 
@@ -208,7 +211,7 @@ fn another_phase_is_right_only_if_the_reference_stays_there() {
     let other_phase = [-0.04, 0.02, -0.2, 0.01];
     let mut candidate = reference.clone();
     for row in 0..ROWS {
-        candidate.verdicts[cell(14, row)].state = other_phase.map(|x| x + 1e-6);
+        candidate.verdicts[cell(14, row)].state = other_phase.map(|x| x + 1e-6).into();
     }
     assert_eq!(strays(&reference, &candidate).len(), 10);
     assert_eq!(failing(&compare(&reference, &candidate)), [""; 0], "ten of 200 are not the 95th percentile");

@@ -6,7 +6,7 @@ use super::agreement::{Agreement, Tipped};
 use super::compare::{is_inside, same_label};
 use crate::analysis::Regime;
 use crate::backend::{Backend, Job, Watch, decide};
-use crate::model::{Parameter, System};
+use crate::model::System;
 use crate::plane::RegionMap;
 use crate::sweep::SweepError;
 
@@ -50,7 +50,7 @@ pub fn tipped(
         .collect();
     let mut found = BTreeSet::new();
     for some in jobs.chunks(backend.tile().max(1)) {
-        let alone: Vec<Job> = some.iter().map(|(_, job)| *job).collect();
+        let alone: Vec<Job> = some.iter().map(|(_, job)| job.clone()).collect();
         let verdicts = decide(backend, &alone, &reference.plane.schedule, &Unheard(watch))?;
         let moved = some
             .iter()
@@ -66,23 +66,27 @@ fn copies(map: &RegionMap, index: usize) -> impl Iterator<Item = Job> + '_ {
     let columns = map.plane.x.count as usize;
     let (column, row) = ((index % columns) as u32, (index / columns) as u32);
     let parameters = map.plane.parameters_at(column, row);
+    let count = parameters.entries().count() as u32;
     (0..COPIES).filter_map(move |copy| {
         // Signs as a hash of the copy and of what is changed.
         let change = |which: u32| {
-            let mixed = (copy * 12 + which + 1).wrapping_mul(0x9e37_79b9);
+            let mixed = (copy * 40 + which + 1).wrapping_mul(0x9e37_79b9);
             if (mixed >> 15) & 1 == 0 { ROUNDING } else { -ROUNDING }
         };
         let changed = |value: f64, which: u32| value + change(which) * value.abs().max(f64::MIN_POSITIVE);
-        let varied = (Parameter::ALL.into_iter().zip(0..)).fold(parameters, |varied, (parameter, which)| {
-            let value = changed(varied.get(parameter), which);
-            if parameter.check(value).is_ok() { varied.with(parameter, value) } else { varied }
-        });
+        let varied =
+            (parameters.entries().zip(0..)).fold(parameters, |varied, ((parameter, value), which)| {
+                let value = changed(value, which);
+                if parameter.check(value).is_ok() { varied.with(parameter, value) } else { varied }
+            });
         let system = System::new(varied).ok()?;
-        let delta = system.parameters().delta;
-        let start = map.plane.start_at(column, row).state(&system);
-        let start =
-            std::array::from_fn(|i| start[i] + change(8 + i as u32) * start[i].abs().max(delta.min(1.0)));
-        Some(Job { system, start: system.between_stops(start) })
+        let narrowest = system.plant().stops.iter().map(|stop| stop.gap.abs()).fold(1.0, f64::min);
+        let mut start = map.plane.start_at(column, row).state(&system);
+        for (which, value) in (count..).zip(start.iter_mut()) {
+            *value += change(which) * value.abs().max(narrowest);
+        }
+        let start = system.between_stops(start);
+        Some(Job { system, start })
     })
 }
 

@@ -202,8 +202,8 @@ fn matches_motion(motion: &Motion, verdict: &Verdict) -> bool {
     let regime = if motion.sticks { Regime::PeriodicSticking } else { Regime::Periodic };
     verdict.regime == regime
         && u32::from(verdict.n) == motion.n
-        && count(verdict.p) == motion.p
-        && count(verdict.q) == motion.q
+        && count(verdict.p()) == motion.p
+        && count(verdict.q()) == motion.q
         && verdict.symmetric == motion.symmetric
 }
 

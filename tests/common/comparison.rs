@@ -118,7 +118,7 @@ pub fn compare<'a>(
 
 /// A job for a back end.
 pub fn job(parameters: Parameters, start: [f64; 4]) -> Job {
-    Job { system: System::new(parameters).expect("the cases are physical"), start }
+    Job { system: System::new(parameters).expect("the cases are physical"), start: start.into() }
 }
 
 /// The value below which a share of the values lies.

@@ -105,13 +105,13 @@ fn case(setup: Setup) -> Option<Case> {
 
 /// The largest deviation of a state, relative to the largest component where that is above 1; not a number where a
 /// component is none.
-pub fn deviation(state: &[f64; 4], exact: &[f64; 4]) -> f64 {
+pub fn deviation(state: &[f64], exact: &[f64]) -> f64 {
     let differences = state.iter().zip(exact).map(|(a, b)| (a - b).abs());
     differences.fold(0.0, |worst, d| if d <= worst { worst } else { d }) / scale(exact)
 }
 
 /// The largest component of a state, or 1.
-fn scale(state: &[f64; 4]) -> f64 {
+fn scale(state: &[f64]) -> f64 {
     state.iter().fold(1.0, |scale: f64, x| scale.max(x.abs()))
 }
 

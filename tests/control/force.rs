@@ -1,44 +1,46 @@
 //! The sine force as a real force between impacts: exact flight, and what it reaches.
 
 use impact_atlas::control::{
-    ControlSchedule, Controlled, Controller, Convention, Scheme, Section, control, multipliers,
+    ControlSchedule, Controlled, Controller, Convention, Scheme, Section, Surface, control, multipliers,
 };
-use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Trajectory};
-use impact_atlas::model::{Drive, Flight, Parameters, System};
+use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Stop, Trajectory};
+use impact_atlas::model::{Drive, Flight, Parameters, State, System};
 
 use super::{Returns, away, run, sine, starts, system};
 
 #[test]
 fn a_force_in_phase_is_a_change_of_the_forcing() {
-    let mut stronger = system();
-    stronger.force1 += -0.3877;
-    let flight = Flight::new(&stronger);
+    let f20 = system().parameters().f20;
+    let stronger = system().loaded(&[1.0 - f20 - 0.3877, f20]);
+    let flight = Flight::<f64, 2>::new(&stronger);
     let schedule =
         ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
-    let start = Section::new([-0.3, 0.01, 0.02, 1.9]);
-    let follow = |flight: &Flight<f64>| {
-        let mut controlled =
-            Controlled::new(start.trajectory(flight, false, ()), Controller::None, &schedule);
+    let start = Section::new(&[-0.3, 0.01, 0.02, 1.9]);
+    let surface = Surface::new(&stronger, &flight, Stop::A);
+    let follow = |flight: &Flight<f64, 2>| {
+        let begun = start.trajectory(flight, &surface, Contact::FREE, ());
+        let mut controlled = Controlled::new(begun, surface, Controller::None(Stop::A), &schedule);
         let mut returns = Returns::default();
         controlled.follow(flight, &schedule, &mut returns);
         returns.0
     };
     let changed = follow(&flight);
 
-    let flight = Flight::new(&system());
+    let flight = Flight::<f64, 2>::new(&system());
     let drive = Drive::new(&system(), &flight, 1.0);
     let (sin, cos) = 1.9_f64.sin_cos();
     let none = Phasor::new(&drive, -0.3877, [sin, cos]);
     let controller = sine(Convention::Force, -0.3877, 0.0, 0.0).resolve(&system()).unwrap();
-    let mut controlled = Controlled::new(start.trajectory(&flight, false, none), controller, &schedule);
+    let begun = start.trajectory(&flight, &surface, Contact::FREE, none);
+    let mut controlled = Controlled::new(begun, surface, controller, &schedule);
     let mut forced = Returns::default();
     controlled.follow(&flight, &schedule, &mut forced);
     assert_eq!(forced.0.len(), 40);
     for (a, b) in forced.0.iter().zip(&changed).take(12) {
-        assert!(away(a.section.components, b.section.components) < 1e-10, "{a:?} {b:?}");
+        assert!(away(a.section, b.section) < 1e-10, "{a:?} {b:?}");
     }
     let unforced = follow(&flight);
-    assert!(away(unforced[0].section.components, changed[0].section.components) > 1e-3);
+    assert!(away(unforced[0].section, changed[0].section) > 1e-3);
 }
 
 /// Eq. (2) with a force B sin θ, θ' = γω, on the first mass, by a thousand Runge-Kutta steps.
@@ -47,10 +49,12 @@ fn integrated(system: &System, mut y: [f64; 4], time: f64, b: f64, gamma: f64, p
     let rates = |y: [f64; 4], t: f64| {
         let [x1, x2, v1, v2] = y;
         let forcing = (omega * t + phases[0]).sin();
-        let coupling = (x2 - x1) + system.coupling_damping * (v2 - v1);
-        let a1 = coupling + system.force1 * forcing + b * (gamma * omega * t + phases[1]).sin();
-        let ground = system.ground_stiffness * x2 + system.ground_damping * v2;
-        [v1, v2, a1, system.force2 * forcing - system.inverse_mass * coupling - ground]
+        let Parameters { zeta, mu_m, mu_k, mu_c, f20, .. } = system.parameters();
+        let second = mu_m / (1.0 - mu_m);
+        let coupling = (x2 - x1) + 2.0 * zeta * (v2 - v1);
+        let a1 = coupling + (1.0 - f20) * forcing + b * (gamma * omega * t + phases[1]).sin();
+        let ground = mu_k / (1.0 - mu_k) * x2 + 2.0 * zeta * mu_c / (1.0 - mu_c) * v2;
+        [v1, v2, a1, (f20 * forcing - coupling - ground) / second]
     };
     let steps = 1000;
     let h = time / f64::from(steps);
@@ -66,17 +70,23 @@ fn integrated(system: &System, mut y: [f64; 4], time: f64, b: f64, gamma: f64, p
     y
 }
 
+fn values(state: &State<f64, 2>) -> [f64; 4] {
+    std::array::from_fn(|i| state.get(i))
+}
+
 #[test]
 fn flight_under_a_second_frequency_is_exact() {
     let parameters = Parameters { omega: 2.83, delta: 50.0, f20: 0.3, mu_c: 0.3, ..Parameters::default() };
     for gamma in [0.37, 1.0, 2.5, 7.0] {
         let system = System::new(parameters).unwrap().following(gamma).unwrap();
-        let flight = Flight::new(&system);
+        let flight = Flight::<f64, 2>::new(&system);
         let drive = Drive::new(&system, &flight, gamma);
         let phase = 0.7_f64;
         let phasor = Phasor::new(&drive, 0.8, [phase.sin(), phase.cos()]);
-        let point = Point { x1: 0.1, x2: -0.2, v1: 0.5, v2: 0.3, sin: 0.0, cos: 1.0, drive: phasor };
-        let mut trajectory = Trajectory::from_point(&flight, point, Contact::Free, 0, 0.0);
+        let start = [0.1, -0.2, 0.5, 0.3];
+        let state = State::from_slice(&start);
+        let point = Point { state, sin: 0.0, cos: 1.0, one: 1.0, drive: phasor };
+        let mut trajectory = Trajectory::from_point(&flight, point, Contact::FREE, 0, 0.0);
         let mut time = 0.0;
         loop {
             let taken = trajectory.advance(&flight, &mut ());
@@ -85,11 +95,14 @@ fn flight_under_a_second_frequency_is_exact() {
                 break;
             }
         }
-        let expected = integrated(&system, point.state(), time, 0.8, gamma, [0.0, phase]);
-        assert!(away(trajectory.point.state(), expected) < 1e-9, "γ = {gamma}");
-        let within = integrated(&system, point.state(), 0.6 * flight.h, 0.8, gamma, [0.0, phase]);
-        assert!(away(point.flown(&flight, 0.6 * flight.h, 1.0).state(), within) < 1e-12, "γ = {gamma}");
-        let unforced = integrated(&system, point.state(), time, 0.0, gamma, [0.0, phase]);
+        let expected = integrated(&system, start, time, 0.8, gamma, [0.0, phase]);
+        assert!(away(values(&trajectory.point.state), expected) < 1e-9, "γ = {gamma}");
+        let within = integrated(&system, start, 0.6 * flight.h, 0.8, gamma, [0.0, phase]);
+        assert!(
+            away(values(&point.flown(&flight, 0.6 * flight.h, Contact::FREE).state), within) < 1e-12,
+            "γ = {gamma}"
+        );
+        let unforced = integrated(&system, start, time, 0.0, gamma, [0.0, phase]);
         assert!(away(expected, unforced) > 1e-2, "the force does nothing");
     }
 }
@@ -97,15 +110,16 @@ fn flight_under_a_second_frequency_is_exact() {
 #[test]
 fn impacts_under_a_second_frequency_are_on_the_stops() {
     let system = system().following(2.5).unwrap();
-    let flight = Flight::new(&system);
+    let flight = Flight::<f64, 2>::new(&system);
     let drive = Drive::new(&system, &flight, 2.5);
     let phasor = Phasor::new(&drive, 0.8, [0.0, 1.0]);
-    let point = Point { x1: 0.0, x2: 0.0, v1: 0.5, v2: 0.0, sin: 0.0, cos: 1.0, drive: phasor };
-    let mut trajectory = Trajectory::from_point(&flight, point, Contact::Free, 0, 0.0);
+    let state = State { x: [0.0, 0.0], v: [0.5, 0.0] };
+    let point = Point { state, sin: 0.0, cos: 1.0, one: 1.0, drive: phasor };
+    let mut trajectory = Trajectory::from_point(&flight, point, Contact::FREE, 0, 0.0);
     let mut impacts = 0;
     for _ in 0..20_000 {
         let taken = trajectory.advance(&flight, &mut ());
-        assert!(trajectory.point.x1.abs() <= flight.delta * (1.0 + 1e-12));
+        assert!(trajectory.point.state.x[0].abs() <= 0.1 * (1.0 + 1e-12));
         impacts += u32::from(matches!(taken.event, Event::Impact(_)));
     }
     assert!(impacts > 1000, "{impacts}");
@@ -121,9 +135,9 @@ fn the_force_in_phase_holds_the_target_with_the_known_amplitude() {
         let last = returns.last().unwrap();
         assert_eq!((outcome.verdict.label().as_str(), outcome.verdict.symmetric), ("1-1-1", false));
         assert!((last.signal + 0.3877).abs() < 1e-4, "{last:?}");
-        assert!((last.section.components[3] - 1.802134).abs() < 1e-4);
+        assert!((last.section[3] - 1.802134).abs() < 1e-4);
         let controller = sine(Convention::Force, last.signal, 0.0, 0.0).resolve(&system()).unwrap();
-        let largest = multipliers(&system(), &controller, last.section.components).unwrap().unwrap()[0];
+        let largest = multipliers(&system(), &controller, &last.section).unwrap().unwrap()[0];
         assert!(largest.norm() < 1.0, "{largest}");
     }
 }
@@ -147,16 +161,16 @@ fn exponents(convention: Convention, phase: f64, lag_forgotten: bool) -> [f64; 2
     let schedule =
         ControlSchedule { from: 50, iterates: 4050, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let mut returns = Returns::default();
-    let outcome = control::<f64, _>(&system, [0.0; 4], &controller, &schedule, &mut returns).unwrap();
+    let outcome = control::<f64, _>(&system, &[0.0; 4], &controller, &schedule, &mut returns).unwrap();
     assert_eq!(outcome.verdict.label(), "1-1-1");
-    let fixed = returns.0.last().unwrap().section.components;
+    let fixed = returns.0.last().unwrap().section;
     let Controller::Sine(mut held) = controller else { unreachable!("a sine force was asked for") };
     if lag_forgotten {
         // The same force on the same motion, but in phase with the forcing: as if a later impact did not delay it.
         held.convention = Convention::Force;
         held.phase = (held.phase - fixed[3] / std::f64::consts::TAU).rem_euclid(1.0);
     }
-    let largest = multipliers(&system, &Controller::Sine(held), fixed).unwrap().unwrap()[0];
+    let largest = multipliers(&system, &Controller::Sine(held), &fixed).unwrap().unwrap()[0];
     [f64::from(outcome.verdict.lyapunov), largest.norm().ln()]
 }
 

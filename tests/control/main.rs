@@ -3,20 +3,22 @@
 mod delay;
 mod force;
 mod maps;
+mod plants;
 mod pulse;
 mod sine;
 
 use impact_atlas::control::{
-    ControlSchedule, Convention, DelaySetting, Outcome, Return, Scheme, Sign, SineSetting, Target, Witness,
-    control,
+    ControlSchedule, Convention, DelaySetting, Outcome, Return, Scheme, SectionValues, Sign, SineSetting,
+    Target, Witness, control,
 };
+use impact_atlas::dynamics::Stop;
 use impact_atlas::model::{Parameters, System};
 
 /// The unstable 1-2-1 fixed point (v1+, x2, v2, τ), found outside this project.
 pub const FIXED_POINT: [f64; 4] = [-0.41959403, -0.02899702, 0.02903494, 1.80721094];
 
 /// The 1-1-1 motion at the paper's reference, ω = 3.7.
-pub const TARGET: Target = Target { reference: 3.7, given: [None; 4] };
+pub const TARGET: Target = Target { reference: 3.7, given: SectionValues::new([None; 4]) };
 
 pub fn system() -> System {
     System::new(Parameters { omega: 2.83, ..Parameters::default() }).unwrap()
@@ -26,7 +28,7 @@ pub fn system() -> System {
 #[derive(Default)]
 pub struct Returns(pub Vec<Return<f64>>);
 
-impl<D> Witness<f64, D> for Returns {
+impl Witness<f64> for Returns {
     fn returned(&mut self, met: &Return<f64>) {
         self.0.push(*met);
     }
@@ -39,16 +41,18 @@ pub fn run(scheme: &Scheme, iterates: u32, start: [f64; 4]) -> (Outcome, Vec<Ret
     let schedule =
         ControlSchedule { from: 2000, iterates, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let mut returns = Returns::default();
-    let outcome = control::<f64, _>(&system, start, &controller, &schedule, &mut returns).unwrap();
+    let outcome = control::<f64, _>(&system, &start, &controller, &schedule, &mut returns).unwrap();
     (outcome, returns.0)
 }
 
 pub fn delay(gain: f64, sign: Sign) -> Scheme {
-    Scheme::Delay(DelaySetting { gains: [gain; 4], delay: 1, sign })
+    Scheme::Delay(DelaySetting { stop: Stop::A, gains: SectionValues::new([gain; 4]), delay: 1, sign })
 }
 
 pub fn sine(convention: Convention, amplitude: f64, alpha: f64, dead_band: f64) -> Scheme {
     Scheme::Sine(SineSetting {
+        stop: Stop::A,
+        coordinate: 0,
         convention,
         amplitude,
         alpha,
@@ -61,8 +65,8 @@ pub fn sine(convention: Convention, amplitude: f64, alpha: f64, dead_band: f64) 
 }
 
 /// The largest difference of a component.
-pub fn away(a: [f64; 4], b: [f64; 4]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+pub fn away(a: impl AsRef<[f64]>, b: impl AsRef<[f64]>) -> f64 {
+    a.as_ref().iter().zip(b.as_ref()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 /// Starts that differ in x2.

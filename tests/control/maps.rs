@@ -5,10 +5,10 @@ use impact_atlas::backend::{
     Backend, BackendError, ControlJob, Cpu, Gpu, Job, Unwatched, Watch, follow_controlled,
 };
 use impact_atlas::control::{
-    ControlSchedule, Controller, Convention, NEVER, Outcome, PulseSetting, Scheme, Section, Sign,
+    ControlSchedule, Controller, Convention, NEVER, Outcome, PulseSetting, Scheme, Section, Sign, Surface,
 };
-use impact_atlas::dynamics::Event;
-use impact_atlas::model::{Flight, Parameter, Parameters, System};
+use impact_atlas::dynamics::{Contact, Event, Stop};
+use impact_atlas::model::{Flight, Parameters, State, System};
 use impact_atlas::plane::{ControlMap, ControlPlane, Start};
 use impact_atlas::sweep::sweep_control;
 use impact_atlas::validate::{Agreement, Thresholds, compare_controlled};
@@ -19,7 +19,7 @@ fn plane(control: Scheme, x: &str, y: &str) -> ControlPlane {
     ControlPlane {
         x: x.parse().unwrap(),
         y: y.parse().unwrap(),
-        parameters: Parameters { omega: 2.83, ..Parameters::default() },
+        parameters: Parameters { omega: 2.83, ..Parameters::default() }.into(),
         start: Start::Rest,
         control,
         iterates: ControlSchedule {
@@ -33,10 +33,11 @@ fn plane(control: Scheme, x: &str, y: &str) -> ControlPlane {
 
 /// (x1, x2, v1, v2) at forcing phase 0 beside the unstable 1-2-1 motion: on it, rounding would decide whether it is left.
 fn beside_the_motion() -> [f64; 4] {
-    let flight = Flight::new(&system());
-    let mut trajectory = Section::new(FIXED_POINT).trajectory(&flight, false, ());
+    let flight = Flight::<f64, 2>::new(&system());
+    let surface = Surface::new(&system(), &flight, Stop::A);
+    let mut trajectory = Section::new(&FIXED_POINT).trajectory(&flight, &surface, Contact::FREE, ());
     while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
-    let [x1, x2, v1, v2] = trajectory.point.state();
+    let State { x: [x1, x2], v: [v1, v2] } = trajectory.point.state;
     [x1, x2 + 1e-3, v1, v2]
 }
 
@@ -44,7 +45,7 @@ fn beside_the_motion() -> [f64; 4] {
 /// one, the gain does.
 fn feedback() -> ControlPlane {
     let mut plane = plane(delay(0.5, Sign::Stabilising), "omega=2.81:2.85:11", "gain=0.14:0.5:10");
-    plane.start = Start::State(beside_the_motion());
+    plane.start = Start::State(beside_the_motion().into());
     plane.iterates =
         ControlSchedule { from: 2, iterates: 2000, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
     plane
@@ -110,12 +111,20 @@ fn single_precision(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
 
 fn restitution_a_little_low(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
     let parameters = job.job.system.parameters();
-    let system = System::new(parameters.with(Parameter::R, parameters.r - 1e-3)).unwrap();
-    follow_controlled::<f64>(&ControlJob { job: Job { system, ..job.job }, ..*job }, schedule).unwrap()
+    let system = System::new(Parameters { r: parameters.r - 1e-3, ..parameters }).unwrap();
+    follow_controlled::<f64>(
+        &ControlJob { job: Job { system, start: job.job.start }, controller: job.controller },
+        schedule,
+    )
+    .unwrap()
 }
 
 fn feedback_forgotten(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
-    follow_controlled::<f64>(&ControlJob { controller: Controller::None, ..*job }, schedule).unwrap()
+    follow_controlled::<f64>(
+        &ControlJob { job: job.job.clone(), controller: Controller::None(Stop::A) },
+        schedule,
+    )
+    .unwrap()
 }
 
 #[test]
@@ -166,7 +175,7 @@ fn half_a_turn_ahead(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
 
 #[test]
 fn phases_are_compared_the_short_way_round() {
-    let pulse = Scheme::Pulse(PulseSetting { period: 1, target: TARGET, noise: 0.0, seed: 1 });
+    let pulse = Scheme::Pulse(PulseSetting { stop: Stop::A, period: 1, target: TARGET, noise: 0.0, seed: 1 });
     let plane = plane(pulse, "target_v1=-0.45:-0.25:3", "target_tau=1.4:2.2:3");
     let largest = |candidate| agreement(&plane, &Altered(candidate)).end_state.unwrap().max;
     assert!(largest(a_turn_ahead) < 1e-12);
@@ -175,7 +184,7 @@ fn phases_are_compared_the_short_way_round() {
 
 #[test]
 fn pulses_kicks_and_forces_agree_cell_by_cell() {
-    let pulse = Scheme::Pulse(PulseSetting { period: 1, target: TARGET, noise: 0.0, seed: 1 });
+    let pulse = Scheme::Pulse(PulseSetting { stop: Stop::A, period: 1, target: TARGET, noise: 0.0, seed: 1 });
     let planes = [
         (plane(pulse, "target_v1=-0.45:-0.25:6", "target_tau=1.4:2.2:4"), 1e-5),
         (plane(sine(Convention::Force, 0.0, 0.0, 0.0), "omega=2.8:2.86:4", "amplitude=-0.46:-0.41:3"), 1e-4),
@@ -198,7 +207,7 @@ fn pulses_kicks_and_forces_agree_cell_by_cell() {
 fn the_kick_agrees_on_where_the_motion_is_held() {
     let mut kicked =
         plane(sine(Convention::Kick, 0.0, 0.0, 0.0), "omega=2.826:2.836:4", "amplitude=0.02:0.3:6");
-    kicked.start = Start::State(beside_the_motion());
+    kicked.start = Start::State(beside_the_motion().into());
     kicked.iterates =
         ControlSchedule { from: 1, iterates: 600, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
     let (ours, theirs) = (map(&kicked, &Cpu), map(&kicked, &gpu()));
@@ -235,7 +244,7 @@ fn outcomes_do_not_depend_on_tiles_or_threads() {
 fn planes_that_cannot_be_controlled_are_refused() {
     let refused = |plane: ControlPlane| sweep_control(&plane, &Cpu, &Unwatched).unwrap_err().to_string();
     let feedback = delay(0.5, Sign::Stabilising);
-    let pulse = Scheme::Pulse(PulseSetting { period: 1, target: TARGET, noise: 0.0, seed: 1 });
+    let pulse = Scheme::Pulse(PulseSetting { stop: Stop::A, period: 1, target: TARGET, noise: 0.0, seed: 1 });
     assert!(refused(plane(feedback, "gain=0.1:1.5:4", "omega=2.8:3:2")).contains("gain = 1.5"));
     assert!(
         refused(plane(feedback, "alpha=0.1:0.5:4", "omega=2.8:3:2")).contains("delay has no setting alpha")
@@ -244,6 +253,7 @@ fn planes_that_cannot_be_controlled_are_refused() {
     assert!(refused(plane(feedback, "gain=0.1:0.5:4", "gain=0.1:0.5:4")).contains("both axes"));
     let mut nowhere = plane(pulse, "zeta=0.1:0.2:2", "r=0.7:0.8:2");
     nowhere.control = Scheme::Pulse(PulseSetting {
+        stop: Stop::A,
         period: 1,
         target: impact_atlas::control::Target { reference: 0.3, ..TARGET },
         noise: 0.0,

@@ -1,19 +1,20 @@
 //! The sine kick, Eqs. (21) to (23): a kick at each return to the section.
 
-use impact_atlas::control::{ControlSchedule, Controlled, Convention, multipliers};
+use impact_atlas::control::{ControlSchedule, Controlled, Convention, Section, Surface, multipliers};
+use impact_atlas::dynamics::{Contact, Stop};
 use impact_atlas::model::Flight;
 
 use super::{FIXED_POINT, Returns, away, run, sine, starts, system};
 
 fn largest(amplitude: f64) -> f64 {
     let controller = sine(Convention::Kick, amplitude, 0.0, 0.0).resolve(&system()).unwrap();
-    multipliers(&system(), &controller, FIXED_POINT).unwrap().unwrap()[0].norm()
+    multipliers(&system(), &controller, &FIXED_POINT).unwrap().unwrap()[0].norm()
 }
 
 #[test]
 fn the_kick_has_the_multipliers_that_explain_the_paper() {
     let controller = sine(Convention::Kick, 0.152618, 0.0, 0.0).resolve(&system()).unwrap();
-    let found = multipliers(&system(), &controller, FIXED_POINT).unwrap().unwrap();
+    let found = multipliers(&system(), &controller, &FIXED_POINT).unwrap().unwrap();
     for (re, im) in [(-0.591, 0.247), (-0.591, -0.247), (-0.674, 0.099), (-0.674, -0.099)] {
         let near = found.iter().any(|value| (value.re - re).abs() < 1e-3 && (value.im - im).abs() < 1e-3);
         assert!(near, "{re} + {im}i: {found:?}");
@@ -39,15 +40,16 @@ fn the_fixed_point_is_stable_between_two_amplitudes() {
 /// Runs on from near the fixed point with a constant amplitude; how far away it ends.
 fn from_nearby(amplitude: f64) -> f64 {
     let controller = sine(Convention::Kick, amplitude, 0.0, 0.0).resolve(&system()).unwrap();
-    let flight = Flight::new(&system());
+    let flight = Flight::<f64, 2>::new(&system());
     let schedule =
         ControlSchedule { from: 0, iterates: 3000, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let [v1, x2, v2, tau] = FIXED_POINT;
-    let nearby = impact_atlas::control::Section::new([v1 + 1e-4, x2, v2, tau]);
-    let mut controlled = Controlled::new(nearby.trajectory(&flight, false, ()), controller, &schedule);
+    let surface = Surface::new(&system(), &flight, Stop::A);
+    let begun = Section::new(&[v1 + 1e-4, x2, v2, tau]).trajectory(&flight, &surface, Contact::FREE, ());
+    let mut controlled = Controlled::new(begun, surface, controller, &schedule);
     let mut returns = Returns::default();
     controlled.follow(&flight, &schedule, &mut returns);
-    away(returns.0.last().unwrap().section.components, FIXED_POINT)
+    away(returns.0.last().unwrap().section, FIXED_POINT)
 }
 
 #[test]
@@ -64,8 +66,8 @@ fn adaptation_captures_some_starts() {
         .filter(|(outcome, _)| outcome.verdict.label() == "1-2-1")
         .map(|(_, returns)| {
             let last = returns.last().unwrap();
-            assert!(away(last.section.components, FIXED_POINT) < 1e-3, "{last:?}");
-            assert!((last.section.components[3] - 1.802134).abs() < 0.0055);
+            assert!(away(last.section, FIXED_POINT) < 1e-3, "{last:?}");
+            assert!((last.section[3] - 1.802134).abs() < 0.0055);
             last.signal
         })
         .collect();

@@ -15,7 +15,7 @@ use super::{map, of};
 fn tally(map: &RegionMap) -> BTreeMap<([u32; 3], bool, bool), usize> {
     let mut cells = BTreeMap::new();
     for v in map.verdicts.iter().filter(|v| v.regime.is_periodic()) {
-        let counts = [v.n, v.p.max(v.q), v.p.min(v.q)].map(u32::from);
+        let counts = [v.n, v.p().max(v.q()), v.p().min(v.q())].map(u32::from);
         *cells.entry((counts, v.symmetric, v.regime == Regime::PeriodicSticking)).or_default() += 1;
     }
     cells
@@ -51,7 +51,7 @@ fn every_motion_of_a_few_cells_is_bounded_or_listed() {
 
     // The motion that control aims at, from end to end.
     let named = curves.iter().any(|curve| curve.motion.label() == "1-2-1");
-    let label = if named { Label { n: 1, p: 2, q: 1 } } else { Label { n: 1, p: 1, q: 2 } };
+    let label = if named { Label::new(1, &[2, 1]) } else { Label::new(1, &[1, 2]) };
     let folds = of(&curves, Kind::Fold, &label.to_string(), false);
     let near = |x: f64, y: f64| {
         folds.iter().flat_map(|fold| &fold.points).any(|p| (p.x - x).hypot(p.y - y) < 0.02 && p.bounding)
@@ -64,8 +64,8 @@ fn every_motion_of_a_few_cells_is_bounded_or_listed() {
         let largest = |omega: f64| {
             let parameters = Parameters { omega, delta: point.y, ..Parameters::default() };
             let system = System::new(parameters).unwrap();
-            let search = Search { start: [0.0; 4], transient: 200, observe: 1000 };
-            let motion = labelled_motion(&system, label, &search).ok()?;
+            let search = Search { start: vec![0.0; 4], transient: 200, observe: 1000 };
+            let motion = labelled_motion(&system, label.clone(), &search).ok()?;
             Some(motion.multipliers(&system)?[0])
         };
         let (Some(at), Some(beside)) = (largest(point.x), largest(point.x * 1.003)) else { continue };

@@ -17,7 +17,7 @@ fn map(x: &str, y: &str, parameters: Parameters) -> RegionMap {
     let plane = Plane {
         x: x.parse().unwrap(),
         y: y.parse().unwrap(),
-        parameters,
+        parameters: parameters.into(),
         start: Start::Symmetric,
         schedule: Schedule { transient: 300, observe: 150, max_period: 8, fixed_periods: false },
     };

@@ -12,7 +12,7 @@ use crate::{SMALL, done, words};
 fn numbers_are_as_people_write_them() {
     refuses(&words("classify --set mu_m=-1e-100"), &["mu_m = -1e-100 "]);
     refuses(&words("map --x delta=2e-100:2e-100:5"), &["delta=2e-100:2e-100 "]);
-    refuses(&words("classify --start 1e-7,0,0,0 --set delta=1e-100"), &["x1 = 1e-7 ", "delta = 1e-100"]);
+    refuses(&words("classify --start 1e-7,0,0,0 --set delta=1e-100"), &["x1 = 1e-7,", "gap is 1e-100"]);
     let folder = tempdir().unwrap();
     let counted = done(
         folder.path(),

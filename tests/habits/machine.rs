@@ -99,7 +99,7 @@ fn a_limit_on_the_size_of_files_is_an_error_of_writing() {
     // An archive that does not fit is one error too.
     let many = "--x omega=2.8:3.8:60 --y delta=0.1:0.3:50 --size 64x64 --out -";
     let script = format!(
-        "ulimit -f 4; exec {} map --backend cpu --transient 2 --observe 2 {many} --data m.npz > /dev/null",
+        "ulimit -f 16; exec {} map --backend cpu --transient 2 --observe 2 {many} --data m.npz > /dev/null",
         env!("CARGO_BIN_EXE_impact-atlas")
     );
     let output =

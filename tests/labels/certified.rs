@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use impact_atlas::analysis::{Regime, Verdict};
+use impact_atlas::analysis::{Counts, Regime, Verdict};
 use impact_atlas::backend::{Cpu, Unwatched};
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::{Plane, RegionMap, Start};
@@ -17,7 +17,7 @@ fn map() -> RegionMap {
     let plane = Plane {
         x: "omega=2.6:4:12".parse().unwrap(),
         y: "delta=0.06:0.3:8".parse().unwrap(),
-        parameters: Parameters::default(),
+        parameters: Parameters::default().into(),
         start: Start::Symmetric,
         schedule: schedule(300),
     };
@@ -87,7 +87,7 @@ fn planted(
 #[test]
 fn a_multiple_of_the_period_is_relabelled() {
     let (cells, counts) = planted(0..3, "1-1-1", |verdict| {
-        (verdict.n, verdict.p, verdict.q) = (2 * verdict.n, 2 * verdict.p, 2 * verdict.q);
+        (verdict.n, verdict.counts) = (2 * verdict.n, Counts::new(&[2 * verdict.p(), 2 * verdict.q()]));
     });
     assert_eq!((counts.relabelled, counts.unresolved), (3, 0));
     assert!(cells.iter().all(|[truth, after]| label(truth) == label(after)));
@@ -96,8 +96,8 @@ fn a_multiple_of_the_period_is_relabelled() {
 #[test]
 fn a_label_far_from_any_orbit_is_looked_at_again() {
     let (cells, counts) = planted(0..2, "1-1-1", |verdict| {
-        let [x1, x2, v1, v2] = verdict.state;
-        verdict.state = [0.5 * x1, x2 + 0.4, v1 - 1.0, v2];
+        let [x1, x2, v1, v2] = verdict.state.into();
+        verdict.state = [0.5 * x1, x2 + 0.4, v1 - 1.0, v2].into();
     });
     assert!(counts.reexamined >= 2, "{counts:?}");
     for [_, after] in cells {
@@ -117,7 +117,7 @@ fn what_no_orbit_confirms_is_unresolved() {
     assert!(!chaotic.is_empty());
     for &cell in &chaotic {
         let verdict = &mut map.verdicts[cell];
-        (verdict.regime, verdict.n, verdict.p, verdict.q) = (Regime::Periodic, 1, 1, 1);
+        (verdict.regime, verdict.n, verdict.counts) = (Regime::Periodic, 1, Counts::new(&[1, 1]));
     }
     let (after, counts) = certified(map);
     assert_eq!(counts.reexamined, chaotic.len() as u64, "{counts:?}");

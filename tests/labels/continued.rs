@@ -1,6 +1,6 @@
 //! The labels of a plane against the oracle, which goes on from where each cell ended.
 
-use impact_atlas::analysis::{INFINITELY_MANY, Verdict};
+use impact_atlas::analysis::{Counts, INFINITELY_MANY, Verdict};
 use impact_atlas::backend::{Cpu, Job, Unwatched, decide, follow};
 use impact_atlas::model::Parameters;
 use rayon::prelude::*;
@@ -16,9 +16,9 @@ const PERIODS: u32 = 200;
 
 /// What is wrong with a label: the oracle goes on from the end state.
 fn fault(job: &Job, verdict: &Verdict) -> Option<String> {
-    let plant = Plant::new(*job.system.parameters());
+    let plant = Plant::new(job.system.parameters());
     let delta = job.system.parameters().delta;
-    let [x1, x2, v1, v2] = verdict.state;
+    let [x1, x2, v1, v2] = verdict.state.into();
     let begins = [x1.clamp(-delta, delta), x2, v1, v2];
     let mut follower = Follower::<f64>::new(plant, begins);
     let n = u32::from(verdict.n);
@@ -36,7 +36,7 @@ fn fault(job: &Job, verdict: &Verdict) -> Option<String> {
         return Some(format!("the period is {m}"));
     }
     let turn = &periods[last as usize..];
-    for (side, labelled) in [verdict.p, verdict.q].into_iter().enumerate() {
+    for (side, labelled) in [verdict.p(), verdict.q()].into_iter().enumerate() {
         let endless = turn.iter().any(|period| period.chatters[side] > 0);
         let counted: u32 = turn.iter().map(|period| period.counts()[side]).sum();
         if endless != (labelled == INFINITELY_MANY) || (!endless && counted != u32::from(labelled)) {
@@ -59,7 +59,7 @@ fn every_label_of_a_plane_is_what_the_oracle_continues() {
     let faults: Vec<String> = periodic
         .par_iter()
         .filter_map(|(job, verdict)| {
-            let Parameters { omega, delta, .. } = *job.system.parameters();
+            let Parameters { omega, delta, .. } = job.system.parameters();
             fault(job, verdict).map(|fault| format!("{} at ({omega}, {delta}): {fault}", verdict.label()))
         })
         .collect();
@@ -71,13 +71,17 @@ fn wrong_labels_are_seen_to_be_wrong() {
     // Taken for what its returns within a ten-thousandth say, a decaying alternation fails.
     let alternating = job(at(1.338_983_050_847_457_6, 0.14));
     let once = follow::<f64>(&alternating, &schedule(300));
-    let right = decide(&Cpu, &[alternating], &schedule(300), &Unwatched).unwrap()[0];
-    let naive = Verdict { n: once.returning, p: 2 * right.p, q: 2 * right.q, ..once };
+    let right = decide(&Cpu, std::slice::from_ref(&alternating), &schedule(300), &Unwatched).unwrap()[0];
+    let naive = Verdict { n: once.returning, counts: Counts::new(&[2 * right.p(), 2 * right.q()]), ..once };
     assert!(fault(&alternating, &naive).unwrap().contains("off"));
     // So do a multiple of the period and a wrong count.
     assert_eq!(fault(&alternating, &right), None);
     assert!(
         fault(&alternating, &Verdict { state: right.state, ..naive }).unwrap().contains("the period is 1")
     );
-    assert!(fault(&alternating, &Verdict { q: right.q + 1, ..right }).unwrap().contains("impacts at stop 1"));
+    assert!(
+        fault(&alternating, &Verdict { counts: Counts::new(&[right.p(), right.q() + 1]), ..right })
+            .unwrap()
+            .contains("impacts at stop 1")
+    );
 }

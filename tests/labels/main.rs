@@ -20,13 +20,14 @@ fn schedule(transient: u32) -> Schedule {
 /// A system on its symmetric motion, nudged.
 fn job(parameters: Parameters) -> Job {
     let system = System::new(parameters).unwrap();
-    Job { system, start: Start::Symmetric.state(&system) }
+    let start = Start::Symmetric.state(&system);
+    Job { system, start }
 }
 
 fn at(omega: f64, delta: f64) -> Parameters {
     Parameters { omega, delta, ..Parameters::default() }
 }
 
-fn decided(backend: &dyn Backend, job: Job, transient: u32) -> Verdict {
-    decide(backend, &[job], &schedule(transient), &Unwatched).unwrap()[0]
+fn decided(backend: &dyn Backend, job: &Job, transient: u32) -> Verdict {
+    decide(backend, std::slice::from_ref(job), &schedule(transient), &Unwatched).unwrap()[0]
 }

@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{Job, follow};
 use impact_atlas::dynamics::{Event, Stop, Trajectory};
-use impact_atlas::model::{Flight, Parameters, System};
+use impact_atlas::model::{Flight, Parameters, State, System};
 use rayon::prelude::*;
 
-use crate::{at, flight, hits};
+use crate::{at, flight, hits, values};
 
 /// Kinetic and elastic energy of both masses.
 fn energy(p: &Parameters, [x1, x2, v1, v2]: [f64; 4]) -> f64 {
@@ -19,8 +19,8 @@ fn energy(p: &Parameters, [x1, x2, v1, v2]: [f64; 4]) -> f64 {
 
 /// The largest relative change of the energy at any move until 100,000 impacts have happened.
 fn energy_drift(parameters: Parameters, start: [f64; 4]) -> f64 {
-    let flight = Flight::new(&System::new(parameters).unwrap().unforced());
-    let mut trajectory = Trajectory::new(&flight, start);
+    let flight = Flight::<f64, 2>::new(&System::new(parameters).unwrap().unforced());
+    let mut trajectory = Trajectory::new(&flight, State::from_slice(&start));
     let initial = energy(&parameters, start);
     let mut impacts = 0;
     let mut drift = 0.0_f64;
@@ -30,7 +30,7 @@ fn energy_drift(parameters: Parameters, start: [f64; 4]) -> f64 {
             Event::Caught { .. } => panic!("nothing sticks without loss: {parameters:?}"),
             _ => {}
         }
-        drift = drift.max((energy(&parameters, trajectory.point.state()) / initial - 1.0).abs());
+        drift = drift.max((energy(&parameters, values(&trajectory.point.state)) / initial - 1.0).abs());
     }
     drift
 }
@@ -79,17 +79,17 @@ fn the_mirrored_start_gives_the_mirrored_orbit() {
         }
         // What leads to a regular motion can be chaotic; on the motion itself differences die out.
         for parameters in regular {
-            let job = Job { system: System::new(parameters).unwrap(), start };
+            let job = Job { system: System::new(parameters).unwrap(), start: start.into() };
             let schedule = Schedule { transient: 1000, observe: 64, max_period: 32, fixed_periods: true };
-            mirrors(parameters, follow::<f64>(&job, &schedule).state, 400);
+            mirrors(parameters, follow::<f64>(&job, &schedule).state.into(), 400);
         }
     }
 }
 
 fn mirrors(parameters: Parameters, start: [f64; 4], count: usize) {
     let flight = flight::<f64>(parameters);
-    let original = hits(Trajectory::new(&flight, start), &flight, count, 2000.0);
-    let opposite = Trajectory::at_phase(&flight, start.map(|value| -value), PI);
+    let original = hits(Trajectory::new(&flight, State::from_slice(&start)), &flight, count, 2000.0);
+    let opposite = Trajectory::at_phase(&flight, State::from_slice(&start).map(|value: f64| -value), PI);
     let mirrored = hits(opposite, &flight, count, 2000.0);
     assert_eq!((original.len(), mirrored.len()), (count, count), "{parameters:?}");
     for (i, (a, b)) in original.iter().zip(&mirrored).enumerate() {

@@ -10,15 +10,20 @@ mod paper;
 mod stops;
 
 use impact_atlas::dynamics::{Event, Stop, Trajectory};
-use impact_atlas::model::{Flight, Parameters, Real, System};
+use impact_atlas::model::{Flight, Parameters, Real, State, System};
 
 /// The paper's parameters at a frequency and a half clearance.
 fn at(omega: f64, delta: f64) -> Parameters {
     Parameters { omega, delta, ..Parameters::default() }
 }
 
-fn flight<T: Real>(parameters: Parameters) -> Flight<T> {
-    Flight::new(&System::new(parameters).unwrap()).round()
+fn flight<T: Real>(parameters: Parameters) -> Flight<T, 2> {
+    Flight::<f64, 2>::new(&System::new(parameters).unwrap()).round()
+}
+
+/// (x1, x2, v1, v2) of a state.
+fn values<T: Real>(state: &State<T, 2>) -> [f64; 4] {
+    std::array::from_fn(|i| state.get(i).widen())
 }
 
 /// An impact: time since the start, where, and v1 on either side.
@@ -31,7 +36,7 @@ struct Hit {
 }
 
 /// The first `count` impacts of a trajectory, fewer if it makes no more within `periods` forcing periods.
-fn hits(mut trajectory: Trajectory<f64>, flight: &Flight<f64>, count: usize, periods: f64) -> Vec<Hit> {
+fn hits(mut trajectory: Trajectory<f64, 2>, flight: &Flight<f64, 2>, count: usize, periods: f64) -> Vec<Hit> {
     let end = periods * f64::from(flight.steps) * flight.h;
     let mut time = 0.0;
     let mut hits = Vec::new();

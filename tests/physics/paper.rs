@@ -13,7 +13,8 @@ const REST: [f64; 4] = [0.0; 4];
 
 fn job(omega: f64, delta: f64, start: Start) -> Job {
     let system = System::new(at(omega, delta)).unwrap();
-    Job { system, start: start.state(&system) }
+    let start = start.state(&system);
+    Job { system, start }
 }
 
 /// What the command line's `classify` does by default, with a transient of so many forcing periods.
@@ -121,7 +122,7 @@ fn the_printed_fixed_point_is_met() {
         .expect("the motion is physical")
         .motion
         .section();
-    for (ours, exact) in simulated.iter().zip(solved) {
+    for (ours, exact) in simulated.iter().zip(&solved) {
         assert!((ours - exact).abs() < 1e-10, "{simulated:?}, {solved:?}");
     }
 }
@@ -131,7 +132,7 @@ fn the_printed_fixed_point_is_met() {
 fn exponents_tell_chaos_from_order() {
     let exponent = |omega: f64| {
         let job = job(omega, 0.1, Start::Rest);
-        let schedule = Schedule { transient: 1000, observe: 20_000, max_period: 32, fixed_periods: true };
+        let schedule = Schedule { transient: 1000, observe: 100_000, max_period: 32, fixed_periods: true };
         f64::from(follow::<f64>(&job, &schedule).lyapunov) / job.system.period()
     };
     let chaotic = exponent(2.83);

@@ -1,10 +1,10 @@
 //! Nothing goes through a stop, and nothing rests on one that does not press.
 
-use impact_atlas::dynamics::{Contact, Event, Point, Trajectory};
-use impact_atlas::model::{Flight, Parameters, Real};
+use impact_atlas::dynamics::{Event, Point, Stop, Trajectory};
+use impact_atlas::model::{Flight, Parameters, Real, State};
 use rayon::prelude::*;
 
-use crate::{at, flight};
+use crate::{at, flight, values};
 
 /// What a trajectory did at the stops; everything non-dimensional.
 #[derive(Clone, Copy, Debug, Default)]
@@ -30,12 +30,13 @@ const SAMPLES: u32 = 16;
 const MOST_MOVES: u32 = 2_000_000;
 
 impl Touches {
-    fn see<T: Real>(&mut self, flight: &Flight<T>, point: &Point<T>) {
-        let beyond = (point.x1.abs() - flight.delta).widen();
-        let [_, x2, v1, v2] = point.state().map(|value| value.widen().abs());
+    fn see<T: Real>(&mut self, flight: &Flight<T, 2>, parameters: &Parameters, point: &Point<T, 2>) {
+        let delta = flight.normals[0].gap[0];
+        let beyond = (point.state.x[0].abs() - delta).widen();
+        let [_, x2, v1, v2] = values(&point.state).map(f64::abs);
         let h = flight.h.widen();
-        let force = 1.0 + x2 + flight.coupling_damping.widen() * (v1 + v2);
-        let size = flight.delta.widen() + h * (v1 + h * force);
+        let force = 1.0 + x2 + 2.0 * parameters.zeta * (v1 + v2);
+        let size = delta.widen() + h * (v1 + h * force);
         self.penetration = self.penetration.max(beyond);
         self.roundings = self.roundings.max(beyond / (T::epsilon().widen() * size));
     }
@@ -47,12 +48,12 @@ pub fn touches<T: Real>(parameters: Parameters, start: [f64; 4], periods: u32) -
 
 /// What a trajectory does whose flight may be another than its parameters'.
 pub fn touches_of<T: Real>(
-    flight: &Flight<T>,
+    flight: &Flight<T, 2>,
     parameters: Parameters,
     start: [f64; 4],
     periods: u32,
 ) -> Touches {
-    let mut trajectory = Trajectory::<T>::new(flight, start.map(T::of));
+    let mut trajectory = Trajectory::<T, 2>::new(flight, State::from_slice(&start.map(T::of)));
     let mut touches = Touches::default();
     let mut done = 0;
     let mut moves = 0;
@@ -66,22 +67,23 @@ pub fn touches_of<T: Real>(
         let taken = trajectory.advance(flight, &mut ());
         for sample in 0..=SAMPLES {
             let time = taken.time * T::of(f64::from(sample) / f64::from(SAMPLES));
-            let point = before.point.flown(flight, time, taken.free);
-            touches.see(flight, &point);
-            if let (Contact::Stuck(stop), true) = (before.contact, taken.free == T::zero()) {
-                let [x1, x2, _, v2] = point.state().map(T::widen);
+            let point = before.point.flown(flight, time, taken.contact);
+            touches.see(flight, &parameters, &point);
+            if let Some(end) = taken.contact.end_along(0) {
+                let stop = Stop(flight.normals[0].stop[end.side]);
+                let [x1, x2, _, v2] = values(&point.state);
                 let force = (1.0 - parameters.f20) * point.sin.widen() + 2.0 * parameters.zeta * v2 + x2 - x1;
                 touches.pull = touches.pull.max(-stop.side::<f64>() * force);
-                assert_eq!(point.x1, stop.side::<T>() * flight.delta);
+                assert_eq!(point.state.x[0], stop.side::<T>() * flight.normals[0].gap[0]);
             }
         }
-        touches.see(flight, &trajectory.point);
+        touches.see(flight, &parameters, &trajectory.point);
         match taken.event {
             Event::Strobe => done += 1,
             Event::Caught { complete_chatter, .. } => touches.chatters += u32::from(complete_chatter),
             Event::Released(stop) => {
                 touches.releases += 1;
-                let [x1, x2, _, v2] = before.point.state().map(T::widen);
+                let [x1, x2, _, v2] = values(&before.point.state);
                 let sin = before.point.sin.widen();
                 let force = (1.0 - parameters.f20) * sin + 2.0 * parameters.zeta * v2 + x2 - x1;
                 touches.release = touches.release.max((stop.side::<f64>() * force).abs());

@@ -1,9 +1,9 @@
 //! Jacobians against central differences of the simulated map, and multipliers against measured decay.
 
 use impact_atlas::dynamics::{Event, Trajectory};
-use impact_atlas::model::{Flight, Parameters, System};
-use impact_atlas::theory::{impact_map, settled_motion};
-use nalgebra::Matrix4;
+use impact_atlas::model::{Flight, Parameters, State, System};
+use impact_atlas::theory::{Return, impact_map, settled_motion};
+use nalgebra::{DMatrix, DVector};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -24,15 +24,16 @@ fn random_system(rng: &mut ChaCha8Rng) -> System {
 }
 
 /// Central differences of the simulated impact map, extrapolated; none where a neighbour takes another way.
-fn differences(system: &System, section: [f64; 4], h: f64) -> Option<Matrix4<f64>> {
-    let ways = impact_map(system, section).ok()?.impacts.len();
-    let mut matrix = Matrix4::zeros();
-    for j in 0..4 {
+pub fn differences(system: &System, section: &[f64], h: f64) -> Option<DMatrix<f64>> {
+    let way = |back: &Return| back.impacts.iter().map(|node| node.stop).collect::<Vec<_>>();
+    let ways = way(&impact_map(system, section).ok()?);
+    let mut matrix = DMatrix::zeros(section.len(), section.len());
+    for j in 0..section.len() {
         let at = |offset: f64| {
-            let mut moved = section;
+            let mut moved = section.to_vec();
             moved[j] += offset;
             let back = impact_map(system, moved).ok()?;
-            (back.impacts.len() == ways).then(|| nalgebra::Vector4::from(back.section))
+            (way(&back) == ways).then(|| DVector::from_vec(back.section))
         };
         let central = |h: f64| Some((at(h)? - at(-h)?) / (2.0 * h));
         matrix.set_column(j, &((central(h)? * 4.0 - central(2.0 * h)?) / 3.0));
@@ -41,8 +42,8 @@ fn differences(system: &System, section: [f64; 4], h: f64) -> Option<Matrix4<f64
 }
 
 /// Sections of the random systems: states of their own orbits, so that all sorts of impacts are met.
-fn sections(system: &System, rng: &mut ChaCha8Rng) -> Vec<[f64; 4]> {
-    let mut section = [
+fn sections(system: &System, rng: &mut ChaCha8Rng) -> Vec<Vec<f64>> {
+    let mut section = vec![
         -rng.random_range(0.0..2.0),
         rng.random_range(-1.0..1.0),
         rng.random_range(-1.0..1.0),
@@ -50,8 +51,8 @@ fn sections(system: &System, rng: &mut ChaCha8Rng) -> Vec<[f64; 4]> {
     ];
     let mut found = Vec::new();
     while found.len() < 6 {
-        found.push(section);
-        let Ok(back) = impact_map(system, section) else { break };
+        found.push(section.clone());
+        let Ok(back) = impact_map(system, &section) else { break };
         section = back.section;
         section[3] = section[3].rem_euclid(std::f64::consts::TAU);
     }
@@ -65,7 +66,7 @@ fn jacobians_are_the_derivatives_of_the_simulated_map() {
     for _ in 0..300 {
         let system = random_system(&mut rng);
         for section in sections(&system, &mut rng) {
-            let Ok(back) = impact_map(&system, section) else { continue };
+            let Ok(back) = impact_map(&system, &section) else { continue };
             let Some(jacobian) = back.jacobian else { continue };
             // Near grazing the map bends as the square of the speed: smaller differences, and less of them left.
             let speed = back.impacts.iter().map(|node| node.section[0].abs()).fold(f64::INFINITY, f64::min);
@@ -73,8 +74,8 @@ fn jacobians_are_the_derivatives_of_the_simulated_map() {
                 continue;
             }
             let h = 3e-4 * speed * speed / (1.0 + speed * speed);
-            let Some(simulated) = differences(&system, section, h) else { continue };
-            let difference = (jacobian - simulated).amax() / jacobian.amax();
+            let Some(simulated) = differences(&system, &section, h) else { continue };
+            let difference = (&jacobian - simulated).amax() / jacobian.amax();
             assert!(
                 difference < 1e-6,
                 "{difference:.1e} at {section:?} of {:?}, {speed}",
@@ -95,20 +96,20 @@ fn a_wrong_jacobian_is_noticed() {
     let system = at(2.83, 0.1);
     let section = [-0.4, -0.03, 0.03, 1.8];
     let jacobian = impact_map(&system, section).unwrap().jacobian.unwrap();
-    let simulated = differences(&system, section, 1e-5).unwrap();
-    assert!((jacobian - simulated).amax() < 1e-6 * jacobian.amax());
+    let simulated = differences(&system, &section, 1e-5).unwrap();
+    assert!((&jacobian - &simulated).amax() < 1e-6 * jacobian.amax());
     let other = impact_map(&at(2.8301, 0.1), section).unwrap().jacobian.unwrap();
     assert!((other - simulated).amax() > 1e-6 * jacobian.amax());
 }
 
 /// The state so many forcing periods later; phase 0 both times.
-pub fn strobe(system: &System, state: [f64; 4], periods: u32) -> [f64; 4] {
-    let flight = Flight::new(system);
-    let mut trajectory = Trajectory::new(&flight, state);
+pub fn strobe(system: &System, state: impl AsRef<[f64]>, periods: u32) -> [f64; 4] {
+    let flight = Flight::<f64, 2>::new(system);
+    let mut trajectory = Trajectory::new(&flight, State::from_slice(state.as_ref()));
     for _ in 0..periods {
         while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
     }
-    trajectory.point.state()
+    std::array::from_fn(|i| trajectory.point.state.get(i))
 }
 
 /// A perturbation of a stable motion decays by its leading multiplier per period.

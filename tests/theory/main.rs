@@ -2,6 +2,7 @@
 
 mod jacobians;
 mod motions;
+mod plants;
 mod robustness;
 mod spectra;
 

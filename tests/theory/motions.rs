@@ -54,8 +54,8 @@ fn the_neimark_sacker_bifurcation_lies_in_its_window() {
 #[test]
 fn the_unstable_motion_inside_chaos_has_its_multipliers() {
     let system = at(2.83, 0.1);
-    let search = Search { start: [0.0; 4], transient: 200, observe: 2000 };
-    let motion = labelled_motion(&system, Label { n: 1, p: 2, q: 1 }, &search).unwrap();
+    let search = Search { start: vec![0.0; 4], transient: 200, observe: 2000 };
+    let motion = labelled_motion(&system, Label::new(1, &[2, 1]), &search).unwrap();
     let multipliers = motion.multipliers(&system).unwrap();
     let real: Vec<f64> = multipliers.iter().map(|value| value.re).collect();
     assert!(multipliers.iter().all(|value| value.im == 0.0));
@@ -68,27 +68,31 @@ fn the_unstable_motion_inside_chaos_has_its_multipliers() {
 #[test]
 fn a_motion_that_no_orbit_comes_near_is_followed_from_its_neighbours() {
     let system = at(1.2338, 0.6711);
-    let search = Search { start: [0.0; 4], transient: 1000, observe: 500 };
-    for label in [Label { n: 2, p: 2, q: 4 }, Label { n: 2, p: 4, q: 2 }] {
-        let motion = labelled_motion(&system, label, &search).unwrap();
-        let start = motion.at_phase_zero(&system);
+    let search = Search { start: vec![0.0; 4], transient: 1000, observe: 500 };
+    for label in [Label::new(2, &[2, 4]), Label::new(2, &[4, 2])] {
+        let motion = labelled_motion(&system, label.clone(), &search).unwrap();
+        let start: [f64; 4] = motion.at_phase_zero(&system).try_into().unwrap();
         let flown = record(&system, start, 0, 2, 1);
         let at_a = flown.impacts.iter().filter(|impact| impact.stop == Stop::A).count() as u32;
-        assert_eq!((flown.impacts.len() as u32 - at_a, at_a), (label.p, label.q), "{label}");
+        assert_eq!(
+            (flown.impacts.len() as u32 - at_a, at_a),
+            (label.impacts[0], label.impacts[1]),
+            "{label}"
+        );
         let back = record(&system, start, 2, 1, 1).samples[0];
         assert_close(&[back.x1, back.x2, back.v1, back.v2], &start, 1e-8);
         // The start itself is enough, without a transient.
-        let own = Search { start, transient: 0, observe: 1 };
-        let again = labelled_motion(&system, label, &own).unwrap().sections[0];
-        let met = |section: &Section| (section - again).fixed_rows::<3>(0).amax() < 1e-9;
+        let own = Search { start: start.to_vec(), transient: 0, observe: 1 };
+        let again = labelled_motion(&system, label, &own).unwrap().sections[0].clone();
+        let met = |section: &Section| (section - &again).rows(0, 3).amax() < 1e-9;
         assert_eq!(motion.sections.iter().filter(|&section| met(section)).count(), 1, "{again}");
     }
 }
 
 #[test]
 fn a_motion_that_is_not_there_is_not_found() {
-    let search = Search { start: [0.0; 4], transient: 50, observe: 200 };
-    let error = labelled_motion(&at(3.7, 0.1), Label { n: 1, p: 7, q: 2 }, &search).unwrap_err();
+    let search = Search { start: vec![0.0; 4], transient: 50, observe: 200 };
+    let error = labelled_motion(&at(3.7, 0.1), Label::new(1, &[7, 2]), &search).unwrap_err();
     assert!(error.to_string().contains("1-7-2"), "{error}");
 }
 

@@ -1,7 +1,7 @@
 //! Lyapunov spectra.
 
 use impact_atlas::dynamics::{Event, Trajectory};
-use impact_atlas::model::{Flight, Parameters, System};
+use impact_atlas::model::{Flight, Parameters, State, System};
 use impact_atlas::theory::Spectrum;
 
 use super::{assert_close, at};
@@ -11,12 +11,14 @@ use super::{assert_close, at};
 fn the_spectra_in_chaos_and_on_the_circle() {
     let chaotic = Spectrum::of(&at(2.83, 0.1), [0.0; 4], 500, 20_000).unwrap();
     assert_close(&chaotic.per_time(), &[0.156, -0.193, -0.257, -0.887], 0.012);
-    let low = Spectrum::of(&at(1.55, 0.1), [0.0; 4], 500, 20_000).unwrap();
+    // Long, so that of the two only the quoted one scatters.
+    let low = Spectrum::of(&at(1.55, 0.1), [0.0; 4], 500, 60_000).unwrap();
     assert_close(&low.per_time(), &[0.381, -0.206, -0.219, -0.985], 0.012);
     let circle = Spectrum::of(&at(3.03, 0.1), [0.0; 4], 2000, 20_000).unwrap();
-    let [first, rest @ ..] = circle.per_time();
+    let per_time = circle.per_time();
+    let (first, rest) = (per_time[0], &per_time[1..]);
     assert!(first.abs() < 4.0 * circle.standard_error[0] / circle.period + 2e-5, "{circle:?}");
-    assert_close(&rest, &[-0.0238, -0.503, -0.504], 1e-3);
+    assert_close(rest, &[-0.0238, -0.503, -0.504], 1e-3);
 }
 
 /// The largest exponent from two trajectories that are brought together again after every period, and no tangent
@@ -25,11 +27,11 @@ fn the_spectra_in_chaos_and_on_the_circle() {
 fn the_largest_exponent_is_the_separation_of_neighbours() {
     for omega in [2.83, 1.55] {
         let system = at(omega, 0.1);
-        let flight = Flight::new(&system);
+        let flight = Flight::<f64, 2>::new(&system);
         let strobe = |state: [f64; 4]| {
-            let mut trajectory = Trajectory::new(&flight, state);
+            let mut trajectory = Trajectory::new(&flight, State::from_slice(&state));
             while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
-            trajectory.point.state()
+            std::array::from_fn(|i| trajectory.point.state.get(i))
         };
         let apart = 1e-8;
         let mut state = [0.0; 4];
@@ -64,7 +66,7 @@ fn the_exponents_sum_to_the_contraction_of_volume() {
         let sum: f64 = spectrum.per_period.iter().sum();
         let expected = spectrum.sum_identity(&system);
         assert!((sum - expected).abs() < 1e-6 * expected.abs(), "{omega}, {delta}: {sum} {expected}");
-        let other = Parameters { zeta: 0.1001, ..*system.parameters() };
+        let other = Parameters { zeta: 0.1001, ..system.parameters() };
         let off = spectrum.sum_identity(&System::new(other).unwrap());
         assert!((sum - off).abs() > 1e-6 * expected.abs(), "the check can fail");
     }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::model::{Number, ParameterError, SystemError};
+use crate::model::{Number, SystemError};
 
 /// Why a control method was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -22,26 +22,68 @@ pub enum ControlError {
         "there is no physical 1-1-1 motion at the reference omega = {} (delta = {}) to take as the target: \
          choose another --reference, or give --target",
         Number(*omega),
-        Number(*delta)
+        Number(*gap)
     )]
     NoTarget {
         /// The reference frequency.
         omega: f64,
-        /// The half clearance.
-        delta: f64,
+        /// The distance of the stop: δ, the half clearance.
+        gap: f64,
+    },
+    /// No motion of the system is known that could be the target.
+    #[error(
+        "there is no symmetric 1-1-1 motion of this system to take as the target: give the target itself, {names} \
+         (--target)"
+    )]
+    TargetNeeded {
+        /// The components by name.
+        names: String,
+    },
+    /// Not as many values as a point on the section has components.
+    #[error(
+        "{what}: {given} numbers are given, but a point on this section has {wanted} components: {names}"
+    )]
+    Count {
+        /// What was given.
+        what: &'static str,
+        /// How many values were given.
+        given: usize,
+        /// How many there must be.
+        wanted: usize,
+        /// The components by name.
+        names: String,
+    },
+    /// The system has no such stop, component or coordinate.
+    #[error("there is no {what} {number}: this system has {count}, numbered from 0")]
+    NoSuch {
+        /// "stop", "component of the section" or "coordinate".
+        what: &'static str,
+        /// The number that was given.
+        number: usize,
+        /// How many there are.
+        count: usize,
     },
     /// A component of the target is NaN or infinite.
     #[error("the target has a component of {}: give finite numbers", Number(*.0))]
     TargetNotFinite(f64),
     /// The target's velocity leads into the stop.
-    #[error("the target velocity v1+ = {} leads into stop A: after an impact there it is 0 or negative", Number(*.0))]
-    TargetVelocity(f64),
+    #[error(
+        "the target velocity {name} = {} leads into the stop of the section: just after an impact there the masses \
+         part from it, or rest on it; change its sign",
+        Number(*velocity)
+    )]
+    TargetVelocity {
+        /// The component.
+        name: String,
+        /// Its value.
+        velocity: f64,
+    },
     /// The target's phase is not one.
     #[error("the target phase tau = {} is out of range: tau must be between 0 and 2π (6.2832)", Number(*.0))]
     TargetPhase(f64),
     /// The reference frequency cannot be used.
-    #[error("the reference frequency cannot be used")]
-    Reference(#[source] ParameterError),
+    #[error("the reference frequency omega = {} is out of range: it must be greater than 0, and finite", Number(*.0))]
+    Reference(f64),
     /// The system cannot be followed.
     #[error(transparent)]
     System(#[from] SystemError),

@@ -10,8 +10,9 @@ use serde::{Deserialize, Serialize};
 use super::delay::Delay;
 use super::method::Controller;
 use super::pulse::Pulse;
-use super::section::Section;
 use super::sine::{Convention, Sine};
+use super::surface::section_names;
+use crate::dynamics::Stop;
 use crate::model::System;
 
 pub use error::ControlError;
@@ -32,6 +33,15 @@ pub enum Scheme {
 }
 
 impl Scheme {
+    /// The stop on whose section it acts.
+    pub fn stop(&self) -> Stop {
+        match self {
+            Scheme::Sine(sine) => sine.stop,
+            Scheme::Pulse(pulse) => pulse.stop,
+            Scheme::Delay(delay) => delay.stop,
+        }
+    }
+
     /// The name of the method.
     pub fn method(&self) -> &'static str {
         match self {
@@ -46,7 +56,7 @@ impl Scheme {
     pub fn with(mut self, quantity: ControlQuantity, value: f64) -> Option<Self> {
         use ControlQuantity as Q;
         match (&mut self, quantity) {
-            (Scheme::Delay(delay), Q::Gain) => delay.gains = [value; 4],
+            (Scheme::Delay(delay), Q::Gain) => delay.gains = delay.gains.map(|_| value),
             (Scheme::Delay(delay), Q::Delay) => delay.delay = value as u32,
             (Scheme::Sine(sine), Q::Amplitude) => sine.amplitude = value,
             (Scheme::Sine(sine), Q::Alpha) => sine.alpha = value,
@@ -56,12 +66,13 @@ impl Scheme {
             (Scheme::Pulse(pulse), Q::Period) => pulse.period = value as u32,
             (Scheme::Pulse(pulse), Q::Noise) => pulse.noise = value,
             (Scheme::Sine(SineSetting { target, component, .. }), quantity)
-                if quantity.target_index() == Some(*component) =>
+                if quantity.target_index(target.given.len()) == Some(*component) =>
             {
                 target.given[*component] = Some(value);
             }
             (Scheme::Pulse(PulseSetting { target, .. }), quantity) => {
-                target.given[quantity.target_index()?] = Some(value);
+                let place = quantity.target_index(target.given.len())?;
+                target.given[place] = Some(value);
             }
             _ => return None,
         }
@@ -91,34 +102,56 @@ impl Scheme {
     /// The method at work on a system.
     ///
     /// # Errors
-    /// A setting that is out of range, or a target that does not exist.
+    /// A setting that is out of range or does not fit the system, or a target that does not exist.
     pub fn resolve(&self, system: &System) -> Result<Controller<f64>, ControlError> {
         self.check()?;
+        let plant = system.plant();
+        let (stop, components) = (self.stop(), 2 * plant.n);
+        exists("stop", stop.index(), plant.stops.len())?;
         Ok(match self {
-            Scheme::Sine(sine) => Controller::Sine(Sine {
-                convention: sine.convention,
-                amplitude: sine.amplitude,
-                weight: sine.alpha,
-                dead_band: sine.dead_band,
-                ratio: sine.gamma,
-                phase: (sine.phase / std::f64::consts::TAU).rem_euclid(1.0),
-                component: sine.component,
-                target: sine.target.resolve(system, &[sine.component])?[sine.component],
-                error: -1.0,
-            }),
+            Scheme::Sine(sine) => {
+                exists("component of the section", sine.component, components)?;
+                exists("coordinate", sine.coordinate, plant.n)?;
+                Controller::Sine(Sine {
+                    stop,
+                    convention: sine.convention,
+                    coordinate: sine.coordinate,
+                    amplitude: sine.amplitude,
+                    weight: sine.alpha,
+                    dead_band: sine.dead_band,
+                    ratio: sine.gamma,
+                    phase: (sine.phase / std::f64::consts::TAU).rem_euclid(1.0),
+                    component: sine.component,
+                    target: sine.target.resolve(system, stop, &[sine.component])?[sine.component],
+                    error: -1.0,
+                })
+            }
             Scheme::Pulse(pulse) => Controller::Pulse(Pulse {
+                stop,
                 period: pulse.period,
-                target: Section::new(pulse.target.resolve(system, &[0, 1, 2, 3])?),
+                target: pulse.target.resolve(system, stop, &Vec::from_iter(0..components))?,
                 noise: pulse.noise,
                 seed: pulse.seed,
             }),
-            Scheme::Delay(delay) => Controller::Delay(Delay {
-                gains: match delay.sign {
-                    Sign::Stabilising => delay.gains,
-                    Sign::Printed => delay.gains.map(|gain| -gain),
-                },
-                delay: delay.delay,
-            }),
+            Scheme::Delay(delay) => {
+                if delay.gains.len() != components {
+                    let (given, names) = (delay.gains.len(), section_names(plant, stop).join(", "));
+                    return Err(ControlError::Count { what: "gains", given, wanted: components, names });
+                }
+                Controller::Delay(Delay {
+                    stop,
+                    gains: match delay.sign {
+                        Sign::Stabilising => delay.gains,
+                        Sign::Printed => delay.gains.map(|gain| -gain),
+                    },
+                    delay: delay.delay,
+                })
+            }
         })
     }
+}
+
+/// Refuses the number of something that the system does not have.
+fn exists(what: &'static str, number: usize, count: usize) -> Result<(), ControlError> {
+    if number < count { Ok(()) } else { Err(ControlError::NoSuch { what, number, count }) }
 }

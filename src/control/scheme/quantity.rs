@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ControlQuantity {
-    /// g, all four gains of delayed feedback.
+    /// g, all gains of delayed feedback alike.
     Gain,
     /// p of delayed feedback.
     Delay,
@@ -95,12 +95,13 @@ impl ControlQuantity {
         matches!(self, ControlQuantity::Delay | ControlQuantity::Period)
     }
 
-    pub(super) fn target_index(self) -> Option<usize> {
+    /// Which of so many components of the target it is; x2 and v2 are components of a point on the paper's section only.
+    pub(super) fn target_index(self, components: usize) -> Option<usize> {
         match self {
             ControlQuantity::TargetV1 => Some(0),
-            ControlQuantity::TargetX2 => Some(1),
-            ControlQuantity::TargetV2 => Some(2),
-            ControlQuantity::TargetTau => Some(3),
+            ControlQuantity::TargetX2 => (components == 4).then_some(1),
+            ControlQuantity::TargetV2 => (components == 4).then_some(2),
+            ControlQuantity::TargetTau => components.checked_sub(1),
             _ => None,
         }
     }

@@ -7,12 +7,20 @@ use super::quantity::ControlQuantity;
 use super::target::Target;
 use crate::control::memory::LONGEST_DELAY;
 use crate::control::sine::Convention;
+use crate::control::values::SectionValues;
+use crate::dynamics::Stop;
 
 /// Settings of the adapted sine force; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SineSetting {
+    /// The stop on whose section it acts.
+    #[serde(default)]
+    pub stop: Stop,
     /// What u = B sin(γωt + φ) is.
     pub convention: Convention,
+    /// The coordinate that a force acts on, from 0.
+    #[serde(default)]
+    pub coordinate: usize,
     /// B before the first adaptation.
     pub amplitude: f64,
     /// α, 0 ≤ α ≤ 1; with 0 the amplitude stays as it is.
@@ -23,7 +31,8 @@ pub struct SineSetting {
     pub gamma: f64,
     /// φ.
     pub phase: f64,
-    /// Which component of X is held to that of the target: 0 to 3 for v1+, x2, v2, τ.
+    /// Which component of X is held to that of the target, in the order of
+    /// [`section_names`](crate::control::section_names): 0 to 3 for the paper's v1+, x2, v2, τ.
     pub component: usize,
     /// The target.
     pub target: Target,
@@ -32,6 +41,9 @@ pub struct SineSetting {
 /// Settings of the period pulse; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PulseSetting {
+    /// The stop on whose section it acts.
+    #[serde(default)]
+    pub stop: Stop,
     /// P ≥ 1, iterates from one pulse to the next.
     pub period: u32,
     /// X0.
@@ -45,8 +57,11 @@ pub struct PulseSetting {
 /// Settings of delayed feedback.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DelaySetting {
-    /// The diagonal of G, each between 0 and 1.
-    pub gains: [f64; 4],
+    /// The stop on whose section it acts.
+    #[serde(default)]
+    pub stop: Stop,
+    /// The diagonal of G, each between 0 and 1: one for each component of X.
+    pub gains: SectionValues<f64>,
     /// p, iterates, 1 to [`LONGEST_DELAY`](crate::control::LONGEST_DELAY).
     pub delay: u32,
     /// The sign of the feedback.
@@ -105,7 +120,7 @@ impl DelaySetting {
     pub(super) fn check(&self) -> Result<(), ControlError> {
         let gain = |g: f64| (ControlQuantity::Gain, g, (0.0..=1.0).contains(&g), GAIN_RANGE);
         let whole = (1..=LONGEST_DELAY as u32).contains(&self.delay);
-        check_ranges(&self.gains.map(gain))?;
+        check_ranges(&self.gains.iter().map(|&g| gain(g)).collect::<Vec<_>>())?;
         check_ranges(&[(ControlQuantity::Delay, f64::from(self.delay), whole, "a whole number from 1 to 8")])
     }
 }

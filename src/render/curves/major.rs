@@ -15,7 +15,7 @@ pub const DRAWN_IN_A_THOUSAND: usize = 3;
 pub(super) fn major(map: &RegionMap, curves: &[Curve], names: &[Named]) -> Vec<Curve> {
     let mut cells: HashMap<[u32; 3], usize> = HashMap::new();
     for verdict in map.verdicts.iter().filter(|verdict| verdict.regime.is_periodic()) {
-        *cells.entry(counts(verdict.n.into(), verdict.p.into(), verdict.q.into())).or_default() += 1;
+        *cells.entry(counts(verdict.n.into(), verdict.p().into(), verdict.q().into())).or_default() += 1;
     }
     let fills = |motion: &CurveMotion| {
         let own = cells.get(&counts(motion.n, motion.p, motion.q)).copied().unwrap_or_default();

@@ -286,7 +286,7 @@ mod tests {
     #[test]
     fn other_planes_have_no_such_names() {
         let mut map = stripes();
-        map.plane.parameters.r = 0.7;
+        map.plane.parameters = map.plane.parameters.with_named("r", 0.7);
         assert_eq!(found(&map, &[]), []);
     }
 }

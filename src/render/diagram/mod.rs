@@ -50,12 +50,12 @@ fn beginning(diagram: &Diagram) -> Vec<Text> {
     match diagram.branches.as_slice() {
         [Branch { direction: Direction::Each, .. }] => {
             let crate::diagram::Sweep::Each(start) = spec.sweep else { return Vec::new() };
-            symbols::start(start, varied)
+            symbols::start(start, spec.parameters.family().n(), varied)
         }
         branches => {
             let names: Vec<&str> = branches.iter().map(|branch| branch.direction.name()).collect();
             let mut pieces = vec![format!("state carried {},", names.join(" and ")).into()];
-            pieces.extend(symbols::start(spec.start, varied));
+            pieces.extend(symbols::start(spec.start, spec.parameters.family().n(), varied));
             pieces
         }
     }
@@ -191,9 +191,9 @@ pub(super) mod tests {
     pub(super) fn diagram(x: &str, sweep: Sweep, level: f64, spread: f64) -> Diagram {
         let spec = DiagramSpec {
             x: x.parse().unwrap(),
-            parameters: Parameters { zeta: 1.0 / 3.0, mu_k: 2.0 / 3.0, ..Parameters::default() },
+            parameters: Parameters { zeta: 1.0 / 3.0, mu_k: 2.0 / 3.0, ..Parameters::default() }.into(),
             sweep,
-            start: Start::State([1.0 / 30.0, -2.0 / 3.0, 0.0, 1e-7]),
+            start: Start::State([1.0 / 30.0, -2.0 / 3.0, 0.0, 1e-7].into()),
             probe: Probe::new(Section::B, Reading::VAfter).unwrap(),
             schedule: DiagramSpec::schedule(1000, 300, 32),
             capacity: 4,
@@ -230,7 +230,7 @@ pub(super) mod tests {
 
     #[test]
     fn diagrams_of_every_kind_are_drawn_whole() {
-        let each = Sweep::Each(Start::State([1.0 / 30.0, -2.0 / 3.0, 0.0, 1e-7]));
+        let each = Sweep::Each(Start::State([1.0 / 30.0, -2.0 / 3.0, 0.0, 1e-7].into()));
         for (x, sweep, level, spread) in [
             ("omega=5:0.2:400", Sweep::Both, 0.1, 0.07),
             ("mu_m=0.1:0.9:40", Sweep::Down, -1000.0, 1e-5),

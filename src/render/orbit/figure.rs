@@ -15,9 +15,9 @@ const BESIDE: usize = 2;
 
 /// A figure of several plots of one orbit, under the system's parameters and the start.
 pub fn orbit_figure(orbit: &Orbit<'_>, start: Start, panels: &[OrbitPanel], zooms: &[Zoom]) -> Figure {
-    let parameters = orbit.system.parameters();
+    let parameters = orbit.system.setting().expect("a system that is drawn is made of a setting");
     let mut title = symbols::equations(parameters, |_| false);
-    title.extend(symbols::start(start, |_| false));
+    title.extend(symbols::start(start, orbit.system.plant().n, |_| false));
     let mut plots: Vec<Panel> = panels.iter().map(|&panel| orbit.panel(panel, zooms)).collect();
     let key = orbit_key(&plots);
     if plots.len() > 1 {

@@ -218,7 +218,7 @@ mod tests {
     fn orbits_of_every_kind_are_drawn_whole() {
         let names = ["portrait", "time", "portrait2", "section", "section-b:x2,v2", "strobe", "time:v1"];
         let panels: Vec<OrbitPanel> = names.iter().map(|name| name.parse().unwrap()).collect();
-        let start = Start::State([1.0 / 30.0, -1.0 / 7.0, 1e-9, 0.0]);
+        let start = Start::State([1.0 / 30.0, -1.0 / 7.0, 1e-9, 0.0].into());
         // Periodic, chaotic, sticking, without impact, clamped.
         for (omega, delta) in [(3.7, 0.1), (2.83, 0.1), (0.25, 0.545), (3.0, 5.0), (3.0, 0.0)] {
             let system = System::new(Parameters { omega, delta, ..Parameters::default() }).unwrap();

@@ -15,7 +15,9 @@ const SAMPLES: usize = 4;
 pub(super) fn title(plane: &Plane) -> Vec<Text> {
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
     let mut title = symbols::equations(&plane.parameters, varied);
-    title.extend(symbols::start(plane.start, |component| varied(Quantity::Start(component))));
+    title.extend(symbols::start(plane.start, plane.parameters.family().n(), |component| {
+        varied(Quantity::Start(component))
+    }));
     title
 }
 
@@ -93,6 +95,7 @@ fn percentage(share: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::Counts;
     use crate::analysis::Regime;
     use crate::plane::{RegionMap, Start};
     use crate::render::example;
@@ -112,8 +115,8 @@ mod tests {
             title_of(&plane),
             "ζ = 0.1, r = 0.8, μm = μk = μc = 0.5, f20 = 0, start on the 1-1-1 motion, else at rest"
         );
-        plane.parameters.mu_k = 0.25;
-        plane.start = Start::State([0.05, -1.5, 0.0, 1.0 / 3.0]);
+        plane.parameters = plane.parameters.with_named("mu_k", 0.25);
+        plane.start = Start::State([0.05, -1.5, 0.0, 1.0 / 3.0].into());
         assert_eq!(
             title_of(&plane),
             "ζ = 0.1, r = 0.8, μm = 0.5, μk = 0.25, μc = 0.5, f20 = 0, \
@@ -156,7 +159,7 @@ mod tests {
         };
         assert!(!explained(&map));
         let verdict = &mut map.verdicts[7];
-        (verdict.regime, verdict.n, verdict.p, verdict.q) = (Regime::Periodic, 0, 0, 1);
+        (verdict.regime, verdict.n, verdict.counts) = (Regime::Periodic, 0, Counts::new(&[0, 1]));
         assert!(explained(&map));
     }
 

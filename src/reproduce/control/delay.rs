@@ -8,7 +8,8 @@ use super::{
 };
 use crate::analysis::Reading;
 use crate::backend::Watch;
-use crate::control::{DelaySetting, Scheme, Sign};
+use crate::control::{DelaySetting, Scheme, SectionValues, Sign};
+use crate::dynamics::Stop;
 use crate::plane::Start;
 
 const ITERATES: u32 = 4000;
@@ -23,7 +24,7 @@ const LARGEST: &str = "0.9677";
 const SMALL: f64 = 0.1;
 
 const fn feedback(gain: f64, sign: Sign) -> Scheme {
-    Scheme::Delay(DelaySetting { gains: [gain; 4], delay: 1, sign })
+    Scheme::Delay(DelaySetting { stop: Stop::A, gains: SectionValues::new([gain; 4]), delay: 1, sign })
 }
 
 const fn stabilising(gain: f64) -> Scheme {

@@ -14,7 +14,8 @@ use super::Claim;
 use super::bench::WIDTH;
 use crate::analysis::Reading;
 use crate::control::{
-    ControlQuantity, ControlSchedule, History, Outcome, Scheme, Target, control, converged_at, multipliers,
+    ControlQuantity, ControlSchedule, History, Outcome, Scheme, SectionValues, Target, control, converged_at,
+    multipliers,
 };
 use crate::model::{Parameters, System};
 use crate::plane::Start;
@@ -37,7 +38,7 @@ const APART: f64 = 0.01;
 const CONVERGED: f64 = 1e-6;
 
 /// The target of the sine force and of the pulses: the 1-1-1 motion at ω = 3.7.
-const TARGET: Target = Target { reference: 3.7, given: [None; 4] };
+const TARGET: Target = Target { reference: 3.7, given: SectionValues::new([None; 4]) };
 
 /// A run under control.
 struct Run {
@@ -54,7 +55,7 @@ fn system() -> System {
 
 /// The start of this number; 0 is at rest.
 fn start(number: u32) -> Start {
-    if number == 0 { Start::Rest } else { Start::State([0.0, APART * f64::from(number), 0.0, 0.0]) }
+    if number == 0 { Start::Rest } else { Start::State([0.0, APART * f64::from(number), 0.0, 0.0].into()) }
 }
 
 impl Run {
@@ -65,7 +66,7 @@ impl Run {
             ControlSchedule { from: FROM, iterates, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
         let controller = scheme.resolve(&system).expect("the paper's settings are in range");
         let mut history = History::new(iterates - DRAWN - 1, system.period() / SAMPLES);
-        let outcome = control::<f64, _>(&system, start.state(&system), &controller, &schedule, &mut history);
+        let outcome = control::<f64, _>(&system, &start.state(&system), &controller, &schedule, &mut history);
         let outcome = outcome.expect("the paper's forces are slow enough");
         Run { start, scheme, schedule, history, outcome }
     }
@@ -82,7 +83,8 @@ impl Run {
 
     /// The last point.
     fn point(&self) -> [f64; 4] {
-        self.history.returns.last().map_or([f64::NAN; 4], |met| met.section.components)
+        let last = self.history.returns.last();
+        last.map_or([f64::NAN; 4], |met| std::array::from_fn(|i| met.section[i]))
     }
 
     /// Iterates from switching control on until the points stay where they end.
@@ -93,7 +95,7 @@ impl Run {
     /// The modulus of the largest multiplier of the scheme at a fixed point.
     fn largest_multiplier(scheme: &Scheme, point: [f64; 4]) -> Option<f64> {
         let controller = scheme.resolve(&system()).ok()?;
-        Some(multipliers(&system(), &controller, point).ok()??.first()?.norm())
+        Some(multipliers(&system(), &controller, &point).ok()??.first()?.norm())
     }
 
     fn picture<'a>(&'a self, system: &'a System, labels: [&'a str; 2]) -> ControlPicture<'a> {

@@ -6,10 +6,12 @@ use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
 use super::{FROM, PORTRAIT, RESPONSES, Run, TARGET, TIME, components, draw, settings};
 use crate::backend::Watch;
 use crate::control::{PulseSetting, Scheme};
+use crate::dynamics::Stop;
 use crate::plane::Start;
 
 const ITERATES: u32 = 4000;
-const PULSE: Scheme = Scheme::Pulse(PulseSetting { period: 1, target: TARGET, noise: 0.0, seed: 1 });
+const PULSE: Scheme =
+    Scheme::Pulse(PulseSetting { stop: Stop::A, period: 1, target: TARGET, noise: 0.0, seed: 1 });
 /// X0 as printed, the sign of the first taken from the section, which has x1'+ ≤ 0.
 const PRINTED: [&str; 4] = ["-0.34545790", "-0.00634090", "0.02116031", "1.80213070"];
 

@@ -7,6 +7,7 @@ use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
 use super::{PORTRAIT, RESPONSES, Run, STARTS, TARGET, TIME, components, draw, motion, settings, system};
 use crate::backend::Watch;
 use crate::control::{Convention, Scheme, SineSetting};
+use crate::dynamics::Stop;
 
 const ITERATES: u32 = 6000;
 /// Iterates after which captures are counted again: what is not captured yet may still be.
@@ -18,7 +19,9 @@ const TRIED: u32 = STARTS / 2;
 
 const fn scheme(convention: Convention, alpha: f64, dead_band: f64) -> SineSetting {
     SineSetting {
+        stop: Stop::A,
         convention,
+        coordinate: 0,
         amplitude: 0.0,
         alpha,
         dead_band,

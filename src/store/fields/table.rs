@@ -21,6 +21,8 @@ const N: &str =
     "N of N-p-q; 0 where not periodic, and in motions under control of less than half a forcing period";
 const P: &str =
     "impacts at x1 = −δ in one period; 0 where not periodic, 65535 for infinitely many (complete chatter)";
+const COUNTS: &str =
+    "impacts at every stop in one period, in the order of the labels (p, q for the paper's oscillator)";
 const Q: &str =
     "impacts at x1 = +δ in one period; 0 where not periodic, 65535 for infinitely many (complete chatter)";
 const SYMMETRIC: &str = "1 where x(t + Nπ/ω) = −x(t), otherwise 0";
@@ -42,6 +44,7 @@ const MAP: FileContent = FileContent {
         field("n", ["u16", "y, x"], "forcing periods", N),
         field("p", ["u16", "y, x"], "impacts", P),
         field("q", ["u16", "y, x"], "impacts", Q),
+        field("counts", ["u16", "y, x, stop"], "impacts", COUNTS),
         field("symmetric", ["u8", "y, x"], "", SYMMETRIC),
         field("lyapunov", ["f32", "y, x"], "per forcing period", LYAPUNOV),
         field("state", ["f64", "y, x, 4"], "1", STATE),
@@ -69,6 +72,7 @@ const CONTROL_MAP: FileContent = FileContent {
         field("n", ["u16", "y, x"], "forcing periods", N),
         field("p", ["u16", "y, x"], "impacts", P),
         field("q", ["u16", "y, x"], "impacts", Q),
+        field("counts", ["u16", "y, x, stop"], "impacts", COUNTS),
         field("symmetric", ["u8", "y, x"], "", SYMMETRIC),
         field("lyapunov", ["f32", "y, x"], "per forcing period", LYAPUNOV),
         field("state", ["f64", "y, x, 4"], "1", POINT),

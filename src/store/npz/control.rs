@@ -15,8 +15,9 @@ pub fn write_control(history: &History, config: &str, to: impl Write + Seek) -> 
     let returns = &history.returns;
     let count = returns.len() as u64;
     archive.array("iterate", &[count], returns.iter().map(|met| met.iterate))?;
-    archive.array("section", &[count, 4], returns.iter().flat_map(|met| met.section.components))?;
-    archive.array("arrived", &[count, 4], returns.iter().flat_map(|met| met.arrived.components))?;
+    let components = returns.first().map_or(4, |met| met.section.len()) as u64;
+    archive.array("section", &[count, components], returns.iter().flat_map(|met| met.section.to_vec()))?;
+    archive.array("arrived", &[count, components], returns.iter().flat_map(|met| met.arrived.to_vec()))?;
     archive.array("signal", &[count], returns.iter().map(|met| met.signal))?;
     archive.array("escaped", &[count], returns.iter().map(|met| u8::from(met.escaped)))?;
     let samples = &history.recording.samples;

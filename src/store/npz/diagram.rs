@@ -24,12 +24,14 @@ pub fn write_diagram(diagram: &Diagram, to: impl Write + Seek) -> io::Result<()>
     archive.array("rebounds", &shape, traces.iter().map(|t| t.rebounds))?;
     archive.array("regime", &shape, traces.iter().map(|t| t.verdict.regime.code()))?;
     archive.array("n", &shape, traces.iter().map(|t| t.verdict.n))?;
-    archive.array("p", &shape, traces.iter().map(|t| t.verdict.p))?;
-    archive.array("q", &shape, traces.iter().map(|t| t.verdict.q))?;
+    archive.array("p", &shape, traces.iter().map(|t| t.verdict.p()))?;
+    archive.array("q", &shape, traces.iter().map(|t| t.verdict.q()))?;
     archive.array("symmetric", &shape, traces.iter().map(|t| u8::from(t.verdict.symmetric)))?;
     archive.array("lyapunov", &shape, traces.iter().map(|t| t.verdict.lyapunov))?;
     let [branches, _] = shape;
-    archive.array("state", &[branches, columns, 4], traces.iter().flat_map(|t| t.verdict.state))?;
+    let components = 2 * diagram.spec.parameters.family().n() as u64;
+    let states = traces.iter().flat_map(|t| t.verdict.state.to_vec());
+    archive.array("state", &[branches, columns, components], states)?;
     let spectra: Option<Vec<&Vec<[f64; 4]>>> =
         diagram.branches.iter().map(|branch| branch.spectrum.as_ref()).collect();
     if let Some(spectra) = spectra {

@@ -27,8 +27,8 @@ mod tests {
         let plane = Plane {
             x: "omega=0.2:5:3".parse().unwrap(),
             y: "x1=-0.05:0.05:2".parse().unwrap(),
-            parameters: Parameters::default(),
-            start: Start::State([0.0, 0.1, -0.2, 1.0 / 3.0]),
+            parameters: Parameters::default().into(),
+            start: Start::State([0.0, 0.1, -0.2, 1.0 / 3.0].into()),
             schedule,
         };
         let provenance =
@@ -36,11 +36,10 @@ mod tests {
         let verdict = |i: u16| Verdict {
             regime: Regime::ALL[usize::from(i)],
             n: i,
-            p: i + 1,
-            q: if i == 3 { INFINITELY_MANY } else { i + 2 },
+            counts: crate::analysis::Counts::new(&[i + 1, if i == 3 { INFINITELY_MANY } else { i + 2 }]),
             symmetric: i == 2,
             lyapunov: -0.1 * f32::from(i),
-            state: [0.1, 0.2, 0.3, 0.4].map(|x| x * f64::from(i)),
+            state: [0.1, 0.2, 0.3, 0.4].map(|x| x * f64::from(i)).into(),
             impacts: 100 + u32::from(i),
             impacts_total: 0,
             peak_impact_velocity: 0.5 + f32::from(i),

@@ -7,7 +7,8 @@ use serde::Deserialize;
 use thiserror::Error;
 use zip::ZipArchive;
 
-use crate::analysis::{Regime, Verdict};
+use crate::analysis::{Counts, Regime, Verdict};
+use crate::model::StateVector;
 use crate::plane::{Multipliers, Plane, Provenance, RegionMap};
 
 /// Reads a map that [`write_map`](super::write_map) wrote.
@@ -59,12 +60,12 @@ fn verdicts(zip: &mut ZipArchive<impl Read + Seek>, plane: &Plane) -> Result<Vec
     let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
     let regimes: Vec<u8> = values(zip, "regime", &cells)?;
     let n: Vec<u16> = values(zip, "n", &cells)?;
-    let p: Vec<u16> = values(zip, "p", &cells)?;
-    let q: Vec<u16> = values(zip, "q", &cells)?;
+    let stops = plane.parameters.family().stops().len();
+    let counts: Vec<u16> = values(zip, "counts", &[cells[0], cells[1], stops as u64])?;
     let symmetric: Vec<u8> = values(zip, "symmetric", &cells)?;
     let lyapunov: Vec<f32> = values(zip, "lyapunov", &cells)?;
-    let components: Vec<f64> = values(zip, "state", &[cells[0], cells[1], 4])?;
-    let (states, _) = components.as_chunks();
+    let length = 2 * plane.parameters.family().n();
+    let states: Vec<f64> = values(zip, "state", &[cells[0], cells[1], length as u64])?;
     let impacts: Vec<u32> = values(zip, "impacts", &cells)?;
     let peaks: Vec<f32> = values(zip, "peak_impact_velocity", &cells)?;
     let periods: Vec<u32> = values(zip, "periods", &cells)?;
@@ -72,11 +73,11 @@ fn verdicts(zip: &mut ZipArchive<impl Read + Seek>, plane: &Plane) -> Result<Vec
         Ok(Verdict {
             regime: Regime::from_code(code).ok_or(ReadError::Regime(code))?,
             n: n[i],
-            p: p[i],
-            q: q[i],
+            counts: Counts::new(&counts[stops * i..][..stops]),
             symmetric: symmetric[i] != 0,
             lyapunov: lyapunov[i],
-            state: states[i],
+            state: StateVector::from_slice(&states[length * i..][..length])
+                .ok_or(ReadError::Shape("state"))?,
             impacts: impacts[i],
             impacts_total: 0,
             peak_impact_velocity: peaks[i],

@@ -43,11 +43,15 @@ pub(super) fn write_verdicts<W: Write + Seek>(
     let verdicts = || verdicts.iter();
     archive.array("regime", &cells, verdicts().map(|v| v.regime.code()))?;
     archive.array("n", &cells, verdicts().map(|v| v.n))?;
-    archive.array("p", &cells, verdicts().map(|v| v.p))?;
-    archive.array("q", &cells, verdicts().map(|v| v.q))?;
+    archive.array("p", &cells, verdicts().map(Verdict::p))?;
+    archive.array("q", &cells, verdicts().map(Verdict::q))?;
+    let stops = verdicts().map(|v| v.counts.len()).max().unwrap_or(0);
+    let counts = verdicts().flat_map(|v| (0..stops).map(|k| v.counts.get(k).copied().unwrap_or(0)));
+    archive.array("counts", &[cells[0], cells[1], stops as u64], counts)?;
     archive.array("symmetric", &cells, verdicts().map(|v| u8::from(v.symmetric)))?;
     archive.array("lyapunov", &cells, verdicts().map(|v| v.lyapunov))?;
-    archive.array("state", &[cells[0], cells[1], 4], verdicts().flat_map(|v| v.state))?;
+    let components = verdicts().map(|v| v.state.len()).max().unwrap_or(0) as u64;
+    archive.array("state", &[cells[0], cells[1], components], verdicts().flat_map(|v| v.state.to_vec()))?;
     archive.array("impacts", &cells, verdicts().map(|v| v.impacts))?;
     archive.array("peak_impact_velocity", &cells, verdicts().map(|v| v.peak_impact_velocity))?;
     archive.array("periods", &cells, verdicts().map(|v| v.periods))

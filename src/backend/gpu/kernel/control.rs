@@ -1,13 +1,16 @@
 //! The kernel `control_trajectories`: controlled trajectories to their outcomes.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 use wgpu::util::DeviceExt;
 
 use super::Kernel;
-use super::device::{compiled, guarded};
+use super::compiled::Compiled;
+use super::device::guarded;
 use super::drive::{ITERATIONS, Portion, Program, ROW};
-use crate::backend::gpu::layout::{CONTROLLED_BYTES, Control, ControlDispatch, ControlSchedule, Outcome};
-use crate::backend::gpu::shader::{WORKGROUP, control_source};
+use crate::backend::gpu::layout::{Control, ControlDispatch, ControlSchedule, Outcome};
+use crate::backend::gpu::shader::{self, Shape, WORKGROUP};
 use crate::backend::{BackendError, ControlJob, Job, Watch};
 use crate::control::{self, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
 use crate::model::{self, Real};
@@ -29,7 +32,14 @@ impl Kernel {
     /// Trajectories that one call of [`Kernel::control`] takes at most.
     pub fn control_tile(&self) -> usize {
         let binding = self.device.limits().max_storage_buffer_binding_size;
-        self.tile().min((binding / CONTROLLED_BYTES) as usize)
+        let state = self.controlling().map_or(1, |kernel| kernel.state.max(1));
+        self.tile().min((binding / state) as usize)
+    }
+
+    /// The kernel, compiled when it is first needed.
+    fn controlling(&self) -> Result<Arc<Compiled>, BackendError> {
+        let shape = Shape { coordinates: 2, normals: 1, stops: 2 };
+        self.library.get(&self.device, shader::Kernel::Control, shape)
     }
 
     /// Follows one tile of trajectories under control.
@@ -42,17 +52,11 @@ impl Kernel {
         if jobs.is_empty() {
             return Ok(Vec::new());
         }
-        let pipeline = match self.control.get() {
-            Some(pipeline) => pipeline,
-            None => {
-                let pipeline = compiled(&self.device, "control_trajectories", control_source())?;
-                self.control.get_or_init(|| pipeline)
-            }
-        };
+        let pipeline = self.controlling()?;
         let controls: Vec<Control> = jobs
             .par_iter()
             .map(|ControlJob { job: Job { system, .. }, controller }| {
-                Control::new(controller, system, &model::Flight::new(system))
+                Control::new(controller, system, &model::Flight::<f64, 2>::new(system))
             })
             .collect();
         let controls = guarded(&self.device, || {
@@ -71,13 +75,13 @@ impl Kernel {
             max_period: schedule.max_period,
         };
         let program = Program {
-            pipeline,
-            state: CONTROLLED_BYTES,
+            pipeline: &pipeline,
             iterations: iterations(schedule),
             more: &[&controls],
             dispatch: &dispatch,
         };
-        let jobs: Vec<Job> = jobs.iter().map(|job| job.job).collect();
-        Ok(self.drive::<_, Outcome>(&jobs, &program, watch)?.iter().map(Outcome::widen).collect())
+        let jobs: Vec<Job> = jobs.iter().map(|job| job.job.clone()).collect();
+        let outcomes = self.drive::<_, Outcome>(&jobs, &program, watch)?;
+        Ok(outcomes.iter().zip(&jobs).map(|(outcome, job)| outcome.widen(&job.system)).collect())
     }
 }

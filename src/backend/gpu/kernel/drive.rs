@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use bytemuck::Pod;
 
 use super::Kernel;
+use super::compiled::Compiled;
 use super::device::guarded;
 use super::tile::Tile;
 use crate::backend::gpu::layout::Record;
@@ -28,9 +29,7 @@ pub const ROW: u32 = 1 << 15;
 
 /// What a tile of trajectories is followed with.
 pub struct Program<'a, D> {
-    pub pipeline: &'a wgpu::ComputePipeline,
-    /// Bytes of a trajectory's state.
-    pub state: u64,
+    pub pipeline: &'a Compiled,
     /// Loop iterations in one move.
     pub iterations: u32,
     /// Buffers beyond those that every kernel has, in the order of their bindings.

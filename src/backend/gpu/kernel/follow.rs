@@ -1,10 +1,11 @@
 //! The kernel `follow`: trajectories to their verdicts.
 
 use super::Kernel;
+use super::compiled::Compiled;
 use super::drive::{ITERATIONS, Portion, Program, ROW};
 use crate::analysis;
-use crate::backend::gpu::layout::{Dispatch, OBSERVER_BYTES, Schedule, Verdict};
-use crate::backend::gpu::shader::WORKGROUP;
+use crate::backend::gpu::layout::{Dispatch, Schedule, Verdict};
+use crate::backend::gpu::shader::{self, Shape, WORKGROUP};
 use crate::backend::{BackendError, Job, Watch};
 
 impl Kernel {
@@ -22,17 +23,40 @@ impl Kernel {
             begin,
             row: ROW * WORKGROUP,
         };
-        let program = self.observing(&self.follow, &[], &dispatch);
-        Ok(self.drive::<_, Verdict>(jobs, &program, watch)?.iter().map(Verdict::widen).collect())
+        let Some(shape) = shape_of(jobs)? else { return Ok(Vec::new()) };
+        let pipeline = self.library.get(&self.device, shader::Kernel::Follow, shape)?;
+        let program = self.observing(&pipeline, &[], &dispatch);
+        let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
+        Ok(verdicts.iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect())
     }
 
     /// A kernel that carries observers and gives verdicts.
     pub(super) fn observing<'a, D>(
         &self,
-        pipeline: &'a wgpu::ComputePipeline,
+        pipeline: &'a Compiled,
         more: &'a [&'a wgpu::Buffer],
         dispatch: &'a dyn Fn(Portion) -> D,
     ) -> Program<'a, D> {
-        Program { pipeline, state: OBSERVER_BYTES, iterations: ITERATIONS, more, dispatch }
+        Program { pipeline, iterations: ITERATIONS, more, dispatch }
     }
+}
+
+/// The shape that all jobs of a tile have; none where there are no jobs.
+///
+/// # Errors
+/// [`BackendError::Unsupported`] where they differ: a direction that turns parallel to another within a plane.
+pub fn shape_of(jobs: &[Job]) -> Result<Option<Shape>, BackendError> {
+    let Some(first) = jobs.first() else { return Ok(None) };
+    let shape = |job: &Job| {
+        let plant = job.system.plant();
+        Shape { coordinates: plant.n, normals: job.system.normals(), stops: plant.stops.len() }
+    };
+    let expected = shape(first);
+    if jobs.iter().all(|job| shape(job) == expected) {
+        return Ok(Some(expected));
+    }
+    Err(BackendError::Unsupported(
+        "the stops of these cells do not lie along the same number of directions everywhere: use --backend cpu"
+            .to_owned(),
+    ))
 }

@@ -9,10 +9,9 @@ use wgpu::util::DeviceExt;
 use super::Kernel;
 use super::device::empty;
 use super::drive::{Portion, Program, ROW};
-use crate::backend::gpu::layout::{Flight, Kick, Record};
+use crate::backend::gpu::layout::{Cell, Record};
 use crate::backend::gpu::shader::WORKGROUP;
 use crate::backend::{BackendError, Job};
-use crate::model;
 
 /// The buffers of one tile.
 pub struct Tile<R> {
@@ -27,11 +26,10 @@ pub struct Tile<R> {
 impl<R: Record> Tile<R> {
     pub fn new<D: Pod>(kernel: &Kernel, program: &Program<'_, D>, jobs: &[Job]) -> Self {
         let device = &kernel.device;
-        let constants: Vec<model::Flight<f32>> =
-            jobs.par_iter().map(|job| model::Flight::new(&job.system).round()).collect();
-        let flights: Vec<Flight> = constants.iter().map(Flight::new).collect();
-        let kicks: Vec<Kick> = constants.iter().map(Kick::new).collect();
-        let starts: Vec<[f32; 4]> = jobs.iter().map(|job| job.start.map(|value| value as f32)).collect();
+        let prepared: Vec<Cell> = jobs.par_iter().map(Cell::of).collect();
+        let flights: Vec<u32> = prepared.iter().flat_map(|cell| &cell.flight).copied().collect();
+        let kicks: Vec<u32> = prepared.iter().flat_map(|cell| &cell.kicks).copied().collect();
+        let starts: Vec<f32> = prepared.iter().flat_map(|cell| &cell.start).copied().collect();
         let pending = vec![R::PENDING; jobs.len()];
         let filled = |contents: &[u8], usage: wgpu::BufferUsages| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
@@ -44,7 +42,7 @@ impl<R: Record> Tile<R> {
         let kicks = filled(bytemuck::cast_slice(&kicks), storage);
         let starts = filled(bytemuck::cast_slice(&starts), storage);
         let unfinished = empty(device, 4 * cells, storage | wgpu::BufferUsages::COPY_DST);
-        let observers = empty(device, program.state * cells, storage);
+        let observers = empty(device, program.pipeline.state * cells, storage);
         let verdicts = filled(bytemuck::cast_slice(&pending), storage | wgpu::BufferUsages::COPY_SRC);
         let readback =
             empty(device, verdicts.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
@@ -55,7 +53,7 @@ impl<R: Record> Tile<R> {
             .collect();
         let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
-            layout: &program.pipeline.get_bind_group_layout(0),
+            layout: &program.pipeline.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
         Tile { record: PhantomData, bind_group, dispatch, unfinished, verdicts, readback }
@@ -74,7 +72,7 @@ impl<R: Record> Tile<R> {
         let mut encoder = kernel.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(program.pipeline);
+            pass.set_pipeline(&program.pipeline.pipeline);
             pass.set_bind_group(0, &self.bind_group, &[]);
             let groups = portion.count.div_ceil(WORKGROUP);
             pass.dispatch_workgroups(groups.min(ROW), groups.div_ceil(ROW), 1);

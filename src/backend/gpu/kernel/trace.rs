@@ -1,11 +1,12 @@
 //! The kernel `trace`: trajectories to their verdicts and what was read on a section.
 
 use super::Kernel;
-use super::device::{compiled, empty, guarded};
+use super::device::{empty, guarded};
 use super::drive::{Portion, ROW};
+use super::follow::shape_of;
 use crate::analysis;
 use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
-use crate::backend::gpu::shader::{WORKGROUP, trace_source};
+use crate::backend::gpu::shader::{self, WORKGROUP};
 use crate::backend::{BackendError, Job, Watch};
 
 impl Kernel {
@@ -25,16 +26,8 @@ impl Kernel {
         capacity: u32,
         watch: &dyn Watch,
     ) -> Result<Vec<analysis::Trace>, BackendError> {
-        if jobs.is_empty() {
-            return Ok(Vec::new());
-        }
-        let pipeline = match self.trace.get() {
-            Some(pipeline) => pipeline,
-            None => {
-                let pipeline = compiled(&self.device, "trace", trace_source())?;
-                self.trace.get_or_init(|| pipeline)
-            }
-        };
+        let Some(shape) = shape_of(jobs)? else { return Ok(Vec::new()) };
+        let pipeline = self.library.get(&self.device, shader::Kernel::Trace, shape)?;
         let cells = jobs.len() as u64;
         let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let [traces, readings] = guarded(&self.device, || {
@@ -53,14 +46,14 @@ impl Kernel {
             unused: 0,
         };
         let more = [&traces, &readings];
-        let program = self.observing(pipeline, &more, &dispatch);
+        let program = self.observing(&pipeline, &more, &dispatch);
         let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
         let traces: Vec<Trace> = guarded(&self.device, || self.fetch(&traces))??;
         let readings: Vec<f32> = guarded(&self.device, || self.fetch(&readings))??;
-        let of_cell = |((verdict, trace), readings): ((Verdict, &Trace), &[f32])| {
+        let of_cell = |(((verdict, trace), readings), job): (((Verdict, &Trace), &[f32]), &Job)| {
             let kept = trace.passages.min(capacity);
             analysis::Trace {
-                verdict: verdict.widen(),
+                verdict: verdict.widen(&job.system),
                 readings: readings[..kept as usize].iter().map(|&value| f64::from(value)).collect(),
                 left_out: trace.passages - kept,
                 rebounds: trace.rebounds.longest,
@@ -70,6 +63,7 @@ impl Kernel {
             .into_iter()
             .zip(&traces)
             .zip(readings.chunks_exact(capacity as usize))
+            .zip(jobs)
             .map(of_cell)
             .collect())
     }

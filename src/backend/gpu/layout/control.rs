@@ -67,16 +67,17 @@ pub struct Control {
     pub drive_bound: f32,
     pub point: [f32; 4],
     pub gains: [f32; 4],
+    pub push: [f32; 2],
     pub drive_sin: [f32; 4],
     pub drive_cos: [f32; 4],
 }
 
 impl Control {
     /// A controller as the shader reads it, on a cell with these constants.
-    pub fn new(controller: &Controller<f64>, system: &model::System, flight: &model::Flight<f64>) -> Self {
+    pub fn new(controller: &Controller<f64>, system: &model::System, flight: &model::Flight<f64, 2>) -> Self {
         let mut control = Control { period: 1, ..Control::zeroed() };
         match Controller::<f32>::rounded(controller) {
-            Controller::None => control.method = METHOD_NONE,
+            Controller::None(_) => control.method = METHOD_NONE,
             Controller::Sine(sine) => {
                 control.method = METHOD_SINE;
                 control.convention = sine.convention as u32;
@@ -87,22 +88,23 @@ impl Control {
                 control.ratio = sine.ratio;
                 control.phase = sine.phase;
                 control.wanted = sine.target;
-                let drive = model::Drive::new(system, flight, 1.0).round::<f32>();
-                control.drive_sin = drive.gamma_sin;
-                control.drive_cos = drive.gamma_cos;
-                control.drive_bound = drive.bound;
+                let drive = model::Drive::on(sine.coordinate, system, flight, 1.0).round::<f32>();
+                control.push = drive.push;
+                control.drive_sin = std::array::from_fn(|i| drive.gamma_sin.get(i));
+                control.drive_cos = std::array::from_fn(|i| drive.gamma_cos.get(i));
+                control.drive_bound = drive.bound[0];
             }
             Controller::Pulse(pulse) => {
                 control.method = METHOD_PULSE;
                 control.period = pulse.period;
                 control.seed = pulse.seed;
                 control.noise = pulse.noise;
-                control.point = pulse.target.components;
+                control.point = std::array::from_fn(|i| pulse.target[i]);
             }
             Controller::Delay(delay) => {
                 control.method = METHOD_DELAY;
                 control.delay = delay.delay;
-                control.gains = delay.gains;
+                control.gains = std::array::from_fn(|i| delay.gains[i]);
             }
         }
         control
@@ -142,9 +144,9 @@ impl Record for Outcome {
 
 impl Outcome {
     /// The outcome with its values widened.
-    pub fn widen(&self) -> control::Outcome {
+    pub fn widen(&self, system: &model::System) -> control::Outcome {
         control::Outcome {
-            verdict: self.verdict.widen(),
+            verdict: self.verdict.widen(system),
             period: self.period,
             iterates: self.iterates,
             converged_at: self.converged_at,
@@ -155,6 +157,3 @@ impl Outcome {
         }
     }
 }
-
-/// Bytes of `Controlled` in shaders/control/controlled.wgsl, which only the shader reads and writes.
-pub const CONTROLLED_BYTES: u64 = 4 * (16 + 4 + 3 + 80 + 36 + 7 + 8 + 21);

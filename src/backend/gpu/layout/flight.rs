@@ -1,90 +1,220 @@
-//! The constants of a cell.
+//! The constants of a cell: one list of members says how the shader declares them and how they are written.
 
-use bytemuck::{Pod, Zeroable};
-
-use crate::model::{self, Real};
+use crate::backend::gpu::shader::Shape;
+use crate::model::{ContactNormal, Flight, Real, State};
 
 /// Terms of the kick polynomial in f32: up to the order of a flight.
 pub const KICK_TERMS: usize = <f32 as Real>::ORDER + 1;
 
-/// `Flight` in shaders/model/flight.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct Flight {
-    pub phi: [[f32; 4]; 4],
-    pub gamma_sin: [f32; 4],
-    pub gamma_cos: [f32; 4],
-    pub bound: [f32; 4],
-    pub forced: [f32; 4],
-    pub h: f32,
-    pub inverse_h: f32,
-    pub turn_sin: f32,
-    pub turn_cos: f32,
-    pub omega: f32,
-    pub delta: f32,
-    pub r: f32,
-    pub coupling_damping: f32,
-    pub inverse_mass: f32,
-    pub ground_stiffness: f32,
-    pub ground_damping: f32,
-    pub force1: f32,
-    pub force2: f32,
-    pub bound_forcing: f32,
-    pub rate: f32,
-    pub reach: f32,
-    pub mass: f32,
-    pub ground: f32,
-    pub compliance: f32,
-    pub linear_exponent: f32,
-    pub steps: u32,
-    pub unused: [u32; 3],
+/// Takes the members of a struct in their order.
+trait Members<const N: usize> {
+    fn number(&mut self, name: &str, value: f32);
+    fn integer(&mut self, name: &str, value: u32);
+    fn numbers(&mut self, name: &str, values: &[f32]);
+    fn integers(&mut self, name: &str, values: &[u32]);
+    /// Fills up to the alignment of vectors.
+    fn align(&mut self);
+    fn vector(&mut self, name: &str, value: &[f32; N]);
+    fn vectors(&mut self, name: &str, values: &[[f32; N]; N]);
+    fn state(&mut self, name: &str, value: &State<f32, N>);
+    fn states(&mut self, name: &str, values: &[State<f32, N>; N]);
 }
 
-impl Flight {
-    /// The constants of a cell, rounded to f32.
-    pub fn new(flight: &model::Flight<f32>) -> Self {
-        Flight {
-            phi: flight.phi,
-            gamma_sin: flight.gamma_sin,
-            gamma_cos: flight.gamma_cos,
-            bound: flight.bound,
-            forced: flight.forced,
-            h: flight.h,
-            inverse_h: flight.inverse_h,
-            turn_sin: flight.turn_sin,
-            turn_cos: flight.turn_cos,
-            omega: flight.omega,
-            delta: flight.delta,
-            r: flight.r,
-            coupling_damping: flight.coupling_damping,
-            inverse_mass: flight.inverse_mass,
-            ground_stiffness: flight.ground_stiffness,
-            ground_damping: flight.ground_damping,
-            force1: flight.force1,
-            force2: flight.force2,
-            bound_forcing: flight.bound_forcing,
-            rate: flight.rate,
-            reach: flight.reach,
-            mass: flight.mass,
-            ground: flight.ground,
-            compliance: flight.compliance,
-            linear_exponent: flight.linear_exponent,
-            steps: flight.steps,
-            unused: [0; 3],
-        }
+/// Scalars first, then vectors, so that no member needs padding but those of vectors themselves.
+fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut impl Members<N>) {
+    members.integer("steps", flight.steps);
+    members.integer("quiet_exists", u32::from(flight.quiet.exists));
+    members.integer("quiet_decays", u32::from(flight.quiet.decays));
+    members.integer("mirror_exists", u32::from(flight.mirror.is_some()));
+    members.number("h", flight.h);
+    members.number("inverse_h", flight.inverse_h);
+    members.number("turn_sin", flight.turn_sin);
+    members.number("turn_cos", flight.turn_cos);
+    members.number("omega", flight.omega);
+    members.number("rate", flight.rate);
+    members.number("linear_exponent", flight.linear_exponent);
+    if flight.count > 1 {
+        members.numbers("pressing", &pressing(flight));
+    }
+    members.align();
+    members.states("phi_x", &flight.phi_x);
+    members.states("phi_v", &flight.phi_v);
+    members.state("gamma_sin", &flight.gamma_sin);
+    members.state("gamma_cos", &flight.gamma_cos);
+    members.state("gamma_one", &flight.gamma_one);
+    members.vectors("stiffness", &flight.stiffness);
+    members.vectors("damping", &flight.damping);
+    members.vector("sin", &flight.sin);
+    members.vector("cos", &flight.cos);
+    members.vector("load", &flight.load);
+    members.state("quiet_forced", &flight.quiet.forced);
+    members.vectors("quiet_xx", &flight.quiet.xx);
+    members.vectors("quiet_xv", &flight.quiet.xv);
+    members.vectors("quiet_vv", &flight.quiet.vv);
+    members.vectors("mirror", &flight.mirror.unwrap_or([[0.0; N]; N]));
+}
+
+/// What [`Flight::pressing`] says for every set of contacts but none, row by row.
+fn pressing<const N: usize>(flight: &Flight<f32, N>) -> Vec<f32> {
+    let count = flight.count;
+    (1..1 << count)
+        .flat_map(|set| (0..count).flat_map(move |s| (0..count).map(move |t| flight.pressing[set][s][t])))
+        .collect()
+}
+
+fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut impl Members<N>) {
+    members.numbers("gap", &normal.gap);
+    members.numbers("restitution", &normal.restitution);
+    members.integers("stop", &normal.stop.map(u32::from));
+    members.numbers("reach", &normal.reach);
+    members.number("bound_forcing", normal.bound_forcing);
+    members.number("drag", normal.drag);
+    members.number("coupling", normal.coupling);
+    members.number("stretch", normal.stretch);
+    members.align();
+    members.vector("direction", &normal.direction);
+    members.vector("response", &normal.response);
+    members.vector("bound_x", &normal.bound_x);
+    members.vector("bound_v", &normal.bound_v);
+}
+
+/// Writes WGSL declarations.
+#[derive(Default)]
+struct Declaration {
+    text: String,
+    words: usize,
+    fillers: usize,
+}
+
+impl Declaration {
+    fn member(&mut self, name: &str, kind: &str) {
+        self.text.push_str(&format!("    {name}: {kind},\n"));
     }
 }
 
-/// `Kick` in shaders/model/flight.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct Kick {
-    pub terms: [[f32; 4]; KICK_TERMS],
+impl<const N: usize> Members<N> for Declaration {
+    fn number(&mut self, name: &str, _: f32) {
+        self.member(name, "f32");
+        self.words += 1;
+    }
+
+    fn integer(&mut self, name: &str, _: u32) {
+        self.member(name, "u32");
+        self.words += 1;
+    }
+
+    fn numbers(&mut self, name: &str, values: &[f32]) {
+        self.member(name, &format!("array<f32, {}>", values.len()));
+        self.words += values.len();
+    }
+
+    fn integers(&mut self, name: &str, values: &[u32]) {
+        self.member(name, &format!("array<u32, {}>", values.len()));
+        self.words += values.len();
+    }
+
+    fn align(&mut self) {
+        while !self.words.is_multiple_of(vector_words::<N>()) {
+            let name = format!("unused{}", self.fillers);
+            self.member(&name, "u32");
+            self.fillers += 1;
+            self.words += 1;
+        }
+    }
+
+    fn vector(&mut self, name: &str, _: &[f32; N]) {
+        self.member(name, "X");
+    }
+
+    fn vectors(&mut self, name: &str, _: &[[f32; N]; N]) {
+        self.member(name, "array<X, COORDINATES>");
+    }
+
+    fn state(&mut self, name: &str, _: &State<f32, N>) {
+        self.member(name, "State");
+    }
+
+    fn states(&mut self, name: &str, _: &[State<f32, N>; N]) {
+        self.member(name, "array<State, COORDINATES>");
+    }
 }
 
-impl Kick {
-    /// The kick polynomial of a cell.
-    pub fn new(flight: &model::Flight<f32>) -> Self {
-        Kick { terms: std::array::from_fn(|k| flight.kick[k]) }
+/// Writes the values, word by word.
+struct Values<'a>(&'a mut Vec<u32>);
+
+impl<const N: usize> Members<N> for Values<'_> {
+    fn number(&mut self, _: &str, value: f32) {
+        self.0.push(value.to_bits());
+    }
+
+    fn integer(&mut self, _: &str, value: u32) {
+        self.0.push(value);
+    }
+
+    fn numbers(&mut self, _: &str, values: &[f32]) {
+        self.0.extend(values.iter().map(|value| value.to_bits()));
+    }
+
+    fn integers(&mut self, _: &str, values: &[u32]) {
+        self.0.extend(values);
+    }
+
+    fn align(&mut self) {
+        while !self.0.len().is_multiple_of(vector_words::<N>()) {
+            self.0.push(0);
+        }
+    }
+
+    fn vector(&mut self, _: &str, value: &[f32; N]) {
+        self.0.extend(value.iter().map(|value| value.to_bits()));
+        <Self as Members<N>>::align(self);
+    }
+
+    fn vectors(&mut self, name: &str, values: &[[f32; N]; N]) {
+        values.iter().for_each(|value| self.vector(name, value));
+    }
+
+    fn state(&mut self, name: &str, value: &State<f32, N>) {
+        self.vector(name, &value.x);
+        self.vector(name, &value.v);
+    }
+
+    fn states(&mut self, name: &str, values: &[State<f32, N>; N]) {
+        values.iter().for_each(|value| self.state(name, value));
+    }
+}
+
+/// Words from one vector to the next in a buffer.
+const fn vector_words<const N: usize>() -> usize {
+    if N == 3 { 4 } else { N }
+}
+
+/// The structs `ContactNormal` and `Flight` as the shader declares them.
+pub fn declarations<const N: usize>(shape: &Shape) -> String {
+    let none = Flight::<f32, N>::blank(shape.normals);
+    let mut normal = Declaration::default();
+    normal_members(&none.normals[0], &mut normal);
+    let mut flight = Declaration::default();
+    flight_members(&none, &mut flight);
+    format!(
+        "struct ContactNormal {{\n{}}}\n\nstruct Flight {{\n{}    normals: array<ContactNormal, NORMALS>,\n}}\n",
+        normal.text, flight.text
+    )
+}
+
+/// The constants of a cell as the shader reads them.
+pub fn write_flight<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>) {
+    flight_members(flight, &mut Values(into));
+    for normal in flight.normals() {
+        normal_members(normal, &mut Values(into));
+    }
+}
+
+/// The kick polynomials of a cell, normal by normal.
+pub fn write_kicks<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>) {
+    for normal in flight.normals() {
+        for term in &normal.kick[..KICK_TERMS] {
+            Values(into).state("", term);
+        }
     }
 }

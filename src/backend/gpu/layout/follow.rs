@@ -3,7 +3,9 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::record::Record;
-use crate::analysis::{self, Regime};
+use crate::analysis::{self, Counts, Regime};
+use crate::model::vector::MOST;
+use crate::model::{StateVector, System};
 
 /// `Schedule` in shaders/analysis/observer.wgsl.
 #[repr(C)]
@@ -47,11 +49,10 @@ pub const NOT_MEASURED: f32 = -3e38;
 pub struct Verdict {
     pub regime: u32,
     pub n: u32,
-    pub p: u32,
-    pub q: u32,
     pub symmetric: u32,
     pub lyapunov: f32,
-    pub state: [f32; 4],
+    pub impacts_per_stop: [u32; MOST],
+    pub state: [f32; 2 * MOST],
     pub impacts: u32,
     pub impacts_total: u32,
     pub peak_impact_velocity: f32,
@@ -64,11 +65,10 @@ impl Verdict {
     pub const PENDING: Verdict = Verdict {
         regime: u32::MAX,
         n: 0,
-        p: 0,
-        q: 0,
         symmetric: 0,
         lyapunov: 0.0,
-        state: [0.0; 4],
+        impacts_per_stop: [0; MOST],
+        state: [0.0; 2 * MOST],
         impacts: 0,
         impacts_total: 0,
         peak_impact_velocity: 0.0,
@@ -81,17 +81,25 @@ impl Verdict {
         self.regime == Self::PENDING.regime
     }
 
-    /// The verdict with its values widened; a code that no regime has counts as failed.
-    pub fn widen(&self) -> analysis::Verdict {
+    /// The state x1 … xn, v1 … vn.
+    fn state_of(&self, system: &System) -> StateVector {
+        let mut state = StateVector::zeros(system.plant().n);
+        for (value, &from) in state.iter_mut().zip(&self.state) {
+            *value = f64::from(from);
+        }
+        state
+    }
+
+    /// The verdict on a trajectory of a system with its values widened; a code that no regime has counts as failed.
+    pub fn widen(&self, system: &System) -> analysis::Verdict {
         let regime = u8::try_from(self.regime).ok().and_then(Regime::from_code).unwrap_or(Regime::Failed);
         analysis::Verdict {
             regime,
             n: self.n as u16,
-            p: self.p as u16,
-            q: self.q as u16,
+            counts: Counts::in_order(&self.impacts_per_stop.map(|count| count as u16), system.label_order()),
             symmetric: self.symmetric != 0,
             lyapunov: if self.lyapunov == NOT_MEASURED { f32::NAN } else { self.lyapunov },
-            state: self.state.map(f64::from),
+            state: self.state_of(system),
             impacts: self.impacts,
             impacts_total: self.impacts_total,
             peak_impact_velocity: self.peak_impact_velocity,
@@ -108,6 +116,3 @@ impl Record for Verdict {
         Verdict::is_pending(self)
     }
 }
-
-/// Bytes of `Observer` in shaders/analysis/observer.wgsl, which only the shader reads and writes.
-pub const OBSERVER_BYTES: u64 = 4 * (16 + 4 + 15 + 7 + 8 + 10);

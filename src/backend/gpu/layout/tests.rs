@@ -2,7 +2,7 @@
 
 use std::mem::{offset_of, size_of};
 
-use super::super::shader;
+use super::super::shader::{Kernel, Shape, source};
 use super::trace::Rebounds;
 use super::*;
 
@@ -13,8 +13,8 @@ fn declared(name: &str) -> (Vec<(String, u32)>, u32) {
         let there = module.types.iter().any(|(_, ty)| ty.name.as_deref() == Some(name));
         there.then_some(module)
     };
-    let sources = [shader::follow_source(), shader::trace_source(), shader::control_source()];
-    let module = sources.into_iter().find_map(declares).unwrap();
+    let shape = Shape { coordinates: 2, normals: 1, stops: 2 };
+    let module = Kernel::ALL.into_iter().find_map(|kernel| declares(source(kernel, &shape))).unwrap();
     let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name)).unwrap();
     let naga::TypeInner::Struct { members, span } = &ty.inner else { panic!("{name} is no struct") };
     (members.iter().map(|m| (m.name.clone().unwrap(), m.offset)).collect(), *span)
@@ -32,45 +32,14 @@ macro_rules! assert_layout {
 
 #[test]
 fn structs_lie_as_the_shaders_declare_them() {
-    assert_layout!(Flight {
-        phi,
-        gamma_sin,
-        gamma_cos,
-        bound,
-        forced,
-        h,
-        inverse_h,
-        turn_sin,
-        turn_cos,
-        omega,
-        delta,
-        r,
-        coupling_damping,
-        inverse_mass,
-        ground_stiffness,
-        ground_damping,
-        force1,
-        force2,
-        bound_forcing,
-        rate,
-        reach,
-        mass,
-        ground,
-        compliance,
-        linear_exponent,
-        steps,
-        unused,
-    });
-    assert_layout!(Kick { terms });
     assert_layout!(Schedule { transient, observe, max_period, fixed_periods });
     assert_layout!(Dispatch { schedule, count, budget, begin, row });
     assert_layout!(Verdict {
         regime,
         n,
-        p,
-        q,
         symmetric,
         lyapunov,
+        impacts_per_stop,
         state,
         impacts,
         impacts_total,
@@ -100,10 +69,34 @@ fn structs_lie_as_the_shaders_declare_them() {
         drive_bound,
         point,
         gains,
+        push,
         drive_sin,
         drive_cos,
     });
     assert_layout!(Outcome { verdict, period, iterates, converged_at, signal, runaway, escapes, effort });
-    assert_eq!(u64::from(declared("Observer").1), OBSERVER_BYTES);
-    assert_eq!(u64::from(declared("Controlled").1), CONTROLLED_BYTES);
+}
+
+/// What is written for a cell fills exactly what the shader declares, for every number of coordinates and normals.
+#[test]
+fn the_constants_of_a_cell_fill_what_the_shader_declares() {
+    fn check<const N: usize>() {
+        for normals in 1..=4 {
+            let shape = Shape { coordinates: N, normals, stops: normals };
+            let module = naga::front::wgsl::parse_str(&source(Kernel::Follow, &shape)).unwrap();
+            let size = |name: &str| {
+                let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name)).unwrap();
+                ty.inner.size(module.to_ctx()) as usize
+            };
+            let flight = model::Flight::<f32, N>::blank(normals);
+            let (mut constants, mut kicks) = (Vec::new(), Vec::new());
+            write_flight(&flight, &mut constants);
+            write_kicks(&flight, &mut kicks);
+            assert_eq!(4 * constants.len(), size("Flight"), "{shape:?}");
+            assert_eq!(4 * kicks.len(), normals * KICK_TERMS * size("State"), "{shape:?}");
+        }
+    }
+    check::<1>();
+    check::<2>();
+    check::<3>();
+    check::<4>();
 }

@@ -1,74 +1,22 @@
-//! The shader: fragments in their order, after constants generated from this crate's own.
+//! Every number and code that the shaders share with the Rust side.
 
 use std::fmt::{Debug, Write};
 
-use super::layout::{KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE, NOT_MEASURED};
+use super::WORKGROUP;
+use super::template::Shape;
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Regime, Section, Stage};
+use crate::backend::gpu::layout::{
+    KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE, NOT_MEASURED,
+};
 use crate::control::constants as control;
 use crate::control::{Convention, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, NEVER, Progress};
 use crate::dynamics::constants as dynamics;
 use crate::model::Real;
+use crate::model::vector::MOST;
 
-/// Invocations in one workgroup.
-pub const WORKGROUP: u32 = 64;
-
-/// The source of the kernel `follow`.
-pub fn follow_source() -> String {
-    [common().as_str(), include_str!("../../../shaders/kernels/follow.wgsl")].join("\n")
-}
-
-/// The source of the kernel `trace`.
-pub fn trace_source() -> String {
-    [
-        common().as_str(),
-        include_str!("../../../shaders/analysis/section.wgsl"),
-        include_str!("../../../shaders/analysis/trace.wgsl"),
-        include_str!("../../../shaders/kernels/trace.wgsl"),
-    ]
-    .join("\n")
-}
-
-/// The source of the kernel `control_trajectories`.
-pub fn control_source() -> String {
-    [
-        common().as_str(),
-        include_str!("../../../shaders/control/section.wgsl"),
-        include_str!("../../../shaders/control/memory.wgsl"),
-        include_str!("../../../shaders/control/method.wgsl"),
-        include_str!("../../../shaders/control/sine.wgsl"),
-        include_str!("../../../shaders/control/pulse.wgsl"),
-        include_str!("../../../shaders/control/delay.wgsl"),
-        include_str!("../../../shaders/control/deviation.wgsl"),
-        include_str!("../../../shaders/control/controlled.wgsl"),
-        include_str!("../../../shaders/kernels/control.wgsl"),
-    ]
-    .join("\n")
-}
-
-/// What every kernel that observes trajectories begins with.
-fn common() -> String {
-    [
-        constants().as_str(),
-        include_str!("../../../shaders/shared/numbers.wgsl"),
-        include_str!("../../../shaders/model/flight.wgsl"),
-        include_str!("../../../shaders/dynamics/series.wgsl"),
-        include_str!("../../../shaders/dynamics/point.wgsl"),
-        include_str!("../../../shaders/dynamics/tangent.wgsl"),
-        include_str!("../../../shaders/dynamics/contact.wgsl"),
-        include_str!("../../../shaders/dynamics/chatter.wgsl"),
-        include_str!("../../../shaders/dynamics/trajectory.wgsl"),
-        include_str!("../../../shaders/analysis/recurrence.wgsl"),
-        include_str!("../../../shaders/analysis/exponent.wgsl"),
-        include_str!("../../../shaders/analysis/spread.wgsl"),
-        include_str!("../../../shaders/analysis/quiet.wgsl"),
-        include_str!("../../../shaders/analysis/observer.wgsl"),
-    ]
-    .join("\n")
-}
-
-/// Every number and code that the shaders share with the Rust side.
-fn constants() -> String {
+/// Their declarations in WGSL.
+pub fn source(shape: &Shape) -> String {
     let mut source = String::from("// Generated.\n");
     for regime in Regime::ALL {
         let name = constant("REGIME", regime);
@@ -92,6 +40,10 @@ fn constants() -> String {
     }
     let integers = [
         ("WORKGROUP", WORKGROUP),
+        ("COORDINATES", shape.coordinates as u32),
+        ("NORMALS", shape.normals as u32),
+        ("STOPS", shape.stops as u32),
+        ("MOST", MOST as u32),
         ("KICK_TERMS", KICK_TERMS as u32),
         ("ORDER", <f32 as Real>::ORDER as u32),
         ("INFINITELY_MANY", u32::from(INFINITELY_MANY)),
@@ -139,6 +91,7 @@ fn constants() -> String {
         ("INVERSE_TAU", 1.0 / std::f64::consts::TAU),
         ("TWO_OVER_PI", std::f64::consts::FRAC_2_PI),
         ("RUNAWAY", control::RUNAWAY),
+        ("TANGENT_SEED", 1.0 / (2.0 * shape.coordinates as f64).sqrt()),
         ("THIRD", 1.0 / 3.0),
         ("TWELFTH", 1.0 / 12.0),
         ("TWO_THIRDS", 2.0 / 3.0),
@@ -191,16 +144,6 @@ fn constant(kind: &str, code: impl Debug) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_shaders_are_valid_and_need_no_feature() {
-        for source in [follow_source(), trace_source(), control_source()] {
-            let module = naga::front::wgsl::parse_str(&source)
-                .unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
-            let all = naga::valid::ValidationFlags::all();
-            naga::valid::Validator::new(all, naga::valid::Capabilities::empty()).validate(&module).unwrap();
-        }
-    }
 
     #[test]
     fn generated_numbers_read_back_exactly() {

@@ -1,0 +1,47 @@
+//! Kernels compiled for a shape, once each.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::device::compiled;
+use crate::backend::BackendError;
+use crate::backend::gpu::shader::{self, Shape};
+
+/// A compiled kernel, and the size of what it keeps of a trajectory.
+pub struct Compiled {
+    pub pipeline: wgpu::ComputePipeline,
+    /// Bytes of a trajectory's state.
+    pub state: u64,
+}
+
+/// Every kernel that was compiled so far.
+#[derive(Default)]
+pub struct Library(Mutex<HashMap<(shader::Kernel, Shape), Arc<Compiled>>>);
+
+impl Library {
+    /// The kernel for a shape, compiled if it is needed for the first time.
+    pub fn get(
+        &self,
+        device: &wgpu::Device,
+        kernel: shader::Kernel,
+        shape: Shape,
+    ) -> Result<Arc<Compiled>, BackendError> {
+        let mut library = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(compiled) = library.get(&(kernel, shape)) {
+            return Ok(compiled.clone());
+        }
+        let source = shader::source(kernel, &shape);
+        let state = size_of_state(&source, kernel.state());
+        let pipeline = compiled(device, kernel.entry(), source)?;
+        let compiled = Arc::new(Compiled { pipeline, state });
+        library.insert((kernel, shape), compiled.clone());
+        Ok(compiled)
+    }
+}
+
+/// The bytes of a struct in an array, as its shader declares it; 0 where the shader is not valid, which compiling reports.
+fn size_of_state(source: &str, name: &str) -> u64 {
+    let Ok(module) = naga::front::wgsl::parse_str(source) else { return 0 };
+    let ty = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
+    ty.map_or(0, |(_, ty)| u64::from(ty.inner.size(module.to_ctx())))
+}

@@ -1,0 +1,159 @@
+//! The shader: fragments in their order, unrolled for a shape, after declarations generated from this crate's own.
+
+mod constants;
+mod template;
+mod vectors;
+
+pub use template::Shape;
+
+use super::layout;
+
+/// Invocations in one workgroup.
+pub const WORKGROUP: u32 = 64;
+
+/// A kernel and the fragments that it has beyond those that all kernels have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kernel {
+    /// Trajectories to their verdicts.
+    Follow,
+    /// The same, and what is read on a section.
+    Trace,
+    /// Trajectories under control to their outcomes.
+    Control,
+}
+
+impl Kernel {
+    /// Every kernel.
+    #[cfg(test)]
+    pub const ALL: [Kernel; 3] = [Kernel::Follow, Kernel::Trace, Kernel::Control];
+
+    /// The name of its entry point.
+    pub fn entry(self) -> &'static str {
+        match self {
+            Kernel::Follow => "follow",
+            Kernel::Trace => "trace",
+            Kernel::Control => "control_trajectories",
+        }
+    }
+
+    /// The struct that it keeps of a trajectory.
+    pub fn state(self) -> &'static str {
+        match self {
+            Kernel::Follow | Kernel::Trace => "Observer",
+            Kernel::Control => "Controlled",
+        }
+    }
+
+    fn fragments(self) -> &'static [&'static str] {
+        match self {
+            Kernel::Follow => &[include_str!("../../../../shaders/kernels/follow.wgsl")],
+            Kernel::Trace => &[
+                include_str!("../../../../shaders/analysis/section.wgsl"),
+                include_str!("../../../../shaders/analysis/trace.wgsl"),
+                include_str!("../../../../shaders/kernels/trace.wgsl"),
+            ],
+            Kernel::Control => &[
+                include_str!("../../../../shaders/control/section.wgsl"),
+                include_str!("../../../../shaders/control/memory.wgsl"),
+                include_str!("../../../../shaders/control/method.wgsl"),
+                include_str!("../../../../shaders/control/sine.wgsl"),
+                include_str!("../../../../shaders/control/pulse.wgsl"),
+                include_str!("../../../../shaders/control/delay.wgsl"),
+                include_str!("../../../../shaders/control/deviation.wgsl"),
+                include_str!("../../../../shaders/control/controlled.wgsl"),
+                include_str!("../../../../shaders/kernels/control.wgsl"),
+            ],
+        }
+    }
+}
+
+/// What every kernel begins with.
+const COMMON: [&str; 15] = [
+    include_str!("../../../../shaders/shared/numbers.wgsl"),
+    include_str!("../../../../shaders/model/flight.wgsl"),
+    include_str!("../../../../shaders/dynamics/stop.wgsl"),
+    include_str!("../../../../shaders/dynamics/series.wgsl"),
+    include_str!("../../../../shaders/dynamics/point.wgsl"),
+    include_str!("../../../../shaders/dynamics/tangent.wgsl"),
+    include_str!("../../../../shaders/dynamics/contact.wgsl"),
+    include_str!("../../../../shaders/dynamics/chatter.wgsl"),
+    include_str!("../../../../shaders/dynamics/placing.wgsl"),
+    include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
+    include_str!("../../../../shaders/analysis/recurrence.wgsl"),
+    include_str!("../../../../shaders/analysis/exponent.wgsl"),
+    include_str!("../../../../shaders/analysis/spread.wgsl"),
+    include_str!("../../../../shaders/analysis/quiet.wgsl"),
+    include_str!("../../../../shaders/analysis/observer.wgsl"),
+];
+
+/// How the bound on a normal is read, and how where a force comes on top.
+const BOUND: &str = "+ flight.normals[normal].bound_forcing;";
+const DRIVEN_BOUND: &str = "+ (flight.normals[normal].bound_forcing + driven.bound);";
+
+/// The source of a kernel for a shape.
+pub fn source(kernel: Kernel, shape: &Shape) -> String {
+    let fragments: String =
+        COMMON.iter().chain(kernel.fragments()).map(|fragment| shape.unrolled(fragment) + "\n").collect();
+    // The constants of a cell are read where they lie; a force in phase with the forcing is added to what it changes.
+    let fragments = match kernel {
+        Kernel::Follow | Kernel::Trace => fragments,
+        Kernel::Control => ["gamma_sin", "gamma_cos", "sin"].iter().fold(fragments, |text, name| {
+            text.replace(&format!("flight.{name};"), &format!("driven.{name};"))
+                .replace(&format!("flight.{name},"), &format!("driven.{name},"))
+                .replace(&format!("flight.{name})"), &format!("driven.{name})"))
+                .replace(BOUND, DRIVEN_BOUND)
+        }),
+    };
+    [
+        constants::source(shape).as_str(),
+        vectors::source(shape).as_str(),
+        &layout::declarations_for(shape),
+        &pressing_share(shape),
+        &fragments.replace("flight.", "flights[cell]."),
+    ]
+    .join("\n")
+}
+
+/// How the pressing on a contact follows from the accelerations along the normals: a table of the cell, or 1 where there is
+/// one normal only.
+fn pressing_share(shape: &Shape) -> String {
+    let head = "fn pressing_share(contacts: u32, s: u32, t: u32) -> f32 {\n";
+    if shape.normals == 1 {
+        return format!("{head}    return 1.0;\n}}\n");
+    }
+    let square = shape.normals * shape.normals;
+    let row = shape.normals;
+    format!("{head}    return flights[cell].pressing[(contacts - 1u) * {square}u + s * {row}u + t];\n}}\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every shape that there is, as far as the kernels support it.
+    fn shapes(kernel: Kernel) -> Vec<Shape> {
+        if kernel == Kernel::Control {
+            return vec![Shape { coordinates: 2, normals: 1, stops: 2 }];
+        }
+        let normals = |coordinates| (1..=4).map(move |normals| (coordinates, normals));
+        (1..=4)
+            .flat_map(normals)
+            .map(|(coordinates, normals)| Shape { coordinates, normals, stops: 4 })
+            .collect()
+    }
+
+    #[test]
+    fn the_shaders_are_valid_and_need_no_feature() {
+        for kernel in Kernel::ALL {
+            for shape in shapes(kernel) {
+                let source = source(kernel, &shape);
+                let module = naga::front::wgsl::parse_str(&source)
+                    .unwrap_or_else(|error| panic!("{shape:?} {}", error.emit_to_string(&source)));
+                let all = naga::valid::ValidationFlags::all();
+                naga::valid::Validator::new(all, naga::valid::Capabilities::empty())
+                    .validate(&module)
+                    .unwrap_or_else(|error| panic!("{shape:?} {error:?}"));
+            }
+        }
+    }
+}

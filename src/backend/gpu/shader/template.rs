@@ -1,0 +1,84 @@
+//! Loops unrolled in the text of a shader, for so many coordinates, contact normals and stops.
+//!
+//! A block between the lines `//: each normal` and `//: end` stands once for every normal, with `$k` as its number; so do
+//! `each stop` and, with `$i` as the number and `$c` as what selects the component, `each coordinate`. A block of `each pair of
+//! normals` stands once for every ordered pair, with `$k` and `$l`.
+
+/// What a shader is written for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Shape {
+    /// n, coordinates.
+    pub coordinates: usize,
+    /// Contact normals.
+    pub normals: usize,
+    /// Stops.
+    pub stops: usize,
+}
+
+impl Shape {
+    /// What selects component `i` of a vector: nothing where vectors are scalars.
+    pub fn component(&self, i: usize) -> &'static str {
+        if self.coordinates == 1 { "" } else { [".x", ".y", ".z", ".w"][i] }
+    }
+
+    /// The text with its blocks unrolled.
+    ///
+    /// # Panics
+    /// If a block is not closed, or repeats over something that there is not.
+    pub fn unrolled(&self, text: &str) -> String {
+        let mut lines = text.lines();
+        let mut unrolled = String::with_capacity(text.len());
+        while let Some(line) = lines.next() {
+            match line.trim().strip_prefix("//: each ") {
+                None => {
+                    unrolled.push_str(line);
+                    unrolled.push('\n');
+                }
+                Some(what) => {
+                    let block: Vec<&str> =
+                        lines.by_ref().take_while(|line| line.trim() != "//: end").collect();
+                    self.repeat(what, &block.join("\n"), &mut unrolled);
+                }
+            }
+        }
+        unrolled
+    }
+
+    fn repeat(&self, what: &str, block: &str, into: &mut String) {
+        let mut push = |text: String| {
+            into.push_str(&text);
+            into.push('\n');
+        };
+        match what {
+            "coordinate" => (0..self.coordinates).for_each(|i| {
+                push(block.replace("$i", &i.to_string()).replace("$c", self.component(i)));
+            }),
+            "normal" => (0..self.normals).for_each(|k| push(block.replace("$k", &k.to_string()))),
+            "stop" => (0..self.stops).for_each(|k| push(block.replace("$k", &k.to_string()))),
+            "pair of normals" => {
+                for k in 0..self.normals {
+                    for l in 0..self.normals {
+                        push(block.replace("$k", &k.to_string()).replace("$l", &l.to_string()));
+                    }
+                }
+            }
+            other => panic!("a shader repeats over `{other}`"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_stand_as_often_as_there_is_something() {
+        let shape = Shape { coordinates: 3, normals: 2, stops: 1 };
+        let text = "a\n  //: each normal\n  b$k\n  //: end\n//: each coordinate\nc$i$c\n//: end\nd\n";
+        assert_eq!(shape.unrolled(text), "a\n  b0\n  b1\nc0.x\nc1.y\nc2.z\nd\n");
+        let pairs = "//: each pair of normals\n$k$l\n//: end\n";
+        assert_eq!(shape.unrolled(pairs), "00\n01\n10\n11\n");
+        let scalar = Shape { coordinates: 1, normals: 1, stops: 1 };
+        assert_eq!(scalar.unrolled("//: each coordinate\nx$c\n//: end\n"), "x\n");
+    }
+}

@@ -1,0 +1,91 @@
+//! Vectors of n components in WGSL: scalars for n = 1, `vec2`, `vec3`, `vec4` above; sums run from left to right.
+
+use super::template::Shape;
+
+/// The type X of a vector and what is done with it.
+pub fn source(shape: &Shape) -> String {
+    let n = shape.coordinates;
+    let alias = if n == 1 { "f32".to_owned() } else { format!("vec{n}<f32>") };
+    let each = |term: &dyn Fn(&str, usize) -> String, join: &str| -> String {
+        (0..n).map(|i| term(shape.component(i), i)).collect::<Vec<_>>().join(join)
+    };
+    let fold = |function: &str, term: &dyn Fn(&str) -> String| -> String {
+        (1..n).fold(term(shape.component(0)), |so_far, i| {
+            format!("{function}({so_far}, {})", term(shape.component(i)))
+        })
+    };
+    let values: String = (0..2 * n)
+        .map(|i| {
+            let part = if i < n { "x" } else { "v" };
+            format!("    values[{i}] = state.{part}{};\n", shape.component(i % n))
+        })
+        .collect();
+    let start = |part: usize| {
+        let parts: Vec<String> =
+            (0..n).map(|i| format!("starts[cell * {}u + {}u]", 2 * n, part * n + i)).collect();
+        if n == 1 { parts.concat() } else { format!("X({})", parts.join(", ")) }
+    };
+    format!(
+        "alias X = {alias};
+
+// a · b.
+fn along(a: X, b: X) -> f32 {{
+    return {dot};
+}}
+
+// Σ |aᵢ| |bᵢ| for a ≥ 0.
+fn dot_absolute(a: X, b: X) -> f32 {{
+    return {dot_absolute};
+}}
+
+// The largest |aᵢ|.
+fn largest(a: X) -> f32 {{
+    return {largest};
+}}
+
+// The largest |aᵢ bᵢ|.
+fn largest_part(a: X, b: X) -> f32 {{
+    return {largest_part};
+}}
+
+// Σ (aᵢ² + bᵢ²).
+fn squares(a: X, b: X) -> f32 {{
+    return {squares};
+}}
+
+// A matrix, given column by column, times a vector.
+fn applied(columns: array<X, COORDINATES>, x: X) -> X {{
+    return {applied};
+}}
+
+fn columns_scaled(a: f32, columns: array<X, COORDINATES>) -> array<X, COORDINATES> {{
+    return array<X, COORDINATES>({columns_scaled});
+}}
+
+fn are_finite(a: X) -> bool {{
+    return {are_finite};
+}}
+
+// x1 … xn, v1 … vn; the rest of the eight is 0.
+fn state_values(state: State) -> array<f32, 8> {{
+    var values = array<f32, 8>();
+{values}    return values;
+}}
+
+// The start of this invocation's cell.
+fn start_of_cell() -> State {{
+    return State({start_x}, {start_v});
+}}
+",
+        dot = each(&|c, _| format!("a{c} * b{c}"), " + "),
+        dot_absolute = each(&|c, _| format!("a{c} * abs(b{c})"), " + "),
+        largest = fold("max", &|c| format!("abs(a{c})")),
+        largest_part = fold("max", &|c| format!("abs(a{c} * b{c})")),
+        squares = each(&|c, _| format!("(a{c} * a{c} + b{c} * b{c})"), " + "),
+        applied = each(&|c, i| format!("columns[{i}] * x{c}"), " + "),
+        columns_scaled = each(&|_, i| format!("a * columns[{i}]"), ", "),
+        are_finite = each(&|c, _| format!("is_finite(a{c})"), " && "),
+        start_x = start(0),
+        start_v = start(1),
+    )
+}

@@ -1,0 +1,46 @@
+//! The system that a command is about: a family that comes with the program, or one from a file.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::anyhow;
+use impact_atlas::system::{BUILTIN, Family};
+
+use super::CliError;
+
+/// The longest family file that is read, in bytes.
+const LONGEST: u64 = 1 << 20;
+
+/// A family as an option's value.
+#[derive(Clone, Copy, Debug)]
+pub struct Chosen(pub &'static Family);
+
+/// Reads the value of --system: the name of a family that comes with the program, or a file.
+pub fn parse_system(text: &str) -> Result<Chosen, String> {
+    if let Some(builtin) = BUILTIN.iter().find(|builtin| builtin.name == text) {
+        return Ok(Chosen(Family::builtin(builtin.name)));
+    }
+    let path = Path::new(text);
+    let names: Vec<&str> = BUILTIN.iter().map(|builtin| builtin.name).collect();
+    let known = names.join(", ");
+    let length = fs::metadata(path).map(|metadata| metadata.len()).map_err(|error| {
+        format!("neither a system that comes with the program ({known}) nor a file that can be read: {error}")
+    })?;
+    if length > LONGEST {
+        return Err(format!("the file has {length} bytes: a system is described in at most {LONGEST}"));
+    }
+    let text = fs::read_to_string(path).map_err(|error| format!("the file cannot be read: {error}"))?;
+    let family = Family::kept(&text, &path.display().to_string());
+    family.map(Chosen).map_err(|error| error.to_string())
+}
+
+/// Refuses a system that a command cannot follow yet.
+pub fn of_paper(family: &'static Family, command: &str) -> Result<(), CliError> {
+    if family.is_paper() {
+        return Ok(());
+    }
+    Err(CliError::Input(anyhow!(
+        "`{command}` follows the paper's oscillator only in this version: for {} use `classify`, `map` or `validate`",
+        family.origin()
+    )))
+}

@@ -1,0 +1,77 @@
+//! How a trajectory leaves σ: from where, with which contacts, under which force.
+
+use super::actuated::Actuated;
+use super::components::Components;
+use super::controlled::Controlled;
+use super::method::Action;
+use super::progress::Progress;
+use super::section::Section;
+use crate::dynamics::{Contact, Point, Trajectory, holds};
+use crate::model::vector::dot;
+use crate::model::{Flight, Real};
+
+/// A component of a point on σ larger than this is beyond all bounds: static deflections are of order one.
+pub const RUNAWAY: f64 = 1e3;
+
+impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
+    /// Whether a corrected point is on the section: the masses do not move into its stop, and are beyond no other.
+    pub(super) fn admits(&self, flight: &Flight<T, N>, section: &Section<T, N>) -> bool {
+        let state = self.surface.state(flight, &section.components);
+        let zero = T::zero();
+        self.surface.approach(flight, &state) <= zero
+            && holds(flight, &Point { state, sin: zero, cos: zero, one: zero, drive: () })
+    }
+
+    /// d·v+ at a point on the section, d being the direction of the first stop on its normal.
+    pub(super) fn velocity_along(&self, flight: &Flight<T, N>, section: &Section<T, N>) -> T {
+        let state = self.surface.state(flight, &section.components);
+        dot(&flight.normals[self.surface.end.normal].direction, &state.v)
+    }
+
+    /// The contacts that still hold at a corrected point: that with the section's stop where the masses rest on it, and
+    /// those from which the correction moves nothing.
+    fn kept(&self, flight: &Flight<T, N>, section: &Section<T, N>, correction: &Components<T, N>) -> Contact {
+        let state = self.surface.state(flight, &section.components);
+        let moved = self.surface.deviation(flight, correction);
+        let mut kept = self.trajectory.contact;
+        for (k, normal) in flight.normals().iter().enumerate() {
+            let still = if k == self.surface.end.normal {
+                self.surface.approach(flight, &state) == T::zero()
+            } else {
+                [&moved.x, &moved.v].into_iter().all(|part| dot(&normal.direction, part) == T::zero())
+            };
+            if !still && !kept.is_clamped_along(k) {
+                kept = kept.without(k);
+            }
+        }
+        kept
+    }
+
+    /// Leaves σ from a corrected point, under a force.
+    pub(super) fn go_on_from(
+        &mut self,
+        flight: &Flight<T, N>,
+        section: &Section<T, N>,
+        action: &Action<T, N>,
+    ) {
+        let drive = self.trajectory.point.drive.actuated(action.force, action.phase);
+        if section.distance(&Section::zero()) > T::of(RUNAWAY) {
+            self.progress = Progress::Runaway;
+            return;
+        }
+        let unchanged = action.correction.is_zero();
+        if unchanged && drive == self.trajectory.point.drive {
+            return;
+        }
+        if unchanged {
+            let Trajectory { mut point, contact, step, offset, .. } = self.trajectory;
+            point.drive = drive;
+            self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
+        } else {
+            let contact = self.kept(flight, section, &action.correction);
+            self.trajectory = section.trajectory(flight, &self.surface, contact, drive);
+            // A phase that jumps back time and again never passes a strobe.
+            self.moves = 0;
+        }
+    }
+}

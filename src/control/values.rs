@@ -1,0 +1,157 @@
+//! One value for each component of a section point, where their number is known at run time only.
+
+use std::fmt;
+use std::ops::{Deref, DerefMut};
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::components::Components;
+use super::section::short_way;
+use crate::model::Real;
+use crate::system::Plant;
+
+/// The most components of a section point.
+pub const MOST_COMPONENTS: usize = 2 * Plant::MOST_COORDINATES;
+
+/// One value for each component of a section point, in their order: 2n of them for n coordinates, at least one and at most
+/// [`MOST_COMPONENTS`].
+#[derive(Clone, Copy)]
+pub struct SectionValues<V> {
+    /// Those from `count` on mean nothing.
+    values: [V; MOST_COMPONENTS],
+    count: usize,
+}
+
+impl<V: Copy> SectionValues<V> {
+    /// These values.
+    ///
+    /// # Panics
+    /// If there is none, or more than [`MOST_COMPONENTS`] of them.
+    pub const fn new<const M: usize>(given: [V; M]) -> Self {
+        assert!(M > 0 && M <= MOST_COMPONENTS);
+        let mut values = [given[0]; MOST_COMPONENTS];
+        let mut i = 1;
+        while i < M {
+            values[i] = given[i];
+            i += 1;
+        }
+        SectionValues { values, count: M }
+    }
+
+    /// The values of a slice; none where there are too few or too many.
+    pub fn from_slice(given: &[V]) -> Option<Self> {
+        let first = *given.first()?;
+        let mut values = [first; MOST_COMPONENTS];
+        values.get_mut(..given.len())?.copy_from_slice(given);
+        Some(SectionValues { values, count: given.len() })
+    }
+
+    /// Each by itself.
+    #[must_use]
+    pub fn map<U: Copy>(&self, f: impl Fn(V) -> U) -> SectionValues<U> {
+        SectionValues { values: self.values.map(f), count: self.count }
+    }
+}
+
+impl<T: Real> SectionValues<T> {
+    /// The components of a point.
+    pub fn of<const N: usize>(components: &Components<T, N>) -> Self {
+        let mut values = [components[0]; MOST_COMPONENTS];
+        for (value, component) in values.iter_mut().zip(components.values()) {
+            *value = component;
+        }
+        SectionValues { values, count: 2 * N }
+    }
+
+    /// This point minus another of the same section; τ, the last component, the short way round.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        let mut difference = *self;
+        for (value, other) in difference.iter_mut().zip(other.iter()) {
+            *value = *value - *other;
+        }
+        let tau = &mut difference.values[self.count - 1];
+        *tau = short_way(*tau);
+        difference
+    }
+
+    /// The largest difference of a component from another point's on the same section.
+    pub fn distance(&self, other: &Self) -> T {
+        self.minus(other).iter().fold(T::zero(), |largest, value| {
+            let size = value.abs();
+            if size > largest { size } else { largest }
+        })
+    }
+}
+
+impl<V> Deref for SectionValues<V> {
+    type Target = [V];
+
+    fn deref(&self) -> &[V] {
+        &self.values[..self.count]
+    }
+}
+
+impl<V> DerefMut for SectionValues<V> {
+    fn deref_mut(&mut self) -> &mut [V] {
+        &mut self.values[..self.count]
+    }
+}
+
+impl<V> AsRef<[V]> for SectionValues<V> {
+    fn as_ref(&self) -> &[V] {
+        self
+    }
+}
+
+impl<V: PartialEq> PartialEq for SectionValues<V> {
+    fn eq(&self, other: &Self) -> bool {
+        **self == **other
+    }
+}
+
+impl<V: fmt::Debug> fmt::Debug for SectionValues<V> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
+    }
+}
+
+impl<V: Serialize> Serialize for SectionValues<V> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
+    }
+}
+
+impl<'de, V: Copy + Deserialize<'de>> Deserialize<'de> for SectionValues<V> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let given = Vec::<V>::deserialize(deserializer)?;
+        SectionValues::from_slice(&given).ok_or_else(|| {
+            serde::de::Error::invalid_length(given.len(), &"one value for each component, 1 to 8 of them")
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn they_are_written_as_the_list_that_they_are() {
+        for values in [SectionValues::new([0.5, -1.0]), SectionValues::new([0.25; 8])] {
+            let text = serde_json::to_string(&values).unwrap();
+            assert_eq!(text, serde_json::to_string(&values.to_vec()).unwrap());
+            assert_eq!(serde_json::from_str::<SectionValues<f64>>(&text).unwrap(), values);
+        }
+        for bad in ["[]", "[1,1,1,1,1,1,1,1,1]"] {
+            assert!(serde_json::from_str::<SectionValues<f64>>(bad).is_err(), "{bad}");
+        }
+        assert_ne!(SectionValues::new([0.5; 4]), SectionValues::new([0.5; 6]));
+    }
+
+    #[test]
+    fn phases_differ_the_short_way_round() {
+        let near = SectionValues::new([1.0, 6.2]).distance(&SectionValues::new([1.0, 0.1]));
+        assert!((near - (std::f64::consts::TAU - 6.1)).abs() < 1e-15);
+        assert_eq!(SectionValues::new([7.0, 1.0]).distance(&SectionValues::new([0.5, 1.0])), 6.5);
+    }
+}

@@ -1,0 +1,183 @@
+//! The equations of motion, solved for the accelerations, and the geometry of the contacts.
+
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use super::vector::MOST;
+use crate::system::Plant;
+
+/// x″ = A x + B v + s sin φ + c cos φ + l, φ = ωt, and where the stops are; everything is non-dimensional.
+///
+/// A = −M⁻¹K and B = −M⁻¹C may be any matrices: no modes are formed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Equations<const N: usize> {
+    /// A = −M⁻¹K.
+    pub stiffness: SMatrix<f64, N, N>,
+    /// B = −M⁻¹C.
+    pub damping: SMatrix<f64, N, N>,
+    /// M⁻¹ times the load of sin φ.
+    pub sin: SVector<f64, N>,
+    /// M⁻¹ times the load of cos φ.
+    pub cos: SVector<f64, N>,
+    /// M⁻¹ times the constant load.
+    pub load: SVector<f64, N>,
+    /// ω.
+    pub omega: f64,
+    /// The contact normals, as many as there are.
+    pub normals: [Normal<N>; MOST],
+    /// How many normals there are.
+    pub count: usize,
+}
+
+/// A contact normal: a direction d in which masses meet a stop at one end, or at both.
+///
+/// Stops whose directions are parallel share one. An impact changes v along the response M⁻¹d/(dᵀM⁻¹d), by as much as
+/// d·v changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Normal<const N: usize> {
+    /// d, the direction of the first stop on this line.
+    pub direction: SVector<f64, N>,
+    /// M⁻¹d/(dᵀM⁻¹d).
+    pub response: SVector<f64, N>,
+    /// The stops met where d·x grows, and where it falls.
+    pub ends: [Option<End>; 2],
+}
+
+impl<const N: usize> Normal<N> {
+    /// Lets stops that differ by rounding alone touch each other: they clamp the masses.
+    fn close(&mut self) {
+        if let [Some(upper), Some(lower)] = &mut self.ends {
+            let rounding = 8.0 * f64::EPSILON * (upper.gap.abs() + lower.gap.abs());
+            if (upper.gap + lower.gap).abs() <= rounding {
+                lower.gap = -upper.gap;
+            }
+        }
+    }
+}
+
+/// A stop at one end of a contact normal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// Which of the plant's stops it is.
+    pub stop: usize,
+    /// Where d·x (at the lower end −d·x) meets it.
+    pub gap: f64,
+    /// r, its coefficient of restitution.
+    pub restitution: f64,
+}
+
+impl<const N: usize> Equations<N> {
+    /// The equations of a plant with N coordinates.
+    ///
+    /// # Panics
+    /// If the plant has another number of coordinates, or an invertible mass matrix was not made sure of.
+    pub fn new(plant: &Plant) -> Self {
+        assert_eq!(plant.n, N, "a plant with {} coordinates", plant.n);
+        let inverse: DMatrix<f64> =
+            plant.mass.clone().try_inverse().expect("a plant's mass matrix was checked to be invertible");
+        let inverse = SMatrix::<f64, N, N>::from_fn(|i, j| inverse[(i, j)]);
+        let square = |m: &DMatrix<f64>| SMatrix::<f64, N, N>::from_fn(|i, j| m[(i, j)]);
+        let vector = |v: &nalgebra::DVector<f64>| SVector::<f64, N>::from_fn(|i, _| v[i]);
+        let none = Normal { direction: SVector::zeros(), response: SVector::zeros(), ends: [None; 2] };
+        let mut equations = Equations {
+            stiffness: -(inverse * square(&plant.stiffness)),
+            damping: -(inverse * square(&plant.damping)),
+            sin: inverse * vector(&plant.force_sin),
+            cos: inverse * vector(&plant.force_cos),
+            load: inverse * vector(&plant.load),
+            omega: plant.omega,
+            normals: [none; MOST],
+            count: 0,
+        };
+        for (stop, given) in plant.stops.iter().enumerate() {
+            let direction = vector(&given.direction);
+            let (normal, scale) = equations.normal_along(&inverse, direction);
+            let end = End { stop, gap: given.gap / scale.abs(), restitution: given.restitution };
+            let place = &mut equations.normals[normal].ends[usize::from(scale < 0.0)];
+            *place = Some(end);
+        }
+        equations.normals.iter_mut().for_each(Normal::close);
+        equations
+    }
+
+    /// The normal along a direction, a new one if there is none yet, and the direction in units of it.
+    fn normal_along(&mut self, inverse: &SMatrix<f64, N, N>, direction: SVector<f64, N>) -> (usize, f64) {
+        for (k, normal) in self.normals[..self.count].iter().enumerate() {
+            let [given, other] =
+                [&direction, &normal.direction].map(|d| DVector::from_column_slice(d.as_slice()));
+            if are_parallel(&given, &other) {
+                return (k, given.dot(&other) / other.norm_squared());
+            }
+        }
+        let response = inverse * direction;
+        let response = response / direction.dot(&response);
+        self.normals[self.count] = Normal { direction, response, ends: [None; 2] };
+        self.count += 1;
+        (self.count - 1, 1.0)
+    }
+
+    /// The normals.
+    pub fn normals(&self) -> &[Normal<N>] {
+        &self.normals[..self.count]
+    }
+
+    /// How the pressing on the contacts `held` (bit k for normal k) follows from the accelerations d·a that the masses
+    /// would have without them: row s of the matrix gives that on normal s, as an acceleration along it.
+    ///
+    /// The accelerations with the contacts are a − Σₛ responseₛ pressingₛ. None where the normals depend on each other.
+    pub fn pressing(&self, held: u32) -> Option<SMatrix<f64, MOST, MOST>> {
+        let members: Vec<usize> = (0..self.count).filter(|k| held >> k & 1 == 1).collect();
+        // coupling[t][s] = d_t · response_s.
+        let coupling = DMatrix::from_fn(members.len(), members.len(), |t, s| {
+            self.normals[members[t]].direction.dot(&self.normals[members[s]].response)
+        });
+        let inverse = coupling.try_inverse()?;
+        let mut pressing = SMatrix::<f64, MOST, MOST>::zeros();
+        for (s, &row) in members.iter().enumerate() {
+            for (t, &column) in members.iter().enumerate() {
+                pressing[(row, column)] = inverse[(s, t)];
+            }
+        }
+        pressing.iter().all(|value| value.is_finite()).then_some(pressing)
+    }
+
+    /// The projector on what the contacts `held` leave free: 1 − Σ responseₛ pressingₛₜ d_tᵀ.
+    pub fn projector(&self, pressing: &SMatrix<f64, MOST, MOST>) -> SMatrix<f64, N, N> {
+        let mut projector = SMatrix::<f64, N, N>::identity();
+        for s in 0..self.count {
+            for t in 0..self.count {
+                let (response, direction) = (&self.normals[s].response, &self.normals[t].direction);
+                projector.ger(-pressing[(s, t)], response, direction, 1.0);
+            }
+        }
+        projector
+    }
+
+    /// The steepest rate of the flow: ω, or ‖G⁸‖^(1/8) of the unforced generator G; not a number where G holds what is
+    /// none.
+    pub fn rate(&self) -> f64 {
+        let mut g = DMatrix::zeros(2 * N, 2 * N);
+        g.view_mut((0, N), (N, N)).fill_with_identity();
+        g.view_mut((N, 0), (N, N)).copy_from(&self.stiffness);
+        g.view_mut((N, N), (N, N)).copy_from(&self.damping);
+        if !g.iter().all(|entry| entry.is_finite()) {
+            return f64::NAN;
+        }
+        // Scaled by a power of two against overflow.
+        let scale = 2.0_f64.powi(g.amax().log2().floor() as i32);
+        let g = g / scale;
+        let g2 = &g * &g;
+        let g4 = &g2 * &g2;
+        let fastest = scale * (&g4 * &g4).norm().powf(0.125);
+        // Not `max`, which would pass over a number that is none.
+        if fastest < self.omega { self.omega } else { fastest }
+    }
+}
+
+/// Whether two directions lie along the same line.
+pub fn are_parallel(direction: &DVector<f64>, other: &DVector<f64>) -> bool {
+    let scale = direction.dot(other) / other.norm_squared();
+    (direction - other * scale).amax() <= PARALLEL * direction.amax()
+}
+
+/// Directions whose difference is below this share of their length are parallel.
+const PARALLEL: f64 = 1e-12;

@@ -1,0 +1,196 @@
+//! Displacements and velocities.
+
+use super::real::Real;
+use super::vector::{MOST, added, axpy, scaled};
+
+/// Displacements and velocities of N coordinates, or a deviation of them; non-dimensional.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<T, const N: usize> {
+    /// Displacements.
+    pub x: [T; N],
+    /// Velocities.
+    pub v: [T; N],
+}
+
+impl<T: Real, const N: usize> State<T, N> {
+    /// All zeros.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        State { x: [T::zero(); N], v: [T::zero(); N] }
+    }
+
+    /// From (x1 … xN, v1 … vN).
+    ///
+    /// # Panics
+    /// If there are not 2N values.
+    pub fn from_slice(values: &[T]) -> Self {
+        assert_eq!(values.len(), 2 * N, "a state of {N} coordinates");
+        State { x: std::array::from_fn(|i| values[i]), v: std::array::from_fn(|i| values[N + i]) }
+    }
+
+    /// x1 … xN, v1 … vN.
+    #[inline(always)]
+    pub fn values(&self) -> impl Iterator<Item = T> + '_ {
+        self.x.iter().chain(&self.v).copied()
+    }
+
+    /// Component `i` of (x1 … xN, v1 … vN).
+    #[inline(always)]
+    pub fn get(&self, i: usize) -> T {
+        if i < N { self.x[i] } else { self.v[i - N] }
+    }
+
+    /// Whether every component is a finite number.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        self.values().all(|value| value.is_finite())
+    }
+
+    /// self + a other.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(&self, a: T, other: &Self) -> Self {
+        State { x: axpy(a, &other.x, &self.x), v: axpy(a, &other.v, &self.v) }
+    }
+
+    /// self + other.
+    #[inline(always)]
+    #[must_use]
+    pub fn added(&self, other: &Self) -> Self {
+        State { x: added(&self.x, &other.x), v: added(&self.v, &other.v) }
+    }
+
+    /// a self.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(&self, a: T) -> Self {
+        State { x: scaled(a, &self.x), v: scaled(a, &self.v) }
+    }
+
+    /// Each component by itself.
+    #[inline(always)]
+    pub fn map<U>(&self, f: impl Fn(T) -> U + Copy) -> State<U, N> {
+        State { x: self.x.map(f), v: self.v.map(f) }
+    }
+
+    /// The Euclidean length.
+    #[inline(always)]
+    pub fn length(&self) -> T {
+        let mut squares = T::zero();
+        for i in 0..N {
+            squares = squares + (self.x[i] * self.x[i] + self.v[i] * self.v[i]);
+        }
+        squares.sqrt()
+    }
+}
+
+/// A state (x1 … xn, v1 … vn) of a system whose number of coordinates is known at run time only; non-dimensional.
+#[derive(Clone, Copy)]
+pub struct StateVector {
+    values: [f64; 2 * MOST],
+    length: usize,
+}
+
+impl StateVector {
+    /// A state of n coordinates at rest in the origin.
+    pub fn zeros(coordinates: usize) -> Self {
+        StateVector { values: [0.0; 2 * MOST], length: 2 * coordinates }
+    }
+
+    /// From x1 … xn, v1 … vn; none where there are not 2 to 8 values, in pairs.
+    pub fn from_slice(values: &[f64]) -> Option<Self> {
+        let fits = values.len().is_multiple_of(2) && (2..=2 * MOST).contains(&values.len());
+        fits.then(|| {
+            let mut state = StateVector::zeros(values.len() / 2);
+            state.copy_from_slice(values);
+            state
+        })
+    }
+
+    /// From the state of a trajectory.
+    pub fn of<T: Real, const N: usize>(state: &State<T, N>) -> Self {
+        let mut vector = StateVector::zeros(N);
+        for (value, from) in vector.iter_mut().zip(state.values()) {
+            *value = from.widen();
+        }
+        vector
+    }
+
+    /// The state that a trajectory begins with.
+    ///
+    /// # Panics
+    /// If there are not N coordinates.
+    pub fn state<T: Real, const N: usize>(&self) -> State<T, N> {
+        assert_eq!(self.length, 2 * N, "a state of {N} coordinates");
+        State { x: std::array::from_fn(|i| T::of(self[i])), v: std::array::from_fn(|i| T::of(self[N + i])) }
+    }
+
+    /// The number of coordinates.
+    pub fn coordinates(&self) -> usize {
+        self.length / 2
+    }
+}
+
+impl std::ops::Deref for StateVector {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        &self.values[..self.length]
+    }
+}
+
+impl std::ops::DerefMut for StateVector {
+    fn deref_mut(&mut self) -> &mut [f64] {
+        &mut self.values[..self.length]
+    }
+}
+
+impl AsRef<[f64]> for StateVector {
+    fn as_ref(&self) -> &[f64] {
+        self
+    }
+}
+
+impl PartialEq for StateVector {
+    fn eq(&self, other: &Self) -> bool {
+        **self == **other
+    }
+}
+
+impl std::fmt::Debug for StateVector {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        (**self).fmt(f)
+    }
+}
+
+impl From<[f64; 4]> for StateVector {
+    fn from(values: [f64; 4]) -> Self {
+        let mut state = StateVector::zeros(2);
+        state.copy_from_slice(&values);
+        state
+    }
+}
+
+/// The four values of a state of two coordinates.
+///
+/// # Panics
+/// If there are not two coordinates.
+impl From<StateVector> for [f64; 4] {
+    fn from(state: StateVector) -> [f64; 4] {
+        (*state).try_into().expect("a state of two coordinates")
+    }
+}
+
+impl serde::Serialize for StateVector {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
+    }
+}
+
+impl<'de> serde::Deserialize<'de> for StateVector {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let values = Vec::<f64>::deserialize(deserializer)?;
+        StateVector::from_slice(&values)
+            .ok_or_else(|| serde::de::Error::invalid_length(values.len(), &"2, 4, 6 or 8 values of a state"))
+    }
+}

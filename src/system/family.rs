@@ -1,0 +1,264 @@
+//! A family of plants: a file with named parameters and expressions in them.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::block::Block;
+use super::error::{CellError, CellFault, CellProblem, FamilyError};
+use super::file;
+use super::parameter::{Parameter, ParameterError, ParameterId, Values};
+use super::plant::{Plant, PlantStop};
+use super::plant_error::{Part, PlantError};
+
+/// A linear oscillator with rigid stops whose numbers are expressions in named parameters, as its file gives it.
+#[derive(Clone, Debug)]
+pub struct Family {
+    pub(super) name: String,
+    pub(super) source: Option<String>,
+    pub(super) origin: String,
+    pub(super) text: String,
+    pub(super) hash: String,
+    pub(super) parameters: Vec<Parameter>,
+    pub(super) equations: Equations,
+    pub(super) stops: Vec<FamilyStop>,
+    pub(super) label_order: Vec<usize>,
+    pub(super) plane: Option<DefaultPlane>,
+}
+
+/// The expressions of the equations of motion.
+#[derive(Clone, Debug)]
+pub(super) struct Equations {
+    pub n: usize,
+    pub frequency: Block,
+    pub mass: Block,
+    pub damping: Block,
+    pub stiffness: Block,
+    pub force_sin: Block,
+    pub force_cos: Block,
+    pub load: Block,
+}
+
+/// A stop of a family.
+#[derive(Clone, Debug)]
+pub struct FamilyStop {
+    /// The name in results.
+    pub name: String,
+    /// Another name by which it can be asked for, where the first is hard to type.
+    pub alias: Option<String>,
+    pub(super) direction: Block,
+    pub(super) gap: Block,
+    pub(super) restitution: Block,
+}
+
+/// The axes of a map where none are given, each `NAME=FIRST:LAST:COUNT`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DefaultPlane {
+    /// The horizontal axis.
+    pub x: String,
+    /// The vertical axis.
+    pub y: String,
+}
+
+impl Family {
+    /// Reads a family from the text of its file; `origin` names the file in messages.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, with file, line, key and remedy. The default values must make a plant.
+    pub fn parse(text: &str, origin: &str) -> Result<Self, FamilyError> {
+        file::read(text, origin)
+    }
+
+    /// What the family is called in titles.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Where the system is from, where the file says so.
+    pub fn source(&self) -> Option<&str> {
+        self.source.as_deref()
+    }
+
+    /// The file that the family was read from, or the name of a built-in one.
+    pub fn origin(&self) -> &str {
+        &self.origin
+    }
+
+    /// The file, as it was read.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The SHA-256 of [`Family::text`], 64 hexadecimal digits.
+    pub fn hash(&self) -> &str {
+        &self.hash
+    }
+
+    /// The coordinates, 1 to [`Plant::MOST_COORDINATES`].
+    pub fn n(&self) -> usize {
+        self.equations.n
+    }
+
+    /// The parameters, in the order of the file.
+    pub fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
+    /// Every parameter, in the order of the file.
+    pub fn ids(&self) -> impl Iterator<Item = ParameterId> + use<> {
+        (0..self.parameters.len()).map(ParameterId)
+    }
+
+    /// The parameter of a name.
+    pub fn parameter(&self, name: &str) -> Option<ParameterId> {
+        self.parameters.iter().position(|parameter| parameter.name == name).map(ParameterId)
+    }
+
+    /// The parameter of a name that someone wrote.
+    ///
+    /// # Errors
+    /// [`ParameterError::Unknown`] with the parameters that there are.
+    pub fn find(&self, name: &str) -> Result<ParameterId, ParameterError> {
+        let known = || self.parameters.iter().map(|p| p.name.as_str()).collect::<Vec<_>>().join(", ");
+        self.parameter(name).ok_or_else(|| ParameterError::Unknown { name: name.to_owned(), known: known() })
+    }
+
+    /// What the file says about a parameter.
+    ///
+    /// # Panics
+    /// Where the parameter is of another family, of more parameters.
+    pub fn about(&self, id: ParameterId) -> &Parameter {
+        &self.parameters[id.0]
+    }
+
+    /// The stops, in the order of the file, which is that of [`Plant::stops`].
+    pub fn stops(&self) -> &[FamilyStop] {
+        &self.stops
+    }
+
+    /// Where a stop stands in the order of the file, given its name or its alias.
+    pub fn stop(&self, name: &str) -> Option<usize> {
+        self.stops.iter().position(|stop| stop.name == name || stop.alias.as_deref() == Some(name))
+    }
+
+    /// The stops in the order in which labels count their impacts.
+    pub fn label_order(&self) -> &[usize] {
+        &self.label_order
+    }
+
+    /// The axes of a map where none are given.
+    pub fn plane(&self) -> Option<&DefaultPlane> {
+        self.plane.as_ref()
+    }
+
+    /// The default value of every parameter.
+    pub fn defaults(&self) -> Values {
+        Values(self.parameters.iter().map(|parameter| parameter.default).collect())
+    }
+
+    /// Checks every value against its parameter's range.
+    ///
+    /// # Errors
+    /// The first parameter that is out of range, with its value.
+    ///
+    /// # Panics
+    /// Where the values are not this family's.
+    pub fn check(&self, values: &Values) -> Result<(), ParameterError> {
+        assert_eq!(values.0.len(), self.parameters.len(), "the values are of another family");
+        self.parameters.iter().zip(&values.0).try_for_each(|(parameter, &value)| parameter.check(value))
+    }
+
+    /// The plant of one cell, checked.
+    ///
+    /// # Errors
+    /// The first parameter out of its range; the first expression without a value; whatever [`Plant::check`] refuses;
+    /// with the place in the file and the values at fault.
+    ///
+    /// # Panics
+    /// Where the values are not this family's.
+    pub fn plant(&self, values: &Values) -> Result<Plant, CellError> {
+        self.check(values)?;
+        Ok(self.assemble(values)?)
+    }
+
+    /// The plant of one cell whose values are within their ranges.
+    pub(super) fn assemble(&self, values: &Values) -> Result<Plant, Box<CellFault>> {
+        let n = self.n();
+        let numbers = |block: &Block| block.evaluate(self, values);
+        let scalar = |block: &Block| numbers(block).map(|entries| entries[0]);
+        let vector = |block: &Block| numbers(block).map(DVector::from_vec);
+        let matrix = |block: &Block| numbers(block).map(|entries| DMatrix::from_row_slice(n, n, &entries));
+        let stop = |stop: &FamilyStop| {
+            Ok(PlantStop {
+                direction: vector(&stop.direction)?,
+                gap: scalar(&stop.gap)?,
+                restitution: scalar(&stop.restitution)?,
+            })
+        };
+        let Equations { frequency, mass, damping, stiffness, force_sin, force_cos, load, .. } =
+            &self.equations;
+        let plant = Plant {
+            n,
+            mass: matrix(mass)?,
+            damping: matrix(damping)?,
+            stiffness: matrix(stiffness)?,
+            force_sin: vector(force_sin)?,
+            force_cos: vector(force_cos)?,
+            load: vector(load)?,
+            omega: scalar(frequency)?,
+            stops: self.stops.iter().map(stop).collect::<Result<_, Box<CellFault>>>()?,
+        };
+        plant.check().map_err(|error| self.blame(error, values))?;
+        Ok(plant)
+    }
+
+    fn block(&self, part: Part) -> &Block {
+        match part {
+            Part::Frequency => &self.equations.frequency,
+            Part::Mass => &self.equations.mass,
+            Part::Damping => &self.equations.damping,
+            Part::Stiffness => &self.equations.stiffness,
+            Part::ForceSin => &self.equations.force_sin,
+            Part::ForceCos => &self.equations.force_cos,
+            Part::Load => &self.equations.load,
+            Part::Direction(stop) => &self.stops[stop].direction,
+            Part::Gap(stop) => &self.stops[stop].gap,
+            Part::Restitution(stop) => &self.stops[stop].restitution,
+        }
+    }
+
+    /// Every expression of the file.
+    pub(super) fn blocks(&self) -> impl Iterator<Item = &Block> {
+        let parts = [
+            Part::Frequency,
+            Part::Mass,
+            Part::Damping,
+            Part::Stiffness,
+            Part::ForceSin,
+            Part::ForceCos,
+            Part::Load,
+        ];
+        let stops = (0..self.stops.len())
+            .flat_map(|stop| [Part::Direction(stop), Part::Gap(stop), Part::Restitution(stop)]);
+        parts.into_iter().chain(stops).map(|part| self.block(part))
+    }
+
+    /// Names and values of some parameters, each once, in the family's order.
+    pub(super) fn named(
+        &self,
+        ids: impl Iterator<Item = ParameterId>,
+        values: &Values,
+    ) -> Vec<(String, f64)> {
+        let mut ids: Vec<ParameterId> = ids.collect();
+        ids.sort();
+        ids.dedup();
+        ids.into_iter().map(|id| (self.about(id).name.clone(), values.get(id))).collect()
+    }
+
+    /// Finds a refused plant's expressions in the file.
+    fn blame(&self, error: PlantError, values: &Values) -> Box<CellFault> {
+        let parts = error.parts();
+        let first = parts.first().copied().unwrap_or(Part::Mass);
+        let values = self.named(parts.iter().flat_map(|&part| self.block(part).uses()), values);
+        let place = self.block(first).place.clone();
+        Box::new(CellFault { place, problem: CellProblem::Plant(error), values })
+    }
+}

@@ -1,0 +1,85 @@
+//! Reads a family's file.
+
+mod parameters;
+mod plane;
+mod stops;
+
+use sha2::{Digest, Sha256};
+
+use super::block::Block;
+use super::error::{FamilyError, Problem};
+use super::family::{Equations, Family};
+use super::plant::Plant;
+use super::reader::{Section, Source};
+
+const SECTIONS: [&str; 7] = ["name", "source", "label_order", "parameters", "system", "stop", "plane"];
+const SYSTEM: [&str; 7] = ["frequency", "mass", "damping", "stiffness", "force_sin", "force_cos", "load"];
+
+/// Reads a family from the text of its file; `origin` names the file in messages.
+///
+/// # Errors
+/// See [`Family::parse`].
+pub(super) fn read(text: &str, origin: &str) -> Result<Family, FamilyError> {
+    let source = Source { file: origin, text };
+    let document = source.parse()?;
+    let root = Section::root(&source, document.get_ref());
+    root.only(&SECTIONS)?;
+    let name = root.required("name", r#"name = "…" before the first section"#)?.text("a name in quotes")?;
+    let from = root.optional("source").map(|item| item.text("a reference in quotes")).transpose()?;
+    let parameters = root.required("parameters", "the section [parameters]; it may be empty")?;
+    let (parameters, places) = parameters::read(&parameters.section("the section [parameters]")?)?;
+    let names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
+    let system =
+        root.required("system", "the section [system] with frequency, mass, damping and stiffness")?;
+    let equations = equations(&system.section("the section [system]")?, &names)?;
+    let stops = stops::read(&root, equations.n, &names)?;
+    let label_order = stops::label_order(&root, &stops)?;
+    let plane = plane::read(&root, &parameters, equations.n)?;
+    let family = Family {
+        name: name.to_owned(),
+        source: from.map(str::to_owned),
+        origin: origin.to_owned(),
+        text: text.to_owned(),
+        hash: Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect(),
+        parameters,
+        equations,
+        stops,
+        label_order,
+        plane,
+    };
+    let used = |place: usize| family.blocks().flat_map(Block::uses).any(|id| id.index() == place);
+    if let Some(unused) = (0..places.len()).find(|&i| !used(i)) {
+        return Err(FamilyError { place: places[unused].clone(), problem: Box::new(Problem::Unused) });
+    }
+    match family.assemble(&family.defaults()) {
+        Ok(_) => Ok(family),
+        Err(fault) => {
+            Err(FamilyError { place: fault.place.clone(), problem: Box::new(Problem::Defaults(fault)) })
+        }
+    }
+}
+
+fn equations(section: &Section, names: &[String]) -> Result<Equations, FamilyError> {
+    section.only(&SYSTEM)?;
+    let mass = section.required("mass", r#"mass = [["1"]]"#)?;
+    let n = Block::rows(&mass)?;
+    if n > Plant::MOST_COORDINATES {
+        let most = Plant::MOST_COORDINATES;
+        return Err(mass.error(Problem::TooMany { count: n, what: "coordinates", most }));
+    }
+    let load = |key: &str| match section.optional(key) {
+        Some(item) => Block::vector(&item, n, names),
+        None => Ok(Block::zeros(mass.place(), n)),
+    };
+    let matrix = |key, example| Block::matrix(&section.required(key, example)?, n, names);
+    Ok(Equations {
+        n,
+        frequency: Block::scalar(&section.required("frequency", r#"frequency = "omega""#)?, names)?,
+        mass: Block::matrix(&mass, n, names)?,
+        damping: matrix("damping", r#"damping = [["0"]], with zeros where nothing is damped"#)?,
+        stiffness: matrix("stiffness", r#"stiffness = [["0"]], with zeros where there is no spring"#)?,
+        force_sin: load("force_sin")?,
+        force_cos: load("force_cos")?,
+        load: load("load")?,
+    })
+}

@@ -1,0 +1,84 @@
+//! The section [parameters].
+
+use super::super::error::{FamilyError, Place, Problem};
+use super::super::expression;
+use super::super::parameter::{Bound, Parameter, Range};
+use super::super::reader::{Item, Section};
+
+const KEYS: [&str; 7] = ["default", "symbol", "about", "at_least", "at_most", "above", "below"];
+
+/// The parameters in the order of the file, with their places.
+pub(super) fn read(section: &Section) -> Result<(Vec<Parameter>, Vec<Place>), FamilyError> {
+    let items = section.items();
+    let parameters = items.iter().map(|(name, item)| parameter(name, item)).collect::<Result<_, _>>()?;
+    Ok((parameters, items.iter().map(|(_, item)| item.place()).collect()))
+}
+
+/// Why a name cannot name a parameter, if it cannot.
+fn clash(name: &str) -> Option<&'static str> {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let component = name
+        .strip_prefix(['x', 'v'])
+        .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()));
+    if name.is_empty() || !name.chars().all(plain) || name.starts_with(|c: char| c.is_ascii_digit()) {
+        Some("expressions read only ASCII letters, digits and _, the first no digit (the symbol is free)")
+    } else if component {
+        Some("it names a component of the start")
+    } else if name == "phase" {
+        Some("it names the forcing phase")
+    } else if expression::has_meaning(name) {
+        Some("it has a meaning of its own in expressions")
+    } else {
+        None
+    }
+}
+
+fn parameter(name: &str, item: &Item) -> Result<Parameter, FamilyError> {
+    if let Some(reason) = clash(name) {
+        return Err(item.error(Problem::Name { name: name.to_owned(), reason }));
+    }
+    let plain = |default| Parameter {
+        name: name.to_owned(),
+        default,
+        symbol: name.to_owned(),
+        about: String::new(),
+        range: Range::default(),
+    };
+    if !item.is_section() {
+        return item.number().map(plain);
+    }
+    let section = item.section("a number, or { default = … }")?;
+    section.only(&KEYS)?;
+    let text = |key| section.optional(key).map(|item| item.text("a text in quotes")).transpose();
+    let default = section.required("default", "default = and a number")?;
+    let mut parameter = plain(default.number()?);
+    parameter.symbol = text("symbol")?.unwrap_or(name).to_owned();
+    parameter.about = text("about")?.unwrap_or_default().to_owned();
+    parameter.range = range(item, &section)?;
+    parameter.check(parameter.default).map_err(|error| default.error(Problem::Default(error)))?;
+    Ok(parameter)
+}
+
+fn range(item: &Item, section: &Section) -> Result<Range, FamilyError> {
+    let bound = |key, included| -> Result<Option<Bound>, FamilyError> {
+        let Some(item) = section.optional(key) else { return Ok(None) };
+        Ok(Some(Bound { value: item.number()?, included }))
+    };
+    let one = |including: Option<Bound>, excluding: Option<Bound>, both: &'static str| {
+        if including.is_some() && excluding.is_some() {
+            return Err(item.error(Problem::Bounds(both)));
+        }
+        Ok(including.or(excluding))
+    };
+    let lower =
+        one(bound("at_least", true)?, bound("above", false)?, "at_least and above are both given: keep one")?;
+    let upper =
+        one(bound("at_most", true)?, bound("below", false)?, "at_most and below are both given: keep one")?;
+    if let (Some(low), Some(high)) = (lower, upper) {
+        let point = low.value == high.value && low.included && high.included;
+        if low.value >= high.value && !point {
+            return Err(item.error(Problem::Bounds("no number lies within these bounds: widen them")));
+        }
+    }
+    Ok(Range { lower, upper })
+}

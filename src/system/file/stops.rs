@@ -1,0 +1,87 @@
+//! The sections [[stop]] and the order in which labels count them.
+
+use super::super::block::Block;
+use super::super::error::{FamilyError, Problem};
+use super::super::family::FamilyStop;
+use super::super::plant::Plant;
+use super::super::reader::{Item, Section};
+
+const KEYS: [&str; 5] = ["name", "alias", "direction", "gap", "restitution"];
+const SECTION: &str = "a section [[stop]] with name, direction, gap and restitution for every stop";
+
+pub(super) fn read(root: &Section, n: usize, names: &[String]) -> Result<Vec<FamilyStop>, FamilyError> {
+    let item = root.required("stop", SECTION)?;
+    let items = item.list(SECTION)?;
+    if items.len() > Plant::MOST_STOPS {
+        let most = Plant::MOST_STOPS;
+        return Err(item.error(Problem::TooMany { count: items.len(), what: "stops", most }));
+    }
+    let mut stops: Vec<FamilyStop> = Vec::with_capacity(items.len());
+    for item in items {
+        let next = stop(&item.section(SECTION)?, n, names, &stops)?;
+        stops.push(next);
+    }
+    Ok(stops)
+}
+
+fn stop(
+    section: &Section,
+    n: usize,
+    names: &[String],
+    before: &[FamilyStop],
+) -> Result<FamilyStop, FamilyError> {
+    section.only(&KEYS)?;
+    let item = section.required("name", r#"name = "A""#)?;
+    let name = own_name(&item, before)?;
+    let alias = match section.optional("alias") {
+        Some(item) => Some(own_name(&item, before)?),
+        None => None,
+    };
+    let example = r#"direction = ["1"], with one entry for each coordinate"#;
+    Ok(FamilyStop {
+        name,
+        alias,
+        direction: Block::vector(&section.required("direction", example)?, n, names)?,
+        gap: Block::scalar(&section.required("gap", r#"gap = "delta""#)?, names)?,
+        restitution: Block::scalar(&section.required("restitution", r#"restitution = "r""#)?, names)?,
+    })
+}
+
+fn own_name(item: &Item, before: &[FamilyStop]) -> Result<String, FamilyError> {
+    let name = item.text("a name in quotes")?;
+    let taken = |stop: &FamilyStop| stop.name == name || stop.alias.as_deref() == Some(name);
+    let reason = if name.contains(|c: char| c.is_whitespace() || c.is_control() || ",=:-".contains(c)) {
+        "it holds a blank or one of , = : -"
+    } else if before.iter().any(taken) {
+        "a stop above has it"
+    } else {
+        return Ok(name.to_owned());
+    };
+    Err(item.error(Problem::StopName { name: name.to_owned(), reason }))
+}
+
+/// Where each stop that labels count first, second, … stands in the order of the file.
+pub(super) fn label_order(root: &Section, stops: &[FamilyStop]) -> Result<Vec<usize>, FamilyError> {
+    let Some(item) = root.optional("label_order") else { return Ok((0..stops.len()).collect()) };
+    let wanted = r#"a list of stops: ["A"]"#;
+    let error = |item: &Item, reason: String| {
+        let stops: Vec<&str> = stops.iter().map(|stop| stop.name.as_str()).collect();
+        item.error(Problem::LabelOrder { reason, stops: stops.join(", ") })
+    };
+    let mut order = Vec::with_capacity(stops.len());
+    for entry in item.list(wanted)? {
+        let name = entry.text(wanted)?;
+        let named = |stop: &FamilyStop| stop.name == name || stop.alias.as_deref() == Some(name);
+        match stops.iter().position(named) {
+            None => return Err(error(&entry, format!("there is no stop `{name}`"))),
+            Some(stop) if order.contains(&stop) => {
+                return Err(error(&entry, format!("stop `{name}` is named twice")));
+            }
+            Some(stop) => order.push(stop),
+        }
+    }
+    match (0..stops.len()).find(|stop| !order.contains(stop)) {
+        Some(missing) => Err(error(&item, format!("stop `{}` is missing", stops[missing].name))),
+        None => Ok(order),
+    }
+}

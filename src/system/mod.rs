@@ -1,0 +1,30 @@
+#![doc = include_str!("format.md")]
+
+mod block;
+mod builtin;
+mod error;
+mod expression;
+mod family;
+mod file;
+mod mirror;
+mod number;
+mod parameter;
+mod plant;
+mod plant_error;
+mod reader;
+mod setting;
+mod stops;
+
+pub use builtin::{BUILTIN, Builtin, builtin};
+pub use error::{CellError, CellFault, CellProblem, FamilyError, Place, Problem};
+pub use expression::{ExpressionError, Fault};
+pub use family::{DefaultPlane, Family, FamilyStop};
+pub use mirror::Mirror;
+pub use number::{Number, joined, whole};
+pub use parameter::{Bound, Parameter as ParameterRecord, ParameterError, ParameterId, Range, Values};
+pub use plant::{Plant, PlantStop};
+pub use plant_error::{Part, PlantError};
+pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting};
+
+#[cfg(test)]
+mod tests;

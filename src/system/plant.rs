@@ -1,0 +1,174 @@
+//! The numbers of one cell: M x″ + C x′ + K x = s sin ωt + c cos ωt + l between rigid stops.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::plant_error::{Part, PlantError};
+use super::stops;
+
+/// A linear oscillator with rigid stops, in numbers; non-dimensional unless the family says otherwise.
+///
+/// A plant is plain data. [`Plant::check`] holds it to what can be computed; every plant that a
+/// [`Family`](super::Family) makes has passed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plant {
+    /// The coordinates, 1 to [`Plant::MOST_COORDINATES`].
+    pub n: usize,
+    /// M, n × n, invertible.
+    pub mass: DMatrix<f64>,
+    /// C, n × n; may be singular or not symmetric.
+    pub damping: DMatrix<f64>,
+    /// K, n × n; may be singular or not symmetric.
+    pub stiffness: DMatrix<f64>,
+    /// s, the amplitudes of sin ωt, n.
+    pub force_sin: DVector<f64>,
+    /// c, the amplitudes of cos ωt, n.
+    pub force_cos: DVector<f64>,
+    /// l, the constant load, n.
+    pub load: DVector<f64>,
+    /// ω, the forcing frequency, radians per unit of time.
+    pub omega: f64,
+    /// The stops, 1 to [`Plant::MOST_STOPS`], in the family's order.
+    pub stops: Vec<PlantStop>,
+}
+
+/// A rigid stop: the motion keeps direction · x ≤ gap, and touches the stop where they are equal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlantStop {
+    /// d, the direction, n; of any length but 0.
+    pub direction: DVector<f64>,
+    /// The value of direction · x at contact, of any sign.
+    pub gap: f64,
+    /// The coefficient of restitution, 0 to 1: v⁺ = v⁻ − (1 + r)(d·v⁻) M⁻¹d / (dᵀM⁻¹d).
+    pub restitution: f64,
+}
+
+impl Plant {
+    /// The most coordinates.
+    pub const MOST_COORDINATES: usize = 4;
+    /// The most stops.
+    pub const MOST_STOPS: usize = 4;
+    /// The mass matrix, its rows and columns brought to the same size, has at least this reciprocal condition.
+    pub const LEAST_CONDITION: f64 = 1e-10;
+
+    /// Holds the plant to what can be computed.
+    ///
+    /// # Errors
+    /// The first of: too many coordinates or stops, a wrong shape, a number that is not finite, ω ≤ 0, a mass matrix
+    /// that is singular or nearly so (whatever the units of its rows), restitution outside [0, 1], a direction that
+    /// is zero or that an impact cannot turn back (dᵀM⁻¹d ≤ 0), two stops on the same side of the same line, two
+    /// opposed stops that no state satisfies (touching ones, whose gaps sum to 0, clamp and are allowed), and
+    /// directions that are linearly dependent without being parallel.
+    pub fn check(&self) -> Result<(), PlantError> {
+        self.check_counts()?;
+        self.check_shapes()?;
+        self.check_finite()?;
+        if self.omega <= 0.0 {
+            return Err(PlantError::Frequency(self.omega));
+        }
+        let inverse = self.inverse_mass()?;
+        for (stop, PlantStop { restitution, .. }) in self.stops.iter().enumerate() {
+            if !(0.0..=1.0).contains(restitution) {
+                return Err(PlantError::Restitution { stop, value: *restitution });
+            }
+        }
+        stops::check(&self.stops, &inverse)
+    }
+
+    /// M⁻¹, where M has one that can be computed with.
+    fn inverse_mass(&self) -> Result<DMatrix<f64>, PlantError> {
+        let condition = condition(&self.mass);
+        if condition.is_nan() || condition < Self::LEAST_CONDITION {
+            return Err(PlantError::SingularMass { condition });
+        }
+        let inverse = self.mass.clone().try_inverse();
+        inverse.filter(|inverse| inverse.iter().all(|entry| entry.is_finite())).ok_or(PlantError::LightMass)
+    }
+
+    /// The forcing period T = 2π/ω.
+    pub fn period(&self) -> f64 {
+        std::f64::consts::TAU / self.omega
+    }
+
+    fn check_counts(&self) -> Result<(), PlantError> {
+        if !(1..=Self::MOST_COORDINATES).contains(&self.n) {
+            return Err(PlantError::Coordinates(self.n));
+        }
+        if !(1..=Self::MOST_STOPS).contains(&self.stops.len()) {
+            return Err(PlantError::Stops(self.stops.len()));
+        }
+        Ok(())
+    }
+
+    fn arrays(&self) -> Vec<Array<'_>> {
+        let matrices =
+            [(Part::Mass, &self.mass), (Part::Damping, &self.damping), (Part::Stiffness, &self.stiffness)];
+        let loads =
+            [(Part::ForceSin, &self.force_sin), (Part::ForceCos, &self.force_cos), (Part::Load, &self.load)];
+        let directions = self.stops.iter().enumerate().map(|(i, stop)| (Part::Direction(i), &stop.direction));
+        let matrices = matrices.into_iter().map(|(part, m)| Array {
+            part,
+            shape: m.shape(),
+            wanted: (self.n, self.n),
+            entries: m.as_slice(),
+        });
+        let vectors = loads.into_iter().chain(directions).map(|(part, v)| Array {
+            part,
+            shape: v.shape(),
+            wanted: (self.n, 1),
+            entries: v.as_slice(),
+        });
+        matrices.chain(vectors).collect()
+    }
+
+    fn check_shapes(&self) -> Result<(), PlantError> {
+        match self.arrays().into_iter().find(|array| array.shape != array.wanted) {
+            Some(Array { part, shape: (rows, columns), wanted, .. }) => {
+                Err(PlantError::Shape { part, rows, columns, wanted })
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn check_finite(&self) -> Result<(), PlantError> {
+        let scalars = self
+            .stops
+            .iter()
+            .enumerate()
+            .flat_map(|(i, stop)| [(Part::Gap(i), stop.gap), (Part::Restitution(i), stop.restitution)]);
+        let entries =
+            self.arrays().into_iter().flat_map(|array| array.entries.iter().map(move |&x| (array.part, x)));
+        let mut all = std::iter::once((Part::Frequency, self.omega)).chain(entries).chain(scalars);
+        match all.find(|(_, value)| !value.is_finite()) {
+            Some((part, value)) => Err(PlantError::NotFinite { part, value }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A matrix or a vector of a plant.
+struct Array<'a> {
+    part: Part,
+    shape: (usize, usize),
+    /// The shape that it must have.
+    wanted: (usize, usize),
+    entries: &'a [f64],
+}
+
+/// The reciprocal condition of a square matrix in the norm of the largest row sum, once each row and then each
+/// column has the largest entry 1; 0 where it is singular.
+fn condition(matrix: &DMatrix<f64>) -> f64 {
+    let mut scaled = matrix.clone();
+    for mut row in scaled.row_iter_mut() {
+        let size = row.amax();
+        row /= size;
+    }
+    for mut column in scaled.column_iter_mut() {
+        let size = column.amax();
+        column /= size;
+    }
+    let norm =
+        |m: &DMatrix<f64>| m.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
+    let Some(inverse) = scaled.clone().try_inverse() else { return 0.0 };
+    let reciprocal = 1.0 / (norm(&scaled) * norm(&inverse));
+    if reciprocal.is_finite() { reciprocal } else { 0.0 }
+}

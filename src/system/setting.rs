@@ -1,0 +1,242 @@
+//! A family at one place of its parameters.
+
+use std::collections::HashMap;
+use std::fmt;
+use std::sync::{LazyLock, Mutex, PoisonError};
+
+use super::builtin::builtin;
+use super::error::{CellError, FamilyError};
+use super::family::Family;
+use super::parameter::{ParameterError, ParameterId, Range, Values};
+use super::plant::Plant;
+
+/// The most parameters of a family.
+pub const MOST_PARAMETERS: usize = 32;
+
+/// The paper's oscillator among the families that come with the program.
+pub const PAPER: &str = "luo-ma-lv";
+
+/// Families that were read, by their text: each is kept for the life of the process, so that settings can be copied.
+static FAMILIES: LazyLock<Mutex<HashMap<String, &'static Family>>> = LazyLock::new(Mutex::default);
+
+impl Family {
+    /// The family of a text, read once and kept for the life of the process; `origin` names it in messages.
+    ///
+    /// # Errors
+    /// As [`Family::parse`].
+    pub fn kept(text: &str, origin: &str) -> Result<&'static Family, FamilyError> {
+        let mut families = FAMILIES.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(family) = families.get(text) {
+            return Ok(family);
+        }
+        let family: &'static Family = Box::leak(Box::new(Family::parse(text, origin)?));
+        families.insert(text.to_owned(), family);
+        Ok(family)
+    }
+
+    /// A family that comes with the program.
+    ///
+    /// # Panics
+    /// If there is none of that name.
+    pub fn builtin(name: &str) -> &'static Family {
+        let text = builtin(name).unwrap_or_else(|| panic!("no family named {name} comes with the program"));
+        Family::kept(text, name).expect("the families that come with the program are valid")
+    }
+
+    /// The paper's oscillator.
+    pub fn paper() -> &'static Family {
+        static PAPERS: LazyLock<&'static Family> = LazyLock::new(|| Family::builtin(PAPER));
+        *PAPERS
+    }
+
+    /// The two parameters in which the neighbourhood of a setting is searched: those of the default plane, else the first
+    /// two.
+    pub fn searched(&'static self) -> [Option<Parameter>; 2] {
+        let named = |axis: &str| {
+            let name = axis.split_once('=').map_or(axis, |(name, _)| name);
+            Parameter::of(self, name.trim()).ok()
+        };
+        match self.plane() {
+            Some(plane) => [named(&plane.x), named(&plane.y)],
+            None => {
+                let mut all = Parameter::all(self);
+                [all.next(), all.next()]
+            }
+        }
+    }
+
+    /// Whether this is the paper's oscillator.
+    pub fn is_paper(&self) -> bool {
+        std::ptr::eq(self, Family::paper())
+    }
+}
+
+/// A parameter of a family, by which settings are asked and changed.
+#[derive(Clone, Copy)]
+pub struct Parameter {
+    family: &'static Family,
+    id: ParameterId,
+}
+
+impl Parameter {
+    /// The parameter of a name that someone wrote.
+    ///
+    /// # Errors
+    /// [`ParameterError::Unknown`] with the parameters that there are.
+    pub fn of(family: &'static Family, name: &str) -> Result<Self, ParameterError> {
+        Ok(Parameter { family, id: family.find(name)? })
+    }
+
+    /// Every parameter of a family, in the order of its file.
+    pub fn all(family: &'static Family) -> impl Iterator<Item = Parameter> {
+        family.ids().map(move |id| Parameter { family, id })
+    }
+
+    /// The family whose parameter it is.
+    pub fn family(self) -> &'static Family {
+        self.family
+    }
+
+    /// The name used on the command line and in files.
+    pub fn name(self) -> &'static str {
+        &self.family.about(self.id).name
+    }
+
+    /// The symbol, for axis titles.
+    pub fn symbol(self) -> &'static str {
+        &self.family.about(self.id).symbol
+    }
+
+    /// What the parameter is, for help texts and axis titles; may be empty.
+    pub fn description(self) -> &'static str {
+        &self.family.about(self.id).about
+    }
+
+    /// The values that it may take.
+    pub fn range(self) -> Range {
+        self.family.about(self.id).range
+    }
+
+    /// Checks one value against the range.
+    ///
+    /// # Errors
+    /// [`ParameterError::OutOfRange`] names the parameter, the value and the range.
+    pub fn check(self, value: f64) -> Result<(), ParameterError> {
+        self.family.about(self.id).check(value)
+    }
+}
+
+impl PartialEq for Parameter {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.family, other.family) && self.id == other.id
+    }
+}
+
+impl Eq for Parameter {}
+
+impl std::hash::Hash for Parameter {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.id.hash(state);
+    }
+}
+
+impl fmt::Debug for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The values of a family's parameters; everything is non-dimensional unless the family says otherwise.
+#[derive(Clone, Copy)]
+pub struct Setting {
+    family: &'static Family,
+    values: [f64; MOST_PARAMETERS],
+}
+
+impl Setting {
+    /// The family's defaults.
+    pub fn defaults(family: &'static Family) -> Self {
+        let mut values = [0.0; MOST_PARAMETERS];
+        for (value, default) in values.iter_mut().zip(family.defaults().as_slice()) {
+            *value = *default;
+        }
+        Setting { family, values }
+    }
+
+    /// The family.
+    pub fn family(&self) -> &'static Family {
+        self.family
+    }
+
+    /// The value of one parameter.
+    pub fn get(&self, parameter: Parameter) -> f64 {
+        self.values[parameter.id.index()]
+    }
+
+    /// The value of a parameter by its name, if the family has it.
+    pub fn named(&self, name: &str) -> Option<f64> {
+        self.family.parameter(name).map(|id| self.values[id.index()])
+    }
+
+    /// The same setting with one parameter changed (not checked; see [`Setting::check`]).
+    #[must_use]
+    pub fn with(mut self, parameter: Parameter, value: f64) -> Self {
+        self.values[parameter.id.index()] = value;
+        self
+    }
+
+    /// The same setting with a parameter changed that is given by its name.
+    ///
+    /// # Panics
+    /// If the family has no such parameter.
+    #[must_use]
+    pub fn with_named(self, name: &str, value: f64) -> Self {
+        let parameter = Parameter::of(self.family, name).expect("the family has the parameter");
+        self.with(parameter, value)
+    }
+
+    /// Every parameter with its value, in the order of the family's file.
+    pub fn entries(&self) -> impl Iterator<Item = (Parameter, f64)> + '_ {
+        Parameter::all(self.family).map(|parameter| (parameter, self.get(parameter)))
+    }
+
+    /// Checks every parameter against its range.
+    ///
+    /// # Errors
+    /// The first parameter that is out of range, with its value.
+    pub fn check(&self) -> Result<(), ParameterError> {
+        self.entries().try_for_each(|(parameter, value)| parameter.check(value))
+    }
+
+    /// The plant of these values, checked.
+    ///
+    /// # Errors
+    /// As [`Family::plant`].
+    pub fn plant(&self) -> Result<Plant, CellError> {
+        self.family.plant(&Values(self.values[..self.family.parameters().len()].to_vec()))
+    }
+}
+
+impl PartialEq for Setting {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.family, other.family) && self.values == other.values
+    }
+}
+
+impl fmt::Debug for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_map().entries(self.entries()).finish()
+    }
+}
+
+impl serde::Serialize for Setting {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.entries().map(|(parameter, value)| (parameter.name(), value)))
+    }
+}

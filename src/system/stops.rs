@@ -1,0 +1,88 @@
+//! How the stops of a plant stand to each other.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::plant::PlantStop;
+use super::plant_error::PlantError;
+
+/// Unit directions that differ by less than this are the same; expressions round by some ulps.
+const SAME: f64 = 1e-12;
+
+/// A unit direction that lies this close to the span of others depends on them.
+const INDEPENDENT: f64 = 1e-8;
+
+/// dᵀM⁻¹d is positive where it is more than this share of the sum of its terms' moduli.
+const POSITIVE: f64 = 1e-12;
+
+/// A stop with its direction brought to length 1.
+struct Line {
+    unit: DVector<f64>,
+    gap: f64,
+}
+
+/// Holds the stops of one plant, of finite numbers, to what can be computed, given M⁻¹.
+///
+/// # Errors
+/// See [`Plant::check`](super::Plant::check).
+pub(super) fn check(stops: &[PlantStop], inverse_mass: &DMatrix<f64>) -> Result<(), PlantError> {
+    let mut lines = Vec::with_capacity(stops.len());
+    for (stop, PlantStop { direction, gap, .. }) in stops.iter().enumerate() {
+        let size = direction.amax();
+        if size == 0.0 {
+            return Err(PlantError::NoDirection { stop });
+        }
+        let scaled = direction / size;
+        let value = (scaled.transpose() * inverse_mass * &scaled)[0];
+        let terms = (scaled.abs().transpose() * inverse_mass.abs() * scaled.abs())[0];
+        if value <= POSITIVE * terms {
+            return Err(PlantError::NoImpulse { stop, value: value * size * size });
+        }
+        let length = scaled.norm();
+        lines.push(Line { unit: scaled / length, gap: gap / size / length });
+    }
+    check_pairs(&lines)?;
+    check_independence(&lines)
+}
+
+/// 1 for two lines of the same direction, −1 for opposed ones.
+fn sense(a: &DVector<f64>, b: &DVector<f64>) -> Option<f64> {
+    let sign = a.dot(b).signum();
+    ((a - b * sign).amax() <= SAME).then_some(sign)
+}
+
+fn check_pairs(lines: &[Line]) -> Result<(), PlantError> {
+    for (second, line) in lines.iter().enumerate() {
+        for (first, other) in lines[..second].iter().enumerate() {
+            let room = line.gap + other.gap;
+            let rounding = 4.0 * f64::EPSILON * (line.gap.abs() + other.gap.abs());
+            match sense(&line.unit, &other.unit) {
+                Some(1.0) => return Err(PlantError::SameSide { first, second }),
+                Some(_) if room < -rounding => {
+                    return Err(PlantError::NoRoom { first, second, overlap: -room });
+                }
+                _ => {}
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Directions, parallel ones counted once, must be linearly independent.
+fn check_independence(lines: &[Line]) -> Result<(), PlantError> {
+    let mut basis: Vec<DVector<f64>> = Vec::new();
+    for (stop, line) in lines.iter().enumerate() {
+        if lines[..stop].iter().any(|other| sense(&line.unit, &other.unit).is_some()) {
+            continue;
+        }
+        let mut rest = line.unit.clone();
+        for axis in &basis {
+            let along = axis.dot(&rest);
+            rest -= axis * along;
+        }
+        if rest.norm() <= INDEPENDENT {
+            return Err(PlantError::Dependent { stop });
+        }
+        basis.push(rest.normalize());
+    }
+    Ok(())
+}

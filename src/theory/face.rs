@@ -1,0 +1,170 @@
+//! A stop as the theory sees it: the section just after an impact there, and the law of the impact.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::flow::Section;
+use crate::dynamics::Stop;
+use crate::model::System;
+use crate::system::PlantStop;
+
+/// A stop of a plant with n coordinates, and the section just after an impact there.
+///
+/// The section has 2n components: the speed along the contact's own coordinate, the other displacements in order, the
+/// other velocities in order, and the forcing phase. The displacement of the contact's own coordinate follows from
+/// d·x = gap. Lifted, it is z = (x, v, sin φ, cos φ, 1).
+#[derive(Clone, Debug)]
+pub(crate) struct Face {
+    /// d.
+    pub direction: DVector<f64>,
+    /// d·x at contact.
+    pub gap: f64,
+    /// r.
+    pub restitution: f64,
+    /// The contact's own coordinate: the first of those with the largest |d_c|.
+    pub coordinate: usize,
+    /// z of the section 0, without forcing.
+    pub origin: DVector<f64>,
+    /// How z grows with the section, without forcing: (2n + 3) × 2n, its last column 0.
+    pub lift: DMatrix<f64>,
+    /// What z at arrival becomes: the section just after the impact, with d·x in place of the phase; 2n × (2n + 3).
+    pub restituted: DMatrix<f64>,
+}
+
+impl Face {
+    /// The face of a stop, given M⁻¹.
+    pub fn new(stop: &PlantStop, inverse_mass: &DMatrix<f64>) -> Self {
+        let n = stop.direction.len();
+        let (size, last) = (2 * n + 3, 2 * n - 1);
+        let direction = stop.direction.clone();
+        let response = inverse_mass * &direction;
+        let response = &response / direction.dot(&response);
+        let coordinate = own_coordinate(&direction);
+        let mut origin = DVector::zeros(size);
+        origin[coordinate] = stop.gap / direction[coordinate];
+        origin[2 * n + 2] = 1.0;
+        let mut lift = DMatrix::zeros(size, 2 * n);
+        let mut restituted = DMatrix::zeros(2 * n, size);
+        for (k, slot) in slots(n, coordinate).into_iter().enumerate() {
+            lift[(slot, k)] = 1.0;
+            if slot < n {
+                lift[(coordinate, k)] = -direction[slot] / direction[coordinate];
+                restituted[(k, slot)] = 1.0;
+                continue;
+            }
+            let i = slot - n;
+            for j in 0..n {
+                let along = response[i] * direction[j];
+                let own = if i == j { 1.0 } else { 0.0 };
+                restituted[(k, n + j)] = (own - along) - stop.restitution * along;
+            }
+        }
+        for j in 0..n {
+            restituted[(last, j)] = direction[j];
+        }
+        Face { direction, gap: stop.gap, restitution: stop.restitution, coordinate, origin, lift, restituted }
+    }
+
+    /// The section of a state on the stop, just after an impact.
+    pub fn section(&self, x: &[f64], v: &[f64], phase: f64) -> Section {
+        let n = x.len();
+        let values = slots(n, self.coordinate).into_iter().map(|k| if k < n { x[k] } else { v[k - n] });
+        DVector::from_iterator(2 * n, values.chain(std::iter::once(phase)))
+    }
+
+    /// d·v of a section, per unit of |d|: the speed into the stop.
+    pub fn speed(&self, section: &Section) -> f64 {
+        let n = self.direction.len();
+        self.speed_of(&(&self.lift * section).as_slice()[n..2 * n])
+    }
+
+    /// The speed along the contact's own coordinate with which a section has d·v = 0.
+    pub fn resting_speed(&self, section: &Section) -> f64 {
+        let n = self.direction.len();
+        let v = &self.lift * section;
+        let others: f64 =
+            (0..n).filter(|&j| j != self.coordinate).map(|j| self.direction[j] * v[n + j]).sum();
+        // No −0.
+        0.0 - others / self.direction[self.coordinate]
+    }
+
+    /// Whether a section leaves the stop outwards, by more than rounding.
+    pub fn is_left_outwards(&self, section: &Section) -> bool {
+        let n = self.direction.len();
+        let z = &self.lift * section;
+        let terms = self.direction.iter().zip(&z.as_slice()[n..2 * n]).map(|(d, v)| d * v);
+        let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), term: f64| (sum + term, size + term.abs()));
+        sum > 8.0 * f64::EPSILON * size
+    }
+
+    /// The speed into the stop of velocities.
+    pub fn speed_of(&self, v: &[f64]) -> f64 {
+        self.direction.iter().zip(v).map(|(d, v)| d * v).sum::<f64>() / self.direction.norm()
+    }
+
+    /// d·x and d·v of a lifted state, or of (x, v).
+    pub fn along(&self, z: &DVector<f64>) -> [f64; 2] {
+        let n = self.direction.len();
+        [self.direction.dot(&z.rows(0, n)), self.direction.dot(&z.rows(n, n))]
+    }
+}
+
+/// The contact's own coordinate: the first of those with the largest |d_c|.
+fn own_coordinate(direction: &DVector<f64>) -> usize {
+    (1..direction.len()).fold(0, |c, j| if direction[j].abs() > direction[c].abs() { j } else { c })
+}
+
+/// Where the components of a section but the phase stand in (x, v).
+pub(super) fn slots(n: usize, coordinate: usize) -> Vec<usize> {
+    let others = || (0..n).filter(move |&j| j != coordinate);
+    std::iter::once(n + coordinate).chain(others()).chain(others().map(|j| n + j)).collect()
+}
+
+/// The names of a section's components at a stop: "v1", "x2", "v2", "tau" for the paper's oscillator.
+///
+/// The speed along the contact's own coordinate just after the impact (the first coordinate with the largest component
+/// of the stop's direction), the other displacements, the other velocities, the forcing phase.
+pub fn section_names(system: &System, stop: Stop) -> Vec<String> {
+    let plant = system.plant();
+    let n = plant.n;
+    let name = |slot: usize| if slot < n { format!("x{}", slot + 1) } else { format!("v{}", slot + 1 - n) };
+    let coordinate = own_coordinate(&plant.stops[stop.index()].direction);
+    slots(n, coordinate).into_iter().map(name).chain(std::iter::once("tau".to_owned())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A stop on the second of three coordinates, between it and the first, in no special units.
+    fn stop() -> PlantStop {
+        PlantStop { direction: DVector::from_row_slice(&[0.5, -2.0, 0.0]), gap: 0.3, restitution: 0.7 }
+    }
+
+    #[test]
+    fn sections_are_lifted_onto_the_stop_and_read_off_again() {
+        let face = Face::new(&stop(), &DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 0.5, 2.0])));
+        assert_eq!((face.coordinate, slots(3, 1)), (1, vec![4, 0, 2, 3, 5]));
+        let section = DVector::from_row_slice(&[-0.4, 0.1, 0.2, 0.6, -0.7, 1.1]);
+        let z = &face.origin + &face.lift * &section;
+        assert!((face.direction.dot(&z.rows(0, 3)) - 0.3).abs() < 1e-15);
+        assert_eq!(face.section(z.rows(0, 3).as_slice(), z.rows(3, 3).as_slice(), 1.1), section);
+        assert!((face.speed(&section) - (0.5 * 0.6 + 2.0 * 0.4) / 4.25f64.sqrt()).abs() < 1e-15);
+    }
+
+    /// An impact turns d·v into −r d·v and leaves what is not along M⁻¹d as it was.
+    #[test]
+    fn the_impact_turns_the_speed_back() {
+        let mass = DMatrix::from_row_slice(3, 3, &[2.0, 0.3, 0.0, 0.3, 1.0, 0.1, 0.0, 0.1, 0.7]);
+        let face = Face::new(&stop(), &mass.clone().try_inverse().unwrap());
+        let before = DVector::from_row_slice(&[0.2, -0.9, 0.4]);
+        let mut z = DVector::zeros(9);
+        z.rows_mut(3, 3).copy_from(&before);
+        let section = &face.restituted * z;
+        let after = DVector::from_row_slice(&[section[3], section[0], section[4]]);
+        assert!((face.direction.dot(&after) + 0.7 * face.direction.dot(&before)).abs() < 1e-14);
+        let impulse = &mass * (&after - &before);
+        let along = impulse.dot(&face.direction) / face.direction.norm_squared();
+        assert!((&impulse - &face.direction * along).amax() < 1e-14, "it acts along d: {impulse}");
+        assert!(impulse.amax() > 0.1, "the check can fail");
+    }
+}

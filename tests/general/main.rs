@@ -1,0 +1,13 @@
+//! The engine for any linear oscillator with rigid stops, against a brute-force oracle and what physics demands.
+
+#[path = "../common/general/mod.rs"]
+mod general;
+
+mod families;
+mod gpu;
+mod grazing;
+mod invariants;
+mod simultaneous;
+mod sticking;
+mod subject;
+mod suite;
