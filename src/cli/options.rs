@@ -26,7 +26,7 @@ pub struct SystemArgs {
     ///
     /// Those not given have the system's defaults; the paper's are omega=3.7, delta=0.1, zeta=0.1, r=0.8,
     /// mu_m=mu_k=mu_c=0.5, f20=0. Under control it sets what the method has, too: gain, delay; amplitude, alpha, dead_band,
-    /// gamma, phase; period, noise; target_v1, target_x2, target_v2, target_tau.
+    /// gamma, phase; period, noise; target_v1 … target_vn, target_x1 … target_xn, target_tau.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     assignments: Vec<String>,
 }
@@ -334,7 +334,6 @@ impl PlaneArgs {
         settings: &MethodArgs,
         iterates: ControlSchedule,
     ) -> Result<ControlPlane, CliError> {
-        self.axes.system.of_paper("map --control")?;
         let [x, y] = self.axes.axes()?;
         let axes = [("--x", x), ("--y", y)];
         let varied = axes.map(|(option, axis)| (format!("{option} {axis} varies"), axis.quantity));
@@ -343,12 +342,17 @@ impl PlaneArgs {
             self.axes.system.check_beside(option, &axis.to_string(), axis.quantity)?;
         }
         let (system, set) = self.axes.system.split()?;
+        let parameters = system.parameters(&axes)?;
+        let first = [x, y].iter().fold(parameters, |setting, axis| match axis.quantity {
+            Quantity::Parameter(parameter) => setting.with(parameter, axis.first),
+            Quantity::Start(_) | Quantity::Control(_) => setting,
+        });
         let plane = ControlPlane {
             x,
             y,
-            parameters: system.parameters(&axes)?,
+            parameters,
             start: self.axes.start.unwrap_or_else(|| default_start(&[x, y])),
-            control: settings.scheme(method, &set)?,
+            control: settings.scheme(method, &set, &first)?,
             iterates,
         };
         plane.check().map_err(CliError::input)?;

@@ -120,7 +120,7 @@ impl Surface {
 }
 
 /// The coordinate whose displacement follows from the others at a stop: see [`Surface`].
-fn eliminated(plant: &Plant, stop: Stop) -> usize {
+pub(super) fn eliminated(plant: &Plant, stop: Stop) -> usize {
     let direction = &plant.stops[stop.index()].direction;
     let largest = direction.amax() * (1.0 - EQUAL);
     direction.iter().position(|d| d.abs() >= largest).unwrap_or(0)

@@ -39,10 +39,12 @@ fn feedback(stop: Stop, components: usize, gain: f64) -> Scheme {
 
 fn pulse(stop: Stop, target: &[f64]) -> Scheme {
     let given = SectionValues::from_slice(target).unwrap().map(Some);
+    // The three masses are met at the second.
+    let own = usize::from(target.len() == 6);
     Scheme::Pulse(PulseSetting {
         stop,
         period: 1,
-        target: Target { reference: 1.0, given },
+        target: Target { reference: 1.0, given, own },
         noise: 0.0,
         seed: 1,
     })
@@ -253,7 +255,11 @@ fn a_force_on_the_second_mass_is_a_change_of_its_forcing() {
             gamma: 1.0,
             phase: 0.0,
             component: 0,
-            target: Target { reference: 1.0, given: SectionValues::new([Some(-0.1), None, None, None]) },
+            target: Target {
+                reference: 1.0,
+                given: SectionValues::new([Some(-0.1), None, None, None]),
+                own: 0,
+            },
         })
     };
     let forced = |coordinate| {
