@@ -19,6 +19,8 @@ use super::{CliError, defaults, note};
 #[derive(Clone, Debug, Args)]
 pub struct SystemArgs {
     /// The system: one that comes with the program (see `impact-atlas systems`), or a file that describes one
+    ///
+    /// With --help beside it, its parameters, stops and labels are listed below.
     #[arg(long = "system", value_name = "NAME|FILE", value_parser = parse_system, default_value = defaults::SYSTEM)]
     family: Chosen,
 
@@ -45,6 +47,19 @@ impl SystemArgs {
     /// An axis of the system, given as `option`.
     pub fn axis(&self, option: &str, text: &str) -> Result<Axis, CliError> {
         Axis::of_family(text, self.family()).map_err(|error| invalid(text, option, error))
+    }
+
+    /// What an option names by the words of the system: a section, a quantity, a panel, a label.
+    pub fn named<T, E>(
+        &self,
+        option: &str,
+        text: &str,
+        read: impl Fn(&str, &'static Family) -> Result<T, E>,
+    ) -> Result<T, CliError>
+    where
+        E: std::error::Error + Send + Sync + 'static,
+    {
+        read(text, self.family()).map_err(|error| invalid(text, option, error))
     }
 
     /// The parameters as set; those of `axes` are left to the axes.

@@ -65,7 +65,7 @@ impl ControlPicture<'_> {
         }
         let switched = panels[..responses.len()].iter().any(|p| p.frame.x.shows(self.schedule.from.into()));
         let mut key = if switched { vec![self.switch_key()] } else { Vec::new() };
-        key.extend(orbit_key(&panels[responses.len()..]));
+        key.extend(orbit_key(self.setting().family(), &panels[responses.len()..]));
         let time = panels.pop();
         let mut rows: Vec<Row> = Vec::new();
         for panel in panels {

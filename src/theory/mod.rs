@@ -31,8 +31,8 @@ mod spectrum;
 mod strobe;
 mod symmetric;
 
-pub use admissible::Inadmissible;
 pub(crate) use admissible::fly;
+pub use admissible::{Inadmissible, NamedStop};
 pub use approached::{approached, approached_from, confirmed, with_motion};
 pub use face::section_names;
 pub use flow::Section;

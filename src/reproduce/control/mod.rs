@@ -22,6 +22,7 @@ use crate::plane::Start;
 use crate::render::{
     ControlPicture, Figure, KeyEntry, OrbitPanel, Panel, Picture, Response, Row, Text, TooSmall, orbit_key,
 };
+use crate::system::Family;
 
 /// Where the paper suppresses chaos.
 const OMEGA: f64 = 2.83;
@@ -149,7 +150,10 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Resu
             Plot::Section(axes, settled) => picture.section(*axes, *settled),
             Plot::Flight(panel) => {
                 let flight = picture.orbit().panel(*panel, &[]);
-                key = orbit_key(std::slice::from_ref(&flight)).into_iter().chain(key).collect();
+                key = orbit_key(Family::paper(), std::slice::from_ref(&flight))
+                    .into_iter()
+                    .chain(key)
+                    .collect();
                 flight
             }
         };

@@ -52,7 +52,7 @@ fn structs_lie_as_the_shaders_declare_them() {
         returning,
     });
     assert_layout!(TraceDispatch { schedule, count, budget, begin, row, section, reading, capacity, unused });
-    assert_layout!(Rebounds { last, run, longest });
+    assert_layout!(Rebounds { last, stop, run, longest });
     assert_layout!(Trace { rebounds, passages });
     assert_layout!(ControlSchedule { start, iterates, observed, fixed_iterates });
     assert_layout!(ControlDispatch { schedule, count, budget, begin, row, max_period });

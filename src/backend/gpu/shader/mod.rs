@@ -49,7 +49,8 @@ impl Kernel {
         match self {
             Kernel::Follow => &[include_str!("../../../../shaders/kernels/follow.wgsl")],
             Kernel::Trace => &[
-                include_str!("../../../../shaders/analysis/section.wgsl"),
+                include_str!("../../../../shaders/analysis/rebounds.wgsl"),
+                include_str!("../../../../shaders/analysis/probe.wgsl"),
                 include_str!("../../../../shaders/analysis/trace.wgsl"),
                 include_str!("../../../../shaders/kernels/trace.wgsl"),
             ],
