@@ -4,14 +4,13 @@ use anyhow::anyhow;
 use clap::{Args, ValueEnum};
 use impact_atlas::control::{
     ControlQuantity, Convention, DelaySetting, PulseSetting, Scheme, SectionValues, Sign, SineSetting,
-    Target, section_names,
+    Target, own_coordinate,
 };
 
-use impact_atlas::dynamics::Stop;
 use impact_atlas::model::Setting;
 use impact_atlas::plane::Quantity;
-use impact_atlas::system::{Family, Plant};
 
+use super::site::{Site, words};
 use super::values::{Assignment, count};
 use super::{CliError, defaults};
 
@@ -156,83 +155,6 @@ pub struct MethodArgs {
         allow_hyphen_values = true
     )]
     target: Option<Vec<f64>>,
-}
-
-/// The section on which a method acts.
-struct Site {
-    family: &'static Family,
-    plant: Plant,
-    stop: Stop,
-    /// The components of its points.
-    names: Vec<String>,
-}
-
-impl Site {
-    /// The section of the stop of a name, the first where none is given. Of a setting that makes no plant, whose axes
-    /// will, the defaults say how the stop stands.
-    fn new(setting: &Setting, name: Option<&str>) -> Result<Self, CliError> {
-        let family = setting.family();
-        let stop = match name {
-            None => 0,
-            Some(name) => family.stop(name).ok_or_else(|| {
-                let known: Vec<&str> = family.stops().iter().map(|stop| stop.name.as_str()).collect();
-                CliError::Input(anyhow!(
-                    "--stop {name}: the system has no such stop; it has {}",
-                    known.join(", ")
-                ))
-            })?,
-        };
-        let plant =
-            setting.plant().or_else(|_| Setting::defaults(family).plant()).map_err(CliError::input)?;
-        let stop = Stop(stop as u8);
-        let names = section_names(&plant, stop);
-        Ok(Site { family, plant, stop, names })
-    }
-
-    fn components(&self) -> usize {
-        self.names.len()
-    }
-
-    /// The components in words: v1+, x2, v2 and tau.
-    fn listed(&self) -> String {
-        let (last, others) = self.names.split_last().expect("a section has components");
-        format!("{} and {last}", others.join(", "))
-    }
-
-    /// The coordinate whose velocity comes first.
-    fn own(&self) -> usize {
-        let digits = self.names[0].trim_matches(|c: char| !c.is_ascii_digit());
-        digits.parse::<usize>().map_or(0, |number| number - 1)
-    }
-
-    fn component(&self, name: Option<&str>) -> Result<usize, CliError> {
-        let last = self.components() - 1;
-        match name {
-            None => Ok(last),
-            Some("v_after") => Ok(0),
-            Some(name) => {
-                let is_it = |own: &String| own == name || own.trim_end_matches('+') == name;
-                self.names.iter().position(is_it).ok_or_else(|| {
-                    CliError::Input(anyhow!(
-                        "--component {name}: a point on the section of stop {} has no such component; it has {}",
-                        self.family.stops()[self.stop.index()].name,
-                        self.listed()
-                    ))
-                })
-            }
-        }
-    }
-
-    fn coordinate(&self, name: Option<&str>) -> Result<usize, CliError> {
-        let Some(name) = name else { return Ok(0) };
-        let all: Vec<String> = (1..=self.plant.n).map(|i| format!("x{i}")).collect();
-        all.iter().position(|own| own == name || own[1..] == *name).ok_or_else(|| {
-            CliError::Input(anyhow!(
-                "--coordinate {name}: the system has no such coordinate; it has {}",
-                all.join(", ")
-            ))
-        })
-    }
 }
 
 impl MethodArgs {
@@ -398,11 +320,6 @@ impl MethodArgs {
             }
             given.iter_mut().zip(values).for_each(|(given, value)| *given = Some(*value));
         }
-        Ok(Target { reference, given, own: site.own() })
+        Ok(Target { reference, given, own: own_coordinate(&site.plant, site.stop) })
     }
-}
-
-/// A small number in words.
-fn words(number: usize) -> &'static str {
-    ["none", "one", "two", "three", "four", "five", "six", "seven", "eight"][number.min(8)]
 }

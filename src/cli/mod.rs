@@ -33,6 +33,7 @@ mod progress;
 mod report;
 mod reproduce;
 mod scripts;
+mod site;
 mod spans;
 mod spelled;
 mod symmetric;

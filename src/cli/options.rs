@@ -11,7 +11,7 @@ use impact_atlas::system::Family;
 use impact_atlas::theory::symmetric_start;
 
 use super::method::{MethodArgs, MethodName};
-use super::system::{Chosen, of_paper, parse_system};
+use super::system::{Chosen, parse_system};
 use super::values::{Assignment, count, parse};
 use super::{CliError, defaults, note};
 
@@ -37,11 +37,6 @@ impl SystemArgs {
     /// The family of the system.
     pub fn family(&self) -> &'static Family {
         self.family.0
-    }
-
-    /// Refuses another system than the paper's for a command that cannot follow it.
-    pub fn of_paper(&self, command: &str) -> Result<(), CliError> {
-        of_paper(self.family(), command)
     }
 
     /// An axis of the system, given as `option`.
@@ -332,11 +327,6 @@ pub struct PlaneArgs {
 }
 
 impl PlaneArgs {
-    /// Refuses another system than the paper's for a command that cannot follow it.
-    pub fn of_paper(&self, command: &str) -> Result<(), CliError> {
-        self.axes.system.of_paper(command)
-    }
-
     /// The checked plane.
     pub fn plane(&self) -> Result<Plane, CliError> {
         self.axes.plane(self.schedule())

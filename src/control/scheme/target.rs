@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::ControlError;
 use super::quantity::ControlQuantity;
-use crate::control::surface::{eliminated, section_names};
+use crate::control::surface::{own_coordinate, section_names};
 use crate::control::values::SectionValues;
 use crate::dynamics::Stop;
 use crate::model::System;
@@ -68,7 +68,7 @@ impl Target {
         if self.given.len() != wanted {
             return Err(ControlError::Count { what: "target", given: self.given.len(), wanted, names });
         }
-        if eliminated(plant, stop) != self.own {
+        if own_coordinate(plant, stop) != self.own {
             return Err(ControlError::OtherComponents { own: self.own + 1, names });
         }
         Ok(self.given)
