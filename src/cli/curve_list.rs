@@ -193,5 +193,5 @@ pub fn add_table<'a>(
             )
         })
     });
-    batch.table(output, COLUMNS, rows)
+    batch.table(output, &COLUMNS, rows)
 }

@@ -160,9 +160,6 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     }
     args.control.cells.refuse_settings()?;
     let plane = args.plane.plane()?;
-    if args.certify {
-        args.plane.of_paper("map --certify")?;
-    }
     if args.curves.is_some() {
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }

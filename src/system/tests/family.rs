@@ -1,6 +1,6 @@
 //! A family gives plants: values, ranges, cells without one.
 
-use super::super::{CellError, Family, ParameterError, Plant, Values};
+use super::super::{CellError, Family, Number, ParameterError, Plant, Values};
 
 /// The example of the documentation.
 pub(super) fn example() -> &'static str {
@@ -142,7 +142,7 @@ fn cells_without_a_plant_say_what_did_it() {
         assert!(message.starts_with(beginning), "{message}");
         assert!(message.ends_with("; choose other values"), "{message}");
         let (name, value) = changes[0];
-        assert!(message.contains(&format!("(at {name} = {value})")), "{message}");
+        assert!(message.contains(&format!("(at {name} = {})", Number(value))), "{message}");
     }
     assert!(family.plant(&with(&family, &[("gap", -1.0)])).is_ok(), "closed stops clamp");
 }
