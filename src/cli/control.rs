@@ -12,6 +12,7 @@ use impact_atlas::control::{
 };
 use impact_atlas::model::{Setting, StateVector, System};
 use impact_atlas::plane::Start;
+use impact_atlas::plane::written::WrittenSystem;
 use impact_atlas::render::{ControlPicture, Size};
 use impact_atlas::store;
 use serde::Serialize;
@@ -137,6 +138,7 @@ struct Report {
 #[derive(Debug, Serialize)]
 struct Config<'a> {
     version: &'a str,
+    system: WrittenSystem,
     parameters: &'a Setting,
     start: Start,
     control: &'a Scheme,
@@ -194,6 +196,7 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     let report = Report::new(args, &system, &controller, &history, &outcome, before)?;
     let config = Config {
         version: env!("CARGO_PKG_VERSION"),
+        system: WrittenSystem::of(family),
         parameters: system.setting().expect("a system that is asked for is made of a setting"),
         start: args.start,
         control: &scheme,

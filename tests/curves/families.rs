@@ -242,6 +242,18 @@ impl<'a> Walked<'a> {
         self.motion.half_multipliers(&system).or_else(|| self.motion.multipliers(&system))
     }
 
+    /// Whether what is critical on a curve of some kind is nearly so here; a fold comes with a square root.
+    fn is_nearly_lost_by(&self, kind: Kind) -> bool {
+        let values = self.multipliers().unwrap_or_default();
+        let near = |to: f64, reach: f64| values.iter().any(|value| (value - to).norm() < reach);
+        match kind {
+            Kind::Fold => near(1.0, 0.5),
+            Kind::PeriodDoubling | Kind::Pitchfork => near(-1.0, 0.25),
+            Kind::NeimarkSacker => values.iter().any(|value| value.im != 0.0 && value.norm() > 0.9),
+            Kind::Grazing => true,
+        }
+    }
+
     fn is_stable(&self) -> bool {
         self.multipliers().is_some_and(|values| values[0].norm() < 1.0)
     }
@@ -285,6 +297,8 @@ fn sides_agree(map: &RegionMap, curve: &Curve, k: usize) -> bool {
             let there = walked.to(beside(by), 60).filter(Walked::is_stable)?;
             Some((there, by))
         });
+        // Another motion of the same label may be stable here as well.
+        let stable = stable.filter(|(there, _)| there.is_nearly_lost_by(curve.kind));
         let Some((stable, by)) = stable else { continue };
         let other = stable.to(beside(-by), 30);
         if matches!(curve.kind, Kind::Fold | Kind::Grazing) {

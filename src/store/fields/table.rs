@@ -29,7 +29,7 @@ const SYMMETRIC: &str = "1 where x(t + Nπ/ω) = −x(t), otherwise 0";
 const LYAPUNOV: &str = "largest Lyapunov exponent, natural logarithm; minus infinity where every deviation is \
                         forgotten, NaN where it was not measured";
 const STATE: &str = "(x1 … xn, v1 … vn) at the end, at forcing phase 0; NaN only where the regime is failed";
-const POINT: &str = "the point (v1+, x2, v2, τ) on σ of the motion reached, its hardest impact; zeros where nothing \
+const POINT: &str = "the point on σ of the motion reached, its hardest impact; zeros where nothing \
                      could be controlled, NaN only where the regime is failed";
 const IMPACTS: &str = "impacts while the cell was observed";
 const PEAK: &str = "largest speed before an impact while the cell was observed";
@@ -72,9 +72,10 @@ const CONTROL_MAP: FileContent = FileContent {
         field("n", ["u16", "y, x"], "forcing periods", N),
         field("p", ["u16", "y, x"], "impacts", P),
         field("q", ["u16", "y, x"], "impacts", Q),
+        field("counts", ["u16", "y, x, stop"], "impacts", COUNTS),
         field("symmetric", ["u8", "y, x"], "", SYMMETRIC),
         field("lyapunov", ["f32", "y, x"], "per forcing period", LYAPUNOV),
-        field("state", ["f64", "y, x, 4"], "1", POINT),
+        field("state", ["f64", "y, x, component"], "1", POINT),
         field("impacts", ["u32", "y, x"], "impacts", IMPACTS),
         field("peak_impact_velocity", ["f32", "y, x"], "1", PEAK),
         field("periods", ["u32", "y, x"], "forcing periods", PERIODS),
@@ -91,7 +92,12 @@ const CONTROL_MAP: FileContent = FileContent {
             "iterates",
             "iterates from switching control on until the points kept returning; 4294967295 for never",
         ),
-        field("escapes", ["u32", "y, x"], "", "corrections left out because they led into the stop"),
+        field(
+            "escapes",
+            ["u32", "y, x"],
+            "",
+            "corrections left out because they led into the stop, or beyond another",
+        ),
         field(
             "effort",
             ["f32", "y, x"],
@@ -116,20 +122,20 @@ const CONTROL_RUN: FileContent = FileContent {
     written_by: "Written by `control --data`.",
     fields: &[
         field("iterate", ["u32", "n"], "iterates", "the number of the return to σ, from 0"),
-        field("section", ["f64", "n, 4"], "1", "the point on σ as corrected"),
-        field("arrived", ["f64", "n, 4"], "1", "the point on σ before the correction"),
+        field("section", ["f64", "n, component"], "1", "the point on σ as corrected"),
+        field("arrived", ["f64", "n, component"], "1", "the point on σ before the correction"),
         field("signal", ["f64", "n"], "1", "B, or the length of the correction that was wanted"),
         field(
             "escaped",
             ["u8", "n"],
             "",
-            "1 where the correction was left out because it led into the stop, otherwise 0",
+            "1 where the correction was left out because it led into the stop or beyond another, otherwise 0",
         ),
         field(
             "trajectory",
-            ["f64", "m, 5"],
+            ["f64", "m, time and component"],
             "1",
-            "(time, x1, x2, v1, v2) of the flight at the end; time counts from its beginning",
+            "(time, x1 … xn, v1 … vn) of the flight at the end; time counts from its beginning",
         ),
         field("config", ["text", ""], "", CONFIG),
     ],
