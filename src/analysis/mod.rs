@@ -2,7 +2,9 @@
 
 mod exponent;
 mod observer;
+mod probe;
 mod quiet;
+mod rebounds;
 mod recurrence;
 mod regime;
 mod schedule;
@@ -13,9 +15,11 @@ mod verdict;
 
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
+pub use probe::Probe;
+pub use rebounds::{CHATTER_RUN, Rebounds};
 pub use regime::{Counts, INFINITELY_MANY, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
-pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
+pub use section::{Reading, Section, SectionError};
 pub(crate) use spread::Spread;
 pub use trace::{Trace, Tracer};
 

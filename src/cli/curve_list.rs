@@ -24,6 +24,12 @@ pub struct CurveSummary {
     kind: Kind,
     motion: String,
     symmetric: bool,
+    /// The stop that is grazed, where the stops have no mirror images.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stop: Option<&'static str>,
+    /// Whether the motion's systems have a mirror.
+    #[serde(skip)]
+    mirror: bool,
     points: usize,
     ends: [End; 2],
     /// The shares of its points; all zero for folds and grazing.
@@ -50,11 +56,23 @@ struct SpecialPoint {
 pub fn summaries(curves: &[Curve], plane: &Plane) -> Vec<CurveSummary> {
     let names = named(curves, plane);
     let of = |index: usize| names.iter().filter(move |stretch| stretch.curve == index);
-    curves.iter().enumerate().map(|(index, curve)| CurveSummary::new(index, curve, of(index))).collect()
+    curves
+        .iter()
+        .enumerate()
+        .map(|(index, curve)| CurveSummary::new(index, curve, of(index), plane))
+        .collect()
 }
 
 impl CurveSummary {
-    fn new<'a>(index: usize, curve: &Curve, stretches: impl Iterator<Item = &'a Named>) -> Self {
+    fn new<'a>(
+        index: usize,
+        curve: &Curve,
+        stretches: impl Iterator<Item = &'a Named>,
+        plane: &Plane,
+    ) -> Self {
+        let mirror = curve.motion.image.is_some();
+        let stops = plane.parameters.family().stops();
+        let grazed = curve.touches.filter(|_| !mirror && stops.len() > 1);
         let mut names: Vec<&str> = stretches.filter_map(|stretch| stretch.name.as_deref()).collect();
         names.sort_unstable();
         names.dedup();
@@ -70,6 +88,8 @@ impl CurveSummary {
             kind: curve.kind,
             motion: curve.motion.label(),
             symmetric: curve.motion.symmetric,
+            stop: grazed.map(|stop| stops[stop.index()].name.as_str()),
+            mirror,
             points: curve.points.len(),
             ends: curve.ends,
             criticality: Shares {
@@ -82,12 +102,13 @@ impl CurveSummary {
     }
 
     fn text(&self) -> String {
-        let symmetric = match (self.motion.as_str(), self.symmetric) {
-            ("no impact", _) => "",
-            (_, true) => " symmetric",
-            (_, false) => " unsymmetric",
+        let symmetric = match (self.motion.as_str(), self.mirror, self.symmetric) {
+            ("no impact", ..) | (_, false, _) => "",
+            (_, true, true) => " symmetric",
+            (_, true, false) => " unsymmetric",
         };
-        let title = format!("{} of {}{symmetric}", self.kind.name(), self.motion);
+        let at = self.stop.map(|stop| format!(" at stop {stop}")).unwrap_or_default();
+        let title = format!("{} of {}{symmetric}{at}", self.kind.name(), self.motion);
         let criticality = match (self.criticality.supercritical, self.criticality.subcritical) {
             (0.0, 0.0) => String::new(),
             (share, 0.0) if share > 0.0 => ", supercritical".to_owned(),
@@ -172,5 +193,5 @@ pub fn add_table<'a>(
             )
         })
     });
-    batch.table(output, COLUMNS, rows)
+    batch.table(output, &COLUMNS, rows)
 }

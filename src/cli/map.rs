@@ -68,7 +68,7 @@ pub struct MapArgs {
         default_missing_value = "bounding")]
     curves: Option<Which>,
 
-    /// Largest N of the motions N-p-q whose curves are computed
+    /// Largest N, in forcing periods, of the motions whose curves are computed
     #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
         value_parser = counted(1, Schedule::LARGEST_PERIOD))]
     curves_max_period: u32,
@@ -160,11 +160,7 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     }
     args.control.cells.refuse_settings()?;
     let plane = args.plane.plane()?;
-    if args.certify {
-        args.plane.of_paper("map --certify")?;
-    }
     if args.curves.is_some() {
-        args.plane.of_paper("map --curves")?;
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }
     let npz = files::data_beside(&args.out, args.data.as_deref());

@@ -16,6 +16,7 @@ mod defaults;
 mod error;
 mod estimate;
 mod files;
+mod help;
 mod interrupt;
 mod lyapunov;
 mod machine;
@@ -25,12 +26,14 @@ mod motion;
 mod multipliers;
 mod options;
 mod orbit;
+mod orbit_table;
 mod panics;
 mod pictures;
 mod progress;
 mod report;
 mod reproduce;
 mod scripts;
+mod site;
 mod spans;
 mod spelled;
 mod symmetric;
@@ -40,7 +43,9 @@ mod terminal;
 mod validate;
 mod values;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use std::ffi::OsString;
+
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub use error::CliError;
 pub use machine::hush_drivers;
@@ -93,6 +98,14 @@ enum Command {
     Adapters(adapters::AdaptersArgs),
     Completions(scripts::CompletionsArgs),
     Man(scripts::ManArgs),
+}
+
+/// Reads the arguments of the process; ends it where they cannot be used, or ask for help.
+pub fn parsed() -> Cli {
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    let command = help::about_system(Cli::command(), &arguments);
+    let matches = command.get_matches_from(arguments);
+    Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit())
 }
 
 /// Does what the arguments ask for.

@@ -103,7 +103,7 @@ pub fn holds<T: Real, const N: usize, D>(flight: &Flight<T, N>, point: &Point<T,
 }
 
 /// As many roundings of a place as [`holds`] lets pass.
-const ROUNDINGS: f64 = 64.0;
+pub const ROUNDINGS: f64 = 64.0;
 
 /// A stop that is reached in one straight line.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -27,7 +27,7 @@ pub use trajectory::{Event, Impact, Move, Trajectory};
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::chatter::{DRAGGED, SLOW, STEADY};
-    pub use super::contact::{HERMITE, WIDENING};
+    pub use super::contact::{HERMITE, ROUNDINGS, WIDENING};
     pub use super::series::INVERSE_FACTORIALS;
     pub use super::trajectory::{MOST_KICKS, MOST_MOVES};
     pub use crate::model::FAR;

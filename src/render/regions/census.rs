@@ -9,6 +9,7 @@ use crate::render::colouring::Colouring;
 use crate::render::colours::SHARED;
 use crate::render::motion::Motion;
 use crate::render::paint::Paint;
+use crate::system::Family;
 
 /// So many periodic motions have colours of their own at most, those with a smaller share of the plane only where there
 /// are few.
@@ -34,6 +35,8 @@ pub(super) struct Region {
 /// The regions of a plane, the largest first; those that are not distinct share one paint.
 #[derive(Clone, Debug)]
 pub(super) struct Census {
+    /// The family of the plane's system.
+    pub family: &'static Family,
     /// The regions, by descending size.
     pub regions: Vec<Region>,
     /// For each cell of the plane, the region that it belongs to.
@@ -78,7 +81,7 @@ impl Census {
             region.paint = colouring.paint(region.motion);
             region.distinct = colouring.own(region.motion).is_some();
         }
-        Census { regions, region_of }
+        Census { family: map.plane.parameters.family(), regions, region_of }
     }
 
     /// How many rows of a legend cannot be grouped: everything that is not periodic.

@@ -50,10 +50,11 @@ fn multipliers(
     if zip.index_for_name(&npyz::npz::file_name_from_array_name("multipliers")).is_none() {
         return Ok(None);
     }
-    let numbers: Vec<f64> = values(zip, "multipliers", &[plane.y.count.into(), plane.x.count.into(), 4, 2])?;
+    let count = 2 * plane.parameters.family().n();
+    let shape = [plane.y.count.into(), plane.x.count.into(), count as u64, 2];
+    let numbers: Vec<f64> = values(zip, "multipliers", &shape)?;
     let (pairs, _) = numbers.as_chunks::<2>();
-    let (cells, _) = pairs.as_chunks::<4>();
-    Ok(Some(cells.iter().map(|cell| (!cell[0][0].is_nan()).then_some(*cell)).collect()))
+    Ok(Some(pairs.chunks(count).map(|cell| (!cell[0][0].is_nan()).then(|| cell.to_vec())).collect()))
 }
 
 fn verdicts(zip: &mut ZipArchive<impl Read + Seek>, plane: &Plane) -> Result<Vec<Verdict>, ReadError> {

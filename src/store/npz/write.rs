@@ -25,8 +25,10 @@ pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + 
     let mut archive = Archive::new(to);
     write_verdicts(&mut archive, cells, &map.verdicts)?;
     if let Some(multipliers) = &map.multipliers {
-        let numbers = multipliers.iter().flat_map(|cell| cell.unwrap_or([[f64::NAN; 2]; 4]));
-        archive.array("multipliers", &[cells[0], cells[1], 4, 2], numbers.flatten())?;
+        let count = 2 * plane.parameters.family().n();
+        let none = vec![[f64::NAN; 2]; count];
+        let numbers = multipliers.iter().flat_map(|cell| cell.as_ref().unwrap_or(&none)).flatten().copied();
+        archive.array("multipliers", &[cells[0], cells[1], count as u64, 2], numbers)?;
     }
     archive.array("x", &[plane.x.count.into()], plane.x.values())?;
     archive.array("y", &[plane.y.count.into()], plane.y.values())?;

@@ -1,7 +1,6 @@
 //! A family gives plants: values, ranges, cells without one.
 
-use super::super::number::Number;
-use super::super::{CellError, Family, ParameterError, Plant, Values};
+use super::super::{CellError, Family, Number, ParameterError, Plant, Values};
 
 /// The example of the documentation.
 pub(super) fn example() -> &'static str {
