@@ -13,7 +13,7 @@ mod verdict;
 
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
-pub use regime::{Counts, INFINITELY_MANY, Regime, Verdict, motion_label};
+pub use regime::{Counts, INFINITELY_MANY, Measures, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
 pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
 pub(crate) use spread::Spread;

@@ -199,6 +199,16 @@ impl Axis {
         self.spacing.share(self.first, self.last, value)
     }
 
+    /// The axis of `count` of its values, those from index `first` on.
+    ///
+    /// # Panics
+    /// If there are not so many, or none are asked for.
+    #[must_use]
+    pub fn part(&self, first: u32, count: u32) -> Axis {
+        assert!(count > 0 && first + count <= self.count, "{count} values from {first} on of {self}");
+        Axis { first: self.value(first), last: self.value(first + count - 1), count, ..*self }
+    }
+
     /// The least value.
     pub fn least(&self) -> f64 {
         self.first.min(self.last)

@@ -4,10 +4,12 @@ mod axis;
 mod axis_error;
 mod connected;
 mod controlled;
+pub mod fields;
 mod region_map;
 mod spacing;
 mod spec;
 mod start;
+mod window;
 pub mod written;
 
 pub use axis::{Axis, Component, Quantity};
@@ -18,3 +20,4 @@ pub use region_map::{Multipliers, Provenance, RegionMap};
 pub use spacing::Spacing;
 pub use spec::{Plane, PlaneError};
 pub use start::{Start, StartError};
+pub use window::{Tiling, Window};

@@ -16,7 +16,7 @@ use crate::plane::{PlaneError, Provenance};
 pub use certify::{Certification, certify, certify_cells};
 pub use control::{ControlSweepError, sweep_control};
 pub use diagram::diagram;
-pub use map::sweep;
+pub use map::{sweep, sweep_window};
 pub use sample::{sample, sample_control, spread};
 
 /// What a result of this back end is marked with.

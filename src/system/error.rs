@@ -169,6 +169,7 @@ pub enum CellProblem {
 }
 
 fn at(values: &[(String, f64)]) -> String {
-    let list: Vec<String> = values.iter().map(|(name, value)| format!("{name} = {}", Number(*value))).collect();
+    let list: Vec<String> =
+        values.iter().map(|(name, value)| format!("{name} = {}", Number(*value))).collect();
     if list.is_empty() { String::new() } else { format!(" (at {})", list.join(", ")) }
 }
