@@ -42,7 +42,7 @@ pub struct ValidateArgs {
     plane: PlaneArgs,
 
     /// Computes about K cells, whatever COUNT the axes have [default: 120000 where no axis is given]
-    #[arg(long, value_name = "K", value_parser = counted(4, Plane::LARGEST as u32))]
+    #[arg(long, value_name = "K", value_parser = counted(4, Plane::LARGEST_AT_ONCE as u32))]
     cells: Option<u32>,
 
     #[command(flatten)]

@@ -40,6 +40,16 @@ impl CurveMotion {
         CurveMotion { n: pattern.n(), p: pattern.p(), q: pattern.q(), symmetric: pattern.mirrored }
     }
 
+    /// The motion of a label, N-p-q or what it is called without impacts.
+    pub fn labelled(label: &str, symmetric: bool) -> Option<Self> {
+        if label == "no impact" {
+            return Some(CurveMotion { n: 1, p: 0, q: 0, symmetric });
+        }
+        let counts: Option<Vec<u32>> = label.split('-').map(|count| count.parse().ok()).collect();
+        let [n, p, q] = counts?[..] else { return None };
+        Some(CurveMotion { n, p, q, symmetric })
+    }
+
     /// The motion with the stops exchanged.
     #[must_use]
     pub fn mirror_image(&self) -> Self {
@@ -82,6 +92,11 @@ pub enum Criticality {
 }
 
 impl Criticality {
+    /// The criticality of a name.
+    pub fn named(name: &str) -> Option<Criticality> {
+        [Criticality::Supercritical, Criticality::Subcritical].into_iter().find(|own| own.name() == name)
+    }
+
     /// The name in files.
     pub fn name(self) -> &'static str {
         match self {
@@ -127,6 +142,30 @@ pub enum Special {
 }
 
 impl Special {
+    /// Every kind of special point.
+    pub const ALL: [Special; 15] = [
+        Special::Cusp,
+        Special::Resonance11,
+        Special::Resonance12,
+        Special::Resonance13,
+        Special::Resonance14,
+        Special::FoldFlip,
+        Special::FoldNeimarkSacker,
+        Special::FlipNeimarkSacker,
+        Special::DoubleNeimarkSacker,
+        Special::Chenciner,
+        Special::GeneralisedFlip,
+        Special::Grazing,
+        Special::GrazingFold,
+        Special::GrazingFlip,
+        Special::GrazingNeimarkSacker,
+    ];
+
+    /// The special point of a name.
+    pub fn named(name: &str) -> Option<Special> {
+        Special::ALL.into_iter().find(|special| special.name() == name)
+    }
+
     /// The name in files and legends.
     pub fn name(self) -> &'static str {
         match self {

@@ -3,6 +3,7 @@
 mod assemble;
 mod layer;
 mod table;
+mod thinned;
 mod values;
 
 use thiserror::Error;
@@ -16,6 +17,7 @@ use crate::system::Family;
 pub use assemble::assembled;
 pub use layer::{Layer, LayerError};
 pub use table::{CELL_FIELDS, NOT_COMPUTED};
+pub use thinned::thinned;
 pub use values::{Kind, Values};
 
 /// What is known of one cell.

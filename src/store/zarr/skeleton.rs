@@ -5,10 +5,13 @@ use std::sync::Arc;
 
 use serde_json::{Map, Value, json};
 use zarrs::array::codec::array_to_bytes::sharding::ShardingCodecBuilder;
-use zarrs::array::codec::{Crc32cCodec, GzipCodec};
-use zarrs::array::{Array, ArrayBuilder, ChunkShape, DataType, FillValue};
+use zarrs::array::codec::{
+    ArrayToBytesCodecTraits, BytesToBytesCodecTraits, CodecOptions, Crc32cCodec, GzipCodec,
+};
+use zarrs::array::{Array, ArrayBuilder, ChunkShape, DataType, Element, FillValue};
 use zarrs::filesystem::FilesystemStore;
 use zarrs::group::GroupBuilder;
+use zarrs::storage::store::MemoryStore;
 
 use crate::analysis::Regime;
 use crate::plane::fields::{CellField, Inner, Kind, NOT_COMPUTED};
@@ -106,10 +109,7 @@ impl Skeleton<'_> {
         let shard = with_inner(self.tiling.side, self.tiling.side);
         let chunk: ChunkShape = shard.as_slice().try_into()?;
         let mut sharding = ShardingCodecBuilder::new(chunk);
-        sharding.bytes_to_bytes_codecs(vec![
-            Arc::new(GzipCodec::new(COMPRESSION)?),
-            Arc::new(Crc32cCodec::new()),
-        ]);
+        sharding.bytes_to_bytes_codecs(of_chunks()?);
         let (kind, fill) = kind_and_fill(field);
         let names: Vec<&str> = ["y", "x"].into_iter().chain(inner.iter().map(|(name, _)| *name)).collect();
         let array = ArrayBuilder::new(shape, shard, kind, fill)
@@ -158,8 +158,35 @@ impl Skeleton<'_> {
     }
 }
 
+/// How the bytes of a chunk become those of its place in a shard.
+fn of_chunks() -> Result<Vec<Arc<dyn BytesToBytesCodecTraits>>, Failure> {
+    Ok(vec![Arc::new(GzipCodec::new(COMPRESSION)?), Arc::new(Crc32cCodec::new())])
+}
+
+/// The bytes of a shard of one chunk: the chunk's, and the index with its place and checksum.
+///
+/// The sharding codec of zarrs 0.22 reserves for a chunk what it takes to be the most, which noise exceeds.
+pub fn shard_of<T: Element>(
+    values: &[T],
+    shape: &[u64],
+    kind: DataType,
+    fill: FillValue,
+) -> Result<Vec<u8>, Failure> {
+    let alone = ArrayBuilder::new(shape.to_vec(), shape.to_vec(), kind, fill)
+        .bytes_to_bytes_codecs(of_chunks()?)
+        .build(Arc::new(MemoryStore::new()), "/")?;
+    let options = CodecOptions::default();
+    let bytes = T::into_array_bytes(alone.data_type(), values)?;
+    let first = vec![0; shape.len()];
+    let representation = alone.chunk_array_representation(&first)?;
+    let mut shard = alone.codecs().encode(bytes, &representation, &options)?.into_owned();
+    let index = [0_u64.to_le_bytes(), (shard.len() as u64).to_le_bytes()].concat();
+    shard.extend_from_slice(&Crc32cCodec::new().encode(index.into(), &options)?);
+    Ok(shard)
+}
+
 /// The type of a field in a store, and what stands in it for cells that were not computed.
-fn kind_and_fill(field: &CellField) -> (DataType, FillValue) {
+pub fn kind_and_fill(field: &CellField) -> (DataType, FillValue) {
     match field.kind() {
         Kind::U8 if field.name == "regime" => (DataType::UInt8, NOT_COMPUTED.into()),
         Kind::U8 => (DataType::UInt8, 0u8.into()),

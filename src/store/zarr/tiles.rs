@@ -8,14 +8,16 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use serde_json::Value;
 use tempfile::Builder;
-use zarrs::array::codec::{ArrayToBytesCodecTraits, CodecOptions};
-use zarrs::array::{Array, Element, ElementOwned};
-use zarrs::array_subset::ArraySubset;
+use zarrs::array::codec::CodecOptions;
+use zarrs::array::{Array, ArrayError, ElementOwned};
 use zarrs::filesystem::FilesystemStore;
 
+use super::skeleton::{kind_and_fill, shard_of};
 use super::{HIDDEN, StoreError, ZarrStore};
 use crate::analysis::Verdict;
-use crate::plane::fields::{CELL_FIELDS, CellField, CellResult, Cells, CellsError, Kind, Values, assembled};
+use crate::plane::fields::{
+    CELL_FIELDS, CellField, CellResult, Cells, CellsError, Kind, NOT_COMPUTED, Values, assembled,
+};
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
 use crate::store::OutputError;
 
@@ -146,41 +148,25 @@ impl ZarrStore {
 
     /// The bytes of a shard: the tile's values, and where the tile reaches beyond the plane what stands for nothing.
     fn encoded(&self, field: &'static CellField, tile: u32, values: &Values) -> io::Result<Vec<u8>> {
-        let inner = field.inner.len(self.plane.parameters.family());
-        let window = self.tiling.window(tile);
-        let side = self.tiling.side;
+        let family = self.plane.parameters.family();
+        let (window, side) = (self.tiling.window(tile), self.tiling.side);
+        let sizes = field.inner.dimensions(family).into_iter().map(|(_, size)| size as u64);
+        let shape: Vec<u64> = [side.into(), side.into()].into_iter().chain(sizes).collect();
+        let inner = field.inner.len(family);
+        let (kind, fill) = kind_and_fill(field);
+        let nothing = if field.name == "regime" { NOT_COMPUTED } else { 0 };
         match values {
-            Values::U8(values) => {
-                let nothing = if field.name == "regime" { crate::plane::fields::NOT_COMPUTED } else { 0 };
-                self.shard_bytes(field, tile, &padded(values, window, inner, side, nothing))
-            }
-            Values::U16(values) => self.shard_bytes(field, tile, &padded(values, window, inner, side, 0)),
-            Values::U32(values) => self.shard_bytes(field, tile, &padded(values, window, inner, side, 0)),
+            Values::U8(values) => shard_of(&padded(values, window, inner, side, nothing), &shape, kind, fill),
+            Values::U16(values) => shard_of(&padded(values, window, inner, side, 0), &shape, kind, fill),
+            Values::U32(values) => shard_of(&padded(values, window, inner, side, 0), &shape, kind, fill),
             Values::F32(values) => {
-                self.shard_bytes(field, tile, &padded(values, window, inner, side, f32::NAN))
+                shard_of(&padded(values, window, inner, side, f32::NAN), &shape, kind, fill)
             }
             Values::F64(values) => {
-                self.shard_bytes(field, tile, &padded(values, window, inner, side, f64::NAN))
+                shard_of(&padded(values, window, inner, side, f64::NAN), &shape, kind, fill)
             }
         }
-    }
-
-    fn shard_bytes<T: Element>(
-        &self,
-        field: &'static CellField,
-        tile: u32,
-        values: &[T],
-    ) -> io::Result<Vec<u8>> {
-        let array = self.array(field).map_err(|error| io::Error::other(error.to_string()))?;
-        let indices = self.indices(field, tile);
-        let encode = || -> Result<Vec<u8>, Box<dyn std::error::Error + Send + Sync>> {
-            let bytes = T::into_array_bytes(array.data_type(), values)?;
-            let shape = array.chunk_array_representation(&indices)?;
-            let mut options = CodecOptions::default();
-            options.set_store_empty_chunks(true).set_concurrent_target(1);
-            Ok(array.codecs().encode(bytes, &shape, &options)?.into_owned())
-        };
-        encode().map_err(io::Error::other)
+        .map_err(io::Error::other)
     }
 
     fn indices(&self, field: &CellField, tile: u32) -> Vec<u64> {
@@ -197,36 +183,46 @@ impl ZarrStore {
         })
     }
 
-    fn elements<T: ElementOwned + Send>(
+    /// A field of the cells of a window, tile by tile: only whole chunks are held against their checksums.
+    fn elements<T: ElementOwned + Copy + Send + Sync>(
         &self,
         field: &'static CellField,
         window: Window,
+        nothing: T,
     ) -> Result<Vec<T>, StoreError> {
         let array = self.array(field)?;
-        let mut ranges = vec![
-            u64::from(window.row)..u64::from(window.row + window.rows),
-            u64::from(window.column)..u64::from(window.column + window.columns),
-        ];
-        let inner = field.inner.dimensions(self.plane.parameters.family());
-        ranges.extend(inner.iter().map(|(_, size)| 0..*size as u64));
-        let read = array.retrieve_array_subset_elements(&ArraySubset::new_with_ranges(&ranges));
-        read.map_err(|error| self.damaged::<T>(field, window, &array, &error.to_string()))
-    }
-
-    /// Which shard it is that cannot be read.
-    fn damaged<T: ElementOwned>(
-        &self,
-        field: &'static CellField,
-        window: Window,
-        array: &Array<FilesystemStore>,
-        error: &str,
-    ) -> StoreError {
-        let broken = self.tiling.touched(&window).into_iter().find_map(|tile| {
-            let read = array.retrieve_chunk_elements::<T>(&self.indices(field, tile));
-            read.err().map(|error| (self.shard(field, tile), error.to_string()))
-        });
-        let (path, reason) = broken.unwrap_or_else(|| (self.path.join(field.name), error.to_owned()));
-        StoreError::Damaged { path, reason }
+        let inner = field.inner.len(self.plane.parameters.family());
+        let mut found = vec![nothing; window.cells() * inner];
+        let touched = self.tiling.touched(&window);
+        // Some tiles at a time, so that no more memory is needed than for the window and those.
+        for tiles in touched.chunks(2 * rayon::current_num_threads().max(1)) {
+            let chunk = |&tile: &u32| -> Result<(u32, Option<Vec<T>>), StoreError> {
+                let mut options = CodecOptions::default();
+                options.set_concurrent_target(1);
+                let indices = self.indices(field, tile);
+                let read = array.retrieve_chunk_elements_if_exists_opt::<T>(&indices, &options);
+                let damaged = |error: ArrayError| StoreError::Damaged {
+                    path: self.shard(field, tile),
+                    reason: error.to_string(),
+                };
+                Ok((tile, read.map_err(damaged)?))
+            };
+            let read: Vec<(u32, Option<Vec<T>>)> = tiles.par_iter().map(chunk).collect::<Result<_, _>>()?;
+            for (tile, values) in read {
+                let Some(values) = values else { continue };
+                let own = self.tiling.window(tile);
+                let shared = own.shared(&window);
+                let length = shared.columns as usize * inner;
+                for row in shared.row..shared.row + shared.rows {
+                    let from = ((row - own.row) as usize * self.tiling.side as usize
+                        + (shared.column - own.column) as usize)
+                        * inner;
+                    let to = window.index((shared.column, row)) * inner;
+                    found[to..to + length].copy_from_slice(&values[from..from + length]);
+                }
+            }
+        }
+        Ok(found)
     }
 }
 
@@ -245,11 +241,15 @@ impl Cells for ZarrStore {
 
     fn read(&self, field: &'static CellField, window: Window) -> Result<Values, CellsError> {
         Ok(match field.kind() {
-            Kind::U8 => Values::U8(self.elements(field, window)?),
-            Kind::U16 => Values::U16(self.elements(field, window)?),
-            Kind::U32 => Values::U32(self.elements(field, window)?),
-            Kind::F32 => Values::F32(self.elements(field, window)?),
-            Kind::F64 => Values::F64(self.elements(field, window)?),
+            Kind::U8 => Values::U8(self.elements(
+                field,
+                window,
+                if field.name == "regime" { NOT_COMPUTED } else { 0 },
+            )?),
+            Kind::U16 => Values::U16(self.elements(field, window, 0)?),
+            Kind::U32 => Values::U32(self.elements(field, window, 0)?),
+            Kind::F32 => Values::F32(self.elements(field, window, f32::NAN)?),
+            Kind::F64 => Values::F64(self.elements(field, window, f64::NAN)?),
         })
     }
 
