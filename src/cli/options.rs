@@ -176,8 +176,8 @@ pub struct BackendArgs {
     #[arg(long, value_enum, default_value_t = BackendName::Auto)]
     pub backend: BackendName,
 
-    /// Uses the adapter whose name contains TEXT (see `impact-atlas adapters`)
-    #[arg(long, value_name = "TEXT")]
+    /// Uses the adapter of an address on the PCI bus or an index, or one whose name contains TEXT (see `impact-atlas adapters`)
+    #[arg(long, value_name = "PCI|#INDEX|TEXT")]
     pub adapter: Option<String>,
 }
 
@@ -374,11 +374,6 @@ pub struct PlaneArgs {
 }
 
 impl PlaneArgs {
-    /// Refuses another system than the paper's for a command that cannot follow it.
-    pub fn of_paper(&self, command: &str) -> Result<(), CliError> {
-        self.axes.system.of_paper(command)
-    }
-
     /// The checked plane.
     pub fn plane(&self) -> Result<Plane, CliError> {
         self.axes.plane(self.schedule())

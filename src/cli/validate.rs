@@ -69,6 +69,12 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
         return controlled(args, method);
     }
     args.control.refuse_settings()?;
+    if let Some(from) = args.control.again() {
+        return Err(CliError::Input(anyhow!(
+            "--from {} has no effect without control: drop it or choose a method with --control",
+            from.display()
+        )));
+    }
     let plane = args.plane.plane_of(args.cells, defaults::VALIDATED_CELLS)?;
     plane.check().map_err(CliError::input)?;
     if args.curves {
