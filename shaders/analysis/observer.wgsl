@@ -37,6 +37,7 @@ struct Verdict {
     peak_impact_velocity: f32,
     periods: u32,
     returning: u32,
+    observed: u32,
 }
 
 var<private> observer: Observer;
@@ -272,5 +273,6 @@ fn observer_verdict() -> Verdict {
         observer.peak,
         observer.periods,
         select(0u, observer.recurrence.n, returning),
+        select(0u, observer.observed, observer.stage == STAGE_OBSERVED),
     );
 }

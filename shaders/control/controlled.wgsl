@@ -273,6 +273,7 @@ fn controlled_outcome() -> Outcome {
             controlled.peak,
             controlled.periods,
             0u,
+            0u,
         ),
         period,
         controlled.iterates,

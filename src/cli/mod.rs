@@ -13,6 +13,7 @@ mod controlled;
 mod curve_list;
 mod curves;
 mod defaults;
+mod drawing;
 mod error;
 mod estimate;
 mod files;
@@ -30,12 +31,15 @@ mod orbit_table;
 mod panics;
 mod pictures;
 mod progress;
+mod render;
 mod report;
 mod reproduce;
 mod scripts;
 mod site;
 mod spans;
 mod spelled;
+mod status;
+mod stored;
 mod symmetric;
 mod system;
 mod systems;
@@ -84,6 +88,8 @@ Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2
 #[derive(Debug, Subcommand)]
 enum Command {
     Map(map::MapArgs),
+    Render(render::RenderArgs),
+    Status(status::StatusArgs),
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Control(control::ControlArgs),
@@ -118,6 +124,8 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
     machine::start_threads(cli.threads)?;
     panics::shielded(|| match &cli.command {
         Command::Map(args) => map::run(args),
+        Command::Render(args) => render::run(args),
+        Command::Status(args) => status::run(args),
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
         Command::Control(args) => control::run(args),

@@ -268,6 +268,7 @@ mod tests {
             peak_impact_velocity: 0.4,
             periods: 600,
             returning: 0,
+            measures: impact_atlas::analysis::Measures::default(),
         }
     }
 

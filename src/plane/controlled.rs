@@ -40,7 +40,7 @@ impl ControlPlane {
         if self.x.quantity == self.y.quantity {
             return Err(PlaneError::SameAxis(self.x.quantity.name()).into());
         }
-        if plane.cells() > Plane::LARGEST {
+        if plane.cells() > Plane::LARGEST_AT_ONCE {
             return Err(PlaneError::TooLarge { x: self.x.count, y: self.y.count }.into());
         }
         self.iterates.check()?;

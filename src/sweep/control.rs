@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::map::check_border;
 use super::provenance;
-use crate::analysis::{Counts, Regime, Verdict};
+use crate::analysis::{Counts, Measures, Regime, Verdict};
 use crate::backend::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::control::{ControlError, NEVER, Outcome};
 use crate::model::{StateVector, System, SystemError};
@@ -96,6 +96,7 @@ fn uncontrolled(coordinates: usize) -> Outcome {
             peak_impact_velocity: 0.0,
             periods: 0,
             returning: 0,
+            measures: Measures::default(),
         },
         period: 0,
         iterates: 0,

@@ -22,6 +22,7 @@ fn motion(n: u16, symmetric: bool) -> Verdict {
         peak_impact_velocity: 0.4,
         periods: 600,
         returning: 0,
+        measures: crate::analysis::Measures::default(),
     }
 }
 

@@ -50,6 +50,7 @@ fn structs_lie_as_the_shaders_declare_them() {
         peak_impact_velocity,
         periods,
         returning,
+        observed,
     });
     assert_layout!(TraceDispatch { schedule, count, budget, begin, row, section, reading, capacity, unused });
     assert_layout!(Rebounds { last, stop, run, longest });
