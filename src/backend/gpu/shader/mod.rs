@@ -71,7 +71,7 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 15] = [
+const COMMON: [&str; 16] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
     include_str!("../../../../shaders/dynamics/stop.wgsl"),
@@ -81,6 +81,7 @@ const COMMON: [&str; 15] = [
     include_str!("../../../../shaders/dynamics/contact.wgsl"),
     include_str!("../../../../shaders/dynamics/chatter.wgsl"),
     include_str!("../../../../shaders/dynamics/placing.wgsl"),
+    include_str!("../../../../shaders/dynamics/corner.wgsl"),
     include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
     include_str!("../../../../shaders/analysis/recurrence.wgsl"),
     include_str!("../../../../shaders/analysis/exponent.wgsl"),
