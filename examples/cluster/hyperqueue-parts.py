@@ -14,7 +14,7 @@ import subprocess
 
 from hyperqueue import Client, Job, LocalCluster
 from hyperqueue.cluster import WorkerConfig
-from hyperqueue.task.program import ResourceRequest
+from hyperqueue.ffi.protocol import ResourceRequest
 
 here = pathlib.Path(__file__).resolve().parent
 
