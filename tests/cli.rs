@@ -353,7 +353,7 @@ fn without_an_adapter_maps_run_on_the_cpu_and_validation_says_so() {
 fn adapters_are_listed() {
     let output = run(&["adapters", "--json"]);
     for adapter in json(&output).as_array().unwrap() {
-        assert_eq!(keys(adapter), ["api", "driver", "kind", "name"]);
+        assert_eq!(keys(adapter), ["api", "driver", "kind", "name", "pci"]);
     }
     assert_eq!(run(&["adapters"]).status.code(), Some(0));
 }

@@ -13,7 +13,7 @@ use std::path::Path;
 use std::process::{Child, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use impact_atlas::store::fields::FILES;
+use impact_atlas::store::fields;
 use npyz::{DType, NpyFile};
 use program::{names, program};
 use rand::SeedableRng;
@@ -188,9 +188,9 @@ fn archive(path: &Path) -> Result<(), String> {
             "<f8" => array.into_vec::<f64>().map(|values| values.iter().all(|value| value.is_finite())),
             _ => Ok(true),
         };
-        let may_be_missing = FILES
+        let may_be_missing = fields::files()
             .iter()
-            .flat_map(|file| file.fields)
+            .flat_map(|file| file.fields.clone())
             .any(|known| known.name == field && known.may_be_missing());
         if !finite.map_err(|error| broken(&error))? && !may_be_missing {
             return Err(format!("{}: {field} is not finite", path.display()));

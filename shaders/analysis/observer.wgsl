@@ -37,6 +37,7 @@ struct Verdict {
     peak_impact_velocity: f32,
     periods: u32,
     returning: u32,
+    observed: u32,
 }
 
 var<private> observer: Observer;
@@ -86,6 +87,7 @@ fn observer_note(taken: Move) {
     }
     if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER && taken.velocity != 0.0 {
         recurrence_count(taken.stop, taken.event == EVENT_COMPLETE_CHATTER);
+        observer_count_beside(taken.beside);
         observer.impacts = observer.impacts + 1u;
         observer.impacts_total = observer.impacts_total + 1u;
         observer.peak = max(observer.peak, abs(taken.velocity));
@@ -97,6 +99,21 @@ fn observer_note(taken: Move) {
     if observer.moves > MOST_MOVES {
         observer.stage = STAGE_FAILED;
     }
+}
+
+// Infinitely many impacts at every stop that shares the rebounds of another.
+fn observer_count_beside(beside: u32) {
+    if beside == CONTACT_FREE {
+        return;
+    }
+    //: each normal
+    if contact_includes(beside, End($ku, 0u)) {
+        recurrence_count(flight.normals[$k].stop[0], true);
+    }
+    if contact_includes(beside, End($ku, 1u)) {
+        recurrence_count(flight.normals[$k].stop[1], true);
+    }
+    //: end
 }
 
 fn observer_strobe() {
@@ -272,5 +289,6 @@ fn observer_verdict() -> Verdict {
         observer.peak,
         observer.periods,
         select(0u, observer.recurrence.n, returning),
+        select(0u, observer.observed, observer.stage == STAGE_OBSERVED),
     );
 }

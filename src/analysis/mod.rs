@@ -17,7 +17,7 @@ pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
 pub use probe::Probe;
 pub use rebounds::{CHATTER_RUN, Rebounds};
-pub use regime::{Counts, INFINITELY_MANY, Regime, Verdict, motion_label};
+pub use regime::{Counts, INFINITELY_MANY, Measures, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
 pub use section::{Reading, Section, SectionError};
 pub(crate) use spread::Spread;

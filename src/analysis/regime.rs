@@ -108,9 +108,35 @@ pub struct Verdict {
     /// Forcing periods after which the strobe state comes back at the end where a look at the exact motion is called for:
     /// it still moves, may have a shorter period, or was reached within the observation; 0 elsewhere. Not written to files.
     pub returning: u16,
+    /// What else was measured while it was observed.
+    #[serde(default)]
+    pub measures: Measures,
+}
+
+/// What was measured while a trajectory was observed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Measures {
+    /// Forcing periods of the observation that the verdict rests on; 0 where there was none.
+    pub observed: u32,
 }
 
 impl Verdict {
+    /// Impacts per forcing period of the observation; NaN where there was none.
+    pub fn impacts_per_period(&self) -> f32 {
+        match self.measures.observed {
+            0 => f32::NAN,
+            observed => (f64::from(self.impacts) / f64::from(observed)) as f32,
+        }
+    }
+
+    /// Forcing periods before the observation that found the motion settled; NaN where the trajectory did not settle.
+    pub fn settling(&self) -> f32 {
+        match self.regime.is_periodic() || self.regime == Regime::NoImpact {
+            true => self.periods.saturating_sub(self.measures.observed) as f32,
+            false => f32::NAN,
+        }
+    }
+
     /// The verdict on a trajectory that went on from where an earlier one left it, over the periods and impacts of both.
     #[must_use]
     pub fn going_on_from(self, earlier: &Verdict) -> Self {
@@ -136,6 +162,7 @@ impl Verdict {
             peak_impact_velocity: 0.0,
             periods: 1,
             returning: 0,
+            measures: Measures::default(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! What an observed trajectory settled on.
 
 use super::observer::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, Observer, SIGNIFICANCE, Stage};
-use super::regime::{Counts, Regime, Verdict};
+use super::regime::{Counts, Measures, Regime, Verdict};
 use crate::model::{Flight, Real, State, StateVector};
 
 impl<T: Real, const N: usize> Observer<T, N> {
@@ -33,7 +33,12 @@ impl<T: Real, const N: usize> Observer<T, N> {
             peak_impact_velocity: self.peak.widen() as f32,
             periods: self.periods,
             returning: returning as u16,
+            measures: self.measures(),
         }
+    }
+
+    fn measures(&self) -> Measures {
+        Measures { observed: if self.stage == Stage::Observed { self.observed } else { 0 } }
     }
 
     /// The state that is reported: where the trajectory ends, or of motion that decays onto the forced response without

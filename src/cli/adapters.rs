@@ -13,7 +13,7 @@ Examples:
   impact-atlas adapters
   impact-atlas map --backend gpu --adapter llvmpipe")]
 pub struct AdaptersArgs {
-    /// Prints JSON: [{name, driver, api, kind}], kind being hardware or software
+    /// Prints JSON: [{name, driver, api, kind, pci}], kind being hardware or software
     #[arg(long)]
     json: bool,
 }
@@ -27,7 +27,11 @@ pub fn run(args: &AdaptersArgs) -> Result<(), CliError> {
     if adapters.is_empty() {
         return print("no adapter was found; --backend cpu needs none");
     }
-    let lines: Vec<String> =
-        adapters.iter().map(|a| format!("{} ({}, {}, {})", a.name, a.kind, a.api, a.driver)).collect();
+    let lines: Vec<String> = (adapters.iter().enumerate())
+        .map(|(i, a)| {
+            let at = if a.pci.is_empty() { String::new() } else { format!(", {}", a.pci) };
+            format!("#{i} {} ({}, {}, {}{at})", a.name, a.kind, a.api, a.driver)
+        })
+        .collect();
     print(&lines.join("\n"))
 }

@@ -8,7 +8,7 @@ use std::str::FromStr;
 use anyhow::{Context, anyhow};
 use impact_atlas::plane::{Axis, Plane, Provenance};
 use impact_atlas::render::carried_configuration;
-use impact_atlas::store::read_config;
+use impact_atlas::store::{ZarrStore, read_config};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -76,6 +76,11 @@ pub fn made(path: &Path) -> Result<Made, CliError> {
         certified: bool,
     }
     let name = path.display();
+    if path.is_dir() {
+        let store = ZarrStore::open(path)?;
+        let (plane, provenance) = (store.plane().clone(), store.provenance().clone());
+        return Ok(Made { plane, provenance, certified: store.is_certified() });
+    }
     let bytes = fs::read(path).with_context(|| format!("cannot read `{name}`")).map_err(CliError::Input)?;
     let carried = if bytes.starts_with(b"PK") {
         read_config(Cursor::new(bytes)).ok()

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::control::NEVER;
 use impact_atlas::plane::ControlMap;
@@ -16,8 +17,9 @@ use super::files::{self, Batch, Kind};
 use super::map::{MapArgs, in_order};
 use super::method::MethodName;
 use super::progress::Progress;
+use super::stored::is_store;
 use super::terminal::{print, print_json};
-use super::{CliError, estimate};
+use super::{CliError, defaults, estimate};
 
 /// Control of every cell of a map, and what is drawn of it.
 #[derive(Debug, Args)]
@@ -52,9 +54,16 @@ struct Summary<'a> {
 /// Runs the command.
 pub fn run(method: MethodName, args: &MapArgs) -> Result<(), CliError> {
     let plane = args.control.cells.plane(method, &args.plane)?;
-    let npz = files::data_beside(&args.out, args.data.as_deref());
+    if let Some(store) = args.data.as_deref().filter(|path| is_store(path)) {
+        return Err(CliError::Input(anyhow!(
+            "a map under control is written as an npz file: name {} with .npz",
+            store.display()
+        )));
+    }
+    let out = args.out.clone().unwrap_or_else(|| defaults::PICTURE.into());
+    let npz = files::data_beside(&out, args.data.as_deref());
     let wanted = [
-        Kind::Picture.at(Some(&args.out)),
+        Kind::Picture.at(Some(&out)),
         Kind::Archive.at(npz.as_deref()),
         Kind::Picture.at(args.control.times.as_deref()),
     ];
@@ -67,10 +76,10 @@ pub fn run(method: MethodName, args: &MapArgs) -> Result<(), CliError> {
     drop(progress);
     let summary = Summary::new(&map, began.elapsed().as_secs_f64());
     let mut batch = Batch::default();
-    batch.picture(&picture, &render::control_map(&map, args.size))?;
+    batch.picture(&picture, &render::control_map(&map, args.drawing.size))?;
     batch.add(&data, |file| store::write_control_map(&map, file))?;
     if times.is_some() {
-        batch.picture(&times, &render::convergence_map(&map, args.size))?;
+        batch.picture(&times, &render::convergence_map(&map, args.drawing.size))?;
     }
     batch.show()?;
     if args.json { print_json(&summary) } else { print(&summary.text()) }

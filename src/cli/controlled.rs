@@ -1,5 +1,7 @@
 //! The options of planes under control, which `map` and `validate` share.
 
+use std::path::Path;
+
 use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::control::ControlSchedule;
@@ -16,15 +18,15 @@ pub struct ControlledArgs {
     /// Controls every cell by a method, and maps what is reached
     ///
     /// Axes may vary the settings of the method too: gain, delay; amplitude, alpha, dead_band, gamma, phase; period,
-    /// noise; target_v1, target_x2, target_v2, target_tau. See `impact-atlas control --help` for what they are.
+    /// noise; target_v1 … target_vn, target_x1 … target_xn, target_tau. See `impact-atlas control --help` for what they are.
     #[arg(long, value_name = "METHOD", value_enum, help_heading = "Control",
         conflicts_with_all = ["transient", "observe", "fixed_periods", "curves"])]
     pub control: Option<MethodName>,
 
-    /// The first iterate that is controlled
-    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::CONTROL_MAP_FROM, requires = "control",
-        help_heading = "Control")]
-    from: u32,
+    /// With --control, the first iterate that is controlled [default: 200]; without, for `map`, a picture, an npz file or a
+    /// store whose configuration is run again, with what else is given in its place
+    #[arg(long, value_name = "N|FILE", help_heading = "Control")]
+    from: Option<String>,
 
     /// Iterates altogether; a cell that has settled under control finishes early
     #[arg(long, value_parser = count, value_name = "K", default_value_t = defaults::CONTROL_MAP_ITERATES, requires = "control",
@@ -46,10 +48,27 @@ impl ControlledArgs {
         }
     }
 
+    /// The file whose configuration is run again, if there is one.
+    pub fn again(&self) -> Option<&Path> {
+        self.from.as_deref().filter(|_| self.control.is_none()).map(Path::new)
+    }
+
+    /// The first iterate that is controlled.
+    fn first(&self) -> Result<u32, CliError> {
+        let Some(text) = &self.from else { return Ok(defaults::CONTROL_MAP_FROM) };
+        count(text).map_err(|error| {
+            CliError::Input(anyhow!(
+                "invalid value '{text}' for '--from <N|FILE>': with --control it is the first iterate that is controlled: \
+                 {error}"
+            ))
+        })
+    }
+
     /// The checked plane under control.
     pub fn plane(&self, method: MethodName, plane: &PlaneArgs) -> Result<ControlPlane, CliError> {
         let max_period = plane.max_period.unwrap_or(ControlSchedule::MAX_PERIOD);
-        let iterates = ControlSchedule { from: self.from, iterates: self.iterates, fixed: false, max_period };
+        let from = self.first()?;
+        let iterates = ControlSchedule { from, iterates: self.iterates, fixed: false, max_period };
         plane.control_plane(method, &self.settings, iterates)
     }
 }

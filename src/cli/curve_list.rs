@@ -1,6 +1,12 @@
 //! Bifurcation curves in words, as JSON and as a table.
 
-use impact_atlas::curves::{Criticality, Curve, CurvePoint, End, Kind, LeftOut, Named, Why, named};
+use std::path::Path;
+
+use anyhow::anyhow;
+use impact_atlas::curves::{
+    Criticality, Curve, CurveMotion, CurvePoint, End, Kind, LeftOut, Named, Special, Why, named,
+};
+use impact_atlas::model::System;
 use impact_atlas::plane::Plane;
 use impact_atlas::store::Output;
 use serde::Serialize;
@@ -194,4 +200,67 @@ pub fn add_table<'a>(
         })
     });
     batch.table(output, &COLUMNS, rows)
+}
+
+/// The most that the first point of a part of a curve lies from the last of the one before it, in steps of the curve.
+const CONTINUED: f64 = 3.0;
+
+/// Reads a table of curves of a plane that [`add_table`] wrote.
+pub fn read(path: &Path, plane: &Plane) -> Result<Vec<Curve>, CliError> {
+    let name = path.display();
+    let refused = |why: String| {
+        CliError::Input(anyhow!(
+            "`{name}` is no table of curves: {why}; give a file that `curves --out` wrote"
+        ))
+    };
+    let mut table = csv::Reader::from_path(path).map_err(|error| refused(error.to_string()))?;
+    let headers = table.headers().map_err(|error| refused(error.to_string()))?;
+    if headers.iter().ne(COLUMNS) {
+        return Err(refused(format!("its columns are not {}", COLUMNS.join(", "))));
+    }
+    let system = System::new(plane.parameters_at(0, 0)).map_err(CliError::input)?;
+    let mut curves: Vec<Curve> = Vec::new();
+    let mut last = String::new();
+    for (row, record) in (2..).zip(table.records()) {
+        let record = record.map_err(|error| refused(error.to_string()))?;
+        let wrong = |what: &str| refused(format!("line {row} has {what}"));
+        let number = |i: usize| record[i].parse::<f64>().ok().filter(|value| value.is_finite());
+        let point = CurvePoint {
+            x: number(3).ok_or_else(|| wrong("no number x"))?,
+            y: number(4).ok_or_else(|| wrong("no number y"))?,
+            criticality: Criticality::named(&record[5]),
+            bounding: &record[8] == "true",
+            special: Special::named(&record[6]),
+        };
+        let kind = Kind::named(&record[1]).ok_or_else(|| wrong("an unknown kind"))?;
+        let motion = CurveMotion::labelled(&record[2], &record[7] == "true", &system)
+            .ok_or_else(|| wrong("no motion of this system"))?;
+        match curves.last_mut() {
+            Some(curve)
+                if curve.kind == kind
+                    && curve.motion == motion
+                    && (record[0] == *last || goes_on(curve, &point)) =>
+            {
+                curve.points.push(point);
+            }
+            _ => curves.push(Curve {
+                kind,
+                motion,
+                touches: None,
+                points: vec![point],
+                ends: [End::LeavesPlane; 2],
+            }),
+        }
+        last = record[0].to_owned();
+    }
+    Ok(curves)
+}
+
+/// Whether a point follows on the last of a curve: the paper has two names for some.
+fn goes_on(curve: &Curve, point: &CurvePoint) -> bool {
+    let apart = |a: &CurvePoint, b: &CurvePoint| (a.x - b.x).hypot(a.y - b.y);
+    match curve.points[..] {
+        [.., ref before, ref last] => apart(last, point) <= CONTINUED * apart(before, last),
+        _ => false,
+    }
 }

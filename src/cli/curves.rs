@@ -34,7 +34,7 @@ pub struct CurvesArgs {
     axes: AxesArgs,
 
     /// Looks for motions on about K cells, whatever COUNT the axes have [default: 19200 where no axis is given]
-    #[arg(long, value_name = "K", value_parser = counted(4, Plane::LARGEST as u32))]
+    #[arg(long, value_name = "K", value_parser = counted(4, Plane::LARGEST_AT_ONCE as u32))]
     cells: Option<u32>,
 
     /// Largest N, in forcing periods, of the motions whose curves are computed

@@ -3,7 +3,8 @@
 use std::process::ExitCode;
 
 use impact_atlas::backend::BackendError;
-use impact_atlas::sweep::{ControlSweepError, SweepError};
+use impact_atlas::store::StoreError;
+use impact_atlas::sweep::{ControlSweepError, StoredError, SweepError};
 use thiserror::Error;
 
 /// The exit code of what was interrupted.
@@ -71,6 +72,21 @@ impl From<SweepError> for CliError {
             SweepError::Backend(error) => error.into(),
             SweepError::Memory { .. } => CliError::machine(error),
             SweepError::Plane(_) | SweepError::Diagram(_) | SweepError::System(_) => CliError::input(error),
+        }
+    }
+}
+
+impl From<StoreError> for CliError {
+    fn from(error: StoreError) -> Self {
+        if error.is_input() { CliError::input(error) } else { CliError::machine(error) }
+    }
+}
+
+impl From<StoredError> for CliError {
+    fn from(error: StoredError) -> Self {
+        match error {
+            StoredError::Sweep(error) => error.into(),
+            StoredError::Store(error) => error.into(),
         }
     }
 }

@@ -14,7 +14,7 @@ use super::{CliError, interrupt, note, pictures, terminal};
 /// What a file holds, which its name must not contradict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A picture: PNG or SVG.
+    /// A picture: PNG, SVG or PDF.
     Picture,
     /// A table: CSV.
     Table,
@@ -31,9 +31,12 @@ impl Kind {
     /// What is wrong with a name; one without an extension is anything's.
     fn complaint(self, path: &Path) -> Option<String> {
         let (what, known): (_, &[&str]) = match self {
-            Kind::Picture => ("pictures are PNG or SVG files, name it with .png or .svg", &["png", "svg"]),
+            Kind::Picture => (
+                "pictures are PNG, SVG or PDF files, name it with .png, .svg or .pdf",
+                &["png", "svg", "pdf"],
+            ),
             Kind::Table => ("tables are CSV files, name it with .csv", &["csv"]),
-            Kind::Archive => ("data are NumPy archives, name it with .npz", &["npz"]),
+            Kind::Archive => ("data are NumPy archives or Zarr stores, name it with .npz or .zarr", &["npz"]),
         };
         let extension = path.extension()?;
         let fits = known.iter().any(|known| extension.eq_ignore_ascii_case(known));

@@ -3,22 +3,23 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use clap::{Args, ValueEnum};
+use anyhow::anyhow;
+use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::Backend;
-use impact_atlas::plane::RegionMap;
-use impact_atlas::render::{Shown, Size, region_map, region_map_with_curves};
+use impact_atlas::plane::{Part, Plane, RegionMap, Tiling, Window};
 use impact_atlas::store;
 use impact_atlas::sweep::{Certification, certify, sweep};
 use serde::{Serialize, Serializer};
 
 use super::control_map::{self, ControlMapArgs};
+use super::drawing::{CurveSource, DrawingArgs, Which};
 use super::files::{self, Batch, Kind};
 use super::options::{BackendArgs, OverwriteArgs, PlaneArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::{counted, parse_size};
-use super::{CliError, curve_list, curves, defaults, estimate};
+use super::values::{counted, parse};
+use super::{CliError, cell, curve_list, defaults, estimate, stored};
 
 /// Computes what every cell of a parameter plane settles on, as a picture and as data
 ///
@@ -30,6 +31,9 @@ Examples:
   impact-atlas map --x omega=2.4:3.8:400 --y r=0.5:0.95:300 --set delta=0.1 --out r.png
   impact-atlas map --curves --curves-out curves.csv
   impact-atlas map --certify
+  impact-atlas map --x omega=0.2:5:4000 --y delta=0.02:0.8:3000 --data plane.zarr --part 17/64
+  impact-atlas map --layer settling --out settling.png
+  impact-atlas map --from map.png --set r=0.7 --out softer.png
   impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --out basins.png
   impact-atlas map --control delay --x omega=2.6:3:200 --y gain=0:1:150 --out delay.png --times times.png
   impact-atlas map --control pulse --x target_v1=-0.5:-0.1:200 --y target_tau=1:3:150 --set omega=2.83")]
@@ -43,17 +47,27 @@ pub struct MapArgs {
     #[command(flatten)]
     pub control: ControlMapArgs,
 
-    /// The picture, a PNG or SVG file
-    #[arg(long, value_name = "FILE", default_value = defaults::PICTURE)]
-    pub out: PathBuf,
+    /// The picture, a PNG, SVG or PDF file [default: map.png; none where the data are a store]
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
 
-    /// The data, an npz file [default: beside the picture, with its name]
-    #[arg(long, value_name = "FILE.npz")]
+    /// The data, an npz file or a Zarr store [default: beside the picture, with its name and .npz]
+    ///
+    /// A store (DATA.zarr) is written tile by tile: the same command again computes what is missing and nothing else, and
+    /// memory does not grow with the plane.
+    #[arg(long, value_name = "FILE.npz|DATA.zarr")]
     pub data: Option<PathBuf>,
 
-    /// The picture's size in pixels
-    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, default_value = defaults::PICTURE_SIZE)]
-    pub size: Size,
+    /// Computes the K-th of M parts of a store; the parts cost about the same, and need no word with each other
+    #[arg(long, value_name = "K/M", value_parser = parse::<Part>, requires = "data", conflicts_with = "control")]
+    pub part: Option<Part>,
+
+    /// Cells along a side of a store's tiles, the unit of its files [default: 16 to 128, by the plane's size]
+    #[arg(long, value_name = "N", requires = "data", value_parser = counted(1, Tiling::LARGEST), conflicts_with = "control")]
+    pub tile: Option<u32>,
+
+    #[command(flatten)]
+    pub drawing: DrawingArgs,
 
     /// Certifies every periodic cell: its motion is solved by Newton's method
     ///
@@ -61,46 +75,29 @@ pub struct MapArgs {
     /// what the trajectory approaches. What is not confirmed is looked at for longer, and is unresolved if that does not
     /// help. The data then hold the Floquet multipliers too.
     #[arg(long, conflicts_with = "control")]
-    certify: bool,
+    pub certify: bool,
 
     /// Draws bifurcation curves over the map, and names them: those that bound what can be observed, or all of them
     #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
         default_missing_value = "bounding")]
-    curves: Option<Which>,
+    pub curves: Option<Which>,
 
     /// Largest N, in forcing periods, of the motions whose curves are computed
     #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
         value_parser = counted(1, Schedule::LARGEST_PERIOD))]
-    curves_max_period: u32,
+    pub curves_max_period: u32,
 
     /// Writes every point of every curve, as `curves` does
     #[arg(long, value_name = "FILE.csv", requires = "curves")]
-    curves_out: Option<PathBuf>,
+    pub curves_out: Option<PathBuf>,
 
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
 
-    /// Prints JSON: cells, impacts, seconds, impacts_per_second, regimes, certified, backend, adapter
+    /// Prints JSON: cells, impacts, seconds, impacts_per_second, regimes, certified, backend, adapter; of a store part,
+    /// tiles_there, tiles_computed, tiles_failed, tiles_missing in place of regimes and certified
     #[arg(long)]
     pub json: bool,
-}
-
-/// Which parts of the curves are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Which {
-    /// Those of motions that fill 0.3 % of the plane, and the paper's, where the motion is stable on one side of the curve
-    Bounding,
-    /// All of every curve
-    All,
-}
-
-impl Which {
-    fn shown(self) -> Shown {
-        match self {
-            Which::Bounding => Shown::Bounding,
-            Which::All => Shown::All,
-        }
-    }
 }
 
 /// What is printed.
@@ -159,42 +156,61 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
         return control_map::run(method, args);
     }
     args.control.cells.refuse_settings()?;
-    let plane = args.plane.plane()?;
+    let made = args.control.cells.again().map(cell::made).transpose()?;
+    let plane = match &made {
+        Some(made) => args.plane.again(&made.plane)?,
+        None => args.plane.plane()?,
+    };
+    let options =
+        made.as_ref().map_or_else(|| args.backend.clone(), |made| args.backend.or_those_of(&made.provenance));
+    let certify = args.certify || made.as_ref().is_some_and(|made| made.certified);
+    let family = plane.parameters.family();
     if args.curves.is_some() {
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }
-    let npz = files::data_beside(&args.out, args.data.as_deref());
+    args.drawing.check(family)?;
+    match args.data.as_deref().filter(|path| stored::is_store(path)) {
+        Some(path) => stored::run(args, &plane, path, &options, certify),
+        None => in_memory(args, &plane, &options, certify),
+    }
+}
+
+/// A plane whose cells are all held at once, and written into one file.
+fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, certify: bool) -> Result<(), CliError> {
+    if args.part.is_some() || args.tile.is_some() {
+        return Err(CliError::Input(anyhow!(
+            "--part and --tile are for stores: give --data DATA.zarr in place of an npz file"
+        )));
+    }
+    if plane.cells() > Plane::LARGEST_AT_ONCE {
+        return Err(CliError::Input(anyhow!(
+            "a plane of {} cells is too large for one file: at most {} cells are accepted; give --data DATA.zarr",
+            plane.cells(),
+            Plane::LARGEST_AT_ONCE
+        )));
+    }
+    let out = args.out.clone().unwrap_or_else(|| defaults::PICTURE.into());
+    let npz = files::data_beside(&out, args.data.as_deref());
     let wanted = [
-        Kind::Picture.at(Some(&args.out)),
+        Kind::Picture.at(Some(&out)),
         Kind::Archive.at(npz.as_deref()),
         Kind::Table.at(args.curves_out.as_deref()),
     ];
     let [picture, data, table] = files::prepare(args.overwrite, wanted)?;
-    let backend = args.backend.open()?;
-    estimate::of_plane("the map", &plane, &*backend)?;
+    let backend = options.open()?;
+    estimate::of_plane("the map", plane, &*backend)?;
     let began = Instant::now();
-    let mut map = sweep(&plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
+    let mut map = sweep(plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
     let seconds = began.elapsed().as_secs_f64();
-    let certified = args.certify.then(|| certified(&mut map, &*backend)).transpose()?;
-    let (map, curves) = match args.curves {
-        None => (map, None),
-        Some(which) => {
-            let (map, found) = curves::of_map(map, args.curves_max_period)?;
-            curve_list::note_left_out(&found.left_out);
-            (map, Some((found.curves, which)))
-        }
-    };
-    let drawn = match &curves {
-        None => region_map(&map, args.size),
-        Some((curves, which)) => {
-            region_map_with_curves(&map, curves, which.shown(), args.curves_max_period, args.size)
-        }
-    };
+    let certified = certify.then(|| certified(&mut map, &*backend)).transpose()?;
+    let whole = Window::whole(plane);
+    let curves = args.drawing.curves(&map, whole, args.curves.map(CurveSource::Computed))?;
+    let drawn = args.drawing.draw(&map, whole, curves.as_ref())?;
     let mut batch = Batch::default();
     batch.picture(&picture, &drawn)?;
     batch.add(&data, |file| store::write_map(&map, file))?;
-    if let Some((curves, _)) = &curves {
-        curve_list::add_table(&mut batch, &table, curves, &plane)?;
+    if let Some(found) = &curves {
+        curve_list::add_table(&mut batch, &table, &found.curves, plane)?;
     }
     batch.show()?;
     let summary = Summary { certified, ..Summary::new(&map, seconds) };

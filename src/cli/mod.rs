@@ -13,6 +13,7 @@ mod controlled;
 mod curve_list;
 mod curves;
 mod defaults;
+mod drawing;
 mod error;
 mod estimate;
 mod explore;
@@ -31,11 +32,15 @@ mod orbit_table;
 mod panics;
 mod pictures;
 mod progress;
+mod render;
 mod report;
 mod reproduce;
 mod scripts;
+mod site;
 mod spans;
 mod spelled;
+mod status;
+mod stored;
 mod symmetric;
 mod system;
 mod systems;
@@ -85,6 +90,8 @@ Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2
 enum Command {
     Map(map::MapArgs),
     Explore(explore::ExploreArgs),
+    Render(render::RenderArgs),
+    Status(status::StatusArgs),
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Control(control::ControlArgs),
@@ -120,6 +127,8 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
     panics::shielded(|| match &cli.command {
         Command::Map(args) => map::run(args),
         Command::Explore(args) => explore::run(args),
+        Command::Render(args) => render::run(args),
+        Command::Status(args) => status::run(args),
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
         Command::Control(args) => control::run(args),

@@ -3,15 +3,15 @@
 use anyhow::anyhow;
 use clap::{Args, ValueEnum};
 use impact_atlas::analysis::Schedule;
-use impact_atlas::backend::{self, Backend, Choice};
+use impact_atlas::backend::{self, Backend, BackendError, Choice};
 use impact_atlas::control::{ControlQuantity, ControlSchedule};
 use impact_atlas::model::{Parameter, Setting, StateVector, System};
-use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity, Start};
+use impact_atlas::plane::{Axis, ControlPlane, Plane, Provenance, Quantity, Start};
 use impact_atlas::system::Family;
 use impact_atlas::theory::symmetric_start;
 
 use super::method::{MethodArgs, MethodName};
-use super::system::{Chosen, of_paper, parse_system};
+use super::system::{Chosen, parse_system};
 use super::values::{Assignment, count, parse};
 use super::{CliError, defaults, note};
 
@@ -21,14 +21,15 @@ pub struct SystemArgs {
     /// The system: one that comes with the program (see `impact-atlas systems`), or a file that describes one
     ///
     /// With --help beside it, its parameters, stops and labels are listed below.
-    #[arg(long = "system", value_name = "NAME|FILE", value_parser = parse_system, default_value = defaults::SYSTEM)]
-    family: Chosen,
+    /// [default: luo-ma-lv]
+    #[arg(long = "system", value_name = "NAME|FILE", value_parser = parse_system)]
+    family: Option<Chosen>,
 
     /// Sets a parameter of the system; may be given for each of them
     ///
     /// Those not given have the system's defaults; the paper's are omega=3.7, delta=0.1, zeta=0.1, r=0.8,
     /// mu_m=mu_k=mu_c=0.5, f20=0. Under control it sets what the method has, too: gain, delay; amplitude, alpha, dead_band,
-    /// gamma, phase; period, noise; target_v1, target_x2, target_v2, target_tau.
+    /// gamma, phase; period, noise; target_v1 … target_vn, target_x1 … target_xn, target_tau.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     assignments: Vec<String>,
 }
@@ -36,12 +37,19 @@ pub struct SystemArgs {
 impl SystemArgs {
     /// The family of the system.
     pub fn family(&self) -> &'static Family {
-        self.family.0
+        self.family.map_or_else(|| Family::builtin(defaults::SYSTEM), |chosen| chosen.0)
     }
 
-    /// Refuses another system than the paper's for a command that cannot follow it.
-    pub fn of_paper(&self, command: &str) -> Result<(), CliError> {
-        of_paper(self.family(), command)
+    /// The same options for the system of a plane that was computed before.
+    fn of_family_of(&self, plane: &Plane) -> Result<SystemArgs, CliError> {
+        let family = plane.parameters.family();
+        if self.family.is_some_and(|chosen| chosen.0.hash() != family.hash()) {
+            return Err(CliError::Input(anyhow!(
+                "the plane of --from is of the system {}: drop --system, or --from",
+                family.origin()
+            )));
+        }
+        Ok(SystemArgs { family: Some(Chosen(family)), assignments: self.assignments.clone() })
     }
 
     /// An axis of the system, given as `option`.
@@ -110,7 +118,11 @@ impl SystemArgs {
     }
 
     fn assigned(&self) -> Result<Setting, CliError> {
-        let mut setting = Setting::defaults(self.family());
+        self.assigned_to(Setting::defaults(self.family()))
+    }
+
+    /// A setting with what is assigned in place of its own values.
+    fn assigned_to(&self, mut setting: Setting) -> Result<Setting, CliError> {
         let assignments = self.assignments()?;
         for (i, set) in assignments.iter().enumerate() {
             if let Some(other) = assignments[..i].iter().find(|other| other.quantity == set.quantity) {
@@ -174,8 +186,8 @@ pub struct BackendArgs {
     #[arg(long, value_enum, default_value_t = BackendName::Auto)]
     pub backend: BackendName,
 
-    /// Uses the adapter whose name contains TEXT (see `impact-atlas adapters`)
-    #[arg(long, value_name = "TEXT")]
+    /// Uses the adapter of an address on the PCI bus or an index, or one whose name contains TEXT (see `impact-atlas adapters`)
+    #[arg(long, value_name = "PCI|#INDEX|TEXT")]
     pub adapter: Option<String>,
 }
 
@@ -191,6 +203,28 @@ pub enum BackendName {
 }
 
 impl BackendArgs {
+    /// The same options, or where none was given those of what computed a plane before.
+    pub fn or_those_of(&self, provenance: &Provenance) -> Self {
+        if self.backend != BackendName::Auto || self.adapter.is_some() {
+            return self.clone();
+        }
+        let backend = if provenance.backend == "gpu" { BackendName::Gpu } else { BackendName::Cpu };
+        BackendArgs { backend, adapter: None }
+    }
+
+    /// Opens the back end anew, after it failed, without a word.
+    pub fn reopen(&self) -> Result<Box<dyn Backend>, BackendError> {
+        backend::open(self.choice(), self.adapter.as_deref())
+    }
+
+    fn choice(&self) -> Choice {
+        match self.backend {
+            BackendName::Auto => Choice::Auto,
+            BackendName::Gpu => Choice::Gpu,
+            BackendName::Cpu => Choice::Cpu,
+        }
+    }
+
     /// Opens the back end and says which one it is.
     pub fn open(&self) -> Result<Box<dyn Backend>, CliError> {
         if let (BackendName::Cpu, Some(adapter)) = (self.backend, &self.adapter) {
@@ -198,12 +232,7 @@ impl BackendArgs {
                 "--adapter {adapter} chooses an adapter of the GPU back end: drop it or --backend cpu"
             )));
         }
-        let choice = match self.backend {
-            BackendName::Auto => Choice::Auto,
-            BackendName::Gpu => Choice::Gpu,
-            BackendName::Cpu => Choice::Cpu,
-        };
-        let backend = backend::open(choice, self.adapter.as_deref())?;
+        let backend = self.reopen()?;
         let fallback = self.backend == BackendName::Auto && backend.name() == "cpu";
         let why = if fallback { "; no hardware GPU was found" } else { "" };
         note(&format!("computing on {}: {}{why}", backend.name(), backend.adapter()));
@@ -248,6 +277,28 @@ impl AxesArgs {
             start: self.start.unwrap_or_else(|| default_start(&[x, y])),
             schedule,
         };
+        plane.check().map_err(CliError::input)?;
+        Ok(plane)
+    }
+
+    /// A plane that was computed before, with the axes, parameters and the start that are given in place of its own.
+    fn again(&self, plane: &Plane, schedule: Schedule) -> Result<Plane, CliError> {
+        let system = self.system.of_family_of(plane)?;
+        let axis = |option: &str, given: &Option<String>, own: Axis| match given {
+            Some(text) => system.axis(&format!("{option} <NAME=FIRST:LAST:COUNT[:log]>"), text),
+            None => Ok(own),
+        };
+        let (x, y) = (axis("--x", &self.x, plane.x)?, axis("--y", &self.y, plane.y)?);
+        for (option, axis) in [("--x", x), ("--y", y)] {
+            system.check_beside(option, &axis.to_string(), axis.quantity)?;
+        }
+        let start = match self.start {
+            Some(start) => start,
+            None if plane.start == Start::Symmetric => default_start(&[x, y]),
+            None => plane.start,
+        };
+        let parameters = system.assigned_to(plane.parameters)?;
+        let plane = Plane { x, y, parameters, start, schedule };
         plane.check().map_err(CliError::input)?;
         Ok(plane)
     }
@@ -313,12 +364,13 @@ pub struct PlaneArgs {
     /// Where the verdict is in doubt a cell goes on. Chaos may be transient: it runs up to 320 periods more. What is still
     /// undecided or neutral runs eight times as long and is observed four times as long: beside a Neimark-Sacker curve
     /// spirals are slow. What returns without having settled is held against the exact motion beside it.
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRANSIENT)]
-    transient: u32,
+    /// [default: 300]
+    #[arg(long, value_parser = count, value_name = "P")]
+    transient: Option<u32>,
 
-    /// Forcing periods of the observation
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::OBSERVE)]
-    observe: u32,
+    /// Forcing periods of the observation [default: 150]
+    #[arg(long, value_parser = count, value_name = "P")]
+    observe: Option<u32>,
 
     /// Largest N looked for in N-p-q [default: 32]; under control, most iterates in one period [default: 8]
     ///
@@ -337,6 +389,18 @@ impl PlaneArgs {
         self.axes.plane(self.schedule())
     }
 
+    /// A plane that was computed before, with what is given in place of its own.
+    pub fn again(&self, plane: &Plane) -> Result<Plane, CliError> {
+        let own = plane.schedule;
+        let schedule = Schedule {
+            transient: self.transient.unwrap_or(own.transient),
+            observe: self.observe.unwrap_or(own.observe),
+            max_period: self.max_period.unwrap_or(own.max_period),
+            fixed_periods: self.fixed_periods || own.fixed_periods,
+        };
+        self.axes.again(plane, schedule)
+    }
+
     /// The checked plane under control.
     pub fn control_plane(
         &self,
@@ -344,7 +408,6 @@ impl PlaneArgs {
         settings: &MethodArgs,
         iterates: ControlSchedule,
     ) -> Result<ControlPlane, CliError> {
-        self.axes.system.of_paper("map --control")?;
         let [x, y] = self.axes.axes()?;
         let axes = [("--x", x), ("--y", y)];
         let varied = axes.map(|(option, axis)| (format!("{option} {axis} varies"), axis.quantity));
@@ -353,12 +416,17 @@ impl PlaneArgs {
             self.axes.system.check_beside(option, &axis.to_string(), axis.quantity)?;
         }
         let (system, set) = self.axes.system.split()?;
+        let parameters = system.parameters(&axes)?;
+        let first = [x, y].iter().fold(parameters, |setting, axis| match axis.quantity {
+            Quantity::Parameter(parameter) => setting.with(parameter, axis.first),
+            Quantity::Start(_) | Quantity::Control(_) => setting,
+        });
         let plane = ControlPlane {
             x,
             y,
-            parameters: system.parameters(&axes)?,
+            parameters,
             start: self.axes.start.unwrap_or_else(|| default_start(&[x, y])),
-            control: settings.scheme(method, &set)?,
+            control: settings.scheme(method, &set, &first)?,
             iterates,
         };
         plane.check().map_err(CliError::input)?;
@@ -379,8 +447,8 @@ impl PlaneArgs {
 
     fn schedule(&self) -> Schedule {
         Schedule {
-            transient: self.transient,
-            observe: self.observe,
+            transient: self.transient.unwrap_or(defaults::TRANSIENT),
+            observe: self.observe.unwrap_or(defaults::OBSERVE),
             max_period: self.max_period.unwrap_or(defaults::MAX_PERIOD),
             fixed_periods: self.fixed_periods,
         }

@@ -108,6 +108,23 @@ impl<'a> Report<'a> {
         text
     }
 
+    fn write_layers(&self, to: &mut String) -> std::fmt::Result {
+        if !self.agreement.layers.is_empty() {
+            writeln!(to, "layers, differences in cells of equal regime and label")?;
+        }
+        for row in &self.agreement.layers {
+            let kind = if row.relative { "relative" } else { "absolute" };
+            writeln!(
+                to,
+                "  {:<22} {kind}  {}; defined alike {}",
+                row.layer,
+                spread(row.difference),
+                share(row.defined)
+            )?;
+        }
+        Ok(())
+    }
+
     fn write(&self, to: &mut String) -> std::fmt::Result {
         let agreement = self.agreement;
         let [x, y] = self.plane.axes();
@@ -132,6 +149,7 @@ impl<'a> Report<'a> {
             let continued = agreement.continued;
             writeln!(to, "  {continued} of them on another branch or phase, continued on the reference")?;
         }
+        self.write_layers(to)?;
         let failed = agreement.failed;
         writeln!(to, "failed cells: {} reference, {} candidate\n", failed.reference, failed.candidate)?;
         self.write_worst(to)?;
@@ -268,6 +286,7 @@ mod tests {
             peak_impact_velocity: 0.4,
             periods: 600,
             returning: 0,
+            measures: impact_atlas::analysis::Measures::default(),
         }
     }
 

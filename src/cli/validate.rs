@@ -42,7 +42,7 @@ pub struct ValidateArgs {
     plane: PlaneArgs,
 
     /// Computes about K cells, whatever COUNT the axes have [default: 120000 where no axis is given]
-    #[arg(long, value_name = "K", value_parser = counted(4, Plane::LARGEST as u32))]
+    #[arg(long, value_name = "K", value_parser = counted(4, Plane::LARGEST_AT_ONCE as u32))]
     cells: Option<u32>,
 
     #[command(flatten)]
@@ -69,6 +69,12 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
         return controlled(args, method);
     }
     args.control.refuse_settings()?;
+    if let Some(from) = args.control.again() {
+        return Err(CliError::Input(anyhow!(
+            "--from {} has no effect without control: drop it or choose a method with --control",
+            from.display()
+        )));
+    }
     let plane = args.plane.plane_of(args.cells, defaults::VALIDATED_CELLS)?;
     plane.check().map_err(CliError::input)?;
     if args.curves {

@@ -110,6 +110,18 @@ pub fn parse_size(text: &str) -> Result<Size, String> {
     Size::new(width, height).map_err(|error| error.to_string())
 }
 
+/// Reads two different numbers, `A:B`, the lesser first.
+pub fn parse_span(text: &str) -> Result<[f64; 2], String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+    let ends = text.split_once(':').and_then(|(a, b)| Some([number(a)?, number(b)?]));
+    match ends {
+        Some([a, b]) if a != b => Ok([a.min(b), a.max(b)]),
+        _ => {
+            Err(format!("`{text}` is not a range: write A:B with two different numbers, for example 0.5:1.5"))
+        }
+    }
+}
+
 /// Reads a range of iterates, `FIRST:LAST`.
 pub fn parse_range(text: &str) -> Result<[u32; 2], String> {
     let ends = text.split_once(':').and_then(|(first, last)| Some([count(first).ok()?, count(last).ok()?]));

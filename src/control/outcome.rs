@@ -78,6 +78,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
                 peak_impact_velocity: self.peak.widen() as f32,
                 periods: self.periods,
                 returning: 0,
+                measures: analysis::Measures::default(),
             },
             period,
             iterates: self.iterates,

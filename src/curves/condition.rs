@@ -32,6 +32,12 @@ impl Kind {
         }
     }
 
+    /// The kind of a name.
+    pub fn named(name: &str) -> Option<Kind> {
+        let all = [Kind::Fold, Kind::PeriodDoubling, Kind::Pitchfork, Kind::NeimarkSacker, Kind::Grazing];
+        all.into_iter().find(|kind| kind.name() == name)
+    }
+
     /// The smooth bifurcations of a motion.
     pub fn smooth(pattern: &Pattern) -> [Kind; 3] {
         let flip = if pattern.mirrored { Kind::Pitchfork } else { Kind::PeriodDoubling };

@@ -5,6 +5,7 @@ use serde::{Serialize, Serializer};
 use super::condition::Kind;
 use crate::analysis::{Regime, Verdict, motion_label};
 use crate::dynamics::Stop;
+use crate::model::System;
 use crate::theory::{Pattern, StopSet};
 
 /// A bifurcation curve in the plane of two parameters; non-dimensional.
@@ -61,6 +62,18 @@ impl CurveMotion {
         }
         let image = stops.has_mirror().then(|| stops.in_label_order(&image));
         CurveMotion { n, impacts, image, symmetric }
+    }
+
+    /// The motion of a label, N and the impacts at each stop in the order of labels, or what it is called without impacts.
+    pub fn labelled(label: &str, symmetric: bool, system: &System) -> Option<Self> {
+        let stops = StopSet::of(system);
+        if label == "no impact" {
+            return Some(CurveMotion { symmetric, ..CurveMotion::without_impact(&stops) });
+        }
+        let counts: Option<Vec<u32>> = label.split('-').map(|count| count.parse().ok()).collect();
+        let counts = counts?;
+        let (&n, impacts) = counts.split_first()?;
+        (impacts.len() == stops.count()).then(|| CurveMotion::among(&stops, n, impacts.to_vec(), symmetric))
     }
 
     /// The motion half a forcing period later with the mirror applied; itself where there is no mirror.
@@ -137,6 +150,11 @@ pub enum Criticality {
 }
 
 impl Criticality {
+    /// The criticality of a name.
+    pub fn named(name: &str) -> Option<Criticality> {
+        [Criticality::Supercritical, Criticality::Subcritical].into_iter().find(|own| own.name() == name)
+    }
+
     /// The name in files.
     pub fn name(self) -> &'static str {
         match self {
@@ -182,6 +200,30 @@ pub enum Special {
 }
 
 impl Special {
+    /// Every kind of special point.
+    pub const ALL: [Special; 15] = [
+        Special::Cusp,
+        Special::Resonance11,
+        Special::Resonance12,
+        Special::Resonance13,
+        Special::Resonance14,
+        Special::FoldFlip,
+        Special::FoldNeimarkSacker,
+        Special::FlipNeimarkSacker,
+        Special::DoubleNeimarkSacker,
+        Special::Chenciner,
+        Special::GeneralisedFlip,
+        Special::Grazing,
+        Special::GrazingFold,
+        Special::GrazingFlip,
+        Special::GrazingNeimarkSacker,
+    ];
+
+    /// The special point of a name.
+    pub fn named(name: &str) -> Option<Special> {
+        Special::ALL.into_iter().find(|special| special.name() == name)
+    }
+
     /// The name in files and legends.
     pub fn name(self) -> &'static str {
         match self {

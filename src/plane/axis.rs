@@ -199,6 +199,27 @@ impl Axis {
         self.spacing.share(self.first, self.last, value)
     }
 
+    /// The values that lie between two, both included: the index of the first, and how many; none if there are none.
+    pub fn between(&self, a: f64, b: f64) -> Option<(u32, u32)> {
+        let (low, high) = (a.min(b), a.max(b));
+        // What is written in a few digits means the value that rounds to it.
+        let slack = 1e-9 * (1.0 + low.abs().max(high.abs()));
+        let inside = |i: &u32| (low - slack..=high + slack).contains(&self.value(*i));
+        let first = (0..self.count).find(inside)?;
+        let last = (0..self.count).rev().find(inside)?;
+        Some((first, last - first + 1))
+    }
+
+    /// The axis of `count` of its values, those from index `first` on.
+    ///
+    /// # Panics
+    /// If there are not so many, or none are asked for.
+    #[must_use]
+    pub fn part(&self, first: u32, count: u32) -> Axis {
+        assert!(count > 0 && first + count <= self.count, "{count} values from {first} on of {self}");
+        Axis { first: self.value(first), last: self.value(first + count - 1), count, ..*self }
+    }
+
     /// The least value.
     pub fn least(&self) -> f64 {
         self.first.min(self.last)

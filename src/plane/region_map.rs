@@ -66,7 +66,7 @@ impl RegionMap {
         self.configuration().to_string()
     }
 
-    fn configuration(&self) -> Value {
+    pub(super) fn configuration(&self) -> Value {
         let mut configuration = self.provenance.configuration(&self.plane);
         if self.multipliers.is_some() {
             configuration["certified"] = true.into();

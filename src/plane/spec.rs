@@ -29,7 +29,10 @@ pub struct Plane {
 
 impl Plane {
     /// The largest number of cells in one plane.
-    pub const LARGEST: u64 = 1 << 26;
+    pub const LARGEST: u64 = 1 << 31;
+
+    /// The largest number of cells whose results are held at once; more go into a store.
+    pub const LARGEST_AT_ONCE: u64 = 1 << 26;
 
     /// Checks that every cell can be computed: ranges, distinct axes, size, schedule and starts.
     ///

@@ -73,6 +73,9 @@ const OTHERS: [Tones; 9] = [
 /// What motions without a colour of their own share.
 pub(super) const SHARED: Paint = Paint::plain(hex(0x7e767e));
 
+/// What is not computed yet.
+pub(super) const NOT_THERE: Paint = Paint::hatched(hex(0xffffff), hex(0xc9c9c9));
+
 /// Colours for motions whose own would be taken for another one's; distinct from each other, from the common hues and from
 /// what is not periodic, to every eye.
 pub(super) const SPARE: [Colour; 25] = [

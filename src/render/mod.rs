@@ -7,6 +7,7 @@
 
 mod canvas;
 mod carried;
+mod colour_bar;
 mod colouring;
 mod colours;
 mod control;
@@ -24,6 +25,7 @@ mod motion;
 mod orbit;
 mod outlines;
 mod paint;
+mod pdf;
 mod picture;
 mod png;
 mod regions;
@@ -36,6 +38,7 @@ mod vision;
 
 pub use canvas::{Anchor, Canvas, Colour, Point, Rect};
 pub use carried::carried_configuration;
+pub use colour_bar::{Palette, PaletteError};
 pub use colours::paint_of;
 pub use control::{ControlPicture, Response};
 pub use convergence::convergence_map;
@@ -45,14 +48,14 @@ pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, Str
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
 pub use live::{
-    LiveAxis, LiveBar, LiveLegend, LiveLine, LiveRow, Word, css, live_axis, live_bar, live_hatch,
+    LiveAxis, LiveBar, LiveLegend, LiveLine, LivePart, LiveRow, Word, css, live_axis, live_bar, live_hatch,
     live_legend, live_lines, live_title, slice_figure, words,
 };
 pub use motion::Motion;
 pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};
 pub use paint::Paint;
 pub use picture::{LeftOut, Picture};
-pub use regions::{control_map, region_map, region_map_with_curves};
+pub use regions::{DrawnCurves, PlanePicture, control_map, region_map, region_map_with_curves};
 pub use scale::Scale;
 pub use size::{Size, SizeError};
 pub use text::Text;

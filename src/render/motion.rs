@@ -1,6 +1,6 @@
 //! What the regions of a plane are told apart by.
 
-use crate::analysis::{Regime, Verdict};
+use crate::analysis::{Regime, Verdict, motion_label};
 use crate::model::vector::MOST;
 
 /// What two cells have in common that are drawn as one region.
@@ -41,10 +41,19 @@ impl Motion {
     ///
     /// A motion with p ≠ q cannot be symmetric, so that nothing is said about it.
     pub fn name(verdict: &Verdict) -> String {
-        let label = verdict.label();
-        let Motion { regime, symmetric, .. } = Motion::of(verdict);
-        let alike =
-            verdict.counts.len() > 1 && verdict.counts.iter().all(|count| *count == verdict.counts[0]);
+        Motion::of(verdict).name_of(verdict.counts.len())
+    }
+
+    /// The same for a motion of a system with so many stops.
+    pub(super) fn name_of(&self, stops: usize) -> String {
+        let Motion { regime, symmetric, .. } = *self;
+        let [n, counts @ ..] = self.counts;
+        let counts = &counts[..stops];
+        let label = match regime.is_periodic() {
+            true => motion_label(u32::from(n), counts),
+            false => regime.name().to_owned(),
+        };
+        let alike = counts.len() > 1 && counts.iter().all(|count| *count == counts[0]);
         let symmetry = match (alike, symmetric) {
             (true, true) => " symmetric",
             (true, false) => " unsymmetric",

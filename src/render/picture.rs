@@ -9,8 +9,8 @@ use resvg::usvg::{Options, Tree};
 
 use super::font::{self, FAMILY};
 use super::outlines::outlined;
-use super::png;
 use super::size::Size;
+use super::{pdf, png};
 
 /// A finished picture, to be saved as SVG or PNG.
 #[derive(Clone, Debug)]
@@ -19,6 +19,7 @@ pub struct Picture {
     config: String,
     svg: String,
     left_out: Option<LeftOut>,
+    command: Option<String>,
 }
 
 /// What a picture leaves out for want of room.
@@ -43,12 +44,18 @@ impl fmt::Display for LeftOut {
 impl Picture {
     /// A picture from its SVG document, and what it takes to make it again.
     pub(super) fn new(size: Size, config: String, svg: String) -> Self {
-        Picture { size, config, svg, left_out: None }
+        Picture { size, config, svg, left_out: None, command: None }
     }
 
     /// The same picture, of which something is left out.
     pub(super) fn without(self, left_out: Option<LeftOut>) -> Self {
         Picture { left_out, ..self }
+    }
+
+    /// The same picture, with the command that makes it, which its files carry.
+    #[must_use]
+    pub fn made_by(self, command: String) -> Self {
+        Picture { command: Some(command), ..self }
     }
 
     /// What is left out for want of room, if anything is.
@@ -72,12 +79,13 @@ impl Picture {
         RgbImage::from_raw(width, height, opaque).expect("three bytes for each pixel")
     }
 
-    /// Writes the picture as a PNG, its configuration in a text chunk named `impact-atlas`.
+    /// Writes the picture as a PNG, its configuration in a text chunk named `impact-atlas`, the command in one named
+    /// `impact-atlas command`.
     ///
     /// # Errors
     /// What the writer reports.
     pub fn write_png(&self, to: impl Write) -> io::Result<()> {
-        png::write(&self.pixels(), &self.config, to)
+        png::write(&self.pixels(), &self.config, self.command.as_deref(), to)
     }
 
     /// Writes the picture as an SVG document, text as outlines: it needs no font to look the same everywhere.
@@ -85,7 +93,24 @@ impl Picture {
     /// # Errors
     /// What the writer reports.
     pub fn write_svg(&self, mut to: impl Write) -> io::Result<()> {
-        to.write_all(outlined(&self.svg, &self.tree()).as_bytes())
+        let mut document = outlined(&self.svg, &self.tree());
+        const END: &str = "</metadata>";
+        if let (Some(command), Some(end)) = (&self.command, document.find(END)) {
+            let command = quick_xml::escape::escape(command.as_str());
+            let own = format!("\n<metadata id=\"{}\">{command}</metadata>", png::COMMAND.replace(' ', "-"));
+            document.insert_str(end + END.len(), &own);
+        }
+        to.write_all(document.as_bytes())
+    }
+
+    /// Writes the picture as a PDF of one page, text as outlines, its configuration as the document's subject and the
+    /// command as its keywords.
+    ///
+    /// # Errors
+    /// What the writer reports.
+    pub fn write_pdf(&self, mut to: impl Write) -> io::Result<()> {
+        let outlines = outlined(&self.svg, &self.tree());
+        to.write_all(&pdf::document(&outlines, &self.config, self.command.as_deref())?)
     }
 
     fn tree(&self) -> Tree {
@@ -134,6 +159,26 @@ mod tests {
         let svg = picture().svg().to_owned();
         assert!(svg.contains("a &lt; b &amp; "));
         assert!(svg.contains("&lt;&amp;&gt;"));
+    }
+
+    #[test]
+    fn every_format_carries_the_command() {
+        let command = "impact-atlas map --set 'r=0.7' <&>";
+        let signed = picture().made_by(command.to_owned());
+        let bytes = |write: fn(&Picture, &mut Vec<u8>) -> io::Result<()>, picture: &Picture| {
+            let mut bytes = Vec::new();
+            write(picture, &mut bytes).unwrap();
+            String::from_utf8_lossy(&bytes).into_owned()
+        };
+        let png = |picture: &Picture| bytes(|picture, to| picture.write_png(to), picture);
+        let svg = |picture: &Picture| bytes(|picture, to| picture.write_svg(to), picture);
+        let pdf = |picture: &Picture| bytes(|picture, to| picture.write_pdf(to), picture);
+        assert!(png(&signed).contains(command) && !png(&picture()).contains("map --set"));
+        assert!(svg(&signed).contains("--set &apos;r=0.7&apos; &lt;&amp;&gt;"), "{}", svg(&signed));
+        assert!(!svg(&picture()).contains("--set"));
+        let pdf = [pdf(&signed), pdf(&picture())];
+        assert!(pdf[0].starts_with("%PDF") && pdf[0].contains("impact-atlas map --set"));
+        assert!(!pdf[1].contains("map --set") && pdf[1].contains("/Subject"));
     }
 
     #[test]

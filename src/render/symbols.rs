@@ -59,8 +59,13 @@ pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
         ControlQuantity::Period => letter("P"),
         ControlQuantity::Noise => letter("E"),
         ControlQuantity::TargetV1 => letter("v").subscript("1").superscript("+"),
-        ControlQuantity::TargetX2 => letter("x").subscript("2"),
         ControlQuantity::TargetV2 => letter("v").subscript("2"),
+        ControlQuantity::TargetV3 => letter("v").subscript("3"),
+        ControlQuantity::TargetV4 => letter("v").subscript("4"),
+        ControlQuantity::TargetX1 => letter("x").subscript("1"),
+        ControlQuantity::TargetX2 => letter("x").subscript("2"),
+        ControlQuantity::TargetX3 => letter("x").subscript("3"),
+        ControlQuantity::TargetX4 => letter("x").subscript("4"),
         ControlQuantity::TargetTau => letter("τ").subscript("0"),
     }
 }

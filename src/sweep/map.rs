@@ -6,9 +6,10 @@
 use rayon::prelude::*;
 
 use super::{SweepError, provenance};
+use crate::analysis::Verdict;
 use crate::backend::{Backend, BackendError, Job, Watch, decide};
 use crate::model::{System, SystemError};
-use crate::plane::{Plane, RegionMap};
+use crate::plane::{Plane, RegionMap, Window};
 
 /// Computes every cell of a plane on a back end.
 ///
@@ -46,6 +47,34 @@ fn jobs(plane: &Plane, cells: std::ops::Range<u64>) -> Result<Vec<Job>, SystemEr
     cells.into_par_iter().map(|cell| cell_job(plane, cell)).collect()
 }
 
+/// The jobs of some cells of a plane, row by row.
+pub(super) fn window_jobs(plane: &Plane, window: Window) -> Result<Vec<Job>, SystemError> {
+    let whole = Window::whole(plane);
+    let cells: Vec<u64> = window.places().map(|place| whole.index(place) as u64).collect();
+    cells.into_par_iter().map(|cell| cell_job(plane, cell)).collect()
+}
+
+/// Computes some cells of a plane on a back end, the same as in the whole; row by row.
+///
+/// # Errors
+/// As [`sweep`].
+pub fn sweep_window(
+    plane: &Plane,
+    window: Window,
+    backend: &dyn Backend,
+    watch: &dyn Watch,
+) -> Result<Vec<Verdict>, SweepError> {
+    let jobs = window_jobs(plane, window)?;
+    let mut verdicts = Vec::with_capacity(jobs.len());
+    for jobs in jobs.chunks(backend.tile().max(1)) {
+        if watch.cancelled() {
+            return Err(BackendError::Cancelled.into());
+        }
+        verdicts.extend(decide(backend, jobs, &plane.schedule, watch)?);
+    }
+    Ok(verdicts)
+}
+
 /// The job of a cell, counted row by row.
 pub(super) fn cell_job(plane: &Plane, cell: u64) -> Result<Job, SystemError> {
     let columns = u64::from(plane.x.count);
@@ -60,7 +89,7 @@ mod tests {
     use std::sync::atomic::{AtomicU64, Ordering};
 
     use super::*;
-    use crate::analysis::{Regime, Schedule, Verdict};
+    use crate::analysis::{Regime, Schedule};
     use crate::backend::Unwatched;
     use crate::model::Parameters;
     use crate::plane::Start;
@@ -110,6 +139,7 @@ mod tests {
             peak_impact_velocity: 0.0,
             periods: 0,
             returning: 0,
+            measures: crate::analysis::Measures::default(),
         }
     }
 
@@ -135,6 +165,17 @@ mod tests {
                     assert_eq!(map.at(column, row).state, expected.into(), "column {column}, row {row}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_window_holds_the_cells_of_the_whole() {
+        let plane = plane("omega=1:3:5", "delta=0.1:0.4:4", Start::Rest);
+        let map = sweep(&plane, &Echo { tile: 7 }, &Unwatched).unwrap();
+        let window = Window { column: 1, row: 2, columns: 3, rows: 2 };
+        let part = sweep_window(&plane, window, &Echo { tile: 4 }, &Unwatched).unwrap();
+        for (place, verdict) in window.places().zip(&part) {
+            assert_eq!(verdict, map.at(place.0, place.1), "{place:?}");
         }
     }
 

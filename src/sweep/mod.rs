@@ -5,6 +5,7 @@ mod control;
 mod diagram;
 mod map;
 mod sample;
+mod stored;
 
 use thiserror::Error;
 
@@ -16,8 +17,9 @@ use crate::plane::{PlaneError, Provenance};
 pub use certify::{Certification, certify, certify_cells};
 pub use control::{ControlSweepError, sweep_control};
 pub use diagram::diagram;
-pub use map::sweep;
+pub use map::{sweep, sweep_window};
 pub use sample::{sample, sample_control, spread};
+pub use stored::{Reopen, StoredError, StoredRun, sweep_stored};
 
 /// What a result of this back end is marked with.
 pub fn provenance(backend: &dyn Backend) -> Provenance {

@@ -51,4 +51,5 @@ pub use spectrum::{Spectrum, SpectrumFailed};
 pub use strobe::StrobeMotion;
 pub use symmetric::{
     NoSymmetricMotion, SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target,
+    symmetric_target_at,
 };

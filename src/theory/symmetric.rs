@@ -228,6 +228,19 @@ pub fn symmetric_target(system: &System) -> Option<Vec<f64>> {
     stable_branch(system).map(|motion| motion.motion.section())
 }
 
+/// The same point on the section at a stop; none where the motion does not meet it, or is not physical.
+pub fn symmetric_target_at(system: &System, stop: Stop) -> Option<Vec<f64>> {
+    let motion = stable_branch(system)?.motion;
+    if motion.pattern.stops[0] == stop {
+        return Some(motion.section());
+    }
+    let image = motion.pattern.closing(&Flow::new(system), &motion.sections[0]);
+    let mut section = image.section.as_slice().to_vec();
+    let tau = section.last_mut()?;
+    *tau = wrapped(*tau);
+    (image.stop == stop).then_some(section)
+}
+
 pub(super) fn stable_branch(system: &System) -> Option<SymmetricMotion> {
     let radius = |motion: &SymmetricMotion| motion.spectral_radius(system);
     let [a, b] = symmetric_motions(system).ok()?;

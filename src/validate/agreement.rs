@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::layers::LayerAgreement;
 use super::spread::{Share, Spread};
 use crate::analysis::Verdict;
 
@@ -29,6 +30,8 @@ pub struct Agreement {
     /// Cells that differ and are on the edge: the reference decides them otherwise within a rounding error. They count
     /// in the shares above, and not in the checks.
     pub tipped: Tipped,
+    /// Every layer of numbers; none under control.
+    pub layers: Vec<LayerAgreement>,
     /// Cells that failed.
     pub failed: FailedCells,
     /// The worst cells, a few of each kind; not part of the serialised figures.

@@ -2,6 +2,7 @@
 
 use super::agreement::{Agreement, FailedCells, Fault, RegimeAgreement, Tipped, WorstCell};
 use super::continuation::Continued;
+use super::layers::layers;
 use super::spread::{Share, Spread};
 use crate::analysis::{Regime, Verdict};
 use crate::plane::RegionMap;
@@ -42,6 +43,7 @@ pub fn compare_continued(reference: &RegionMap, candidate: &RegionMap, continued
         end_state: Spread::of(cells.iter().filter_map(|cell| cell.difference).collect()),
         continued: continued.len() as u64,
         tipped: Tipped::default(),
+        layers: layers(reference, candidate),
         failed: FailedCells {
             reference: failed(cells.iter().map(|cell| cell.reference)),
             candidate: failed(cells.iter().map(|cell| cell.candidate)),

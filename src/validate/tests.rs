@@ -22,6 +22,7 @@ fn motion(n: u16, symmetric: bool) -> Verdict {
         peak_impact_velocity: 0.4,
         periods: 600,
         returning: 0,
+        measures: crate::analysis::Measures::default(),
     }
 }
 
@@ -228,4 +229,23 @@ fn another_phase_is_right_only_if_the_reference_stays_there() {
     let agreement = compare_continued(&reference, &candidate, &continued);
     assert_eq!(agreement.continued, 0);
     assert!(agreement.end_state.unwrap().max > 0.1, "a state the reference does not stay near is an error");
+}
+
+#[test]
+fn layers_that_differ_are_told() {
+    let reference = halves(of_regime(Regime::Chaotic));
+    let row = |candidate: &RegionMap, name: &str| {
+        let agreement = compare(&reference, candidate);
+        agreement.layers.into_iter().find(|row| row.layer == name).unwrap()
+    };
+    let same = row(&reference, "peak_impact_velocity");
+    assert_eq!(same.difference, Some(Spread { cells: 200, median: 0.0, p95: 0.0, max: 0.0 }));
+    assert_eq!((same.relative, same.defined), (false, Share { agree: 200, cells: 200 }));
+    let mut candidate = reference.clone();
+    candidate.verdicts[cell(3, 3)].peak_impact_velocity = 0.5;
+    candidate.verdicts[cell(4, 3)].peak_impact_velocity = 0.0;
+    candidate.verdicts[cell(5, 3)].n = 2;
+    let other = row(&candidate, "peak_impact_velocity");
+    assert!((other.difference.unwrap().max - 0.1).abs() < 1e-6);
+    assert_eq!(other.defined, Share { agree: 198, cells: 199 }, "a cell of another label does not count");
 }

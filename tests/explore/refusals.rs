@@ -28,8 +28,8 @@ fn bad_input_has_a_clear_message() {
     let cases: [(&[&str], i32, &[&str]); 8] = [
         (&["--port", &port], 3, &["cannot listen on port", &port, "--port"]),
         (&["--data", "none.npz"], 2, &["cannot read `none.npz`"]),
-        (&["--data", "other.npz"], 2, &["other.npz", "give a file that `map` wrote"]),
-        (&["--data", "text.npz"], 2, &["text.npz", "give a file that `map` wrote"]),
+        (&["--data", "other.npz"], 2, &["other.npz", "that `map` wrote"]),
+        (&["--data", "text.npz"], 2, &["text.npz", "that `map` wrote"]),
         (&["--x", "omega=1:1:1"], 2, &["no extent"]),
         (&["--x", "omgea=1:2:9"], 2, &["omgea"]),
         (&["--data", "other.npz", "--x", "omega=1:2:3"], 2, &["--data"]),

@@ -21,6 +21,8 @@ pub struct AdapterReport {
     pub api: String,
     /// "hardware" or "software".
     pub kind: String,
+    /// The address on the PCI bus, domain:bus:device.function; empty where there is none or it is not told.
+    pub pci: String,
 }
 
 impl AdapterReport {
@@ -31,6 +33,7 @@ impl AdapterReport {
             driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
             api: info.backend.to_string(),
             kind: kind.to_owned(),
+            pci: info.device_pci_bus_id.to_lowercase(),
         }
     }
 
@@ -39,8 +42,15 @@ impl AdapterReport {
         self.kind == "software"
     }
 
-    fn contains(&self, text: &str) -> bool {
-        self.to_string().to_lowercase().contains(&text.to_lowercase())
+    /// Whether a text means this adapter, the one of an index in the list of all: `#` and the index, the address on the PCI
+    /// bus, or a part of the description.
+    fn is_meant(&self, index: usize, text: &str) -> bool {
+        if let Some(number) = text.strip_prefix('#') {
+            return number.parse() == Ok(index);
+        }
+        let at = |address: &str| address.to_lowercase().trim_start_matches('0').to_owned();
+        (!self.pci.is_empty() && at(&self.pci) == at(text))
+            || self.to_string().to_lowercase().contains(&text.to_lowercase())
     }
 }
 
@@ -82,11 +92,12 @@ fn all() -> Vec<Found> {
     found
 }
 
-/// The best adapter whose description contains `text`.
+/// The best adapter that a text means: see [`AdapterReport::is_meant`].
 pub fn find(text: Option<&str>) -> Result<Found, BackendError> {
     let mut found = all();
     let listed: Vec<String> = found.iter().map(|found| found.report.to_string()).collect();
-    let position = found.iter().position(|found| text.is_none_or(|text| found.report.contains(text)));
+    let is_meant = |(i, found): (usize, &Found)| text.is_none_or(|text| found.report.is_meant(i, text));
+    let position = found.iter().enumerate().position(is_meant);
     match (position, text) {
         (Some(position), _) => Ok(found.swap_remove(position)),
         (None, Some(text)) if !listed.is_empty() => Err(BackendError::NoAdapter(format!(
@@ -104,4 +115,29 @@ pub fn find(text: Option<&str>) -> Result<Found, BackendError> {
 /// The best adapter that is not a software one.
 pub fn find_hardware() -> Option<Found> {
     all().into_iter().find(|found| !found.report.is_software())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn adapters_are_meant_by_index_address_or_name() {
+        let report = AdapterReport {
+            name: "NVIDIA H100".into(),
+            driver: "550".into(),
+            api: "vulkan".into(),
+            kind: "hardware".into(),
+            pci: "0000:3b:00.0".into(),
+        };
+        // The driver's own tool writes the domain with eight digits.
+        for text in ["#2", "0000:3b:00.0", "00000000:3B:00.0", "h100", "vulkan, 550"] {
+            assert!(report.is_meant(2, text), "{text}");
+        }
+        for text in ["#1", "#", "#x", "0000:3c:00.0", "0000:3b:00", "a100"] {
+            assert!(!report.is_meant(2, text), "{text}");
+        }
+        let without = AdapterReport { pci: String::new(), ..report };
+        assert!(!without.is_meant(0, "0000"), "no address is no address");
+    }
 }

@@ -43,7 +43,7 @@ export class Legend {
   scale(bar) {
     this.bar.hidden = bar == null;
     if (bar == null) return;
-    const { colours, ticks, title } = bar;
+    const { colours, ticks, title, undefined: none, lost } = bar;
     const strip = shape('svg', { viewBox: `0 0 ${colours.length} 10`, preserveAspectRatio: 'none', 'aria-hidden': 'true' },
       ...colours.map((fill, x) => shape('rect', { x, width: 1.5, height: 10, fill })));
     const labels = ticks.map(([share, text]) => {
@@ -51,8 +51,8 @@ export class Legend {
       label.style.left = `${100 * share}%`;
       return label;
     });
-    this.bar.replaceChildren(element('p', {}, ...asHtml(title)), strip, element('div', { class: 'ticks' }, ...labels),
-      element('p', { class: 'notes' }, sample([['#d9d9d9', null]]), ' not measured, or without meaning'));
+    this.bar.replaceChildren(element('p', { text: title }), strip, element('div', { class: 'ticks' }, ...labels),
+      element('p', { class: 'notes' }, sample([[none[0], null]]), ` ${none[1]} `, sample([[lost[0], null]]), ` ${lost[1]}`));
   }
 
   show({ rows, notes }) {

@@ -35,7 +35,7 @@ const grid = new Grid();
 const paint = new Paint(canvas);
 const status = new Status(at('progress'), at('notices'));
 const link = new Link(hear);
-const tiles = new Tiles((keys) => state.scene && link.send({ type: 'want', scene: state.scene.scene, tiles: keys }));
+const tiles = new Tiles((keys) => state.scene && link.send({ type: 'want', scene: state.scene.scene, tiles: keys, layer: grid.layer }));
 const clip = shape('clipPath', { id: 'plot' }, shape('rect', {}));
 frame.append(shape('defs', {}, clip));
 const curves = new Curves(frame, link, status);
@@ -44,7 +44,7 @@ const marks = new Marks(frame, plane, at('hover'), at('readout'), view, MARGINS)
 const axes = new Axes(frame, link, MARGINS);
 const legend = new Legend(at('legend'));
 const panel = new Panel(at('cards'), link, () => { redraw(); address.write(true); });
-const save = new Save(link, status, () => ({ scene: state.scene.scene, window: shown(), curves: curves.shown }));
+const save = new Save(link, status, () => ({ scene: state.scene.scene, window: shown(), curves: curves.shown, layer: grid.layer }));
 const address = new Address(() => ({
   plane: state.scene.plane, window: view.window, cell: panel.current?.cell, curves: curves.shown, layer: grid.layer,
 }), go);
@@ -77,22 +77,20 @@ function hear(type, message) {
 function welcome(hello) {
   status.clear('link');
   address.first = hello.plane;
-  state.layers = hello.layers;
   controls ??= new Controls(at('controls'), hello, (asked) => open(asked, { step: true }));
   const before = state.scene && { plane: state.scene.plane, window: view.window, cell: null, curves: false, layer: grid.layer };
   const wanted = before ?? read(location.hash, hello.plane) ?? { plane: hello.plane };
   state.scene = null;
-  grid.layer = layered(wanted.layer);
   open(wanted.plane, { ...wanted, fallback: hello.plane, again: before != null });
 }
 
 /** Asks for a plane; the view stays where the axes do. */
-function open(asked, { window = null, cell = null, curves: withCurves = false, step = false, fallback = null, again = false } = {}) {
+function open(asked, { window = null, cell = null, curves: withCurves = false, layer = grid.layer, step = false, fallback = null, again = false } = {}) {
   const request = state.pending = {};
   link.once({ type: 'open', plane: asked }, 'scene').then((scene) => {
     if (state.pending !== request) return;
     state.pending = null;
-    arrive(scene, { window, again });
+    arrive(scene, { window, again, layer });
     if (cell) panel.show(scene.scene, cell);
     if (withCurves) toggleCurves(true);
     address.write(step);
@@ -105,13 +103,16 @@ function open(asked, { window = null, cell = null, curves: withCurves = false, s
   });
 }
 
-function arrive(scene, { window, again }) {
+function arrive(scene, { window, again, layer }) {
   const before = state.scene;
   const same = before && ['x', 'y'].every((side) => before[side].text === scene[side].text)
     && before.system.text === scene.system.text;
   scene.clip = (cells) => clipped(cells, scene.x.count, scene.y.count);
   state.scene = scene;
   state.motions = [];
+  grid.layer = layered(layer);
+  paint.bar = null;
+  legend.scale(null);
   tiles.clear();
   if (!again) {
     paint.clear();
@@ -195,7 +196,7 @@ function redraw() {
 
 /** The name of a layer of numbers; null for motions and for names that there are not. */
 function layered(name) {
-  return state.layers?.some((layer) => layer.name === name) ? name : null;
+  return state.scene?.layers.some((layer) => layer.name === name) ? name : null;
 }
 
 /** Shows motions, or a layer of numbers. */
@@ -203,9 +204,10 @@ function showLayer(name) {
   grid.layer = layered(name);
   paint.bar = null;
   legend.scale(null);
-  if (!state.stale) grid.rebuild(view, tiles);
-  count();
-  redraw();
+  // Tiles carry the numbers of one layer; the program still has their cells.
+  tiles.clear();
+  state.stale = true;
+  look();
   address.replace();
 }
 

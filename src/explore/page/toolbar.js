@@ -16,7 +16,7 @@ export class Toolbar {
 
   show() {
     const { state, grid, curves, slice, plane, save, home, showLayer, toggleCurves } = this.parts;
-    const layers = [['motion', 'Motions'], ...(state.layers ?? []).map(({ name, title }) => [name, title])];
+    const layers = [['motion', 'Motions'], ...(state.scene?.layers ?? []).map(({ name, title }) => [name, title])];
     const inactive = !state.scene?.curves;
     this.root.replaceChildren(
       choice(layers, grid.layer ?? 'motion', 'layer', showLayer),

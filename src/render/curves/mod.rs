@@ -16,6 +16,7 @@ use self::major::major;
 use self::style::{CASING, Line};
 use super::canvas::{Anchor, Canvas, Point, Rect};
 use super::colours::INK;
+use super::figure::clip;
 use super::frame::Frame;
 use super::text::Text;
 use crate::curves::{Criticality, Curve, CurvePoint, Kind, Named, named};
@@ -116,7 +117,12 @@ impl<'a> Overlay<'a> {
             x: plot.x + frame.x.fraction(point.x) * plot.width,
             y: plot.bottom() - frame.y.fraction(point.y) * plot.height,
         };
-        let mut pieces = self.pieces(place);
+        let mut pieces: Vec<Piece> = (self.pieces(place).into_iter())
+            .flat_map(|piece| {
+                let parts = clip::polyline(plot, piece.line.iter().copied(), 0.0);
+                parts.into_iter().map(move |line| Piece { line, ..piece })
+            })
+            .collect();
         // Short lines above long ones.
         pieces.sort_by(|a, b| length(&b.line).total_cmp(&length(&a.line)));
         let styled = |piece: &Piece| Line::of_curve(piece.curve, piece.criticality, em);
@@ -129,7 +135,8 @@ impl<'a> Overlay<'a> {
         }
         let special = (self.curves.iter().flat_map(|curve| &curve.points))
             .filter(|point| point.special.is_some() && self.shows(point))
-            .map(place);
+            .map(place)
+            .filter(|at| (plot.x..=plot.right()).contains(&at.x) && (plot.y..=plot.bottom()).contains(&at.y));
         let marks = gathered(special, TOGETHER * em);
         for &(at, count) in &marks {
             key::draw_mark(canvas, at, count, em);

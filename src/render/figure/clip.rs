@@ -3,7 +3,7 @@
 use crate::render::canvas::{Point, Rect};
 
 /// What of a straight line lies inside a rectangle (Liang and Barsky 1984).
-pub(super) fn segment(rect: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
+pub(in crate::render) fn segment(rect: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
     let (dx, dy) = (b.x - a.x, b.y - a.y);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
     let edges =
@@ -25,7 +25,11 @@ pub(super) fn segment(rect: Rect, a: Point, b: Point) -> Option<(Point, Point)> 
 
 /// The parts of a line through points that lie inside a rectangle, without points closer than `step` pixels to the
 /// one before; a point that is not a number interrupts the line.
-pub(super) fn polyline(rect: Rect, points: impl Iterator<Item = Point>, step: f64) -> Vec<Vec<Point>> {
+pub(in crate::render) fn polyline(
+    rect: Rect,
+    points: impl Iterator<Item = Point>,
+    step: f64,
+) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     let mut last: Option<Point> = None;
     let mut open = false;

@@ -1,6 +1,6 @@
 //! Figures of one or several plots: lines, dots, bands, strips, and a key.
 
-mod clip;
+pub(super) mod clip;
 mod key;
 mod marks;
 mod strip;

@@ -3,10 +3,15 @@
 use std::cmp::Reverse;
 use std::collections::HashMap;
 
-use crate::analysis::Verdict;
-use crate::plane::RegionMap;
+use rayon::prelude::*;
+
+use super::bands::bands;
+use crate::analysis::Regime;
+use crate::model::vector::MOST as MOST_STOPS;
+use crate::plane::Window;
+use crate::plane::fields::{CellField, Cells, CellsError};
 use crate::render::colouring::Colouring;
-use crate::render::colours::SHARED;
+use crate::render::colours::{NOT_THERE, SHARED};
 use crate::render::motion::Motion;
 use crate::render::paint::Paint;
 use crate::system::Family;
@@ -20,8 +25,8 @@ const FEW: usize = 12;
 /// All cells of one motion.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::render) struct Region {
-    /// What the cells have in common.
-    pub motion: Motion,
+    /// What the cells have in common; none of those that were not computed.
+    pub motion: Option<Motion>,
     /// What the motion is called.
     pub name: String,
     /// What the region is filled with.
@@ -32,98 +37,143 @@ pub(in crate::render) struct Region {
     pub cells: u64,
 }
 
-/// The regions of a plane, the largest first; those that are not distinct share one paint.
+impl Region {
+    /// Whether its motion has a period.
+    pub fn is_periodic(&self) -> bool {
+        self.motion.is_some_and(|motion| motion.regime.is_periodic())
+    }
+}
+
+/// The regions of a part of a plane, the largest first; those that are not distinct share one paint.
 #[derive(Clone, Debug)]
 pub(in crate::render) struct Census {
     /// The family of the plane's system.
     pub family: &'static Family,
     /// The regions, by descending size.
     pub regions: Vec<Region>,
-    /// For each cell, or verdict that was given, the region that it belongs to.
-    pub region_of: Vec<u32>,
+    /// How many cells there are.
+    pub cells: u64,
+    /// The region of every motion.
+    rank: HashMap<Option<Motion>, u32>,
 }
 
 impl Census {
-    /// Takes the census of a plane.
-    pub fn of(map: &RegionMap) -> Self {
-        Census::counted(map.plane.parameters.family(), map.verdicts.iter().map(|verdict| (*verdict, 1)))
+    /// Takes the census of a window of a plane.
+    ///
+    /// # Errors
+    /// What could not be read.
+    pub fn of(cells: &dyn Cells, window: Window) -> Result<Self, CellsError> {
+        let mut counted: HashMap<Option<Motion>, u64> = HashMap::new();
+        for band in bands(cells, window) {
+            for run in motions(cells, band)?.chunk_by(|a, b| a == b) {
+                *counted.entry(run[0]).or_default() += run.len() as u64;
+            }
+        }
+        Ok(Census::counted(cells.plane().parameters.family(), counted))
     }
 
-    /// Takes the census of cells, so many of each verdict that is given.
-    pub fn counted(family: &'static Family, found: impl IntoIterator<Item = (Verdict, u64)>) -> Self {
-        let mut known: HashMap<Motion, u32> = HashMap::new();
-        let mut regions: Vec<Region> = Vec::new();
-        let mut region_of: Vec<u32> = Vec::new();
-        for (verdict, cells) in found {
-            let index = *known.entry(Motion::of(&verdict)).or_insert_with(|| {
-                regions.push(Region::empty(&verdict));
-                regions.len() as u32 - 1
-            });
-            regions[index as usize].cells += cells;
-            region_of.push(index);
-        }
-        let mut order: Vec<usize> = (0..regions.len()).collect();
-        order.sort_by_key(|&i| (Reverse(regions[i].cells), regions[i].motion));
-        let mut rank = vec![0; order.len()];
-        for (place, &i) in order.iter().enumerate() {
-            rank[i] = place as u32;
-        }
-        for index in &mut region_of {
-            *index = rank[*index as usize];
-        }
-        let mut regions: Vec<Region> = order.into_iter().map(|i| regions[i].clone()).collect();
-        let least = (RARE * regions.iter().map(|region| region.cells).sum::<u64>() as f64) as u64;
+    /// Takes the census of so many cells of each motion; those of none were not computed.
+    pub fn counted(
+        family: &'static Family,
+        counted: impl IntoIterator<Item = (Option<Motion>, u64)>,
+    ) -> Self {
+        let stops = family.stops().len();
+        let mut regions: Vec<Region> =
+            counted.into_iter().map(|(motion, cells)| Region::of(motion, stops, cells)).collect();
+        regions.sort_by_key(|region| (Reverse(region.cells), region.motion));
+        let all: u64 = regions.iter().map(|region| region.cells).sum();
+        let least = (RARE * all as f64) as u64;
         let mut periodic = 0;
         let matters = |region: &&Region| {
-            if !region.motion.regime.is_periodic() {
+            if !region.is_periodic() {
                 return true;
             }
             periodic += 1;
             periodic <= FEW || periodic <= MOST && region.cells >= least
         };
-        let colouring = Colouring::of(regions.iter().filter(matters).map(|region| region.motion));
+        let colouring = Colouring::of(regions.iter().filter(matters).filter_map(|region| region.motion));
         for region in &mut regions {
-            region.paint = colouring.paint(region.motion);
-            region.distinct = colouring.own(region.motion).is_some();
+            let Some(motion) = region.motion else { continue };
+            region.paint = colouring.paint(motion);
+            region.distinct = colouring.own(motion).is_some();
         }
-        Census { family, regions, region_of }
+        let rank = (0..).zip(&regions).map(|(place, region)| (region.motion, place)).collect();
+        Census { family, regions, cells: all, rank }
+    }
+
+    /// The region of a motion, if it is there.
+    pub fn region(&self, motion: Motion) -> Option<&Region> {
+        self.rank.get(&Some(motion)).map(|&place| &self.regions[place as usize])
     }
 
     /// How many rows of a legend cannot be grouped: everything that is not periodic.
     pub fn indispensable(&self) -> usize {
-        self.regions.iter().filter(|region| !region.motion.regime.is_periodic()).count()
+        self.regions.iter().filter(|region| !region.is_periodic()).count()
+    }
+
+    /// The regions of the cells of a window, row by row.
+    ///
+    /// # Errors
+    /// What could not be read.
+    pub fn regions_of(&self, cells: &dyn Cells, window: Window) -> Result<Vec<u32>, CellsError> {
+        // A store may have grown since.
+        let region = |motion: &Option<Motion>| self.rank.get(motion).copied().unwrap_or(0);
+        Ok(motions(cells, window)?.iter().map(region).collect())
     }
 }
 
 impl Region {
-    fn empty(verdict: &Verdict) -> Self {
-        let motion = Motion::of(verdict);
-        Region { motion, name: Motion::name(verdict), paint: SHARED, distinct: false, cells: 0 }
+    fn of(motion: Option<Motion>, stops: usize, cells: u64) -> Self {
+        let name = motion.map_or_else(|| "not computed".to_owned(), |motion| motion.name_of(stops));
+        let paint = if motion.is_some() { SHARED } else { NOT_THERE };
+        Region { motion, name, paint, distinct: motion.is_none(), cells }
     }
+}
+
+/// The motions of the cells of a window, row by row; none of those that were not computed.
+fn motions(cells: &dyn Cells, window: Window) -> Result<Vec<Option<Motion>>, CellsError> {
+    let read = |name: &str| cells.read(CellField::named(name).expect("the table has the field"), window);
+    let (regime, n, counts, symmetric) = (read("regime")?, read("n")?, read("counts")?, read("symmetric")?);
+    let stops = cells.plane().parameters.family().stops().len();
+    let motion = |i: usize| {
+        let regime = u8::try_from(regime.whole(i)).ok().and_then(Regime::from_code)?;
+        if !regime.is_periodic() {
+            return Some(Motion { regime, counts: [0; 1 + MOST_STOPS], symmetric: false });
+        }
+        let count = |k: usize| match k {
+            0 => n.whole(i) as u16,
+            k if k <= stops => counts.whole(stops * i + k - 1) as u16,
+            _ => 0,
+        };
+        Some(Motion { regime, counts: std::array::from_fn(count), symmetric: symmetric.whole(i) != 0 })
+    };
+    Ok((0..window.cells()).into_par_iter().map(motion).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::Regime;
     use crate::render::example;
 
     #[test]
     fn regions_are_counted_and_sorted() {
         let map = example::map(60, 40);
-        let census = Census::of(&map);
+        let whole = Window::whole(&map.plane);
+        let census = Census::of(&map, whole).unwrap();
         assert_eq!(census.regions.iter().map(|region| region.cells).sum::<u64>(), 60 * 40);
         assert!(census.regions.windows(2).all(|pair| pair[0].cells >= pair[1].cells));
-        for (verdict, &index) in map.verdicts.iter().zip(&census.region_of) {
-            assert_eq!(census.regions[index as usize].motion, Motion::of(verdict));
+        let region_of = census.regions_of(&map, whole).unwrap();
+        for (verdict, index) in map.verdicts.iter().zip(region_of) {
+            assert_eq!(census.regions[index as usize].motion, Some(Motion::of(verdict)));
+            assert_eq!(census.regions[index as usize].name, Motion::name(verdict));
         }
         let paint = |distinct: bool| {
             let alike = census.regions.iter().filter(move |region| region.distinct == distinct);
             alike.map(|region| region.paint).collect::<Vec<_>>()
         };
         assert!(paint(false).iter().all(|&paint| paint == SHARED) && !paint(true).contains(&SHARED));
-        assert!(census.regions.iter().all(|r| r.distinct || r.motion.regime.is_periodic()));
-        let chaotic = census.regions.iter().find(|r| r.motion.regime == Regime::Chaotic).unwrap();
+        assert!(census.regions.iter().all(|r| r.distinct || r.is_periodic()));
+        let chaotic = census.regions.iter().find(|r| r.motion.unwrap().regime == Regime::Chaotic).unwrap();
         let [.., (_, cells), _, _] = map.census();
         assert_eq!(chaotic.cells, cells);
     }

@@ -103,13 +103,16 @@ impl Detail {
 }
 
 impl Layout {
-    /// The layout with the most detail that fits.
-    pub fn of(title: &[Text], census: &Census, frame: &Frame, key: &Key, size: Size) -> Self {
+    /// The layout with the most detail that fits, of a picture that is to have a legend, or none.
+    pub fn of(legend: bool, title: &[Text], census: &Census, frame: &Frame, key: &Key, size: Size) -> Self {
         let attempt = |detail: Detail| {
             let layout = Attempt { title, census, frame, key, size, em: size.em() }.layout(detail)?;
-            Some(Layout { left_out: detail.left_out(), ..layout })
+            let mut left_out = detail.left_out();
+            left_out.retain(|part| legend || *part != LEGEND);
+            Some(Layout { left_out, ..layout })
         };
-        Detail::LADDER.into_iter().find_map(attempt).unwrap_or_else(|| Layout::bare(size))
+        let mut wanted = Detail::LADDER.into_iter().filter(|detail| legend || detail.legend.is_none());
+        wanted.find_map(attempt).unwrap_or_else(|| Layout::bare(size))
     }
 
     /// The regions alone.

@@ -1,11 +1,11 @@
 //! A computed plane as a picture: filled regions inside named axes, with a legend.
 
+mod bands;
 mod census;
 mod layout;
 mod names;
+mod picture;
 mod raster;
-
-use serde_json::json;
 
 pub(super) use self::census::Census;
 use self::layout::Layout;
@@ -20,10 +20,11 @@ use super::scale::Scale;
 use super::size::Size;
 use super::symbols;
 use super::text::Text;
-use crate::analysis::Verdict;
 use crate::curves::Curve;
-use crate::plane::{ControlMap, Plane, Quantity, RegionMap};
-use crate::system::Family;
+use crate::plane::fields::{CellField, Cells, CellsError, Layer};
+use crate::plane::{ControlMap, Plane, Quantity, RegionMap, Window};
+
+pub use self::picture::{DrawnCurves, PlanePicture};
 
 /// Draws a computed plane.
 ///
@@ -32,12 +33,21 @@ use crate::system::Family;
 /// fewer pixels than the plane has cells shows the most frequent motion of each pixel. The legend names the
 /// motions by descending share of the plane. Small pictures do without the least needed words.
 pub fn region_map(map: &RegionMap, size: Size) -> Picture {
-    draw(map, &names::title(&map.plane), map.config(), None, size)
+    PlanePicture::of(map).draw(size).expect(IN_MEMORY)
 }
 
 /// Draws the motions that the cells of a plane reach under control, like [`region_map`].
 pub fn control_map(map: &ControlMap, size: Size) -> Picture {
-    draw(&map.motions(), &control_title(map), map.config(), None, size)
+    let motions = map.motions();
+    let whole = Window::whole(&motions.plane);
+    let what = What {
+        cells: &motions,
+        window: whole,
+        title: &control_title(map),
+        config: map.config(),
+        legend: true,
+    };
+    draw_motions(&what, None, size).expect(IN_MEMORY)
 }
 
 /// The fixed parameters, the start and the method, in pieces that belong together.
@@ -46,7 +56,9 @@ pub(super) fn control_title(map: &ControlMap) -> Vec<Text> {
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
     let mut title = names::title(&plane.plane());
     title.last_mut().into_iter().for_each(|last| *last = last.clone().upright(";"));
-    title.extend(describe(&plane.control, |setting| varied(Quantity::Control(setting))));
+    title.extend(describe(&plane.control, plane.parameters.family(), |setting| {
+        varied(Quantity::Control(setting))
+    }));
     title
 }
 
@@ -63,21 +75,45 @@ pub fn region_map_with_curves(
     max_period: u32,
     size: Size,
 ) -> Picture {
-    let overlay = Overlay::new(map, curves, shown);
-    let config = map.config_with("curves", json!({ "shown": shown.name(), "max_period": max_period }));
-    draw(map, &names::title(&map.plane), config, Some(&overlay), size)
+    let curves = Some(DrawnCurves { map, curves, shown, max_period: Some(max_period) });
+    PlanePicture { curves, ..PlanePicture::of(map) }.draw(size).expect(IN_MEMORY)
 }
 
-fn draw(map: &RegionMap, title: &[Text], config: String, overlay: Option<&Overlay>, size: Size) -> Picture {
-    let key = overlay.map(Overlay::key).unwrap_or_default();
-    let census = Census::of(map);
-    let frame = frame(map);
-    let em = size.em();
-    let layout = Layout::of(title, &census, &frame, &key, size);
-    let (width, height) = (layout.plot.width as u32, layout.plot.height as u32);
-    let regions = raster::draw(map, &census, width, height, em);
+/// Why drawing a map does not fail.
+const IN_MEMORY: &str = "a map in memory can be read";
 
-    let mut canvas = Canvas::new(size, &config);
+/// The motions of a plane, to be drawn.
+struct What<'a> {
+    cells: &'a dyn Cells,
+    window: Window,
+    title: &'a [Text],
+    config: String,
+    legend: bool,
+}
+
+/// Draws the motions of a plane.
+fn draw(of: &PlanePicture, overlay: Option<&Overlay>, size: Size) -> Result<Picture, CellsError> {
+    let what = What {
+        cells: of.cells,
+        window: of.window,
+        title: &of.title(),
+        config: of.configuration().to_string(),
+        legend: of.legend,
+    };
+    draw_motions(&what, overlay, size)
+}
+
+fn draw_motions(what: &What, overlay: Option<&Overlay>, size: Size) -> Result<Picture, CellsError> {
+    let key = overlay.map(Overlay::key).unwrap_or_default();
+    let census = Census::of(what.cells, what.window)?;
+    let frame = frame_of(&what.window.plane(what.cells.plane()));
+    let em = size.em();
+    let layout_of = |size| Layout::of(what.legend, what.title, &census, &frame, &key, size);
+    let layout = layout_of(size);
+    let extent = [layout.plot.width as u32, layout.plot.height as u32];
+    let regions = raster::draw(what.cells, what.window, &census, extent, em)?;
+
+    let mut canvas = Canvas::new(size, &what.config);
     canvas.image(layout.plot, &regions);
     let unnamed = overlay.map_or_else(Vec::new, |overlay| overlay.draw(&mut canvas, layout.plot, &frame, em));
     if let Some(placed) = &layout.frame {
@@ -93,14 +129,10 @@ fn draw(map: &RegionMap, title: &[Text], config: String, overlay: Option<&Overla
         key.draw(&mut canvas, legend.key_at, legend.key_columns, &unnamed, below, em);
     }
     let left_out = (!layout.left_out.is_empty()).then(|| {
-        let whole = |size| Layout::of(title, &census, &frame, &key, size).left_out.is_empty();
+        let whole = |size| layout_of(size).left_out.is_empty();
         LeftOut { parts: layout.left_out, enough: size.enough(whole) }
     });
-    Picture::new(size, config, canvas.finish()).without(left_out)
-}
-
-fn frame(map: &RegionMap) -> Frame {
-    frame_of(&map.plane)
+    Ok(Picture::new(size, what.config.clone(), canvas.finish()).without(left_out))
 }
 
 /// The title of a plane's picture, in pieces that belong together.
@@ -113,19 +145,9 @@ pub(super) fn definition_of(census: &Census) -> Vec<Text> {
     names::definition(census)
 }
 
-/// The rows of the legend of so many cells of each motion, and their census: one cell for each motion that is given.
-pub(super) fn legend_of(
-    family: &'static Family,
-    found: &[(Verdict, u64)],
-    rows: usize,
-) -> (Vec<Entry>, Census) {
-    let census = Census::counted(family, found.iter().copied());
-    (names::entries(&census, rows.max(census.indispensable() + 1), true), census)
-}
-
-#[cfg(test)]
-pub(super) fn census_of(map: &RegionMap) -> Census {
-    Census::of(map)
+/// The rows of the legend of a census, `rows` of them, or one more than is not periodic.
+pub(super) fn entries_of(census: &Census, rows: usize) -> Vec<Entry> {
+    names::entries(census, rows.max(census.indispensable() + 1), true)
 }
 
 /// The axes of a plane.
@@ -135,6 +157,53 @@ pub(super) fn frame_of(plane: &Plane) -> Frame {
         y: Scale::of(&plane.y),
         x_title: symbols::axis_title(plane.x.quantity),
         y_title: symbols::axis_title(plane.y.quantity),
+    }
+}
+
+/// Numbers of a window's cells in pixels, the first row at the bottom: means of the cells that a pixel covers, over those
+/// that have one; NaN where most have none, minus infinity where most have that.
+pub(super) fn means(
+    cells: &dyn Cells,
+    window: Window,
+    layer: &Layer,
+    size: [usize; 2],
+) -> Result<Vec<f32>, CellsError> {
+    bands::sampled(cells, window, size, |band| layer.values(cells, band), mean)
+}
+
+/// Whether most of the cells that a pixel covers have a value of a field.
+pub(super) fn most(
+    cells: &dyn Cells,
+    window: Window,
+    field: &'static CellField,
+    value: u32,
+    size: [usize; 2],
+) -> Result<Vec<bool>, CellsError> {
+    let read = |band: Window| {
+        let values = cells.read(field, band)?;
+        Ok((0..band.cells()).map(|i| values.whole(i) == value).collect())
+    };
+    bands::sampled(cells, window, size, read, |block| {
+        let (all, own) = block.fold((0, 0), |(all, own), is| (all + 1, own + u32::from(is)));
+        2 * own > all
+    })
+}
+
+fn mean(block: &mut dyn Iterator<Item = f32>) -> f32 {
+    let (mut sum, mut there, mut lost, mut all) = (0.0_f64, 0_u32, 0_u32, 0_u32);
+    for value in block {
+        all += 1;
+        if value.is_finite() {
+            sum += f64::from(value);
+            there += 1;
+        } else if value == f32::NEG_INFINITY {
+            lost += 1;
+        }
+    }
+    match () {
+        () if 2 * there >= all && there > 0 => (sum / f64::from(there)) as f32,
+        () if 2 * lost >= all => f32::NEG_INFINITY,
+        () => f32::NAN,
     }
 }
 

@@ -24,11 +24,12 @@ pub(super) fn title(plane: &Plane) -> Vec<Text> {
 /// The rows of the legend: at most `rows`, everything that is not periodic among them, the rarest motions grouped with
 /// those that have no colour of their own.
 pub(super) fn entries(census: &Census, rows: usize, shares: bool) -> Vec<Entry> {
-    let all = census.regions.iter().map(|region| region.cells).sum::<u64>() as f64;
+    let all = census.cells as f64;
     let value = |cells: u64| shares.then(|| percentage(cells as f64 / all).into());
-    let periodic = |region: &&Region| region.motion.regime.is_periodic();
+    let periodic = |region: &&Region| region.is_periodic();
     let named = names(&census.regions.iter().filter(periodic).collect::<Vec<_>>(), census, rows);
-    let is_named = |region: &&Region| !periodic(region) || named.contains(&region.motion);
+    let is_named =
+        |region: &&Region| !periodic(region) || region.motion.is_some_and(|own| named.contains(&own));
     let single = |region: &Region| Entry {
         paints: vec![region.paint],
         name: region.name.as_str().into(),
@@ -55,7 +56,7 @@ pub(super) fn entries(census: &Census, rows: usize, shares: bool) -> Vec<Entry> 
 /// The periodic motions that get a row of their own: the most frequent ones that nothing else looks like.
 fn names(periodic: &[&Region], census: &Census, rows: usize) -> Vec<Motion> {
     let room = rows.saturating_sub(census.indispensable());
-    let of = |regions: &[&Region]| regions.iter().map(|region| region.motion).collect();
+    let of = |regions: &[&Region]| regions.iter().filter_map(|region| region.motion).collect();
     let shared = periodic.iter().filter(|region| !region.distinct).count();
     // A motion that shares its paint with none needs no group.
     if shared <= 1 && periodic.len() <= room {
@@ -91,11 +92,15 @@ mod tests {
     use super::*;
     use crate::analysis::Counts;
     use crate::analysis::Regime;
-    use crate::plane::{RegionMap, Start};
+    use crate::plane::{RegionMap, Start, Window};
     use crate::render::example;
 
     fn plain(text: &Text) -> String {
         text.spans().iter().map(|span| span.content.as_str()).collect()
+    }
+
+    fn census(map: &RegionMap) -> Census {
+        Census::of(map, Window::whole(&map.plane)).unwrap()
     }
 
     fn title_of(plane: &Plane) -> String {
@@ -124,7 +129,7 @@ mod tests {
 
     #[test]
     fn the_legend_keeps_within_its_rows_and_misses_nothing() {
-        let census = Census::of(&example::map(120, 90));
+        let census = census(&example::map(120, 90));
         let motions = census.regions.len();
         let fixed = census.indispensable();
         assert!(fixed >= 5 && motions > fixed + 12);
@@ -149,7 +154,7 @@ mod tests {
     fn a_motion_of_no_forcing_period_is_explained_where_there_is_one() {
         let mut map = example::map(40, 30);
         let explained = |map: &RegionMap| {
-            definition(&Census::of(map)).iter().any(|piece| plain(piece).contains("jump in phase"))
+            definition(&census(map)).iter().any(|piece| plain(piece).contains("jump in phase"))
         };
         assert!(!explained(&map));
         let verdict = &mut map.verdicts[7];
@@ -159,7 +164,7 @@ mod tests {
 
     #[test]
     fn shares_add_up() {
-        let census = Census::of(&example::map(120, 90));
+        let census = census(&example::map(120, 90));
         let shares = entries(&census, 18, true).into_iter().map(|entry| plain(&entry.value.unwrap()));
         let total: f64 = shares.filter_map(|share| share.strip_suffix(" %")?.parse::<f64>().ok()).sum();
         assert!((99.0..101.0).contains(&total), "{total}");

@@ -3,8 +3,10 @@
 use image::RgbImage;
 use rayon::prelude::*;
 
+use super::bands::sampled;
 use super::census::Census;
-use crate::plane::RegionMap;
+use crate::plane::Window;
+use crate::plane::fields::{Cells, CellsError};
 use crate::render::canvas::Colour;
 use crate::render::colours::INK;
 use crate::render::frame::line_width;
@@ -15,9 +17,18 @@ const LINE_OPACITY: f64 = 0.8;
 /// A line is drawn only between regions that are this many times as wide as the line.
 const WORTH_A_LINE: usize = 4;
 
-/// Draws the regions of a plane into an image of the given size, the first row at the bottom.
-pub(super) fn draw(map: &RegionMap, census: &Census, width: u32, height: u32, em: f64) -> RgbImage {
-    let pixels = Pixels::sample(map, census, width as usize, height as usize);
+/// Draws the regions of a window of a plane into an image of the given size, the first row at the bottom.
+///
+/// # Errors
+/// What could not be read.
+pub(super) fn draw(
+    cells: &dyn Cells,
+    window: Window,
+    census: &Census,
+    [width, height]: [u32; 2],
+    em: f64,
+) -> Result<RgbImage, CellsError> {
+    let pixels = Pixels::sample(cells, window, census, [width as usize, height as usize])?;
     let hatch = Hatch::new(em);
     let line = line_width(em) as usize;
     let mut bytes = vec![0; 3 * pixels.width * pixels.height];
@@ -31,7 +42,7 @@ pub(super) fn draw(map: &RegionMap, census: &Census, width: u32, height: u32, em
             pixel.copy_from_slice(&colour.0);
         }
     });
-    RgbImage::from_raw(width, height, bytes).expect("three bytes for each pixel")
+    Ok(RgbImage::from_raw(width, height, bytes).expect("three bytes for each pixel"))
 }
 
 /// The region of each pixel.
@@ -42,22 +53,16 @@ struct Pixels {
 }
 
 impl Pixels {
-    fn sample(map: &RegionMap, census: &Census, width: usize, height: usize) -> Self {
-        let columns = map.plane.x.count as usize;
-        let rows = map.plane.y.count as usize;
-        let mut regions = vec![0; width * height];
-        regions.par_chunks_exact_mut(width).enumerate().for_each(|(y, row)| {
-            let block_rows = cells(height - 1 - y, height, rows);
-            for (x, pixel) in row.iter_mut().enumerate() {
-                let block_columns = cells(x, width, columns);
-                let block = block_rows.clone().flat_map(|row| {
-                    let start = row * columns;
-                    &census.region_of[start + block_columns.start..start + block_columns.end]
-                });
-                *pixel = most_frequent(block);
-            }
-        });
-        Pixels { width, height, regions }
+    fn sample(
+        cells: &dyn Cells,
+        window: Window,
+        census: &Census,
+        size: [usize; 2],
+    ) -> Result<Self, CellsError> {
+        let read = |band| census.regions_of(cells, band);
+        let regions = sampled(cells, window, size, read, most_frequent)?;
+        let [width, height] = size;
+        Ok(Pixels { width, height, regions })
     }
 
     fn at(&self, x: usize, y: usize) -> u32 {
@@ -87,20 +92,11 @@ fn near_border(region: impl Fn(usize) -> u32, length: usize, at: usize, line: us
     (first..=last).any(border)
 }
 
-/// The cells that pixel `i` of `pixels` shows: the one under its middle, or all that it covers.
-fn cells(i: usize, pixels: usize, cells: usize) -> std::ops::Range<usize> {
-    if cells <= pixels {
-        let middle = (2 * i + 1) * cells / (2 * pixels);
-        middle..middle + 1
-    } else {
-        i * cells / pixels..(i + 1) * cells / pixels
-    }
-}
-
 /// The most frequent region; of equally frequent ones the one that is larger in the whole plane.
-fn most_frequent<'a>(block: impl Iterator<Item = &'a u32>) -> u32 {
-    let mut counts: Vec<(u32, u32)> = Vec::with_capacity(4);
-    for &region in block {
+fn most_frequent(block: &mut dyn Iterator<Item = u32>) -> u32 {
+    let first = block.next().expect("a pixel shows at least one cell");
+    let mut counts: Vec<(u32, u32)> = vec![(first, 1)];
+    for region in block {
         match counts.iter_mut().find(|(known, _)| *known == region) {
             Some((_, count)) => *count += 1,
             None => counts.push((region, 1)),
@@ -122,10 +118,16 @@ fn darkened(colour: Colour) -> Colour {
 mod tests {
     use super::*;
     use crate::analysis::{Regime, Verdict};
+    use crate::plane::RegionMap;
     use crate::render::{Motion, example, paint_of};
 
     fn colour(map: &RegionMap, column: u32, row: u32) -> Colour {
         paint_of(Motion::of(map.at(column, row))).fill
+    }
+
+    fn drawn(map: &RegionMap, size: [u32; 2]) -> RgbImage {
+        let whole = Window::whole(&map.plane);
+        draw(map, whole, &Census::of(map, whole).unwrap(), size, 10.0).unwrap()
     }
 
     #[test]
@@ -138,7 +140,7 @@ mod tests {
             (1, 0) => right,
             _ => above,
         });
-        let image = draw(&map, &Census::of(&map), 80, 60, 10.0);
+        let image = drawn(&map, [80, 60]);
         assert_eq!(*image.get_pixel(20, 45), colour(&map, 0, 0));
         assert_eq!(*image.get_pixel(60, 45), colour(&map, 1, 0));
         assert_eq!(*image.get_pixel(20, 15), colour(&map, 0, 1));
@@ -151,7 +153,7 @@ mod tests {
         let thin = Verdict::of_motion(Regime::Chaotic, [0; 3], false);
         let wide = Verdict::of_motion(Regime::Periodic, [1, 1, 1], true);
         let map = example::of(100, 10, |column, _| if column == 50 { thin } else { wide });
-        let image = draw(&map, &Census::of(&map), 200, 100, 10.0);
+        let image = drawn(&map, [200, 100]);
         let shown = (0..200).filter(|&x| *image.get_pixel(x, 50) == colour(&map, 50, 0)).count();
         assert_eq!(shown, 2);
     }
@@ -162,18 +164,7 @@ mod tests {
         let common = Verdict::of_motion(Regime::Periodic, [1, 1, 1], true);
         let map =
             example::of(400, 300, |column, row| if column % 4 == 0 && row % 3 == 0 { rare } else { common });
-        let image = draw(&map, &Census::of(&map), 100, 100, 10.0);
+        let image = drawn(&map, [100, 100]);
         assert!(image.pixels().all(|&pixel| pixel == colour(&map, 1, 1)));
-    }
-
-    #[test]
-    fn every_cell_is_shown_once_where_sizes_match() {
-        for (pixels, count) in [(7, 7), (7, 3), (3, 7), (800, 3), (3, 800), (20_000, 65_536)] {
-            let shown: Vec<usize> = (0..pixels).flat_map(|i| cells(i, pixels, count)).collect();
-            assert!(shown.is_sorted() && shown[0] == 0 && *shown.last().unwrap() == count - 1);
-            if count >= pixels {
-                assert_eq!(shown.len(), count);
-            }
-        }
     }
 }

@@ -158,10 +158,12 @@ fn the_plot_is_shown_pixel_by_pixel() {
     let map = example::map(80, 60);
     for (width, height) in [(200, 150), (640, 480)] {
         let size = Size::new(width, height).unwrap();
-        let census = Census::of(&map);
-        let plot = Layout::of(&names::title(&map.plane), &census, &frame(&map), &Key::default(), size).plot;
+        let window = Window::whole(&map.plane);
+        let census = Census::of(&map, window).unwrap();
+        let frame = frame_of(&map.plane);
+        let plot = Layout::of(true, &names::title(&map.plane), &census, &frame, &Key::default(), size).plot;
         let [x, y, width, height] = [plot.x, plot.y, plot.width, plot.height].map(|length| length as u32);
-        let expected = raster::draw(&map, &census, width, height, size.em());
+        let expected = raster::draw(&map, window, &census, [width, height], size.em()).unwrap();
         let pixels = region_map(&map, size).pixels();
         let shown = image::imageops::crop_imm(&pixels, x, y, width, height).to_image();
         assert!(shown == expected, "{width} × {height}");

@@ -39,7 +39,7 @@ const APART: f64 = 0.01;
 const CONVERGED: f64 = 1e-6;
 
 /// The target of the sine force and of the pulses: the 1-1-1 motion at ω = 3.7.
-const TARGET: Target = Target { reference: 3.7, given: SectionValues::new([None; 4]) };
+const TARGET: Target = Target { reference: 3.7, given: SectionValues::new([None; 4]), own: 0 };
 
 /// A run under control.
 struct Run {

@@ -4,7 +4,8 @@ mod table;
 
 use std::fmt::Write;
 
-pub use table::FILES;
+pub(super) use table::CONTROLLED;
+pub use table::files;
 
 /// An array of an archive, or a column of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,14 +30,14 @@ impl Field {
 }
 
 /// What a file holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileContent {
     /// What the file is called in the documentation.
     pub title: &'static str,
     /// The command and the option that write it.
     pub written_by: &'static str,
     /// Its arrays or columns, in order.
-    pub fields: &'static [Field],
+    pub fields: Vec<Field>,
 }
 
 impl FileContent {
@@ -49,10 +50,10 @@ impl FileContent {
 /// The documentation of every file, as Markdown.
 pub fn documentation() -> String {
     let mut text = String::from(INTRODUCTION);
-    for file in FILES {
+    for file in files() {
         write!(text, "\n## {}\n\n{}\n\n", file.title, file.written_by).expect("a string takes everything");
         text.push_str("| field | type | shape | unit | meaning |\n|---|---|---|---|---|\n");
-        for field in file.fields {
+        for field in &file.fields {
             let Field { name, kind, shape, unit, meaning } = field;
             writeln!(text, "| `{name}` | {kind} | {shape} | {unit} | {meaning} |")
                 .expect("a string takes everything");
@@ -68,7 +69,9 @@ Archives are NumPy's (`numpy.load` reads them, without pickles); tables are CSV 
 non-dimensional (of the paper's oscillator lengths in static deflections (P1+P2)/K1, times in √(M1/K1), velocities in
 lengths over times; of others as their file says), unit 1 below. In planes rows run along y, and the first row is the first y value. The same configuration gives the same bytes.
 A state is (x1 … xn, v1 … vn) at forcing phase 0, (x1, x2, v1, v2) of the paper's oscillator: the size `component` is 2n, and
-`stop` the number of stops. A point on σ is (v1+, x2, v2, τ) just after an impact at x1 = +δ. `config` holds the whole text of
+`stop` the number of stops. A point on σ, the section of a stop, is the velocity just after an impact there of the coordinate
+with the largest share of the stop's direction, the other displacements, the other velocities, and the forcing phase: 2n
+numbers, (v1+, x2, v2, τ) at x1 = +δ. `config` holds the whole text of
 the system's file, and its hash, under `system`.
 ";
 
@@ -84,7 +87,7 @@ mod tests {
 
     #[test]
     fn no_field_comes_twice_and_all_say_what_they_are() {
-        for file in FILES {
+        for file in files() {
             let mut names = file.names();
             names.sort_unstable();
             names.dedup();

@@ -2,9 +2,11 @@
 
 use std::io::{self, Seek, Write};
 
-use super::write::{Archive, write_verdicts};
+use super::super::fields::CONTROLLED;
+use super::write::Archive;
 use crate::control::History;
 use crate::plane::ControlMap;
+use crate::plane::fields::{CellField, CellResult};
 
 /// Writes a control run as a NumPy archive; its arrays are in the table of [`store`](crate::store).
 ///
@@ -35,7 +37,10 @@ pub fn write_control(history: &History, config: &str, to: impl Write + Seek) -> 
 pub fn write_control_map(map: &ControlMap, to: impl Write + Seek) -> io::Result<()> {
     let mut archive = Archive::new(to);
     let cells = [u64::from(map.plane.y.count), u64::from(map.plane.x.count)];
-    write_verdicts(&mut archive, cells, &map.motions().verdicts)?;
+    let motions = map.motions();
+    let results = motions.verdicts.iter().map(|verdict| CellResult { verdict, multipliers: None });
+    let of_cells = CellField::of_plane(false).filter(|field| CONTROLLED.contains(&field.name));
+    archive.cells(&motions.plane, of_cells, results)?;
     let outcomes = || map.outcomes.iter();
     archive.array("period", &cells, outcomes().map(|o| o.period))?;
     archive.array("iterates", &cells, outcomes().map(|o| o.iterates))?;

@@ -7,9 +7,8 @@ use serde::Deserialize;
 use thiserror::Error;
 use zip::ZipArchive;
 
-use crate::analysis::{Counts, Regime, Verdict};
-use crate::model::StateVector;
-use crate::plane::{Multipliers, Plane, Provenance, RegionMap};
+use crate::plane::fields::{CellField, CellsError, Kind, Values, assembled};
+use crate::plane::{Plane, Provenance, RegionMap, Window};
 
 /// Reads a map that [`write_map`](super::write_map) wrote.
 ///
@@ -28,8 +27,11 @@ pub fn read_map(from: impl Read + Seek) -> Result<RegionMap, ReadError> {
     let mut zip = ZipArchive::new(from).map_err(io::Error::from)?;
     let config = values::<String>(&mut zip, "config", &[])?.concat();
     let Config { provenance, plane } = serde_json::from_str(&config)?;
-    let verdicts = verdicts(&mut zip, &plane)?;
-    let multipliers = multipliers(&mut zip, &plane)?;
+    let certified = zip.index_for_name(&npyz::npz::file_name_from_array_name("multipliers")).is_some();
+    let cells = Window::whole(&plane).cells();
+    let family = plane.parameters.family();
+    let (verdicts, multipliers) =
+        assembled::<ReadError>(family, cells, certified, |of| field(&mut zip, &plane, of))?;
     Ok(RegionMap { plane, provenance, verdicts, multipliers })
 }
 
@@ -42,51 +44,22 @@ pub fn read_config(from: impl Read + Seek) -> Result<String, ReadError> {
     Ok(values::<String>(&mut zip, "config", &[])?.concat())
 }
 
-/// The multipliers of a map that was certified.
-fn multipliers(
+/// A field of all cells.
+fn field(
     zip: &mut ZipArchive<impl Read + Seek>,
     plane: &Plane,
-) -> Result<Option<Vec<Option<Multipliers>>>, ReadError> {
-    if zip.index_for_name(&npyz::npz::file_name_from_array_name("multipliers")).is_none() {
-        return Ok(None);
-    }
-    let count = 2 * plane.parameters.family().n();
-    let shape = [plane.y.count.into(), plane.x.count.into(), count as u64, 2];
-    let numbers: Vec<f64> = values(zip, "multipliers", &shape)?;
-    let (pairs, _) = numbers.as_chunks::<2>();
-    Ok(Some(pairs.chunks(count).map(|cell| (!cell[0][0].is_nan()).then(|| cell.to_vec())).collect()))
-}
-
-fn verdicts(zip: &mut ZipArchive<impl Read + Seek>, plane: &Plane) -> Result<Vec<Verdict>, ReadError> {
-    let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
-    let regimes: Vec<u8> = values(zip, "regime", &cells)?;
-    let n: Vec<u16> = values(zip, "n", &cells)?;
-    let stops = plane.parameters.family().stops().len();
-    let counts: Vec<u16> = values(zip, "counts", &[cells[0], cells[1], stops as u64])?;
-    let symmetric: Vec<u8> = values(zip, "symmetric", &cells)?;
-    let lyapunov: Vec<f32> = values(zip, "lyapunov", &cells)?;
-    let length = 2 * plane.parameters.family().n();
-    let states: Vec<f64> = values(zip, "state", &[cells[0], cells[1], length as u64])?;
-    let impacts: Vec<u32> = values(zip, "impacts", &cells)?;
-    let peaks: Vec<f32> = values(zip, "peak_impact_velocity", &cells)?;
-    let periods: Vec<u32> = values(zip, "periods", &cells)?;
-    let verdict = |(i, &code): (usize, &u8)| {
-        Ok(Verdict {
-            regime: Regime::from_code(code).ok_or(ReadError::Regime(code))?,
-            n: n[i],
-            counts: Counts::new(&counts[stops * i..][..stops]),
-            symmetric: symmetric[i] != 0,
-            lyapunov: lyapunov[i],
-            state: StateVector::from_slice(&states[length * i..][..length])
-                .ok_or(ReadError::Shape("state"))?,
-            impacts: impacts[i],
-            impacts_total: 0,
-            peak_impact_velocity: peaks[i],
-            periods: periods[i],
-            returning: 0,
-        })
-    };
-    regimes.iter().enumerate().map(verdict).collect()
+    field: &'static CellField,
+) -> Result<Values, ReadError> {
+    let family = plane.parameters.family();
+    let mut shape = vec![u64::from(plane.y.count), u64::from(plane.x.count)];
+    shape.extend(field.inner.dimensions(family).iter().map(|(_, size)| *size as u64));
+    Ok(match field.kind() {
+        Kind::U8 => Values::U8(values(zip, field.name, &shape)?),
+        Kind::U16 => Values::U16(values(zip, field.name, &shape)?),
+        Kind::U32 => Values::U32(values(zip, field.name, &shape)?),
+        Kind::F32 => Values::F32(values(zip, field.name, &shape)?),
+        Kind::F64 => Values::F64(values(zip, field.name, &shape)?),
+    })
 }
 
 fn values<T: FromNpy>(
@@ -114,7 +87,7 @@ pub enum ReadError {
     /// An array does not fit the axes.
     #[error("the array `{0}` does not fit the axes of the map")]
     Shape(&'static str),
-    /// A code that no regime has.
-    #[error("{0} is not the code of a regime")]
-    Regime(u8),
+    /// A value that cannot be.
+    #[error(transparent)]
+    Cells(#[from] CellsError),
 }

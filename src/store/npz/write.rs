@@ -7,8 +7,8 @@ use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use super::fused::Fused;
-use crate::analysis::Verdict;
-use crate::plane::RegionMap;
+use crate::plane::fields::{CellField, CellResult, Values};
+use crate::plane::{Plane, RegionMap};
 
 /// Writes a map as a NumPy archive; `numpy.load` reads it, without pickles.
 ///
@@ -21,42 +21,16 @@ pub fn write_map(map: &RegionMap, to: impl Write + Seek) -> io::Result<()> {
 /// Writes the arrays of `map` with the given configuration text.
 pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + Seek) -> io::Result<()> {
     let plane = &map.plane;
-    let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
+    let cells = map.verdicts.iter().enumerate().map(|(i, verdict)| CellResult {
+        verdict,
+        multipliers: map.multipliers.as_ref().and_then(|all| all[i].as_ref()),
+    });
     let mut archive = Archive::new(to);
-    write_verdicts(&mut archive, cells, &map.verdicts)?;
-    if let Some(multipliers) = &map.multipliers {
-        let count = 2 * plane.parameters.family().n();
-        let none = vec![[f64::NAN; 2]; count];
-        let numbers = multipliers.iter().flat_map(|cell| cell.as_ref().unwrap_or(&none)).flatten().copied();
-        archive.array("multipliers", &[cells[0], cells[1], count as u64, 2], numbers)?;
-    }
+    archive.cells(plane, CellField::of_plane(map.multipliers.is_some()), cells)?;
     archive.array("x", &[plane.x.count.into()], plane.x.values())?;
     archive.array("y", &[plane.y.count.into()], plane.y.values())?;
     archive.text("config", config)?;
     archive.finish()
-}
-
-/// Writes one array per field of the cells' verdicts.
-pub(super) fn write_verdicts<W: Write + Seek>(
-    archive: &mut Archive<W>,
-    cells: [u64; 2],
-    verdicts: &[Verdict],
-) -> io::Result<()> {
-    let verdicts = || verdicts.iter();
-    archive.array("regime", &cells, verdicts().map(|v| v.regime.code()))?;
-    archive.array("n", &cells, verdicts().map(|v| v.n))?;
-    archive.array("p", &cells, verdicts().map(Verdict::p))?;
-    archive.array("q", &cells, verdicts().map(Verdict::q))?;
-    let stops = verdicts().map(|v| v.counts.len()).max().unwrap_or(0);
-    let counts = verdicts().flat_map(|v| (0..stops).map(|k| v.counts.get(k).copied().unwrap_or(0)));
-    archive.array("counts", &[cells[0], cells[1], stops as u64], counts)?;
-    archive.array("symmetric", &cells, verdicts().map(|v| u8::from(v.symmetric)))?;
-    archive.array("lyapunov", &cells, verdicts().map(|v| v.lyapunov))?;
-    let components = verdicts().map(|v| v.state.len()).max().unwrap_or(0) as u64;
-    archive.array("state", &[cells[0], cells[1], components], verdicts().flat_map(|v| v.state.to_vec()))?;
-    archive.array("impacts", &cells, verdicts().map(|v| v.impacts))?;
-    archive.array("peak_impact_velocity", &cells, verdicts().map(|v| v.peak_impact_velocity))?;
-    archive.array("periods", &cells, verdicts().map(|v| v.periods))
 }
 
 /// An archive under way.
@@ -73,6 +47,28 @@ impl<W: Write + Seek> Archive<W> {
     /// Completes the archive.
     pub fn finish(self) -> io::Result<()> {
         self.zip.finish()?.end()
+    }
+
+    /// An array for each of some fields of a plane's cells.
+    pub fn cells<'a>(
+        &mut self,
+        plane: &Plane,
+        fields: impl Iterator<Item = &'static CellField>,
+        cells: impl Iterator<Item = CellResult<'a>> + Clone,
+    ) -> io::Result<()> {
+        let family = plane.parameters.family();
+        for field in fields {
+            let mut shape = vec![u64::from(plane.y.count), u64::from(plane.x.count)];
+            shape.extend(field.inner.dimensions(family).iter().map(|(_, size)| *size as u64));
+            match field.values(cells.clone(), field.inner.len(family)) {
+                Values::U8(values) => self.array(field.name, &shape, values),
+                Values::U16(values) => self.array(field.name, &shape, values),
+                Values::U32(values) => self.array(field.name, &shape, values),
+                Values::F32(values) => self.array(field.name, &shape, values),
+                Values::F64(values) => self.array(field.name, &shape, values),
+            }?;
+        }
+        Ok(())
     }
 
     /// One array, row by row.

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::record::Record;
-use crate::analysis::{self, Counts, Regime};
+use crate::analysis::{self, Counts, Measures, Regime};
 use crate::model::vector::MOST;
 use crate::model::{StateVector, System};
 
@@ -58,6 +58,7 @@ pub struct Verdict {
     pub peak_impact_velocity: f32,
     pub periods: u32,
     pub returning: u32,
+    pub observed: u32,
 }
 
 impl Verdict {
@@ -74,6 +75,7 @@ impl Verdict {
         peak_impact_velocity: 0.0,
         periods: 0,
         returning: 0,
+        observed: 0,
     };
 
     /// Whether the shader has not written it yet.
@@ -105,6 +107,7 @@ impl Verdict {
             peak_impact_velocity: self.peak_impact_velocity,
             periods: self.periods,
             returning: self.returning as u16,
+            measures: Measures { observed: self.observed },
         }
     }
 }

@@ -38,6 +38,7 @@ pub fn source(shape: &Shape) -> String {
     let integers = [
         ("WORKGROUP", WORKGROUP),
         ("COORDINATES", shape.coordinates as u32),
+        ("COMPONENTS", 2 * shape.coordinates as u32),
         ("NORMALS", shape.normals as u32),
         ("STOPS", shape.stops as u32),
         ("MOST", MOST as u32),
@@ -92,6 +93,7 @@ pub fn source(shape: &Shape) -> String {
         ("INVERSE_TAU", 1.0 / std::f64::consts::TAU),
         ("TWO_OVER_PI", std::f64::consts::FRAC_2_PI),
         ("RUNAWAY", control::RUNAWAY),
+        ("ROUNDINGS", dynamics::ROUNDINGS),
         ("TANGENT_SEED", 1.0 / (2.0 * shape.coordinates as f64).sqrt()),
         ("THIRD", 1.0 / 3.0),
         ("TWELFTH", 1.0 / 12.0),

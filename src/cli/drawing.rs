@@ -1,0 +1,179 @@
+//! What of a plane is drawn, and how: options that `map` and `render` share.
+
+use std::path::Path;
+
+use anyhow::anyhow;
+use clap::{Args, ValueEnum};
+use impact_atlas::analysis::Schedule;
+use impact_atlas::curves::Curve;
+use impact_atlas::plane::fields::{Cells, Layer, thinned};
+use impact_atlas::plane::{Axis, RegionMap, Window};
+use impact_atlas::render::{DrawnCurves, Palette, Picture, PlanePicture, Shown, Size};
+
+use super::values::{counted, parse, parse_size, parse_span};
+use super::{CliError, curve_list, curves, defaults};
+
+/// Curves are read off a map of so many cells at most, those of a larger one in equal steps.
+const MOST_CELLS_OF_CURVES: usize = 480_000;
+
+/// What is drawn, and how.
+#[derive(Clone, Debug, Args)]
+pub struct DrawingArgs {
+    /// The picture's size in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, default_value = defaults::PICTURE_SIZE)]
+    pub size: Size,
+
+    /// What is drawn of every cell: motion, or a field by its number, such as lyapunov, impacts_per_period, settling
+    #[arg(long, value_name = "LAYER", default_value = Layer::MOTION)]
+    layer: String,
+
+    /// What stands above the plane [default: its parameters and its start]
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
+
+    /// The colours of a layer of numbers: viridis, cividis, magma, inferno, plasma, turbo, blue-red, purple-green,
+    /// brown-green
+    #[arg(long, value_name = "NAME", value_parser = parse::<Palette>)]
+    palette: Option<Palette>,
+
+    /// The ends of the colour bar [default: those of the numbers]
+    #[arg(long, value_name = "A:B", value_parser = parse_span, allow_hyphen_values = true)]
+    range: Option<[f64; 2]>,
+
+    /// Leaves the legend, or the colour bar, out
+    #[arg(long)]
+    no_legend: bool,
+
+    /// Largest N of the motions N-p-q whose curves are computed
+    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
+        value_parser = counted(1, Schedule::LARGEST_PERIOD))]
+    pub curves_max_period: u32,
+}
+
+/// Which parts of the curves are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Which {
+    /// Those of motions that fill 0.3 % of the plane, and the paper's, where the motion is stable on one side of the curve
+    Bounding,
+    /// All of every curve
+    All,
+}
+
+impl Which {
+    fn shown(self) -> Shown {
+        match self {
+            Which::Bounding => Shown::Bounding,
+            Which::All => Shown::All,
+        }
+    }
+}
+
+/// Where curves come from.
+#[derive(Clone, Copy, Debug)]
+pub enum CurveSource<'a> {
+    /// They are computed.
+    Computed(Which),
+    /// They are read from a table.
+    Table(&'a Path),
+}
+
+/// Curves, and the map that they are drawn over.
+#[derive(Debug)]
+pub struct Curves {
+    map: RegionMap,
+    /// All of them.
+    pub curves: Vec<Curve>,
+    which: Which,
+    max_period: Option<u32>,
+}
+
+impl DrawingArgs {
+    /// Refuses what does not fit a plane.
+    pub fn check(&self, family: &'static impact_atlas::system::Family) -> Result<Layer, CliError> {
+        let layer = Layer::named(&self.layer, family).map_err(CliError::input)?;
+        if layer == Layer::Motion {
+            let given = [("--palette", self.palette.is_some()), ("--range", self.range.is_some())];
+            if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
+                return Err(CliError::Input(anyhow!(
+                    "{option} is for layers of numbers, and motions have colours of their own: choose a --layer"
+                )));
+            }
+        }
+        if let Layer::Number { drawn, .. } = layer
+            && let Some([low, _]) = self.range
+            && drawn.spread == impact_atlas::plane::fields::Spread::Ratios
+            && low <= 0.0
+        {
+            return Err(CliError::Input(anyhow!(
+                "the colour bar of {} has equal ratios: --range must begin above 0, not at {low}",
+                self.layer
+            )));
+        }
+        Ok(layer)
+    }
+
+    /// The curves over a window.
+    pub fn curves(
+        &self,
+        cells: &dyn Cells,
+        window: Window,
+        source: Option<CurveSource>,
+    ) -> Result<Option<Curves>, CliError> {
+        let Some(source) = source else { return Ok(None) };
+        let map = thinned(cells, window, MOST_CELLS_OF_CURVES).map_err(CliError::input)?;
+        Ok(Some(match source {
+            CurveSource::Table(path) => Curves {
+                curves: curve_list::read(path, &map.plane)?,
+                map,
+                which: Which::All,
+                max_period: None,
+            },
+            CurveSource::Computed(which) => {
+                impact_atlas::curves::check(&map.plane).map_err(CliError::input)?;
+                let (map, found) = curves::of_map(map, self.curves_max_period)?;
+                curve_list::note_left_out(&found.left_out);
+                Curves { map, curves: found.curves, which, max_period: Some(self.curves_max_period) }
+            }
+        }))
+    }
+
+    /// Draws a window of a plane.
+    pub fn draw(
+        &self,
+        cells: &dyn Cells,
+        window: Window,
+        curves: Option<&Curves>,
+    ) -> Result<Picture, CliError> {
+        let layer = self.check(cells.plane().parameters.family())?;
+        let curves = curves.map(|found| DrawnCurves {
+            map: &found.map,
+            curves: &found.curves,
+            shown: found.which.shown(),
+            max_period: found.max_period,
+        });
+        let picture = PlanePicture {
+            cells,
+            window,
+            layer,
+            curves,
+            title: self.title.clone(),
+            palette: self.palette,
+            range: self.range,
+            legend: !self.no_legend,
+        };
+        picture.draw(self.size).map_err(CliError::input)
+    }
+}
+
+/// The part of a plane between given values.
+pub fn window(cells: &dyn Cells, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> Result<Window, CliError> {
+    let plane = cells.plane();
+    let on = |option: &str, axis: &Axis, range: Option<[f64; 2]>| match range {
+        None => Ok((0, axis.count)),
+        Some([a, b]) => axis.between(a, b).ok_or_else(|| {
+            CliError::Input(anyhow!("{option} {a}:{b} holds none of the cells, whose axis is {axis}"))
+        }),
+    };
+    let ((column, columns), (row, rows)) = (on("--x", &plane.x, x)?, on("--y", &plane.y, y)?);
+    Ok(Window { column, row, columns, rows })
+}

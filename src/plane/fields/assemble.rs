@@ -1,0 +1,58 @@
+//! Verdicts from the fields of a file.
+
+use super::{CellField, CellsError, Values};
+use crate::analysis::{Counts, Measures, Regime, Verdict};
+use crate::model::StateVector;
+use crate::plane::region_map::Multipliers;
+use crate::system::Family;
+
+/// The results of so many cells from their fields; the multipliers where the file has them.
+///
+/// What files do not hold, the impacts over the whole trajectory and what is in question, reads as 0.
+///
+/// # Errors
+/// What could not be read, a code that no regime has (a cell that was not computed has none), a state that is none.
+pub fn assembled<E: From<CellsError>>(
+    family: &Family,
+    cells: usize,
+    certified: bool,
+    mut read: impl FnMut(&'static CellField) -> Result<Values, E>,
+) -> Result<(Vec<Verdict>, Option<Vec<Option<Multipliers>>>), E> {
+    let mut get = |name: &str| read(CellField::named(name).expect("the table has the field"));
+    let (regime, n, counts, symmetric) = (get("regime")?, get("n")?, get("counts")?, get("symmetric")?);
+    let (lyapunov, state, impacts) = (get("lyapunov")?, get("state")?, get("impacts")?);
+    let (peak, periods, observed) = (get("peak_impact_velocity")?, get("periods")?, get("observed")?);
+    let (stops, components) = (family.stops().len(), 2 * family.n());
+    let verdict = |i: usize| {
+        let code = regime.whole(i);
+        let of_code = u8::try_from(code).ok().and_then(Regime::from_code);
+        let per_stop: Vec<u16> = (0..stops).map(|k| counts.whole(stops * i + k) as u16).collect();
+        let place: Vec<f64> = (0..components).map(|k| state.real(components * i + k)).collect();
+        Ok(Verdict {
+            regime: of_code.ok_or_else(|| CellsError(format!("{code} is not the code of a regime")))?,
+            n: n.whole(i) as u16,
+            counts: Counts::new(&per_stop),
+            symmetric: symmetric.whole(i) != 0,
+            lyapunov: lyapunov.real(i) as f32,
+            state: StateVector::from_slice(&place)
+                .ok_or_else(|| CellsError("the states do not fit the system".to_owned()))?,
+            impacts: impacts.whole(i),
+            impacts_total: 0,
+            peak_impact_velocity: peak.real(i) as f32,
+            periods: periods.whole(i),
+            returning: 0,
+            measures: Measures { observed: observed.whole(i) },
+        })
+    };
+    let verdicts: Result<Vec<Verdict>, CellsError> = (0..cells).map(verdict).collect();
+    let verdicts = verdicts?;
+    if !certified {
+        return Ok((verdicts, None));
+    }
+    let numbers = get("multipliers")?;
+    let multipliers = (0..cells).map(|i| {
+        let of = |k: usize, part: usize| numbers.real(2 * (components * i + k) + part);
+        (!of(0, 0).is_nan()).then(|| (0..components).map(|k| [of(k, 0), of(k, 1)]).collect())
+    });
+    Ok((verdicts, Some(multipliers.collect())))
+}

@@ -1,0 +1,169 @@
+//! The table itself.
+
+use super::{CellField, Drawn, Inner, Source, Spread};
+
+/// The code of the regime of a cell that was not computed yet: no regime has it.
+pub const NOT_COMPUTED: u8 = u8::MAX;
+
+const fn drawn(spread: Spread, sentinel: Option<f64>, undefined: &'static str) -> Option<Drawn> {
+    Some(Drawn { spread, sentinel, undefined, lost: "minus infinity" })
+}
+
+macro_rules! meaning {
+    ($first:literal) => {
+        concat!($first, "; 0 where not periodic, 65535 for infinitely many (complete chatter)")
+    };
+}
+
+const fn field(
+    name: &'static str,
+    title: &'static str,
+    (inner, unit): (Inner, &'static str),
+    source: Source,
+    meaning: &'static str,
+    drawn: Option<Drawn>,
+) -> CellField {
+    CellField { name, title, inner, unit, meaning, certified: false, drawn, source }
+}
+
+/// Every field of a cell. The regime is the first, and the last to be written: where it is there, all are.
+pub const CELL_FIELDS: &[CellField] = &[
+    field(
+        "regime",
+        "regime",
+        (Inner::One, ""),
+        Source::U8(|cell| cell.verdict.regime.code()),
+        "code: 0 unresolved, 1 no impact, 2 periodic, 3 periodic with sticking, 4 quasi-periodic, 5 chaotic, \
+         6 aperiodic with sticking, 7 failed; in a store 255 where not computed yet",
+        None,
+    ),
+    field(
+        "n",
+        "forcing periods in one period of the motion",
+        (Inner::One, "forcing periods"),
+        Source::U16(|cell, _| cell.verdict.n),
+        "N of N-p-q; 0 where not periodic, and in motions under control of less than half a forcing period",
+        drawn(Spread::Ratios, Some(0.0), "not periodic"),
+    ),
+    field(
+        "p",
+        "impacts at the first stop in one period",
+        (Inner::One, "impacts"),
+        Source::U16(|cell, _| cell.verdict.p()),
+        meaning!("the first count of the label: impacts at x1 = −δ in one period of the paper's oscillator"),
+        None,
+    ),
+    field(
+        "q",
+        "impacts at the second stop in one period",
+        (Inner::One, "impacts"),
+        Source::U16(|cell, _| cell.verdict.q()),
+        meaning!(
+            "the second count of the label: impacts at x1 = +δ in one period of the paper's oscillator, 0 where there is one stop"
+        ),
+        None,
+    ),
+    field(
+        "counts",
+        "impacts at every stop in one period",
+        (Inner::Stops, "impacts"),
+        Source::U16(|cell, stop| cell.verdict.counts.get(stop).copied().unwrap_or(0)),
+        "impacts at every stop in one period, in the order of the labels (p, q for the paper's oscillator)",
+        None,
+    ),
+    field(
+        "symmetric",
+        "whether the motion is symmetric",
+        (Inner::One, ""),
+        Source::U8(|cell| cell.verdict.symmetric.into()),
+        "1 where x(t + Nπ/ω) = −x(t), otherwise 0",
+        None,
+    ),
+    CellField {
+        drawn: Some(Drawn {
+            spread: Spread::AboutZero,
+            sentinel: None,
+            undefined: "not measured",
+            lost: "all deviations forgotten",
+        }),
+        ..field(
+            "lyapunov",
+            "largest Lyapunov exponent per forcing period",
+            (Inner::One, "per forcing period"),
+            Source::F32(|cell, _| cell.verdict.lyapunov),
+            "largest Lyapunov exponent, natural logarithm; minus infinity where every deviation is forgotten, NaN \
+             where it was not measured",
+            None,
+        )
+    },
+    field(
+        "state",
+        "state at the end",
+        (Inner::Components, "1"),
+        Source::F64(|cell, i| cell.verdict.state[i]),
+        "(x1 … xn, v1 … vn) at the end, at forcing phase 0; NaN only where the regime is failed",
+        None,
+    ),
+    field(
+        "impacts",
+        "impacts while observed",
+        (Inner::One, "impacts"),
+        Source::U32(|cell| cell.verdict.impacts),
+        "impacts while the cell was observed",
+        None,
+    ),
+    field(
+        "observed",
+        "forcing periods observed",
+        (Inner::One, "forcing periods"),
+        Source::U32(|cell| cell.verdict.measures.observed),
+        "forcing periods of the observation; 0 where it was proven never to impact again, or failed",
+        None,
+    ),
+    field(
+        "impacts_per_period",
+        "impacts per forcing period",
+        (Inner::One, "per forcing period"),
+        Source::F32(|cell, _| cell.verdict.impacts_per_period()),
+        "impacts per forcing period while the cell was observed; NaN where it was not, since it was proven never to \
+         impact again, or failed",
+        drawn(Spread::Ratios, Some(0.0), "no impact"),
+    ),
+    field(
+        "peak_impact_velocity",
+        "largest speed before an impact",
+        (Inner::One, "1"),
+        Source::F32(|cell, _| cell.verdict.peak_impact_velocity),
+        "largest speed before an impact while the cell was observed",
+        drawn(Spread::Even, Some(0.0), "no impact"),
+    ),
+    field(
+        "periods",
+        "forcing periods simulated",
+        (Inner::One, "forcing periods"),
+        Source::U32(|cell| cell.verdict.periods),
+        "forcing periods simulated",
+        None,
+    ),
+    field(
+        "settling",
+        "forcing periods until it had settled",
+        (Inner::One, "forcing periods"),
+        Source::F32(|cell, _| cell.verdict.settling()),
+        "forcing periods before the observation that found the motion, in which it had settled; NaN where it is \
+         neither periodic nor free of impacts",
+        drawn(Spread::Ratios, Some(0.0), "not settled"),
+    ),
+    CellField {
+        certified: true,
+        ..field(
+            "multipliers",
+            "Floquet multipliers",
+            (Inner::Multipliers, "1"),
+            Source::F64(|cell, i| cell.multipliers.map_or(f64::NAN, |all| all[i / 2][i % 2])),
+            "with `--certify` only: real and imaginary parts of the 2n Floquet multipliers, largest modulus first; NaN \
+             where no orbit was certified",
+            None,
+        )
+    },
+];

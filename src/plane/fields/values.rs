@@ -1,0 +1,95 @@
+//! The values of a field, with their type.
+
+/// The type of a field's values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Whole numbers from 0 to 255.
+    U8,
+    /// Whole numbers from 0 to 65535.
+    U16,
+    /// Whole numbers of 32 bits.
+    U32,
+    /// Single precision.
+    F32,
+    /// Double precision.
+    F64,
+}
+
+impl Kind {
+    /// The name in the documentation.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::U8 => "u8",
+            Kind::U16 => "u16",
+            Kind::U32 => "u32",
+            Kind::F32 => "f32",
+            Kind::F64 => "f64",
+        }
+    }
+}
+
+/// The values of a field, of some cells one after the other.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Of [`Kind::U8`].
+    U8(Vec<u8>),
+    /// Of [`Kind::U16`].
+    U16(Vec<u16>),
+    /// Of [`Kind::U32`].
+    U32(Vec<u32>),
+    /// Of [`Kind::F32`].
+    F32(Vec<f32>),
+    /// Of [`Kind::F64`].
+    F64(Vec<f64>),
+}
+
+impl Values {
+    /// Their type.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Values::U8(_) => Kind::U8,
+            Values::U16(_) => Kind::U16,
+            Values::U32(_) => Kind::U32,
+            Values::F32(_) => Kind::F32,
+            Values::F64(_) => Kind::F64,
+        }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Values::U8(values) => values.len(),
+            Values::U16(values) => values.len(),
+            Values::U32(values) => values.len(),
+            Values::F32(values) => values.len(),
+            Values::F64(values) => values.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// One of them as a real number.
+    pub fn real(&self, i: usize) -> f64 {
+        match self {
+            Values::U8(values) => values[i].into(),
+            Values::U16(values) => values[i].into(),
+            Values::U32(values) => values[i].into(),
+            Values::F32(values) => values[i].into(),
+            Values::F64(values) => values[i],
+        }
+    }
+
+    /// One of them as a whole number; what is none is 0.
+    pub fn whole(&self, i: usize) -> u32 {
+        match self {
+            Values::U8(values) => values[i].into(),
+            Values::U16(values) => values[i].into(),
+            Values::U32(values) => values[i],
+            Values::F32(values) => values[i] as u32,
+            Values::F64(values) => values[i] as u32,
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! A plane shared out among processes that need no word with each other.
+
+use std::cmp::Reverse;
+use std::fmt;
+use std::str::FromStr;
+
+use thiserror::Error;
+
+use super::spec::Plane;
+use super::window::Tiling;
+use crate::model::System;
+
+/// Part K of M.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    number: u32,
+    of: u32,
+}
+
+impl Part {
+    /// All of it.
+    pub const WHOLE: Part = Part { number: 1, of: 1 };
+
+    /// The tiles of this part, the dearest first.
+    ///
+    /// All tiles are ordered by what they cost, and dealt out to and fro: parts cost about the same, and neighbours, which
+    /// are alike, go to different ones. Every process deals the same.
+    pub fn tiles(self, plane: &Plane, tiling: &Tiling) -> Vec<u32> {
+        let mut tiles: Vec<(u64, u32)> =
+            (0..tiling.count()).map(|tile| (cost(plane, tiling, tile), tile)).collect();
+        tiles.sort_by_key(|&(cost, tile)| (Reverse(cost), tile));
+        let own = |place: usize| {
+            let (round, turn) = (place / self.of as usize, place % self.of as usize);
+            let dealt_to = if round.is_multiple_of(2) { turn } else { self.of as usize - 1 - turn };
+            dealt_to + 1 == self.number as usize
+        };
+        let dealt = tiles.into_iter().enumerate().filter(|(place, _)| own(*place));
+        dealt.map(|(_, (_, tile))| tile).collect()
+    }
+}
+
+/// What a tile costs, about: the steps of flight in one forcing period, over all its cells.
+///
+/// The steps follow the fastest motion, so that a low frequency has many in a period, and impacts with them.
+pub fn cost(plane: &Plane, tiling: &Tiling, tile: u32) -> u64 {
+    let window = tiling.window(tile);
+    let middle = (window.column + window.columns / 2, window.row + window.rows / 2);
+    let steps = System::new(plane.parameters_at(middle.0, middle.1)).map_or(1, |system| system.steps());
+    window.cells() as u64 * u64::from(steps)
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.number, self.of)
+    }
+}
+
+impl FromStr for Part {
+    type Err = PartError;
+
+    fn from_str(text: &str) -> Result<Self, PartError> {
+        let wrong = || PartError(text.to_owned());
+        let (number, of) = text.split_once('/').ok_or_else(wrong)?;
+        let (number, of) = (number.parse().map_err(|_| wrong())?, of.parse().map_err(|_| wrong())?);
+        if number == 0 || number > of { Err(wrong()) } else { Ok(Part { number, of }) }
+    }
+}
+
+/// A text that is not a part.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("`{0}` is no part: write K/M, the K-th of M parts, with K from 1 to M, for example 17/64")]
+pub struct PartError(pub String);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::Schedule;
+    use crate::model::Parameters;
+    use crate::plane::Start;
+
+    fn plane() -> Plane {
+        Plane {
+            x: "omega=0.1:5:400".parse().unwrap(),
+            y: "delta=0.02:0.8:300".parse().unwrap(),
+            parameters: Parameters::default().into(),
+            start: Start::Rest,
+            schedule: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
+        }
+    }
+
+    #[test]
+    fn parts_hold_every_tile_once() {
+        let (plane, tiling) = (plane(), Tiling::of(&plane(), 16));
+        for of in [1, 2, 7, 64, 1000] {
+            let mut held: Vec<u32> =
+                (1..=of).flat_map(|number| Part { number, of }.tiles(&plane, &tiling)).collect();
+            held.sort_unstable();
+            assert!(held.into_iter().eq(0..tiling.count()), "{of} parts");
+        }
+    }
+
+    #[test]
+    fn parts_cost_about_the_same() {
+        let (plane, tiling) = (plane(), Tiling::of(&plane(), 16));
+        let all = |tiles: Vec<u32>| tiles.into_iter().map(|tile| cost(&plane, &tiling, tile)).sum::<u64>();
+        let ratio =
+            |costs: Vec<u64>| *costs.iter().max().unwrap() as f64 / *costs.iter().min().unwrap() as f64;
+        let dealt = (1..=16).map(|number| all(Part { number, of: 16 }.tiles(&plane, &tiling))).collect();
+        // One part after the other along the frequency, as a simple split would have it.
+        let [across, down] = tiling.shape();
+        let block = |k: u32| {
+            (0..down)
+                .flat_map(move |row| (0..across).map(move |column| row * across + column))
+                .filter(move |tile| (tile % across) * 5 / across == k)
+        };
+        let simple = (0..5).map(|k| all(block(k).collect())).collect();
+        let (dealt, simple) = (ratio(dealt), ratio(simple));
+        assert!(dealt < 1.1 && simple > 3.0, "{dealt} and {simple}");
+    }
+
+    #[test]
+    fn parts_are_read_and_bad_ones_are_named() {
+        for text in ["1/1", "17/64", "64/64"] {
+            assert_eq!(text.parse::<Part>().unwrap().to_string(), text);
+        }
+        for text in ["0/0", "0/4", "65/64", "1", "1/", "/4", "a/b", "1/4/2", "-1/4", ""] {
+            assert_eq!(text.parse::<Part>(), Err(PartError(text.to_owned())));
+        }
+    }
+}
