@@ -99,6 +99,9 @@ impl Session {
             }
             (Request::Command { ask, window, size, curves, layer, .. }, Some(scene)) => {
                 let layer = named(layer.as_deref(), scene.plane.parameters.family())?;
+                if !window.is_near() {
+                    return Err(refused("this window is empty or too far away"));
+                }
                 let plane = window.plane(&scene.plane).map_err(super::asked::because)?;
                 let text = command::map(&plane, scene.computing.asked, size, curves, layer);
                 self.reply("command", ask, json!({ "text": text }));

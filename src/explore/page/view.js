@@ -2,6 +2,8 @@
 
 const FINEST = 30;
 const COARSEST = -12;
+/** Half a cell, less what rounding may add: a cell whose edge alone is in sight is not. */
+const EDGE = 0.5 - 1e-6;
 /** A cell has at least so many pixels; a screen has at most so many cells. */
 const LEAST_PIXELS = 0.7;
 const MOST_CELLS = 1.2e6;
@@ -56,8 +58,8 @@ export class View {
     const unit = 2 ** z;
     const wide = margin * (x1 - x0), high = margin * (y1 - y0);
     return [
-      Math.ceil((x0 - wide) * unit - 0.5), Math.floor((x1 + wide) * unit + 0.5),
-      Math.ceil((y0 - high) * unit - 0.5), Math.floor((y1 + high) * unit + 0.5),
+      Math.ceil((x0 - wide) * unit - EDGE), Math.floor((x1 + wide) * unit + EDGE),
+      Math.ceil((y0 - high) * unit - EDGE), Math.floor((y1 + high) * unit + EDGE),
     ];
   }
 
