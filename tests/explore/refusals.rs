@@ -110,3 +110,21 @@ async fn a_part_that_is_taken_along_is_computed_at_its_own_values() {
     assert_eq!(states(&map), states(&fresh));
     assert_eq!(map.verdicts.len(), 27 * 20);
 }
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_store_is_explored_as_far_as_it_is_there() {
+    let folder = tempdir().unwrap();
+    let part = ["map", "--data", "plane.zarr", "--tile", "32", "--part", "1/2"];
+    let words: Vec<&str> = part.into_iter().chain(SMALL.split_whitespace()).collect();
+    let output = run(folder.path(), &words);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let explorer = Explorer::start(folder.path(), "--data plane.zarr --backend cpu");
+    let (mut socket, hello) = Socket::connect(&explorer).await;
+    let scene = socket.open(&hello).await;
+    assert_eq!((&scene["x"]["count"], &scene["y"]["count"]), (&json!(96), &json!(72)));
+    socket.send(whole("save", &scene, json!({ "format": "npz" }))).await;
+    let map = read_map(Cursor::new(socket.file().await)).unwrap();
+    let cpu = open(impact_atlas::backend::Choice::Cpu, None).unwrap();
+    let fresh = sweep(&map.plane, &*cpu, &Unwatched).unwrap();
+    assert!(map.verdicts.iter().zip(&fresh.verdicts).all(|(a, b)| a.state == b.state));
+}
