@@ -111,8 +111,7 @@ function arrive(scene, { window, again, layer }) {
   state.scene = scene;
   state.motions = [];
   grid.layer = layered(layer);
-  paint.bar = null;
-  legend.scale(null);
+  bar(null);
   tiles.clear();
   if (!again) {
     paint.clear();
@@ -170,8 +169,7 @@ function look() {
 
 function moved(step) {
   look();
-  if (step) address.write(true);
-  else address.replace();
+  address[step ? 'write' : 'replace'](true);
 }
 
 let drawing = false;
@@ -202,8 +200,7 @@ function layered(name) {
 /** Shows motions, or a layer of numbers. */
 function showLayer(name) {
   grid.layer = layered(name);
-  paint.bar = null;
-  legend.scale(null);
+  bar(null);
   // Tiles carry the numbers of one layer; the program still has their cells.
   tiles.clear();
   state.stale = true;
@@ -214,12 +211,17 @@ function showLayer(name) {
 /** Asks for the colour bar of what is in sight. */
 function askBar() {
   const { layer } = grid;
-  legend.ask(link, state.scene.scene, layer, view).then((bar) => {
-    if (grid.layer !== layer || !bar) return;
-    paint.bar = bar;
-    legend.scale(bar);
+  legend.ask(link, state.scene.scene, layer, view).then((shown) => {
+    if (grid.layer !== layer || !shown) return;
+    bar(shown);
     redraw();
   }, () => {});
+}
+
+/** Shows a colour bar, and numbers by it; neither for null. */
+function bar(shown) {
+  paint.bar = shown;
+  legend.scale(shown);
 }
 
 const count = seldom(120, () => {
@@ -245,11 +247,7 @@ function click(x, y) {
 }
 
 const tools = () => toolbar.show();
-
-function over(x, y) {
-  state.over = x == null ? null : [x, y];
-  redraw();
-}
+const over = (x, y) => { state.over = x == null ? null : [x, y]; redraw(); };
 
 function home() {
   view.reset();
@@ -297,5 +295,4 @@ new ResizeObserver(() => {
   look();
 }).observe(plane);
 
-// For tests, and for whoever is curious in the console.
 globalThis.explorer = { state, view, grid, tiles, paint, panel, link, curves, slice, save, shown };
