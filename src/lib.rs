@@ -26,6 +26,7 @@
 //! | [`store`], [`render`] | files and pictures; they know planes, never back ends |
 //! | [`sweep`], [`validate`] | a plane or a diagram on a back end; two back ends against each other |
 //! | [`reproduce`] | the figures of the paper and what it prints, computed again |
+//! | [`explore`] | a page in the browser that shows a plane, served on this machine |
 //!
 //! The command line is the binary's. `shaders/` has the file names of `src/`; the constants that the two share are
 //! generated from Rust when the shader is assembled.
@@ -129,6 +130,7 @@ pub mod control;
 pub mod curves;
 pub mod diagram;
 pub mod dynamics;
+pub mod explore;
 pub mod model;
 pub mod plane;
 pub mod render;

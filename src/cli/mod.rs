@@ -16,6 +16,7 @@ mod defaults;
 mod drawing;
 mod error;
 mod estimate;
+mod explore;
 mod files;
 mod help;
 mod interrupt;
@@ -90,6 +91,7 @@ enum Command {
     Map(map::MapArgs),
     Render(render::RenderArgs),
     Status(status::StatusArgs),
+    Explore(explore::ExploreArgs),
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Control(control::ControlArgs),
@@ -126,6 +128,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
         Command::Map(args) => map::run(args),
         Command::Render(args) => render::run(args),
         Command::Status(args) => status::run(args),
+        Command::Explore(args) => explore::run(args),
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
         Command::Control(args) => control::run(args),

@@ -20,6 +20,7 @@ mod figure;
 mod font;
 mod frame;
 mod legend;
+mod live;
 mod motion;
 mod orbit;
 mod outlines;
@@ -46,6 +47,10 @@ pub use diagram::diagram_figure;
 pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, StripLabel, TooSmall};
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
+pub use live::{
+    LiveAxis, LiveBar, LiveLegend, LiveLine, LiveRow, Word, css, live_axis, live_bar, live_hatch,
+    live_legend, live_lines, live_title, slice_figure, words,
+};
 pub use motion::Motion;
 pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};
 pub use paint::Paint;

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 
 use super::bands::bands;
-use crate::analysis::Regime;
+use crate::analysis::{Regime, Verdict};
 use crate::model::vector::MOST as MOST_STOPS;
 use crate::plane::Window;
 use crate::plane::fields::{CellField, Cells, CellsError};
@@ -24,7 +24,7 @@ const FEW: usize = 12;
 
 /// All cells of one motion.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Region {
+pub(in crate::render) struct Region {
     /// What the cells have in common; none of those that were not computed.
     pub motion: Option<Motion>,
     /// What the motion is called.
@@ -46,7 +46,7 @@ impl Region {
 
 /// The regions of a part of a plane, the largest first; those that are not distinct share one paint.
 #[derive(Clone, Debug)]
-pub(super) struct Census {
+pub(in crate::render) struct Census {
     /// The family of the plane's system.
     pub family: &'static Family,
     /// The regions, by descending size.
@@ -69,7 +69,12 @@ impl Census {
                 *counted.entry(run[0]).or_default() += run.len() as u64;
             }
         }
-        let stops = cells.plane().parameters.family().stops().len();
+        Ok(Census::counted(cells.plane().parameters.family(), counted))
+    }
+
+    /// Takes the census of so many cells of each motion of a family; none for those that were not computed.
+    pub fn counted(family: &'static Family, counted: HashMap<Option<Motion>, u64>) -> Self {
+        let stops = family.stops().len();
         let mut regions: Vec<Region> =
             counted.into_iter().map(|(motion, cells)| Region::of(motion, stops, cells)).collect();
         regions.sort_by_key(|region| (Reverse(region.cells), region.motion));
@@ -90,13 +95,17 @@ impl Census {
             region.distinct = colouring.own(motion).is_some();
         }
         let rank = (0..).zip(&regions).map(|(place, region)| (region.motion, place)).collect();
-        let family = cells.plane().parameters.family();
-        Ok(Census { family, regions, cells: all, rank })
+        Census { family, regions, cells: all, rank }
     }
 
     /// How many rows of a legend cannot be grouped: everything that is not periodic.
     pub fn indispensable(&self) -> usize {
         self.regions.iter().filter(|region| !region.is_periodic()).count()
+    }
+
+    /// The region of the cells that show what a verdict says, if there are any.
+    pub fn region(&self, verdict: &Verdict) -> Option<&Region> {
+        self.rank.get(&Some(Motion::of(verdict))).map(|&place| &self.regions[place as usize])
     }
 
     /// The regions of the cells of a window, row by row.

@@ -7,23 +7,28 @@ mod names;
 mod picture;
 mod raster;
 
-use self::census::Census;
+use std::collections::HashMap;
+
+pub(super) use self::census::Census;
 use self::layout::Layout;
+pub use self::picture::{DrawnCurves, PlanePicture};
 use super::canvas::{Anchor, Canvas, Point};
 use super::colours::INK;
 use super::control::describe;
 use super::curves::{Overlay, Shown};
 use super::frame::Frame;
+use super::legend::Entry;
+use super::motion::Motion;
 use super::picture::{LeftOut, Picture};
 use super::scale::Scale;
 use super::size::Size;
 use super::symbols;
 use super::text::Text;
+use crate::analysis::Verdict;
 use crate::curves::Curve;
 use crate::plane::fields::{CellField, Cells, CellsError, Layer};
 use crate::plane::{ControlMap, Plane, Quantity, RegionMap, Window};
-
-pub use self::picture::{DrawnCurves, PlanePicture};
+use crate::system::Family;
 
 /// Draws a computed plane.
 ///
@@ -132,6 +137,35 @@ fn draw_motions(what: &What, overlay: Option<&Overlay>, size: Size) -> Result<Pi
         LeftOut { parts: layout.left_out, enough: size.enough(whole) }
     });
     Ok(Picture::new(size, what.config.clone(), canvas.finish()).without(left_out))
+}
+
+/// The title of a plane's picture, in pieces that belong together.
+pub(super) fn title(plane: &Plane) -> Vec<Text> {
+    names::title(plane)
+}
+
+/// The meaning of the labels of a census.
+pub(super) fn definition_of(census: &Census) -> Vec<Text> {
+    names::definition(census)
+}
+
+/// The rows of the legend of so many cells of each motion, and their census; a motion is given by any of its verdicts.
+pub(super) fn legend_of(
+    family: &'static Family,
+    found: &[(Verdict, u64)],
+    rows: usize,
+) -> (Vec<Entry>, Census) {
+    let mut counted: HashMap<Option<Motion>, u64> = HashMap::new();
+    for (verdict, cells) in found {
+        *counted.entry(Some(Motion::of(verdict))).or_default() += cells;
+    }
+    let census = Census::counted(family, counted);
+    (names::entries(&census, rows.max(census.indispensable() + 1), true), census)
+}
+
+#[cfg(test)]
+pub(super) fn census_of(map: &RegionMap) -> Census {
+    Census::of(map, Window::whole(&map.plane)).expect("a map has all its fields")
 }
 
 /// The axes of a plane.
