@@ -54,7 +54,7 @@ pub fn file(task: u32, content: &[u8]) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::{Counts, Regime};
+    use crate::analysis::{Counts, Measures, Regime};
     use crate::explore::lattice::SIDE;
 
     const SCRIPT: &str = include_str!("page/protocol.js");
@@ -73,6 +73,7 @@ mod tests {
             peak_impact_velocity: 1.5,
             periods: 450,
             returning: 0,
+            measures: Measures::default(),
         }
     }
 
