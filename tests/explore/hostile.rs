@@ -253,7 +253,7 @@ async fn hostile_messages_are_refused_and_others_are_served() {
     socket.send_bytes(vec![0xff; 1000]).await;
     // Somebody who behaves is served all the while.
     first.send(json!({ "type": "want", "scene": scene, "tiles": [[-2, 0, 0]] }).to_string()).await;
-    assert_eq!(first.tile().await.len(), 32 + 256 * 20);
+    assert_eq!(first.tile().await.len(), 32 + 256 * 16);
     let left: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     assert_eq!(left, ["secret.toml"], "files were written");
     let (code, said, took) = explorer.interrupt();

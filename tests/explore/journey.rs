@@ -23,7 +23,7 @@ const PIXELS: &str = "
     for (let j = 0; j < state.scene.y.count; j++) for (let i = 0; i < state.scene.x.count; i++) {
         const [px, py] = view.pixelAt(i, j);
         const at = 4 * (Math.floor(py * paint.ratio) * width + Math.floor(px * paint.ratio));
-        colours.push('#' + [0, 1, 2].map((c) => data[at + c].toString(16).padStart(2, '0')).join(''));
+        colours.push('#' + [0, 1, 2].map((c) => (data[at + c] ?? 0).toString(16).padStart(2, '0')).join(''));
     }
     return colours;";
 

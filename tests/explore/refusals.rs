@@ -72,7 +72,7 @@ async fn what_is_taken_along_is_what_map_makes() {
     let command = socket.text("command").await["content"]["text"].as_str().unwrap().to_owned();
     socket.send(whole("save", &scene, json!({ "format": "npz" }))).await;
     let saved = socket.file().await;
-    socket.send(whole("save", &scene, json!({ "format": "png" }))).await;
+    socket.send(whole("save", &scene, json!({ "format": "png", "ask": 4 }))).await;
     let picture = socket.file().await;
     let words: Vec<&str> = command.split_whitespace().collect();
     assert_eq!(words[0], "impact-atlas");
