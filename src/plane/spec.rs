@@ -66,7 +66,7 @@ impl Plane {
         for column in [0, self.x.count - 1] {
             for row in [0, self.y.count - 1] {
                 let Ok(plant) = self.parameters_at(column, row).plant() else { continue };
-                self.start_at(column, row).check(&plant)?;
+                self.start_at(column, row).check(&plant, self.parameters.family())?;
             }
         }
         Ok(())

@@ -95,7 +95,7 @@ fn section_panel(diagram: &Diagram, motions: &Motions) -> Panel {
     }
     let strip = |branch: &Branch| Strip {
         stretches: columns.stretches(&branch.traces, &motions.paints),
-        labels: columns.labels(&branch.traces),
+        labels: columns.labels(&branch.traces, diagram.has_mirror()),
         name: (diagram.branches.len() > 1).then(|| branch.direction.name().into()),
     };
     let strips = diagram.branches.iter().map(strip).collect();

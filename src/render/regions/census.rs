@@ -46,12 +46,13 @@ pub(super) struct Census {
 impl Census {
     /// Takes the census of a plane.
     pub fn of(map: &RegionMap) -> Self {
+        let mirrored = map.has_mirror();
         let mut known: HashMap<Motion, u32> = HashMap::new();
         let mut regions: Vec<Region> = Vec::new();
         let mut region_of: Vec<u32> = Vec::with_capacity(map.verdicts.len());
         for verdict in &map.verdicts {
             let index = *known.entry(Motion::of(verdict)).or_insert_with(|| {
-                regions.push(Region::empty(verdict));
+                regions.push(Region::empty(verdict, mirrored));
                 regions.len() as u32 - 1
             });
             regions[index as usize].cells += 1;
@@ -91,9 +92,9 @@ impl Census {
 }
 
 impl Region {
-    fn empty(verdict: &Verdict) -> Self {
+    fn empty(verdict: &Verdict, mirrored: bool) -> Self {
         let motion = Motion::of(verdict);
-        Region { motion, name: Motion::name(verdict), paint: SHARED, distinct: false, cells: 0 }
+        Region { motion, name: Motion::name(verdict, mirrored), paint: SHARED, distinct: false, cells: 0 }
     }
 }
 

@@ -72,6 +72,7 @@ const CONTROL_MAP: FileContent = FileContent {
         field("n", ["u16", "y, x"], "forcing periods", N),
         field("p", ["u16", "y, x"], "impacts", P),
         field("q", ["u16", "y, x"], "impacts", Q),
+        field("counts", ["u16", "y, x, stop"], "impacts", COUNTS),
         field("symmetric", ["u8", "y, x"], "", SYMMETRIC),
         field("lyapunov", ["f32", "y, x"], "per forcing period", LYAPUNOV),
         field("state", ["f64", "y, x, 4"], "1", POINT),
