@@ -24,6 +24,7 @@ mod orbit;
 mod outlines;
 mod paint;
 mod picture;
+mod places;
 mod png;
 mod regions;
 mod scale;
