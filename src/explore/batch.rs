@@ -132,7 +132,7 @@ pub fn send(scene: &Scene, done: &Done, page: &Page, told: Option<&mut usize>) {
     if let Some(told) = told {
         let motions = scene.motions_from(*told);
         if !motions.is_empty() {
-            let _ = page.send(Outgoing::motions(scene.id, *told, &motions));
+            let _ = page.send(Outgoing::motions(scene.id, *told, &motions, scene.plane.has_mirror()));
             *told += motions.len();
         }
     }

@@ -35,8 +35,13 @@ pub struct LiveLegend {
 /// The legend and the paints of a picture whose cells are so many of each motion of a family; a motion is given by any of its verdicts.
 ///
 /// `rows` is how many rows there is room for; what is not periodic has one of its own in any case.
-pub fn live_legend(family: &'static Family, found: &[(Verdict, u64)], rows: usize) -> LiveLegend {
-    let (entries, census) = legend_of(family, found, rows);
+pub fn live_legend(
+    family: &'static Family,
+    mirrored: bool,
+    found: &[(Verdict, u64)],
+    rows: usize,
+) -> LiveLegend {
+    let (entries, census) = legend_of(family, mirrored, found, rows);
     let paint = |paint: &Paint| (css(paint.fill), paint.hatch.map(css));
     let rows = entries.iter().map(|entry| LiveRow {
         paints: entry.paints.iter().map(paint).collect(),
@@ -75,7 +80,7 @@ mod tests {
             }
             found[*at].1 += 1;
         }
-        let live = live_legend(Family::paper(), &found, 24);
+        let live = live_legend(Family::paper(), true, &found, 24);
         for (region, &at) in census.regions.iter().zip(&place) {
             let paint = (css(region.paint.fill), region.paint.hatch.map(css));
             assert_eq!(live.paints[at], paint, "{}", region.name);
@@ -85,6 +90,6 @@ mod tests {
         assert_eq!(live.rows[0].share[0].text, share);
         // A census of other cells has other shares.
         found[place[0]].1 *= 3;
-        assert_ne!(live_legend(Family::paper(), &found, 24).rows[0].share[0].text, share);
+        assert_ne!(live_legend(Family::paper(), true, &found, 24).rows[0].share[0].text, share);
     }
 }

@@ -69,14 +69,16 @@ impl Census {
                 *counted.entry(run[0]).or_default() += run.len() as u64;
             }
         }
-        Ok(Census::counted(cells.plane().parameters.family(), counted))
+        let plane = cells.plane();
+        Ok(Census::counted(plane.parameters.family(), plane.has_mirror(), counted))
     }
 
     /// Takes the census of so many cells of each motion of a family; none for those that were not computed.
-    pub fn counted(family: &'static Family, counted: HashMap<Option<Motion>, u64>) -> Self {
+    pub fn counted(family: &'static Family, mirrored: bool, counted: HashMap<Option<Motion>, u64>) -> Self {
         let stops = family.stops().len();
+        let mirrored = mirrored || counted.keys().flatten().any(|motion| motion.symmetric);
         let mut regions: Vec<Region> =
-            counted.into_iter().map(|(motion, cells)| Region::of(motion, stops, cells)).collect();
+            counted.into_iter().map(|(motion, cells)| Region::of(motion, stops, mirrored, cells)).collect();
         regions.sort_by_key(|region| (Reverse(region.cells), region.motion));
         let all: u64 = regions.iter().map(|region| region.cells).sum();
         let least = (RARE * all as f64) as u64;
@@ -120,8 +122,8 @@ impl Census {
 }
 
 impl Region {
-    fn of(motion: Option<Motion>, stops: usize, cells: u64) -> Self {
-        let name = motion.map_or_else(|| "not computed".to_owned(), |motion| motion.name_of(stops));
+    fn of(motion: Option<Motion>, stops: usize, mirrored: bool, cells: u64) -> Self {
+        let name = motion.map_or_else(|| "not computed".to_owned(), |motion| motion.name_of(stops, mirrored));
         let paint = if motion.is_some() { SHARED } else { NOT_THERE };
         Region { motion, name, paint, distinct: motion.is_none(), cells }
     }
@@ -162,7 +164,7 @@ mod tests {
         let region_of = census.regions_of(&map, whole).unwrap();
         for (verdict, index) in map.verdicts.iter().zip(region_of) {
             assert_eq!(census.regions[index as usize].motion, Some(Motion::of(verdict)));
-            assert_eq!(census.regions[index as usize].name, Motion::name(verdict));
+            assert_eq!(census.regions[index as usize].name, Motion::name(verdict, true));
         }
         let paint = |distinct: bool| {
             let alike = census.regions.iter().filter(move |region| region.distinct == distinct);

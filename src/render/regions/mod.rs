@@ -152,6 +152,7 @@ pub(super) fn definition_of(census: &Census) -> Vec<Text> {
 /// The rows of the legend of so many cells of each motion, and their census; a motion is given by any of its verdicts.
 pub(super) fn legend_of(
     family: &'static Family,
+    mirrored: bool,
     found: &[(Verdict, u64)],
     rows: usize,
 ) -> (Vec<Entry>, Census) {
@@ -159,7 +160,7 @@ pub(super) fn legend_of(
     for (verdict, cells) in found {
         *counted.entry(Some(Motion::of(verdict))).or_default() += cells;
     }
-    let census = Census::counted(family, counted);
+    let census = Census::counted(family, mirrored, counted);
     (names::entries(&census, rows.max(census.indispensable() + 1), true), census)
 }
 
