@@ -68,7 +68,7 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 15] = [
+const COMMON: [&str; 16] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
     include_str!("../../../../shaders/dynamics/stop.wgsl"),
@@ -83,6 +83,7 @@ const COMMON: [&str; 15] = [
     include_str!("../../../../shaders/analysis/exponent.wgsl"),
     include_str!("../../../../shaders/analysis/spread.wgsl"),
     include_str!("../../../../shaders/analysis/quiet.wgsl"),
+    include_str!("../../../../shaders/analysis/loss.wgsl"),
     include_str!("../../../../shaders/analysis/observer.wgsl"),
 ];
 
