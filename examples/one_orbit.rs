@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // Write down what it does from its end state on, for one period of the motion (or one forcing period).
     let periods = u32::from(verdict.n).max(1);
-    let recording = record(&system, verdict.state.into(), 0, periods, 0);
+    let recording = record(&system, verdict.state, 0, periods, 0);
     println!("{:>10}  stop  {:>10}  {:>10}", "time", "v1 before", "v1 after");
     for impact in &recording.impacts {
         println!(

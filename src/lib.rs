@@ -1,9 +1,11 @@
 //! Impact Atlas: parameter planes of vibro-impact systems, explored on the GPU.
 //!
-//! Two masses on springs, the first rattling between two rigid stops (Luo, Ma and Lv 2009). Every cell of a plane, a
-//! pair of parameters or of start components, is one trajectory, followed to a [verdict](analysis::Verdict): which
-//! periodic motion it settles on, or whether it is quasi-periodic, chaotic, sticking or free of impacts. The CPU path
-//! in f64 is the reference; the GPU path is the same mathematics in f32.
+//! A linear oscillator M x″ + C x′ + K x = s sin ωt + c cos ωt + l of one to four coordinates, whose masses meet one to four
+//! rigid stops: where d·x = gap, the velocities jump by −(1 + r)(d·v) M⁻¹d/(dᵀM⁻¹d). It is described in a
+//! [text file](system); the first of those that come with the program is that of Luo, Ma and Lv (2009), two masses on springs of
+//! which one rattles in a clearance. Every cell of a plane, a pair of parameters or of start components, is one trajectory,
+//! followed to a [verdict](analysis::Verdict): which periodic motion it settles on, or whether it is quasi-periodic,
+//! chaotic, sticking or free of impacts. The CPU path in f64 is the reference; the GPU path is the same mathematics in f32.
 //!
 //! # Rooms
 //!
@@ -30,17 +32,26 @@
 //!
 //! # Symbols
 //!
-//! Everything is non-dimensional: lengths in units of the static deflection (P1+P2)/K1, times in √(M1/K1).
+//! Everything is non-dimensional; a family's file says in which units. In any of them:
+//!
+//! | symbol | here | meaning |
+//! |---|---|---|
+//! | n | `n` | coordinates, 1 to 4 |
+//! | x, v | `x1` … `xn`, `v1` … `vn` | displacements and velocities; a *state* is (x, v) at forcing phase 0 |
+//! | ω, T, h, M | `omega`, `period()`, `h`, `steps` | forcing frequency and period, step T/M, steps in a period |
+//! | d, r | `direction`, `restitution` | a stop is touched where d·x = gap; its coefficient of restitution |
+//! | normal | [`ContactNormal`](model::ContactNormal) | a line along which one stop, or two that face each other, are met |
+//! | N-p-q-… | `n`, `counts` | N forcing periods, and the impacts at each stop in one period of the motion, in the order of labels |
+//! | λ1 | `lyapunov` | largest Lyapunov exponent per forcing period, natural logarithm |
+//!
+//! In the paper's, lengths are in units of the static deflection (P1+P2)/K1 and times in √(M1/K1):
 //!
 //! | symbol | here | meaning |
 //! |---|---|---|
 //! | ω, δ, ζ, r | `omega`, `delta`, `zeta`, `r` | forcing frequency, half clearance, damping ratio, restitution |
 //! | μm, μk, μc, f20 | `mu_m`, `mu_k`, `mu_c`, `f20` | shares of the second mass in mass, stiffness, damping and force |
-//! | x1, x2, x1', x2' | `x1`, `x2`, `v1`, `v2` | displacements and velocities; a *state* is (x1, x2, v1, v2) at phase 0 |
 //! | A, Ā | [`Stop::A`](dynamics::Stop::A), [`Stop::B`](dynamics::Stop::B) | the stops at x1 = +δ and x1 = −δ |
-//! | T, h, M | `period()`, `h`, `steps` | forcing period, step T/M, steps in a period |
-//! | N-p-q | `n`, `p`, `q` | N forcing periods, p impacts at Ā, q impacts at A in one period of the motion |
-//! | λ1 | `lyapunov` | largest Lyapunov exponent per forcing period, natural logarithm |
+//! | N-p-q | `n`, `p`, `q` | p impacts at Ā, q impacts at A |
 //!
 //! # How a trajectory is followed
 //!
@@ -50,21 +61,22 @@
 //! phases 0 and π, so that rounding cannot drift; ωt is never formed. Shorter flights are Taylor polynomials of the
 //! equation of motion, of an order that rounding cannot tell from infinite.
 //!
-//! *No impact is missed.* Within a step x1 lies in the hull of the four Bézier points of its cubic Hermite
-//! interpolant, widened by h⁴/384 times a bound on |x1''''|. Where that hull clears the stops, the step is taken. Where
+//! *No impact is missed.* Within a step d·x lies in the hull of the four Bézier points of its cubic Hermite
+//! interpolant, widened by h⁴/384 times a bound on |d·x''''|. Where that hull clears the stops, the step is taken. Where
 //! it does not, the gap is at least that of a quadratic whose acceleration bounds the true one on a window, and the
 //! trajectory flies to that quadratic's root: just short of the contact, never beyond. Repeated, this converges
 //! faster than Newton's method, and a touch that comes to nothing is passed without harm. The last stretch, whose
 //! square is lost in rounding, is a straight line.
 //!
-//! *Impacts* change v1 alone. What the change does to the end of the step is a polynomial that is known per cell, so
+//! *Impacts* change the velocities along M⁻¹d. What the change does to the end of the step is a polynomial that is known per cell, so
 //! the rest of the step need not be flown again.
 //!
 //! *Chatter and sticking.* Rebounds against a pressing force shrink geometrically. Once the effect of the rest of
-//! them on the second mass is known to be below rounding, and the force surely outlasts them, the sequence is closed:
-//! the mass rests on its stop, its impulse on the second mass is summed in closed form, and infinitely many impacts
-//! are counted. It rests until the force on it changes sign, found by the same quadratic bounds, and leaves along its
-//! jerk.
+//! them on the other masses is known to be below rounding, and the force surely outlasts them, the sequence is closed:
+//! the mass rests on its stop, its impulse on the others is summed in closed form, and infinitely many impacts
+//! are counted. Rebounds between several stops at once, each impact throwing the masses on the next stop, end in the
+//! corner between them. Contacts hold until the force on one of them changes sign, found by the same quadratic bounds; it
+//! opens along its jerk.
 //!
 //! *Verdict.* The strobe state is compared with one remembered state: its first return gives N, and it must keep
 //! returning, with the same impacts. A trajectory that has settled, or that energy shows can never impact again,
@@ -106,7 +118,8 @@
 //!
 //! # Limits
 //!
-//! δ = 0 clamps the first mass: the limit of a closing gap. A forcing period of more than 65,536 steps of the
+//! Two opposed stops without a gap clamp what is between them: the limit of a closing gap (δ = 0 in the paper's). Stops whose
+//! directions are linearly dependent without being parallel are refused. A forcing period of more than 65,536 steps of the
 //! fastest motion is refused, and so is ω above 10⁶. r = 1 with strong damping at low frequency makes ever more
 //! rebounds in finite time; more than 2²⁴ moves in one forcing period are given up as failed.
 

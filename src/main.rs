@@ -4,11 +4,9 @@ mod cli;
 
 use std::process::ExitCode;
 
-use clap::Parser;
-
 fn main() -> ExitCode {
     cli::hush_drivers();
-    let arguments = cli::Cli::parse();
+    let arguments = cli::parsed();
     match cli::run(&arguments) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

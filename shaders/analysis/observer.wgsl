@@ -94,6 +94,7 @@ fn observer_note(taken: Move) {
     }
     if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER && taken.velocity != 0.0 {
         recurrence_count(taken.stop, taken.event == EVENT_COMPLETE_CHATTER);
+        observer_count_beside(taken.beside);
         observer.impacts = observer.impacts + 1u;
         observer.impacts_total = observer.impacts_total + 1u;
         observer.peak = max(observer.peak, abs(taken.velocity));
@@ -105,6 +106,21 @@ fn observer_note(taken: Move) {
     if observer.moves > MOST_MOVES {
         observer.stage = STAGE_FAILED;
     }
+}
+
+// Infinitely many impacts at every stop that shares the rebounds of another.
+fn observer_count_beside(beside: u32) {
+    if beside == CONTACT_FREE {
+        return;
+    }
+    //: each normal
+    if contact_includes(beside, End($ku, 0u)) {
+        recurrence_count(flight.normals[$k].stop[0], true);
+    }
+    if contact_includes(beside, End($ku, 1u)) {
+        recurrence_count(flight.normals[$k].stop[1], true);
+    }
+    //: end
 }
 
 fn observer_strobe() {

@@ -12,7 +12,7 @@ struct Controlled {
     tangent: State,
     adapted: Adapted,
     memory: Memory,
-    deviations: array<array<f32, 4>, DELAYS>,
+    deviations: array<Section, DELAYS>,
     exponent: Exponent,
     spread: Spread,
     // The force of the present iterate.
@@ -24,8 +24,8 @@ struct Controlled {
     periods: u32,
     passage: u32,
     moves: u32,
-    at_b: u32,
-    mirrored: array<f32, 4>,
+    at_stops: vec4<u32>,
+    mirrored: Section,
     impacts: u32,
     impacts_total: u32,
     peak: f32,
@@ -52,7 +52,8 @@ struct Driven {
     gamma_sin: State,
     gamma_cos: State,
     sin: X,
-    bound: f32,
+    // By normal.
+    bound: array<f32, NORMALS>,
 }
 
 var<private> driven: Driven;
@@ -76,7 +77,8 @@ fn controlled_begin(start: State) {
     controlled.periods = 0u;
     controlled.passage = 0u;
     controlled.moves = 0u;
-    controlled.at_b = 0u;
+    controlled.at_stops = vec4(0u);
+    controlled.mirrored = section_zero();
     controlled.impacts = 0u;
     controlled.impacts_total = 0u;
     controlled.peak = 0.0;
@@ -90,18 +92,18 @@ fn controlled_begin(start: State) {
 // Takes the constants of flight under a force in phase with the forcing; always from those without, so that it does
 // not matter which forces went before.
 fn controlled_force(force: f32) {
-    let s = control.drive_sin;
-    let c = control.drive_cos;
-    driven.sin = flights[cell].sin + force * vec2(control.push[0], control.push[1]);
-    driven.gamma_sin = state_plus(flights[cell].gamma_sin, force, State(vec2(s[0], s[1]), vec2(s[2], s[3])));
-    driven.gamma_cos = state_plus(flights[cell].gamma_cos, force, State(vec2(c[0], c[1]), vec2(c[2], c[3])));
-    driven.bound = abs(force) * control.drive_bound;
+    driven.sin = flights[cell].sin + force * x_of_values(control.push);
+    driven.gamma_sin = state_plus(flights[cell].gamma_sin, force, state_of_values(control.drive_sin));
+    driven.gamma_cos = state_plus(flights[cell].gamma_cos, force, state_of_values(control.drive_cos));
+    //: each normal
+    driven.bound[$k] = abs(force) * control.drive_bound[$k];
+    //: end
     controlled.force = force;
 }
 
 fn controlled_note(taken: Move) {
     controlled.moves = controlled.moves + 1u;
-    if trajectory.contact != CONTACT_FREE {
+    if trajectory.contact != CONTACT_FREE && !contact_is_clamped_only(trajectory.contact) {
         controlled.stuck = controlled.iterates + 1u;
     }
     let meets = taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER;
@@ -110,12 +112,13 @@ fn controlled_note(taken: Move) {
         controlled.impacts = controlled.impacts + 1u;
         controlled.impacts_total = controlled.impacts_total + 1u;
         controlled.peak = max(controlled.peak, abs(taken.velocity));
-        if taken.stop == 0u {
-            controlled_arrive(count);
-        } else {
-            controlled.at_b = added(controlled.at_b, count);
-            let m = section_mirrored();
-            controlled.mirrored = array<f32, 4>(m.x, m.y, m.z, m.w);
+        let here = vec4(taken.stop) == vec4(0u, 1u, 2u, 3u);
+        controlled.at_stops = added(controlled.at_stops, select(vec4(0u), vec4(count), here));
+        if control.mirror[control.stop] == taken.stop {
+            controlled.mirrored = section_mirrored();
+        }
+        if taken.stop == control.stop {
+            controlled_arrive();
         }
     } else if taken.event == EVENT_STROBE {
         controlled_strobe();
@@ -131,13 +134,13 @@ fn controlled_strobe() {
     controlled.passage = controlled.passage + 1u;
     if !state_is_finite(trajectory.point.state) {
         controlled.progress = PROGRESS_FAILED;
-    } else if controlled.passage > LONGEST_PASSAGE || contact_is_clamped(trajectory.contact) {
+    } else if controlled.passage > LONGEST_PASSAGE || contact_is_clamped_along(trajectory.contact, control.normal) {
         controlled.progress = PROGRESS_LOST;
     }
 }
 
 // A return to the section.
-fn controlled_arrive(at_a: u32) {
+fn controlled_arrive() {
     let arrived = section_of_trajectory();
     if !section_is_finite(arrived) {
         controlled.progress = PROGRESS_FAILED;
@@ -145,7 +148,8 @@ fn controlled_arrive(at_a: u32) {
     }
     var turns = 0.0;
     if memory.seen > 0u {
-        turns = f32(controlled.passage) + (arrived.w - memory.points[0][3]) * INVERSE_TAU;
+        let from = section_tau(memory.points[0]);
+        turns = f32(controlled.passage) + (section_tau(arrived) - from) * INVERSE_TAU;
     }
     let on = controlled.iterates >= control_schedule.start;
     if controlled.iterates == control_schedule.start {
@@ -159,11 +163,11 @@ fn controlled_arrive(at_a: u32) {
         action = method_act(seen);
     }
     var section = section_plus(arrived, action.correction);
-    let escaped = section.x > 0.0;
+    let escaped = !section_is_zero(action.correction) && !leaving_is_admitted(section);
     if escaped {
         section = arrived;
         controlled.escapes = controlled.escapes + 1u;
-        action.correction = vec4(0.0, 0.0, 0.0, 0.0);
+        action.correction = section_zero();
     }
     if observing {
         if escaped {
@@ -172,15 +176,15 @@ fn controlled_arrive(at_a: u32) {
             deviations_push(deviations_passed(seen, deviation));
         }
     }
-    memory_push(section, turns, controlled.at_b, at_a);
+    memory_push(section, turns, controlled.at_stops);
     controlled.signal = action.signal;
     if on {
         controlled.effort = controlled.effort + (correction_length(action.correction) + abs(action.force));
-        controlled_go_on_from(section, action);
+        leaving_goes_on_from(section, action);
     }
     controlled.iterates = controlled.iterates + 1u;
     controlled.passage = 0u;
-    controlled.at_b = 0u;
+    controlled.at_stops = vec4(0u);
     if controlled.progress == PROGRESS_RUNAWAY {
         return;
     }
@@ -189,27 +193,6 @@ fn controlled_arrive(at_a: u32) {
     }
     if on {
         controlled_schedule_on();
-    }
-}
-
-// Leaves the section from a corrected point, under a force.
-fn controlled_go_on_from(section: vec4<f32>, action: Action) {
-    if section_distance(section, vec4(0.0, 0.0, 0.0, 0.0)) > RUNAWAY {
-        controlled.progress = PROGRESS_RUNAWAY;
-        return;
-    }
-    let unchanged = all(action.correction == vec4(0.0, 0.0, 0.0, 0.0));
-    if unchanged && action.force == controlled.force {
-        return;
-    }
-    controlled_force(action.force);
-    if unchanged {
-        trajectory =
-            trajectory_from_point(trajectory.point, trajectory.contact, trajectory.step, trajectory.offset);
-    } else {
-        trajectory = section_trajectory(section, trajectory.contact != CONTACT_FREE);
-        // A phase that jumps back time and again never passes a strobe.
-        controlled.moves = 0u;
     }
 }
 
@@ -254,16 +237,18 @@ fn controlled_outcome() -> Outcome {
     if controlled.progress == PROGRESS_DONE {
         period = memory_period(min(iterates / 4u, CONTROL_SETTLING));
     }
-    var counts = vec3(0u, 0u, 0u);
-    var point = memory_point(0u);
+    var n = 0u;
+    var impacts = vec4(0u);
+    var point = memory.points[0];
     var converged_at = NEVER;
     if period > 0u {
-        counts = memory_counts(period);
+        n = memory_periods(period);
+        impacts = memory_impacts(period);
         point = memory_hardest(period);
         let since = memory.returning[period - 1u];
         converged_at = select(0u, since - control_schedule.start, since > control_schedule.start);
     }
-    let symmetric = period > 0u && counts.x % 2u == 1u && counts.y == counts.z && controlled_is_symmetric(period);
+    let symmetric = period > 0u && n % 2u == 1u && controlled_is_symmetric(period, impacts);
     var lyapunov = NOT_MEASURED;
     let measured =
         observer.exponent.batches > 0u && controlled.erased == 0u && controlled.observed_turns > 0.0;
@@ -278,11 +263,11 @@ fn controlled_outcome() -> Outcome {
     return Outcome(
         Verdict(
             controlled_regime(period),
-            counts.x,
+            n,
             select(0u, 1u, symmetric),
             lyapunov,
-            array<u32, MOST>(counts.z, counts.y, 0u, 0u),
-            array<f32, 8>(point.x, point.y, point.z, point.w, 0.0, 0.0, 0.0, 0.0),
+            array<u32, MOST>(impacts.x, impacts.y, impacts.z, impacts.w),
+            section_values(point),
             controlled.impacts,
             controlled.impacts_total,
             controlled.peak,
@@ -302,17 +287,18 @@ fn controlled_outcome() -> Outcome {
     );
 }
 
-fn controlled_is_symmetric(period: u32) -> bool {
-    let m = controlled.mirrored;
+fn controlled_is_symmetric(period: u32, impacts: vec4<u32>) -> bool {
     var symmetric = false;
     for (var i = 0u; i < period; i++) {
-        let away = section_distance(memory_point(i), vec4(m[0], m[1], m[2], m[3]));
-        symmetric = symmetric || away <= RETURNED;
+        symmetric = symmetric || section_distance(memory.points[i], controlled.mirrored) <= RETURNED;
     }
+    //: each stop
+    symmetric = symmetric && control.mirror[$k] < MOST && impacts[$k] == impacts[control.mirror[$k]];
+    //: end
     return symmetric;
 }
 
-// Whether the first mass rested on a stop in the last so many iterates.
+// Whether a mass rested on a stop in the last so many iterates.
 fn controlled_has_stuck_for(iterates: u32) -> bool {
     return controlled.stuck > 0u && controlled.stuck + iterates > controlled.iterates;
 }
@@ -321,7 +307,7 @@ fn controlled_regime(period: u32) -> u32 {
     if controlled.progress == PROGRESS_FAILED {
         return REGIME_FAILED;
     }
-    if controlled.progress == PROGRESS_LOST && controlled.at_b == 0u {
+    if controlled.progress == PROGRESS_LOST && all(controlled.at_stops == vec4(0u)) {
         return REGIME_NO_IMPACT;
     }
     if controlled.progress != PROGRESS_DONE {

@@ -4,11 +4,11 @@ fn delay_act() -> Action {
     if memory.seen <= control.delay {
         return action_none();
     }
-    return action_correcting(delay_feedback(section_minus(memory_point(0u), memory_point(control.delay))));
+    return action_correcting(delay_feedback(section_minus(memory.points[0], memory.points[control.delay])));
 }
 
 // G times a difference.
-fn delay_feedback(difference: vec4<f32>) -> vec4<f32> {
-    let g = control.gains;
-    return vec4(g[0], g[1], g[2], g[3]) * difference;
+fn delay_feedback(difference: Section) -> Section {
+    let gains = section_of_values(control.gains);
+    return Section(gains.head * difference.head, gains.tail * difference.tail);
 }

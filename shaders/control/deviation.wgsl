@@ -1,75 +1,70 @@
 // A small deviation of the points on the section, carried through flight and control.
 
-var<private> deviations: array<array<f32, 4>, DELAYS>;
-
-fn deviation_at(i: u32) -> vec4<f32> {
-    let d = deviations[i];
-    return vec4(d[0], d[1], d[2], d[3]);
-}
+var<private> deviations: array<Section, DELAYS>;
 
 fn deviations_seed() {
     for (var i = 1u; i < DELAYS; i++) {
-        deviations[i] = array<f32, 4>(0.0, 0.0, 0.0, 0.0);
+        deviations[i] = section_zero();
     }
-    deviations[0] = array<f32, 4>(0.5, 0.5, 0.5, 0.5);
+    var each = section_zero();
+    //: each coordinate
+    each.head$c = TANGENT_SEED;
+    each.tail$c = TANGENT_SEED;
+    //: end
+    deviations[0] = each;
 }
 
-// The rates of (x1, x2, v1, v2) at the trajectory's present point.
-fn deviation_rates() -> vec4<f32> {
-    return vec4(trajectory.point.state.v, point_motion(trajectory.point, trajectory.contact).acceleration);
+// The rates of displacements and velocities at the trajectory's present point.
+fn deviation_rates() -> State {
+    return State(trajectory.point.state.v, point_motion(trajectory.point, trajectory.contact).acceleration);
 }
 
 // The deviation, at fixed time, of the trajectory that leaves the present point.
 fn deviations_leaving() -> State {
-    let present = deviation_at(0u);
-    let shift = present.w / flight.omega;
-    let deviation = vec4(0.0, present.y, present.x, present.z) - shift * deviation_rates();
-    return State(deviation.xy, deviation.zw);
+    let present = deviations[0];
+    let within = surface_unpacked(present, 0.0);
+    return state_plus(within, -(section_tau(present) / flight.omega), deviation_rates());
 }
 
 // The deviation of the point at which the trajectory arrives.
-fn deviations_arrived() -> vec4<f32> {
+fn deviations_arrived() -> Section {
     let rate = deviation_rates();
+    let direction = flight.normals[control.normal].direction;
+    let speed = along(direction, rate.x);
     var shift = 0.0;
-    if rate.x != 0.0 {
-        shift = -(tangent.x.x / rate.x);
+    if speed != 0.0 {
+        shift = -(along(direction, tangent.x) / speed);
     }
-    return vec4(
-        tangent.v.x + rate.z * shift,
-        tangent.x.y + rate.y * shift,
-        tangent.v.y + rate.w * shift,
-        flight.omega * shift,
-    );
+    return surface_components(state_plus(tangent, shift, rate), flight.omega * shift);
 }
 
 // What control makes of the deviation of an arriving point.
-fn deviations_passed(seen: Seen, arrived: vec4<f32>) -> vec4<f32> {
+fn deviations_passed(seen: Seen, arrived: Section) -> Section {
     if control.method == METHOD_SINE {
-        return sine_deviated(seen, deviation_at(0u), arrived);
+        return sine_deviated(seen, deviations[0], arrived);
     }
     if control.method == METHOD_PULSE && pulse_is_due(seen) {
-        return vec4(0.0, 0.0, 0.0, 0.0);
+        return section_zero();
     }
     if control.method == METHOD_DELAY {
-        return arrived + delay_feedback(deviation_at(0u) - deviation_at(control.delay));
+        let before = section_scaled(-1.0, deviations[control.delay]);
+        return section_added(arrived, delay_feedback(section_added(deviations[0], before)));
     }
     return arrived;
 }
 
-fn deviations_push(deviation: vec4<f32>) {
+fn deviations_push(deviation: Section) {
     for (var i = DELAYS - 1u; i > 0u; i--) {
         deviations[i] = deviations[i - 1u];
     }
-    deviations[0] = array<f32, 4>(deviation.x, deviation.y, deviation.z, deviation.w);
+    deviations[0] = deviation;
 }
 
 // The factor by which the deviation has grown; it is brought back to unit length. 0 where it is lost.
 fn deviations_growth() -> f32 {
     var squares = 0.0;
     for (var i = 0u; i < DELAYS; i++) {
-        let d = deviation_at(i);
-        let square = d * d;
-        squares = squares + ((square.x + square.y) + (square.z + square.w));
+        squares = squares + section_square(deviations[i]);
     }
     let length = sqrt(squares);
     if !(length > 0.0 && is_finite(length)) {
@@ -78,8 +73,7 @@ fn deviations_growth() -> f32 {
     }
     let factor = 1.0 / length;
     for (var i = 0u; i < DELAYS; i++) {
-        let d = deviation_at(i) * factor;
-        deviations[i] = array<f32, 4>(d.x, d.y, d.z, d.w);
+        deviations[i] = section_scaled(factor, deviations[i]);
     }
     return length;
 }

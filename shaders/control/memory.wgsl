@@ -1,10 +1,10 @@
 // The last points on the section, and whether they repeat.
 
 struct Memory {
-    points: array<array<f32, 4>, DEPTH>,
+    points: array<Section, DEPTH>,
     turns: array<f32, DEPTH>,
-    at_b: array<u32, DEPTH>,
-    at_a: array<u32, DEPTH>,
+    // At each stop, in the plant's order.
+    impacts: array<vec4<u32>, DEPTH>,
     seen: u32,
     returning: array<u32, LONGEST>,
     settled: array<u32, LONGEST>,
@@ -14,27 +14,20 @@ var<private> memory: Memory;
 // The largest number of iterates in one period that is looked for.
 var<private> reach: u32;
 
-fn memory_point(i: u32) -> vec4<f32> {
-    let p = memory.points[i];
-    return vec4(p[0], p[1], p[2], p[3]);
-}
-
-fn memory_push(point: vec4<f32>, turns: f32, at_b: u32, at_a: u32) {
+fn memory_push(point: Section, turns: f32, impacts: vec4<u32>) {
     for (var i = max(reach, LONGEST_DELAY); i > 0u; i--) {
         memory.points[i] = memory.points[i - 1u];
         memory.turns[i] = memory.turns[i - 1u];
-        memory.at_b[i] = memory.at_b[i - 1u];
-        memory.at_a[i] = memory.at_a[i - 1u];
+        memory.impacts[i] = memory.impacts[i - 1u];
     }
-    memory.points[0] = array<f32, 4>(point.x, point.y, point.z, point.w);
+    memory.points[0] = point;
     memory.turns[0] = turns;
-    memory.at_b[0] = at_b;
-    memory.at_a[0] = at_a;
+    memory.impacts[0] = impacts;
     memory.seen = memory.seen + 1u;
     for (var m = 1u; m <= reach; m++) {
         var away = 1.0;
         if memory.seen > m {
-            away = section_distance(point, memory_point(m));
+            away = section_distance(point, memory.points[m]);
         }
         if away > RETURNED {
             memory.returning[m - 1u] = memory.seen;
@@ -76,34 +69,38 @@ fn memory_is_settled(proof: u32) -> bool {
     return settled;
 }
 
-// N, p and q of one period of `period` iterates.
-fn memory_counts(period: u32) -> vec3<u32> {
+// The time of one period of `period` iterates in forcing periods, to the nearest whole number.
+fn memory_periods(period: u32) -> u32 {
     var turns = 0.0;
-    var p = 0u;
-    var q = 0u;
     for (var i = 0u; i < period; i++) {
         turns = turns + memory.turns[i];
-        p = added(p, memory.at_b[i]);
-        q = added(q, memory.at_a[i]);
     }
-    return vec3(u32(floor(turns + 0.5)), p, q);
+    return u32(floor(turns + 0.5));
 }
 
-fn memory_hardest(period: u32) -> vec4<f32> {
-    var hardest = memory_point(0u);
+// The impacts at each stop in one period of `period` iterates.
+fn memory_impacts(period: u32) -> vec4<u32> {
+    var impacts = vec4(0u);
+    for (var i = 0u; i < period; i++) {
+        impacts = added(impacts, memory.impacts[i]);
+    }
+    return impacts;
+}
+
+// The point of one period that is the hardest impact.
+fn memory_hardest(period: u32) -> Section {
+    var hardest = memory.points[0];
     for (var i = 1u; i < period; i++) {
-        let point = memory_point(i);
-        if point.x < hardest.x {
+        let point = memory.points[i];
+        if section_approach(section_state(point)) < section_approach(section_state(hardest)) {
             hardest = point;
         }
     }
     return hardest;
 }
 
-// The sum of two impact counts, either of which may be infinite.
-fn added(a: u32, b: u32) -> u32 {
-    if a == INFINITELY_MANY || b == INFINITELY_MANY {
-        return INFINITELY_MANY;
-    }
-    return min(a + b, INFINITELY_MANY - 1u);
+// The sums of impact counts, any of which may be infinite.
+fn added(a: vec4<u32>, b: vec4<u32>) -> vec4<u32> {
+    let infinite = vec4(INFINITELY_MANY);
+    return select(min(a + b, infinite - vec4(1u)), infinite, (a == infinite) | (b == infinite));
 }

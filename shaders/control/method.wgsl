@@ -7,6 +7,11 @@ struct Control {
     delay: u32,
     period: u32,
     seed: u32,
+    // The section's stop, its end of a contact normal, and the coordinate whose velocity comes first.
+    stop: u32,
+    normal: u32,
+    side: u32,
+    own: u32,
     amplitude: f32,
     weight: f32,
     dead_band: f32,
@@ -14,26 +19,27 @@ struct Control {
     phase: f32,
     wanted: f32,
     noise: f32,
-    // What a unit force on the first mass, in phase with the forcing, adds to a step and to the bound.
-    drive_bound: f32,
-    point: array<f32, 4>,
-    gains: array<f32, 4>,
-    // What a unit force accelerates.
-    push: array<f32, 2>,
-    drive_sin: array<f32, 4>,
-    drive_cos: array<f32, 4>,
+    // The mirror image of each stop; MOST where the system has no mirror.
+    mirror: array<u32, MOST>,
+    point: array<f32, COMPONENTS>,
+    gains: array<f32, COMPONENTS>,
+    // What a unit force in phase with the forcing accelerates, adds to a step, and to the bounds.
+    push: array<f32, COORDINATES>,
+    drive_sin: array<f32, COMPONENTS>,
+    drive_cos: array<f32, COMPONENTS>,
+    drive_bound: array<f32, NORMALS>,
 }
 
 // What a method sees.
 struct Seen {
-    section: vec4<f32>,
+    section: Section,
     turns: f32,
     controlled: u32,
 }
 
 // What it does.
 struct Action {
-    correction: vec4<f32>,
+    correction: Section,
     force: f32,
     signal: f32,
 }
@@ -49,16 +55,15 @@ var<private> control: Control;
 var<private> adapted: Adapted;
 
 fn action_none() -> Action {
-    return Action(vec4(0.0, 0.0, 0.0, 0.0), 0.0, 0.0);
+    return Action(section_zero(), 0.0, 0.0);
 }
 
-fn action_correcting(correction: vec4<f32>) -> Action {
+fn action_correcting(correction: Section) -> Action {
     return Action(correction, 0.0, correction_length(correction));
 }
 
-fn correction_length(correction: vec4<f32>) -> f32 {
-    let squares = correction * correction;
-    return sqrt((squares.x + squares.y) + (squares.z + squares.w));
+fn correction_length(correction: Section) -> f32 {
+    return sqrt(section_square(correction));
 }
 
 fn method_act(seen: Seen) -> Action {

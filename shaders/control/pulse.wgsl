@@ -4,15 +4,14 @@ fn pulse_act(seen: Seen) -> Action {
     if !pulse_is_due(seen) {
         return action_none();
     }
-    let p = control.point;
-    let errors = vec4(
-        pulse_uniform(seen.controlled, 0u),
-        pulse_uniform(seen.controlled, 1u),
-        pulse_uniform(seen.controlled, 2u),
-        pulse_uniform(seen.controlled, 3u),
-    );
+    let away = section_minus(section_of_values(control.point), seen.section);
+    var errors = section_zero();
+    //: each coordinate
+    errors.head$c = pulse_uniform(seen.controlled, $iu);
+    errors.tail$c = pulse_uniform(seen.controlled, COORDINATES + $iu);
+    //: end
     return action_correcting(
-        section_minus(vec4(p[0], p[1], p[2], p[3]), seen.section) - control.noise * errors,
+        Section(away.head - control.noise * errors.head, away.tail - control.noise * errors.tail),
     );
 }
 

@@ -1,50 +1,92 @@
-// A point of the impact Poincaré section: (v1+, x2, v2, τ) just after an impact at stop A.
+// A point of the impact Poincaré section of a stop: the velocity of the section's own coordinate just after an impact,
+// the other displacements, the other velocities, τ. The 2n components lie in two halves.
 
-fn section_of_trajectory() -> vec4<f32> {
+struct Section {
+    head: X,
+    tail: X,
+}
+
+fn section_zero() -> Section {
+    return Section(X(), X());
+}
+
+fn section_of_trajectory() -> Section {
+    return surface_components(trajectory.point.state, phase_of(trajectory.step, trajectory.offset));
+}
+
+// The mirror image of where the trajectory is, just after an impact at the stop's twin.
+fn section_mirrored() -> Section {
     let state = trajectory.point.state;
-    return vec4(state.v.x, state.x.y, state.v.y, phase_of(trajectory.step, trajectory.offset));
+    let image = State(applied(flight.mirror, state.x), applied(flight.mirror, state.v));
+    return surface_components(image, into_turn(phase_of(trajectory.step, trajectory.offset) + PI));
 }
 
-// The mirror image of where the trajectory is, just after an impact at Ā.
-fn section_mirrored() -> vec4<f32> {
-    let section = section_of_trajectory();
-    return vec4(-section.x, -section.y, -section.z, into_turn(section.w + PI));
+// The state of a point on the section.
+fn section_state(section: Section) -> State {
+    let end = section_end();
+    return surface_unpacked(section, end_sign(end) * flight.normals[end.normal].gap[end.side]);
 }
 
-// The trajectory that begins at this point.
-fn section_trajectory(section: vec4<f32>, resting: bool) -> Trajectory {
-    let phasor = sine_and_cosine(section.w);
-    let state = State(vec2(flight.normals[0].gap[0], section.y), section.xz);
-    let point = Point(state, phasor.x, phasor.y);
-    let stuck = resting && section.x == 0.0;
+// The end of a contact normal that is the section's stop.
+fn section_end() -> End {
+    return End(control.normal, control.side);
+}
+
+// The velocity into the stop: 0 or negative just after an impact.
+fn section_approach(state: State) -> f32 {
+    return end_sign(section_end()) * along(flight.normals[control.normal].direction, state.v);
+}
+
+// The trajectory that begins at this point with the given contacts.
+fn section_trajectory(section: Section, contact: u32) -> Trajectory {
+    let tau = section_tau(section);
+    let phasor = sine_and_cosine(tau);
+    let point = Point(section_state(section), phasor.x, phasor.y);
     let steps = f32(flight.steps);
-    let place = section.w * INVERSE_TAU * steps;
+    let place = tau * INVERSE_TAU * steps;
     let last = steps - 1.0;
     let step = select(last, floor(place), place < last);
     let behind = (place - step) * flight.h;
     let offset = select(flight.h * (1.0 - EPSILON), behind, behind < flight.h);
-    let at_a = contact_with(CONTACT_FREE, End(0u, 0u));
-    return trajectory_from_point(point, select(CONTACT_FREE, at_a, stuck), u32(step), offset);
+    return trajectory_from_point(point, contact, u32(step), offset);
 }
 
 // One point minus another; τ the short way round.
-fn section_minus(a: vec4<f32>, b: vec4<f32>) -> vec4<f32> {
-    let difference = a - b;
-    return vec4(difference.xyz, short_way(difference.w));
+fn section_minus(a: Section, b: Section) -> Section {
+    let difference = Section(a.head - b.head, a.tail - b.tail);
+    return section_with_tau(difference, short_way(section_tau(difference)));
 }
 
-fn section_plus(a: vec4<f32>, correction: vec4<f32>) -> vec4<f32> {
-    let sum = a + correction;
-    return vec4(sum.xyz, into_turn(sum.w));
+fn section_added(a: Section, b: Section) -> Section {
+    return Section(a.head + b.head, a.tail + b.tail);
 }
 
-fn section_distance(a: vec4<f32>, b: vec4<f32>) -> f32 {
-    let difference = abs(section_minus(a, b));
-    return max(max(difference.x, difference.y), max(difference.z, difference.w));
+fn section_scaled(a: f32, section: Section) -> Section {
+    return Section(a * section.head, a * section.tail);
 }
 
-fn section_is_finite(section: vec4<f32>) -> bool {
-    return is_finite(section.x) && is_finite(section.y) && is_finite(section.z) && is_finite(section.w);
+// A point moved by a correction.
+fn section_plus(section: Section, correction: Section) -> Section {
+    let sum = section_added(section, correction);
+    return section_with_tau(sum, into_turn(section_tau(sum)));
+}
+
+fn section_distance(a: Section, b: Section) -> f32 {
+    let difference = section_minus(a, b);
+    return max(largest(difference.head), largest(difference.tail));
+}
+
+// The square of the Euclidean length.
+fn section_square(section: Section) -> f32 {
+    return along(section.head, section.head) + along(section.tail, section.tail);
+}
+
+fn section_is_zero(section: Section) -> bool {
+    return max(largest(section.head), largest(section.tail)) == 0.0;
+}
+
+fn section_is_finite(section: Section) -> bool {
+    return are_finite(section.head) && are_finite(section.tail);
 }
 
 // The forcing phase at a time `offset` after the beginning of a step.

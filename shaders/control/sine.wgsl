@@ -1,4 +1,4 @@
-// A sine force on the first mass, its amplitude adapted: a kick at each return, or a force in phase with the forcing.
+// A sine force on one coordinate, its amplitude adapted: a kick at each return, or a force in phase with the forcing.
 
 fn sine_act(seen: Seen) -> Action {
     let error = sine_error(seen.section);
@@ -11,16 +11,17 @@ fn sine_act(seen: Seen) -> Action {
     adapted.error = error;
     if control.convention == CONVENTION_KICK {
         let kick = adapted.amplitude * sine_phasor(control.ratio * seen.turns).x;
-        return Action(vec4(kick, 0.0, 0.0, 0.0), 0.0, adapted.amplitude);
+        return Action(section_of_first(kick), 0.0, adapted.amplitude);
     }
-    return Action(vec4(0.0, 0.0, 0.0, 0.0), adapted.amplitude, adapted.amplitude);
+    return Action(section_zero(), adapted.amplitude, adapted.amplitude);
 }
 
-fn sine_error(section: vec4<f32>) -> f32 {
-    if control.component == 3u {
-        return abs(short_way(section.w - control.wanted));
+fn sine_error(section: Section) -> f32 {
+    let error = section_component(section, control.component) - control.wanted;
+    if control.component == COMPONENTS - 1u {
+        return abs(short_way(error));
     }
-    return abs(section[control.component] - control.wanted);
+    return abs(error);
 }
 
 // Sine and cosine of an angle given in turns, with φ.
@@ -34,11 +35,11 @@ fn sine_is_at_rest() -> bool {
 }
 
 // How a deviation passes the kick.
-fn sine_deviated(seen: Seen, before: vec4<f32>, arrived: vec4<f32>) -> vec4<f32> {
+fn sine_deviated(seen: Seen, before: Section, arrived: Section) -> Section {
     if control.convention != CONVENTION_KICK {
         return arrived;
     }
-    let later = arrived.w - before.w;
+    let later = section_tau(arrived) - section_tau(before);
     let kick = adapted.amplitude * sine_phasor(control.ratio * seen.turns).y * (control.ratio * later);
-    return vec4(arrived.x + kick, arrived.yzw);
+    return section_added(arrived, section_of_first(kick));
 }

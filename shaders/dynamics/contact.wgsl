@@ -61,6 +61,13 @@ fn contact_imminent(point: Point, contact: u32) -> Reached {
     return first;
 }
 
+// The size of the numbers whose difference the gap is.
+fn contact_extent(point: Point, end: End) -> f32 {
+    let normal = end.normal;
+    let parts = largest_part(flight.normals[normal].direction, point.state.x);
+    return max(abs(flight.normals[normal].gap[end.side]), parts);
+}
+
 // The sooner of what was found so far and one more end.
 fn contact_sooner(found: Reached, point: Point, contact: u32, ignored: u32, end: End) -> Reached {
     if flight.normals[end.normal].gap[end.side] >= FAR || contact_includes(ignored, end) {
@@ -79,8 +86,7 @@ fn contact_imminent_at(point: Point, contact: u32, end: End) -> f32 {
     let sign = end_sign(end);
     let gap = flight.normals[end.normal].gap[end.side] - sign * along(direction, point.state.x);
     let speed = sign * along(direction, point.state.v);
-    let extent = max(abs(flight.normals[end.normal].gap[end.side]), largest_part(direction, point.state.x));
-    if gap <= TOUCH * extent {
+    if gap <= TOUCH * contact_extent(point, end) {
         if speed > 0.0 || is_held(point, contact, end, speed) {
             return 0.0;
         }
@@ -132,6 +138,7 @@ fn contact_clears_elsewhere(point: Point, contact: u32, end: End, height: f32, t
     var raised = point;
     raised.state.x = point.state.x + -(end_sign(end) * height) * flight.normals[end.normal].response;
     return contact_is_within(point, ignored)
+        && contact_is_within(raised, ignored)
         && contact_safe_time(point, motion, ignored, time) >= time
         && contact_safe_time(raised, motion, ignored, time) >= time;
 }

@@ -38,6 +38,11 @@ fn contact_is_clamped_along(contact: u32, normal: u32) -> bool {
     return (((contact >> normal) & (contact >> (normal + MOST))) & 1u) == 1u;
 }
 
+// Whether every contact is one that is clamped.
+fn contact_is_clamped_only(contact: u32) -> bool {
+    return contact != CONTACT_FREE && (contact & ((1u << MOST) - 1u)) == (contact >> MOST);
+}
+
 fn contact_is_clamped(contact: u32) -> bool {
     return (contact & (contact >> MOST)) != 0u;
 }

@@ -25,6 +25,8 @@ struct Move {
     stop: u32,
     velocity: f32,
     rebound: f32,
+    // The stops beside this one that share the rebounds of a complete chatter sequence, as contacts; seldom any.
+    beside: u32,
 }
 
 var<private> trajectory: Trajectory;
@@ -77,7 +79,7 @@ fn fly(carry: bool) -> Move {
     // A contact beyond the end of the step belongs to the next one.
     let reached = contact_imminent(trajectory.point, CONTACT_FREE);
     if trajectory.offset + reached.left > flight.h {
-        return Move(EVENT_FLIGHT, 0u, 0.0, 0.0);
+        return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE);
     }
     return strike(carry, reached);
 }
@@ -95,7 +97,7 @@ fn go_ahead(carry: bool, window: f32) -> Move {
             tangent = tangent_flown(tangent, window, CONTACT_FREE);
         }
     }
-    return Move(end_step(), 0u, 0.0, 0.0);
+    return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
 }
 
 fn strike(carry: bool, reached: Reached) -> Move {
@@ -127,20 +129,30 @@ fn strike(carry: bool, reached: Reached) -> Move {
     let stop = flight.normals[end.normal].stop[end.side];
     let closure = strike_closure(end, rebound, after);
     if !closure.closes {
+        let corner = corner_closes(trajectory.point, trajectory.contact, end);
+        if corner != CONTACT_FREE {
+            let beside = corner & ~contact_with(trajectory.contact, end);
+            trajectory.contact = corner;
+            trajectory.point.state = rested(trajectory.point.state, corner);
+            if carry {
+                tangent = tangent_caught(tangent, corner);
+            }
+            return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, beside);
+        }
         let lost = unresolved(end, trajectory.point.state);
         if abs(rebound) <= lost {
             // Pulled off the stop as soon as it is met: rounding must not make that another impact.
             trajectory.point.state = placed(trajectory.point.state, end, -(sign * (lost + lost)));
         }
         bounce(end.normal, kick, before_contact);
-        return Move(EVENT_IMPACT, stop, velocity, rebound);
+        return Move(EVENT_IMPACT, stop, velocity, rebound, CONTACT_FREE);
     }
     come_to_rest(end, closure.gap_integral);
     if carry {
         tangent = tangent_caught(tangent, trajectory.contact);
     }
     let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, abs(rebound) > 0.0);
-    return Move(event, stop, velocity, rebound);
+    return Move(event, stop, velocity, rebound, CONTACT_FREE);
 }
 
 // The closure of the rebounds that follow an impact, if that is as good as following them.
@@ -242,9 +254,9 @@ fn rest(carry: bool) -> Move {
     //: end
     glide(carry, min(time, window));
     if time >= window {
-        return Move(end_step(), 0u, 0.0, 0.0);
+        return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
     }
-    return Move(EVENT_FLIGHT, 0u, 0.0, 0.0);
+    return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE);
 }
 
 fn release(carry: bool, end: End, bound: f32) -> Move {
@@ -262,7 +274,7 @@ fn release(carry: bool, end: End, bound: f32) -> Move {
         trajectory.ahead = point_flown(trajectory.point, flight.h - trajectory.offset, contact);
         trajectory.kicks = 0u;
     }
-    return Move(EVENT_RELEASED, flight.normals[end.normal].stop[end.side], 0.0, 0.0);
+    return Move(EVENT_RELEASED, flight.normals[end.normal].stop[end.side], 0.0, 0.0, CONTACT_FREE);
 }
 
 // Moves on for a time within the step, with the present contacts.

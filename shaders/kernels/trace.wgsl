@@ -40,7 +40,7 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
     probe = Probe(dispatch.section, dispatch.reading);
     if dispatch.begin == 1u {
         observer_begin(start_of_cell());
-        rebounds = Rebounds(0.0, 0u, 0u);
+        rebounds = Rebounds(0.0, 0u, 0u, 0u);
         passages = 0u;
     } else {
         observer_resume(observers[cell]);

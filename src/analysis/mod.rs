@@ -3,7 +3,9 @@
 mod exponent;
 mod loss;
 mod observer;
+mod probe;
 mod quiet;
+mod rebounds;
 mod recurrence;
 mod regime;
 mod schedule;
@@ -14,9 +16,11 @@ mod verdict;
 
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
+pub use probe::Probe;
+pub use rebounds::{CHATTER_RUN, Rebounds};
 pub use regime::{Counts, INFINITELY_MANY, Measures, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
-pub use section::{CHATTER_RUN, Probe, Reading, Rebounds, Section, SectionError};
+pub use section::{Reading, Section, SectionError};
 pub(crate) use spread::Spread;
 pub use trace::{Trace, Tracer};
 

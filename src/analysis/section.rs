@@ -1,218 +1,205 @@
-//! Sections: where a motion is looked at, what is read there, and whether its impacts chatter.
+//! Sections: where a motion is looked at, and what is read there.
 
-use std::f64::consts::TAU;
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Deserialize, Serialize};
+use serde::{Serialize, Serializer};
 use thiserror::Error;
 
-use crate::dynamics::{Event, Stop, Trajectory};
-use crate::model::{Flight, Real, State};
-
-/// How many impacts in a row at one stop, each slower than the one before, are called chatter.
-pub const CHATTER_RUN: u32 = 5;
+use crate::dynamics::Stop;
+use crate::model::vector::MOST;
+use crate::system::Family;
 
 /// A section of phase space, through which a motion passes again and again.
-///
-/// The discriminants are the codes of the GPU, which gets them generated from here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[repr(u32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Section {
-    /// The impact Poincaré section σ: just after an impact at A, x1 = +δ.
-    A = 0,
-    /// Just after an impact at Ā, x1 = −δ.
-    B = 1,
+    /// The impact Poincaré section of a stop: just after an impact there.
+    Impact(Stop),
     /// Forcing phase 0, once in every forcing period.
-    #[serde(rename = "strobe")]
-    Strobe = 2,
+    Strobe,
 }
 
-impl Section {
-    /// Every section.
-    pub const ALL: [Section; 3] = [Section::A, Section::B, Section::Strobe];
+/// The name of the section at forcing phase 0.
+const STROBE: &str = "strobe";
 
-    /// The name used on the command line and in files.
-    pub fn name(self) -> &'static str {
+impl Section {
+    /// The impact Poincaré section of the first stop: σ of the paper's oscillator, x1 = +δ.
+    pub const A: Section = Section::Impact(Stop::A);
+    /// The impact Poincaré section of the second stop: x1 = −δ of the paper's oscillator.
+    pub const B: Section = Section::Impact(Stop::B);
+    /// The code of [`Section::Strobe`] on the GPU; that of an impact Poincaré section is its stop's place.
+    pub(crate) const STROBE_CODE: u32 = MOST as u32;
+
+    /// The code of the GPU.
+    pub(crate) fn code(self) -> u32 {
         match self {
-            Section::A => "A",
-            Section::B => "B",
-            Section::Strobe => "strobe",
+            Section::Impact(stop) => u32::from(stop.0),
+            Section::Strobe => Section::STROBE_CODE,
+        }
+    }
+
+    /// The section of a name: that of a stop of the family, or `strobe`.
+    ///
+    /// # Errors
+    /// [`SectionError::UnknownSection`] with the sections that there are.
+    pub fn named(name: &str, family: &Family) -> Result<Self, SectionError> {
+        if let Some(stop) = family.stop(name) {
+            return Ok(Section::Impact(Stop(stop as u8)));
+        }
+        if name == STROBE {
+            return Ok(Section::Strobe);
+        }
+        let stops = family.stops().iter().enumerate();
+        let known =
+            stops.map(|(i, stop)| format!("{} (impacts at {})", stop.plain_name(), family.stop_place(i)));
+        let known = known.collect::<Vec<_>>().join(", ");
+        Err(SectionError::UnknownSection { name: name.to_owned(), known })
+    }
+
+    /// The name used on the command line and in files of a family.
+    pub fn name(self, family: &Family) -> &str {
+        match self {
+            Section::Impact(stop) => family.stops()[stop.index()].plain_name(),
+            Section::Strobe => STROBE,
         }
     }
 }
 
-impl fmt::Display for Section {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl FromStr for Section {
-    type Err = SectionError;
-
-    fn from_str(name: &str) -> Result<Self, SectionError> {
-        let found = Section::ALL.into_iter().find(|section| section.name() == name);
-        found.ok_or_else(|| SectionError::UnknownSection(name.to_owned()))
-    }
-}
-
-/// A quantity that is read on a section; non-dimensional.
-///
-/// The discriminants are the codes of the GPU, which gets them generated from here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[repr(u32)]
+/// A quantity that is read on a section, or in flight; non-dimensional.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reading {
-    /// v1−, the velocity of the first mass before the impact.
-    VBefore = 0,
-    /// v1+, the velocity of the first mass after the impact.
-    VAfter = 1,
-    /// Displacement of the first mass.
-    X1 = 2,
-    /// Displacement of the second mass.
-    X2 = 3,
-    /// Velocity of the first mass; after the impact where there is one.
-    V1 = 4,
-    /// Velocity of the second mass.
-    V2 = 5,
+    /// d·v−, the velocity before the impact along the direction of the first stop on the same line; v1− of the paper's.
+    VBefore,
+    /// d·v+, the same after the impact.
+    VAfter,
+    /// Displacement of a coordinate, counted from 0.
+    X(u8),
+    /// Velocity of a coordinate, counted from 0; after the impact where there is one.
+    V(u8),
     /// τ, the forcing phase at the impact, 0 ≤ τ < 2π.
-    Tau = 6,
+    Tau,
+    /// The distance that is left to a stop, in units of the direction of the first stop on the same line.
+    Gap(Stop),
+    /// The velocity towards a stop, in the same units; after the impact where there is one.
+    Speed(Stop),
 }
 
 impl Reading {
-    /// Every reading, in the order of the codes.
-    pub const ALL: [Reading; 7] =
-        [Reading::VBefore, Reading::VAfter, Reading::X1, Reading::X2, Reading::V1, Reading::V2, Reading::Tau];
+    /// Displacement of the first coordinate.
+    pub const X1: Reading = Reading::X(0);
+    /// Displacement of the second coordinate.
+    pub const X2: Reading = Reading::X(1);
+    /// Velocity of the first coordinate.
+    pub const V1: Reading = Reading::V(0);
+    /// Velocity of the second coordinate.
+    pub const V2: Reading = Reading::V(1);
+    /// The code of the first displacement on the GPU; the other components of (x1 … xn, v1 … vn) follow.
+    pub(crate) const COMPONENT_CODE: u32 = 3;
+    /// The code of the distance to the first stop on the GPU; those of the other stops follow.
+    pub(crate) const GAP_CODE: u32 = Reading::COMPONENT_CODE + 2 * MOST as u32;
+    /// The code of the velocity towards the first stop on the GPU; those of the other stops follow.
+    pub(crate) const SPEED_CODE: u32 = Reading::GAP_CODE + MOST as u32;
 
-    /// The name used on the command line and in files.
-    pub fn name(self) -> &'static str {
+    /// The code of the GPU for a system of n coordinates; v_before, v_after and tau come first, in this order.
+    pub(crate) fn code(self, n: usize) -> u32 {
         match self {
-            Reading::VBefore => "v_before",
-            Reading::VAfter => "v_after",
-            Reading::X1 => "x1",
-            Reading::X2 => "x2",
-            Reading::V1 => "v1",
-            Reading::V2 => "v2",
-            Reading::Tau => "tau",
+            Reading::VBefore => 0,
+            Reading::VAfter => 1,
+            Reading::Tau => 2,
+            Reading::X(i) => Reading::COMPONENT_CODE + u32::from(i),
+            Reading::V(i) => Reading::COMPONENT_CODE + n as u32 + u32::from(i),
+            Reading::Gap(stop) => Reading::GAP_CODE + u32::from(stop.0),
+            Reading::Speed(stop) => Reading::SPEED_CODE + u32::from(stop.0),
+        }
+    }
+
+    /// What is read on a section where nothing else is asked for: v_before, on the strobe section the displacement of the
+    /// first coordinate that meets no stop.
+    pub fn usual(section: Section, family: &Family) -> Reading {
+        match section {
+            Section::Impact(_) => Reading::VBefore,
+            Section::Strobe => Reading::X(family.free_coordinate() as u8),
+        }
+    }
+
+    /// Every reading of a family, in the order in which they are listed.
+    pub fn all(family: &Family) -> Vec<Reading> {
+        let n = family.n() as u8;
+        let stops = || (0..family.stops().len() as u8).map(Stop);
+        let components = (0..n).map(Reading::X).chain((0..n).map(Reading::V));
+        let along = stops().map(Reading::Gap).chain(stops().map(Reading::Speed));
+        [Reading::VBefore, Reading::VAfter]
+            .into_iter()
+            .chain(components)
+            .chain([Reading::Tau])
+            .chain(along)
+            .collect()
+    }
+
+    /// The reading of a name in a family.
+    ///
+    /// # Errors
+    /// [`SectionError::UnknownReading`] with the readings that there are.
+    pub fn named(name: &str, family: &Family) -> Result<Self, SectionError> {
+        let along = |prefix: &str| {
+            let stop = name.strip_prefix(prefix).and_then(|name| family.stop(name))?;
+            Some(Stop(stop as u8))
+        };
+        let found = (along("gap.").map(Reading::Gap))
+            .or_else(|| along("speed.").map(Reading::Speed))
+            .or_else(|| Reading::all(family).into_iter().find(|reading| reading.name(family) == name));
+        found.ok_or_else(|| {
+            let known: Vec<String> =
+                Reading::all(family).iter().map(|reading| reading.name(family)).collect();
+            SectionError::UnknownReading { name: name.to_owned(), known: known.join(", ") }
+        })
+    }
+
+    /// The name used on the command line and in files of a family: v_before, v_after, x1 … xn, v1 … vn, tau, and for a
+    /// stop A gap.A and speed.A.
+    pub fn name(self, family: &Family) -> String {
+        let stop = |stop: Stop| family.stops()[stop.index()].plain_name();
+        match self {
+            Reading::VBefore => "v_before".to_owned(),
+            Reading::VAfter => "v_after".to_owned(),
+            Reading::X(i) => format!("x{}", i + 1),
+            Reading::V(i) => format!("v{}", i + 1),
+            Reading::Tau => "tau".to_owned(),
+            Reading::Gap(of) => format!("gap.{}", stop(of)),
+            Reading::Speed(of) => format!("speed.{}", stop(of)),
         }
     }
 
     /// Whether there is such a thing on a section.
     pub fn is_on(self, section: Section) -> bool {
-        section != Section::Strobe || !matches!(self, Reading::VBefore | Reading::VAfter | Reading::Tau)
+        section != Section::Strobe || !self.is_of_impacts()
+    }
+
+    /// Whether it is a quantity of impacts, and not of the state.
+    pub fn is_of_impacts(self) -> bool {
+        matches!(self, Reading::VBefore | Reading::VAfter | Reading::Tau)
     }
 }
 
+/// The name in the paper's family.
 impl fmt::Display for Reading {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        f.write_str(&self.name(Family::paper()))
     }
 }
 
+/// As [`Reading::named`] for the paper's family.
 impl FromStr for Reading {
     type Err = SectionError;
 
     fn from_str(name: &str) -> Result<Self, SectionError> {
-        let found = Reading::ALL.into_iter().find(|reading| reading.name() == name);
-        found.ok_or_else(|| SectionError::UnknownReading(name.to_owned()))
+        Reading::named(name, Family::paper())
     }
 }
 
-/// A quantity on a section.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub struct Probe {
-    /// Where.
-    pub section: Section,
-    /// What.
-    pub reading: Reading,
-}
-
-impl Probe {
-    /// A checked probe.
-    ///
-    /// # Errors
-    /// [`SectionError::NotThere`] for a reading of impacts on the strobe section.
-    pub fn new(section: Section, reading: Reading) -> Result<Self, SectionError> {
-        let there = reading.is_on(section);
-        there.then_some(Probe { section, reading }).ok_or(SectionError::NotThere(reading))
-    }
-
-    /// What is read at the end of a move that ended with `event`, if that is on the section.
-    ///
-    /// The last impact before sticking stands for the rebounds that follow it in finite time; coming to rest on a
-    /// stop without an impact is none.
-    #[inline(always)]
-    pub fn read<T: Real, const N: usize>(
-        &self,
-        flight: &Flight<T, N>,
-        trajectory: &Trajectory<T, N>,
-        event: &Event<T>,
-    ) -> Option<T> {
-        let State { x, v } = trajectory.point.state;
-        let (before, after) = match (self.section, event) {
-            (Section::Strobe, Event::Strobe) => (T::zero(), v[0]),
-            (section, Event::Impact(impact) | Event::Caught { impact, .. })
-                if section == section_of(impact.stop) && impact.velocity_before != T::zero() =>
-            {
-                (impact.velocity_before, impact.velocity_after)
-            }
-            _ => return None,
-        };
-        Some(match self.reading {
-            Reading::VBefore => before,
-            Reading::VAfter | Reading::V1 => after,
-            Reading::X1 => x[0],
-            Reading::X2 => x[1],
-            Reading::V2 => v[1],
-            Reading::Tau => phase(flight, trajectory),
-        })
-    }
-}
-
-/// The impact Poincaré section of a stop.
-#[inline(always)]
-fn section_of(stop: Stop) -> Section {
-    if stop == Stop::A { Section::A } else { Section::B }
-}
-
-/// The forcing phase, from the step and the offset in it.
-#[inline(always)]
-fn phase<T: Real, const N: usize>(flight: &Flight<T, N>, trajectory: &Trajectory<T, N>) -> T {
-    let steps = T::of(f64::from(trajectory.step)) + trajectory.offset * flight.inverse_h;
-    steps * (T::of(TAU) / T::of(f64::from(flight.steps)))
-}
-
-/// Counts impacts in a row at one stop, each slower than the one before.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rebounds<T> {
-    /// v1− of the last impact; its sign tells the stop. 0 before the first.
-    last: T,
-    /// Impacts in the present row.
-    run: u32,
-    /// Impacts in the longest row.
-    pub longest: u32,
-}
-
-impl<T: Real> Default for Rebounds<T> {
-    fn default() -> Self {
-        Rebounds { last: T::zero(), run: 0, longest: 0 }
-    }
-}
-
-impl<T: Real> Rebounds<T> {
-    /// Sees what ended a move.
-    #[inline(always)]
-    pub fn see(&mut self, event: &Event<T>) {
-        let (Event::Impact(impact) | Event::Caught { impact, .. }) = event else { return };
-        let velocity = impact.velocity_before;
-        if velocity == T::zero() {
-            return;
-        }
-        let slower = velocity * self.last > T::zero() && velocity.abs() < self.last.abs();
-        self.run = if slower { self.run + 1 } else { 1 };
-        self.longest = if self.run > self.longest { self.run } else { self.longest };
-        self.last = velocity;
+impl Serialize for Reading {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 
@@ -220,75 +207,63 @@ impl<T: Real> Rebounds<T> {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum SectionError {
     /// No section has that name.
-    #[error(
-        "unknown section `{0}`; the sections are A (impacts at x1 = +delta), B (impacts at x1 = -delta) and strobe"
-    )]
-    UnknownSection(String),
+    #[error("unknown section `{name}`; the sections are {known} and strobe")]
+    UnknownSection {
+        /// The name.
+        name: String,
+        /// The stops, with their places.
+        known: String,
+    },
     /// No reading has that name.
-    #[error("unknown quantity `{0}`; on a section there are v_before, v_after, x1, x2, v1, v2, tau")]
-    UnknownReading(String),
+    #[error("unknown quantity `{name}`; on a section there are {known}")]
+    UnknownReading {
+        /// The name.
+        name: String,
+        /// The readings.
+        known: String,
+    },
     /// The strobe section has no impacts.
-    #[error("there is no {0} on the strobe section: choose x1, x2, v1 or v2, or section A or B")]
-    NotThere(Reading),
+    #[error(
+        "there is no {0} on the strobe section: choose a component of the state (x1 … xn, v1 … vn), or the section of a stop"
+    )]
+    NotThere(String),
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::Impact;
-    use crate::model::{Parameters, System};
-
-    fn impact(velocity_before: f64) -> Event<f64> {
-        let stop = if velocity_before > 0.0 { Stop::A } else { Stop::B };
-        Event::Impact(Impact { stop, velocity_before, velocity_after: -0.8 * velocity_before })
-    }
 
     #[test]
-    fn names_and_codes_round_trip() {
-        for (code, reading) in Reading::ALL.into_iter().enumerate() {
-            assert_eq!(reading as usize, code);
-            assert_eq!(reading.name().parse(), Ok(reading));
-        }
-        for section in Section::ALL {
-            assert_eq!(section.name().parse(), Ok(section));
-        }
-        assert!("C".parse::<Section>().unwrap_err().to_string().contains("`C`"));
-        assert!("v3".parse::<Reading>().unwrap_err().to_string().contains("`v3`"));
-        assert_eq!(Probe::new(Section::Strobe, Reading::Tau), Err(SectionError::NotThere(Reading::Tau)));
-    }
-
-    #[test]
-    fn a_row_of_rebounds_shrinks_at_one_stop() {
-        let longest = |velocities: &[f64]| {
-            let mut rebounds = Rebounds::default();
-            velocities.iter().for_each(|&v| rebounds.see(&impact(v)));
-            rebounds.see(&Event::Strobe);
-            rebounds.longest
-        };
-        assert_eq!(longest(&[]), 0);
-        assert_eq!(longest(&[1.0, -1.0, 0.5, -0.5]), 1);
-        assert_eq!(longest(&[1.0, 0.8, 0.7, -0.9, -0.8, 0.1]), 3);
-        assert_eq!(longest(&[1.0, 0.8, 0.9, 0.7]), 2);
-    }
-
-    /// The printed X* at ω = 3.7: what is read at an impact is the impact's.
-    #[test]
-    fn readings_are_those_of_the_instant() {
-        let flight = Flight::<f64, 2>::new(&System::new(Parameters::default()).unwrap());
-        let mut trajectory = Trajectory::new(&flight, State::zero());
-        let mut last = [f64::NAN; 7];
-        let mut strobes = 0;
-        while strobes < 2000 {
-            let event = trajectory.advance(&flight, &mut ()).event;
-            strobes += u32::from(event == Event::Strobe);
-            for (last, reading) in last.iter_mut().zip(Reading::ALL) {
-                let probe = Probe { section: Section::A, reading };
-                *last = probe.read(&flight, &trajectory, &event).unwrap_or(*last);
+    fn names_round_trip_in_every_family() {
+        for builtin in crate::system::BUILTIN {
+            let family = Family::builtin(builtin.name);
+            let mut codes = Vec::new();
+            for reading in Reading::all(family) {
+                assert_eq!(Reading::named(&reading.name(family), family), Ok(reading));
+                codes.push(reading.code(family.n()));
+            }
+            codes.sort_unstable();
+            codes.dedup();
+            assert_eq!(codes.len(), Reading::all(family).len(), "codes differ");
+            let stops = (0..family.stops().len() as u8).map(|stop| Section::Impact(Stop(stop)));
+            for section in stops.chain([Section::Strobe]) {
+                assert_eq!(Section::named(section.name(family), family), Ok(section));
             }
         }
-        let printed = [0.345457 / 0.8, -0.345457, 0.1, -0.006341, -0.345457, 0.021160, 1.802134];
-        for (read, printed) in last.iter().zip(printed) {
-            assert!((read - printed).abs() < 1e-6, "{last:?}");
+    }
+
+    #[test]
+    fn names_that_there_are_not_are_told() {
+        let chain = Family::builtin("three-mass-chain");
+        assert_eq!(Section::named("Ā", Family::paper()), Ok(Section::B));
+        for (name, part) in
+            [("C", "A (impacts at x1 = +delta), B (impacts at x1 = -delta) and strobe"), ("a", "`a`")]
+        {
+            assert!(Section::named(name, Family::paper()).unwrap_err().to_string().contains(part));
         }
+        assert_eq!(Reading::named("v3", chain), Ok(Reading::V(2)));
+        let message = "v3".parse::<Reading>().unwrap_err().to_string();
+        assert!(message.contains("`v3`") && message.contains("x1, x2, v1, v2, tau, gap.A"), "{message}");
+        assert!(!Reading::Tau.is_on(Section::Strobe) && Reading::Gap(Stop::A).is_on(Section::Strobe));
     }
 }

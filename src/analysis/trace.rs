@@ -1,7 +1,8 @@
 //! What a trajectory leaves on a section while it is observed.
 
+use super::probe::Probe;
+use super::rebounds::Rebounds;
 use super::regime::Verdict;
-use super::section::{Probe, Rebounds};
 use crate::dynamics::{Event, Trajectory};
 use crate::model::{Flight, Real};
 

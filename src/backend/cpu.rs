@@ -93,10 +93,10 @@ pub fn follow<T: Precision>(job: &Job, schedule: &Schedule) -> Verdict {
     T::follow(job, schedule)
 }
 
-/// Follows one trajectory of two coordinates in the given precision and reads a section while it is observed.
+/// Follows one trajectory in the given precision and reads a section while it is observed.
 ///
 /// # Panics
-/// If the system does not have two coordinates.
+/// If the probe names a component that the system does not have; see [`Probe::fits`].
 pub fn trace<T: Precision>(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace {
     T::trace(job, schedule, probe, capacity)
 }
@@ -125,7 +125,13 @@ macro_rules! precision {
             }
 
             fn trace(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace {
-                traced::<$real, 2>(job, schedule, Tracer::new(probe, capacity as usize))
+                let tracer = Tracer::new(probe, capacity as usize);
+                match job.system.plant().n {
+                    1 => traced::<$real, 1>(job, schedule, tracer, watch_to_end),
+                    2 => traced::<$real, 2>(job, schedule, tracer, trace_to_end),
+                    3 => traced::<$real, 3>(job, schedule, tracer, watch_to_end),
+                    _ => traced::<$real, 4>(job, schedule, tracer, watch_to_end),
+                }
             }
         }
     };
@@ -151,10 +157,11 @@ fn traced<T: Real, const N: usize>(
     Job { system, start }: &Job,
     schedule: &Schedule,
     mut tracer: Tracer<T>,
+    to_end: fn(&mut Observer<T, N>, &Flight<T, N>, &Schedule, &mut Tracer<T>),
 ) -> Trace {
     let flight = Flight::<f64, N>::new(system).round::<T>();
     let mut observer = Observer::new(&flight, schedule, start.state());
-    trace_to_end(&mut observer, &flight, schedule, &mut tracer);
+    to_end(&mut observer, &flight, schedule, &mut tracer);
     tracer.finish(observer.verdict(&flight, system.label_order()))
 }
 
@@ -169,9 +176,9 @@ fn follow_to_end<T: Real, const N: usize>(
     observer.follow(flight, schedule);
 }
 
-/// The same for [`Observer::follow_listening`].
-#[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
-fn trace_to_end<T: Real, const N: usize>(
+/// Follows a trajectory and reads its section.
+#[inline(always)]
+fn watched<T: Real, const N: usize>(
     observer: &mut Observer<T, N>,
     flight: &Flight<T, N>,
     schedule: &Schedule,
@@ -180,4 +187,25 @@ fn trace_to_end<T: Real, const N: usize>(
     observer.follow_listening(flight, schedule, &mut |trajectory: &Trajectory<T, N>, event: &Event<T>| {
         tracer.see(flight, trajectory, event);
     });
+}
+
+/// See [`watched`].
+fn watch_to_end<T: Real, const N: usize>(
+    observer: &mut Observer<T, N>,
+    flight: &Flight<T, N>,
+    schedule: &Schedule,
+    tracer: &mut Tracer<T>,
+) {
+    watched(observer, flight, schedule, tracer);
+}
+
+/// [`watched`] with the instructions of the processor at hand.
+#[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
+fn trace_to_end<T: Real, const N: usize>(
+    observer: &mut Observer<T, N>,
+    flight: &Flight<T, N>,
+    schedule: &Schedule,
+    tracer: &mut Tracer<T>,
+) {
+    watched(observer, flight, schedule, tracer);
 }

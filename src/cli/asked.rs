@@ -34,7 +34,9 @@ impl Asked<'_> {
             Asked::Free(plane) => (String::new(), &plane.parameters, plane.start),
             Asked::Controlled(plane) => {
                 let settings =
-                    spelled(&plane.control, |setting: ControlQuantity| varied(Quantity::Control(setting)));
+                    spelled(&plane.control, plane.parameters.family(), |setting: ControlQuantity| {
+                        varied(Quantity::Control(setting))
+                    });
                 (format!(" --control {}{settings}", plane.control.method()), &plane.parameters, plane.start)
             }
         };

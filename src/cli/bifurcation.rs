@@ -36,11 +36,12 @@ Examples:
   impact-atlas bifurcation --x omega=2.6:4:700 --set delta=0.6 --sweep both --start symmetric --out both.svg
   impact-atlas bifurcation --x omega=5:0.2:1000 --set delta=0.6 --sweep symmetric --spectrum=iterate --out fig6d.svg
   impact-atlas bifurcation --x delta=0.02:0.6:800 --set omega=2 --section strobe --record x2 --data d.npz
-  impact-atlas bifurcation --x v1=-1:1:500 --set omega=2.5 --set delta=0.6 --sweep rest --json")]
+  impact-atlas bifurcation --x v1=-1:1:500 --set omega=2.5 --set delta=0.6 --sweep rest --json
+  impact-atlas bifurcation --system bouncing-ball --x Gamma=1:5:800 --set r=0.5 --section A --record tau --out ball.png")]
 pub struct BifurcationArgs {
     /// The axis, ends included; FIRST may be greater than LAST
     ///
-    /// NAME is any of the parameters (see --set) or a component of the start: x1, x2, v1, v2. With :log behind COUNT, as
+    /// NAME is any of the parameters (see --set) or a component of the start: x1 … xn, v1 … vn. With :log behind COUNT, as
     /// in delta=0.01:1:400:log, values have equal ratios.
     #[arg(long, value_name = "NAME=FIRST:LAST:COUNT[:log]")]
     x: String,
@@ -48,7 +49,7 @@ pub struct BifurcationArgs {
     #[command(flatten)]
     system: SystemArgs,
 
-    /// How columns begin: rest, symmetric, X1,X2,V1,V2, or down, up, both
+    /// How columns begin: rest, symmetric, a state X1,X2,V1,V2 (x1 … xn, v1 … vn), or down, up, both
     ///
     /// `rest`, `symmetric` (the stable-branch 1-1-1 motion, nudged; rest where there is none) and a state at forcing
     /// phase 0 start every column by itself. `down` and `up` carry the state along with falling and with rising values;
@@ -61,13 +62,20 @@ pub struct BifurcationArgs {
     #[arg(long, value_name = "START", value_parser = parse::<Start>, allow_hyphen_values = true)]
     start: Option<Start>,
 
-    /// Where the motion is read: A (just after impacts at x1 = +delta), B (at x1 = -delta) or strobe (forcing phase 0)
-    #[arg(long, value_name = "SECTION", value_parser = parse::<Section>, default_value = "A")]
-    section: Section,
+    /// Where the motion is read: the name of a stop (just after impacts there) or strobe (forcing phase 0)
+    /// [default: the system's first stop]
+    ///
+    /// The paper's stops are A, x1 = +delta, and B, x1 = -delta.
+    #[arg(long, value_name = "SECTION")]
+    section: Option<String>,
 
-    /// What is read: v_before, v_after, x1, x2, v1, v2 or tau [default: v_before, on the strobe section x2]
-    #[arg(long, value_name = "NAME", value_parser = parse::<Reading>)]
-    record: Option<Reading>,
+    /// What is read: v_before, v_after, x1 … xn, v1 … vn, tau, or of a stop A gap.A and speed.A [default: v_before, on the
+    /// strobe section the displacement of the first coordinate that meets no stop; the paper's x2]
+    ///
+    /// v_before and v_after are velocities along the stop's direction (of the first stop on the same line, where there are
+    /// two). gap.A is the distance left to stop A, speed.A the velocity towards it.
+    #[arg(long, value_name = "NAME")]
+    record: Option<String>,
 
     /// Forcing periods before a column is observed
     #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
@@ -85,8 +93,8 @@ pub struct BifurcationArgs {
     #[arg(long, value_parser = count, value_name = "K")]
     points: Option<u32>,
 
-    /// Computes all four Lyapunov exponents of every column, on the CPU, and draws them below, per forcing period, per
-    /// iterate of the impact map (the paper's unit) or per unit of time
+    /// Computes all 2n Lyapunov exponents of every column, on the CPU, and draws them below, per forcing period, per
+    /// iterate of the impact map (returns to the first stop; the paper's unit) or per unit of time
     #[arg(long, value_enum, value_name = "UNIT", num_args = 0..=1, default_missing_value = "period",
         require_equals = true)]
     spectrum: Option<SpectrumUnit>,
@@ -192,9 +200,19 @@ impl BifurcationArgs {
                 self.sweep
             )));
         }
-        let default = if self.section == Section::Strobe { Reading::X2 } else { Reading::VBefore };
-        let probe = Probe::new(self.section, self.record.unwrap_or(default)).map_err(CliError::input)?;
-        self.system.of_paper("bifurcation")?;
+        let section = match &self.section {
+            Some(name) => {
+                self.system.named("--section <SECTION>", name, |name, family| Section::named(name, family))?
+            }
+            None => Section::A,
+        };
+        let reading = match &self.record {
+            Some(name) => {
+                self.system.named("--record <NAME>", name, |name, family| Reading::named(name, family))?
+            }
+            None => Reading::usual(section, self.system.family()),
+        };
+        let probe = Probe::new(section, reading).map_err(CliError::input)?;
         let x = SweepAxis::from(self.system.axis("--x <NAME=FIRST:LAST:COUNT>", &self.x)?);
         let spec = DiagramSpec {
             x,

@@ -10,8 +10,9 @@ use impact_atlas::control::{
     ControlSchedule, Controller, History, LONGEST, Outcome, Scheme, SectionValues, control, converged_at,
     multipliers, section_names,
 };
-use impact_atlas::model::{Setting, System};
+use impact_atlas::model::{Setting, StateVector, System};
 use impact_atlas::plane::Start;
+use impact_atlas::plane::written::WrittenSystem;
 use impact_atlas::render::{ControlPicture, Size};
 use impact_atlas::store;
 use serde::Serialize;
@@ -29,10 +30,11 @@ const MOST: u32 = 2_000_000;
 
 /// Suppresses chaos by one of three methods, and says what is reached and at what cost
 ///
-/// Computed in double precision on the CPU. Control acts at the returns to the impact Poincaré section: just after an
-/// impact at stop A, x1 = +delta, at X = (v1+, x2, v2, tau). An iterate is one return. A correction that would lead off
-/// the section (v1+ > 0, into the stop) is left out altogether and counted as an escape. A corrected phase is a jump
-/// in time, so that N of a label N-p-q is the flight time in forcing periods, rounded.
+/// Computed in double precision on the CPU. Control acts at the returns to the impact Poincaré section of a stop (--stop):
+/// just after an impact there; the paper's is that of stop A, x1 = +delta, with X = (v1+, x2, v2, tau). An iterate is one
+/// return. A correction that would lead off the section (into its stop, or beyond another) is left out altogether and
+/// counted as an escape. A corrected phase is a jump in time, so that N of a label is the flight time in forcing periods,
+/// rounded.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -40,7 +42,8 @@ Examples:
   impact-atlas control delay --set omega=2.83 --gain 0.1 --json
   impact-atlas control pulse --set omega=2.83 --reference 3.7 --out pulse.png --data pulse.npz
   impact-atlas control sine --set omega=2.83 --alpha 0.1 --dead-band 0.0055 --iterates 12000 --out sine.png
-  impact-atlas control sine --set omega=2.83 --convention force --alpha 0.05 --dead-band 0.0001 --iterates 8000 --json")]
+  impact-atlas control sine --set omega=2.83 --convention force --alpha 0.05 --dead-band 0.0001 --iterates 8000 --json
+  impact-atlas control delay --system bouncing-ball --set Gamma=1.6 --start 0,2 --gain 0.4 --out ball.png")]
 pub struct ControlArgs {
     /// The method
     #[arg(value_enum)]
@@ -49,7 +52,7 @@ pub struct ControlArgs {
     #[command(flatten)]
     system: SystemArgs,
 
-    /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
+    /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 (x1 … xn, v1 … vn) at forcing phase 0
     #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
         allow_hyphen_values = true)]
     start: Start,
@@ -92,7 +95,7 @@ pub struct ControlArgs {
     #[command(flatten)]
     overwrite: OverwriteArgs,
 
-    /// Prints JSON: method, label_before, label_after, fixed_point, converged_at, effort, period_two, escapes and more
+    /// Prints JSON: method, label_before, label_after, stop, section_names, fixed_point, converged_at, effort, period_two, escapes and more
     #[arg(long)]
     json: bool,
 }
@@ -103,10 +106,11 @@ struct Report {
     method: &'static str,
     label_before: String,
     label_after: String,
+    /// The stop at whose impacts it acts.
+    stop: &'static str,
     /// The components of X by name.
-    #[serde(skip)]
-    names: Vec<String>,
-    /// X = (v1+, x2, v2, τ) if every iterate ends there.
+    section_names: Vec<String>,
+    /// X if every iterate ends there.
     fixed_point: Option<SectionValues<f64>>,
     /// Iterates from switching control on until the points stay within the tolerance of the final ones.
     converged_at: Option<u32>,
@@ -134,6 +138,7 @@ struct Report {
 #[derive(Debug, Serialize)]
 struct Config<'a> {
     version: &'a str,
+    system: WrittenSystem,
     parameters: &'a Setting,
     start: Start,
     control: &'a Scheme,
@@ -142,9 +147,8 @@ struct Config<'a> {
 
 /// Runs the command.
 pub fn run(args: &ControlArgs) -> Result<(), CliError> {
-    args.system.of_paper("control")?;
     let (system_args, set) = args.system.split()?;
-    let scheme = args.settings.scheme(args.method, &set)?;
+    let scheme = args.settings.scheme(args.method, &set, &system_args.parameters(&[])?)?;
     let schedule = ControlSchedule {
         from: args.from,
         iterates: args.iterates,
@@ -154,11 +158,14 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     check_lengths(args)?;
     schedule.check().map_err(CliError::input)?;
     let (system, start) = system_args.system_and_start(args.start)?;
-    let start: [f64; 4] = start.into();
+    let family = args.system.family();
     if system.is_clamped() {
-        return Err(CliError::Input(anyhow!(
-            "with delta = 0 there are no impacts to control at: raise delta"
-        )));
+        return Err(CliError::Input(match family.is_paper() {
+            true => anyhow!("with delta = 0 there are no impacts to control at: raise delta"),
+            false => anyhow!(
+                "two stops leave no room between them, so that there are no impacts to control at: part them"
+            ),
+        }));
     }
     let controller = scheme.resolve(&system).map_err(CliError::input)?;
     if let Some(ratio) = scheme.force_ratio() {
@@ -173,21 +180,23 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
         let system = followed;
         let last = schedule.iterates.saturating_sub(defaults::CONTROL_PORTRAIT);
         let mut history = History::new(last, system.period() / f64::from(defaults::DRAWN_SAMPLES));
-        let outcome = control::<f64, _>(&system, &start, &controller, &schedule, &mut history);
+        let outcome = control::<f64, _>(&system, &start[..], &controller, &schedule, &mut history);
         (history, outcome, label_before(&system, start))
     })?;
     drop(progress);
     let outcome = outcome.map_err(CliError::input)?;
     if history.returns.len() <= args.from as usize {
         return Err(CliError::Input(anyhow!(
-            "control from iterate {} was never switched on: the motion ({before}) reaches stop A only {} times",
+            "control from iterate {} was never switched on: the motion ({before}) reaches stop {} only {} times",
             args.from,
+            family.stops()[scheme.stop().index()].name,
             history.returns.len()
         )));
     }
     let report = Report::new(args, &system, &controller, &history, &outcome, before)?;
     let config = Config {
         version: env!("CARGO_PKG_VERSION"),
+        system: WrittenSystem::of(family),
         parameters: system.setting().expect("a system that is asked for is made of a setting"),
         start: args.start,
         control: &scheme,
@@ -236,14 +245,14 @@ fn check_lengths(args: &ControlArgs) -> Result<(), CliError> {
 }
 
 /// What the trajectory is without control.
-fn label_before(system: &System, start: [f64; 4]) -> String {
+fn label_before(system: &System, start: StateVector) -> String {
     let schedule = Schedule {
         transient: defaults::TRAJECTORY_TRANSIENT,
         observe: defaults::TRAJECTORY_OBSERVE,
         max_period: defaults::MAX_PERIOD,
         fixed_periods: false,
     };
-    let job = Job { system: system.clone(), start: start.into() };
+    let job = Job { system: system.clone(), start };
     follow::<f64>(&job, &schedule).label()
 }
 
@@ -279,7 +288,8 @@ impl Report {
                 MethodName::Delay => "delay",
             },
             label_before: before,
-            names: section_names(system.plant(), controller.stop()),
+            stop: &args.system.family().stops()[controller.stop().index()].name,
+            section_names: section_names(system.plant(), controller.stop()),
             label_after: if outcome.runaway { "runaway".to_owned() } else { outcome.verdict.label() },
             fixed_point,
             converged_at: converged_at(returns, args.from, outcome.period, args.tolerance),
@@ -303,8 +313,11 @@ impl Report {
             format!("under control   {}", self.label_after),
         ];
         let point = |values: SectionValues<f64>| {
-            let named =
-                self.names.iter().zip(values.iter()).map(|(name, value)| format!("{name} {value:.9}"));
+            let named = self
+                .section_names
+                .iter()
+                .zip(values.iter())
+                .map(|(name, value)| format!("{name} {value:.9}"));
             named.collect::<Vec<_>>().join(", ")
         };
         lines.extend(self.fixed_point.map(|fixed| format!("fixed point     {}", point(fixed))));

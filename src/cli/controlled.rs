@@ -18,7 +18,7 @@ pub struct ControlledArgs {
     /// Controls every cell by a method, and maps what is reached
     ///
     /// Axes may vary the settings of the method too: gain, delay; amplitude, alpha, dead_band, gamma, phase; period,
-    /// noise; target_v1, target_x2, target_v2, target_tau. See `impact-atlas control --help` for what they are.
+    /// noise; target_v1 … target_vn, target_x1 … target_xn, target_tau. See `impact-atlas control --help` for what they are.
     #[arg(long, value_name = "METHOD", value_enum, help_heading = "Control",
         conflicts_with_all = ["transient", "observe", "fixed_periods", "curves"])]
     pub control: Option<MethodName>,

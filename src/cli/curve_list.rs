@@ -6,6 +6,7 @@ use anyhow::anyhow;
 use impact_atlas::curves::{
     Criticality, Curve, CurveMotion, CurvePoint, End, Kind, LeftOut, Named, Special, Why, named,
 };
+use impact_atlas::model::System;
 use impact_atlas::plane::Plane;
 use impact_atlas::store::Output;
 use serde::Serialize;
@@ -29,6 +30,12 @@ pub struct CurveSummary {
     kind: Kind,
     motion: String,
     symmetric: bool,
+    /// The stop that is grazed, where the stops have no mirror images.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stop: Option<&'static str>,
+    /// Whether the motion's systems have a mirror.
+    #[serde(skip)]
+    mirror: bool,
     points: usize,
     ends: [End; 2],
     /// The shares of its points; all zero for folds and grazing.
@@ -55,11 +62,23 @@ struct SpecialPoint {
 pub fn summaries(curves: &[Curve], plane: &Plane) -> Vec<CurveSummary> {
     let names = named(curves, plane);
     let of = |index: usize| names.iter().filter(move |stretch| stretch.curve == index);
-    curves.iter().enumerate().map(|(index, curve)| CurveSummary::new(index, curve, of(index))).collect()
+    curves
+        .iter()
+        .enumerate()
+        .map(|(index, curve)| CurveSummary::new(index, curve, of(index), plane))
+        .collect()
 }
 
 impl CurveSummary {
-    fn new<'a>(index: usize, curve: &Curve, stretches: impl Iterator<Item = &'a Named>) -> Self {
+    fn new<'a>(
+        index: usize,
+        curve: &Curve,
+        stretches: impl Iterator<Item = &'a Named>,
+        plane: &Plane,
+    ) -> Self {
+        let mirror = curve.motion.image.is_some();
+        let stops = plane.parameters.family().stops();
+        let grazed = curve.touches.filter(|_| !mirror && stops.len() > 1);
         let mut names: Vec<&str> = stretches.filter_map(|stretch| stretch.name.as_deref()).collect();
         names.sort_unstable();
         names.dedup();
@@ -75,6 +94,8 @@ impl CurveSummary {
             kind: curve.kind,
             motion: curve.motion.label(),
             symmetric: curve.motion.symmetric,
+            stop: grazed.map(|stop| stops[stop.index()].name.as_str()),
+            mirror,
             points: curve.points.len(),
             ends: curve.ends,
             criticality: Shares {
@@ -87,12 +108,13 @@ impl CurveSummary {
     }
 
     fn text(&self) -> String {
-        let symmetric = match (self.motion.as_str(), self.symmetric) {
-            ("no impact", _) => "",
-            (_, true) => " symmetric",
-            (_, false) => " unsymmetric",
+        let symmetric = match (self.motion.as_str(), self.mirror, self.symmetric) {
+            ("no impact", ..) | (_, false, _) => "",
+            (_, true, true) => " symmetric",
+            (_, true, false) => " unsymmetric",
         };
-        let title = format!("{} of {}{symmetric}", self.kind.name(), self.motion);
+        let at = self.stop.map(|stop| format!(" at stop {stop}")).unwrap_or_default();
+        let title = format!("{} of {}{symmetric}{at}", self.kind.name(), self.motion);
         let criticality = match (self.criticality.supercritical, self.criticality.subcritical) {
             (0.0, 0.0) => String::new(),
             (share, 0.0) if share > 0.0 => ", supercritical".to_owned(),
@@ -177,14 +199,14 @@ pub fn add_table<'a>(
             )
         })
     });
-    batch.table(output, COLUMNS, rows)
+    batch.table(output, &COLUMNS, rows)
 }
 
 /// The most that the first point of a part of a curve lies from the last of the one before it, in steps of the curve.
 const CONTINUED: f64 = 3.0;
 
-/// Reads a table of curves that [`add_table`] wrote.
-pub fn read(path: &Path) -> Result<Vec<Curve>, CliError> {
+/// Reads a table of curves of a plane that [`add_table`] wrote.
+pub fn read(path: &Path, plane: &Plane) -> Result<Vec<Curve>, CliError> {
     let name = path.display();
     let refused = |why: String| {
         CliError::Input(anyhow!(
@@ -196,6 +218,7 @@ pub fn read(path: &Path) -> Result<Vec<Curve>, CliError> {
     if headers.iter().ne(COLUMNS) {
         return Err(refused(format!("its columns are not {}", COLUMNS.join(", "))));
     }
+    let system = System::new(plane.parameters_at(0, 0)).map_err(CliError::input)?;
     let mut curves: Vec<Curve> = Vec::new();
     let mut last = String::new();
     for (row, record) in (2..).zip(table.records()) {
@@ -210,8 +233,8 @@ pub fn read(path: &Path) -> Result<Vec<Curve>, CliError> {
             special: Special::named(&record[6]),
         };
         let kind = Kind::named(&record[1]).ok_or_else(|| wrong("an unknown kind"))?;
-        let motion = CurveMotion::labelled(&record[2], &record[7] == "true")
-            .ok_or_else(|| wrong("no motion N-p-q"))?;
+        let motion = CurveMotion::labelled(&record[2], &record[7] == "true", &system)
+            .ok_or_else(|| wrong("no motion of this system"))?;
         match curves.last_mut() {
             Some(curve)
                 if curve.kind == kind

@@ -19,7 +19,7 @@ use super::{CliError, curve_list, defaults, estimate, interrupt, note};
 ///
 /// A map of the plane, coarser than that of `map`, shows which motions there are. Each is refined and followed to
 /// where it loses its stability or grazes a stop, and from there the curve is followed through the plane: folds, period
-/// doublings, pitchforks, Neimark-Sacker bifurcations and grazing. The map only says where to begin: a curve is as
+/// doublings, pitchforks, Neimark-Sacker bifurcations and grazing of any stop. The map only says where to begin: a curve is as
 /// exact for a coarse map as for a fine one, but a motion that no cell shows has no curve. Motions that the map does show
 /// and that no curve bounds are listed, by the reason for it, with the number of their cells.
 #[derive(Debug, Args)]
@@ -27,7 +27,8 @@ use super::{CliError, curve_list, defaults, estimate, interrupt, note};
 Examples:
   impact-atlas curves
   impact-atlas curves --out curves.csv --json
-  impact-atlas curves --x r=0.5:0.95:80 --y zeta=0.02:0.3:60 --set omega=2.4 --max-period 4")]
+  impact-atlas curves --x r=0.5:0.95:80 --y zeta=0.02:0.3:60 --set omega=2.4 --max-period 4
+  impact-atlas curves --system bouncing-ball --out ball.csv")]
 pub struct CurvesArgs {
     #[command(flatten)]
     axes: AxesArgs,
@@ -36,7 +37,7 @@ pub struct CurvesArgs {
     #[arg(long, value_name = "K", value_parser = counted(4, Plane::LARGEST_AT_ONCE as u32))]
     cells: Option<u32>,
 
-    /// Largest N of the motions N-p-q whose curves are computed
+    /// Largest N, in forcing periods, of the motions whose curves are computed
     #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD,
         value_parser = counted(1, Schedule::LARGEST_PERIOD))]
     max_period: u32,
@@ -54,15 +55,16 @@ pub struct CurvesArgs {
 
     /// Writes every point: curve, kind, motion, x, y, criticality, point, symmetric, bounding
     ///
-    /// A curve has the paper's name (L1 to L7) or a number; `point` is ordinary or the name of a special point.
+    /// A curve has a number, or on the paper's plane its name (L1 to L7); `point` is ordinary or the name of a special
+    /// point.
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
 
     #[command(flatten)]
     overwrite: OverwriteArgs,
 
-    /// Prints JSON: [{number, name, kind, motion, symmetric, points, ends, criticality, bounding, special_points}]; the
-    /// motions without a curve are listed on standard error
+    /// Prints JSON: [{number, name, kind, motion, symmetric, points, ends, criticality, bounding, special_points}], with
+    /// the stop that is grazed where stops have no mirror images; the motions without a curve are listed on standard error
     #[arg(long)]
     json: bool,
 }
@@ -75,7 +77,6 @@ pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
         max_period: defaults::MAX_PERIOD.max(args.max_period),
         fixed_periods: false,
     };
-    args.axes.system.of_paper("curves")?;
     let plane = args.axes.plane_of(schedule, args.cells, defaults::CURVES_CELLS)?;
     curves::check(&plane).map_err(CliError::input)?;
     let [output] = files::prepare(args.overwrite, [Kind::Table.at(args.out.as_deref())])?;

@@ -122,11 +122,13 @@ impl DrawingArgs {
         let Some(source) = source else { return Ok(None) };
         let map = thinned(cells, window, MOST_CELLS_OF_CURVES).map_err(CliError::input)?;
         Ok(Some(match source {
-            CurveSource::Table(path) => {
-                Curves { curves: curve_list::read(path)?, map, which: Which::All, max_period: None }
-            }
+            CurveSource::Table(path) => Curves {
+                curves: curve_list::read(path, &map.plane)?,
+                map,
+                which: Which::All,
+                max_period: None,
+            },
             CurveSource::Computed(which) => {
-                super::system::of_paper(map.plane.parameters.family(), "render --curves compute")?;
                 impact_atlas::curves::check(&map.plane).map_err(CliError::input)?;
                 let (map, found) = curves::of_map(map, self.curves_max_period)?;
                 curve_list::note_left_out(&found.left_out);

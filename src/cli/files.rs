@@ -139,15 +139,15 @@ impl<'a> Batch<'a> {
     }
 
     /// A table.
-    pub fn table<const N: usize>(
+    pub fn table(
         &mut self,
         output: &'a Option<Output>,
-        columns: [&str; N],
+        columns: &[impl AsRef<str>],
         rows: impl Iterator<Item = impl Serialize>,
     ) -> Result<(), CliError> {
         self.add(output, |file| {
             let mut table = csv::WriterBuilder::new().has_headers(false).from_writer(file);
-            table.write_record(columns)?;
+            table.write_record(columns.iter().map(AsRef::as_ref))?;
             for row in rows {
                 table.serialize(row)?;
             }

@@ -1,4 +1,4 @@
-//! `impact-atlas lyapunov`: all four Lyapunov exponents of a trajectory.
+//! `impact-atlas lyapunov`: all Lyapunov exponents of a trajectory.
 
 use clap::Args;
 use impact_atlas::analysis::Schedule;
@@ -15,25 +15,27 @@ use super::terminal::{print, print_json};
 use super::values::{count, parse};
 use super::{CliError, defaults};
 
-/// Measures all four Lyapunov exponents of one trajectory
+/// Measures all 2n Lyapunov exponents of one trajectory of a system with n coordinates
 ///
 /// Natural logarithm, largest first, in three units: per forcing period, per unit of (non-dimensional) time, and per
-/// iterate of the impact map (one return to stop A, x1 = +delta, just after an impact), which is the paper's unit.
+/// iterate of the impact map (one return to the system's first stop, just after an impact; the paper's is A, x1 = +delta),
+/// which is the paper's unit.
 /// The standard error is per forcing period, from the scatter of 16 batches. An exponent of minus infinity is a
-/// direction that is lost: complete chatter and sticking forget the place and velocity of the first mass (two
-/// directions), an impact with r = 0 forgets one. The sum of the four is known exactly, as the contraction of volume:
-/// −T tr(M⁻¹C) + 2 ln r × (impacts per forcing period). Computed in double precision on the CPU. Exit code 1 if the
+/// direction that is lost: complete chatter and sticking forget the place and velocity along the contact (two
+/// directions), an impact with r = 0 forgets one. The sum of all is known exactly, as the contraction of volume:
+/// −T tr(M⁻¹C) + 2 ln r × (impacts per forcing period), stop by stop. Computed in double precision on the CPU. Exit code 1 if the
 /// trajectory cannot be followed.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   impact-atlas lyapunov --set omega=2.83
-  impact-atlas lyapunov --set omega=3.03 --transient 5000 --observe 50000 --json")]
+  impact-atlas lyapunov --set omega=3.03 --transient 5000 --observe 50000 --json
+  impact-atlas lyapunov --system three-mass-chain --set omega=1.5")]
 pub struct LyapunovArgs {
     #[command(flatten)]
     system: SystemArgs,
 
-    /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
+    /// How the trajectory begins: rest, symmetric, or a state X1,X2,V1,V2 (x1 … xn, v1 … vn) at forcing phase 0
     #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
         allow_hyphen_values = true)]
     start: Start,
@@ -47,8 +49,8 @@ pub struct LyapunovArgs {
     #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::SPECTRUM_OBSERVE)]
     observe: u32,
 
-    /// Prints JSON; null for minus infinity (see lost_directions), and per iterate where there are no returns to stop
-    /// A or infinitely many
+    /// Prints JSON; null for minus infinity (see lost_directions), and per iterate where there are no returns to the first
+    /// stop or infinitely many; impacts_per_stop counts in the order of the system's stops
     #[arg(long)]
     json: bool,
 }
@@ -63,13 +65,18 @@ struct Exponents {
     standard_error: Vec<Option<f64>>,
     standard_error_per_time: Vec<Option<f64>>,
     lost_directions: u32,
+    /// What stops without room between them do, in words.
     #[serde(skip)]
-    clamped: bool,
+    closed: Option<String>,
+    /// The stop whose returns are iterates.
+    #[serde(skip)]
+    first_stop: &'static str,
     iterates: Option<u64>,
     impacts: u64,
+    impacts_per_stop: Vec<u64>,
     periods: u32,
     period: f64,
-    /// The sum of the four per forcing period, and what it must be.
+    /// The sum of all per forcing period, and what it must be.
     sum_per_period: Option<f64>,
     sum_identity: Option<f64>,
 }
@@ -79,9 +86,7 @@ pub fn run(args: &LyapunovArgs) -> Result<(), CliError> {
     let (transient, observe) = (args.transient, args.observe);
     let schedule = Schedule { transient, observe, max_period: defaults::MAX_PERIOD, fixed_periods: true };
     schedule.check().map_err(CliError::input)?;
-    args.system.of_paper("lyapunov")?;
     let (system, start) = args.system.system_and_start(args.start)?;
-    let start: [f64; 4] = start.into();
     note_cpu();
     let progress = Progress::of_trajectory();
     let spectrum = {
@@ -111,9 +116,11 @@ impl Exponents {
             standard_error: errors(1.0),
             standard_error_per_time: errors(spectrum.period),
             lost_directions: spectrum.lost,
-            clamped: system.is_clamped(),
+            closed: system.is_clamped().then(|| system.closed()),
+            first_stop: system.stop_name(0),
             iterates: spectrum.iterates,
             impacts: spectrum.impacts,
+            impacts_per_stop: spectrum.impacts_per_stop.clone(),
             periods: spectrum.periods,
             period: spectrum.period,
             sum_per_period: whole.then(|| spectrum.per_period.iter().sum()),
@@ -128,12 +135,14 @@ impl Exponents {
         )];
         for j in 0..self.exponents_per_period.len() {
             let Some(per_period) = self.exponents_per_period[j] else {
-                let why = if self.clamped {
-                    "the stops hold the first mass, whose place and velocity do not count"
-                } else if self.lost_directions == 2 {
-                    "complete chatter or sticking forgets the place and velocity of the first mass"
-                } else {
-                    "an impact without rebound forgets the velocity of the first mass"
+                let why = match (&self.closed, self.lost_directions) {
+                    (Some(closed), _) => format!("{closed}: place and velocity there do not count"),
+                    (None, 1) => {
+                        "an impact without rebound forgets the velocity along the contact".to_owned()
+                    }
+                    (None, _) => {
+                        "complete chatter or sticking forgets place and velocity along the contact".to_owned()
+                    }
                 };
                 lines.push(format!("{:<12}{:>16}  (minus infinity): {why}", j + 1, "lost"));
                 continue;
@@ -155,11 +164,15 @@ impl Exponents {
             ),
             _ => "sum per period              minus infinity".to_owned(),
         });
+        let stop = self.first_stop;
         let returns = match self.iterates {
-            Some(0) => "no return to stop A, and so no exponent per iterate".to_owned(),
+            Some(0) => format!("no return to stop {stop}, and so no exponent per iterate"),
             Some(iterates) => format!("{iterates} iterates of the impact map"),
-            None => "infinitely many returns to stop A (complete chatter), and so no exponent per iterate"
-                .to_owned(),
+            None => {
+                format!(
+                    "infinitely many returns to stop {stop} (complete chatter), and so no exponent per iterate"
+                )
+            }
         };
         lines.push(format!(
             "natural logarithm; {} forcing periods of {:.6}, {} impacts, {returns}",

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use anyhow::anyhow;
 use clap::Args;
+use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::Backend;
 use impact_atlas::plane::{Part, Plane, RegionMap, Tiling, Window};
 use impact_atlas::store;
@@ -16,7 +17,6 @@ use super::drawing::{CurveSource, DrawingArgs, Which};
 use super::files::{self, Batch, Kind};
 use super::options::{BackendArgs, OverwriteArgs, PlaneArgs};
 use super::progress::Progress;
-use super::system::of_paper;
 use super::terminal::{print, print_json};
 use super::values::{counted, parse};
 use super::{CliError, cell, curve_list, defaults, estimate, stored};
@@ -81,6 +81,11 @@ pub struct MapArgs {
     #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
         default_missing_value = "bounding")]
     pub curves: Option<Which>,
+
+    /// Largest N, in forcing periods, of the motions whose curves are computed
+    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
+        value_parser = counted(1, Schedule::LARGEST_PERIOD))]
+    pub curves_max_period: u32,
 
     /// Writes every point of every curve, as `curves` does
     #[arg(long, value_name = "FILE.csv", requires = "curves")]
@@ -160,11 +165,7 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
         made.as_ref().map_or_else(|| args.backend.clone(), |made| args.backend.or_those_of(&made.provenance));
     let certify = args.certify || made.as_ref().is_some_and(|made| made.certified);
     let family = plane.parameters.family();
-    if certify {
-        of_paper(family, "map --certify")?;
-    }
     if args.curves.is_some() {
-        of_paper(family, "map --curves")?;
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }
     args.drawing.check(family)?;

@@ -3,19 +3,21 @@
 use anyhow::anyhow;
 use clap::{Args, ValueEnum};
 use impact_atlas::control::{
-    ControlQuantity, Convention, DelaySetting, PulseSetting, Scheme, SectionValues, Sign, SineSetting, Target,
+    ControlQuantity, Convention, DelaySetting, PulseSetting, Scheme, SectionValues, Sign, SineSetting,
+    Target, own_coordinate,
 };
 
-use impact_atlas::dynamics::Stop;
+use impact_atlas::model::Setting;
 use impact_atlas::plane::Quantity;
 
+use super::site::{Site, words};
 use super::values::{Assignment, count};
 use super::{CliError, defaults};
 
 /// A control method by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MethodName {
-    /// A sine force on the first mass with an adapted amplitude
+    /// A sine force with an adapted amplitude
     Sine,
     /// Period pulses that bring every P-th point back to the target
     Pulse,
@@ -36,11 +38,12 @@ impl MethodName {
 /// What the sine force is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ConventionName {
-    /// At each return to the section v1+ is changed by B sin(γωt + φ), t the time since the last return
+    /// At each return to the section its first component, v1+, is changed by B sin(γωt + φ), t the time since the last
+    /// return
     Kick,
-    /// A force B sin(γθ + φ) on the first mass between impacts, θ the phase of the forcing
+    /// A force B sin(γθ + φ) on --coordinate between impacts, θ the phase of the forcing
     Force,
-    /// A force B sin(γωt + φ) on the first mass between impacts, t counted from each impact at stop A
+    /// A force B sin(γωt + φ) on --coordinate between impacts, t counted from each impact at --stop
     ForceLocal,
 }
 
@@ -53,23 +56,17 @@ pub enum SignName {
     Printed,
 }
 
-/// A component of the section point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-#[value(rename_all = "snake_case")]
-pub enum ComponentName {
-    /// v1+, the velocity of the first mass after the impact
-    VAfter,
-    /// x2
-    X2,
-    /// v2
-    V2,
-    /// τ, the forcing phase at the impact
-    Tau,
-}
-
 /// The settings of the three methods.
 #[derive(Debug, Args)]
 pub struct MethodArgs {
+    /// The stop at whose impacts control acts, by name [default: the first of the system's]
+    ///
+    /// X, a point on its section, has 2n components: the velocity after the impact of the coordinate that the stop's gap
+    /// determines (the one with the largest share of its direction), the other displacements, the other velocities,
+    /// the forcing phase: v1+, x2, v2, tau at either stop of the paper's oscillator.
+    #[arg(long, value_name = "NAME", help_heading = "Section")]
+    stop: Option<String>,
+
     /// sine: what u = B sin(γωt + φ) is [default: kick]
     #[arg(long, value_enum, help_heading = "Sine")]
     convention: Option<ConventionName>,
@@ -97,8 +94,14 @@ pub struct MethodArgs {
     phase: Option<f64>,
 
     /// sine: the component of the section point that is held to the target [default: tau]
-    #[arg(long, value_enum, help_heading = "Sine")]
-    component: Option<ComponentName>,
+    ///
+    /// v_after for the first, or a name: v1+, x2, v2, tau at the paper's stops.
+    #[arg(long, value_name = "NAME", help_heading = "Sine")]
+    component: Option<String>,
+
+    /// sine: the coordinate that a force acts on [default: x1]
+    #[arg(long, value_name = "x1 … xn", help_heading = "Sine")]
+    coordinate: Option<String>,
 
     /// pulse: the period P of the pulses in iterates [default: 1]
     #[arg(long, value_parser = count, value_name = "P", help_heading = "Pulse")]
@@ -112,14 +115,14 @@ pub struct MethodArgs {
     #[arg(long, value_parser = count, value_name = "SEED", help_heading = "Pulse")]
     seed: Option<u32>,
 
-    /// delay: the gain g of all four components, 0 to 1 [default: 0.5]
+    /// delay: the gain g of all components, 0 to 1 [default: 0.5]
     #[arg(long, value_name = "G", help_heading = "Delay", allow_negative_numbers = true)]
     gain: Option<f64>,
 
-    /// delay: the diagonal of G, for v1+, x2, v2 and τ
+    /// delay: the diagonal of G, a gain for each component
     #[arg(
         long,
-        value_name = "G1,G2,G3,G4",
+        value_name = "G1,G2,…",
         value_delimiter = ',',
         num_args = 1,
         conflicts_with = "gain",
@@ -136,11 +139,12 @@ pub struct MethodArgs {
     #[arg(long, value_enum, help_heading = "Delay")]
     sign: Option<SignName>,
 
-    /// sine, pulse: the frequency at which the 1-1-1 motion is the target [default: 3.7]
+    /// sine, pulse: the forcing frequency at which the symmetric 1-1-1 motion is the target [default: 3.7 for the paper's
+    /// oscillator, the system's own frequency for others]
     #[arg(long, value_name = "OMEGA", help_heading = "Target", allow_negative_numbers = true)]
     reference: Option<f64>,
 
-    /// sine, pulse: the target itself: one number (sine) or v1+,x2,v2,tau
+    /// sine, pulse: the target itself: one number (sine) or one for each component of X (pulse)
     #[arg(
         long,
         value_name = "X0",
@@ -154,11 +158,16 @@ pub struct MethodArgs {
 }
 
 impl MethodArgs {
-    /// The checked scheme of a method with what was set of it; options of another method are refused.
-    pub fn scheme(&self, method: MethodName, set: &[Assignment]) -> Result<Scheme, CliError> {
+    /// The checked scheme of a method with what was set of it, on a system; options of another method are refused.
+    pub fn scheme(
+        &self,
+        method: MethodName,
+        set: &[Assignment],
+        setting: &Setting,
+    ) -> Result<Scheme, CliError> {
         let replaced: Vec<_> = set.iter().map(|set| (format!("--set {set} sets"), set.quantity)).collect();
         self.refuse_replaced(method, &replaced)?;
-        let mut scheme = self.of_options(method)?;
+        let mut scheme = self.of_options(method, &Site::new(setting, self.stop.as_deref())?)?;
         for (i, one) in set.iter().enumerate() {
             if let Some(other) = set[..i].iter().find(|other| other.quantity == one.quantity) {
                 return Err(CliError::Input(anyhow!(
@@ -176,22 +185,22 @@ impl MethodArgs {
     }
 
     /// The scheme that the options of a method make.
-    fn of_options(&self, method: MethodName) -> Result<Scheme, CliError> {
+    fn of_options(&self, method: MethodName, site: &Site) -> Result<Scheme, CliError> {
         if let Some((option, _)) = self.given().into_iter().find(|(_, of)| !of.contains(&method)) {
             return Err(CliError::Input(anyhow!("--{option} has no effect on {}: drop it", method.name())));
         }
         Ok(match method {
-            MethodName::Sine => Scheme::Sine(self.sine()?),
+            MethodName::Sine => Scheme::Sine(self.sine(site)?),
             MethodName::Pulse => Scheme::Pulse(PulseSetting {
-                stop: Stop::A,
+                stop: site.stop,
                 period: self.period.unwrap_or(1),
-                target: self.target(4)?,
+                target: self.target(site, site.components())?,
                 noise: self.noise.unwrap_or(0.0),
                 seed: self.seed.unwrap_or(1),
             }),
             MethodName::Delay => Scheme::Delay(DelaySetting {
-                stop: Stop::A,
-                gains: self.gains()?,
+                stop: site.stop,
+                gains: self.gains(site)?,
                 delay: self.delay.unwrap_or(1),
                 sign: match self.sign {
                     Some(SignName::Printed) => Sign::Printed,
@@ -230,7 +239,8 @@ impl MethodArgs {
     /// The options that were given, with the methods that have them.
     fn given(&self) -> Vec<(&'static str, &'static [MethodName])> {
         use MethodName::{Delay, Pulse, Sine};
-        let options: [(&'static str, bool, &'static [MethodName]); 16] = [
+        let options: [(&'static str, bool, &'static [MethodName]); 18] = [
+            ("stop", self.stop.is_some(), &[Sine, Pulse, Delay]),
             ("convention", self.convention.is_some(), &[Sine]),
             ("amplitude", self.amplitude.is_some(), &[Sine]),
             ("alpha", self.alpha.is_some(), &[Sine]),
@@ -238,6 +248,7 @@ impl MethodArgs {
             ("gamma", self.gamma.is_some(), &[Sine]),
             ("phase", self.phase.is_some(), &[Sine]),
             ("component", self.component.is_some(), &[Sine]),
+            ("coordinate", self.coordinate.is_some(), &[Sine]),
             ("period", self.period.is_some(), &[Pulse]),
             ("noise", self.noise.is_some(), &[Pulse]),
             ("seed", self.seed.is_some(), &[Pulse]),
@@ -251,23 +262,25 @@ impl MethodArgs {
         options.into_iter().filter(|(_, given, _)| *given).map(|(option, _, of)| (option, of)).collect()
     }
 
-    fn sine(&self) -> Result<SineSetting, CliError> {
-        let component = match self.component.unwrap_or(ComponentName::Tau) {
-            ComponentName::VAfter => 0,
-            ComponentName::X2 => 1,
-            ComponentName::V2 => 2,
-            ComponentName::Tau => 3,
+    fn sine(&self, site: &Site) -> Result<SineSetting, CliError> {
+        let component = site.component(self.component.as_deref())?;
+        let convention = match self.convention.unwrap_or(ConventionName::Kick) {
+            ConventionName::Kick => Convention::Kick,
+            ConventionName::Force => Convention::Force,
+            ConventionName::ForceLocal => Convention::ForceLocal,
         };
-        let mut target = self.target(1)?;
+        if let (Some(coordinate), Convention::Kick) = (&self.coordinate, convention) {
+            return Err(CliError::Input(anyhow!(
+                "--coordinate {coordinate} has no effect on a kick, which changes {}: drop it, or give --convention force",
+                site.names[0]
+            )));
+        }
+        let mut target = self.target(site, 1)?;
         target.given.swap(0, component);
         Ok(SineSetting {
-            stop: Stop::A,
-            coordinate: 0,
-            convention: match self.convention.unwrap_or(ConventionName::Kick) {
-                ConventionName::Kick => Convention::Kick,
-                ConventionName::Force => Convention::Force,
-                ConventionName::ForceLocal => Convention::ForceLocal,
-            },
+            stop: site.stop,
+            coordinate: site.coordinate(self.coordinate.as_deref())?,
+            convention,
             amplitude: self.amplitude.unwrap_or(0.0),
             alpha: self.alpha.unwrap_or(defaults::ALPHA),
             dead_band: self.dead_band.unwrap_or(defaults::DEAD_BAND),
@@ -278,30 +291,35 @@ impl MethodArgs {
         })
     }
 
-    fn gains(&self) -> Result<SectionValues<f64>, CliError> {
-        let Some(gains) = &self.gains else {
-            return Ok(SectionValues::new([self.gain.unwrap_or(defaults::GAIN); 4]));
-        };
-        SectionValues::from_slice(gains).filter(|gains| gains.len() == 4).ok_or_else(|| {
+    fn gains(&self, site: &Site) -> Result<SectionValues<f64>, CliError> {
+        let alike = vec![self.gain.unwrap_or(defaults::GAIN); site.components()];
+        let gains = self.gains.as_ref().unwrap_or(&alike);
+        SectionValues::from_slice(gains).filter(|gains| gains.len() == site.components()).ok_or_else(|| {
             CliError::Input(anyhow!(
-                "--gains has {} numbers: give four, for v1+, x2, v2 and tau",
-                gains.len()
+                "--gains has {} numbers: give {}, for {}",
+                gains.len(),
+                words(site.components()),
+                site.listed()
             ))
         })
     }
 
     /// The target, from so many numbers or from a reference motion; a single number comes first.
-    fn target(&self, count: usize) -> Result<Target, CliError> {
-        let reference = self.reference.unwrap_or(defaults::REFERENCE);
-        let mut given = SectionValues::new([None; 4]);
+    fn target(&self, site: &Site, count: usize) -> Result<Target, CliError> {
+        let own = if site.family.is_paper() { defaults::REFERENCE } else { site.plant.omega };
+        let reference = self.reference.unwrap_or(own);
+        let none = vec![None; site.components()];
+        let mut given = SectionValues::from_slice(&none).expect("a section has 2 to 8 components");
         if let Some(values) = &self.target {
             if values.len() != count {
-                let wanted =
-                    if count == 1 { "one, for --component" } else { "four, for v1+, x2, v2 and tau" };
+                let wanted = match count {
+                    1 => "one, for --component".to_owned(),
+                    count => format!("{}, for {}", words(count), site.listed()),
+                };
                 return Err(CliError::Input(anyhow!("--target has {} numbers: give {wanted}", values.len())));
             }
             given.iter_mut().zip(values).for_each(|(given, value)| *given = Some(*value));
         }
-        Ok(Target { reference, given })
+        Ok(Target { reference, given, own: own_coordinate(&site.plant, site.stop) })
     }
 }

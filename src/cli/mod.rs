@@ -17,6 +17,7 @@ mod drawing;
 mod error;
 mod estimate;
 mod files;
+mod help;
 mod interrupt;
 mod lyapunov;
 mod machine;
@@ -26,6 +27,7 @@ mod motion;
 mod multipliers;
 mod options;
 mod orbit;
+mod orbit_table;
 mod panics;
 mod pictures;
 mod progress;
@@ -33,6 +35,7 @@ mod render;
 mod report;
 mod reproduce;
 mod scripts;
+mod site;
 mod spans;
 mod spelled;
 mod status;
@@ -44,7 +47,9 @@ mod terminal;
 mod validate;
 mod values;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use std::ffi::OsString;
+
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub use error::CliError;
 pub use machine::hush_drivers;
@@ -99,6 +104,14 @@ enum Command {
     Adapters(adapters::AdaptersArgs),
     Completions(scripts::CompletionsArgs),
     Man(scripts::ManArgs),
+}
+
+/// Reads the arguments of the process; ends it where they cannot be used, or ask for help.
+pub fn parsed() -> Cli {
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    let command = help::about_system(Cli::command(), &arguments);
+    let matches = command.get_matches_from(arguments);
+    Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit())
 }
 
 /// Does what the arguments ask for.

@@ -4,10 +4,11 @@ use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Regime, Schedule, Verdict};
 use impact_atlas::backend::{Cpu, Job, decide};
-use impact_atlas::dynamics::Stop;
-use impact_atlas::model::System;
+use impact_atlas::model::{StateVector, System};
 use impact_atlas::plane::Start;
-use impact_atlas::theory::{Label, PeriodicMotion, Search, SettledMotion, StrobeMotion, labelled_motion};
+use impact_atlas::theory::{
+    Label, PeriodicMotion, Search, SettledMotion, StrobeMotion, labelled_motion, section_names,
+};
 use serde::Serialize;
 
 use super::interrupt::{Interruptible, abandonable};
@@ -22,32 +23,37 @@ use super::{CliError, defaults};
 ///
 /// Without --label, the trajectory is followed until it is periodic, and its motion is refined by Newton's method.
 /// With --label, a motion of that label is searched for: the one that --start lies on, then among the close returns of the
-/// trajectory and of others from scattered starts, then at neighbouring omega and delta, from where it is followed to
+/// trajectory and of others from scattered starts, then at neighbouring parameters (those of the system's default plane;
+/// the paper's are omega and delta), from where it is followed to
 /// the parameters given; it need not be stable. A motion with sticking is solved as a
 /// fixed point of the strobe map (the state at forcing phase 0 to that N periods later): the directions that sticking
 /// forgets have multiplier 0.
 ///
-/// The section is (v1+, x2, v2, tau) just after an impact at stop A, x1 = +delta (the hardest one where the motion
-/// sticks), or at stop B where A is never struck; tau is the forcing phase. Computed in double precision on the CPU.
+/// The section is (v1+, x2, v2, tau) just after an impact at the paper's stop A, x1 = +delta (the hardest one where the
+/// motion sticks), or at stop B where A is never struck; tau is the forcing phase. Of other systems it is the velocity along
+/// the stop's own coordinate at the first stop that is struck, the other displacements, the other velocities and tau (see
+/// section_names). Computed in double precision on the CPU.
 /// Exit code 1 if the trajectory leads to no periodic motion, or no motion of the label is found.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   impact-atlas motion --set omega=1.65
   impact-atlas motion --set omega=2.83 --label 1-2-1 --json
-  impact-atlas motion --set omega=0.25 --set delta=0.545")]
+  impact-atlas motion --set omega=0.25 --set delta=0.545
+  impact-atlas motion --system bouncing-ball --set Gamma=1.6 --label 1-1")]
 pub struct MotionArgs {
     #[command(flatten)]
     system: SystemArgs,
 
-    /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
+    /// How the trajectory begins: rest, symmetric, or a state X1,X2,V1,V2 (x1 … xn, v1 … vn) at forcing phase 0
     #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
         allow_hyphen_values = true)]
     start: Start,
 
-    /// Searches for a motion of this label: N forcing periods, p impacts at x1 = -delta, q impacts at x1 = +delta
-    #[arg(long, value_name = "N-p-q", value_parser = parse::<Label>, allow_hyphen_values = true)]
-    label: Option<Label>,
+    /// Searches for a motion of this label: N forcing periods, then the impacts at each stop in the order of the system's
+    /// labels; the paper's are p impacts at x1 = -delta and q impacts at x1 = +delta
+    #[arg(long, value_name = "N-p-q", allow_hyphen_values = true)]
+    label: Option<String>,
 
     /// Forcing periods before the observation, or the search
     #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
@@ -61,8 +67,8 @@ pub struct MotionArgs {
     #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::MAX_PERIOD, conflicts_with = "label")]
     max_period: u32,
 
-    /// Prints JSON; p and q are 65535 for infinitely many impacts (complete chatter), multipliers null where an
-    /// impact grazes
+    /// Prints JSON; impacts_per_stop counts in the order of the system's stops, p and q are the first two counts of the
+    /// label; all are 65535 for infinitely many impacts (complete chatter), multipliers null where an impact grazes
     #[arg(long)]
     json: bool,
 }
@@ -74,13 +80,21 @@ struct Motion {
     n: u32,
     p: u32,
     q: u32,
+    impacts_per_stop: Vec<u32>,
     symmetric: bool,
+    /// Whether symmetry means anything: only where the system has a mirror.
+    #[serde(skip)]
+    has_mirror: bool,
     stable: Option<bool>,
     sticking: bool,
     section: Option<Vec<f64>>,
     #[serde(skip)]
     section_text: Option<String>,
-    section_stop: Option<String>,
+    section_stop: Option<&'static str>,
+    section_names: Option<Vec<String>>,
+    /// The stop at which the section would be if it were struck.
+    #[serde(skip)]
+    first_stop: &'static str,
     multipliers: Option<Vec<[f64; 2]>>,
     half_multipliers: Option<Vec<[f64; 2]>>,
     state: Vec<f64>,
@@ -97,10 +111,9 @@ pub fn run(args: &MotionArgs) -> Result<(), CliError> {
         fixed_periods: false,
     };
     schedule.check().map_err(CliError::input)?;
-    args.system.of_paper("motion")?;
+    let label = args.label.as_ref().map(|text| args.system.named("--label <N-p-q>", text, Label::of_family));
+    let label = label.transpose()?;
     let (system, start) = args.system.system_and_start(args.start)?;
-    let start: [f64; 4] = start.into();
-    let label = args.label.clone();
     note_cpu();
     let progress = Progress::of_trajectory();
     let motion = abandonable(move || match label {
@@ -112,10 +125,10 @@ pub fn run(args: &MotionArgs) -> Result<(), CliError> {
 }
 
 /// The motion of a label.
-fn named(system: &System, start: [f64; 4], schedule: &Schedule, label: Label) -> Result<Motion, CliError> {
-    if system.is_clamped() {
-        let why = "the stops hold the first mass (delta = 0), and nothing can move between them";
-        return Err(CliError::NotFound(format!("there is no {label} motion: {why}; choose delta above 0")));
+fn named(system: &System, start: StateVector, schedule: &Schedule, label: Label) -> Result<Motion, CliError> {
+    if system.is_clamped() && system.normals() == 1 {
+        let closed = system.closed();
+        return Err(CliError::NotFound(format!("there is no {label} motion: {closed}; open the gap")));
     }
     let search = Search { start: start.to_vec(), transient: schedule.transient, observe: schedule.observe };
     let motion =
@@ -124,9 +137,8 @@ fn named(system: &System, start: [f64; 4], schedule: &Schedule, label: Label) ->
 }
 
 /// The motion that a start leads to.
-fn reached(system: &System, start: [f64; 4], schedule: &Schedule) -> Result<Motion, CliError> {
-    let verdicts =
-        decide(&Cpu, &[Job { system: system.clone(), start: start.into() }], schedule, &Interruptible)?;
+fn reached(system: &System, start: StateVector, schedule: &Schedule) -> Result<Motion, CliError> {
+    let verdicts = decide(&Cpu, &[Job { system: system.clone(), start }], schedule, &Interruptible)?;
     let verdict =
         verdicts.first().ok_or_else(|| CliError::Machine(anyhow!("the back end gave no verdict")))?;
     if let Some(elsewhere) = elsewhere(verdict) {
@@ -181,17 +193,22 @@ fn elsewhere(verdict: &Verdict) -> Option<String> {
 
 impl Motion {
     fn of_impacts(system: &System, motion: &PeriodicMotion) -> Self {
+        let stop = motion.pattern.stops[0];
         Motion {
             label: motion.label(),
             n: motion.pattern.n(),
             p: motion.pattern.p(),
             q: motion.pattern.q(),
+            impacts_per_stop: motion.pattern.counts(),
+            has_mirror: system.mirror().is_some(),
+            first_stop: system.stop_name(0),
             symmetric: motion.is_symmetric(),
             stable: motion.is_stable(system),
             sticking: false,
             section: Some(motion.section().into_iter().map(|value| value + 0.0).collect()),
-            section_text: Some(multipliers::section(system, motion.pattern.stops[0], &motion.section())),
-            section_stop: Some(motion.pattern.stops[0].to_string()),
+            section_text: Some(multipliers::section(system, stop, &motion.section())),
+            section_stop: Some(system.stop_name(stop.index())),
+            section_names: Some(section_names(system, stop)),
             multipliers: motion.multipliers(system).map(pairs),
             half_multipliers: motion.half_multipliers(system).map(pairs),
             state: motion.at_phase_zero(system),
@@ -207,12 +224,16 @@ impl Motion {
             n: motion.n,
             p: motion.p().into(),
             q: motion.q().into(),
+            impacts_per_stop: motion.impacts.iter().map(|&count| count.into()).collect(),
+            has_mirror: system.mirror().is_some(),
+            first_stop: system.stop_name(0),
             symmetric: motion.symmetric,
             stable: motion.is_stable(),
             sticking: motion.sticking,
             section: section.map(|(_, section)| section.clone()),
             section_text: section.map(|(stop, section)| multipliers::section(system, *stop, section)),
-            section_stop: section.map(|(stop, _)| stop.to_string()),
+            section_stop: section.map(|(stop, _)| system.stop_name(stop.index())),
+            section_names: section.map(|(stop, _)| section_names(system, *stop)),
             multipliers: motion.multipliers().map(pairs),
             half_multipliers: motion.half_multipliers().map(pairs),
             state: motion.state.clone(),
@@ -222,15 +243,23 @@ impl Motion {
     }
 
     fn text(&self) -> String {
-        let symmetry = if self.symmetric { "symmetric" } else { "unsymmetric" };
+        let symmetry = match (self.has_mirror, self.symmetric) {
+            (false, _) => "",
+            (true, true) => ", symmetric",
+            (true, false) => ", unsymmetric",
+        };
         let sticking = if self.sticking { ", with sticking" } else { "" };
         let stability = multipliers::stability(self.stable);
-        let stop = self.section_stop.as_deref().unwrap_or("A");
-        let never = if stop == Stop::B.to_string() { " (stop A is never struck)" } else { "" };
+        let stop = self.section_stop.unwrap_or(self.first_stop);
+        let never = match stop == self.first_stop {
+            true => String::new(),
+            false => format!(" (stop {} is never struck)", self.first_stop),
+        };
+        let at = format!("section at stop {stop}");
         let section = self.section_text.as_deref().unwrap_or("none: there is no impact");
         let mut text = format!(
-            "{}, {symmetry}{sticking}, {stability}\n\
-             section at stop {stop}           {section}{never}\n\
+            "{}{symmetry}{sticking}, {stability}\n\
+             {at:<28}{section}{never}\n\
              multipliers                 {}",
             self.label,
             multipliers::text(self.multipliers.as_ref())

@@ -11,7 +11,7 @@ use impact_atlas::system::Family;
 use impact_atlas::theory::symmetric_start;
 
 use super::method::{MethodArgs, MethodName};
-use super::system::{Chosen, of_paper, parse_system};
+use super::system::{Chosen, parse_system};
 use super::values::{Assignment, count, parse};
 use super::{CliError, defaults, note};
 
@@ -19,6 +19,8 @@ use super::{CliError, defaults, note};
 #[derive(Clone, Debug, Args)]
 pub struct SystemArgs {
     /// The system: one that comes with the program (see `impact-atlas systems`), or a file that describes one
+    ///
+    /// With --help beside it, its parameters, stops and labels are listed below.
     /// [default: luo-ma-lv]
     #[arg(long = "system", value_name = "NAME|FILE", value_parser = parse_system)]
     family: Option<Chosen>,
@@ -27,7 +29,7 @@ pub struct SystemArgs {
     ///
     /// Those not given have the system's defaults; the paper's are omega=3.7, delta=0.1, zeta=0.1, r=0.8,
     /// mu_m=mu_k=mu_c=0.5, f20=0. Under control it sets what the method has, too: gain, delay; amplitude, alpha, dead_band,
-    /// gamma, phase; period, noise; target_v1, target_x2, target_v2, target_tau.
+    /// gamma, phase; period, noise; target_v1 … target_vn, target_x1 … target_xn, target_tau.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     assignments: Vec<String>,
 }
@@ -50,14 +52,22 @@ impl SystemArgs {
         Ok(SystemArgs { family: Some(Chosen(family)), assignments: self.assignments.clone() })
     }
 
-    /// Refuses another system than the paper's for a command that cannot follow it.
-    pub fn of_paper(&self, command: &str) -> Result<(), CliError> {
-        of_paper(self.family(), command)
-    }
-
     /// An axis of the system, given as `option`.
     pub fn axis(&self, option: &str, text: &str) -> Result<Axis, CliError> {
         Axis::of_family(text, self.family()).map_err(|error| invalid(text, option, error))
+    }
+
+    /// What an option names by the words of the system: a section, a quantity, a panel, a label.
+    pub fn named<T, E>(
+        &self,
+        option: &str,
+        text: &str,
+        read: impl Fn(&str, &'static Family) -> Result<T, E>,
+    ) -> Result<T, CliError>
+    where
+        E: std::error::Error + Send + Sync + 'static,
+    {
+        read(text, self.family()).map_err(|error| invalid(text, option, error))
     }
 
     /// The parameters as set; those of `axes` are left to the axes.
@@ -398,7 +408,6 @@ impl PlaneArgs {
         settings: &MethodArgs,
         iterates: ControlSchedule,
     ) -> Result<ControlPlane, CliError> {
-        self.axes.system.of_paper("map --control")?;
         let [x, y] = self.axes.axes()?;
         let axes = [("--x", x), ("--y", y)];
         let varied = axes.map(|(option, axis)| (format!("{option} {axis} varies"), axis.quantity));
@@ -407,12 +416,17 @@ impl PlaneArgs {
             self.axes.system.check_beside(option, &axis.to_string(), axis.quantity)?;
         }
         let (system, set) = self.axes.system.split()?;
+        let parameters = system.parameters(&axes)?;
+        let first = [x, y].iter().fold(parameters, |setting, axis| match axis.quantity {
+            Quantity::Parameter(parameter) => setting.with(parameter, axis.first),
+            Quantity::Start(_) | Quantity::Control(_) => setting,
+        });
         let plane = ControlPlane {
             x,
             y,
-            parameters: system.parameters(&axes)?,
+            parameters,
             start: self.axes.start.unwrap_or_else(|| default_start(&[x, y])),
-            control: settings.scheme(method, &set)?,
+            control: settings.scheme(method, &set, &first)?,
             iterates,
         };
         plane.check().map_err(CliError::input)?;

@@ -4,15 +4,18 @@ use std::path::PathBuf;
 
 use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::analysis::{Reading, Schedule};
-use impact_atlas::dynamics::{self, ImpactEvent, Recording, Stop};
+use impact_atlas::analysis::Schedule;
+use impact_atlas::dynamics::{self, Recording};
 use impact_atlas::model::{Number, Setting};
 use impact_atlas::plane::Start;
+use impact_atlas::plane::written::WrittenSystem;
 use impact_atlas::render::{Orbit, OrbitPanel, Picture, Size, Zoom, orbit_figure};
+use impact_atlas::system::Family;
 use serde::Serialize;
 
 use super::files::{self, Batch, Kind};
 use super::options::{OverwriteArgs, SystemArgs};
+use super::orbit_table::Columns;
 use super::progress::Progress;
 use super::terminal::print;
 use super::values::{counted, parse, parse_size};
@@ -24,14 +27,11 @@ const LARGEST: u64 = 20_000_000;
 /// The most forcing periods that sections show.
 const MOST_SECTION_PERIODS: u32 = 1_000_000;
 
-const IMPACT_COLUMNS: [&str; 7] = ["time", "stop", "velocity_before", "velocity_after", "x2", "v2", "phase"];
-
-const TRAJECTORY_COLUMNS: [&str; 5] = ["time", "x1", "x2", "v1", "v2"];
-
 /// Records one orbit: as a figure, and its impacts and its trajectory as CSV
 ///
 /// Computed in double precision on the CPU. Times are non-dimensional and count from the start of the trajectory,
-/// transient included; the phase is that of the forcing, from 0 to 2π. Stop A is x1 = +delta, stop B is x1 = -delta.
+/// transient included; the phase is that of the forcing, from 0 to 2π. The stops have the names of the system: the paper's
+/// are A, x1 = +delta, and B, x1 = -delta.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -39,12 +39,13 @@ Examples:
   impact-atlas orbit --set omega=0.5 --set r=0.6 --periods 3 --samples 2000 --trajectory trajectory.csv
   impact-atlas orbit --set omega=3.7 --periods 3 --out orbit.png
   impact-atlas orbit --set omega=3.03 --panel section:x2,v2 --panel strobe --section-periods 5000 --out o.svg
-  impact-atlas orbit --set omega=0.25 --set delta=0.545 --periods 2 --panel time --zoom t=0.1:0.4 --out z.png")]
+  impact-atlas orbit --set omega=0.25 --set delta=0.545 --periods 2 --panel time --zoom t=0.1:0.4 --out z.png
+  impact-atlas orbit --system impact-damper --periods 4 --panel time:gap.A --panel portrait:x1,v1 --out damper.svg")]
 pub struct OrbitArgs {
     #[command(flatten)]
     system: SystemArgs,
 
-    /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
+    /// How the trajectory begins: rest, symmetric, or a state X1,X2,V1,V2 (x1 … xn, v1 … vn) at forcing phase 0
     #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
         allow_hyphen_values = true)]
     start: Start,
@@ -63,11 +64,12 @@ pub struct OrbitArgs {
     #[arg(long, value_name = "S", value_parser = counted(1, 1_000_000))]
     samples: Option<u32>,
 
-    /// Writes every impact: time, stop, velocity_before, velocity_after, x2, v2, phase
+    /// Writes every impact: time, stop, velocity_before, velocity_after, x2, v2, phase; of other systems in place of x2 and
+    /// v2 every component of the state that does not follow from the stop
     #[arg(long, value_name = "FILE.csv")]
     impacts: Option<PathBuf>,
 
-    /// Writes the trajectory: time, x1, x2, v1, v2
+    /// Writes the trajectory: time, x1 … xn, v1 … vn
     #[arg(long, value_name = "FILE.csv")]
     trajectory: Option<PathBuf>,
 
@@ -77,19 +79,20 @@ pub struct OrbitArgs {
 
     /// A plot of the figure; may be repeated [default: portrait, time]
     ///
-    /// portrait: x1 and v1 with the stops; portrait2: x2 and v2. time: x1 over the time in forcing periods, impacts
-    /// marked and sticking shaded. section, section-b: just after every impact at A, at B. strobe: at forcing phase 0.
-    /// Other quantities follow a colon: portrait:x1,x2, time:v1, section:x2,v2, strobe:x1,v1. Sections have v_before,
-    /// v_after, x1, x2, v1, v2 and tau, the forcing phase at the impact.
-    #[arg(long = "panel", value_name = "NAME[:X,Y]", value_parser = parse::<OrbitPanel>, requires = "out")]
-    panels: Vec<OrbitPanel>,
+    /// portrait: displacement and velocity of the coordinate that meets the first stop, with the stops; portrait2: x2 and v2.
+    /// time: the displacement over the time in forcing periods, impacts marked and sticking shaded. section, section-b: just
+    /// after every impact at the first stop, at the stop named b or B. strobe: at forcing phase 0. Other quantities follow a
+    /// colon: portrait:x1,x2, time:v1, section:x2,v2, strobe:x1,v1, and of a stop A gap.A, the distance left to it, and
+    /// speed.A, the velocity towards it: portrait:gap.A,speed.A. Sections have v_before, v_after and tau, the forcing phase at
+    /// the impact, too.
+    #[arg(long = "panel", value_name = "NAME[:X,Y]", requires = "out")]
+    panels: Vec<String>,
 
     /// The range that axes over a quantity show; may be repeated
     ///
     /// NAME is a quantity of the panels, or t, the time since the recording began in forcing periods.
-    #[arg(long = "zoom", value_name = "NAME=LOW:HIGH", value_parser = parse::<Zoom>, requires = "out",
-        allow_hyphen_values = true)]
-    zooms: Vec<Zoom>,
+    #[arg(long = "zoom", value_name = "NAME=LOW:HIGH", requires = "out", allow_hyphen_values = true)]
+    zooms: Vec<String>,
 
     /// Forcing periods that sections show
     #[arg(long, value_name = "P", default_value_t = defaults::SECTION_PERIODS,
@@ -109,21 +112,27 @@ pub struct OrbitArgs {
 struct Config<'a> {
     version: &'a str,
     command: &'a str,
+    system: WrittenSystem,
     parameters: &'a Setting,
     start: Start,
     transient: u32,
     periods: u32,
     samples: u32,
     section_periods: u32,
-    panels: &'a [OrbitPanel],
-    zooms: &'a [Zoom],
+    panels: Vec<String>,
+    zooms: Vec<String>,
+}
+
+/// The plots of the figure.
+struct Shown {
+    panels: Vec<OrbitPanel>,
+    zooms: Vec<Zoom>,
 }
 
 /// Runs the command.
 pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
-    args.system.of_paper("orbit")?;
+    let shown = args.shown()?;
     let (system, start) = args.system.system_and_start(args.start)?;
-    let start: [f64; 4] = start.into();
     let (transient, periods) = (args.transient, args.periods);
     let samples = args.samples();
     if u64::from(periods) * u64::from(samples) > LARGEST {
@@ -131,8 +140,6 @@ pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
             "{periods} periods with {samples} points each are too many: at most {LARGEST} points are accepted"
         )));
     }
-    let panels = args.panels();
-    check_zooms(&panels, &args.zooms)?;
     let wanted = [
         Kind::Picture.at(args.out.as_deref()),
         Kind::Table.at(args.impacts.as_deref()),
@@ -140,7 +147,7 @@ pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
     ];
     let [out, impacts, trajectory] = files::prepare(args.overwrite, wanted)?;
     let section_periods =
-        if panels.iter().any(|panel| panel.is_section()) { args.section_periods } else { 0 };
+        if shown.panels.iter().any(|panel| panel.is_section()) { args.section_periods } else { 0 };
     let progress = Progress::of_trajectory();
     let followed = system.clone();
     let (recording, sections) = interrupt::abandonable(move || {
@@ -159,19 +166,18 @@ pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
     let mut batch = Batch::default();
     if out.is_some() {
         let orbit = Orbit { system: &system, recording: &recording, sections: &sections };
-        batch.picture(&out, &args.picture(&orbit, &panels)?)?;
+        batch.picture(&out, &args.picture(&orbit, &shown)?)?;
     }
-    batch.table(&impacts, IMPACT_COLUMNS, recording.impacts.iter().map(impact_row))?;
-    let rows = recording.samples.iter().map(|s| (s.time, s.x1, s.x2, s.v1, s.v2));
-    batch.table(&trajectory, TRAJECTORY_COLUMNS, rows)?;
+    let columns = Columns::of(args.system.family());
+    batch.table(
+        &impacts,
+        &columns.of_impacts(),
+        recording.impacts.iter().map(|i| columns.row(i, &system)),
+    )?;
+    let rows = recording.samples.iter().map(|sample| (sample.time, &sample.state));
+    batch.table(&trajectory, &columns.of_trajectory(), rows)?;
     batch.show()?;
-    print(&summary(&recording, periods))
-}
-
-fn impact_row(impact: &ImpactEvent) -> impl Serialize + use<> {
-    let stop = impact.stop.to_string();
-    let (before, after) = (impact.velocity_before, impact.velocity_after);
-    (impact.time, stop, before, after, impact.x2, impact.v2, impact.phase)
+    print(&summary(&recording, periods, args.system.family()))
 }
 
 impl OrbitArgs {
@@ -184,24 +190,35 @@ impl OrbitArgs {
         self.samples.unwrap_or(default)
     }
 
-    fn panels(&self) -> Vec<OrbitPanel> {
-        match (&self.out, &self.panels[..]) {
+    fn shown(&self) -> Result<Shown, CliError> {
+        let family = self.system.family();
+        let panel = |text: &String| {
+            self.system.named("--panel <NAME[:X,Y]>", text, |t, f| OrbitPanel::of_family(t, f))
+        };
+        let zoom =
+            |text: &String| self.system.named("--zoom <NAME=LOW:HIGH>", text, |t, f| Zoom::of_family(t, f));
+        let panels = match (&self.out, &self.panels[..]) {
             (None, _) => Vec::new(),
-            (Some(_), []) => {
-                vec![OrbitPanel::Portrait([Reading::X1, Reading::V1]), OrbitPanel::Time(Reading::X1)]
-            }
-            (Some(_), panels) => panels.to_vec(),
-        }
+            (Some(_), []) => vec![OrbitPanel::portrait(family), OrbitPanel::time_series(family)],
+            (Some(_), panels) => panels.iter().map(panel).collect::<Result<_, _>>()?,
+        };
+        let shown = Shown { panels, zooms: self.zooms.iter().map(zoom).collect::<Result<_, _>>()? };
+        shown.check(family)?;
+        Ok(shown)
     }
 
-    fn picture(&self, orbit: &Orbit<'_>, panels: &[OrbitPanel]) -> Result<Picture, CliError> {
-        let figure = orbit_figure(orbit, self.start, panels, &self.zooms);
+    fn picture(&self, orbit: &Orbit<'_>, Shown { panels, zooms }: &Shown) -> Result<Picture, CliError> {
+        let family = self.system.family();
+        let figure = orbit_figure(orbit, self.start, panels, zooms);
         let width = if panels.len() == 1 { defaults::NARROW_FIGURE } else { defaults::WIDE_FIGURE };
         let size = self.size.unwrap_or_else(|| figure.natural_size(width));
         let parameters = orbit.system.setting().expect("a system that is asked for is made of a setting");
+        let panels: Vec<String> = panels.iter().map(|panel| panel.name(family)).collect();
+        let zooms: Vec<String> = zooms.iter().map(|zoom| zoom.name(family)).collect();
         let config = Config {
             version: env!("CARGO_PKG_VERSION"),
-            command: &self.command(parameters, panels),
+            command: &self.command(parameters, &panels, &zooms),
+            system: WrittenSystem::of(family),
             parameters,
             start: self.start,
             transient: self.transient,
@@ -209,15 +226,19 @@ impl OrbitArgs {
             samples: self.samples(),
             section_periods: self.section_periods,
             panels,
-            zooms: &self.zooms,
+            zooms,
         };
         let config = serde_json::to_string(&config).map_err(CliError::machine)?;
         figure.draw(size, &config).map_err(CliError::input)
     }
 
     /// The command that makes the figure again.
-    fn command(&self, parameters: &Setting, panels: &[OrbitPanel]) -> String {
+    fn command(&self, parameters: &Setting, panels: &[String], zooms: &[String]) -> String {
         let mut command = String::from("impact-atlas orbit");
+        let family = self.system.family();
+        if !family.is_paper() {
+            command.push_str(&format!(" --system {}", family.origin()));
+        }
         for (parameter, value) in parameters.entries() {
             command.push_str(&format!(" --set {parameter}={}", Number(value)));
         }
@@ -230,38 +251,43 @@ impl OrbitArgs {
             self.section_periods
         ));
         panels.iter().for_each(|panel| command.push_str(&format!(" --panel {panel}")));
-        self.zooms.iter().for_each(|zoom| command.push_str(&format!(" --zoom {zoom}")));
+        zooms.iter().for_each(|zoom| command.push_str(&format!(" --zoom {zoom}")));
         command
     }
 }
 
-/// A range that no plot shows is a mistake.
-fn check_zooms(panels: &[OrbitPanel], zooms: &[Zoom]) -> Result<(), CliError> {
-    for (i, zoom) in zooms.iter().enumerate() {
-        if !panels.iter().any(|panel| panel.axes().contains(&zoom.variable)) {
-            return Err(CliError::Input(anyhow!(
-                "--zoom {zoom} has no effect, since no panel has an axis over {}: drop it or add a --panel",
-                zoom.variable
-            )));
+impl Shown {
+    /// A range that no plot shows is a mistake.
+    fn check(&self, family: &Family) -> Result<(), CliError> {
+        for (i, zoom) in self.zooms.iter().enumerate() {
+            let name = zoom.name(family);
+            let of = zoom.variable.name(family);
+            if !self.panels.iter().any(|panel| panel.axes().contains(&zoom.variable)) {
+                return Err(CliError::Input(anyhow!(
+                    "--zoom {name} has no effect, since no panel has an axis over {of}: drop it or add a --panel"
+                )));
+            }
+            if let Some(other) = self.zooms[..i].iter().find(|other| other.variable == zoom.variable) {
+                return Err(CliError::Input(anyhow!(
+                    "{of} has two ranges, --zoom {} and --zoom {name}: drop one of the two",
+                    other.name(family)
+                )));
+            }
         }
-        if let Some(other) = zooms[..i].iter().find(|other| other.variable == zoom.variable) {
-            return Err(CliError::Input(anyhow!(
-                "{} has two ranges, --zoom {other} and --zoom {zoom}: drop one of the two",
-                zoom.variable
-            )));
-        }
+        Ok(())
     }
-    Ok(())
 }
 
-fn summary(recording: &Recording, periods: u32) -> String {
+fn summary(recording: &Recording, periods: u32, family: &Family) -> String {
     let impacts = &recording.impacts;
-    let at_a = impacts.iter().filter(|impact| impact.stop == Stop::A).count();
     let fastest = impacts.iter().map(|impact| impact.velocity_before.abs()).fold(0.0, f64::max);
+    let stops = family.stops().iter().enumerate().map(|(i, stop)| {
+        let count = impacts.iter().filter(|impact| impact.stop.index() == i).count();
+        format!("{count} at stop {} ({})", stop.plain_name(), family.stop_place(i))
+    });
     format!(
-        "{} impacts in {periods} forcing periods: {at_a} at stop A (x1 = +delta), {} at stop B (x1 = -delta)\n\
-         largest impact velocity {fastest:.6}",
+        "{} impacts in {periods} forcing periods: {}\nlargest impact velocity {fastest:.6}",
         impacts.len(),
-        impacts.len() - at_a
+        stops.collect::<Vec<_>>().join(", ")
     )
 }

@@ -1,11 +1,19 @@
 //! A control method's settings as the options that make them again.
 
 use impact_atlas::control::{ControlQuantity, Convention, Scheme, Sign, Target};
+use impact_atlas::dynamics::Stop;
 use impact_atlas::model::{Number, joined};
+use impact_atlas::system::Family;
 
 /// The options that make a scheme again; those that an axis varies are left out.
-pub fn spelled(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool) -> String {
+///
+/// The stop is named as in the family, where it is not the first.
+pub fn spelled(scheme: &Scheme, family: &Family, varied: impl Fn(ControlQuantity) -> bool) -> String {
     use ControlQuantity as Q;
+    let stop = match scheme.stop() {
+        Stop::A => String::new(),
+        stop => format!(" --stop {}", family.stops()[stop.index()].name),
+    };
     let number = |quantity: Q, value: f64| match varied(quantity) {
         true => String::new(),
         false => format!(" --{}={}", quantity.name().replace('_', "-"), Number(value)),
@@ -25,15 +33,25 @@ pub fn spelled(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool) -> Str
                 Convention::Force => "force",
                 Convention::ForceLocal => "force-local",
             };
-            let component = ["v_after", "x2", "v2", "tau"][sine.component];
+            let own = sine.target.own;
+            let aimed = Q::of_component(sine.component, family.n(), own);
+            let component = match sine.component {
+                0 => "v_after",
+                _ => aimed.name().trim_start_matches("target_"),
+            };
+            let coordinate = match sine.coordinate {
+                0 => String::new(),
+                i => format!(" --coordinate x{}", i + 1),
+            };
             [
-                format!(" --convention {convention} --component {component}"),
+                stop,
+                format!(" --convention {convention} --component {component}{coordinate}"),
                 number(Q::Amplitude, sine.amplitude),
                 number(Q::Alpha, sine.alpha),
                 number(Q::DeadBand, sine.dead_band),
                 number(Q::Gamma, sine.gamma),
                 number(Q::Phase, sine.phase),
-                match varied([Q::TargetV1, Q::TargetX2, Q::TargetV2, Q::TargetTau][sine.component]) {
+                match varied(aimed) {
                     true => String::new(),
                     false => target(&sine.target, &[sine.component]),
                 },
@@ -41,10 +59,11 @@ pub fn spelled(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool) -> Str
             .concat()
         }
         Scheme::Pulse(pulse) => [
+            stop,
             number(Q::Period, f64::from(pulse.period)),
             number(Q::Noise, pulse.noise),
             format!(" --seed {}", pulse.seed),
-            target(&pulse.target, &[0, 1, 2, 3]),
+            target(&pulse.target, &Vec::from_iter(0..2 * family.n())),
         ]
         .concat(),
         Scheme::Delay(delay) => {
@@ -56,7 +75,7 @@ pub fn spelled(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool) -> Str
                 Sign::Stabilising => "stabilising",
                 Sign::Printed => "printed",
             };
-            format!("{gains}{} --sign {sign}", number(Q::Delay, f64::from(delay.delay)))
+            format!("{stop}{gains}{} --sign {sign}", number(Q::Delay, f64::from(delay.delay)))
         }
     }
 }

@@ -1,8 +1,9 @@
-//! `impact-atlas symmetric`: the symmetric 1-1-1 motion in closed form.
+//! `impact-atlas symmetric`: the symmetric motion of period one in closed form.
 
+use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::model::System;
-use impact_atlas::theory::{SymmetricMotion, symmetric_motions};
+use impact_atlas::theory::{NoSymmetricMotion, SymmetricMotion, section_names, symmetric_motions};
 use serde::Serialize;
 
 use super::CliError;
@@ -13,16 +14,20 @@ use super::terminal::{print, print_json};
 
 /// Computes the symmetric 1-1-1 motion in closed form, with its Floquet multipliers
 ///
-/// Over half a forcing period it flies from one stop to the other and is its own mirror image there. These conditions
+/// It exists where the system has a mirror that exchanges two stops. Over half a forcing period it flies from one of them to
+/// the other and is its own mirror image there. These conditions
 /// have two solutions or none, and a solution need not be physical: it may leave its stop outwards, or pass through
-/// one. The section is (v1+, x2, v2, tau) just after the impact at stop A, x1 = +delta; tau is the forcing phase. The
+/// one. The section is (v1+, x2, v2, tau) just after the impact at the paper's stop A, x1 = +delta; of other systems it is
+/// the velocity along the stop's own coordinate at the first stop that the mirror exchanges, the other displacements, the
+/// other velocities and tau (see section_names). tau is the forcing phase. The
 /// half multipliers are those of half a period followed by the mirror: −1 is the symmetry-breaking pitchfork, +1 a
 /// saddle-node, a complex pair on the unit circle Neimark–Sacker. The multipliers are their squares.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   impact-atlas symmetric --set omega=3.7
-  impact-atlas symmetric --set omega=2.582 --set delta=0.6 --json")]
+  impact-atlas symmetric --set omega=2.582 --set delta=0.6 --json
+  impact-atlas symmetric --system impact-pair --set nu=2")]
 pub struct SymmetricArgs {
     #[command(flatten)]
     system: SystemArgs,
@@ -42,6 +47,10 @@ struct Solutions {
 
 #[derive(Debug, Serialize)]
 struct Solution {
+    label: String,
+    impacts_per_stop: Vec<u32>,
+    section_stop: &'static str,
+    section_names: Vec<String>,
     section: Vec<f64>,
     #[serde(skip)]
     section_text: String,
@@ -56,21 +65,24 @@ struct Solution {
 
 /// Runs the command.
 pub fn run(args: &SymmetricArgs) -> Result<(), CliError> {
-    args.system.of_paper("symmetric")?;
     let system = System::new(args.system.parameters(&[])?).map_err(CliError::input)?;
     note_cpu();
-    let result = abandonable(move || Solutions::of(&system))?;
+    let result = abandonable(move || Solutions::of(&system))??;
     if args.json { print_json(&result) } else { print(&result.text()) }
 }
 
 impl Solutions {
-    fn of(system: &System) -> Self {
+    fn of(system: &System) -> Result<Self, CliError> {
         match symmetric_motions(system) {
-            Ok(solutions) => Solutions {
+            Ok(solutions) => Ok(Solutions {
                 solutions: solutions.iter().map(|solution| Solution::new(system, solution)).collect(),
                 reason: None,
-            },
-            Err(reason) => Solutions { solutions: Vec::new(), reason: Some(reason.to_string()) },
+            }),
+            Err(reason @ NoSymmetricMotion::NoMirror) => Err(CliError::Input(anyhow!(
+                "the symmetric motion {reason}: choose a system whose stops and matrices are their own mirror image, or \
+                 `motion --label` for any other motion"
+            ))),
+            Err(reason) => Ok(Solutions { solutions: Vec::new(), reason: Some(reason.to_string()) }),
         }
     }
 
@@ -87,8 +99,13 @@ impl Solution {
     fn new(system: &System, solution: &SymmetricMotion) -> Self {
         let motion = &solution.motion;
         let physical = solution.at_phase_zero.is_ok();
+        let stop = motion.pattern.stops[0];
         Solution {
-            section_text: multipliers::section(system, motion.pattern.stops[0], &motion.section()),
+            label: motion.label(),
+            impacts_per_stop: motion.pattern.counts(),
+            section_stop: system.stop_name(stop.index()),
+            section_names: section_names(system, stop),
+            section_text: multipliers::section(system, stop, &motion.section()),
             section: motion.section().into_iter().map(|value| value + 0.0).collect(),
             physical,
             reason: solution.at_phase_zero.as_ref().err().map(|reason| reason.to_string()),
@@ -102,15 +119,16 @@ impl Solution {
 
     fn text(&self) -> String {
         let what = match &self.reason {
-            None => format!("1-1-1 symmetric, {}", multipliers::stability(self.stable)),
+            None => format!("{} symmetric, {}", self.label, multipliers::stability(self.stable)),
             Some(reason) => format!("not physical: {reason}"),
         };
         let half = multipliers::text(self.half_multipliers.as_ref());
         let whole = multipliers::text(self.multipliers.as_ref());
         let section = &self.section_text;
+        let at = format!("section at stop {}", self.section_stop);
         let mut text = format!(
             "{what}\n\
-             section at stop A           {section}\n\
+             {at:<28}{section}\n\
              half multipliers            {half}\n\
              multipliers                 {whole}"
         );

@@ -3,10 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use anyhow::anyhow;
 use impact_atlas::system::{BUILTIN, Family};
-
-use super::CliError;
 
 /// The longest family file that is read, in bytes.
 const LONGEST: u64 = 1 << 20;
@@ -32,15 +29,4 @@ pub fn parse_system(text: &str) -> Result<Chosen, String> {
     let text = fs::read_to_string(path).map_err(|error| format!("the file cannot be read: {error}"))?;
     let family = Family::kept(&text, &path.display().to_string());
     family.map(Chosen).map_err(|error| error.to_string())
-}
-
-/// Refuses a system that a command cannot follow yet.
-pub fn of_paper(family: &'static Family, command: &str) -> Result<(), CliError> {
-    if family.is_paper() {
-        return Ok(());
-    }
-    Err(CliError::Input(anyhow!(
-        "`{command}` follows the paper's oscillator only in this version: for {} use `classify`, `map` or `validate`",
-        family.origin()
-    )))
 }

@@ -128,7 +128,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
         }
         match taken.event {
             Event::Impact(impact) => self.impact(flight, schedule, &impact, false, witness),
-            Event::Caught { impact, complete_chatter } => {
+            Event::Caught { impact, complete_chatter, .. } => {
                 self.stuck = self.iterates + 1;
                 self.impact(flight, schedule, &impact, complete_chatter, witness);
             }

@@ -4,7 +4,7 @@ use super::witness::{Return, Witness};
 use crate::dynamics::{
     Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Trajectory, resting_on,
 };
-use crate::model::Flight;
+use crate::model::{Flight, StateVector};
 
 /// Samples nearer to an impact than this, in units of their distance, are left out.
 const NEAR: f64 = 1e-3;
@@ -14,7 +14,7 @@ const NEAR: f64 = 1e-3;
 pub struct History {
     /// The returns, in order.
     pub returns: Vec<Return<f64>>,
-    /// The flight from iterate `from` on, of the first two coordinates (0 for one that is not there); times are non-dimensional and count from its beginning.
+    /// The flight from iterate `from` on, of all coordinates; times are non-dimensional and count from its beginning.
     pub recording: Recording,
     from: u32,
     interval: f64,
@@ -45,17 +45,11 @@ impl History {
                 stop: impact.stop,
                 velocity_before: impact.velocity_before,
                 velocity_after: impact.velocity_after,
-                x2: second(&after.point.state.x),
-                v2: second(&after.point.state.v),
+                state: StateVector::of(&after.point.state),
                 phase: super::section::phase_of(flight, after.step, after.offset),
             });
         }
     }
-}
-
-/// The value of the second coordinate, 0 where there is none.
-fn second<const N: usize>(values: &[f64; N]) -> f64 {
-    values.get(1).copied().unwrap_or(0.0)
 }
 
 impl Witness<f64> for History {
@@ -81,8 +75,7 @@ impl Witness<f64> for History {
                 continue;
             }
             let state = before.point.flown(flight, (at - self.time).max(0.0), taken.contact).state;
-            let (x2, v2) = (second(&state.x), second(&state.v));
-            self.recording.samples.push(Sample { time: at, x1: state.x[0], x2, v1: state.v[0], v2 });
+            self.recording.samples.push(Sample { time: at, state: StateVector::of(&state) });
         }
         self.time = end;
         if let (Some(stop), None) = (resting_on(flight, before.contact), self.recording.sticks.last()) {

@@ -50,7 +50,7 @@ pub use scheme::{
 };
 pub use section::Section;
 pub use sine::{Convention, Sine};
-pub use surface::{Surface, section_names};
+pub use surface::{Surface, own_coordinate, section_names};
 pub use values::{MOST_COMPONENTS, SectionValues};
 pub use witness::{Return, Witness};
 

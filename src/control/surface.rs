@@ -37,7 +37,7 @@ impl Surface {
         Surface {
             stop,
             end: ends.find(is_there).expect("the system has the stop"),
-            eliminated: eliminated(plant, stop),
+            eliminated: own_coordinate(plant, stop),
             mirror: plant.mirror().map(|mirror| {
                 std::array::from_fn(|stop| Stop(mirror.stops.get(stop).map_or(stop, |&image| image) as u8))
             }),
@@ -119,8 +119,9 @@ impl Surface {
     }
 }
 
-/// The coordinate whose displacement follows from the others at a stop: see [`Surface`].
-fn eliminated(plant: &Plant, stop: Stop) -> usize {
+/// The coordinate, from 0, whose displacement follows from the others at a stop, and whose velocity is the first component
+/// of a point on its section: see [`Surface`].
+pub fn own_coordinate(plant: &Plant, stop: Stop) -> usize {
     let direction = &plant.stops[stop.index()].direction;
     let largest = direction.amax() * (1.0 - EQUAL);
     direction.iter().position(|d| d.abs() >= largest).unwrap_or(0)
@@ -132,7 +133,7 @@ const EQUAL: f64 = 1e-9;
 /// The names of the components of a point on the section of a stop: `v1+`, `x2`, `v2`, `tau` for the first of two
 /// coordinates.
 pub fn section_names(plant: &Plant, stop: Stop) -> Vec<String> {
-    let eliminated = eliminated(plant, stop);
+    let eliminated = own_coordinate(plant, stop);
     let others = || (0..plant.n).filter(|&i| i != eliminated).map(|i| i + 1);
     std::iter::once(format!("v{}+", eliminated + 1))
         .chain(others().map(|i| format!("x{i}")))

@@ -9,13 +9,14 @@ use super::branch::{Event, Followed, followed};
 use super::condition::Kind;
 use super::curve::{Curve, CurveMotion};
 use super::left_out::{LeftOut, Why, left_out};
-use super::no_impact::no_impact_curve;
+use super::no_impact::no_impact_curves;
 use super::regions::{Shown, shown};
 use super::seeds::{Seed, fewest, seeds};
+use super::symmetry::stops_of;
 use super::trace::{Traced, trace};
 use super::unknowns::Span;
 use crate::plane::{Axis, Plane, Quantity, RegionMap};
-use crate::theory::Pattern;
+use crate::theory::{Pattern, StopSet};
 
 /// A motion that is followed is followed again, across, from one place in each of so many parts of either axis.
 const PARTS: f64 = 5.0;
@@ -54,9 +55,10 @@ pub struct PlaneCurves {
 /// [`CurvesError`] where an axis is not a range of a parameter.
 pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<PlaneCurves, CurvesError> {
     let spans = spans(&map.plane)?;
-    let shown = shown(map);
+    let stops = stops_of(&map.plane, spans);
+    let shown = shown(map, &stops);
     let sought: Vec<Result<Vec<Event>, Why>> =
-        shown.par_iter().map(|shown| sought(map, shown, max_period, spans)).collect();
+        shown.par_iter().map(|shown| sought(map, shown, &stops, max_period, spans)).collect();
     let mut open: Vec<Event> = sought.iter().flatten().flatten().cloned().collect();
     let mut curves = Vec::new();
     // Curves that begin at special points of others are followed in their turn.
@@ -80,18 +82,24 @@ pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<PlaneCurve
         curves.iter().filter(is_of).any(|curve| distance(curve, place, spans) < SAME)
     };
     let left_out = left_out(&shown, &sought, bounded);
-    curves.extend(no_impact_curve(map, spans));
+    curves.extend(no_impact_curves(map, spans, &stops));
     Ok(PlaneCurves { curves, left_out })
 }
 
 /// Where a motion gains or loses stability or grazes.
 ///
 /// It is followed from the map's cells along both axes, and from where that leads to along both axes again.
-fn sought(map: &RegionMap, shown: &Shown, max_period: u32, spans: [Span; 2]) -> Result<Vec<Event>, Why> {
+fn sought(
+    map: &RegionMap,
+    shown: &Shown,
+    stops: &StopSet,
+    max_period: u32,
+    spans: [Span; 2],
+) -> Result<Vec<Event>, Why> {
     if let Some(why) = Why::not_sought(shown, max_period, fewest(map)) {
         return Err(why);
     }
-    let first = seeds(map, shown);
+    let first = seeds(map, shown, stops);
     if first.is_empty() {
         return Err(Why::Unsolved);
     }
@@ -114,7 +122,7 @@ fn sought(map: &RegionMap, shown: &Shown, max_period: u32, spans: [Span; 2]) -> 
 }
 
 /// The two parameters of a plane.
-fn spans(plane: &Plane) -> Result<[Span; 2], CurvesError> {
+pub(super) fn spans(plane: &Plane) -> Result<[Span; 2], CurvesError> {
     Ok([span(&plane.x)?, span(&plane.y)?])
 }
 

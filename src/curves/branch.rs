@@ -4,7 +4,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::condition::{Kind, split, test_function};
 use super::locus::Branch;
-use super::parting::parting;
+use super::parting::{parting, passed};
 use super::path::PathPoint;
 use super::seeds::Seed;
 use super::touch::{Touch, arrival_speeds, nearest, touches};
@@ -20,8 +20,13 @@ const SHORTEST: f64 = 1e-6;
 const MOST_STEPS: usize = 1500;
 /// A step over which the path turns by more than this cosine is halved.
 const STRAIGHT: f64 = 0.95;
+/// Bisections to place the birth of a motion.
+const BISECTIONS: usize = 20;
 /// How far apart the places are that are kept of a branch, in lengths of the parameter's range.
 const KEPT: f64 = 0.15;
+/// A test function that is no larger on either side of a zero is zero all along, but for rounding: as that of a
+/// Neimark-Sacker bifurcation is where nothing dissipates.
+const ROUNDING: f64 = 1e-9;
 /// Multipliers up to this count as stable.
 const STABLE: f64 = 1.0 + 1e-7;
 
@@ -93,11 +98,15 @@ fn follow(branch: &Branch, start: PathPoint, found: &mut Followed) {
         };
         if seen.stable || watched.stable {
             for (index, kind) in Kind::smooth(&branch.0.pattern).into_iter().enumerate() {
-                if seen.tests[index] * watched.tests[index] < 0.0 {
+                let [a, b] = [seen.tests[index], watched.tests[index]];
+                if a * b < 0.0 && a.abs().max(b.abs()) > ROUNDING {
                     let located = locate(branch, &here, ds, |w| w.tests[index]);
                     found.events.extend(located.and_then(|y| smooth_event(branch, &y, kind)));
                 }
             }
+        }
+        if seen.stable || watched.stable {
+            found.events.extend(birth(branch, &here, &next, ds));
         }
         if watched.is_inadmissible() {
             found.events.extend(grazing_event(branch, &next.y, &watched).filter(|_| seen.stable));
@@ -153,6 +162,39 @@ fn locate(branch: &Branch, from: &PathPoint, ds: f64, f: impl Fn(&Watched) -> f6
         (b, fb) = (s, value);
     }
     None
+}
+
+/// The bifurcation of a simpler motion in which a path's motion was born, where the path goes over into its twin's.
+fn birth(branch: &Branch, here: &PathPoint, next: &PathPoint, ds: f64) -> Option<Event> {
+    let unknowns = &branch.0;
+    let first = branch.seed(&here.y).motion;
+    first.part(2)?;
+    let is_beyond = |y: &DVector<f64>| {
+        let system = unknowns.system(y)?;
+        Some(passed(&system, &first, &branch.seed(y).motion))
+    };
+    if !is_beyond(&next.y)? {
+        return None;
+    }
+    let (mut before, mut beyond, mut last) = (0.0, ds, here.y.clone());
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (before + beyond);
+        let point = here.advanced(branch, middle)?;
+        if is_beyond(&point.y)? {
+            beyond = middle;
+        } else {
+            (before, last) = (middle, point.y);
+        }
+    }
+    let system = unknowns.system(&last)?;
+    let event = Event {
+        kind: Kind::Fold,
+        pattern: unknowns.pattern.clone(),
+        sections: unknowns.sections(&last),
+        parameters: *system.setting().expect("a curve's systems are made of settings"),
+        touch: None,
+    };
+    Some(event.of_simpler_motion(&system)).filter(|event| event.kind != Kind::Fold)
 }
 
 /// A smooth bifurcation, if it is one of stability.

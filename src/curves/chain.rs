@@ -73,8 +73,7 @@ mod tests {
         ] {
             let system = System::new(Parameters { omega, delta: 0.1, ..Parameters::default() }).unwrap();
             let settled = crate::dynamics::record(&system, state, 3000, n, 1).samples[0];
-            let motion =
-                settled_motion(&system, [settled.x1, settled.x2, settled.v1, settled.v2], n).unwrap();
+            let motion = settled_motion(&system, settled.state, n).unwrap();
             let flow = Flow::new(&system);
             let mut chain = Chain::new(&flow, &motion.pattern, motion.sections.clone()).unwrap();
             for i in 0..motion.sections.len() {

@@ -3,8 +3,10 @@
 use serde::{Serialize, Serializer};
 
 use super::condition::Kind;
+use crate::analysis::{Regime, Verdict, motion_label};
 use crate::dynamics::Stop;
-use crate::theory::Pattern;
+use crate::model::System;
+use crate::theory::{Pattern, StopSet};
 
 /// A bifurcation curve in the plane of two parameters; non-dimensional.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,10 +28,10 @@ pub struct Curve {
 pub struct CurveMotion {
     /// N, forcing periods.
     pub n: u32,
-    /// p, impacts at Ā.
-    pub p: u32,
-    /// q, impacts at A.
-    pub q: u32,
+    /// Impacts at each stop in one period, in the order of labels: p and q of the paper's oscillator.
+    pub impacts: Vec<u32>,
+    /// Those of its mirror image; none where the plane's systems have no mirror.
+    pub image: Option<Vec<u32>>,
     /// Whether it is symmetric.
     pub symmetric: bool,
 }
@@ -37,31 +39,87 @@ pub struct CurveMotion {
 impl CurveMotion {
     /// That of a pattern of impacts.
     pub(super) fn of(pattern: &Pattern) -> Self {
-        CurveMotion { n: pattern.n(), p: pattern.p(), q: pattern.q(), symmetric: pattern.mirrored }
+        let impacts = pattern.among.in_label_order(&pattern.counts());
+        CurveMotion::among(&pattern.among, pattern.n(), impacts, pattern.mirrored)
     }
 
-    /// The motion of a label, N-p-q or what it is called without impacts.
-    pub fn labelled(label: &str, symmetric: bool) -> Option<Self> {
+    /// That of a cell.
+    pub(super) fn shown(verdict: &Verdict, stops: &StopSet) -> Self {
+        let impacts = verdict.counts.iter().map(|&count| count.into()).collect();
+        CurveMotion::among(stops, verdict.n.into(), impacts, verdict.symmetric && stops.has_mirror())
+    }
+
+    /// The forced response.
+    pub(super) fn without_impact(stops: &StopSet) -> Self {
+        CurveMotion::among(stops, 1, vec![0; stops.count()], stops.has_mirror())
+    }
+
+    fn among(stops: &StopSet, n: u32, impacts: Vec<u32>, symmetric: bool) -> Self {
+        let own = stops.in_plant_order(&impacts);
+        let mut image = vec![0; own.len()];
+        for (stop, &count) in own.iter().enumerate() {
+            image[stops.image(Stop(stop as u8)).index()] = count;
+        }
+        let image = stops.has_mirror().then(|| stops.in_label_order(&image));
+        CurveMotion { n, impacts, image, symmetric }
+    }
+
+    /// The motion of a label, N and the impacts at each stop in the order of labels, or what it is called without impacts.
+    pub fn labelled(label: &str, symmetric: bool, system: &System) -> Option<Self> {
+        let stops = StopSet::of(system);
         if label == "no impact" {
-            return Some(CurveMotion { n: 1, p: 0, q: 0, symmetric });
+            return Some(CurveMotion { symmetric, ..CurveMotion::without_impact(&stops) });
         }
         let counts: Option<Vec<u32>> = label.split('-').map(|count| count.parse().ok()).collect();
-        let [n, p, q] = counts?[..] else { return None };
-        Some(CurveMotion { n, p, q, symmetric })
+        let counts = counts?;
+        let (&n, impacts) = counts.split_first()?;
+        (impacts.len() == stops.count()).then(|| CurveMotion::among(&stops, n, impacts.to_vec(), symmetric))
     }
 
-    /// The motion with the stops exchanged.
+    /// The motion half a forcing period later with the mirror applied; itself where there is no mirror.
     #[must_use]
     pub fn mirror_image(&self) -> Self {
-        CurveMotion { p: self.q, q: self.p, ..self.clone() }
+        let Some(image) = &self.image else { return self.clone() };
+        CurveMotion { impacts: image.clone(), image: Some(self.impacts.clone()), ..self.clone() }
     }
 
-    /// N-p-q, or what it is called without impacts.
+    /// Of the motion and its mirror image the one with more impacts at the first stop in which they differ.
+    #[must_use]
+    pub(super) fn leading(self) -> Self {
+        let image = self.mirror_image();
+        if image.impacts > self.impacts { image } else { self }
+    }
+
+    /// Impacts in one period.
+    pub fn count(&self) -> u32 {
+        self.impacts.iter().sum()
+    }
+
+    /// Whether a cell shows the motion or its mirror image; whether symmetrically or not is another question.
+    pub fn is_counted_by(&self, verdict: &Verdict) -> bool {
+        let counts = |impacts: &[u32]| {
+            verdict.counts.iter().map(|&count| u32::from(count)).eq(impacts.iter().copied())
+        };
+        if self.count() == 0 {
+            return verdict.regime == Regime::NoImpact;
+        }
+        verdict.regime.is_periodic()
+            && u32::from(verdict.n) == self.n
+            && (counts(&self.impacts) || self.image.as_deref().is_some_and(counts))
+    }
+
+    /// Whether there are motions of its label that are symmetric and others that are not.
+    pub fn could_be_symmetric(&self) -> bool {
+        self.image.as_ref() == Some(&self.impacts)
+    }
+
+    /// N and the impacts at each stop, or what it is called without impacts.
     pub fn label(&self) -> String {
-        if self.p + self.q == 0 {
+        if self.count() == 0 {
             "no impact".to_owned()
         } else {
-            format!("{}-{}-{}", self.n, self.p, self.q)
+            let impacts: Vec<u16> = self.impacts.iter().map(|&count| count as u16).collect();
+            motion_label(self.n, &impacts)
         }
     }
 }

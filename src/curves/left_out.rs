@@ -4,7 +4,6 @@ use super::branch::Event;
 use super::curve::CurveMotion;
 use super::regions::Shown;
 use super::seeds::MOST_IMPACTS;
-use crate::analysis::motion_label;
 
 /// A periodic motion that a map shows and that no computed curve bounds.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,11 +52,11 @@ impl Why {
 
     /// Why a motion is not even looked for, if it is not.
     pub(super) fn not_sought(shown: &Shown, max_period: u32, fewest: usize) -> Option<Why> {
-        let CurveMotion { n, p, q, .. } = shown.motion;
+        let CurveMotion { n, .. } = shown.motion;
         let reasons = [
             (Why::LongPeriod, n > max_period),
             (Why::Sticks, shown.sticks),
-            (Why::ManyImpacts, p + q > MOST_IMPACTS),
+            (Why::ManyImpacts, shown.motion.count() > MOST_IMPACTS),
             (Why::Few, shown.cells() < fewest),
         ];
         reasons.into_iter().find_map(|(why, holds)| holds.then_some(why))
@@ -65,15 +64,14 @@ impl Why {
 }
 
 impl LeftOut {
-    /// N-p-q, with ∞ for infinitely many impacts, and the symmetry where it could be either.
+    /// The motion's label, with ∞ for infinitely many impacts, and the symmetry where it could be either.
     pub fn name(&self) -> String {
-        let CurveMotion { n, p, q, symmetric } = self.motion;
-        let symmetry = match (p == q, symmetric) {
+        let symmetry = match (self.motion.could_be_symmetric(), self.motion.symmetric) {
             (true, true) => " symmetric",
             (true, false) => " unsymmetric",
             (false, _) => "",
         };
-        format!("{}{symmetry}", motion_label(n, &[p as u16, q as u16]))
+        format!("{}{symmetry}", self.motion.label())
     }
 }
 

@@ -7,7 +7,7 @@ use super::condition::{Kind, test_function, test_of_motion};
 use super::path::{Equations, differences, differences_of_each};
 use super::seeds::Seed;
 use super::touch::grazing;
-use super::unknowns::{SECTION, Unknowns};
+use super::unknowns::Unknowns;
 use crate::dynamics::Stop;
 use crate::theory::{Flow, PeriodicMotion, Section};
 
@@ -60,17 +60,18 @@ impl Locus {
     fn test_by_sections(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
         let flow = Flow::new(&self.unknowns.system(y)?);
         let mut chain = Chain::new(&flow, &self.unknowns.pattern, self.unknowns.sections(y))?;
-        differences_of_each(y, 0..SECTION * self.unknowns.pattern.stops.len(), |j, value| {
-            let mut section: Section = y.rows(j / SECTION * SECTION, SECTION).into_owned();
-            section[j % SECTION] = value;
-            let test = test_function(self.kind, &chain.turn_with(j / SECTION, section)?);
+        let size = self.unknowns.size();
+        differences_of_each(y, 0..self.unknowns.sections_end(), |j, value| {
+            let mut section: Section = y.rows(j / size * size, size).into_owned();
+            section[j % size] = value;
+            let test = test_function(self.kind, &chain.turn_with(j / size, section)?);
             test.is_finite().then(|| DVector::from_element(1, test))
         })
     }
 
     /// The phase at which the stop is touched.
     pub fn touch_phase(&self, y: &DVector<f64>) -> f64 {
-        y[SECTION * self.unknowns.pattern.stops.len()]
+        y[self.unknowns.sections_end()]
     }
 }
 
@@ -84,7 +85,7 @@ impl Equations for Locus {
 
     fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
         let matching = self.unknowns.matching_derivative(y)?;
-        let sections = SECTION * self.unknowns.pattern.stops.len();
+        let sections = self.unknowns.sections_end();
         let by_sections = match self.touch {
             Some(_) => differences(y, 0..sections, |y| self.condition(y))?,
             None => self.test_by_sections(y)?,

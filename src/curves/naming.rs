@@ -110,7 +110,7 @@ mod tests {
         };
         Curve {
             kind,
-            motion: CurveMotion { n, p, q, symmetric },
+            motion: CurveMotion { n, impacts: vec![p, q], image: Some(vec![q, p]), symmetric },
             touches: None,
             points: omegas.iter().map(point).collect(),
             ends: [End::LeavesPlane; 2],

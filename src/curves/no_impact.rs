@@ -1,13 +1,16 @@
-//! Where the motion without impact grazes: its amplitude is the half clearance.
+//! Where the motion without impact grazes: the forced response just reaches a stop.
 
 use nalgebra::DVector;
 
 use super::condition::Kind;
-use super::curve::{Curve, CurveMotion, CurvePoint, End};
+use super::curve::{Curve, CurveMotion, CurvePoint, End, Special};
 use super::path::{Equations, PathPoint};
+use super::response::{Response, decays};
 use super::unknowns::Span;
-use crate::model::{Flight, Setting, System};
+use crate::dynamics::Stop;
+use crate::model::{Setting, System};
 use crate::plane::RegionMap;
+use crate::theory::StopSet;
 
 /// The longest step, in sides of the plane.
 const STEP: f64 = 5e-3;
@@ -15,11 +18,18 @@ const STEP: f64 = 5e-3;
 const MOST_POINTS: usize = 2000;
 /// Places along each side at which the curve is looked for.
 const SCAN: u32 = 64;
+/// The share of the room to another stop by which the motion may go beyond that before it counts.
+const CROSSED: f64 = 1e-9;
+/// Bisections to place the end of a curve.
+const BISECTIONS: usize = 40;
 
-/// The amplitude of the forced response of x1 equals δ.
+/// The forced response just reaches a stop.
 struct Reach {
     fixed: Setting,
     spans: [Span; 2],
+    stop: Stop,
+    /// The other stops.
+    others: Vec<Stop>,
 }
 
 impl Reach {
@@ -30,14 +40,18 @@ impl Reach {
             .fold(self.fixed, |parameters, (span, share)| parameters.with(span.parameter, span.value(share)))
     }
 
-    /// ln of amplitude over half clearance: as smooth at a resonance as elsewhere.
+    fn response(&self, shares: [f64; 2]) -> Option<Response> {
+        Response::of(&System::new(self.parameters(shares)).ok()?)
+    }
+
     fn excess(&self, shares: [f64; 2]) -> Option<f64> {
-        let system = System::new(self.parameters(shares)).ok()?;
-        let excess = {
-            let normal = Flight::<f64, 2>::new(&system).normals[0];
-            (normal.reach[0] / normal.gap[0]).ln()
-        };
-        excess.is_finite().then_some(excess)
+        self.response(shares)?.excess(self.stop)
+    }
+
+    /// Whether it crosses no other stop.
+    fn is_motion(&self, shares: [f64; 2]) -> bool {
+        let crossed = |response: Response| self.others.iter().any(|&stop| response.crosses(stop, CROSSED));
+        self.response(shares).is_some_and(|response| !crossed(response))
     }
 }
 
@@ -47,10 +61,18 @@ impl Equations for Reach {
     }
 }
 
-/// The curves on which the motion without impact begins to touch the stops.
-pub(super) fn no_impact_curve(map: &RegionMap, spans: [Span; 2]) -> Vec<Curve> {
-    let reach = Reach { fixed: map.plane.parameters, spans };
-    let mut curves: Vec<(Vec<[f64; 2]>, Curve)> = Vec::new();
+/// The curves on which the motion without impact begins to touch a stop, of stops that are mirror images the first.
+pub(super) fn no_impact_curves(map: &RegionMap, spans: [Span; 2], stops: &StopSet) -> Vec<Curve> {
+    let all = || (0..stops.count()).map(|stop| Stop(stop as u8));
+    let of_stop = |stop: Stop| {
+        let others = all().filter(|&other| other != stop).collect();
+        found(&Reach { fixed: map.plane.parameters, spans, stop, others }, stops)
+    };
+    all().filter(|&stop| stops.image(stop) >= stop).flat_map(of_stop).collect()
+}
+
+fn found(reach: &Reach, stops: &StopSet) -> Vec<Curve> {
+    let mut paths: Vec<Path> = Vec::new();
     for line in 0..=SCAN {
         let across = f64::from(line) / f64::from(SCAN);
         for along in 0..SCAN {
@@ -63,17 +85,99 @@ pub(super) fn no_impact_curve(map: &RegionMap, spans: [Span; 2]) -> Vec<Curve> {
                 }
                 let start = place(ends[0] + (ends[1] - ends[0]) * a / (a - b), across);
                 let near = |[x, y]: &[f64; 2]| (x - start[0]).hypot(y - start[1]) < 3.0 * STEP;
-                if curves.iter().any(|(shares, _)| shares.iter().any(near)) {
+                if paths.iter().any(|path| path.shares.iter().any(near)) {
                     continue;
                 }
-                curves.extend(traced(&reach, start));
+                paths.extend(traced(reach, start));
             }
         }
     }
-    curves.into_iter().map(|(_, curve)| curve).collect()
+    let motions = paths.into_iter().flat_map(|path| path.of_motions(reach));
+    motions.map(|path| path.curve(reach, stops)).collect()
 }
 
-fn traced(reach: &Reach, start: [f64; 2]) -> Option<(Vec<[f64; 2]>, Curve)> {
+/// Where the forced response reaches a stop, point by point, in shares of the plane's sides.
+#[derive(Clone)]
+struct Path {
+    shares: Vec<[f64; 2]>,
+    ends: [End; 2],
+}
+
+impl Path {
+    /// The parts on which it crosses no other stop.
+    fn of_motions(mut self, reach: &Reach) -> Vec<Path> {
+        let mut is_motion: Vec<bool> = self.shares.iter().map(|&share| reach.is_motion(share)).collect();
+        let Some(first) = is_motion.iter().position(|is| !is) else { return vec![self] };
+        if self.ends[0] == End::Closes {
+            // The last point is the first.
+            self.shares.pop();
+            is_motion.pop();
+            self.shares.rotate_left(first);
+            is_motion.rotate_left(first);
+        }
+        let last = self.shares.len() - 1;
+        let mut parts = Vec::new();
+        let mut from = 0;
+        for run in is_motion.chunk_by(|a, b| a == b) {
+            let until = from + run.len();
+            if run[0] {
+                let mut shares = self.shares[from..until].to_vec();
+                let mut ends = self.ends;
+                if from > 0 {
+                    shares.insert(0, edge(reach, self.shares[from], self.shares[from - 1]));
+                    ends[0] = End::Grazes;
+                }
+                if until <= last {
+                    shares.push(edge(reach, self.shares[until - 1], self.shares[until]));
+                    ends[1] = End::Grazes;
+                } else if self.ends[1] == End::Closes {
+                    shares.push(edge(reach, self.shares[last], self.shares[0]));
+                    ends[1] = End::Grazes;
+                }
+                parts.push(Path { shares, ends });
+            }
+            from = until;
+        }
+        parts
+    }
+
+    fn curve(self, reach: &Reach, stops: &StopSet) -> Curve {
+        let point = |&share: &[f64; 2]| {
+            let parameters = reach.parameters(share);
+            let [x, y] = reach.spans.map(|span| parameters.get(span.parameter));
+            let bounding = System::new(parameters).is_ok_and(|system| decays(&system));
+            CurvePoint { x, y, criticality: None, bounding, special: None }
+        };
+        let mut points: Vec<CurvePoint> = self.shares.iter().map(point).collect();
+        let last = points.len() - 1;
+        for (place, end) in [0, last].into_iter().zip(self.ends) {
+            points[place].special = (end == End::Grazes).then_some(Special::Grazing);
+        }
+        let motion = CurveMotion::without_impact(stops);
+        Curve { kind: Kind::Grazing, motion, touches: Some(reach.stop), points, ends: self.ends }
+    }
+}
+
+/// The last place of a motion between a place where there is one and the next, where there is none.
+fn edge(reach: &Reach, inside: [f64; 2], outside: [f64; 2]) -> [f64; 2] {
+    let along = [0, 1].map(|i| outside[i] - inside[i]);
+    let held = usize::from(along[1].abs() > along[0].abs());
+    let at = |part: f64| {
+        let guess = DVector::from_fn(2, |i, _| inside[i] + part * along[i]);
+        PathPoint::near(reach, guess, held).map(|point| [point.y[0], point.y[1]])
+    };
+    let (mut low, mut high, mut last) = (0.0, 1.0, inside);
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        match at(middle).filter(|&share| reach.is_motion(share)) {
+            Some(share) => (low, last) = (middle, share),
+            None => high = middle,
+        }
+    }
+    last
+}
+
+fn traced(reach: &Reach, start: [f64; 2]) -> Option<Path> {
     let guess = DVector::from_row_slice(&start);
     let first = PathPoint::near(reach, guess.clone(), 0).or_else(|| PathPoint::near(reach, guess, 1))?;
     let (mut shares, first_end) = follow(reach, first.reversed());
@@ -85,20 +189,7 @@ fn traced(reach: &Reach, start: [f64; 2]) -> Option<(Vec<[f64; 2]>, Curve)> {
     };
     shares.extend(after);
     shares.retain(|share| share.iter().all(|s| (0.0..=1.0).contains(s)));
-    let points = shares
-        .iter()
-        .map(|&share| {
-            let parameters = reach.parameters(share);
-            let [x, y] = reach.spans.map(|span| parameters.get(span.parameter));
-            let bounding =
-                System::new(parameters).is_ok_and(|system| Flight::<f64, 2>::new(&system).quiet.decays);
-            CurvePoint { x, y, criticality: None, bounding, special: None }
-        })
-        .collect();
-    let motion = CurveMotion { n: 1, p: 0, q: 0, symmetric: true };
-    (shares.len() > 1).then_some({
-        (shares, Curve { kind: Kind::Grazing, motion, touches: None, points, ends: [first_end, second_end] })
-    })
+    (shares.len() > 1).then_some(Path { shares, ends: [first_end, second_end] })
 }
 
 fn follow(reach: &Reach, start: PathPoint) -> (Vec<[f64; 2]>, End) {

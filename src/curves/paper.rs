@@ -20,8 +20,9 @@ pub fn is_plane_of_paper(plane: &Plane) -> bool {
 
 /// The paper's name of a curve where it has some criticality, L1 to L7, by motion and kind; none for most curves.
 pub(super) fn paper_name(curve: &Curve, criticality: Option<Criticality>) -> Option<&'static str> {
-    let CurveMotion { n, p, q, symmetric } = curve.motion;
-    match (curve.kind, [n, p, q], symmetric) {
+    let CurveMotion { n, impacts, symmetric, .. } = &curve.motion;
+    let [p, q] = impacts[..] else { return None };
+    match (curve.kind, [*n, p, q], *symmetric) {
         (Kind::NeimarkSacker, [1, 1, 1], true) => criticality.map(|criticality| match criticality {
             Criticality::Supercritical => "L1",
             Criticality::Subcritical => "L2",

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::curve::CurveMotion;
 use crate::analysis::{Regime, Verdict};
 use crate::plane::{Cell, RegionMap, connected};
+use crate::theory::StopSet;
 
 /// A periodic motion that a map shows, with all of its cells.
 #[derive(Clone, Debug)]
@@ -24,9 +25,9 @@ impl Shown {
     }
 }
 
-/// The periodic motions of a map, in the order of their first cells.
-pub(super) fn shown(map: &RegionMap) -> Vec<Shown> {
-    let keys: Vec<Option<Key>> = map.verdicts.iter().map(key).collect();
+/// The periodic motions of a map, among the stops of its plane, in the order of their first cells.
+pub(super) fn shown(map: &RegionMap, stops: &StopSet) -> Vec<Shown> {
+    let keys: Vec<Option<Key>> = map.verdicts.iter().map(|verdict| key(verdict, stops)).collect();
     let mut found: Vec<(Key, Vec<Vec<Cell>>)> = Vec::new();
     let mut index: HashMap<Key, usize> = HashMap::new();
     for region in connected(&keys, map.plane.x.count, map.plane.y.count) {
@@ -40,8 +41,11 @@ pub(super) fn shown(map: &RegionMap) -> Vec<Shown> {
     }
     let named = |((key, sticks), mut regions): (Key, Vec<Vec<Cell>>)| {
         regions.sort_by_key(|region| std::cmp::Reverse(region.len()));
-        let upright =
-            regions.iter().flatten().filter(|cell| map.at(cell.0, cell.1).p() == key.p as u16).count();
+        let is_upright = |cell: &&Cell| {
+            let counts = map.at(cell.0, cell.1).counts;
+            counts.iter().map(|&count| u32::from(count)).eq(key.impacts.iter().copied())
+        };
+        let upright = regions.iter().flatten().filter(is_upright).count();
         let all: usize = regions.iter().map(Vec::len).sum();
         let motion = if 2 * upright >= all { key } else { key.mirror_image() };
         Shown { motion, sticks, regions }
@@ -49,22 +53,20 @@ pub(super) fn shown(map: &RegionMap) -> Vec<Shown> {
     found.into_iter().map(named).collect()
 }
 
-/// What a motion and its mirror image have in common: the motion with p ≥ q, and whether it sticks.
+/// What a motion and its mirror image have in common: the leading one of the two, and whether it sticks.
 type Key = (CurveMotion, bool);
 
 /// The key of a cell's motion; none where it shows no periodic one.
-fn key(verdict: &Verdict) -> Option<Key> {
-    let Verdict { regime, n, symmetric, .. } = *verdict;
-    let (p, q) = (verdict.p(), verdict.q());
-    let motion = CurveMotion { n: n.into(), p: p.max(q).into(), q: p.min(q).into(), symmetric };
-    regime.is_periodic().then_some((motion, regime == Regime::PeriodicSticking))
+fn key(verdict: &Verdict, stops: &StopSet) -> Option<Key> {
+    let sticks = verdict.regime == Regime::PeriodicSticking;
+    verdict.regime.is_periodic().then(|| (CurveMotion::shown(verdict, stops).leading(), sticks))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::analysis::Schedule;
-    use crate::model::Parameters;
+    use crate::model::{Parameters, System};
     use crate::plane::{Plane, Provenance, Start};
 
     /// A map of one letter a cell, the last line first: u and d are mirror images, s another motion, dots chaos.
@@ -92,7 +94,9 @@ mod tests {
     }
 
     fn sizes(lines: &[&str]) -> Vec<(String, Vec<usize>)> {
-        let shown = shown(&map(lines));
+        let map = map(lines);
+        let stops = StopSet::of(&System::new(map.plane.parameters).unwrap());
+        let shown = shown(&map, &stops);
         shown.iter().map(|s| (s.motion.label(), s.regions.iter().map(Vec::len).collect())).collect()
     }
 

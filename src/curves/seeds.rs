@@ -6,9 +6,10 @@ use rayon::prelude::*;
 
 use super::curve::CurveMotion;
 use super::regions::Shown;
+use super::symmetry::among;
 use crate::model::{Setting, System};
 use crate::plane::{Cell, RegionMap};
-use crate::theory::{PeriodicMotion, settled_motion};
+use crate::theory::{PeriodicMotion, StopSet, settled_motion};
 
 /// The fewest cells of a motion that is followed, and of its regions from which it is: on a large map, so many in a million.
 /// Of a motion with no such region, all regions count.
@@ -39,11 +40,11 @@ pub(super) struct Seed {
 ///
 /// A region is entered in the middle of its longest run of cells in some of its rows, and at other cells where none of those
 /// of any region leads to the motion.
-pub(super) fn seeds(map: &RegionMap, shown: &Shown) -> Vec<Seed> {
+pub(super) fn seeds(map: &RegionMap, shown: &Shown, stops: &StopSet) -> Vec<Seed> {
     let large = shown.regions.iter().filter(|region| region.len() >= fewest(map)).count();
     let regions = if large > 0 { &shown.regions[..large] } else { &shown.regions[..] };
     let solved = |cells: &[Cell]| -> Vec<Seed> {
-        cells.par_iter().filter_map(|&cell| seed(map, cell, &shown.motion)).collect()
+        cells.par_iter().filter_map(|&cell| seed(map, cell, &shown.motion, stops)).collect()
     };
     // The largest regions come first.
     let mut parts = HashSet::new();
@@ -62,11 +63,12 @@ pub(super) fn seeds(map: &RegionMap, shown: &Shown) -> Vec<Seed> {
 }
 
 /// The motion of a cell, the way round that it is named.
-fn seed(map: &RegionMap, (column, row): Cell, named: &CurveMotion) -> Option<Seed> {
+fn seed(map: &RegionMap, (column, row): Cell, named: &CurveMotion, stops: &StopSet) -> Option<Seed> {
     let parameters = map.plane.parameters_at(column, row);
     let system = System::new(parameters).ok()?;
     let verdict = map.at(column, row);
     let motion = settled_motion(&system, &verdict.state[..], u32::from(verdict.n)).ok()?;
+    let motion = among(stops, &system, motion);
     let found = CurveMotion::of(&motion.pattern);
     if found == *named {
         return Some(Seed { parameters, motion });

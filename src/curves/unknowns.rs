@@ -6,7 +6,7 @@ use super::path::differences;
 use crate::model::{Parameter, Setting, System};
 use crate::plane::Spacing;
 use crate::theory::newton::{arcs, derivative, is_ordered, residual};
-use crate::theory::{Flow, Pattern, Section};
+use crate::theory::{Flow, Pattern, Section, StopSet};
 
 /// A parameter and the range of it that counts as length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,10 +29,7 @@ impl Span {
     }
 }
 
-/// Components of a section of the paper's oscillator.
-pub(super) const SECTION: usize = 4;
-
-/// What a vector of unknowns stands for: 4 for each impact, then `extra` ones, then one for each parameter.
+/// What a vector of unknowns stands for: 2n for each impact, then `extra` ones, then one for each parameter.
 #[derive(Clone, Debug)]
 pub(super) struct Unknowns {
     pub pattern: Pattern,
@@ -42,9 +39,19 @@ pub(super) struct Unknowns {
 }
 
 impl Unknowns {
+    /// 2n, the components of a section.
+    pub fn size(&self) -> usize {
+        2 * self.fixed.family().n()
+    }
+
+    /// Where the sections end.
+    pub fn sections_end(&self) -> usize {
+        self.size() * self.pattern.stops.len()
+    }
+
     /// Where the parameters begin.
     pub fn parameters_at(&self) -> usize {
-        SECTION * self.pattern.stops.len() + self.extra
+        self.sections_end() + self.extra
     }
 
     /// The vector of a motion.
@@ -71,14 +78,16 @@ impl Unknowns {
             .fold(self.fixed, |parameters, (span, &share)| parameters.with(span.parameter, span.value(share)))
     }
 
-    /// The system; none where its parameters are outside their physical range.
+    /// The system; none where its parameters are outside their physical range, or a mirrored motion has no mirror.
     pub fn system(&self, y: &DVector<f64>) -> Option<System> {
-        System::new(self.parameters(y)).ok().filter(|system| !system.is_clamped())
+        let mirrored = |system: &System| !self.pattern.mirrored || StopSet::of(system) == self.pattern.among;
+        System::new(self.parameters(y)).ok().filter(|system| !system.is_clamped() && mirrored(system))
     }
 
     /// The sections.
     pub fn sections(&self, y: &DVector<f64>) -> Vec<Section> {
-        (0..self.pattern.stops.len()).map(|i| y.rows(SECTION * i, SECTION).into_owned()).collect()
+        let size = self.size();
+        (0..self.pattern.stops.len()).map(|i| y.rows(size * i, size).into_owned()).collect()
     }
 
     /// Residuals of the matching equations.

@@ -4,6 +4,7 @@ mod axis;
 mod coexistence;
 mod result;
 mod spec;
+mod written;
 
 pub use axis::SweepAxis;
 pub use coexistence::{Coexistence, Pair};

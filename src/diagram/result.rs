@@ -11,9 +11,9 @@ pub struct Branch {
     pub direction: Direction,
     /// One trace per column, in the order in which the axis is written.
     pub traces: Vec<Trace>,
-    /// The four Lyapunov exponents of every column in the unit that was asked for, largest first, −∞ for a direction that is lost;
-    /// NaN where there are none.
-    pub spectrum: Option<Vec<[f64; 4]>>,
+    /// The 2n Lyapunov exponents of every column in the unit that was asked for, largest first, −∞ for a direction that is
+    /// lost; NaN where there are none.
+    pub spectrum: Option<Vec<Vec<f64>>>,
 }
 
 /// A computed bifurcation diagram.

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::axis::SweepAxis;
+use super::written::WrittenDiagram;
 use crate::analysis::{Probe, Schedule, ScheduleError};
 use crate::model::{ParameterError, Setting, StateVector};
 use crate::plane::{Component, Quantity, Start, StartError};
@@ -112,6 +113,7 @@ impl Direction {
 ///
 /// Together with the version, back end and adapter this is everything needed to compute it again.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(into = "WrittenDiagram")]
 pub struct DiagramSpec {
     /// The horizontal axis: a parameter, or a component of the start.
     pub x: SweepAxis,
@@ -137,7 +139,8 @@ pub struct DiagramSpec {
 pub enum ExponentUnit {
     /// The forcing period.
     Period,
-    /// An iterate of the impact map σ→σ, the paper's unit; there is none without impacts at A, or with infinitely many.
+    /// An iterate of the impact map of the first stop, σ→σ, the paper's unit; there is none without impacts there, or with
+    /// infinitely many.
     Iterate,
     /// The unit of (non-dimensional) time.
     Time,
@@ -145,13 +148,14 @@ pub enum ExponentUnit {
 
 impl ExponentUnit {
     /// The exponents of a spectrum in this unit, as they are; NaN where it has no meaning.
-    pub fn of(self, spectrum: &Spectrum) -> [f64; 4] {
-        let exponents = match self {
+    pub fn of(self, spectrum: &Spectrum) -> Vec<f64> {
+        match self {
             ExponentUnit::Period => spectrum.per_period.clone(),
-            ExponentUnit::Iterate => spectrum.per_iterate().unwrap_or_default(),
+            ExponentUnit::Iterate => {
+                spectrum.per_iterate().unwrap_or_else(|| vec![f64::NAN; spectrum.per_period.len()])
+            }
             ExponentUnit::Time => spectrum.per_time(),
-        };
-        std::array::from_fn(|j| exponents.get(j).copied().unwrap_or(f64::NAN))
+        }
     }
 
     /// The unit in words.
@@ -179,8 +183,8 @@ impl DiagramSpec {
     /// The first thing that cannot be used, with its value and the remedy.
     pub fn check(&self) -> Result<(), DiagramError> {
         self.schedule.check()?;
-        if self.parameters.family().n() != 2 {
-            return Err(DiagramError::Coordinates(self.parameters.family().n()));
+        if !self.probe.fits(self.parameters.family()) {
+            return Err(DiagramError::Probe(self.parameters.family().name()));
         }
         let branches = self.sweep.branches().len() as u64;
         let readings = branches * u64::from(self.x.count()) * u64::from(self.capacity);
@@ -243,11 +247,13 @@ fn start_with(start: Start, component: Component, value: f64, coordinates: usize
 /// Why a diagram was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum DiagramError {
-    /// Sections are read of systems with two coordinates only.
-    #[error("diagrams are of systems with two coordinates in this version, and this one has {0}")]
-    Coordinates(usize),
+    /// The probe is of another system.
+    #[error("{0} has no such section, or no such quantity on it: choose its own stops and components")]
+    Probe(&'static str),
     /// No such way to begin.
-    #[error("`{0}` is no sweep: write rest, symmetric, X1,X2,V1,V2, down, up or both")]
+    #[error(
+        "`{0}` is no sweep: write rest, symmetric, a state X1,X2,V1,V2 (x1 … xn, v1 … vn), down, up or both"
+    )]
     Sweep(String),
     /// Nothing, or too much, would be kept.
     #[error(

@@ -103,7 +103,7 @@ pub fn holds<T: Real, const N: usize, D>(flight: &Flight<T, N>, point: &Point<T,
 }
 
 /// As many roundings of a place as [`holds`] lets pass.
-const ROUNDINGS: f64 = 64.0;
+pub const ROUNDINGS: f64 = 64.0;
 
 /// A stop that is reached in one straight line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -160,7 +160,7 @@ fn imminent_at<T: Real, const N: usize, D: Drive<T, N>>(
 
 /// The size of the numbers whose difference the gap is.
 #[inline(always)]
-fn extent<T: Real, const N: usize, D>(
+pub fn extent<T: Real, const N: usize, D>(
     normal: &ContactNormal<T, N>,
     point: &Point<T, N, D>,
     side: usize,
@@ -226,6 +226,7 @@ pub fn clears_elsewhere<T: Real, const N: usize, D: Drive<T, N>>(
     let raised = axpy(-(end.sign::<T>() * height), response, &point.state.x);
     let raised = Point { state: State { x: raised, ..point.state }, ..*point };
     is_within(flight, point, ignored)
+        && is_within(flight, &raised, ignored)
         && safe_time(flight, point, &motion, ignored, time) >= time
         && safe_time(flight, &raised, &motion, ignored, time) >= time
 }

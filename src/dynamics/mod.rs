@@ -3,10 +3,12 @@
 //! Impacts at one instant happen one after the other: of the stops that are touched and run into, the first in the order of
 //! contact normals (that of their first stops in the plant) and of their ends (first the one met along the first stop's
 //! direction). A contact that an impact elsewhere drives into its stop is an impact at the same instant; one that it pulls
-//! off opens. Impacts whose directions are perpendicular in the metric of M⁻¹ commute.
+//! off opens. Impacts whose directions are perpendicular in the metric of M⁻¹ commute. Impacts that throw the masses from one
+//! stop to the other, infinitely many in finite time, end with the masses at rest on all of these stops.
 
 mod chatter;
 mod contact;
+mod corner;
 mod drive;
 mod placing;
 mod point;
@@ -27,7 +29,7 @@ pub use trajectory::{Event, Impact, Move, Trajectory};
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::chatter::{DRAGGED, SLOW, STEADY};
-    pub use super::contact::{HERMITE, WIDENING};
+    pub use super::contact::{HERMITE, ROUNDINGS, WIDENING};
     pub use super::series::INVERSE_FACTORIALS;
     pub use super::trajectory::{MOST_KICKS, MOST_MOVES};
     pub use crate::model::FAR;

@@ -2,10 +2,9 @@
 
 use thiserror::Error;
 
-use super::point::Point;
 use super::stop::{Contact, Stop};
 use super::trajectory::{Event, Impact, MOST_MOVES, Move, Trajectory};
-use crate::model::{Flight, State, System};
+use crate::model::{Flight, State, StateVector, System};
 
 /// An impact, at its instant; everything is non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,14 +13,12 @@ pub struct ImpactEvent {
     pub time: f64,
     /// Where.
     pub stop: Stop,
-    /// v1−.
+    /// d·v−, with d the direction of the first stop on the same line.
     pub velocity_before: f64,
-    /// v1+ = −r v1−; the last impact before sticking stands for the rebounds that follow it in finite time.
+    /// d·v+ = −r d·v−; the last impact before sticking stands for the rebounds that follow it in finite time.
     pub velocity_after: f64,
-    /// x2 at the impact.
-    pub x2: f64,
-    /// v2 at the impact.
-    pub v2: f64,
+    /// (x, v) once it is over: just after the impact, or at rest on the stop.
+    pub state: StateVector,
     /// Forcing phase ωt mod 2π.
     pub phase: f64,
 }
@@ -31,24 +28,18 @@ pub struct ImpactEvent {
 pub struct Sample {
     /// Time since the start of the trajectory.
     pub time: f64,
-    /// Displacement of the first mass.
-    pub x1: f64,
-    /// Displacement of the second mass.
-    pub x2: f64,
-    /// Velocity of the first mass.
-    pub v1: f64,
-    /// Velocity of the second mass.
-    pub v2: f64,
+    /// (x, v).
+    pub state: StateVector,
 }
 
-/// A stretch of time during which the first mass rests on a stop; non-dimensional.
+/// A stretch of time during which a stop holds; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stick {
     /// Where.
     pub stop: Stop,
-    /// When it comes to rest.
+    /// When masses come to rest on it.
     pub from: f64,
-    /// When it leaves, or where the recording ends.
+    /// When they leave, or where the recording ends.
     pub until: f64,
 }
 
@@ -59,7 +50,7 @@ pub struct Recording {
     pub impacts: Vec<ImpactEvent>,
     /// Its states at equal times, both ends of the window included.
     pub samples: Vec<Sample>,
-    /// Its rests on a stop, in order.
+    /// Its rests on stops, in the order in which they begin.
     pub sticks: Vec<Stick>,
     /// Where and why it ends before its time, if it does.
     pub given_up: Option<GivenUp>,
@@ -85,174 +76,211 @@ pub enum GivenUp {
 /// The most impacts of one recording.
 const MOST_IMPACTS: usize = 10_000_000;
 
-/// Follows a trajectory in f64 from (x1, x2, v1, v2) at forcing phase 0, and writes down what it does.
+/// Follows a trajectory in f64 from (x, v) at forcing phase 0, and writes down what it does.
 ///
 /// The first `transient` forcing periods are left out; the next `periods` are recorded with `samples_per_period`
 /// samples each (0 for none). Times count from the start of the trajectory. A trajectory that makes no headway is
 /// given up, and the recording says so.
+///
+/// # Panics
+/// If the start does not have 2n components.
 pub fn record(
     system: &System,
-    start: [f64; 4],
+    start: impl AsRef<[f64]>,
     transient: u32,
     periods: u32,
     samples_per_period: u32,
 ) -> Recording {
-    let flight = Flight::<f64, 2>::new(system);
-    let mut trajectory = Trajectory::new(&flight, State::from_slice(&start));
-    for period in 0..transient {
-        if !pass_period(&flight, &mut trajectory) {
-            return Recording { given_up: Some(GivenUp::Moves(period)), ..Recording::default() };
-        }
+    let start = start.as_ref();
+    let window = Window { transient, periods, samples: samples_per_period };
+    match system.plant().n {
+        1 => window.record::<1>(system, start),
+        2 => window.record::<2>(system, start),
+        3 => window.record::<3>(system, start),
+        _ => window.record::<4>(system, start),
     }
-    let mut recorder = Recorder::new(system, &flight, &trajectory, transient, samples_per_period);
-    let mut period = transient;
-    let mut moves = 0;
-    while period < transient + periods {
-        let before = trajectory;
-        let taken = trajectory.advance(&flight, &mut ());
-        let began = recorder.time(period, &before);
-        let within = recorder.elapsed(&before);
-        recorder.sample(&flight, period, within, &before.point, &taken);
-        moves += 1;
-        if taken.event == Event::Strobe {
-            period += 1;
-            moves = 0;
+}
+
+/// What is recorded of a trajectory.
+#[derive(Clone, Copy)]
+struct Window {
+    /// Forcing periods that are left out.
+    transient: u32,
+    /// Forcing periods that are recorded.
+    periods: u32,
+    /// Samples in each of them.
+    samples: u32,
+}
+
+impl Window {
+    fn record<const N: usize>(self, system: &System, start: &[f64]) -> Recording {
+        let flight = &Flight::<f64, N>::new(system);
+        let mut trajectory = Trajectory::new(flight, State::from_slice(start));
+        for period in 0..self.transient {
+            if !pass_period(flight, &mut trajectory) {
+                return Recording { given_up: Some(GivenUp::Moves(period)), ..Recording::default() };
+            }
         }
-        recorder.note(began, taken.time, &trajectory, taken.event);
-        if moves > MOST_MOVES {
-            return recorder.give_up(GivenUp::Moves(period), period, &trajectory);
+        let mut recorder = Recorder::new(system, flight, &trajectory, self);
+        let mut moves = 0;
+        while recorder.period < self.transient + self.periods {
+            let before = trajectory;
+            let taken = trajectory.advance(flight, &mut ());
+            recorder.sample(&before, &taken);
+            let period = recorder.period;
+            recorder.note(&before, &taken, &trajectory);
+            moves = if taken.event == Event::Strobe { 0 } else { moves + 1 };
+            if moves > MOST_MOVES {
+                return recorder.give_up(GivenUp::Moves(period), &trajectory);
+            }
+            if recorder.recording.impacts.len() > MOST_IMPACTS {
+                return recorder.give_up(GivenUp::Impacts(period), &trajectory);
+            }
         }
-        if recorder.recording.impacts.len() > MOST_IMPACTS {
-            return recorder.give_up(GivenUp::Impacts(period), period, &trajectory);
-        }
+        recorder.finish(&trajectory)
     }
-    recorder.finish(period, &trajectory)
 }
 
 /// Follows a trajectory to the end of its forcing period; `false` where it makes no headway.
-fn pass_period(flight: &Flight<f64, 2>, trajectory: &mut Trajectory<f64, 2>) -> bool {
+fn pass_period<const N: usize>(flight: &Flight<f64, N>, trajectory: &mut Trajectory<f64, N>) -> bool {
     (0..=MOST_MOVES).any(|_| trajectory.advance(flight, &mut ()).event == Event::Strobe)
 }
 
-struct Recorder {
+struct Recorder<'a, const N: usize> {
     recording: Recording,
-    period: f64,
-    h: f64,
-    omega: f64,
-    samples_per_period: u32,
+    flight: &'a Flight<f64, N>,
+    /// The forcing period's length.
+    length: f64,
+    /// Forcing periods since the start.
+    period: u32,
+    samples: u32,
     /// The next sample's number within the present period.
     next: u32,
 }
 
-impl Recorder {
+impl<'a, const N: usize> Recorder<'a, N> {
     fn new(
         system: &System,
-        flight: &Flight<f64, 2>,
-        trajectory: &Trajectory<f64, 2>,
-        transient: u32,
-        samples_per_period: u32,
+        flight: &'a Flight<f64, N>,
+        trajectory: &Trajectory<f64, N>,
+        window: Window,
     ) -> Self {
         let mut recorder = Recorder {
             recording: Recording::default(),
-            period: system.period(),
-            h: flight.h,
-            omega: flight.omega,
-            samples_per_period,
+            flight,
+            length: system.period(),
+            period: window.transient,
+            samples: window.samples,
             next: 0,
         };
-        if let Some(stop) = resting_on(flight, trajectory.contact) {
-            let from = recorder.time(transient, trajectory);
-            recorder.recording.sticks.push(Stick { stop, from, until: from });
-        }
+        let from = recorder.time(trajectory);
+        recorder.open(Contact::FREE, trajectory.contact, from);
         recorder
     }
 
     /// Time since the last strobe.
-    fn elapsed(&self, trajectory: &Trajectory<f64, 2>) -> f64 {
-        f64::from(trajectory.step) * self.h + trajectory.offset
+    fn elapsed(&self, trajectory: &Trajectory<f64, N>) -> f64 {
+        f64::from(trajectory.step) * self.flight.h + trajectory.offset
     }
 
     /// Time since the start.
-    fn time(&self, period: u32, trajectory: &Trajectory<f64, 2>) -> f64 {
-        f64::from(period) * self.period + self.elapsed(trajectory)
+    fn time(&self, trajectory: &Trajectory<f64, N>) -> f64 {
+        f64::from(self.period) * self.length + self.elapsed(trajectory)
     }
 
-    /// Takes the samples that fall within a move of length `time` that began `elapsed` after the last strobe.
-    fn sample(
-        &mut self,
-        flight: &Flight<f64, 2>,
-        period: u32,
-        elapsed: f64,
-        point: &Point<f64, 2>,
-        taken: &Move<f64>,
-    ) {
-        while self.next < self.samples_per_period {
-            let at = self.period * f64::from(self.next) / f64::from(self.samples_per_period);
+    /// Takes the samples that fall within a move.
+    fn sample(&mut self, before: &Trajectory<f64, N>, taken: &Move<f64>) {
+        let elapsed = self.elapsed(before);
+        while self.next < self.samples {
+            let at = self.length * f64::from(self.next) / f64::from(self.samples);
             if at >= elapsed + taken.time && self.next > 0 {
                 return;
             }
-            let State { x: [x1, x2], v: [v1, v2] } =
-                point.flown(flight, (at - elapsed).max(0.0), taken.contact).state;
-            self.recording.samples.push(Sample {
-                time: f64::from(period) * self.period + at,
-                x1,
-                x2,
-                v1,
-                v2,
-            });
+            let state = before.point.flown(self.flight, (at - elapsed).max(0.0), taken.contact).state;
+            let time = f64::from(self.period) * self.length + at;
+            self.recording.samples.push(Sample { time, state: StateVector::of(&state) });
             self.next += 1;
         }
     }
 
-    fn note(&mut self, began: f64, duration: f64, trajectory: &Trajectory<f64, 2>, event: Event<f64>) {
-        let time = began + duration;
-        match event {
-            Event::Impact(impact) => self.impact(time, trajectory, impact),
-            Event::Caught { impact, .. } => {
-                if impact.velocity_before != 0.0 {
-                    self.impact(time, trajectory, impact);
-                }
-                self.recording.sticks.push(Stick { stop: impact.stop, from: time, until: time });
-            }
-            Event::Released(_) => {
-                if let Some(stick) = self.recording.sticks.last_mut() {
-                    stick.until = began;
-                }
-            }
-            Event::Strobe => self.next = 0,
-            Event::Flight | Event::StepEnd | Event::HalfPeriod => {}
+    fn note(&mut self, before: &Trajectory<f64, N>, taken: &Move<f64>, after: &Trajectory<f64, N>) {
+        let began = self.time(before);
+        let time = began + taken.time;
+        match taken.event {
+            Event::Impact(impact) => self.impact(time, after, impact),
+            Event::Caught { impact, .. } if impact.velocity_before != 0.0 => self.impact(time, after, impact),
+            Event::Strobe => (self.next, self.period) = (0, self.period + 1),
+            _ => {}
+        }
+        // A contact opens at the beginning of the move that pulls the masses off.
+        let released = if matches!(taken.event, Event::Released(_)) { began } else { time };
+        self.close(before.contact, after.contact, released);
+        self.open(before.contact, after.contact, time);
+    }
+
+    /// Notes the rests that begin.
+    fn open(&mut self, before: Contact, after: Contact, from: f64) {
+        if before == after {
+            return;
+        }
+        let (already, now) = (resting(self.flight, before), resting(self.flight, after));
+        let begun = now.into_iter().filter(|stop| !already.contains(stop));
+        self.recording.sticks.extend(begun.map(|stop| Stick { stop, from, until: from }));
+    }
+
+    /// Notes the ends of the rests that end.
+    fn close(&mut self, before: Contact, after: Contact, until: f64) {
+        if before == after {
+            return;
+        }
+        let kept = resting(self.flight, after);
+        for stop in resting(self.flight, before).into_iter().filter(|stop| !kept.contains(stop)) {
+            self.end(stop, until);
         }
     }
 
-    fn impact(&mut self, time: f64, trajectory: &Trajectory<f64, 2>, impact: Impact<f64>) {
-        let State { x: [_, x2], v: [_, v2] } = trajectory.point.state;
+    fn end(&mut self, stop: Stop, until: f64) {
+        if let Some(stick) = self.recording.sticks.iter_mut().rev().find(|stick| stick.stop == stop) {
+            stick.until = until;
+        }
+    }
+
+    fn impact(&mut self, time: f64, trajectory: &Trajectory<f64, N>, impact: Impact<f64>) {
         self.recording.impacts.push(ImpactEvent {
             time,
             stop: impact.stop,
             velocity_before: impact.velocity_before,
             velocity_after: impact.velocity_after,
-            x2,
-            v2,
-            phase: self.omega * self.elapsed(trajectory),
+            state: StateVector::of(&trajectory.point.state),
+            phase: self.flight.omega * self.elapsed(trajectory),
         });
     }
 
-    fn give_up(mut self, why: GivenUp, period: u32, trajectory: &Trajectory<f64, 2>) -> Recording {
+    fn give_up(mut self, why: GivenUp, trajectory: &Trajectory<f64, N>) -> Recording {
         self.recording.given_up = Some(why);
-        self.finish(period, trajectory)
+        self.finish(trajectory)
     }
 
-    fn finish(mut self, period: u32, trajectory: &Trajectory<f64, 2>) -> Recording {
-        let time = self.time(period, trajectory);
-        if let (false, Some(stick)) = (trajectory.contact.is_free(), self.recording.sticks.last_mut()) {
-            stick.until = time;
+    fn finish(mut self, trajectory: &Trajectory<f64, N>) -> Recording {
+        let time = self.time(trajectory);
+        for stop in resting(self.flight, trajectory.contact) {
+            self.end(stop, time);
         }
-        if self.samples_per_period > 0 {
-            let State { x: [x1, x2], v: [v1, v2] } = trajectory.point.state;
-            self.recording.samples.push(Sample { time, x1, x2, v1, v2 });
+        if self.samples > 0 {
+            self.recording.samples.push(Sample { time, state: StateVector::of(&trajectory.point.state) });
         }
         self.recording
     }
+}
+
+/// The stops on which masses rest, pressed; not those that clamp them.
+fn resting<const N: usize>(flight: &Flight<f64, N>, contact: Contact) -> Vec<Stop> {
+    if contact.is_free() {
+        return Vec::new();
+    }
+    let held = (0..flight.count).filter(|&k| !contact.is_clamped_along(k));
+    let ends = held.filter_map(|k| contact.end_along(k));
+    ends.map(|end| Stop(flight.normals[end.normal].stop[end.side])).collect()
 }
 
 /// The stop on which a mass rests, pressed; none where it is free, or clamped.

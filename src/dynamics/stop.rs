@@ -4,8 +4,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::model::Real;
 use crate::model::vector::MOST;
+use crate::model::{Flight, Real};
 
 /// One of a plant's rigid stops, by its place in the plant's order; the first by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -97,6 +97,13 @@ impl Contact {
         (self.0 | (self.0 >> MOST)) & ((1 << MOST) - 1)
     }
 
+    /// The contacts that are not among `earlier` ones.
+    #[inline(always)]
+    #[must_use]
+    pub fn since(self, earlier: Contact) -> Self {
+        Contact(self.0 & !earlier.0)
+    }
+
     /// Whether nothing is in contact.
     #[inline(always)]
     pub fn is_free(self) -> bool {
@@ -132,6 +139,12 @@ impl Contact {
     #[inline(always)]
     pub fn end_along(self, normal: usize) -> Option<End> {
         [0, 1].map(|side| End { normal, side }).into_iter().find(|&end| self.includes(end))
+    }
+
+    /// The stops of these contacts.
+    pub fn stops<T, const N: usize>(self, flight: &Flight<T, N>) -> impl Iterator<Item = Stop> {
+        let ends = (0..MOST).flat_map(|normal| [0, 1].map(|side| End { normal, side }));
+        ends.filter(move |&end| self.includes(end)).map(|end| Stop(flight.normals[end.normal].stop[end.side]))
     }
 
     /// The code of the GPU.

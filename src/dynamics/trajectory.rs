@@ -2,6 +2,7 @@
 
 use super::chatter::{self, Closure, Rebound};
 use super::contact::{self, Reached};
+use super::corner;
 use super::drive::Drive;
 use super::placing::{clamped, placed, rested};
 use super::point::{Approach, Motion, Point};
@@ -46,6 +47,8 @@ pub enum Event<T> {
         impact: Impact<T>,
         /// Whether rebounds follow it, infinitely many in finite time.
         complete_chatter: bool,
+        /// The stops beside this one that share these rebounds, and hold as well now; seldom any.
+        beside: Contact,
     },
     /// What pressed on a contact vanished, and it opens.
     Released(Stop),
@@ -229,6 +232,13 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         let impact =
             Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
         let Some(closure) = self.closure(flight, end, rebound, &after) else {
+            if let Some(corner) = corner::closes(flight, &self.point, self.contact, end) {
+                let beside = corner.since(self.contact.with(end));
+                self.contact = corner;
+                self.point.state = rested(flight, &self.point.state, corner);
+                *variation = variation.caught(flight, corner);
+                return Event::Caught { impact, complete_chatter: true, beside };
+            }
             let lost = contact::unresolved(normal, end.side, &self.point.state);
             if rebound.abs() <= lost {
                 // Pulled off the stop as soon as it is met: rounding must not make that another impact.
@@ -240,7 +250,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         };
         self.come_to_rest(flight, end, closure.gap_integral);
         *variation = variation.caught(flight, self.contact);
-        Event::Caught { impact, complete_chatter: rebound.abs() > T::zero() }
+        Event::Caught { impact, complete_chatter: rebound.abs() > T::zero(), beside: Contact::FREE }
     }
 
     /// The closure of the rebounds that follow an impact, if that is as good as following them.

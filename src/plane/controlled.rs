@@ -7,12 +7,14 @@ use super::axis::{Axis, Quantity};
 use super::region_map::{Provenance, RegionMap};
 use super::spec::{Plane, PlaneError};
 use super::start::Start;
+use super::written::{WrittenAxis, WrittenParameters, WrittenSystem, parameters};
 use crate::analysis::Schedule;
 use crate::control::{ControlError, ControlSchedule, ControlScheduleError, Outcome, Scheme};
 use crate::model::Setting;
 
 /// A plane of parameters, start components and settings of a control method, whose cells are all controlled.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(into = "WrittenControlPlane")]
 pub struct ControlPlane {
     /// The horizontal axis.
     pub x: Axis,
@@ -73,6 +75,32 @@ impl ControlPlane {
                 Quantity::Parameter(_) | Quantity::Start(_) => scheme,
             }
         })
+    }
+}
+
+/// A plane under control as files carry it.
+#[derive(Clone, Debug, Serialize)]
+struct WrittenControlPlane {
+    x: WrittenAxis,
+    y: WrittenAxis,
+    system: WrittenSystem,
+    parameters: WrittenParameters,
+    start: Start,
+    control: Scheme,
+    iterates: ControlSchedule,
+}
+
+impl From<ControlPlane> for WrittenControlPlane {
+    fn from(plane: ControlPlane) -> Self {
+        WrittenControlPlane {
+            x: WrittenAxis::of(&plane.x),
+            y: WrittenAxis::of(&plane.y),
+            system: WrittenSystem::of(plane.parameters.family()),
+            parameters: parameters(&plane.parameters),
+            start: plane.start,
+            control: plane.control,
+            iterates: plane.iterates,
+        }
     }
 }
 

@@ -34,8 +34,8 @@ impl Provenance {
     }
 }
 
-/// (re, im) of the Floquet multipliers of a periodic motion, largest modulus first.
-pub type Multipliers = [[f64; 2]; 4];
+/// (re, im) of the 2n Floquet multipliers of a periodic motion, largest modulus first.
+pub type Multipliers = Vec<[f64; 2]>;
 
 /// A computed plane.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,10 +7,12 @@ use super::orbit::{Orbit, OrbitPanel, orbit_key};
 use super::scale::Scale;
 use super::symbols;
 use super::text::Text;
-use crate::analysis::Reading;
-use crate::control::{ControlQuantity, ControlSchedule, Convention, History, Scheme, Sign};
+use crate::analysis::{Reading, Section};
+use crate::control::{ControlQuantity, ControlSchedule, Convention, History, Scheme, Sign, own_coordinate};
+use crate::dynamics::Stop;
 use crate::model::{Setting, System};
 use crate::plane::Start;
+use crate::system::Family;
 
 /// Dots and lines, in em.
 const DOT: f64 = 0.14;
@@ -44,28 +46,28 @@ pub enum Response {
 }
 
 impl ControlPicture<'_> {
-    /// The figure: the signal and the four components against the iterate, the phase portrait and the time series after
+    /// The figure: the signal and the components against the iterate, the phase portrait and the time series after
     /// control. `range` cuts the iterates shown.
     pub fn figure(&self, range: Option<[u32; 2]>) -> Figure {
-        let component = |reading| Response::Component(reading);
-        let responses = [
-            Response::Signal,
-            component(Reading::Tau),
-            component(Reading::VAfter),
-            component(Reading::X2),
-            component(Reading::V2),
-        ];
+        let responses = self.responses();
         let mut panels: Vec<Panel> = responses.iter().map(|&of| self.response(of, range)).collect();
         let orbit = self.orbit();
-        let after = [OrbitPanel::Portrait([Reading::X1, Reading::V1]), OrbitPanel::Time(Reading::X1)];
-        panels.extend(after.map(|panel| orbit.panel(panel, &[])));
-        for (panel, (letter, words)) in panels.iter_mut().zip(('a'..).zip(CAPTIONS)) {
+        let stop = self.scheme.stop();
+        let (x, v) = match self.setting().family().met_by(stop.index()) {
+            Some(i) => (Reading::X(i as u8), Reading::V(i as u8)),
+            None => (Reading::Gap(stop), Reading::Speed(stop)),
+        };
+        panels
+            .extend([OrbitPanel::Portrait([x, v]), OrbitPanel::Time(x)].map(|panel| orbit.panel(panel, &[])));
+        let after = AFTER.iter().map(|&words| words.to_owned());
+        let captions = responses.iter().map(|&of| self.caption(of)).chain(after);
+        for (panel, (letter, words)) in panels.iter_mut().zip(('a'..).zip(captions)) {
             panel.weight = 1.0;
             panel.caption = Some(Text::from(format!("({letter}) {words}")));
         }
         let switched = panels[..responses.len()].iter().any(|p| p.frame.x.shows(self.schedule.from.into()));
         let mut key = if switched { vec![self.switch_key()] } else { Vec::new() };
-        key.extend(orbit_key(&panels[responses.len()..]));
+        key.extend(orbit_key(self.setting().family(), &panels[responses.len()..]));
         let time = panels.pop();
         let mut rows: Vec<Row> = Vec::new();
         for panel in panels {
@@ -93,7 +95,7 @@ impl ControlPicture<'_> {
             .map(|met| {
                 let value = match of {
                     Response::Signal => met.signal,
-                    Response::Component(reading) => component(&met.section, reading),
+                    Response::Component(reading) => met.section[self.place(reading)],
                 };
                 [f64::from(met.iterate), value]
             })
@@ -124,17 +126,66 @@ impl ControlPicture<'_> {
         let begun = self.schedule.from + settled;
         let points: Vec<[f64; 2]> = (self.history.returns.iter())
             .filter(|met| met.iterate >= begun)
-            .map(|met| [component(&met.section, x), component(&met.section, y)])
+            .map(|met| [met.section[self.place(x)], met.section[self.place(y)]])
             .collect();
         let scale = |i: usize| Scale::around(points.iter().map(|point| point[i]), AROUND);
         let frame = Frame {
             x: scale(0),
             y: scale(1),
-            x_title: symbols::reading_title(x),
-            y_title: symbols::reading_title(y),
+            x_title: self.component_title(x),
+            y_title: self.component_title(y),
         };
         let marks = vec![Mark::Dots { points, diameter: 2.0 * DOT, colour: STEADY_BLUE }];
         Panel { caption: None, frame, marks, strips: Vec::new(), weight: 1.0 }
+    }
+
+    /// The coordinate whose velocity is the first component of a point on the section.
+    fn own(&self) -> u8 {
+        own_coordinate(self.system.plant(), self.scheme.stop()) as u8
+    }
+
+    /// The signal, and every component of a point on the section: the phase, then the others in their order.
+    fn responses(&self) -> Vec<Response> {
+        let own = self.own();
+        let others = || (0..self.system.plant().n as u8).filter(move |&i| i != own);
+        let components = [Reading::Tau, Reading::VAfter].into_iter();
+        let components = components.chain(others().map(Reading::X)).chain(others().map(Reading::V));
+        std::iter::once(Response::Signal).chain(components.map(Response::Component)).collect()
+    }
+
+    /// Where a component of a point on the section stands; the velocity after the impact is that of its own coordinate.
+    fn place(&self, reading: Reading) -> usize {
+        let (n, own) = (self.system.plant().n, self.own());
+        let among_others = |i: u8| usize::from(if i < own { i } else { i - 1 });
+        match reading {
+            Reading::Tau => 2 * n - 1,
+            Reading::X(i) => 1 + among_others(i),
+            Reading::V(i) if i != own => n + among_others(i),
+            _ => 0,
+        }
+    }
+
+    fn component_title(&self, reading: Reading) -> AxisTitle {
+        let own = self.own();
+        match reading {
+            Reading::VAfter if own > 0 => {
+                let short = symbols::reading_symbol(Reading::V(own)).superscript("+");
+                AxisTitle { long: Text::from("velocity after impact ").then(short.clone()), short }
+            }
+            Reading::VAfter | Reading::Tau => symbols::reading_title(reading),
+            _ => symbols::title_on(self.setting(), Section::Impact(self.scheme.stop()), reading),
+        }
+    }
+
+    fn caption(&self, of: Response) -> String {
+        let of_mass = |i: u8, what: &str| format!("{} mass, {what}", ORDINALS[usize::from(i)]);
+        match of {
+            Response::Signal => "control signal".to_owned(),
+            Response::Component(Reading::Tau) => "forcing phase at impact".to_owned(),
+            Response::Component(Reading::X(i)) => of_mass(i, "displacement"),
+            Response::Component(Reading::V(i)) => of_mass(i, "velocity"),
+            Response::Component(_) => "velocity after impact".to_owned(),
+        }
     }
 
     fn response_title(&self, of: Response) -> AxisTitle {
@@ -147,7 +198,7 @@ impl ControlPicture<'_> {
                 let short = Text::from("|Δ").italic("X").upright("|");
                 AxisTitle { long: Text::from("correction ").then(short.clone()), short }
             }
-            (Response::Component(reading), _) => symbols::reading_title(reading),
+            (Response::Component(reading), _) => self.component_title(reading),
         }
     }
 
@@ -162,7 +213,7 @@ impl ControlPicture<'_> {
         if let Some(last) = title.last_mut() {
             *last = last.clone().upright(";");
         }
-        title.extend(describe(self.scheme, varied));
+        title.extend(describe(self.scheme, self.setting().family(), varied));
         title
     }
 
@@ -171,34 +222,24 @@ impl ControlPicture<'_> {
         vec![
             Text::from(format!("Before control: {before};")),
             Text::from(format!("under control: {after}.")),
-            Text::from("Iterates are returns to x").subscript("1").upright(" = +").italic("δ").upright(","),
+            Text::from("Iterates are returns to ")
+                .then(symbols::stop_place(self.setting().family(), self.scheme.stop().index()))
+                .upright(","),
             "just after an impact.".into(),
         ]
     }
 }
 
-/// A component of a point on the section of a stop of the first coordinate.
-fn component(section: &[f64], reading: Reading) -> f64 {
-    match reading {
-        Reading::X2 => section[1],
-        Reading::V2 => section[section.len() / 2],
-        Reading::Tau => section[section.len() - 1],
-        _ => section[0],
-    }
-}
+const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
 
-const CAPTIONS: [&str; 7] = [
-    "control signal",
-    "forcing phase at impact",
-    "velocity after impact",
-    "second mass, displacement",
-    "second mass, velocity",
-    "phase portrait under control",
-    "time series under control",
-];
+const AFTER: [&str; 2] = ["phase portrait under control", "time series under control"];
 
 /// A scheme in words, in pieces that belong together, without the settings of which `varied` says so.
-pub(super) fn describe(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool) -> Vec<Text> {
+pub(super) fn describe(
+    scheme: &Scheme,
+    family: &Family,
+    varied: impl Fn(ControlQuantity) -> bool,
+) -> Vec<Text> {
     use ControlQuantity as Q;
     let number = symbols::number;
     let setting = |quantity, value: f64| {
@@ -240,7 +281,15 @@ pub(super) fn describe(scheme: &Scheme, varied: impl Fn(ControlQuantity) -> bool
         }
     };
     let mut pieces = vec![Text::from(method)];
+    if let Scheme::Sine(sine) = scheme
+        && sine.coordinate > 0
+    {
+        pieces.push(Text::from("on ").italic("x").subscript((sine.coordinate + 1).to_string()));
+    }
     pieces.extend(settings.into_iter().flatten());
+    if scheme.stop() != Stop::A {
+        pieces.push(Text::from(format!("at stop {}", family.stops()[scheme.stop().index()].name)));
+    }
     let last = pieces.len() - 1;
     pieces.iter_mut().take(last).for_each(|piece| *piece = piece.clone().upright(","));
     pieces

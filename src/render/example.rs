@@ -56,7 +56,7 @@ pub(super) fn curves(map: &RegionMap) -> Vec<Curve> {
         };
         Curve {
             kind,
-            motion: CurveMotion { n, p, q, symmetric: true },
+            motion: CurveMotion { n, impacts: vec![p, q], image: Some(vec![q, p]), symmetric: true },
             touches: None,
             points: (0..=100).map(point).collect(),
             ends: [End::LeavesPlane; 2],

@@ -2,10 +2,13 @@
 
 use super::frame::AxisTitle;
 use super::text::Text;
-use crate::analysis::Reading;
+use crate::analysis::{Reading, Section};
 use crate::control::ControlQuantity;
-use crate::model::{Setting, StateVector};
+use crate::dynamics::Stop;
+use crate::model::vector::MOST;
+use crate::model::{Parameter, Setting, StateVector, are_parallel};
 use crate::plane::{Component, Quantity, Start};
+use crate::system::{Family, Gap, StopPlace};
 
 /// The symbol of a quantity.
 pub(super) fn symbol(quantity: Quantity) -> Text {
@@ -56,8 +59,13 @@ pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
         ControlQuantity::Period => letter("P"),
         ControlQuantity::Noise => letter("E"),
         ControlQuantity::TargetV1 => letter("v").subscript("1").superscript("+"),
-        ControlQuantity::TargetX2 => letter("x").subscript("2"),
         ControlQuantity::TargetV2 => letter("v").subscript("2"),
+        ControlQuantity::TargetV3 => letter("v").subscript("3"),
+        ControlQuantity::TargetV4 => letter("v").subscript("4"),
+        ControlQuantity::TargetX1 => letter("x").subscript("1"),
+        ControlQuantity::TargetX2 => letter("x").subscript("2"),
+        ControlQuantity::TargetX3 => letter("x").subscript("3"),
+        ControlQuantity::TargetX4 => letter("x").subscript("4"),
         ControlQuantity::TargetTau => letter("τ").subscript("0"),
     }
 }
@@ -74,33 +82,162 @@ pub(super) fn axis_title(quantity: Quantity) -> AxisTitle {
     AxisTitle { long: Text::from(description).upright(" ").then(short.clone()), short }
 }
 
-/// The symbol of what is read on a section.
+/// The symbol of what is read on a section of the first coordinate.
 pub(super) fn reading_symbol(reading: Reading) -> Text {
-    let letter = |letter, subscript| Text::new().italic(letter).subscript(subscript);
+    let letter = |letter, subscript: u8| Text::new().italic(letter).subscript((subscript + 1).to_string());
     match reading {
-        Reading::VBefore => letter("v", "1").superscript("−"),
-        Reading::VAfter => letter("v", "1").superscript("+"),
-        Reading::X1 => letter("x", "1"),
-        Reading::X2 => letter("x", "2"),
-        Reading::V1 => letter("v", "1"),
-        Reading::V2 => letter("v", "2"),
+        Reading::VBefore => letter("v", 0).superscript("−"),
+        Reading::VAfter => letter("v", 0).superscript("+"),
+        Reading::X(i) => letter("x", i),
+        Reading::V(i) => letter("v", i),
         Reading::Tau => Text::new().italic("τ"),
+        Reading::Gap(stop) => Text::new().italic("g").subscript(stop.to_string()),
+        Reading::Speed(stop) => Text::new().italic("u").subscript(stop.to_string()),
     }
 }
 
-/// The title of an axis over what is read on a section.
+const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
+
+/// The title of an axis over what is read on a section of the first coordinate.
 pub(super) fn reading_title(reading: Reading) -> AxisTitle {
+    let of_mass = |what: &str, i: u8| format!("{what} of the {} mass", ORDINALS[usize::from(i)]);
     let description = match reading {
-        Reading::VBefore => "velocity before impact",
-        Reading::VAfter => "velocity after impact",
-        Reading::X1 => "displacement of the first mass",
-        Reading::X2 => "displacement of the second mass",
-        Reading::V1 => "velocity of the first mass",
-        Reading::V2 => "velocity of the second mass",
-        Reading::Tau => "forcing phase at impact",
+        Reading::VBefore => "velocity before impact".to_owned(),
+        Reading::VAfter => "velocity after impact".to_owned(),
+        Reading::X(i) => of_mass("displacement", i),
+        Reading::V(i) => of_mass("velocity", i),
+        Reading::Tau => "forcing phase at impact".to_owned(),
+        Reading::Gap(stop) => format!("distance left to stop {stop}"),
+        Reading::Speed(stop) => format!("velocity towards stop {stop}"),
     };
-    let short = reading_symbol(reading);
+    titled(description, reading_symbol(reading))
+}
+
+fn titled(description: String, short: Text) -> AxisTitle {
     AxisTitle { long: Text::from(description).upright(" ").then(short.clone()), short }
+}
+
+/// The title of an axis over what is read on a section of a system: named after its own stops and coordinates.
+pub(super) fn title_on(setting: &Setting, section: Section, reading: Reading) -> AxisTitle {
+    let family = setting.family();
+    let name = |stop: Stop| family.stops()[stop.index()].name.as_str();
+    let sign = |before: bool| if before { "−" } else { "+" };
+    match (reading, section) {
+        (Reading::VBefore | Reading::VAfter, Section::Impact(stop)) => {
+            let before = reading == Reading::VBefore;
+            let what = if before { "velocity before impact" } else { "velocity after impact" };
+            titled(what.to_owned(), along(setting, stop).superscript(sign(before)))
+        }
+        (Reading::X(_), _) if family.n() == 1 => titled("displacement".to_owned(), reading_symbol(reading)),
+        (Reading::V(_), _) if family.n() == 1 => titled("velocity".to_owned(), reading_symbol(reading)),
+        (Reading::Gap(stop), _) => titled(
+            format!("distance left to stop {}", name(stop)),
+            Text::new().italic("g").subscript(name(stop)),
+        ),
+        (Reading::Speed(stop), _) => titled(
+            format!("velocity towards stop {}", name(stop)),
+            Text::new().italic("u").subscript(name(stop)),
+        ),
+        _ => reading_title(reading),
+    }
+}
+
+/// d·v along the contact normal of a stop: v1, −v1, or in parentheses v1 − v2.
+fn along(setting: &Setting, stop: Stop) -> Text {
+    let stops = |i: usize| setting.family().stop_place(i);
+    let first = setting.plant().ok().map_or(stop.index(), |plant| {
+        let own = &plant.stops[stop.index()].direction;
+        (0..stop.index()).find(|&i| are_parallel(own, &plant.stops[i].direction)).unwrap_or(stop.index())
+    });
+    let place = stops(first);
+    let alone = place.is_alone();
+    let mut text = Text::new();
+    if !alone {
+        text = text.upright("(");
+    } else if place.negative {
+        text = text.upright("−");
+    }
+    text = text.then(terms(&place, "v"));
+    if alone { text } else { text.upright(")") }
+}
+
+/// The terms of direction · x, or of direction · v.
+fn terms(place: &StopPlace, letter: &str) -> Text {
+    place.terms.iter().enumerate().fold(Text::new(), |text, (i, term)| {
+        let sign = match (i, term.negative) {
+            (0, false) => "",
+            (0, true) => "−",
+            (_, false) => " + ",
+            (_, true) => " − ",
+        };
+        let factor = if term.factor.is_empty() { String::new() } else { format!("{} ", term.factor) };
+        let coordinate = (term.coordinate + 1).to_string();
+        text.upright(sign).upright(factor).italic(letter).subscript(coordinate)
+    })
+}
+
+/// Where a stop of a family stands: x1 = +δ.
+pub(super) fn stop_place(family: &'static Family, stop: usize) -> Text {
+    let place = family.stop_place(stop);
+    let text = terms(&place, "x").upright(" = ");
+    let signed = |text: Text| match (place.negative, place.is_alone()) {
+        (true, _) => text.upright("−"),
+        (false, true) => text.upright("+"),
+        (false, false) => text,
+    };
+    match &place.gap {
+        Gap::Number(value) => text.upright(number(if place.negative { 0.0 - value } else { *value })),
+        Gap::Name(name) => match Parameter::of(family, name) {
+            Ok(parameter) => signed(text).then(symbol(Quantity::Parameter(parameter))),
+            Err(_) => signed(text).upright(name),
+        },
+        Gap::Formula(formula) if place.gap.is_sum() && place.negative => {
+            text.upright(format!("−({formula})"))
+        }
+        Gap::Formula(formula) if place.gap.is_sum() => text.upright(formula),
+        Gap::Formula(formula) => signed(text).upright(formula),
+    }
+}
+
+/// The stops of a family in a key: stops x1 = ±δ.
+pub(super) fn stops(family: &'static Family) -> Text {
+    let places: Vec<StopPlace> = (0..family.stops().len()).map(|stop| family.stop_place(stop)).collect();
+    match &places[..] {
+        [_] => Text::from("stop ").then(stop_place(family, 0)),
+        [a, b] if a.negative != b.negative && a.terms == b.terms && a.gap == b.gap => {
+            let text = Text::from("stops ").then(terms(a, "x")).upright(" = ±");
+            match &a.gap {
+                Gap::Name(name) => match Parameter::of(family, name) {
+                    Ok(parameter) => text.then(symbol(Quantity::Parameter(parameter))),
+                    Err(_) => text.upright(name),
+                },
+                Gap::Number(value) => text.upright(number(*value)),
+                Gap::Formula(formula) => text.upright(format!("({formula})")),
+            }
+        }
+        [_, _] => Text::from("stops ").then(stop_place(family, 0)).upright(", ").then(stop_place(family, 1)),
+        _ => {
+            let names: Vec<&str> = family.stops().iter().map(|stop| stop.name.as_str()).collect();
+            Text::from(format!("stops {}", names.join(", ")))
+        }
+    }
+}
+
+/// The letters of labels behind N.
+const COUNTS: [&str; MOST] = ["p", "q", "s", "u"];
+
+/// The meaning of labels, in pieces that belong together: N-p-q: N forcing periods, p impacts at …
+pub(super) fn label_definition(family: &'static Family) -> Vec<Text> {
+    let order = family.label_order();
+    let head = COUNTS[..order.len()]
+        .iter()
+        .fold(Text::new().italic("N"), |text, letter| text.upright("-").italic(*letter));
+    let mut pieces = vec![head.upright(": ").italic("N").upright(" forcing periods,")];
+    pieces.extend(order.iter().zip(COUNTS).enumerate().map(|(i, (&stop, letter))| {
+        let comma = if i + 1 < order.len() { "," } else { "" };
+        Text::new().italic(letter).upright(" impacts at ").then(stop_place(family, stop)).upright(comma)
+    }));
+    pieces
 }
 
 /// Parameters as equations, in pieces that belong together, without those of which `varied` says so.

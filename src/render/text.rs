@@ -117,6 +117,9 @@ impl Text {
 
     fn span(mut self, content: impl Into<String>, style: Style) -> Self {
         let content = content.into();
+        if content.is_empty() {
+            return self;
+        }
         match self.spans.last_mut() {
             Some(last) if last.style == style => last.content.push_str(&content),
             _ => self.spans.push(Span { content, style }),

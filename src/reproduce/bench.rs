@@ -8,6 +8,7 @@ use crate::dynamics::{Recording, record};
 use crate::model::{Parameters, System};
 use crate::plane::Start;
 use crate::render::{Figure, Orbit, OrbitPanel, Panel, Picture, Row, Size, Text, TooSmall, Zoom, orbit_key};
+use crate::system::Family;
 
 /// Forcing periods for which a point is observed.
 const OBSERVE: u32 = 500;
@@ -58,7 +59,7 @@ impl PaperPoint {
     /// What it does after the transient, for so many periods.
     pub fn recorded(&self, periods: u32, samples: u32) -> Recording {
         let system = self.system();
-        record(&system, self.start.state(&system).into(), self.transient, periods, samples)
+        record(&system, self.start.state(&system), self.transient, periods, samples)
     }
 
     /// "ω = 3.7, δ = 0.1", for reports.
@@ -132,7 +133,7 @@ pub(super) fn draw(plots: &[Plot], beside: usize, config: &str) -> Result<Pictur
         drawn.weight = 1.0;
         panels.push(drawn);
     }
-    let key = orbit_key(&panels);
+    let key = orbit_key(Family::paper(), &panels);
     let mut rows: Vec<Row> = Vec::new();
     for panel in panels {
         match rows.last_mut().filter(|row| row.panels.len() < beside) {

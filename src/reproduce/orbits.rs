@@ -73,7 +73,7 @@ impl PaperFigure for Figure7 {
         let mut claims = vec![claim];
         let recording = SYMMETRIC.recorded(1, 0);
         let simulated = recording.impacts.iter().find(|impact| impact.stop == Stop::A);
-        let simulated = simulated.map(|i| [i.velocity_after, i.x2, i.v2, i.phase]);
+        let simulated = simulated.map(|i| [i.velocity_after, i.state[1], i.state[3], i.phase]);
         let solved = symmetric_motions(&SYMMETRIC.system()).ok().and_then(|motions| {
             motions
                 .into_iter()
@@ -209,10 +209,10 @@ fn grazing_claim(from: &PaperPoint, point: &PaperPoint, printed: &str, until: f6
 fn nearest_miss(point: &PaperPoint) -> Option<f64> {
     let recording = point.recorded(4, 20_000);
     let turns = recording.samples.windows(3).filter_map(|three| {
-        let side = three[1].x1.signum();
-        let [a, b, c] = [0, 1, 2].map(|i| side * three[i].x1);
+        let side = three[1].state[0].signum();
+        let [a, b, c] = [0, 1, 2].map(|i| side * three[i].state[0]);
         let struck = recording.impacts.iter().any(|i| (three[0].time..=three[2].time).contains(&i.time));
-        let turns = b > a && b >= c && three[0].v1 * three[2].v1 <= 0.0 && !struck;
+        let turns = b > a && b >= c && three[0].state[2] * three[2].state[2] <= 0.0 && !struck;
         // The top of the parabola through the three.
         turns.then(|| point.delta - (b + (c - a).powi(2) / (8.0 * (2.0 * b - a - c)).max(1e-300)))
     });

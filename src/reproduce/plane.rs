@@ -73,7 +73,7 @@ fn mirrored() -> Vec<Claim> {
 /// The mirror image of a settled motion's state, half a forcing period on.
 fn mirror(point: &PaperPoint, settled: &Verdict) -> Start {
     let system = point.system();
-    let half = crate::dynamics::record(&system, settled.state.into(), 0, 1, 2);
-    let state = half.samples.get(1).map_or([0.0; 4], |s| [-s.x1, -s.x2, -s.v1, -s.v2]);
+    let half = crate::dynamics::record(&system, settled.state, 0, 1, 2);
+    let state = half.samples.get(1).map_or([0.0; 4], |s| <[f64; 4]>::from(s.state).map(|value| -value));
     Start::State(state.into())
 }

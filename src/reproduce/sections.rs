@@ -22,7 +22,7 @@ fn distinct(point: &PaperPoint) -> usize {
     let recording = point.recorded(400, 0);
     let mut points: Vec<[f64; 3]> = Vec::new();
     for impact in recording.impacts.iter().filter(|impact| impact.stop == Stop::A) {
-        let place = [impact.velocity_after, impact.x2, impact.v2];
+        let place = [impact.velocity_after, impact.state[1], impact.state[3]];
         let known = |other: &[f64; 3]| other.iter().zip(place).all(|(a, b)| (a - b).abs() < APART);
         if points.len() < 100 && !points.iter().any(known) {
             points.push(place);

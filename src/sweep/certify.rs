@@ -30,7 +30,7 @@ pub struct Certification {
 }
 
 /// A certified cell.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 struct Certified {
     verdict: Verdict,
     multipliers: Multipliers,
@@ -91,7 +91,7 @@ pub fn certify_cells(
         verdicts[cell] = if periodic { unresolved(verdict) } else { *verdict };
     }
     for (verdict, certified) in verdicts.iter_mut().zip(&found) {
-        *verdict = certified.map_or(*verdict, |certified| certified.verdict);
+        *verdict = certified.as_ref().map_or(*verdict, |certified| certified.verdict);
     }
     let counts = counted(&before, verdicts, &found, left.len());
     Ok((found.into_iter().map(|cell| Some(cell?.multipliers)).collect(), counts))
@@ -122,7 +122,7 @@ fn by_neighbour(
     let around = |i: usize| i.saturating_sub(1)..=i + 1;
     let cells = around(row).flat_map(|r| around(column).map(move |c| (c, r)));
     let neighbours = cells.filter(|&(c, r)| c < columns && r * columns + c < found.len());
-    neighbours.filter_map(|(c, r)| found[r * columns + c]).find_map(|neighbour| {
+    neighbours.filter_map(|(c, r)| found[r * columns + c].as_ref()).find_map(|neighbour| {
         let n = u32::from(neighbour.verdict.n);
         let system = &jobs[cell].system;
         let motion = approached_from(system, &neighbour.verdict.state[..], &verdict.state[..], n)?;
@@ -131,9 +131,7 @@ fn by_neighbour(
 }
 
 fn certified(verdict: &Verdict, motion: &StrobeMotion) -> Option<Certified> {
-    let multipliers = motion.multipliers()?;
-    let multipliers =
-        std::array::from_fn(|j| multipliers.get(j).map_or([f64::NAN; 2], |value| [value.re, value.im]));
+    let multipliers = motion.multipliers()?.iter().map(|value| [value.re, value.im]).collect();
     motion.has_impacts().then(|| Certified { verdict: with_motion(verdict, motion), multipliers })
 }
 

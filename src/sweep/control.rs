@@ -8,7 +8,7 @@ use super::provenance;
 use crate::analysis::{Counts, Measures, Regime, Verdict};
 use crate::backend::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::control::{ControlError, NEVER, Outcome};
-use crate::model::{System, SystemError};
+use crate::model::{StateVector, System, SystemError};
 use crate::plane::{ControlMap, ControlPlane, ControlPlaneError};
 
 /// Computes every cell of a plane under control on a back end.
@@ -45,7 +45,7 @@ pub fn sweep_control(
                 Err(why) => {
                     watch.finished(1);
                     missing = missing.or(why);
-                    outcomes.push(uncontrolled());
+                    outcomes.push(uncontrolled(plane.parameters.family().n()));
                 }
             }
         }
@@ -82,7 +82,7 @@ pub(super) fn job(
 }
 
 /// A cell that cannot be controlled.
-fn uncontrolled() -> Outcome {
+fn uncontrolled(coordinates: usize) -> Outcome {
     Outcome {
         verdict: Verdict {
             regime: Regime::Unresolved,
@@ -90,7 +90,7 @@ fn uncontrolled() -> Outcome {
             counts: Counts::default(),
             symmetric: false,
             lyapunov: f32::NAN,
-            state: [0.0; 4].into(),
+            state: StateVector::zeros(coordinates),
             impacts: 0,
             impacts_total: 0,
             peak_impact_velocity: 0.0,

@@ -116,11 +116,11 @@ fn with_spectra(
     branches.into_iter().map(spectra).collect()
 }
 
-/// The four exponents, largest first whatever their statistical error, NaN where the trajectory could not be followed.
-fn exponents(system: &System, trace: &Trace, observe: u32, unit: ExponentUnit) -> [f64; 4] {
+/// The 2n exponents, largest first whatever their statistical error, NaN where the trajectory could not be followed.
+fn exponents(system: &System, trace: &Trace, observe: u32, unit: ExponentUnit) -> Vec<f64> {
     let start = system.between_stops(trace.verdict.state);
     let spectrum = Spectrum::of(system, &start[..], 0, observe);
-    let mut exponents = spectrum.map_or([f64::NAN; 4], |spectrum| unit.of(&spectrum));
+    let mut exponents = spectrum.map_or_else(|_| vec![f64::NAN; start.len()], |spectrum| unit.of(&spectrum));
     exponents.sort_by(|a, b| b.total_cmp(a));
     exponents
 }

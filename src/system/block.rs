@@ -60,6 +60,11 @@ impl Block {
         self.entries.iter().flat_map(|(_, expression)| expression.uses())
     }
 
+    /// The expressions as they are written, in the order of the file.
+    pub fn texts(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().map(|(_, expression)| expression.text())
+    }
+
     /// The numbers, in the order of the file.
     ///
     /// # Errors

@@ -104,6 +104,11 @@ impl Expression {
         Expression { text: value.to_string(), form: Form::Constant(value), uses: Vec::new() }
     }
 
+    /// The expression as it is written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Compiles a text that may name these parameters, in their order.
     ///
     /// # Errors

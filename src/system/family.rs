@@ -8,6 +8,7 @@ use super::file;
 use super::parameter::{Parameter, ParameterError, ParameterId, Values};
 use super::plant::{Plant, PlantStop};
 use super::plant_error::{Part, PlantError};
+use super::stop_place::StopPlace;
 
 /// A linear oscillator with rigid stops whose numbers are expressions in named parameters, as its file gives it.
 #[derive(Clone, Debug)]
@@ -56,6 +57,13 @@ pub struct DefaultPlane {
     pub x: String,
     /// The vertical axis.
     pub y: String,
+}
+
+impl FamilyStop {
+    /// The name that is easy to type: the alias where there is one.
+    pub fn plain_name(&self) -> &str {
+        self.alias.as_deref().unwrap_or(&self.name)
+    }
 }
 
 impl Family {
@@ -137,6 +145,22 @@ impl Family {
     /// Where a stop stands in the order of the file, given its name or its alias.
     pub fn stop(&self, name: &str) -> Option<usize> {
         self.stops.iter().position(|stop| stop.name == name || stop.alias.as_deref() == Some(name))
+    }
+
+    /// The same, or where no stop has the name exactly, the only one that has it but for the case of its letters.
+    pub fn stop_like(&self, name: &str) -> Option<usize> {
+        let lower = name.to_lowercase();
+        let alike = |stop: &FamilyStop| {
+            stop.name.to_lowercase() == lower || stop.plain_name().to_lowercase() == lower
+        };
+        let all: Vec<usize> = (0..self.stops.len()).filter(|&i| alike(&self.stops[i])).collect();
+        self.stop(name).or(if let [only] = all[..] { Some(only) } else { None })
+    }
+
+    /// Where a stop stands, by its place in the order of the file.
+    pub fn stop_place(&self, stop: usize) -> StopPlace {
+        let FamilyStop { direction, gap, .. } = &self.stops[stop];
+        StopPlace::of(direction.texts(), gap.texts().next().unwrap_or("0"))
     }
 
     /// The stops in the order in which labels count their impacts.

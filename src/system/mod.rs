@@ -13,6 +13,7 @@ mod plant;
 mod plant_error;
 mod reader;
 mod setting;
+mod stop_place;
 mod stops;
 
 pub use builtin::{BUILTIN, Builtin, builtin};
@@ -25,6 +26,7 @@ pub use parameter::{Bound, Parameter as ParameterRecord, ParameterError, Paramet
 pub use plant::{Plant, PlantStop};
 pub use plant_error::{Part, PlantError};
 pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting};
+pub use stop_place::{Gap, StopPlace, Term};
 
 #[cfg(test)]
 mod tests;

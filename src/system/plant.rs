@@ -65,18 +65,23 @@ impl Plant {
         if self.omega <= 0.0 {
             return Err(PlantError::Frequency(self.omega));
         }
-        let condition = condition(&self.mass);
-        let sound = |inverse: &DMatrix<f64>| {
-            condition >= Self::LEAST_CONDITION && inverse.iter().all(|entry| entry.is_finite())
-        };
-        let inverse = self.mass.clone().try_inverse().filter(sound);
-        let inverse = inverse.ok_or(PlantError::SingularMass { condition })?;
+        let inverse = self.inverse_mass()?;
         for (stop, PlantStop { restitution, .. }) in self.stops.iter().enumerate() {
             if !(0.0..=1.0).contains(restitution) {
                 return Err(PlantError::Restitution { stop, value: *restitution });
             }
         }
         stops::check(&self.stops, &inverse)
+    }
+
+    /// M⁻¹, where M has one that can be computed with.
+    fn inverse_mass(&self) -> Result<DMatrix<f64>, PlantError> {
+        let condition = condition(&self.mass);
+        if condition.is_nan() || condition < Self::LEAST_CONDITION {
+            return Err(PlantError::SingularMass { condition });
+        }
+        let inverse = self.mass.clone().try_inverse();
+        inverse.filter(|inverse| inverse.iter().all(|entry| entry.is_finite())).ok_or(PlantError::LightMass)
     }
 
     /// The forcing period T = 2π/ω.

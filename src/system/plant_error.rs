@@ -89,6 +89,9 @@ pub enum PlantError {
         /// The reciprocal condition of M with rows and columns brought to the same size.
         condition: f64,
     },
+    /// M⁻¹ is too large for a number.
+    #[error("the mass matrix is so small that its inverse is no number: give every coordinate a larger mass")]
+    LightMass,
     /// A coefficient of restitution outside [0, 1].
     #[error("the restitution of stop {} is {value}, it must be between 0 and 1, ends included", stop + 1)]
     Restitution {
@@ -159,7 +162,9 @@ impl PlantError {
     /// The parts that are at fault together, the one to blame first.
     pub fn parts(&self) -> Vec<Part> {
         match *self {
-            PlantError::Coordinates(_) | PlantError::SingularMass { .. } => vec![Part::Mass],
+            PlantError::Coordinates(_) | PlantError::SingularMass { .. } | PlantError::LightMass => {
+                vec![Part::Mass]
+            }
             PlantError::Stops(_) => Vec::new(),
             PlantError::Shape { part, .. } | PlantError::NotFinite { part, .. } => vec![part],
             PlantError::Frequency(_) => vec![Part::Frequency],

@@ -1,6 +1,7 @@
 //! Whether the system really moves like a solution of the matching equations.
 
 use std::f64::consts::TAU;
+use std::fmt;
 
 use thiserror::Error;
 
@@ -15,6 +16,28 @@ use crate::model::System;
 /// How far an impact may be from where the solution has it, relative to states of order one.
 const TOLERANCE: f64 = 1e-8;
 
+/// A stop with its name in the family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NamedStop {
+    /// The stop.
+    pub stop: Stop,
+    /// Its name, as it is easy to type.
+    pub name: &'static str,
+}
+
+impl NamedStop {
+    /// A stop of a system.
+    pub fn of(system: &System, stop: Stop) -> Self {
+        NamedStop { stop, name: system.stop_name(stop.index()) }
+    }
+}
+
+impl fmt::Display for NamedStop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
 /// Why no trajectory follows a solution of the matching equations.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum Inadmissible {
@@ -22,7 +45,7 @@ pub enum Inadmissible {
     #[error("wrong velocity sign: it would leave stop {stop} outwards, with v{} = {velocity}", coordinate + 1)]
     WrongVelocity {
         /// The stop.
-        stop: Stop,
+        stop: NamedStop,
         /// The contact's own coordinate, counted from 0.
         coordinate: usize,
         /// Its velocity just after the impact.
@@ -32,16 +55,16 @@ pub enum Inadmissible {
     #[error("crosses a stop: it would pass through stop {stop} at phase {phase} on the way")]
     CrossesStop {
         /// The stop.
-        stop: Stop,
+        stop: NamedStop,
         /// Forcing phase at which it gets there, mod 2π.
         phase: f64,
     },
     /// A mass would come to rest on a stop.
     #[error("sticks: a mass would come to rest on stop {0}")]
-    Sticks(Stop),
+    Sticks(NamedStop),
     /// The next impact is not met where it should be.
     #[error("misses stop {0}: the impact that should follow does not happen")]
-    Misses(Stop),
+    Misses(NamedStop),
 }
 
 impl Inadmissible {
@@ -74,13 +97,14 @@ pub(crate) fn fly(system: &System, motion: &PeriodicMotion) -> Result<Flown, Ina
         let from = Node { stop: motion.pattern.stops[i], section: motion.sections[i].clone() };
         let due = next(&flow, &motion.pattern, &motion.sections, i);
         let mirrored = motion.pattern.mirrored;
-        Passage::new(&flow, &from, due)?.follow(follower.as_mut(), &from, mirrored, &mut flown)?;
+        Passage::new(system, &flow, &from, due)?.follow(follower.as_mut(), &from, mirrored, &mut flown)?;
     }
     Ok(flown)
 }
 
 /// An arc that is to be followed.
 struct Passage<'a> {
+    system: &'a System,
     flow: &'a Flow,
     due: Node,
     /// The speed after the impact that is due.
@@ -91,18 +115,19 @@ struct Passage<'a> {
 }
 
 impl<'a> Passage<'a> {
-    fn new(flow: &'a Flow, from: &Node, due: Node) -> Result<Self, Inadmissible> {
+    fn new(system: &'a System, flow: &'a Flow, from: &Node, due: Node) -> Result<Self, Inadmissible> {
         let face = flow.face(from.stop);
         let speed = face.speed(&from.section);
         if face.is_left_outwards(&from.section) {
             let (coordinate, velocity) = (face.coordinate, from.section[0]);
-            return Err(Inadmissible::WrongVelocity { stop: from.stop, coordinate, velocity });
+            let stop = NamedStop::of(system, from.stop);
+            return Err(Inadmissible::WrongVelocity { stop, coordinate, velocity });
         }
         let due_face = flow.face(due.stop);
         let due_speed = due_face.speed(&due.section);
         let arrival = (due_speed / due_face.restitution.max(0.1)).abs() + TOLERANCE;
         let scale = 1.0 + speed.abs() + due_speed.abs();
-        Ok(Passage { flow, due, due_speed, arrival, scale })
+        Ok(Passage { system, flow, due, due_speed, arrival, scale })
     }
 
     fn follow(
@@ -129,7 +154,7 @@ impl<'a> Passage<'a> {
                     return self.meet(follower, &impact, early, here);
                 }
                 Event::Caught { impact, .. } if early || impact.stop != self.due.stop => {
-                    return Err(Inadmissible::Sticks(impact.stop));
+                    return Err(Inadmissible::Sticks(self.named(impact.stop)));
                 }
                 Event::Caught { .. } => return Ok(()),
                 Event::Strobe => {
@@ -144,9 +169,13 @@ impl<'a> Passage<'a> {
                 Event::Flight | Event::StepEnd | Event::HalfPeriod | Event::Released(_) => {}
             }
             if (elapsed - time) * self.arrival > TOLERANCE * self.scale {
-                return Err(Inadmissible::Misses(self.due.stop));
+                return Err(Inadmissible::Misses(self.named(self.due.stop)));
             }
         }
+    }
+
+    fn named(&self, stop: Stop) -> NamedStop {
+        NamedStop::of(self.system, stop)
     }
 
     /// Compares an impact with the one that is due.
@@ -158,11 +187,11 @@ impl<'a> Passage<'a> {
         phase: f64,
     ) -> Result<(), Inadmissible> {
         if impact.stop != self.due.stop || early {
-            return Err(Inadmissible::CrossesStop { stop: impact.stop, phase });
+            return Err(Inadmissible::CrossesStop { stop: self.named(impact.stop), phase });
         }
         let speed = self.flow.face(impact.stop).speed_of(follower.v());
         if (speed - self.due_speed).abs() > TOLERANCE * self.scale {
-            return Err(Inadmissible::Misses(self.due.stop));
+            return Err(Inadmissible::Misses(self.named(self.due.stop)));
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::admissible::wrapped;
-use crate::dynamics::{Contact, Move, Tangent, Trajectory, Variation};
+use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory, Variation};
 use crate::model::vector::axpy;
 use crate::model::{Flight, State, System};
 
@@ -35,6 +35,9 @@ pub(super) trait Follower {
 
     /// The stops that clamp a mass for ever, in the plant's order.
     fn clamping(&self) -> Vec<usize>;
+
+    /// The stops of some contacts.
+    fn stops_of(&self, contact: Contact) -> Vec<Stop>;
 
     /// The time since forcing phase 0 was last met.
     fn elapsed(&self) -> f64;
@@ -147,6 +150,10 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
             .collect();
         stops.sort_unstable();
         stops
+    }
+
+    fn stops_of(&self, contact: Contact) -> Vec<Stop> {
+        contact.stops(&self.flight).collect()
     }
 
     fn elapsed(&self) -> f64 {

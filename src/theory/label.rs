@@ -6,6 +6,8 @@ use std::str::FromStr;
 use thiserror::Error;
 
 use crate::analysis::{INFINITELY_MANY, Schedule};
+use crate::model::vector::MOST;
+use crate::system::Family;
 
 /// The label of a periodic motion that is asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,8 +66,37 @@ impl Label {
     }
 }
 
+/// The letters of the counts, in the order of labels.
+const COUNTS: [char; MOST] = ['p', 'q', 's', 'u'];
+
+impl Label {
+    /// Reads the label of a motion of a family: N and the impacts at each of its stops.
+    ///
+    /// # Errors
+    /// [`LabelError`] with the text and what is wrong with it.
+    pub fn of_family(text: &str, family: &Family) -> Result<Self, LabelError> {
+        let order = family.label_order();
+        Label::read(text, order.len()).map_err(|error| match error {
+            LabelError::Malformed(text) | LabelError::Numbers { text, .. } => {
+                let counted = order.iter().zip(COUNTS).map(|(&stop, letter)| {
+                    let name = family.stops()[stop].plain_name();
+                    format!("{letter} impacts at stop {name}, {}", family.stop_place(stop))
+                });
+                let counted = counted.collect::<Vec<_>>().join("; ");
+                LabelError::OfFamily { text, form: Label::form(order.len()), counted }
+            }
+            error => error,
+        })
+    }
+
+    /// How labels of motions between so many stops are written: N-p-q.
+    pub fn form(stops: usize) -> String {
+        spelled("N", &COUNTS[..stops])
+    }
+}
+
 /// N and the impacts at each stop, in the order of labels, as text.
-pub(super) fn spelled<T: fmt::Display>(n: u32, impacts: impl IntoIterator<Item = T>) -> String {
+pub(super) fn spelled<T: fmt::Display>(n: impl fmt::Display, impacts: impl IntoIterator<Item = T>) -> String {
     impacts.into_iter().fold(n.to_string(), |text, count| format!("{text}-{count}"))
 }
 
@@ -105,13 +136,23 @@ pub enum LabelError {
         /// How many stops the system has.
         stops: usize,
     },
+    /// The same of a family.
+    #[error("`{text}` is not a label here: write {form} for N forcing periods with {counted}")]
+    OfFamily {
+        /// The text.
+        text: String,
+        /// How labels are written.
+        form: String,
+        /// What is counted where.
+        counted: String,
+    },
     /// N is 0 or too large.
     #[error("label `{0}`: N, the forcing periods in one period of the motion, must be 1 to {largest}",
         largest = Schedule::LARGEST_PERIOD)]
     Period(String),
     /// There is no impact.
     #[error(
-        "label `{0}` names a motion without impact, of which there is nothing to solve: give p or q above 0"
+        "label `{0}` names a motion without impact, of which there is nothing to solve: give one of the counts above 0"
     )]
     NoImpact(String),
     /// Complete chatter.
@@ -164,5 +205,12 @@ mod tests {
             "{error}"
         );
         assert_eq!(Label::read("1-0", 1), Err(LabelError::NoImpact("1-0".to_owned())));
+        let error = Label::of_family("1-1", Family::paper()).unwrap_err().to_string();
+        assert!(
+            error.contains("write N-p-q") && error.contains("p impacts at stop B, x1 = -delta"),
+            "{error}"
+        );
+        let error = Label::of_family("1-1-1", Family::builtin("shaw-holmes")).unwrap_err().to_string();
+        assert!(error.contains("write N-p ") && error.contains("at stop A, x1 = +sigma"), "{error}");
     }
 }

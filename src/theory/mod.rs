@@ -31,8 +31,8 @@ mod spectrum;
 mod strobe;
 mod symmetric;
 
-pub use admissible::Inadmissible;
 pub(crate) use admissible::fly;
+pub use admissible::{Inadmissible, NamedStop};
 pub use approached::{approached, approached_from, confirmed, with_motion};
 pub use face::section_names;
 pub use flow::Section;
@@ -51,4 +51,5 @@ pub use spectrum::{Spectrum, SpectrumFailed};
 pub use strobe::StrobeMotion;
 pub use symmetric::{
     NoSymmetricMotion, SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target,
+    symmetric_target_at,
 };

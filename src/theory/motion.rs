@@ -112,7 +112,7 @@ impl PeriodicMotion {
     pub(crate) fn part(&self, parts: usize) -> Option<Pattern> {
         let Pattern { stops, half_turns, mirrored, among } = &self.pattern;
         let size = stops.len() / parts;
-        if !half_turns.is_multiple_of(parts as u32) {
+        if !half_turns.is_multiple_of(parts as u32) || !stops.len().is_multiple_of(parts) {
             return None;
         }
         let half_turns = half_turns / parts as u32;

@@ -9,6 +9,7 @@ use super::label::spelled;
 use super::matching::Node;
 use crate::dynamics::Stop;
 use crate::model::System;
+use crate::system::Family;
 
 /// Which stops a motion strikes, in order, and how it closes on itself.
 ///
@@ -42,6 +43,17 @@ impl StopSet {
             label_order: system.label_order().to_vec(),
             images: system.plant().mirror().map(|mirror| mirror.stops),
         }
+    }
+
+    /// The stops of a family, without a mirror.
+    pub fn of_family(family: &Family) -> Self {
+        StopSet { label_order: family.label_order().to_vec(), images: None }
+    }
+
+    /// The same stops without the mirror.
+    #[must_use]
+    pub fn without_mirror(self) -> Self {
+        StopSet { images: None, ..self }
     }
 
     /// How many there are.

@@ -161,7 +161,7 @@ impl Tally {
         let (impact, complete_chatter) = match event {
             Event::Impact(impact) => (impact, false),
             // A mass may also come to rest without an impact.
-            Event::Caught { impact, complete_chatter } if impact.velocity_before != 0.0 => {
+            Event::Caught { impact, complete_chatter, .. } if impact.velocity_before != 0.0 => {
                 (impact, *complete_chatter)
             }
             _ => return,

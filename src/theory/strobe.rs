@@ -222,10 +222,13 @@ impl Turn {
                 turn.sticking |= !taken.contact.is_free();
                 match taken.event {
                     Event::Impact(impact) => turn.note(follower, flow, &impact, false),
-                    Event::Caught { impact, complete_chatter } => {
+                    Event::Caught { impact, complete_chatter, beside } => {
                         turn.sticking = true;
                         if impact.velocity_before != 0.0 {
                             turn.note(follower, flow, &impact, complete_chatter);
+                        }
+                        for stop in follower.stops_of(beside) {
+                            turn.impacts[stop.index()] = INFINITELY_MANY;
                         }
                     }
                     Event::HalfPeriod if n % 2 == 1 && period == n / 2 => {

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use super::admissible::{Inadmissible, fly, wrapped};
+use super::admissible::{Inadmissible, NamedStop, fly, wrapped};
+use super::face::Face;
 use super::flow::{Flow, Section, phase};
 use super::motion::PeriodicMotion;
 use super::newton;
@@ -35,20 +36,22 @@ impl SymmetricMotion {
 }
 
 /// Why the matching conditions (5) have no solution.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error)]
 pub enum NoSymmetricMotion {
     /// The system has no mirror, or its mirror maps every stop onto itself.
     #[error("does not exist: the system has no mirror that exchanges two stops")]
     NoMirror,
     /// There is no room to move.
-    #[error("does not exist: the stops hold the first mass (delta = 0)")]
-    Clamped,
+    #[error("does not exist: {0}")]
+    Clamped(String),
     /// Whatever the phase, the motion would not reach from stop to stop.
     #[error(
-        "does not exist: the forcing drives the matched motion to |x1| = {amplitude} at most, short of the stops at \
+        "does not exist: the forcing drives the matched motion to |{along}| = {amplitude} at most, short of the stops at \
          ±{delta}"
     )]
     OutOfReach {
+        /// What meets the stops: a coordinate, or d·x.
+        along: String,
         /// The largest displacement at impact over all phases, along the stop's direction.
         amplitude: f64,
         /// The stop's gap.
@@ -84,7 +87,7 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
     let room = own.gap / own.direction.norm() + opposite.gap / opposite.direction.norm();
     let facing = &own.direction / own.direction.norm() + &opposite.direction / opposite.direction.norm();
     if room == 0.0 && facing.amax() <= 1e-12 {
-        return Err(NoSymmetricMotion::Clamped);
+        return Err(NoSymmetricMotion::Clamped(system.closed()));
     }
     let flow = Flow::new(system);
     let face = flow.face(stop);
@@ -94,7 +97,7 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
         let load = system.plant().load.amax() > 0.0;
         let (amplitude, delta) = (face.gap / nearest, face.gap);
         return Err(match load || delta == 0.0 {
-            false => NoSymmetricMotion::OutOfReach { amplitude, delta },
+            false => NoSymmetricMotion::OutOfReach { along: met_by(face), amplitude, delta },
             true => NoSymmetricMotion::TooWeak { factor: nearest },
         });
     }
@@ -117,6 +120,12 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
         solution.motion.residual <= ACCEPTED * scale(&solution.motion.sections[0])
     };
     if solutions.iter().all(solved) { Ok(solutions) } else { Err(NoSymmetricMotion::Singular) }
+}
+
+/// What meets a stop: a coordinate, or d·x.
+fn met_by(face: &Face) -> String {
+    let own = face.direction[face.coordinate].abs() == 1.0 && face.direction.norm() == 1.0;
+    if own { format!("x{}", face.coordinate + 1) } else { "d·x".to_owned() }
 }
 
 /// The first stop that the mirror maps onto another.
@@ -192,9 +201,10 @@ fn solution(system: &System, flow: &Flow, stop: Stop, section: Section) -> Symme
     let residual = newton::residual(&newton::arcs(flow, &pattern, &sections)).amax();
     let motion = PeriodicMotion { pattern, sections, residual };
     let at_phase_zero = if rests {
-        Err(Inadmissible::WrongVelocity { stop, coordinate, velocity })
+        Err(Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity })
     } else {
-        fly(system, &motion).and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(image)))
+        fly(system, &motion)
+            .and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, image))))
     };
     SymmetricMotion { motion, at_phase_zero }
 }
@@ -216,6 +226,19 @@ pub fn symmetric_start(system: &System) -> Option<Vec<f64>> {
 /// it exists and is physical.
 pub fn symmetric_target(system: &System) -> Option<Vec<f64>> {
     stable_branch(system).map(|motion| motion.motion.section())
+}
+
+/// The same point on the section at a stop; none where the motion does not meet it, or is not physical.
+pub fn symmetric_target_at(system: &System, stop: Stop) -> Option<Vec<f64>> {
+    let motion = stable_branch(system)?.motion;
+    if motion.pattern.stops[0] == stop {
+        return Some(motion.section());
+    }
+    let image = motion.pattern.closing(&Flow::new(system), &motion.sections[0]);
+    let mut section = image.section.as_slice().to_vec();
+    let tau = section.last_mut()?;
+    *tau = wrapped(*tau);
+    (image.stop == stop).then_some(section)
 }
 
 pub(super) fn stable_branch(system: &System) -> Option<SymmetricMotion> {

@@ -158,12 +158,6 @@ fn company(map: &RegionMap, motion: &CurveMotion, column: i64, row: i64) -> usiz
 
 /// Whether a cell shows a motion, or its mirror image.
 fn is_of(verdict: &Verdict, motion: &CurveMotion) -> bool {
-    if motion.p + motion.q == 0 {
-        return verdict.regime == Regime::NoImpact;
-    }
-    let (n, p, q) = (u32::from(verdict.n), u32::from(verdict.p()), u32::from(verdict.q()));
-    verdict.regime == Regime::Periodic
-        && n == motion.n
-        && verdict.symmetric == motion.symmetric
-        && ((p, q) == (motion.p, motion.q) || (q, p) == (motion.p, motion.q))
+    let alike = || verdict.regime == Regime::Periodic && verdict.symmetric == motion.symmetric;
+    motion.is_counted_by(verdict) && (motion.count() == 0 || alike())
 }

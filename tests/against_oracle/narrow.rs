@@ -32,7 +32,10 @@ fn recorded(setup: &Setup, transient: u32, periods: u32, slow: f64) -> Vec<Hit> 
     let system = System::new(setup.parameters).unwrap();
     let recording = record(&system, setup.start, transient, periods, 2000);
     let delta = setup.parameters.delta;
-    assert!(recording.samples.iter().all(|sample| sample.x1.abs() <= delta * (1.0 + 1e-9)), "{setup:?}");
+    assert!(
+        recording.samples.iter().all(|sample| sample.state[0].abs() <= delta * (1.0 + 1e-9)),
+        "{setup:?}"
+    );
     let hits = recording.impacts.iter().map(|hit| (hit.time, hit.stop == Stop::A, hit.velocity_before));
     hits.filter(|hit| hit.2.abs() > slow).collect()
 }

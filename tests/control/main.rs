@@ -18,7 +18,7 @@ use impact_atlas::model::{Parameters, System};
 pub const FIXED_POINT: [f64; 4] = [-0.41959403, -0.02899702, 0.02903494, 1.80721094];
 
 /// The 1-1-1 motion at the paper's reference, ω = 3.7.
-pub const TARGET: Target = Target { reference: 3.7, given: SectionValues::new([None; 4]) };
+pub const TARGET: Target = Target { reference: 3.7, given: SectionValues::new([None; 4]), own: 0 };
 
 pub fn system() -> System {
     System::new(Parameters { omega: 2.83, ..Parameters::default() }).unwrap()

@@ -2,13 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
-use impact_atlas::backend::{Backend, ControlJob, Gpu, Job, Unwatched};
+use impact_atlas::backend::{Backend, ControlJob, Gpu, Job, Unwatched, follow_controlled};
 use impact_atlas::control::{
     ControlSchedule, Controlled, Controller, Convention, DelaySetting, Outcome, PulseSetting, Return, Scheme,
     Section, SectionValues, Sign, SineSetting, Surface, Target, control, multipliers,
 };
 use impact_atlas::dynamics::{Contact, Event, Phasor, Stop, Trajectory};
-use impact_atlas::model::{Drive, Flight, State, System};
+use impact_atlas::model::{Drive, Flight, State, StateVector, System};
 use impact_atlas::system::{Family, Plant, PlantStop, builtin};
 use nalgebra::{DMatrix, DVector};
 
@@ -39,10 +39,12 @@ fn feedback(stop: Stop, components: usize, gain: f64) -> Scheme {
 
 fn pulse(stop: Stop, target: &[f64]) -> Scheme {
     let given = SectionValues::from_slice(target).unwrap().map(Some);
+    // The three masses are met at the second.
+    let own = usize::from(target.len() == 6);
     Scheme::Pulse(PulseSetting {
         stop,
         period: 1,
-        target: Target { reference: 1.0, given },
+        target: Target { reference: 1.0, given, own },
         noise: 0.0,
         seed: 1,
     })
@@ -253,7 +255,11 @@ fn a_force_on_the_second_mass_is_a_change_of_its_forcing() {
             gamma: 1.0,
             phase: 0.0,
             component: 0,
-            target: Target { reference: 1.0, given: SectionValues::new([Some(-0.1), None, None, None]) },
+            target: Target {
+                reference: 1.0,
+                given: SectionValues::new([Some(-0.1), None, None, None]),
+                own: 0,
+            },
         })
     };
     let forced = |coordinate| {
@@ -295,18 +301,75 @@ fn settings_that_do_not_fit_the_system_are_refused() {
     assert!(refused(reference, &ball).contains("give the target itself, v1+, tau"));
 }
 
+/// Control that settles, on plants of all sorts, at any of their stops.
+fn settling() -> Vec<(&'static str, ControlJob)> {
+    let job = |system: &System, start: &[f64], scheme: Scheme| ControlJob {
+        job: Job { system: system.clone(), start: StateVector::from_slice(start).unwrap() },
+        controller: scheme.resolve(system).unwrap(),
+    };
+    let (ball, [v, tau], _) = bouncing();
+    let flown = TAU - tau;
+    let y = v * flown - flown * flown / 2.0 + SHAKING * (flown * tau.cos() + tau.sin());
+    let beside = [y, v - flown + SHAKING * (tau.cos() - 1.0) + 0.05];
+    let two_sided = family("two-sided", &[]);
+    let chain = family("three-mass-chain", &[]);
+    let pair = family("colliding-pair", &[]);
+    let force = |coordinate, amplitude, component, components: usize| {
+        let given = SectionValues::from_slice(&vec![Some(0.0); components]).unwrap();
+        Scheme::Sine(SineSetting {
+            stop: Stop::A,
+            convention: Convention::Force,
+            coordinate,
+            amplitude,
+            alpha: 0.0,
+            dead_band: 0.0,
+            gamma: 1.0,
+            phase: 0.0,
+            component,
+            target: Target { reference: 1.0, given, own: usize::from(components == 6) },
+        })
+    };
+    let rested = |n: usize| vec![0.0; 2 * n];
+    vec![
+        ("feedback on the ball", job(&ball, &beside, feedback(Stop::A, 2, 0.4))),
+        ("a pulse on the second stop", job(&two_sided, &rested(1), pulse(Stop::B, &[0.7, 4.0]))),
+        (
+            "pulses on the chain",
+            job(&chain, &rested(3), pulse(Stop::A, &[-0.2, 0.05, -0.02, 0.1, 0.05, 2.0])),
+        ),
+        ("a force on the third mass", job(&chain, &rested(3), force(2, 0.2, 5, 6))),
+        ("a force on the struck mass", job(&pair, &rested(2), force(1, 0.15, 0, 4))),
+        ("a pulse on a stop of its own", job(&apart(), &rested(2), pulse(Stop::B, &[-0.3, 0.05, 0.1, 2.5]))),
+        ("escapes", job(&apart(), &rested(2), pulse(Stop::A, &[-0.4, 0.5, 0.1, 1.0]))),
+    ]
+}
+
 #[test]
-fn the_gpu_refuses_what_its_kernel_is_not_for() {
+fn the_gpu_controls_any_plant_at_any_stop_as_the_cpu_does() {
     let gpu = Gpu::open(None).expect("an adapter is there, if only a software one");
     let schedule =
-        ControlSchedule { from: 5, iterates: 40, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
-    let outcome = |system: System, stop| {
-        let job = Job { system, start: [0.0; 4].into() };
-        gpu.control(&[ControlJob { job, controller: Controller::None(stop) }], &schedule, &Unwatched)
-    };
-    for (system, stop) in [(system(), Stop::B), (apart(), Stop::A), (bouncing().0, Stop::A)] {
-        let refused = outcome(system, stop).unwrap_err().to_string();
-        assert!(refused.contains("--backend cpu"), "{refused}");
+        ControlSchedule { from: 20, iterates: 300, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
+    let mut periodic = 0;
+    for (name, job) in settling() {
+        let [ours, theirs] = [
+            follow_controlled::<f64>(&job, &schedule).unwrap(),
+            gpu.control(std::slice::from_ref(&job), &schedule, &Unwatched).unwrap()[0],
+        ];
+        let context = format!("{name}: {ours:?} {theirs:?}");
+        assert_eq!((ours.verdict.label(), ours.period), (theirs.verdict.label(), theirs.period), "{context}");
+        assert_eq!((ours.escapes, ours.iterates), (theirs.escapes, theirs.iterates), "{context}");
+        assert!((ours.effort - theirs.effort).abs() <= 1e-3 * (1.0 + ours.effort.abs()), "{context}");
+        if ours.period > 0 {
+            assert!(away(ours.verdict.state, theirs.verdict.state) < 2e-4, "{context}");
+            periodic += 1;
+        }
+        // What another controller does on the same plant is something else.
+        let other = ControlJob { controller: Controller::None(job.controller.stop()), ..job };
+        let free = follow_controlled::<f64>(&other, &schedule).unwrap();
+        let differs = free.verdict.label() != ours.verdict.label()
+            || away(free.verdict.state, ours.verdict.state) > 1e-3
+            || free.escapes != ours.escapes;
+        assert!(differs, "{name}: control makes no difference");
     }
-    assert_eq!(outcome(system(), Stop::A).unwrap().len(), 1);
+    assert!(periodic >= 5, "{periodic}");
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use impact_atlas::analysis::Regime;
-use impact_atlas::curves::{Kind, PlaneCurves, Why, bifurcation_curves};
+use impact_atlas::curves::{CurveMotion, Kind, PlaneCurves, Why, bifurcation_curves};
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::RegionMap;
 use impact_atlas::theory::{Label, Search, labelled_motion};
@@ -27,17 +27,17 @@ fn every_motion_of_a_few_cells_is_bounded_or_listed() {
     let PlaneCurves { curves, left_out } = bifurcation_curves(&map, 2).unwrap();
     let (mut bounded, mut listed) = (0, 0);
     for (([n, more, fewer], symmetric, sticks), cells) in tally(&map) {
-        let is_it =
-            |n_: u32, p: u32, q: u32, s: bool| (n_, p.max(q), p.min(q), s) == (n, more, fewer, symmetric);
-        let entry = left_out.iter().find(|l| {
-            is_it(l.motion.n, l.motion.p, l.motion.q, l.motion.symmetric) && (l.why == Why::Sticks) == sticks
-        });
+        let is_it = |motion: &CurveMotion| {
+            let [p, q] = motion.impacts[..] else { panic!("two stops") };
+            (motion.n, p.max(q), p.min(q), motion.symmetric) == (n, more, fewer, symmetric)
+        };
+        let entry = left_out.iter().find(|l| is_it(&l.motion) && (l.why == Why::Sticks) == sticks);
         if let Some(entry) = entry {
             assert_eq!(entry.cells, cells, "{}", entry.name());
             listed += 1;
         } else {
             // What it loses itself in, or the simpler motion that it is born from.
-            let own = curves.iter().any(|c| is_it(c.motion.n, c.motion.p, c.motion.q, c.motion.symmetric));
+            let own = curves.iter().any(|c| is_it(&c.motion));
             let simpler = curves.iter().any(|c| [Kind::Pitchfork, Kind::PeriodDoubling].contains(&c.kind));
             assert!(own || simpler, "{n}-{more}-{fewer}");
             bounded += usize::from(own);

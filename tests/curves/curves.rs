@@ -131,9 +131,9 @@ fn soft_and_hard_losses_of_stability_are_told_apart() {
         let unstable = [3e-4, -3e-4].map(|step| point.y + step).into_iter().find(is_unstable)?;
         let system =
             System::new(Parameters { omega: point.x, delta: unstable, ..Parameters::default() }).unwrap();
-        let start = symmetric_start(&system)?.try_into().ok()?;
+        let start = symmetric_start(&system)?;
         let impacts = record(&system, start, 20_000, 200, 0).impacts;
-        let x2 = impacts.iter().filter(|impact| impact.stop == Stop::A).map(|impact| impact.x2);
+        let x2 = impacts.iter().filter(|impact| impact.stop == Stop::A).map(|impact| impact.state[1]);
         let (low, high) = x2.fold((f64::MAX, f64::MIN), |(low, high), x2| (low.min(x2), high.max(x2)));
         Some(if low > high { f64::INFINITY } else { high - low })
     };

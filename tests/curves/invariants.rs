@@ -91,7 +91,7 @@ fn stability_changes_at_named_points() {
     let mut changes = 0;
     for map in planes().iter().take(2) {
         // Without impact nothing is critical but at ζ = 0.
-        for curve in curves(map).iter().filter(|curve| curve.motion.p + curve.motion.q > 0) {
+        for curve in curves(map).iter().filter(|curve| curve.motion.count() > 0) {
             for (k, pair) in curve.points.windows(2).enumerate() {
                 if pair[0].bounding == pair[1].bounding {
                     continue;

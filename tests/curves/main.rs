@@ -3,6 +3,7 @@
 mod boundaries;
 mod coverage;
 mod curves;
+mod families;
 mod invariants;
 
 use impact_atlas::analysis::Schedule;
@@ -44,4 +45,11 @@ fn crossings(curve: &Curve, y: f64) -> Vec<f64> {
         .filter(|pair| (pair[0].y - y) * (pair[1].y - y) <= 0.0 && pair[0].y != pair[1].y)
         .map(|pair| pair[0].x + (pair[1].x - pair[0].x) * (y - pair[0].y) / (pair[1].y - pair[0].y))
         .collect()
+}
+
+/// Where a curve crosses an upright line.
+fn crossings_upright(curve: &Curve, x: f64) -> Vec<f64> {
+    let mut turned = curve.clone();
+    turned.points.iter_mut().for_each(|point| (point.x, point.y) = (point.y, point.x));
+    crossings(&turned, x)
 }

@@ -7,6 +7,7 @@ mod families;
 mod gpu;
 mod grazing;
 mod invariants;
+mod numbers;
 mod simultaneous;
 mod sticking;
 mod subject;

@@ -62,7 +62,7 @@ fn follow_in<T: Real, const N: usize>(plant: &Plant, start: &[f64], periods: usi
         note_penetration(&flight, &trajectory.point, &mut period);
         match taken.event {
             Event::Impact(impact) => period.impacts[impact.stop.index()] += 1,
-            Event::Caught { impact, complete_chatter } => {
+            Event::Caught { impact, complete_chatter, .. } => {
                 period.dragged |= complete_chatter && plant.stops[impact.stop.index()].restitution == 1.0;
                 period.impacts[impact.stop.index()] += u32::from(impact.velocity_before != T::zero());
             }

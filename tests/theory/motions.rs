@@ -80,7 +80,7 @@ fn a_motion_that_no_orbit_comes_near_is_followed_from_its_neighbours() {
             "{label}"
         );
         let back = record(&system, start, 2, 1, 1).samples[0];
-        assert_close(&[back.x1, back.x2, back.v1, back.v2], &start, 1e-8);
+        assert_close(&back.state, &start, 1e-8);
         // The start itself is enough, without a transient.
         let own = Search { start: start.to_vec(), transient: 0, observe: 1 };
         let again = labelled_motion(&system, label, &own).unwrap().sections[0].clone();

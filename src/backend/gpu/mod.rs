@@ -12,7 +12,6 @@ use std::fmt;
 use super::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::analysis::{Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, Controller, Convention, LONGEST_ON_DEVICE, Outcome};
-use crate::dynamics::Stop;
 
 pub use adapters::{AdapterReport, adapters};
 
@@ -106,15 +105,8 @@ impl Backend for Gpu {
                 schedule.max_period
             )));
         }
-        if !jobs.iter().all(has_kernel_for_section) {
-            return Err(BackendError::Unsupported(
-                "on the GPU control acts on two coordinates between symmetric stops of the first, at the first stop: \
-                 use --backend cpu for any other system or stop"
-                    .to_owned(),
-            ));
-        }
         let mut outcomes = Vec::with_capacity(jobs.len());
-        for tile in jobs.chunks(self.kernel.control_tile()) {
+        for tile in jobs.chunks(self.kernel.control_tile(jobs)?) {
             outcomes.extend(self.kernel.control(tile, schedule, watch)?);
         }
         Ok(outcomes)
@@ -146,15 +138,4 @@ fn has_kernel_for(controller: &Controller<f64>) -> bool {
         },
         Controller::None(_) | Controller::Pulse(_) | Controller::Delay(_) => true,
     }
-}
-
-/// The kernel's section is that of stop A of a system like the paper's: x1 = +gap, and its own mirror image with x1 = −gap.
-fn has_kernel_for_section(ControlJob { job, controller }: &ControlJob) -> bool {
-    let plant = job.system.plant();
-    let turned_back = || job.system.mirror().is_some_and(|mirror| (0..2).all(|i| mirror[(i, i)] == -1.0));
-    plant.n == 2
-        && plant.stops.len() == 2
-        && controller.stop() == Stop::A
-        && plant.stops[0].direction.as_slice() == [1.0, 0.0]
-        && turned_back()
 }

@@ -19,7 +19,7 @@ pub enum ControlError {
     },
     /// The target motion does not exist.
     #[error(
-        "there is no physical 1-1-1 motion at the reference omega = {} (delta = {}) to take as the target: \
+        "there is no physical 1-1-1 motion at the reference omega = {} (the stop stands at {}) to take as the target: \
          choose another --reference, or give --target",
         Number(*omega),
         Number(*gap)
@@ -27,7 +27,7 @@ pub enum ControlError {
     NoTarget {
         /// The reference frequency.
         omega: f64,
-        /// The distance of the stop: δ, the half clearance.
+        /// The gap of the stop: δ, the half clearance, of the paper's.
         gap: f64,
     },
     /// No motion of the system is known that could be the target.
@@ -51,6 +51,17 @@ pub enum ControlError {
         /// How many there must be.
         wanted: usize,
         /// The components by name.
+        names: String,
+    },
+    /// The direction of a stop has turned.
+    #[error(
+        "the target begins with v{own}, but here a point on the section is {names}, since the stop's direction is another: \
+         let nothing that turns it vary"
+    )]
+    OtherComponents {
+        /// The coordinate whose velocity the target begins with, from 1.
+        own: usize,
+        /// The components of the section by name.
         names: String,
     },
     /// The system has no such stop, component or coordinate.

@@ -66,12 +66,12 @@ impl Scheme {
             (Scheme::Pulse(pulse), Q::Period) => pulse.period = value as u32,
             (Scheme::Pulse(pulse), Q::Noise) => pulse.noise = value,
             (Scheme::Sine(SineSetting { target, component, .. }), quantity)
-                if quantity.target_index(target.given.len()) == Some(*component) =>
+                if target.component(quantity) == Some(*component) =>
             {
                 target.given[*component] = Some(value);
             }
             (Scheme::Pulse(PulseSetting { target, .. }), quantity) => {
-                let place = quantity.target_index(target.given.len())?;
+                let place = target.component(quantity)?;
                 target.given[place] = Some(value);
             }
             _ => return None,

@@ -24,19 +24,51 @@ pub enum ControlQuantity {
     Period,
     /// E of the period pulse.
     Noise,
-    /// v1+ of the target.
+    /// v1 of the target, after the impact.
     TargetV1,
-    /// x2 of the target.
-    TargetX2,
     /// v2 of the target.
     TargetV2,
+    /// v3 of the target.
+    TargetV3,
+    /// v4 of the target.
+    TargetV4,
+    /// x1 of the target.
+    TargetX1,
+    /// x2 of the target.
+    TargetX2,
+    /// x3 of the target.
+    TargetX3,
+    /// x4 of the target.
+    TargetX4,
     /// τ of the target.
     TargetTau,
 }
 
+/// A component of a target, by what it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Aim {
+    Velocity(usize),
+    Displacement(usize),
+    Phase,
+}
+
+const VELOCITIES: [ControlQuantity; 4] = [
+    ControlQuantity::TargetV1,
+    ControlQuantity::TargetV2,
+    ControlQuantity::TargetV3,
+    ControlQuantity::TargetV4,
+];
+
+const DISPLACEMENTS: [ControlQuantity; 4] = [
+    ControlQuantity::TargetX1,
+    ControlQuantity::TargetX2,
+    ControlQuantity::TargetX3,
+    ControlQuantity::TargetX4,
+];
+
 impl ControlQuantity {
     /// Every setting.
-    pub const ALL: [ControlQuantity; 13] = [
+    pub const ALL: [ControlQuantity; 18] = [
         ControlQuantity::Gain,
         ControlQuantity::Delay,
         ControlQuantity::Amplitude,
@@ -47,8 +79,13 @@ impl ControlQuantity {
         ControlQuantity::Period,
         ControlQuantity::Noise,
         ControlQuantity::TargetV1,
-        ControlQuantity::TargetX2,
         ControlQuantity::TargetV2,
+        ControlQuantity::TargetV3,
+        ControlQuantity::TargetV4,
+        ControlQuantity::TargetX1,
+        ControlQuantity::TargetX2,
+        ControlQuantity::TargetX3,
+        ControlQuantity::TargetX4,
         ControlQuantity::TargetTau,
     ];
 
@@ -65,8 +102,13 @@ impl ControlQuantity {
             ControlQuantity::Period => "period",
             ControlQuantity::Noise => "noise",
             ControlQuantity::TargetV1 => "target_v1",
-            ControlQuantity::TargetX2 => "target_x2",
             ControlQuantity::TargetV2 => "target_v2",
+            ControlQuantity::TargetV3 => "target_v3",
+            ControlQuantity::TargetV4 => "target_v4",
+            ControlQuantity::TargetX1 => "target_x1",
+            ControlQuantity::TargetX2 => "target_x2",
+            ControlQuantity::TargetX3 => "target_x3",
+            ControlQuantity::TargetX4 => "target_x4",
             ControlQuantity::TargetTau => "target_tau",
         }
     }
@@ -84,8 +126,13 @@ impl ControlQuantity {
             ControlQuantity::Period => "pulse period in iterates",
             ControlQuantity::Noise => "largest error of measurement",
             ControlQuantity::TargetV1 => "target velocity after impact",
-            ControlQuantity::TargetX2 => "target displacement of the second mass",
             ControlQuantity::TargetV2 => "target velocity of the second mass",
+            ControlQuantity::TargetV3 => "target velocity of the third mass",
+            ControlQuantity::TargetV4 => "target velocity of the fourth mass",
+            ControlQuantity::TargetX1 => "target displacement of the first mass",
+            ControlQuantity::TargetX2 => "target displacement of the second mass",
+            ControlQuantity::TargetX3 => "target displacement of the third mass",
+            ControlQuantity::TargetX4 => "target displacement of the fourth mass",
             ControlQuantity::TargetTau => "target phase",
         }
     }
@@ -95,14 +142,62 @@ impl ControlQuantity {
         matches!(self, ControlQuantity::Delay | ControlQuantity::Period)
     }
 
-    /// Which of so many components of the target it is; x2 and v2 are components of a point on the paper's section only.
-    pub(super) fn target_index(self, components: usize) -> Option<usize> {
-        match self {
-            ControlQuantity::TargetV1 => Some(0),
-            ControlQuantity::TargetX2 => (components == 4).then_some(1),
-            ControlQuantity::TargetV2 => (components == 4).then_some(2),
-            ControlQuantity::TargetTau => components.checked_sub(1),
-            _ => None,
+    /// The setting that is a component of a target on a section of n coordinates, whose first component is the velocity of
+    /// the coordinate `own`.
+    ///
+    /// # Panics
+    /// If the section has no such component.
+    pub fn of_component(component: usize, n: usize, own: usize) -> Self {
+        let all = VELOCITIES.into_iter().chain(DISPLACEMENTS).chain([ControlQuantity::TargetTau]);
+        let mut all = all.filter(|setting| setting.component(n, own) == Some(component));
+        all.next().expect("a section has 2n components")
+    }
+
+    /// Which component of a target it is on a section of n coordinates, whose first component is the velocity of the
+    /// coordinate `own`.
+    pub(super) fn component(self, n: usize, own: usize) -> Option<usize> {
+        let among_others = |i: usize| if i < own { i } else { i - 1 };
+        match self.aim()? {
+            Aim::Phase => Some(2 * n - 1),
+            Aim::Velocity(i) | Aim::Displacement(i) if i >= n => None,
+            Aim::Velocity(i) if i == own => Some(0),
+            Aim::Displacement(i) if i == own => None,
+            Aim::Velocity(i) => Some(n + among_others(i)),
+            Aim::Displacement(i) => Some(1 + among_others(i)),
+        }
+    }
+
+    fn aim(self) -> Option<Aim> {
+        let place = |all: [ControlQuantity; 4]| all.into_iter().position(|setting| setting == self);
+        if self == ControlQuantity::TargetTau {
+            return Some(Aim::Phase);
+        }
+        place(VELOCITIES).map(Aim::Velocity).or_else(|| place(DISPLACEMENTS).map(Aim::Displacement))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::section_names;
+    use crate::dynamics::Stop;
+    use crate::model::Setting;
+    use crate::system::Family;
+
+    /// The names of settings are those of the section's components, whatever coordinate is its own.
+    #[test]
+    fn components_have_the_settings_of_their_names() {
+        for (family, own) in
+            [("luo-ma-lv", 0), ("bouncing-ball", 0), ("three-mass-chain", 1), ("impact-damper", 0)]
+        {
+            let plant = Setting::defaults(Family::builtin(family)).plant().unwrap();
+            for (i, name) in section_names(&plant, Stop::A).iter().enumerate() {
+                let setting = ControlQuantity::of_component(i, plant.n, own);
+                assert_eq!(setting.name(), format!("target_{}", name.trim_end_matches('+')), "{family}");
+                assert_eq!(setting.component(plant.n, own), Some(i), "{family}");
+            }
+            let there = ControlQuantity::ALL.into_iter().filter(|s| s.component(plant.n, own).is_some());
+            assert_eq!(there.count(), 2 * plant.n, "{family}");
         }
     }
 }

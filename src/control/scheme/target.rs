@@ -1,17 +1,17 @@
 //! The point on σ that control aims at.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
 use super::error::ControlError;
-use crate::control::section::into_turn;
-use crate::control::surface::section_names;
+use super::quantity::ControlQuantity;
+use crate::control::surface::{own_coordinate, section_names};
 use crate::control::values::SectionValues;
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::system::{Mirror, Plant};
-use crate::theory::symmetric_target;
+use crate::theory::symmetric_target_at;
 
 /// A target on σ: the physical 1-1-1 symmetric motion at a reference frequency, or what is given instead.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -20,6 +20,14 @@ pub struct Target {
     pub reference: f64,
     /// The components of X (v1+, x2, v2 and τ on the paper's section) where they are given.
     pub given: SectionValues<Option<f64>>,
+    /// The coordinate, from 0, whose velocity is the first of them: that which the stop's gap determines.
+    #[serde(default, skip_serializing_if = "is_first")]
+    pub own: usize,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
+fn is_first(own: &usize) -> bool {
+    *own == 0
 }
 
 impl Target {
@@ -51,30 +59,35 @@ impl Target {
     /// What is given, a value or none for each component of the section.
     fn given_on(&self, plant: &Plant, stop: Stop) -> Result<SectionValues<Option<f64>>, ControlError> {
         let wanted = 2 * plant.n;
-        if self.given.len() == wanted {
-            return Ok(self.given);
+        if self.given.iter().all(Option::is_none) {
+            return Ok(
+                SectionValues::from_slice(&vec![None; wanted]).expect("a plant has 1 to 4 coordinates")
+            );
         }
-        if self.given.iter().any(Option::is_some) {
-            let names = section_names(plant, stop).join(", ");
+        let names = section_names(plant, stop).join(", ");
+        if self.given.len() != wanted {
             return Err(ControlError::Count { what: "target", given: self.given.len(), wanted, names });
         }
-        Ok(SectionValues::from_slice(&vec![None; wanted]).expect("a plant has 1 to 4 coordinates"))
+        if own_coordinate(plant, stop) != self.own {
+            return Err(ControlError::OtherComponents { own: self.own + 1, names });
+        }
+        Ok(self.given)
     }
 
     /// The point of the 1-1-1 motion at the reference frequency.
     fn reference_motion(&self, system: &System, stop: Stop) -> Result<SectionValues<f64>, ControlError> {
         let plant = system.plant();
         let needed = || ControlError::TargetNeeded { names: section_names(plant, stop).join(", ") };
-        plant.mirror().filter(|mirror| is_in_closed_form(plant, mirror)).ok_or_else(needed)?;
-        let missing = ControlError::NoTarget { omega: self.reference, gap: plant.stops[0].gap };
-        let target = symmetric_target(&system.at_frequency(self.reference)?).ok_or(missing)?;
-        let [v1, x2, v2, tau] = target.try_into().map_err(|_| needed())?;
-        Ok(SectionValues::new(if stop == Stop::A {
-            [v1, x2, v2, tau]
-        } else {
-            // Half its period later the motion is its own mirror image.
-            [-v1, -x2, -v2, into_turn(tau + PI)]
-        }))
+        let exchanged = |mirror: &Mirror| is_met(mirror, stop);
+        plant.mirror().filter(exchanged).ok_or_else(needed)?;
+        let missing = ControlError::NoTarget { omega: self.reference, gap: plant.stops[stop.index()].gap };
+        let target = symmetric_target_at(&system.at_frequency(self.reference)?, stop).ok_or(missing)?;
+        SectionValues::from_slice(&target).ok_or_else(needed)
+    }
+
+    /// Which component a setting is.
+    pub(super) fn component(&self, setting: ControlQuantity) -> Option<usize> {
+        setting.component(self.given.len() / 2, self.own)
     }
 
     pub(super) fn check(&self) -> Result<(), ControlError> {
@@ -110,11 +123,8 @@ fn check_velocity(plant: &Plant, stop: Stop, given: &SectionValues<Option<f64>>)
     }
 }
 
-/// Whether the 1-1-1 motion of a plant is known in closed form: two coordinates, driven in the phase of the sine, the first
-/// of them between two stops.
-fn is_in_closed_form(plant: &Plant, mirror: &Mirror) -> bool {
-    let turned_back = (0..plant.n).all(|i| mirror.matrix[(i, i)] == -1.0);
-    let first = plant.stops.first().is_some_and(|stop| stop.direction.as_slice() == [1.0, 0.0]);
-    let unloaded = plant.force_cos.amax() == 0.0 && plant.load.amax() == 0.0;
-    plant.n == 2 && turned_back && first && plant.stops.len() == 2 && unloaded
+/// Whether the symmetric 1-1-1 motion meets a stop: it goes between the first two that the mirror exchanges.
+fn is_met(mirror: &Mirror, stop: Stop) -> bool {
+    let first = mirror.stops.iter().enumerate().find(|(stop, image)| stop != *image);
+    first.is_some_and(|(first, &image)| [first, image].contains(&stop.index()))
 }

@@ -56,8 +56,8 @@ pub fn assembled<E: From<CellsError>>(
     }
     let numbers = get("multipliers")?;
     let multipliers = (0..cells).map(|i| {
-        let of = |k: usize, part: usize| numbers.real(8 * i + 2 * k + part);
-        (!of(0, 0).is_nan()).then(|| std::array::from_fn(|k| [of(k, 0), of(k, 1)]))
+        let of = |k: usize, part: usize| numbers.real(2 * (components * i + k) + part);
+        (!of(0, 0).is_nan()).then(|| (0..components).map(|k| [of(k, 0), of(k, 1)]).collect())
     });
     Ok((verdicts, Some(multipliers.collect())))
 }

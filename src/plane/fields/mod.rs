@@ -52,7 +52,7 @@ impl Inner {
             Inner::Stops => vec![("stop", family.stops().len())],
             Inner::Components => vec![("component", 2 * family.n())],
             Inner::Coordinates => vec![("coordinate", family.n())],
-            Inner::Multipliers => vec![("multiplier", 4), ("part", 2)],
+            Inner::Multipliers => vec![("multiplier", 2 * family.n()), ("part", 2)],
         }
     }
 

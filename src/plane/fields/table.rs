@@ -50,7 +50,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "impacts at the first stop in one period",
         (Inner::One, "impacts"),
         Source::U16(|cell, _| cell.verdict.p()),
-        meaning!("impacts at x1 = −δ in one period"),
+        meaning!("the first count of the label: impacts at x1 = −δ in one period of the paper's oscillator"),
         None,
     ),
     field(
@@ -58,7 +58,9 @@ pub const CELL_FIELDS: &[CellField] = &[
         "impacts at the second stop in one period",
         (Inner::One, "impacts"),
         Source::U16(|cell, _| cell.verdict.q()),
-        meaning!("impacts at x1 = +δ in one period"),
+        meaning!(
+            "the second count of the label: impacts at x1 = +δ in one period of the paper's oscillator, 0 where there is one stop"
+        ),
         None,
     ),
     field(
@@ -99,7 +101,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "state at the end",
         (Inner::Components, "1"),
         Source::F64(|cell, i| cell.verdict.state[i]),
-        "(x1, x2, v1, v2) at the end, at forcing phase 0; NaN only where the regime is failed",
+        "(x1 … xn, v1 … vn) at the end, at forcing phase 0; NaN only where the regime is failed",
         None,
     ),
     field(
@@ -176,7 +178,7 @@ pub const CELL_FIELDS: &[CellField] = &[
             "Floquet multipliers",
             (Inner::Multipliers, "1"),
             Source::F64(|cell, i| cell.multipliers.map_or(f64::NAN, |all| all[i / 2][i % 2])),
-            "with `--certify` only: real and imaginary parts of the Floquet multipliers, largest modulus first; NaN \
+            "with `--certify` only: real and imaginary parts of the 2n Floquet multipliers, largest modulus first; NaN \
              where no orbit was certified",
             None,
         )

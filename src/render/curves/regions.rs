@@ -241,7 +241,7 @@ mod tests {
         };
         Curve {
             kind,
-            motion: CurveMotion { n, p, q, symmetric },
+            motion: CurveMotion { n, impacts: vec![p, q], image: Some(vec![q, p]), symmetric },
             touches: None,
             points: (0..map.plane.y.count).map(point).collect(),
             ends: [End::LeavesPlane; 2],

@@ -45,7 +45,7 @@ pub(super) fn names(kind: Kind) -> [&'static str; 2] {
 
 /// Whether a curve is one of many that crowd.
 pub(super) fn is_thin(curve: &Curve) -> bool {
-    curve.motion.p.max(curve.motion.q) > FEW_IMPACTS * curve.motion.n
+    curve.motion.impacts.iter().any(|&impacts| impacts > FEW_IMPACTS * curve.motion.n)
 }
 
 /// A line, in pixels.

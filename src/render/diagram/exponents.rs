@@ -2,6 +2,7 @@
 
 use super::windows::Columns;
 use crate::diagram::{Branch, Diagram, ExponentUnit};
+use crate::model::vector::MOST;
 use crate::render::canvas::Colour;
 use crate::render::colours::{INK, MUTED};
 use crate::render::figure::{Mark, Panel};
@@ -9,6 +10,7 @@ use crate::render::frame::{AxisTitle, Frame};
 use crate::render::scale::Scale;
 use crate::render::symbols;
 use crate::render::text::Text;
+use crate::system::Family;
 
 /// Lengths in em.
 const LINE: f64 = 0.08;
@@ -21,9 +23,17 @@ const MANY: usize = 40;
 const LEFT_OUT: f64 = 0.02;
 const ROOM: f64 = 0.5;
 
-/// The colours of the four exponents, largest first.
-pub(super) const COLOURS: [Colour; 4] =
-    [INK, image::Rgb([0x27, 0x6d, 0xad]), image::Rgb([0x0d, 0x7a, 0x63]), MUTED];
+/// The colours of the exponents, largest first.
+pub(super) const COLOURS: [Colour; 2 * MOST] = [
+    INK,
+    image::Rgb([0x27, 0x6d, 0xad]),
+    image::Rgb([0x0d, 0x7a, 0x63]),
+    MUTED,
+    image::Rgb([0xc4, 0x55, 0x00]),
+    image::Rgb([0x8c, 0x79, 0xc7]),
+    image::Rgb([0xa3, 0x94, 0x13]),
+    image::Rgb([0xca, 0x90, 0xc5]),
+];
 
 /// The exponents of every column, largest first: a panel for every branch, all to one scale.
 pub(super) fn exponent_panels(diagram: &Diagram) -> Vec<Panel> {
@@ -39,12 +49,13 @@ pub(super) fn exponent_panels(diagram: &Diagram) -> Vec<Panel> {
 }
 
 /// Lines through the exponents, and dots where one has no neighbour.
-fn marks(values: &[f64], spectrum: &[[f64; 4]]) -> Vec<Mark> {
+fn marks(values: &[f64], spectrum: &[Vec<f64>]) -> Vec<Mark> {
     let mut marks = vec![Mark::Level { y: 0.0, width: LEVEL, colour: MUTED }];
     let diameter = if values.len() > MANY { 1.5 * LINE } else { SINGLE };
-    for (which, &colour) in COLOURS.iter().enumerate().rev() {
+    let count = spectrum.iter().map(Vec::len).max().unwrap_or(0);
+    for (which, &colour) in COLOURS.iter().enumerate().take(count).rev() {
         // An exponent of −∞ interrupts its line.
-        let exponent = |exponents: &[f64; 4]| {
+        let exponent = |exponents: &[f64]| {
             let value = exponents[which];
             if value.is_finite() { value } else { f64::NAN }
         };
@@ -109,7 +120,7 @@ impl Exponents {
     }
 
     /// What the panel does not show, and why.
-    pub fn notes(&self, unit: Option<ExponentUnit>) -> Vec<Text> {
+    pub fn notes(&self, unit: Option<ExponentUnit>, family: &'static Family) -> Vec<Text> {
         let mut notes: Vec<Text> = Vec::new();
         if self.cut {
             notes.push("The lowest exponents are below the panel.".into());
@@ -119,7 +130,7 @@ impl Exponents {
         }
         if self.none && unit == Some(ExponentUnit::Iterate) {
             notes.push("No exponents per iterate without impacts".into());
-            let at = Text::from("at ").italic("x").subscript("1").upright(" = +").italic("δ");
+            let at = Text::from("at ").then(symbols::stop_place(family, 0));
             notes.push(at.upright(", or with infinitely many."));
         }
         notes
@@ -134,20 +145,21 @@ mod tests {
 
     #[test]
     fn an_exponent_without_neighbours_is_a_dot() {
-        let dots = |spectrum: &[[f64; 4]]| -> usize {
+        let dots = |spectrum: &[Vec<f64>]| -> usize {
             let values: Vec<f64> = (0..spectrum.len()).map(|i| i as f64).collect();
             let count = |mark: &Mark| if let Mark::Dots { points, .. } = mark { points.len() } else { 0 };
             marks(&values, spectrum).iter().map(count).sum()
         };
-        let (there, lost) = ([0.1, 0.0, -1.0, -2.0], [f64::NEG_INFINITY; 4]);
-        assert_eq!((dots(&[there]), dots(&[there, there]), dots(&[lost])), (4, 0, 0));
-        assert_eq!(dots(&[there, lost, there, there, lost, there]), 8);
+        let (there, lost) = (|| vec![0.1, 0.0, -1.0, -2.0], || vec![f64::NEG_INFINITY; 4]);
+        assert_eq!((dots(&[there()]), dots(&[there(), there()]), dots(&[lost()])), (4, 0, 0));
+        assert_eq!(dots(&[there(), lost(), there(), there(), lost(), there()]), 8);
+        assert_eq!((dots(&[vec![0.1, -1.0]]), dots(&[vec![0.5; 8]])), (2, 8), "as many as there are");
     }
 
     #[test]
     fn every_branch_has_a_panel_of_its_own() {
         let mut both = diagram("omega=5:0.2:100", Sweep::Both, 0.1, 0.07);
-        both.branches[1].spectrum = Some(vec![[0.5, -0.5, -1.0, -1.5]; 100]);
+        both.branches[1].spectrum = Some(vec![vec![0.5, -0.5, -1.0, -1.5]; 100]);
         let panels = exponent_panels(&both);
         assert_eq!(panels.len(), 2);
         assert!(panels[0].caption != panels[1].caption && panels[0].marks != panels[1].marks);
@@ -160,7 +172,7 @@ mod tests {
     fn only_exponents_far_below_are_left_out() {
         let with = |lowest: f64| {
             let mut diagram = diagram("omega=5:0.2:100", Sweep::Down, 0.1, 0.07);
-            let mut spectrum = vec![[0.5, -0.5, -1.0, -1.5]; 100];
+            let mut spectrum = vec![vec![0.5, -0.5, -1.0, -1.5]; 100];
             spectrum[7][3] = lowest;
             diagram.branches[0].spectrum = Some(spectrum);
             Exponents::of(&diagram)
@@ -168,6 +180,6 @@ mod tests {
         let (near, far) = (with(-2.0), with(-20.0));
         assert_eq!((near.cut, near.shown[0]), (false, -2.0));
         assert_eq!((far.cut, far.shown[0]), (true, -1.5));
-        assert_eq!((near.notes(None).len(), far.notes(None).len()), (0, 1));
+        assert_eq!((near.notes(None, Family::paper()).len(), far.notes(None, Family::paper()).len()), (0, 1));
     }
 }

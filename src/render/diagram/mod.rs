@@ -19,6 +19,7 @@ use super::text::Text;
 use crate::analysis::{CHATTER_RUN, Section};
 use crate::diagram::{Branch, Diagram, Direction};
 use crate::plane::Quantity;
+use crate::system::Family;
 
 /// Lengths in em.
 const DOT: std::ops::RangeInclusive<f64> = 0.055..=0.16;
@@ -75,7 +76,7 @@ fn section_panel(diagram: &Diagram, motions: &Motions) -> Panel {
         x: columns.scale(),
         y: Scale::around(readings(), 0.04),
         x_title: symbols::axis_title(spec.x.quantity()),
-        y_title: symbols::reading_title(diagram.spec.probe.reading),
+        y_title: symbols::title_on(&spec.parameters, spec.probe.section, spec.probe.reading),
     };
     let mut marks = Vec::new();
     for branch in &diagram.branches {
@@ -121,7 +122,8 @@ fn marks_key(diagram: &Diagram) -> Vec<KeyEntry> {
         key.push(KeyEntry { sample: Sample::Fill(Paint::plain(STICKING)), name: "sticking".into() });
     }
     if diagram.branches.iter().any(|branch| branch.spectrum.is_some()) {
-        for (number, &colour) in (1..).zip(&exponents::COLOURS) {
+        let exponents = 2 * diagram.spec.parameters.family().n();
+        for (number, &colour) in (1..).zip(&exponents::COLOURS[..exponents]) {
             let name = Text::new().italic("λ").subscript(number.to_string());
             key.push(KeyEntry { sample: Sample::Line(colour), name });
         }
@@ -130,39 +132,25 @@ fn marks_key(diagram: &Diagram) -> Vec<KeyEntry> {
 }
 
 /// The section in words.
-fn where_read(section: Section) -> Text {
-    let sign = match section {
-        Section::A => " = +",
-        Section::B => " = −",
-        Section::Strobe => return "at forcing phase 0.".into(),
-    };
-    Text::from("at impacts at ").italic("x").subscript("1").upright(sign).italic("δ").upright(".")
+fn where_read(section: Section, family: &'static Family) -> Text {
+    match section {
+        Section::Impact(stop) => {
+            Text::from("at impacts at ").then(symbols::stop_place(family, stop.index())).upright(".")
+        }
+        Section::Strobe => "at forcing phase 0.".into(),
+    }
 }
 
 fn notes(diagram: &Diagram) -> Vec<Text> {
     let schedule = diagram.spec.schedule;
+    let family = diagram.spec.parameters.family();
     let mut notes: Vec<Text> = vec![
         format!("After {} forcing periods, {} are shown", schedule.transient, schedule.observe).into(),
-        where_read(diagram.spec.probe.section),
+        where_read(diagram.spec.probe.section, family),
     ];
-    notes.push(
-        Text::new()
-            .italic("N")
-            .upright("-")
-            .italic("p")
-            .upright("-")
-            .italic("q")
-            .upright(": ")
-            .italic("N")
-            .upright(" forcing periods,"),
-    );
-    let impacts = |count: &str, sign: &str, end: &str| {
-        let stop =
-            Text::new().italic("x").subscript("1").upright(format!(" = {sign}")).italic("δ").upright(end);
-        Text::new().italic(count).upright(" impacts at ").then(stop)
-    };
-    notes.push(impacts("p", "−", ","));
-    notes.push(impacts("q", "+", "."));
+    notes.extend(symbols::label_definition(family));
+    let last = notes.len() - 1;
+    notes[last] = notes[last].clone().upright(".");
     let bands = diagram.branches.iter().map(|branch| Columns::of(&diagram.spec.x).bands(&branch.traces));
     if bands.into_iter().any(|[chatter, _]| !chatter.is_empty()) {
         notes.push(format!("Chatter: {CHATTER_RUN} or more impacts in a row at one stop,").into());
@@ -172,7 +160,7 @@ fn notes(diagram: &Diagram) -> Vec<Text> {
         let capacity = diagram.spec.capacity;
         notes.push(format!("Of each column the first {capacity} points are shown.").into());
     }
-    notes.extend(Exponents::of(diagram).notes(diagram.spec.spectrum));
+    notes.extend(Exponents::of(diagram).notes(diagram.spec.spectrum, family));
     notes
 }
 
@@ -211,7 +199,7 @@ pub(super) mod tests {
             }
         };
         let exponents = |i: u32| {
-            [
+            vec![
                 0.1,
                 -0.2,
                 f64::from(i % 5) - 9.0,

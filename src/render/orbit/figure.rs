@@ -9,6 +9,7 @@ use crate::render::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample};
 use crate::render::paint::Paint;
 use crate::render::symbols;
 use crate::render::text::Text;
+use crate::system::Family;
 
 /// How many plots stand side by side.
 const BESIDE: usize = 2;
@@ -19,13 +20,14 @@ pub fn orbit_figure(orbit: &Orbit<'_>, start: Start, panels: &[OrbitPanel], zoom
     let mut title = symbols::equations(parameters, |_| false);
     title.extend(symbols::start(start, orbit.system.plant().n, |_| false));
     let mut plots: Vec<Panel> = panels.iter().map(|&panel| orbit.panel(panel, zooms)).collect();
-    let key = orbit_key(&plots);
+    let family = parameters.family();
+    let key = orbit_key(family, &plots);
     if plots.len() > 1 {
         for ((plot, panel), letter) in plots.iter_mut().zip(panels).zip('a'..) {
-            plot.caption = Some(caption(*panel, letter));
+            plot.caption = Some(caption(*panel, letter, family));
         }
     } else {
-        plots.iter_mut().zip(panels).for_each(|(plot, panel)| plot.caption = Some(words(*panel)));
+        plots.iter_mut().zip(panels).for_each(|(plot, panel)| plot.caption = Some(words(*panel, family)));
     }
     let width = if plots.len() == 1 { 40.0 } else { 60.0 };
     Figure { title, rows: in_rows(plots), key, notes: Vec::new(), width }
@@ -43,15 +45,21 @@ fn in_rows(plots: Vec<Panel>) -> Vec<Row> {
     rows
 }
 
-/// What the marks of such plots stand for, as far as they are in view.
-pub fn orbit_key(plots: &[Panel]) -> Vec<KeyEntry> {
+/// What the marks of such plots of a family's orbit stand for, as far as they are in view.
+pub fn orbit_key(family: &'static Family, plots: &[Panel]) -> Vec<KeyEntry> {
     let shown = |wanted: &dyn Fn(&Mark) -> bool| {
         plots.iter().any(|plot| plot.marks.iter().any(|mark| wanted(mark) && mark.is_in(&plot.frame)))
     };
     let mut key = Vec::new();
-    if shown(&|mark| matches!(mark, Mark::Upright { colour: STOP, .. } | Mark::Level { colour: STOP, .. })) {
-        let stops = Text::from("stops ").italic("x").subscript("1").upright(" = ±").italic("δ");
-        key.push(KeyEntry { sample: Sample::Line(STOP), name: stops });
+    let is_stop = |mark: &Mark| {
+        let (Mark::Upright { colour, .. } | Mark::Level { colour, .. } | Mark::Line { colour, .. }) = mark
+        else {
+            return false;
+        };
+        *colour == STOP
+    };
+    if shown(&is_stop) {
+        key.push(KeyEntry { sample: Sample::Line(STOP), name: symbols::stops(family) });
     }
     if shown(&|mark| matches!(mark, Mark::Dots { colour: STRIKING, .. })) {
         key.push(KeyEntry { sample: Sample::Dot(STRIKING), name: "impact".into() });
@@ -62,20 +70,18 @@ pub fn orbit_key(plots: &[Panel]) -> Vec<KeyEntry> {
     key
 }
 
-fn caption(panel: OrbitPanel, letter: char) -> Text {
-    Text::from(format!("({letter}) ")).then(words(panel))
+fn caption(panel: OrbitPanel, letter: char, family: &'static Family) -> Text {
+    Text::from(format!("({letter}) ")).then(words(panel, family))
 }
 
 /// What a plot is.
-fn words(panel: OrbitPanel) -> Text {
+fn words(panel: OrbitPanel, family: &'static Family) -> Text {
     match panel {
         OrbitPanel::Portrait(_) => "phase portrait".into(),
         OrbitPanel::Time(_) => "time series".into(),
         OrbitPanel::Section(Section::Strobe, _) => "strobe section, forcing phase 0".into(),
-        OrbitPanel::Section(section, _) => {
-            let sign = if section == Section::A { " = +" } else { " = −" };
-            let stop = Text::new().italic("x").subscript("1").upright(sign).italic("δ");
-            Text::from("impact Poincaré section ").then(stop)
+        OrbitPanel::Section(Section::Impact(stop), _) => {
+            Text::from("impact Poincaré section ").then(symbols::stop_place(family, stop.index()))
         }
     }
 }
@@ -95,7 +101,7 @@ mod tests {
         let names = |zooms: &[&str]| -> Vec<Text> {
             let zooms: Vec<Zoom> = zooms.iter().map(|zoom| zoom.parse().unwrap()).collect();
             let panel = orbit.panel(OrbitPanel::Time(Reading::X1), &zooms);
-            orbit_key(&[panel]).into_iter().map(|entry| entry.name).collect()
+            orbit_key(Family::paper(), &[panel]).into_iter().map(|entry| entry.name).collect()
         };
         assert_eq!(names(&[]).len(), 3);
         assert_eq!(names(&["x1=-0.1:0.1"]), ["sticking".into()], "a band is as high as the plot");

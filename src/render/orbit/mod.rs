@@ -3,11 +3,13 @@
 mod curve;
 mod figure;
 mod panel;
+mod reader;
 
 pub use figure::{orbit_figure, orbit_key};
 pub use panel::{OrbitPanel, PanelError, Variable, Zoom};
 
-use self::curve::{Place, curve, refined};
+use self::curve::{Curve, Place};
+use self::reader::Reader;
 use super::colours::{INK, STEADY_BLUE, STICKING, STOP, STRIKING};
 use super::figure::{Mark, Panel};
 use super::frame::{AxisTitle, Frame};
@@ -15,8 +17,8 @@ use super::scale::Scale;
 use super::symbols;
 use super::text::Text;
 use crate::analysis::{Reading, Section};
-use crate::dynamics::{ImpactEvent, Recording, Stop};
-use crate::model::System;
+use crate::dynamics::{ImpactEvent, Recording};
+use crate::model::{Setting, System};
 
 /// The widths of lines and dots, in em.
 const CURVE: f64 = 0.08;
@@ -40,10 +42,6 @@ pub struct Orbit<'a> {
 }
 
 impl Orbit<'_> {
-    fn delta(&self) -> f64 {
-        self.system.parameters().delta
-    }
-
     /// When the recording begins.
     fn began(&self) -> f64 {
         self.recording.samples.first().map_or(0.0, |sample| sample.time)
@@ -64,23 +62,25 @@ impl Orbit<'_> {
             }
             frame
         };
+        let reader = Reader::new(self.system);
         match panel {
-            OrbitPanel::Portrait(axes) => self.portrait(axes, zoomed),
-            OrbitPanel::Time(of) => self.time_series(of, zoomed),
-            OrbitPanel::Section(section, axes) => self.section(section, axes, zoomed),
+            OrbitPanel::Portrait(axes) => self.portrait(&reader, axes, zoomed),
+            OrbitPanel::Time(of) => self.time_series(&reader, of, zoomed),
+            OrbitPanel::Section(section, axes) => self.section(&reader, section, axes, zoomed),
         }
     }
 
     /// The curve in a plot: the frame that shows all of it, zoomed, and its points, close to each other in that frame.
     fn line(
         &self,
+        reader: &Reader,
         [x, y]: [Variable; 2],
         zoomed: impl Fn(Frame) -> Frame,
         place: impl Fn(&Place) -> [f64; 2],
     ) -> (Frame, Vec<[f64; 2]>) {
-        let places = curve(self.recording, self.delta());
-        let points: Vec<[f64; 2]> = places.iter().map(&place).collect();
-        let mut frame = self.frame(x, y, &points);
+        let curve = Curve::of(self.recording, reader);
+        let points: Vec<[f64; 2]> = curve.places().iter().map(&place).collect();
+        let mut frame = self.frame(reader, [x, y], Section::Strobe, &points);
         if let (Variable::Time, [first, .., last]) = (x, &points[..])
             && first[0] < last[0]
         {
@@ -91,62 +91,68 @@ impl Orbit<'_> {
             let [x, y] = place(at);
             [frame.x.fraction(x), frame.y.fraction(y)]
         };
-        let points = refined(self.recording, &places, within).iter().map(&place).collect();
+        let points = curve.refined(within).iter().map(&place).collect();
         (frame, points)
     }
 
-    fn portrait(&self, [x, y]: [Reading; 2], zoomed: impl Fn(Frame) -> Frame) -> Panel {
-        let place = |p: &Place| [p.component(x), p.component(y)];
-        let (frame, points) = self.line([x, y].map(Variable::Reading), zoomed, place);
+    fn portrait(&self, reader: &Reader, axes: [Reading; 2], zoomed: impl Fn(Frame) -> Frame) -> Panel {
+        let place = |p: &Place| axes.map(|reading| reader.of_state(&p.state, reading));
+        let (frame, points) = self.line(reader, axes.map(Variable::Reading), zoomed, place);
         let mut marks = Vec::new();
-        for side in [-1.0, 1.0] {
-            let at = side * self.delta();
-            match (x, y) {
-                (Reading::X1, _) => marks.push(Mark::Upright { x: at, width: STOP_LINE, colour: STOP }),
-                (_, Reading::X1) => marks.push(Mark::Level { y: at, width: STOP_LINE, colour: STOP }),
-                _ => {}
+        for stop in reader.stops() {
+            let [x, y] = axes.map(|reading| reader.level(stop, reading));
+            if let Some(x) = x {
+                marks.push(Mark::Upright { x, width: STOP_LINE, colour: STOP });
+            } else if let Some(y) = y {
+                marks.push(Mark::Level { y, width: STOP_LINE, colour: STOP });
+            } else if let Some(at) = reader.slanted(stop, axes) {
+                let points = frame.x.ends().map(|x| [x, at(x)]).to_vec();
+                marks.push(Mark::Line { points, width: STOP_LINE, colour: STOP });
             }
         }
         marks.push(Mark::Line { points, width: CURVE, colour: INK });
         panel(frame, marks, 1.0)
     }
 
-    fn time_series(&self, of: Reading, zoomed: impl Fn(Frame) -> Frame) -> Panel {
+    fn time_series(&self, reader: &Reader, of: Reading, zoomed: impl Fn(Frame) -> Frame) -> Panel {
         let period = self.system.period();
         let began = self.began();
         let periods = |time: f64| (time - began) / period;
-        let place = |p: &Place| [periods(p.time), p.component(of)];
-        let (frame, points) = self.line([Variable::Time, Variable::Reading(of)], zoomed, place);
+        let place = |p: &Place| [periods(p.time), reader.of_state(&p.state, of)];
+        let (frame, points) = self.line(reader, [Variable::Time, Variable::Reading(of)], zoomed, place);
         let mut marks: Vec<Mark> = (self.recording.sticks.iter())
             .map(|stick| Mark::Band { x: [periods(stick.from), periods(stick.until)], colour: STICKING })
             .collect();
-        if of == Reading::X1 {
-            let stops = [-self.delta(), self.delta()];
-            marks.extend(stops.map(|y| Mark::Level { y, width: STOP_LINE, colour: STOP }));
-        }
+        let levels = reader.stops().filter_map(|stop| reader.level(stop, of));
+        marks.extend(levels.map(|y| Mark::Level { y, width: STOP_LINE, colour: STOP }));
         marks.push(Mark::Line { points, width: CURVE, colour: INK });
-        if of == Reading::X1 {
-            let at = |impact: &ImpactEvent| [periods(impact.time), self.stop(impact.stop)];
-            let points: Vec<[f64; 2]> = self.recording.impacts.iter().map(at).collect();
+        if reader.stops().any(|stop| reader.shows(stop, of)) {
+            let at = |impact: &ImpactEvent| [periods(impact.time), reader.of_impact(impact, of)];
+            let shown = self.recording.impacts.iter().filter(|impact| reader.shows(impact.stop, of));
+            let points: Vec<[f64; 2]> = shown.map(at).collect();
             let diameter = if points.len() > 24 { 0.5 * IMPACT } else { IMPACT };
             marks.push(Mark::Dots { points, diameter, colour: STRIKING });
         }
         panel(frame, marks, 1.35)
     }
 
-    fn section(&self, section: Section, [x, y]: [Reading; 2], zoomed: impl Fn(Frame) -> Frame) -> Panel {
+    fn section(
+        &self,
+        reader: &Reader,
+        section: Section,
+        axes: [Reading; 2],
+        zoomed: impl Fn(Frame) -> Frame,
+    ) -> Panel {
         let points: Vec<[f64; 2]> = match section {
             Section::Strobe => (self.sections.samples.iter())
-                .map(Place::of_sample)
-                .map(|place| [place.component(x), place.component(y)])
+                .map(|sample| axes.map(|reading| reader.of_state(&sample.state, reading)))
                 .collect(),
-            Section::A | Section::B => {
-                let stop = if section == Section::A { Stop::A } else { Stop::B };
-                let at = |i: &ImpactEvent| [self.reading(i, x), self.reading(i, y)];
+            Section::Impact(stop) => {
+                let at = |impact: &ImpactEvent| axes.map(|reading| reader.of_impact(impact, reading));
                 self.sections.impacts.iter().filter(|impact| impact.stop == stop).map(at).collect()
             }
         };
-        let frame = zoomed(self.frame(Variable::Reading(x), Variable::Reading(y), &points));
+        let frame = zoomed(self.frame(reader, axes.map(Variable::Reading), section, &points));
         let diameter = match distinct(&points, &frame) {
             0..=40 => FEW,
             41..=400 => SOME,
@@ -155,40 +161,32 @@ impl Orbit<'_> {
         panel(frame, vec![Mark::Dots { points, diameter, colour: STEADY_BLUE }], 1.0)
     }
 
-    fn stop(&self, stop: Stop) -> f64 {
-        if stop == Stop::A { self.delta() } else { -self.delta() }
-    }
-
-    fn reading(&self, impact: &ImpactEvent, reading: Reading) -> f64 {
-        match reading {
-            Reading::VBefore => impact.velocity_before,
-            Reading::VAfter | Reading::V1 => impact.velocity_after,
-            Reading::X1 => self.stop(impact.stop),
-            Reading::X2 => impact.x2,
-            Reading::V2 => impact.v2,
-            Reading::Tau => impact.phase,
-        }
-    }
-
-    fn frame(&self, x: Variable, y: Variable, points: &[[f64; 2]]) -> Frame {
-        let stops = |variable| match variable {
-            Variable::Reading(Reading::X1) => vec![-self.delta(), self.delta()],
-            _ => Vec::new(),
+    /// A frame around points, and around the stops that are met at a value of a displacement on an axis.
+    fn frame(&self, reader: &Reader, [x, y]: [Variable; 2], section: Section, points: &[[f64; 2]]) -> Frame {
+        let stops = |variable| -> Vec<f64> {
+            match variable {
+                Variable::Reading(reading) => {
+                    reader.stops().filter_map(|stop| reader.level(stop, reading)).collect()
+                }
+                Variable::Time => Vec::new(),
+            }
         };
         let scale = |i: usize, variable| {
             Scale::around(points.iter().map(|point| point[i]).chain(stops(variable)), AROUND)
         };
+        let setting = self.system.setting().expect("a system that is drawn is made of a setting");
+        let title = |variable| title(setting, section, variable);
         Frame { x: scale(0, x), y: scale(1, y), x_title: title(x), y_title: title(y) }
     }
 }
 
-fn title(variable: Variable) -> AxisTitle {
+fn title(setting: &Setting, section: Section, variable: Variable) -> AxisTitle {
     match variable {
         Variable::Time => {
             let short = Text::new().italic("t").upright("/").italic("T");
             AxisTitle { long: Text::from("time in forcing periods ").then(short.clone()), short }
         }
-        Variable::Reading(reading) => symbols::reading_title(reading),
+        Variable::Reading(reading) => symbols::title_on(setting, section, reading),
     }
 }
 

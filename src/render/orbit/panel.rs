@@ -3,15 +3,15 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::analysis::{Reading, Section, SectionError};
+use crate::dynamics::Stop;
 use crate::model::Number;
+use crate::system::Family;
 
 /// A quantity on an axis of an orbit's plot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(into = "String", try_from = "String")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variable {
     /// The time since the recording began, in forcing periods.
     Time,
@@ -19,47 +19,37 @@ pub enum Variable {
     Reading(Reading),
 }
 
-impl fmt::Display for Variable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Variable::Time => f.write_str("t"),
-            Variable::Reading(reading) => reading.fmt(f),
-        }
-    }
-}
-
-impl FromStr for Variable {
-    type Err = PanelError;
-
-    fn from_str(name: &str) -> Result<Self, PanelError> {
+impl Variable {
+    /// The quantity of a name in a family.
+    ///
+    /// # Errors
+    /// [`PanelError::Variable`] with the quantities that there are.
+    pub fn named(name: &str, family: &Family) -> Result<Self, PanelError> {
         match name {
             "t" => Ok(Variable::Time),
-            name => name.parse().map(Variable::Reading).map_err(|_| PanelError::Variable(name.to_owned())),
+            name => Reading::named(name, family).map(Variable::Reading).map_err(|_| {
+                let known: Vec<String> =
+                    Reading::all(family).iter().map(|reading| reading.name(family)).collect();
+                PanelError::Variable { name: name.to_owned(), known: known.join(", ") }
+            }),
         }
     }
-}
 
-impl From<Variable> for String {
-    fn from(variable: Variable) -> String {
-        variable.to_string()
-    }
-}
-
-impl TryFrom<String> for Variable {
-    type Error = PanelError;
-
-    fn try_from(name: String) -> Result<Self, PanelError> {
-        name.parse()
+    /// The name in a family.
+    pub fn name(self, family: &Family) -> String {
+        match self {
+            Variable::Time => "t".to_owned(),
+            Variable::Reading(reading) => reading.name(family),
+        }
     }
 }
 
 /// A plot of an orbit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(into = "String", try_from = "String")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OrbitPanel {
-    /// A phase portrait: two components of the state against each other.
+    /// A phase portrait: two quantities of the state against each other.
     Portrait([Reading; 2]),
-    /// A time series of a component of the state.
+    /// A time series of a quantity of the state.
     Time(Reading),
     /// A projected section.
     Section(Section, [Reading; 2]),
@@ -78,87 +68,142 @@ impl OrbitPanel {
     pub fn is_section(self) -> bool {
         matches!(self, OrbitPanel::Section(..))
     }
-}
 
-/// Components of the state.
-fn is_component(reading: Reading) -> bool {
-    matches!(reading, Reading::X1 | Reading::X2 | Reading::V1 | Reading::V2)
-}
+    /// The phase portrait that is drawn where none is asked for: of the coordinate that meets the first stop, or where
+    /// several do of the distance to it.
+    pub fn portrait(family: &Family) -> Self {
+        OrbitPanel::Portrait(match family.met_by(0) {
+            Some(i) => [Reading::X(i as u8), Reading::V(i as u8)],
+            None => [Reading::Gap(Stop::A), Reading::Speed(Stop::A)],
+        })
+    }
 
-impl fmt::Display for OrbitPanel {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    /// The time series that is drawn where none is asked for, of the same quantity.
+    pub fn time_series(family: &Family) -> Self {
+        OrbitPanel::Time(family.met_by(0).map_or(Reading::Gap(Stop::A), |i| Reading::X(i as u8)))
+    }
+
+    /// Reads `NAME` or `NAME:X,Y` with the names of a family.
+    ///
+    /// # Errors
+    /// [`PanelError`] with what is wrong.
+    pub fn of_family(text: &str, family: &Family) -> Result<Self, PanelError> {
+        let (name, axes) = text.split_once(':').map_or((text, None), |(name, axes)| (name, Some(axes)));
+        let asked = Asked { text, axes, family };
+        if let Some(coordinate) = portrayed(name, family) {
+            return match (coordinate, axes) {
+                (None, None) => Ok(OrbitPanel::portrait(family)),
+                (i, _) => {
+                    let i = i.unwrap_or(0);
+                    Ok(OrbitPanel::Portrait(asked.of_state([Reading::X(i), Reading::V(i)])?))
+                }
+            };
+        }
+        match name {
+            "time" => match axes {
+                None => Ok(OrbitPanel::time_series(family)),
+                Some(of) => Ok(OrbitPanel::Time(asked.component(Reading::named(of.trim(), family)?)?)),
+            },
+            "strobe" => {
+                let i = family.free_coordinate() as u8;
+                asked.section(Section::Strobe, [Reading::X(i), Reading::V(i)])
+            }
+            _ => {
+                let stop = match name.strip_prefix("section") {
+                    Some("") => Some(0),
+                    Some(rest) => rest.strip_prefix('-').and_then(|stop| family.stop_like(stop)),
+                    None => None,
+                };
+                let stop = stop.ok_or_else(|| PanelError::Panel(name.to_owned()))?;
+                asked.section(Section::Impact(Stop(stop as u8)), [Reading::Tau, Reading::VAfter])
+            }
+        }
+    }
+
+    /// The text that [`OrbitPanel::of_family`] reads.
+    pub fn name(self, family: &Family) -> String {
+        let pair = |[x, y]: [Reading; 2]| format!("{},{}", x.name(family), y.name(family));
         match self {
-            OrbitPanel::Portrait([x, y]) => write!(f, "portrait:{x},{y}"),
-            OrbitPanel::Time(of) => write!(f, "time:{of}"),
-            OrbitPanel::Section(Section::A, [x, y]) => write!(f, "section:{x},{y}"),
-            OrbitPanel::Section(Section::B, [x, y]) => write!(f, "section-b:{x},{y}"),
-            OrbitPanel::Section(Section::Strobe, [x, y]) => write!(f, "strobe:{x},{y}"),
+            OrbitPanel::Portrait(axes) => format!("portrait:{}", pair(axes)),
+            OrbitPanel::Time(of) => format!("time:{}", of.name(family)),
+            OrbitPanel::Section(Section::Impact(Stop::A), axes) => format!("section:{}", pair(axes)),
+            OrbitPanel::Section(Section::Impact(stop), axes) => {
+                let name = family.stops()[stop.index()].plain_name();
+                let lower = name.to_lowercase();
+                let known = family.stop_like(&lower) == Some(stop.index());
+                format!("section-{}:{}", if known { &lower } else { name }, pair(axes))
+            }
+            OrbitPanel::Section(Section::Strobe, axes) => format!("strobe:{}", pair(axes)),
         }
     }
 }
 
+/// The coordinate of a phase portrait that is named after it, none for the one that is drawn by itself: `portrait2`,
+/// `portrait`.
+fn portrayed(name: &str, family: &Family) -> Option<Option<u8>> {
+    match name.strip_prefix("portrait")? {
+        "" => Some(None),
+        number => {
+            let number: usize = number.parse().ok()?;
+            (1..=family.n()).contains(&number).then(|| Some(number as u8 - 1))
+        }
+    }
+}
+
+/// The axes of a panel that is asked for.
+struct Asked<'a> {
+    text: &'a str,
+    axes: Option<&'a str>,
+    family: &'a Family,
+}
+
+impl Asked<'_> {
+    fn pair(&self, default: [Reading; 2]) -> Result<[Reading; 2], PanelError> {
+        let Some(axes) = self.axes else { return Ok(default) };
+        let (x, y) = axes.split_once(',').ok_or_else(|| PanelError::Axes(self.text.to_owned()))?;
+        let pair = [Reading::named(x.trim(), self.family)?, Reading::named(y.trim(), self.family)?];
+        if pair[0] == pair[1] { Err(PanelError::SameAxes(self.text.to_owned())) } else { Ok(pair) }
+    }
+
+    fn component(&self, reading: Reading) -> Result<Reading, PanelError> {
+        if reading.is_of_impacts() {
+            return Err(PanelError::NotAComponent(reading.name(self.family), self.text.to_owned()));
+        }
+        Ok(reading)
+    }
+
+    fn of_state(&self, default: [Reading; 2]) -> Result<[Reading; 2], PanelError> {
+        let [x, y] = self.pair(default)?;
+        Ok([self.component(x)?, self.component(y)?])
+    }
+
+    fn section(&self, section: Section, default: [Reading; 2]) -> Result<OrbitPanel, PanelError> {
+        let axes = self.pair(default)?;
+        match axes.into_iter().find(|reading| !reading.is_on(section)) {
+            Some(reading) => Err(SectionError::NotThere(reading.name(self.family)).into()),
+            None => Ok(OrbitPanel::Section(section, axes)),
+        }
+    }
+}
+
+/// With the names of the paper's family.
+impl fmt::Display for OrbitPanel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.name(Family::paper()))
+    }
+}
+
+/// As [`OrbitPanel::of_family`] for the paper's family.
 impl FromStr for OrbitPanel {
     type Err = PanelError;
 
-    /// Reads `NAME` or `NAME:X,Y`.
     fn from_str(text: &str) -> Result<Self, PanelError> {
-        let (name, axes) = text.split_once(':').map_or((text, None), |(name, axes)| (name, Some(axes)));
-        let malformed = || PanelError::Axes(text.to_owned());
-        let pair = |default: [Reading; 2]| -> Result<[Reading; 2], PanelError> {
-            let Some(axes) = axes else { return Ok(default) };
-            let (x, y) = axes.split_once(',').ok_or_else(malformed)?;
-            let pair = [x.trim().parse::<Reading>()?, y.trim().parse()?];
-            if pair[0] == pair[1] { Err(PanelError::SameAxes(text.to_owned())) } else { Ok(pair) }
-        };
-        let of_state = |readings: &[Reading]| match readings.iter().find(|reading| !is_component(**reading)) {
-            Some(reading) => Err(PanelError::NotAComponent(*reading, text.to_owned())),
-            None => Ok(()),
-        };
-        let section = |section: Section, default| -> Result<OrbitPanel, PanelError> {
-            let axes = pair(default)?;
-            match axes.into_iter().find(|reading| !reading.is_on(section)) {
-                Some(reading) => Err(SectionError::NotThere(reading).into()),
-                None => Ok(OrbitPanel::Section(section, axes)),
-            }
-        };
-        match name {
-            "portrait" | "portrait2" => {
-                let default =
-                    if name == "portrait" { [Reading::X1, Reading::V1] } else { [Reading::X2, Reading::V2] };
-                let axes = pair(default)?;
-                of_state(&axes)?;
-                Ok(OrbitPanel::Portrait(axes))
-            }
-            "time" => {
-                let of = axes.map_or(Ok(Reading::X1), |name| name.trim().parse::<Reading>())?;
-                of_state(&[of])?;
-                Ok(OrbitPanel::Time(of))
-            }
-            "section" | "section-a" => section(Section::A, [Reading::Tau, Reading::VAfter]),
-            "section-b" => section(Section::B, [Reading::Tau, Reading::VAfter]),
-            "strobe" => section(Section::Strobe, [Reading::X2, Reading::V2]),
-            _ => Err(PanelError::Panel(name.to_owned())),
-        }
-    }
-}
-
-impl From<OrbitPanel> for String {
-    fn from(panel: OrbitPanel) -> String {
-        panel.to_string()
-    }
-}
-
-impl TryFrom<String> for OrbitPanel {
-    type Error = PanelError;
-
-    fn try_from(text: String) -> Result<Self, PanelError> {
-        text.parse()
+        OrbitPanel::of_family(text, Family::paper())
     }
 }
 
 /// The range that every axis over a quantity shows.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(into = "String", try_from = "String")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zoom {
     /// The quantity.
     pub variable: Variable,
@@ -168,20 +213,15 @@ pub struct Zoom {
     pub high: f64,
 }
 
-impl fmt::Display for Zoom {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}:{}", self.variable, Number(self.low), Number(self.high))
-    }
-}
-
-impl FromStr for Zoom {
-    type Err = PanelError;
-
-    /// Reads `NAME=LOW:HIGH`.
-    fn from_str(text: &str) -> Result<Self, PanelError> {
+impl Zoom {
+    /// Reads `NAME=LOW:HIGH` with the names of a family.
+    ///
+    /// # Errors
+    /// [`PanelError`] with what is wrong.
+    pub fn of_family(text: &str, family: &Family) -> Result<Self, PanelError> {
         let malformed = || PanelError::Zoom(text.to_owned());
         let (name, range) = text.split_once('=').ok_or_else(malformed)?;
-        let variable = name.trim().parse()?;
+        let variable = Variable::named(name.trim(), family)?;
         let (low, high) = range.split_once(':').ok_or_else(malformed)?;
         let low: f64 = low.trim().parse().map_err(|_| malformed())?;
         let high: f64 = high.trim().parse().map_err(|_| malformed())?;
@@ -190,19 +230,19 @@ impl FromStr for Zoom {
         }
         Ok(Zoom { variable, low, high })
     }
-}
 
-impl From<Zoom> for String {
-    fn from(zoom: Zoom) -> String {
-        zoom.to_string()
+    /// The text that [`Zoom::of_family`] reads.
+    pub fn name(&self, family: &Family) -> String {
+        format!("{}={}:{}", self.variable.name(family), Number(self.low), Number(self.high))
     }
 }
 
-impl TryFrom<String> for Zoom {
-    type Error = PanelError;
+/// As [`Zoom::of_family`] for the paper's family.
+impl FromStr for Zoom {
+    type Err = PanelError;
 
-    fn try_from(text: String) -> Result<Self, PanelError> {
-        text.parse()
+    fn from_str(text: &str) -> Result<Self, PanelError> {
+        Zoom::of_family(text, Family::paper())
     }
 }
 
@@ -210,7 +250,10 @@ impl TryFrom<String> for Zoom {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PanelError {
     /// No plot has that name.
-    #[error("unknown panel `{0}`; the panels are portrait, portrait2, time, section, section-b, strobe")]
+    #[error(
+        "unknown panel `{0}`; the panels are portrait, portrait2, time, section, section-b, strobe (a number names \
+         the coordinate, what stands behind section- the stop)"
+    )]
     Panel(String),
     /// Two quantities are missing.
     #[error("`{0}` names no two quantities: write them after a colon, for example section:x2,v2")]
@@ -219,16 +262,21 @@ pub enum PanelError {
     #[error("`{0}` has the same quantity on both axes: choose two")]
     SameAxes(String),
     /// A phase portrait and a time series show the state.
-    #[error("{0} in `{1}` is no component of the state: choose from x1, x2, v1, v2")]
-    NotAComponent(Reading, String),
+    #[error(
+        "{0} in `{1}` is no component of the state, which phase portraits and time series show: choose from x1 … xn, v1 … vn"
+    )]
+    NotAComponent(String, String),
     /// A section does not have the quantity.
     #[error(transparent)]
     Section(#[from] SectionError),
     /// No axis has that name.
-    #[error(
-        "unknown quantity `{0}`; axes are t (in forcing periods), x1, x2, v1, v2, v_before, v_after, tau"
-    )]
-    Variable(String),
+    #[error("unknown quantity `{name}`; axes are t (in forcing periods), {known}")]
+    Variable {
+        /// The name.
+        name: String,
+        /// The quantities that there are.
+        known: String,
+    },
     /// Not of the form NAME=LOW:HIGH.
     #[error("`{0}` is not a range: write NAME=LOW:HIGH, for example t=2.1:2.4")]
     Zoom(String),
@@ -257,7 +305,32 @@ mod tests {
         assert_eq!("portrait2".parse::<OrbitPanel>(), "portrait:x2,v2".parse());
         assert_eq!("section".parse::<OrbitPanel>(), "section-a:tau,v_after".parse());
         let zoom: Zoom = "v1=-0.5:0.25".parse().unwrap();
-        assert_eq!(zoom.to_string().parse(), Ok(zoom));
+        assert_eq!(zoom.name(Family::paper()).parse(), Ok(zoom));
+    }
+
+    #[test]
+    fn panels_have_the_names_of_their_family() {
+        for (system, text, name) in [
+            ("bouncing-ball", "portrait", "portrait:x1,v1"),
+            ("bouncing-ball", "strobe", "strobe:x1,v1"),
+            ("impact-damper", "portrait", "portrait:gap.A,speed.A"),
+            ("impact-damper", "time", "time:gap.A"),
+            ("impact-damper", "portrait2", "portrait:x2,v2"),
+            ("three-mass-chain", "portrait", "portrait:x2,v2"),
+            ("three-mass-chain", "strobe", "strobe:x1,v1"),
+            ("three-mass-chain", "section-B:x3,v3", "section-b:x3,v3"),
+            ("three-mass-chain", "time:speed.B", "time:speed.B"),
+        ] {
+            let family = Family::builtin(system);
+            let panel = OrbitPanel::of_family(text, family).unwrap();
+            assert_eq!(panel.name(family), name, "{system} {text}");
+            assert_eq!(OrbitPanel::of_family(name, family), Ok(panel));
+        }
+        for (system, text) in
+            [("bouncing-ball", "portrait2"), ("bouncing-ball", "section-b"), ("impact-pair", "time:x2")]
+        {
+            assert!(OrbitPanel::of_family(text, Family::builtin(system)).is_err(), "{system} {text}");
+        }
     }
 
     #[test]

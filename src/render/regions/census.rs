@@ -14,6 +14,7 @@ use crate::render::colouring::Colouring;
 use crate::render::colours::{NOT_THERE, SHARED};
 use crate::render::motion::Motion;
 use crate::render::paint::Paint;
+use crate::system::Family;
 
 /// So many periodic motions have colours of their own at most, those with a smaller share of the plane only where there
 /// are few.
@@ -46,6 +47,8 @@ impl Region {
 /// The regions of a part of a plane, the largest first; those that are not distinct share one paint.
 #[derive(Clone, Debug)]
 pub(super) struct Census {
+    /// The family of the plane's system.
+    pub family: &'static Family,
     /// The regions, by descending size.
     pub regions: Vec<Region>,
     /// How many cells there are.
@@ -87,7 +90,8 @@ impl Census {
             region.distinct = colouring.own(motion).is_some();
         }
         let rank = (0..).zip(&regions).map(|(place, region)| (region.motion, place)).collect();
-        Ok(Census { regions, cells: all, rank })
+        let family = cells.plane().parameters.family();
+        Ok(Census { family, regions, cells: all, rank })
     }
 
     /// How many rows of a legend cannot be grouped: everything that is not periodic.

@@ -55,7 +55,9 @@ pub(super) fn control_title(map: &ControlMap) -> Vec<Text> {
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
     let mut title = names::title(&plane.plane());
     title.last_mut().into_iter().for_each(|last| *last = last.clone().upright(";"));
-    title.extend(describe(&plane.control, |setting| varied(Quantity::Control(setting))));
+    title.extend(describe(&plane.control, plane.parameters.family(), |setting| {
+        varied(Quantity::Control(setting))
+    }));
     title
 }
 

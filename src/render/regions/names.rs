@@ -69,13 +69,7 @@ fn names(periodic: &[&Region], census: &Census, rows: usize) -> Vec<Motion> {
 
 /// The meaning of the labels, in pieces that belong together; of N = 0 where a region has it.
 pub(super) fn definition(census: &Census) -> Vec<Text> {
-    let impacts = |count: &str, comma: &str, sign: &str| {
-        let stop = Text::new().italic("x").subscript("1").upright(format!(" = {sign}")).italic("δ");
-        Text::new().italic(count).upright(" impacts at ").then(stop).upright(comma)
-    };
-    let label = Text::new().italic("N").upright("-").italic("p").upright("-").italic("q").upright(": ");
-    let mut pieces =
-        vec![label.italic("N").upright(" forcing periods,"), impacts("p", ",", "−"), impacts("q", "", "+")];
+    let mut pieces = symbols::label_definition(census.family);
     if census.regions.iter().any(|region| region.name.starts_with("0-")) {
         // Only control, which may jump in phase, gets there.
         pieces.extend([

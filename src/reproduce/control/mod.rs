@@ -22,6 +22,7 @@ use crate::plane::Start;
 use crate::render::{
     ControlPicture, Figure, KeyEntry, OrbitPanel, Panel, Picture, Response, Row, Text, TooSmall, orbit_key,
 };
+use crate::system::Family;
 
 /// Where the paper suppresses chaos.
 const OMEGA: f64 = 2.83;
@@ -38,7 +39,7 @@ const APART: f64 = 0.01;
 const CONVERGED: f64 = 1e-6;
 
 /// The target of the sine force and of the pulses: the 1-1-1 motion at ω = 3.7.
-const TARGET: Target = Target { reference: 3.7, given: SectionValues::new([None; 4]) };
+const TARGET: Target = Target { reference: 3.7, given: SectionValues::new([None; 4]), own: 0 };
 
 /// A run under control.
 struct Run {
@@ -149,7 +150,10 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Resu
             Plot::Section(axes, settled) => picture.section(*axes, *settled),
             Plot::Flight(panel) => {
                 let flight = picture.orbit().panel(*panel, &[]);
-                key = orbit_key(std::slice::from_ref(&flight)).into_iter().chain(key).collect();
+                key = orbit_key(Family::paper(), std::slice::from_ref(&flight))
+                    .into_iter()
+                    .chain(key)
+                    .collect();
                 flight
             }
         };

@@ -20,15 +20,15 @@ const REGIME: &str = "code: 0 unresolved, 1 no impact, 2 periodic, 3 periodic wi
                       5 chaotic, 6 aperiodic with sticking, 7 failed";
 const N: &str =
     "N of N-p-q; 0 where not periodic, and in motions under control of less than half a forcing period";
-const P: &str =
-    "impacts at x1 = −δ in one period; 0 where not periodic, 65535 for infinitely many (complete chatter)";
-const Q: &str =
-    "impacts at x1 = +δ in one period; 0 where not periodic, 65535 for infinitely many (complete chatter)";
+const P: &str = "the first count of the label: impacts at x1 = −δ in one period of the paper's oscillator; 0 where not periodic, 65535 for infinitely many (complete chatter)";
+const PER_STOP: &str = "impacts at every stop in one period, in the order of the system's stops; 0 where not periodic, 65535 \
+                        for infinitely many (complete chatter)";
+const Q: &str = "the second count of the label: impacts at x1 = +δ in one period of the paper's oscillator, 0 where there is one stop; 0 where not periodic, 65535 for infinitely many (complete chatter)";
 const SYMMETRIC: &str = "1 where x(t + Nπ/ω) = −x(t), otherwise 0";
 const LYAPUNOV: &str = "largest Lyapunov exponent, natural logarithm; minus infinity where every deviation is \
                         forgotten, NaN where it was not measured";
-const STATE: &str = "(x1, x2, v1, v2) at the end, at forcing phase 0; NaN only where the regime is failed";
-const POINT: &str = "the point (v1+, x2, v2, τ) on σ of the motion reached, its hardest impact; zeros where nothing \
+const STATE: &str = "(x1 … xn, v1 … vn) at the end, at forcing phase 0; NaN only where the regime is failed";
+const POINT: &str = "the point on σ of the motion reached, its hardest impact; zeros where nothing \
                      could be controlled, NaN only where the regime is failed";
 const CONFIG: &str = "JSON: everything needed to compute the file again, and the version that did";
 
@@ -44,9 +44,9 @@ fn of_cells(wanted: impl Fn(&CellField) -> bool) -> Vec<Field> {
     let shape = |inner: Inner| match inner {
         Inner::One => "y, x",
         Inner::Stops => "y, x, stop",
-        Inner::Components => "y, x, 2n",
+        Inner::Components => "y, x, component",
         Inner::Coordinates => "y, x, n",
-        Inner::Multipliers => "y, x, 4, 2",
+        Inner::Multipliers => "y, x, component, 2",
     };
     let written = |cell: &CellField| Field {
         name: cell.name,
@@ -101,7 +101,12 @@ fn control_map() -> FileContent {
             "iterates",
             "iterates from switching control on until the points kept returning; 4294967295 for never",
         ),
-        field("escapes", ["u32", "y, x"], "", "corrections left out because they led into the stop"),
+        field(
+            "escapes",
+            ["u32", "y, x"],
+            "",
+            "corrections left out because they led into the stop, or beyond another",
+        ),
         field(
             "effort",
             ["f32", "y, x"],
@@ -130,20 +135,20 @@ fn control_run() -> FileContent {
         written_by: "Written by `control --data`.",
         fields: vec![
             field("iterate", ["u32", "n"], "iterates", "the number of the return to σ, from 0"),
-            field("section", ["f64", "n, 4"], "1", "the point on σ as corrected"),
-            field("arrived", ["f64", "n, 4"], "1", "the point on σ before the correction"),
+            field("section", ["f64", "n, component"], "1", "the point on σ as corrected"),
+            field("arrived", ["f64", "n, component"], "1", "the point on σ before the correction"),
             field("signal", ["f64", "n"], "1", "B, or the length of the correction that was wanted"),
             field(
                 "escaped",
                 ["u8", "n"],
                 "",
-                "1 where the correction was left out because it led into the stop, otherwise 0",
+                "1 where the correction was left out because it led into the stop or beyond another, otherwise 0",
             ),
             field(
                 "trajectory",
-                ["f64", "m, 5"],
+                ["f64", "m, time and component"],
                 "1",
-                "(time, x1, x2, v1, v2) of the flight at the end; time counts from its beginning",
+                "(time, x1 … xn, v1 … vn) of the flight at the end; time counts from its beginning",
             ),
             field("config", ["text", ""], "", CONFIG),
         ],
@@ -176,13 +181,14 @@ fn diagram() -> FileContent {
             field("q", ["u16", "branch, x"], "impacts", Q),
             field("symmetric", ["u8", "branch, x"], "", SYMMETRIC),
             field("lyapunov", ["f32", "branch, x"], "per forcing period", LYAPUNOV),
-            field("state", ["f64", "branch, x, 4"], "1", STATE),
+            field("state", ["f64", "branch, x, component"], "1", STATE),
+            field("impacts_per_stop", ["u16", "branch, x, stop"], "impacts", PER_STOP),
             field(
                 "spectrum",
-                ["f64", "branch, x, 4"],
+                ["f64", "branch, x, component"],
                 "that of `config`",
-                "with `--spectrum` only: the Lyapunov exponents, largest first; minus infinity for directions that are \
-                 lost, NaN where the trajectory could not be followed or the unit does not exist",
+                "with `--spectrum` only: the 2n Lyapunov exponents, largest first; minus infinity for directions that are \
+             lost, NaN where the trajectory could not be followed or the unit does not exist",
             ),
             field("config", ["text", ""], "", CONFIG),
         ],
@@ -195,11 +201,31 @@ fn impact_table() -> FileContent {
         written_by: "Written by `orbit --impacts`, a row for every impact.",
         fields: vec![
             column("time", "number", "1", "time since the start of the trajectory, transient included"),
-            column("stop", "A or B", "", "A is x1 = +δ, B is x1 = −δ"),
-            column("velocity_before", "number", "1", "v1 before the impact"),
-            column("velocity_after", "number", "1", "v1 after the impact, −r times that before"),
-            column("x2", "number", "1", "x2 at the impact"),
-            column("v2", "number", "1", "v2 at the impact"),
+            column(
+                "stop",
+                "name",
+                "",
+                "the stop by its name in the family; the paper's are A, x1 = +δ, and B, x1 = −δ",
+            ),
+            column(
+                "velocity_before",
+                "number",
+                "1",
+                "velocity before the impact along the direction of the first stop on the same line; v1 of the paper's",
+            ),
+            column("velocity_after", "number", "1", "the same after the impact, −r times that before"),
+            column(
+                "x2",
+                "number",
+                "1",
+                "x2 at the impact; in general a column for every displacement but the one that alone meets all stops",
+            ),
+            column(
+                "v2",
+                "number",
+                "1",
+                "v2 once the impact is over; in general a column for every such velocity",
+            ),
             column("phase", "number", "radians", "forcing phase ωt at the impact, from 0 to 2π"),
         ],
     }
@@ -211,10 +237,10 @@ fn trajectory_table() -> FileContent {
         written_by: "Written by `orbit --trajectory`, a row for every sample.",
         fields: vec![
             column("time", "number", "1", "time since the start of the trajectory, transient included"),
-            column("x1", "number", "1", "displacement of the first mass"),
-            column("x2", "number", "1", "displacement of the second mass"),
-            column("v1", "number", "1", "velocity of the first mass"),
-            column("v2", "number", "1", "velocity of the second mass"),
+            column("x1", "number", "1", "displacement of the first coordinate"),
+            column("x2", "number", "1", "displacement of the second coordinate, and so on to xn"),
+            column("v1", "number", "1", "velocity of the first coordinate"),
+            column("v2", "number", "1", "velocity of the second coordinate, and so on to vn"),
         ],
     }
 }

@@ -23,8 +23,9 @@ pub fn write_control(history: &History, config: &str, to: impl Write + Seek) -> 
     archive.array("signal", &[count], returns.iter().map(|met| met.signal))?;
     archive.array("escaped", &[count], returns.iter().map(|met| u8::from(met.escaped)))?;
     let samples = &history.recording.samples;
-    let rows = samples.iter().flat_map(|s| [s.time, s.x1, s.x2, s.v1, s.v2]);
-    archive.array("trajectory", &[samples.len() as u64, 5], rows)?;
+    let rows = samples.iter().flat_map(|s| std::iter::once(s.time).chain(s.state.to_vec()));
+    let width = 1 + samples.first().map_or(components, |sample| sample.state.len() as u64);
+    archive.array("trajectory", &[samples.len() as u64, width], rows)?;
     archive.text("config", config)?;
     archive.finish()
 }

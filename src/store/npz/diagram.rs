@@ -32,11 +32,14 @@ pub fn write_diagram(diagram: &Diagram, to: impl Write + Seek) -> io::Result<()>
     let components = 2 * diagram.spec.parameters.family().n() as u64;
     let states = traces.iter().flat_map(|t| t.verdict.state.to_vec());
     archive.array("state", &[branches, columns, components], states)?;
-    let spectra: Option<Vec<&Vec<[f64; 4]>>> =
+    let order = diagram.spec.parameters.family().label_order();
+    let counts = traces.iter().flat_map(|t| t.verdict.counts.per_stop(order));
+    archive.array("impacts_per_stop", &[branches, columns, order.len() as u64], counts)?;
+    let spectra: Option<Vec<&Vec<Vec<f64>>>> =
         diagram.branches.iter().map(|branch| branch.spectrum.as_ref()).collect();
     if let Some(spectra) = spectra {
         let exponents = spectra.into_iter().flatten().flatten().copied();
-        archive.array("spectrum", &[branches, columns, 4], exponents)?;
+        archive.array("spectrum", &[branches, columns, components], exponents)?;
     }
     archive.text("config", &diagram.config())?;
     archive.finish()

@@ -69,7 +69,8 @@ mod tests {
     #[test]
     fn a_certified_map_reads_back_with_its_multipliers() {
         let mut map = example();
-        let of = |i: usize| (i != 2).then(|| [[0.5, 0.1], [0.5, -0.1], [0.1 * i as f64, 0.0], [0.0, 0.0]]);
+        let of =
+            |i: usize| (i != 2).then(|| vec![[0.5, 0.1], [0.5, -0.1], [0.1 * i as f64, 0.0], [0.0, 0.0]]);
         map.multipliers = Some((0..6).map(of).collect());
         assert_eq!(read_map(Cursor::new(written(&map))).unwrap(), map);
         assert!(read_config(Cursor::new(written(&map))).unwrap().contains(r#""certified":true"#));

@@ -6,6 +6,7 @@ mod family;
 mod file;
 mod mirror;
 mod plant;
+mod stop_place;
 
 use nalgebra::{DMatrix, DVector};
 

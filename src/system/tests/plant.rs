@@ -72,6 +72,7 @@ fn the_mass_matrix_must_be_invertible_in_any_units() {
     for entries in [[1.0, 0.0, 0.0, 1e-20], [2.0, 1.0, 1.0, 2.0], [1e20, 0.0, 0.0, 1e-20]] {
         assert_eq!(with_mass(&entries), Ok(()), "{entries:?}");
     }
+    assert_eq!(with_mass(&[1e-320, 0.0, 0.0, 1e-320]), Err(PlantError::LightMass));
 }
 
 #[test]

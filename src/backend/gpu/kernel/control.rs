@@ -9,11 +9,12 @@ use super::Kernel;
 use super::compiled::Compiled;
 use super::device::guarded;
 use super::drive::{ITERATIONS, Portion, Program, ROW};
+use super::follow::shape_of;
 use crate::backend::gpu::layout::{Control, ControlDispatch, ControlSchedule, Outcome};
-use crate::backend::gpu::shader::{self, Shape, WORKGROUP};
+use crate::backend::gpu::shader::{self, WORKGROUP};
 use crate::backend::{BackendError, ControlJob, Job, Watch};
 use crate::control::{self, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
-use crate::model::{self, Real};
+use crate::model::Real;
 
 /// Loop iterations in one move under control: beyond those without it, a return to the section sums three more series,
 /// moves what is remembered, and compares.
@@ -24,22 +25,26 @@ fn iterations(schedule: &control::ControlSchedule) -> u32 {
         + 4 * <f32 as Real>::ORDER as u32
         + kept
         + 4 * DELAYS as u32
-        + 4 * reach
+        + 5 * reach
         + 2 * LONGEST_ON_DEVICE as u32
 }
 
 impl Kernel {
     /// Trajectories that one call of [`Kernel::control`] takes at most.
-    pub fn control_tile(&self) -> usize {
+    ///
+    /// # Errors
+    /// Where the jobs differ in shape, or their kernel cannot be compiled.
+    pub fn control_tile(&self, jobs: &[ControlJob]) -> Result<usize, BackendError> {
         let binding = self.device.limits().max_storage_buffer_binding_size;
-        let state = self.controlling().map_or(1, |kernel| kernel.state.max(1));
-        self.tile().min((binding / state) as usize)
+        let state = self.controlling(jobs)?.map_or(1, |kernel| kernel.state.max(1));
+        Ok(self.tile().min((binding / state) as usize).max(1))
     }
 
-    /// The kernel, compiled when it is first needed.
-    fn controlling(&self) -> Result<Arc<Compiled>, BackendError> {
-        let shape = Shape { coordinates: 2, normals: 1, stops: 2 };
-        self.library.get(&self.device, shader::Kernel::Control, shape)
+    /// The kernel for the shape of some jobs, compiled when it is first needed; none where there are no jobs.
+    fn controlling(&self, jobs: &[ControlJob]) -> Result<Option<Arc<Compiled>>, BackendError> {
+        let jobs: Vec<Job> = jobs.iter().map(|job| job.job.clone()).collect();
+        let kernel = |shape| self.library.get(&self.device, shader::Kernel::Control, shape);
+        shape_of(&jobs)?.map(kernel).transpose()
     }
 
     /// Follows one tile of trajectories under control.
@@ -49,16 +54,12 @@ impl Kernel {
         schedule: &control::ControlSchedule,
         watch: &dyn Watch,
     ) -> Result<Vec<control::Outcome>, BackendError> {
-        if jobs.is_empty() {
-            return Ok(Vec::new());
-        }
-        let pipeline = self.controlling()?;
-        let controls: Vec<Control> = jobs
+        let Some(pipeline) = self.controlling(jobs)? else { return Ok(Vec::new()) };
+        let controls: Vec<Vec<u32>> = jobs
             .par_iter()
-            .map(|ControlJob { job: Job { system, .. }, controller }| {
-                Control::new(controller, system, &model::Flight::<f64, 2>::new(system))
-            })
+            .map(|ControlJob { job: Job { system, .. }, controller }| Control::words(controller, system))
             .collect();
+        let controls = controls.concat();
         let controls = guarded(&self.device, || {
             self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
                 label: None,

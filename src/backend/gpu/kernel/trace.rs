@@ -40,8 +40,8 @@ impl Kernel {
             budget,
             begin,
             row: ROW * WORKGROUP,
-            section: probe.section as u32,
-            reading: probe.reading as u32,
+            section: probe.section.code(),
+            reading: probe.reading.code(shape.coordinates),
             capacity,
             unused: 0,
         };

@@ -4,8 +4,9 @@ use bytemuck::{Pod, Zeroable};
 
 use super::follow::Verdict;
 use super::record::Record;
-use crate::control::{self, Controller};
-use crate::model;
+use crate::control::{self, Controller, Sine, Surface};
+use crate::model::vector::MOST;
+use crate::model::{self, System};
 
 /// `ControlSchedule` in shaders/control/controlled.wgsl.
 #[repr(C)]
@@ -47,67 +48,104 @@ pub const METHOD_SINE: u32 = 1;
 pub const METHOD_PULSE: u32 = 2;
 pub const METHOD_DELAY: u32 = 3;
 
-/// `Control` in shaders/control/method.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+/// `Control` in shaders/control/method.wgsl: a controller as the shader reads it, on a cell.
 pub struct Control {
-    pub method: u32,
-    pub convention: u32,
-    pub component: u32,
-    pub delay: u32,
-    pub period: u32,
-    pub seed: u32,
-    pub amplitude: f32,
-    pub weight: f32,
-    pub dead_band: f32,
-    pub ratio: f32,
-    pub phase: f32,
-    pub wanted: f32,
-    pub noise: f32,
-    pub drive_bound: f32,
-    pub point: [f32; 4],
-    pub gains: [f32; 4],
-    pub push: [f32; 2],
-    pub drive_sin: [f32; 4],
-    pub drive_cos: [f32; 4],
+    method: u32,
+    convention: u32,
+    component: u32,
+    delay: u32,
+    period: u32,
+    seed: u32,
+    /// B, α, Δ, γ, φ, the target and E.
+    numbers: [f32; 7],
+    point: Vec<f32>,
+    gains: Vec<f32>,
+    push: Vec<f32>,
+    drive: [Vec<f32>; 2],
+    bound: Vec<f32>,
 }
 
 impl Control {
-    /// A controller as the shader reads it, on a cell with these constants.
-    pub fn new(controller: &Controller<f64>, system: &model::System, flight: &model::Flight<f64, 2>) -> Self {
-        let mut control = Control { period: 1, ..Control::zeroed() };
+    /// The words of a controller on a system.
+    pub fn words(controller: &Controller<f64>, system: &System) -> Vec<u32> {
+        match system.plant().n {
+            1 => Control::words_of::<1>(controller, system),
+            2 => Control::words_of::<2>(controller, system),
+            3 => Control::words_of::<3>(controller, system),
+            _ => Control::words_of::<4>(controller, system),
+        }
+    }
+
+    fn words_of<const N: usize>(controller: &Controller<f64>, system: &System) -> Vec<u32> {
+        let flight = model::Flight::<f64, N>::new(system);
+        let surface = Surface::new(system, &flight, controller.stop());
+        Control::new(controller, system, &flight).written(&surface)
+    }
+
+    fn new<const N: usize>(
+        controller: &Controller<f64>,
+        system: &System,
+        flight: &model::Flight<f64, N>,
+    ) -> Self {
+        let none = || vec![0.0; 2 * N];
+        let mut control = Control {
+            method: METHOD_NONE,
+            convention: 0,
+            component: 0,
+            delay: 0,
+            period: 1,
+            seed: 0,
+            numbers: [0.0; 7],
+            point: none(),
+            gains: none(),
+            push: vec![0.0; N],
+            drive: [none(), none()],
+            bound: vec![0.0; flight.count],
+        };
         match Controller::<f32>::rounded(controller) {
-            Controller::None(_) => control.method = METHOD_NONE,
+            Controller::None(_) => {}
             Controller::Sine(sine) => {
                 control.method = METHOD_SINE;
                 control.convention = sine.convention as u32;
                 control.component = sine.component as u32;
-                control.amplitude = sine.amplitude;
-                control.weight = sine.weight;
-                control.dead_band = sine.dead_band;
-                control.ratio = sine.ratio;
-                control.phase = sine.phase;
-                control.wanted = sine.target;
+                let Sine { amplitude, weight, dead_band, ratio, phase, target, .. } = sine;
+                control.numbers = [amplitude, weight, dead_band, ratio, phase, target, 0.0];
                 let drive = model::Drive::on(sine.coordinate, system, flight, 1.0).round::<f32>();
-                control.push = drive.push;
-                control.drive_sin = std::array::from_fn(|i| drive.gamma_sin.get(i));
-                control.drive_cos = std::array::from_fn(|i| drive.gamma_cos.get(i));
-                control.drive_bound = drive.bound[0];
+                control.push = drive.push.to_vec();
+                control.drive = [&drive.gamma_sin, &drive.gamma_cos].map(|gamma| gamma.values().collect());
+                control.bound = drive.bound[..flight.count].to_vec();
             }
             Controller::Pulse(pulse) => {
                 control.method = METHOD_PULSE;
                 control.period = pulse.period;
                 control.seed = pulse.seed;
-                control.noise = pulse.noise;
-                control.point = std::array::from_fn(|i| pulse.target[i]);
+                control.numbers[6] = pulse.noise;
+                control.point = pulse.target.to_vec();
             }
             Controller::Delay(delay) => {
                 control.method = METHOD_DELAY;
                 control.delay = delay.delay;
-                control.gains = std::array::from_fn(|i| delay.gains[i]);
+                control.gains = delay.gains.to_vec();
             }
         }
         control
+    }
+
+    /// The members in the order of the shader's declaration, on the section of a surface.
+    fn written(&self, surface: &Surface) -> Vec<u32> {
+        let Control { method, convention, component, delay, period, seed, .. } = *self;
+        let end = [surface.stop.index(), surface.end.normal, surface.end.side, surface.eliminated];
+        let mirror = surface.mirror.map_or([MOST as u32; MOST], |mirror| mirror.map(|stop| stop.0.into()));
+        let numbers = |values: &[f32]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+        let mut words = vec![method, convention, component, delay, period, seed];
+        words.extend(end.map(|place| place as u32));
+        words.extend(numbers(&self.numbers));
+        words.extend(mirror);
+        let [drive_sin, drive_cos] = &self.drive;
+        for values in [&self.point, &self.gains, &self.push, drive_sin, drive_cos, &self.bound] {
+            words.extend(numbers(values));
+        }
+        words
     }
 }
 

@@ -5,6 +5,10 @@ use std::mem::{offset_of, size_of};
 use super::super::shader::{Kernel, Shape, source};
 use super::trace::Rebounds;
 use super::*;
+use crate::control::Controller;
+use crate::dynamics::Stop;
+use crate::model::Setting;
+use crate::system::Family;
 
 /// The members of a shader's struct, with their offsets, and its size in an array.
 fn declared(name: &str) -> (Vec<(String, u32)>, u32) {
@@ -51,31 +55,10 @@ fn structs_lie_as_the_shaders_declare_them() {
         contact,
     });
     assert_layout!(TraceDispatch { schedule, count, budget, begin, row, section, reading, capacity, unused });
-    assert_layout!(Rebounds { last, run, longest });
+    assert_layout!(Rebounds { last, stop, run, longest });
     assert_layout!(Trace { rebounds, passages });
     assert_layout!(ControlSchedule { start, iterates, observed, fixed_iterates });
     assert_layout!(ControlDispatch { schedule, count, budget, begin, row, max_period });
-    assert_layout!(Control {
-        method,
-        convention,
-        component,
-        delay,
-        period,
-        seed,
-        amplitude,
-        weight,
-        dead_band,
-        ratio,
-        phase,
-        wanted,
-        noise,
-        drive_bound,
-        point,
-        gains,
-        push,
-        drive_sin,
-        drive_cos,
-    });
     assert_layout!(Outcome { verdict, period, iterates, converged_at, signal, runaway, escapes, effort });
 }
 
@@ -102,4 +85,26 @@ fn the_constants_of_a_cell_fill_what_the_shader_declares() {
     check::<2>();
     check::<3>();
     check::<4>();
+}
+
+/// So do the words of a controller, on the section of any stop of any shape.
+#[test]
+fn the_words_of_a_controller_fill_what_the_shader_declares() {
+    for name in ["luo-ma-lv", "bouncing-ball", "three-mass-chain", "colliding-pair"] {
+        let system = model::System::new(Setting::defaults(Family::builtin(name))).unwrap();
+        let plant = system.plant();
+        let shape = Shape { coordinates: plant.n, normals: system.normals(), stops: plant.stops.len() };
+        let source = source(Kernel::Control, &shape);
+        let module = naga::front::wgsl::parse_str(&source).unwrap();
+        let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Control")).unwrap();
+        for stop in 0..plant.stops.len() {
+            let words = Control::words(&Controller::None(Stop(stop as u8)), &system);
+            assert_eq!(4 * words.len(), ty.inner.size(module.to_ctx()) as usize, "{name}");
+            // Where the section's stop stands among the members.
+            assert_eq!(words[6], stop as u32, "{name}");
+        }
+        let naga::TypeInner::Struct { members, .. } = &ty.inner else { panic!("Control is no struct") };
+        let offset = |name: &str| members.iter().find(|m| m.name.as_deref() == Some(name)).unwrap().offset;
+        assert_eq!([offset("stop"), offset("amplitude"), offset("mirror")], [24, 40, 68], "{name}");
+    }
 }

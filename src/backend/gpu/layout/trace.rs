@@ -19,11 +19,12 @@ pub struct TraceDispatch {
     pub unused: u32,
 }
 
-/// `Rebounds` in shaders/analysis/section.wgsl.
+/// `Rebounds` in shaders/analysis/rebounds.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Rebounds {
     pub last: f32,
+    pub stop: u32,
     pub run: u32,
     pub longest: u32,
 }

@@ -22,17 +22,14 @@ pub fn source(shape: &Shape) -> String {
         let name = constant("REGIME", regime);
         writeln!(source, "const {name} = {}u;", regime.code()).expect("a string takes anything");
     }
-    for section in Section::ALL {
-        let name = constant("SECTION", section);
-        writeln!(source, "const {name} = {}u;", section as u32).expect("a string takes anything");
-    }
     for progress in Progress::ALL {
         let name = constant("PROGRESS", progress);
         writeln!(source, "const {name} = {}u;", progress as u32).expect("a string takes anything");
     }
-    for reading in Reading::ALL {
+    for reading in [Reading::VBefore, Reading::VAfter, Reading::Tau] {
         let name = constant("READING", reading);
-        writeln!(source, "const {name} = {}u;", reading as u32).expect("a string takes anything");
+        writeln!(source, "const {name} = {}u;", reading.code(shape.coordinates))
+            .expect("a string takes anything");
     }
     for stage in Stage::ALL {
         let name = format!("{stage:?}").to_uppercase();
@@ -41,6 +38,7 @@ pub fn source(shape: &Shape) -> String {
     let integers = [
         ("WORKGROUP", WORKGROUP),
         ("COORDINATES", shape.coordinates as u32),
+        ("COMPONENTS", 2 * shape.coordinates as u32),
         ("NORMALS", shape.normals as u32),
         ("STOPS", shape.stops as u32),
         ("MOST", MOST as u32),
@@ -61,6 +59,10 @@ pub fn source(shape: &Shape) -> String {
         ("LONGEST_PASSAGE", control::LONGEST_PASSAGE),
         ("CONTROL_SETTLING", control::SETTLING),
         ("NEVER", NEVER),
+        ("SECTION_STROBE", Section::STROBE_CODE),
+        ("READING_COMPONENT", Reading::COMPONENT_CODE),
+        ("READING_GAP", Reading::GAP_CODE),
+        ("READING_SPEED", Reading::SPEED_CODE),
         ("METHOD_NONE", METHOD_NONE),
         ("METHOD_SINE", METHOD_SINE),
         ("METHOD_PULSE", METHOD_PULSE),
@@ -91,6 +93,7 @@ pub fn source(shape: &Shape) -> String {
         ("INVERSE_TAU", 1.0 / std::f64::consts::TAU),
         ("TWO_OVER_PI", std::f64::consts::FRAC_2_PI),
         ("RUNAWAY", control::RUNAWAY),
+        ("ROUNDINGS", dynamics::ROUNDINGS),
         ("TANGENT_SEED", 1.0 / (2.0 * shape.coordinates as f64).sqrt()),
         ("THIRD", 1.0 / 3.0),
         ("TWELFTH", 1.0 / 12.0),
@@ -152,6 +155,5 @@ mod tests {
         }
         assert_eq!(constant("REGIME", Regime::PeriodicSticking), "REGIME_PERIODIC_STICKING");
         assert_eq!(constant("READING", Reading::VBefore), "READING_V_BEFORE");
-        assert_eq!(constant("SECTION", Section::A), "SECTION_A");
     }
 }

@@ -1,6 +1,7 @@
 //! The shader: fragments in their order, unrolled for a shape, after declarations generated from this crate's own.
 
 mod constants;
+mod sections;
 mod template;
 mod vectors;
 
@@ -48,7 +49,8 @@ impl Kernel {
         match self {
             Kernel::Follow => &[include_str!("../../../../shaders/kernels/follow.wgsl")],
             Kernel::Trace => &[
-                include_str!("../../../../shaders/analysis/section.wgsl"),
+                include_str!("../../../../shaders/analysis/rebounds.wgsl"),
+                include_str!("../../../../shaders/analysis/probe.wgsl"),
                 include_str!("../../../../shaders/analysis/trace.wgsl"),
                 include_str!("../../../../shaders/kernels/trace.wgsl"),
             ],
@@ -60,6 +62,7 @@ impl Kernel {
                 include_str!("../../../../shaders/control/pulse.wgsl"),
                 include_str!("../../../../shaders/control/delay.wgsl"),
                 include_str!("../../../../shaders/control/deviation.wgsl"),
+                include_str!("../../../../shaders/control/leaving.wgsl"),
                 include_str!("../../../../shaders/control/controlled.wgsl"),
                 include_str!("../../../../shaders/kernels/control.wgsl"),
             ],
@@ -78,6 +81,7 @@ const COMMON: [&str; 16] = [
     include_str!("../../../../shaders/dynamics/contact.wgsl"),
     include_str!("../../../../shaders/dynamics/chatter.wgsl"),
     include_str!("../../../../shaders/dynamics/placing.wgsl"),
+    include_str!("../../../../shaders/dynamics/corner.wgsl"),
     include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
     include_str!("../../../../shaders/analysis/recurrence.wgsl"),
     include_str!("../../../../shaders/analysis/exponent.wgsl"),
@@ -89,7 +93,7 @@ const COMMON: [&str; 16] = [
 
 /// How the bound on a normal is read, and how where a force comes on top.
 const BOUND: &str = "+ flight.normals[normal].bound_forcing;";
-const DRIVEN_BOUND: &str = "+ (flight.normals[normal].bound_forcing + driven.bound);";
+const DRIVEN_BOUND: &str = "+ (flight.normals[normal].bound_forcing + driven.bound[normal]);";
 
 /// The source of a kernel for a shape.
 pub fn source(kernel: Kernel, shape: &Shape) -> String {
@@ -105,11 +109,13 @@ pub fn source(kernel: Kernel, shape: &Shape) -> String {
                 .replace(BOUND, DRIVEN_BOUND)
         }),
     };
+    let sections = if kernel == Kernel::Control { sections::source(shape) } else { String::new() };
     [
         constants::source(shape).as_str(),
         vectors::source(shape).as_str(),
         &layout::declarations_for(shape),
         &pressing_share(shape),
+        &sections,
         &fragments.replace("flight.", "flights[cell]."),
     ]
     .join("\n")
@@ -131,11 +137,8 @@ fn pressing_share(shape: &Shape) -> String {
 mod tests {
     use super::*;
 
-    /// Every shape that there is, as far as the kernels support it.
-    fn shapes(kernel: Kernel) -> Vec<Shape> {
-        if kernel == Kernel::Control {
-            return vec![Shape { coordinates: 2, normals: 1, stops: 2 }];
-        }
+    /// Every shape that there is.
+    fn shapes() -> Vec<Shape> {
         let normals = |coordinates| (1..=4).map(move |normals| (coordinates, normals));
         (1..=4)
             .flat_map(normals)
@@ -146,7 +149,7 @@ mod tests {
     #[test]
     fn the_shaders_are_valid_and_need_no_feature() {
         for kernel in Kernel::ALL {
-            for shape in shapes(kernel) {
+            for shape in shapes() {
                 let source = source(kernel, &shape);
                 let module = naga::front::wgsl::parse_str(&source)
                     .unwrap_or_else(|error| panic!("{shape:?} {}", error.emit_to_string(&source)));

@@ -1,0 +1,26 @@
+// Whether impacts chatter: rows of them at one stop, each slower than the one before.
+
+struct Rebounds {
+    last: f32,
+    stop: u32,
+    run: u32,
+    longest: u32,
+}
+
+var<private> rebounds: Rebounds;
+
+fn is_impact(taken: Move) -> bool {
+    return taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER && taken.velocity != 0.0;
+}
+
+fn rebounds_see(taken: Move) {
+    if !is_impact(taken) {
+        return;
+    }
+    let speed = abs(taken.velocity);
+    let slower = taken.stop == rebounds.stop && speed < rebounds.last;
+    rebounds.run = select(1u, rebounds.run + 1u, slower);
+    rebounds.longest = max(rebounds.longest, rebounds.run);
+    rebounds.last = speed;
+    rebounds.stop = taken.stop;
+}
