@@ -6,9 +6,9 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::explore::{self, Asked, Computing, Guard, Served, Server, choosable};
-use impact_atlas::plane::{Plane, RegionMap};
-use impact_atlas::store::read_map;
+use impact_atlas::explore::{self, Asked, Computing, Guard, Known, Served, Server, choosable};
+use impact_atlas::plane::Plane;
+use impact_atlas::store::{ZarrStore, read_map};
 
 use super::options::{BackendArgs, BackendName, PlaneArgs};
 use super::terminal::print;
@@ -37,8 +37,8 @@ pub struct ExploreArgs {
     #[command(flatten)]
     backend: BackendArgs,
 
-    /// Begins with the plane of a file that `map` wrote; its cells are not computed again
-    #[arg(long, value_name = "FILE.npz", conflicts_with_all = ["x", "y", "family", "assignments", "start",
+    /// Begins with the plane of an archive or a store that `map` wrote; its cells are not computed again
+    #[arg(long, value_name = "FILE.npz|STORE.zarr", conflicts_with_all = ["x", "y", "family", "assignments", "start",
         "transient", "observe", "max_period", "fixed_periods"])]
     data: Option<PathBuf>,
 
@@ -61,8 +61,8 @@ pub struct ExploreArgs {
 pub fn run(args: &ExploreArgs) -> Result<(), CliError> {
     let (plane, known) = match &args.data {
         Some(path) => {
-            let map = read(path)?;
-            (map.plane.clone(), Some(map))
+            let known = read(path)?;
+            (known.plane().clone(), Some(known))
         }
         None => (args.plane.plane()?, None),
     };
@@ -92,7 +92,7 @@ fn server(
     args: &ExploreArgs,
     plane: Plane,
     computing: Computing,
-    known: Option<RegionMap>,
+    known: Option<Known>,
 ) -> Result<Server, CliError> {
     let guard = Guard::new(&args.hosts)
         .map_err(|error| CliError::Machine(anyhow!("the machine gives no chance for a token: {error}")))?;
@@ -122,15 +122,42 @@ fn computing(args: &BackendArgs) -> Result<Computing, CliError> {
     Ok(explore::open(asked)?)
 }
 
-/// The map of a file.
-fn read(path: &Path) -> Result<RegionMap, CliError> {
+/// The cells of an archive or of a store, as far as they are there.
+fn read(path: &Path) -> Result<Known, CliError> {
     let name = path.display();
+    if path.is_dir() {
+        let store = ZarrStore::open(path)?;
+        small_enough(&name.to_string(), store.plane())?;
+        let mut known = Known::nothing_of(store.plane().clone());
+        let there = store.tiles_there()?;
+        for tile in (0..).zip(&there).filter(|(_, there)| **there).map(|(tile, _)| tile) {
+            let window = store.tiling().window(tile);
+            let map = store.map_of(window).map_err(CliError::machine)?;
+            known.add(window, &map.verdicts);
+        }
+        return Ok(known);
+    }
     let wrong = |error: anyhow::Error| {
-        CliError::Input(error.context(format!("`{name}` cannot be explored: give a file that `map` wrote")))
+        CliError::Input(error.context(format!(
+            "`{name}` cannot be explored: give an npz file or a store that `map` wrote, of a plane without control"
+        )))
     };
     let file = File::open(path)
         .map_err(|error| CliError::Input(anyhow!("cannot read `{name}`: {error}; is the name right?")))?;
     let map = read_map(file).map_err(|error| wrong(error.into()))?;
     map.plane.check().map_err(|error| wrong(error.into()))?;
-    Ok(map)
+    small_enough(&name.to_string(), &map.plane)?;
+    Ok(map.into())
+}
+
+/// Refuses planes that do not fit into memory with their tiles.
+fn small_enough(name: &str, plane: &Plane) -> Result<(), CliError> {
+    if plane.cells() <= Known::MOST {
+        return Ok(());
+    }
+    Err(CliError::Input(anyhow!(
+        "`{name}` has {} cells, and at most {} are explored at once: draw a part of it with `render --x A:B --y A:B`",
+        plane.cells(),
+        Known::MOST
+    )))
 }

@@ -89,9 +89,9 @@ Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2
 #[derive(Debug, Subcommand)]
 enum Command {
     Map(map::MapArgs),
+    Explore(explore::ExploreArgs),
     Render(render::RenderArgs),
     Status(status::StatusArgs),
-    Explore(explore::ExploreArgs),
     Classify(classify::ClassifyArgs),
     Orbit(orbit::OrbitArgs),
     Control(control::ControlArgs),
@@ -126,9 +126,9 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
     machine::start_threads(cli.threads)?;
     panics::shielded(|| match &cli.command {
         Command::Map(args) => map::run(args),
+        Command::Explore(args) => explore::run(args),
         Command::Render(args) => render::run(args),
         Command::Status(args) => status::run(args),
-        Command::Explore(args) => explore::run(args),
         Command::Classify(args) => classify::run(args),
         Command::Orbit(args) => orbit::run(args),
         Command::Control(args) => control::run(args),

@@ -53,6 +53,7 @@ pub fn family(asked: &AskedSystem, own: &'static Family) -> Result<&'static Fami
             limits::SYSTEM_TEXT
         ))),
         AskedSystem::Text(text) => {
+            check_lines(text)?;
             Family::parse(text, OWN_SYSTEM)
                 .map_err(|error| Refused { line: Some(error.place.line), message: error.to_string() })?;
             let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
@@ -64,6 +65,20 @@ pub fn family(asked: &AskedSystem, own: &'static Family) -> Result<&'static Fami
             Family::kept(text, OWN_SYSTEM).map_err(because)
         }
     }
+}
+
+/// Refuses lines that are too long, and texts over several of them.
+fn check_lines(text: &str) -> Result<(), Refused> {
+    let wrong = |(at, line): (usize, &str)| {
+        let long = line.chars().count() > limits::SYSTEM_LINE;
+        let message = match (long, line.contains("\"\"\"") || line.contains("'''")) {
+            (true, _) => format!("a line may have at most {} characters here", limits::SYSTEM_LINE),
+            (_, true) => "a text over several lines is not read here: write it in one".to_owned(),
+            _ => return None,
+        };
+        Some(Refused { message: format!("{OWN_SYSTEM}:{}: {message}", at + 1), line: Some(at + 1) })
+    };
+    text.lines().enumerate().find_map(wrong).map_or(Ok(()), Err)
 }
 
 /// The plane that is asked for.

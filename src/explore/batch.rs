@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use rayon::prelude::*;
 
 use super::lattice::{Cell, SIDE, TileKey};
+use super::layer::numbers;
 use super::outbox::Page;
 use super::reply::Outgoing;
 use super::scene::Scene;
@@ -14,6 +15,7 @@ use super::store::Tiles;
 use super::tile::{Cells, encoded};
 use crate::analysis::Verdict;
 use crate::backend::{BackendError, Job, Watch, decide};
+use crate::plane::fields::Layer;
 
 /// Some tiles of a plane.
 #[derive(Debug)]
@@ -127,7 +129,8 @@ fn cells(key: TileKey) -> impl Iterator<Item = Cell> {
 }
 
 /// Sends tiles to a page, and before them the motions that it was not `told` of.
-pub fn send(scene: &Scene, done: &Done, page: &Page, told: Option<&mut usize>) {
+pub fn send(scene: &Scene, done: &Done, layer: Option<Layer>, page: &Page, told: Option<&mut usize>) {
+    let family = scene.plane.parameters.family();
     let numbered: Vec<Vec<u16>> = done.tiles.iter().map(|(_, cells)| scene.numbered(cells)).collect();
     if let Some(told) = told {
         let motions = scene.motions_from(*told);
@@ -137,6 +140,7 @@ pub fn send(scene: &Scene, done: &Done, page: &Page, told: Option<&mut usize>) {
         }
     }
     for ((key, cells), motions) in done.tiles.iter().zip(&numbered) {
-        let _ = page.send(Outgoing::Bytes(encoded(scene.id, *key, cells, motions)));
+        let numbers = numbers(layer, cells, family);
+        let _ = page.send(Outgoing::Bytes(encoded(scene.id, *key, cells, motions, &numbers)));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::backends::Asked;
 use crate::model::{Number, Parameter, Setting};
+use crate::plane::fields::Layer;
 use crate::plane::{Plane, Quantity, Start};
 use crate::system::{BUILTIN, Family};
 
@@ -9,7 +10,13 @@ use crate::system::{BUILTIN, Family};
 pub const SYSTEM_FILE: &str = "system.toml";
 
 /// `map` of a plane.
-pub fn map(plane: &Plane, computing: Asked, size: [u32; 2], curves: Option<u32>) -> String {
+pub fn map(
+    plane: &Plane,
+    computing: Asked,
+    size: [u32; 2],
+    curves: Option<u32>,
+    layer: Option<Layer>,
+) -> String {
     let mut words = vec!["impact-atlas".to_owned(), "map".to_owned()];
     words.extend(system(plane.parameters.family()));
     words.extend(["--x".into(), plane.x.to_string(), "--y".into(), plane.y.to_string()]);
@@ -18,6 +25,9 @@ pub fn map(plane: &Plane, computing: Asked, size: [u32; 2], curves: Option<u32>)
     words.extend(lengths(plane, plane.start));
     words.extend(computing.options());
     words.extend(["--size".into(), format!("{}x{}", size[0], size[1])]);
+    if let Some(layer) = layer {
+        words.extend(["--layer".into(), layer.name()]);
+    }
     if let Some(max_period) = curves {
         words.extend(["--curves".into(), "--curves-max-period".into(), max_period.to_string()]);
     }

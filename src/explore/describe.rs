@@ -109,6 +109,7 @@ pub fn scene(scene: &Scene, own: &'static Family) -> Value {
         "components": components,
         "stops": stops,
         "system": { "name": family.name(), "origin": family.origin(), "text": family.text(), "source": family.source() },
+        "layers": super::layer::layers(family),
         "start": plane.start.to_string(),
         "starts_symmetric": family.is_paper(),
         "backend": scene.computing.backend.name(),
@@ -131,7 +132,6 @@ pub fn hello(first: &Plane, backend: &str, own: &'static Family) -> Value {
         "layout": super::tile::VERSION,
         "systems": systems,
         "backends": backends::choosable(),
-        "layers": super::layer::layers(),
         "plane": asked(first, backend, own),
     })
 }

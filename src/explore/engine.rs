@@ -12,6 +12,7 @@ use super::outbox::Page;
 use super::reply::Outgoing;
 use super::scene::Scene;
 use super::store::Tiles;
+use crate::plane::fields::Layer;
 
 /// How long a batch should take.
 const BATCH: Duration = Duration::from_millis(220);
@@ -45,6 +46,7 @@ struct State {
 #[derive(Debug)]
 struct Wanted {
     scene: Arc<Scene>,
+    layer: Option<Layer>,
     tiles: VecDeque<TileKey>,
     page: Page,
     /// How many motions of the scene the page knows.
@@ -80,7 +82,9 @@ impl Engine {
     }
 
     /// Replaces what a page wants, those first that it wants first; what it does not want any more is given up.
-    pub fn want(&self, page: u64, to: &Page, scene: &Arc<Scene>, tiles: Vec<TileKey>) {
+    ///
+    /// Tiles carry the numbers of `layer`.
+    pub fn want(&self, page: u64, to: &Page, scene: &Arc<Scene>, layer: Option<Layer>, tiles: Vec<TileKey>) {
         let mut state = self.shared.lock();
         if let Some(running) = &state.running
             && running.page == page
@@ -99,7 +103,7 @@ impl Engine {
         };
         let tiles: VecDeque<TileKey> = tiles.into_iter().filter(|key| !under_way(key)).collect();
         let told = state.wanted.remove(&page).map(|wanted| wanted.told).unwrap_or_default();
-        state.wanted.insert(page, Wanted { scene: scene.clone(), tiles, page: to.clone(), told });
+        state.wanted.insert(page, Wanted { scene: scene.clone(), layer, tiles, page: to.clone(), told });
         if !state.turns.contains(&page) {
             state.turns.push_back(page);
         }
@@ -159,9 +163,10 @@ impl Shared {
             state.running = None;
             match computed {
                 Ok(done) => {
+                    let layer = state.wanted.get(&id).and_then(|wanted| wanted.layer);
                     let told =
                         state.wanted.get_mut(&id).map(|wanted| wanted.told.entry(scene.id).or_default());
-                    batch::send(&scene, &done, &page, told);
+                    batch::send(&scene, &done, layer, &page, told);
                     if done.computed > 0 {
                         let spent = began.elapsed().div_f64(done.computed as f64);
                         per_tile = (per_tile + spent) / 2;

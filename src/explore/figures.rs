@@ -16,7 +16,8 @@ use super::task::{Ended, Task};
 use crate::backend::Watch;
 use crate::curves::{Curve, bifurcation_curves, check};
 use crate::plane::RegionMap;
-use crate::render::{Picture, Shown, Size, live_lines, region_map, region_map_with_curves};
+use crate::plane::fields::Layer;
+use crate::render::{DrawnCurves, Picture, PlanePicture, Shown, Size, live_lines};
 use crate::store::write_map;
 
 /// Sends the bifurcation curves of a window as lines in cells of level 0.
@@ -65,49 +66,57 @@ fn followed(map: &RegionMap, max_period: u32, task: &Task) -> Result<Vec<Curve>,
     Ok(found.map_err(because)?.curves)
 }
 
+/// A file that is taken along.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// Its format.
+    pub format: Format,
+    /// Pixels of a picture.
+    pub size: [u32; 2],
+    /// The largest N of the motions whose curves are drawn over it, if any are.
+    pub curves: Option<u32>,
+    /// What is drawn of every cell, if not its motion.
+    pub layer: Option<Layer>,
+}
+
 /// Sends a window as a file: with `map`'s own drawing, and its own archive.
 ///
 /// # Errors
 /// [`Ended`].
-pub fn save(
-    scene: &Scene,
-    tiles: &Tiles,
-    window: &Window,
-    format: Format,
-    size: [u32; 2],
-    curves: Option<u32>,
-    task: &Task,
-) -> Result<(), Ended> {
-    let size = figure_size(size)?;
+pub fn save(scene: &Scene, tiles: &Tiles, window: &Window, wanted: Wanted, task: &Task) -> Result<(), Ended> {
+    let size = figure_size(wanted.size)?;
     let map = gather::map(scene, tiles, window, limits::SAVED_CELLS, true, task)?;
     let io = |error: std::io::Error| refused(format!("the file could not be made: {error}"));
     let mut bytes = Vec::new();
-    match format {
+    match wanted.format {
         Format::Npz => {
             let mut archive = Cursor::new(Vec::new());
             write_map(&map, &mut archive).map_err(io)?;
             task.file("map.npz", "application/octet-stream", &archive.into_inner());
         }
         Format::Png => {
-            drawn(&map, size, curves, task)?.write_png(&mut bytes).map_err(io)?;
+            drawn(&map, size, &wanted, task)?.write_png(&mut bytes).map_err(io)?;
             task.file("map.png", "image/png", &bytes);
         }
         Format::Svg => {
-            drawn(&map, size, curves, task)?.write_svg(&mut bytes).map_err(io)?;
+            drawn(&map, size, &wanted, task)?.write_svg(&mut bytes).map_err(io)?;
             task.file("map.svg", "image/svg+xml", &bytes);
         }
     }
     Ok(())
 }
 
-fn drawn(map: &RegionMap, size: Size, curves: Option<u32>, task: &Task) -> Result<Picture, Ended> {
-    Ok(match curves {
-        None => region_map(map, size),
-        Some(max_period) => {
-            let found = followed(map, max_period, task)?;
-            region_map_with_curves(map, &found, Shown::Bounding, max_period, size)
-        }
-    })
+fn drawn(map: &RegionMap, size: Size, wanted: &Wanted, task: &Task) -> Result<Picture, Ended> {
+    let found = wanted.curves.map(|max_period| followed(map, max_period, task)).transpose()?;
+    let curves = found.as_deref().map(|curves| DrawnCurves {
+        map,
+        curves,
+        shown: Shown::Bounding,
+        max_period: wanted.curves,
+    });
+    let layer = wanted.layer.unwrap_or(Layer::Motion);
+    let picture = PlanePicture { curves, layer, ..PlanePicture::of(map) };
+    Ok(picture.draw(size).map_err(because)?)
 }
 
 /// A size that a page may ask for.

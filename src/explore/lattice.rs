@@ -138,7 +138,7 @@ impl Window {
 
     /// How many columns and rows it has.
     pub fn size(&self) -> [u64; 2] {
-        [self.columns, self.rows].map(|[first, last]| last.abs_diff(first) + 1)
+        [self.columns, self.rows].map(|[first, last]| last.abs_diff(first).saturating_add(1))
     }
 
     /// How many cells it has.
@@ -157,7 +157,7 @@ impl Window {
             if self.z == 0 && whole_axis == (Some(0), Some(axis.count - 1)) {
                 return Ok(*axis);
             }
-            let count = u32::try_from(last.abs_diff(first) + 1).unwrap_or(u32::MAX);
+            let count = u32::try_from(last.abs_diff(first).saturating_add(1)).unwrap_or(u32::MAX);
             let ends = [first, last].map(|i| value(axis, self.z, i));
             Axis::spaced(axis.quantity, ends[0], ends[1], count, axis.spacing)
         };

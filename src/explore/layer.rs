@@ -1,78 +1,61 @@
-//! The layers of numbers that a page may show instead of motions.
+//! The layers of numbers that a page may show instead of motions: those of `map --layer`.
 
-use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::asked::{Refused, refused};
+use super::asked::{Refused, because, refused};
 use super::lattice::{Cell, Window};
 use super::limits;
 use super::scene::Scene;
 use super::store::Tiles;
-use super::tile::impacts_per_period;
+use super::tile::Cells;
 use crate::analysis::Verdict;
+use crate::plane::fields::{CellResult, Layer};
 use crate::render::live_bar;
+use crate::system::Family;
 
-/// A number of every cell, by the name of its field in a tile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Layer {
-    /// The largest Lyapunov exponent.
-    Exponent,
-    /// N of periodic motions.
-    N,
-    /// Impacts per forcing period.
-    Impacts,
-    /// The largest impact velocity.
-    Peak,
-    /// Forcing periods followed.
-    Periods,
-}
-
-impl Layer {
-    /// Every layer.
-    pub const ALL: [Layer; 5] = [Layer::Exponent, Layer::N, Layer::Impacts, Layer::Peak, Layer::Periods];
-
-    /// What the numbers are.
-    pub fn title(self) -> &'static str {
-        match self {
-            Layer::Exponent => "largest Lyapunov exponent per forcing period",
-            Layer::N => "N, forcing periods in one period of the motion",
-            Layer::Impacts => "impacts per forcing period",
-            Layer::Peak => "largest impact velocity",
-            Layer::Periods => "forcing periods followed",
-        }
-    }
-
-    /// Whether equal ratios suit it.
-    fn is_log(self) -> bool {
-        matches!(self, Layer::N | Layer::Impacts | Layer::Periods)
-    }
-
-    fn of(self, verdict: &Verdict) -> f32 {
-        match self {
-            Layer::Exponent => verdict.lyapunov,
-            Layer::N if verdict.n == 0 => f32::NAN,
-            Layer::N => f32::from(verdict.n),
-            Layer::Impacts => impacts_per_period(verdict),
-            Layer::Peak => verdict.peak_impact_velocity,
-            Layer::Periods => verdict.periods as f32,
-        }
+/// The layer of a name; none for motions, or where there is no name.
+///
+/// # Errors
+/// The layers that there are.
+pub fn named(name: Option<&str>, family: &Family) -> Result<Option<Layer>, Refused> {
+    match name {
+        None | Some(Layer::MOTION) => Ok(None),
+        Some(name) => Layer::named(name, family).map(Some).map_err(because),
     }
 }
 
-/// The layers by name, as pages list them.
-pub fn layers() -> Value {
-    json!(Layer::ALL.map(|layer| json!({ "name": layer, "title": layer.title() })))
+/// The layers of a family by name, as pages list them.
+pub fn layers(family: &Family) -> Value {
+    let listed = Layer::all(family).into_iter().filter_map(|layer| match layer {
+        Layer::Motion => None,
+        Layer::Number { field, coordinate, .. } => {
+            let of = coordinate.map(|x| format!(" of {}", x.name())).unwrap_or_default();
+            Some(json!({ "name": layer.name(), "title": format!("{}{of}", field.title) }))
+        }
+    });
+    json!(listed.collect::<Vec<_>>())
+}
+
+/// The numbers of a tile's cells, row by row; NaN where there is no such system, and everywhere without a layer.
+pub fn numbers(layer: Option<Layer>, cells: &Cells, family: &Family) -> Vec<f32> {
+    let Some(layer) = layer else { return vec![f32::NAN; cells.len()] };
+    let there: Vec<Verdict> = cells.iter().flatten().copied().collect();
+    let mut numbers = of_verdicts(&layer, &there, family).into_iter();
+    cells.iter().map(|cell| cell.as_ref().and_then(|_| numbers.next()).unwrap_or(f32::NAN)).collect()
+}
+
+fn of_verdicts(layer: &Layer, verdicts: &[Verdict], family: &Family) -> Vec<f32> {
+    layer.numbers(verdicts.iter().map(|verdict| CellResult { verdict, multipliers: None }), family)
 }
 
 /// The colour bar of what is known of a window, along `length` pixels; null where nothing is.
 ///
 /// # Errors
-/// A window that is too large or too far away.
+/// A window that is too large or too far away, and a layer that there is not.
 pub fn bar(
     scene: &Scene,
     tiles: &Tiles,
-    layer: Layer,
+    layer: &str,
     window: &Window,
     length: f64,
     em: f64,
@@ -81,8 +64,10 @@ pub fn bar(
     if !sane || !window.is_near() || window.cells() > limits::CURVES_CELLS {
         return Err(refused("this bar cannot be drawn"));
     }
+    let family = scene.plane.parameters.family();
+    let Some(layer) = named(Some(layer), family)? else { return Ok(Value::Null) };
     let cells = (window.rows[0]..=window.rows[1])
         .flat_map(|j| (window.columns[0]..=window.columns[1]).map(move |i| Cell { z: window.z, i, j }));
-    let known = cells.filter_map(|cell| tiles.cell(scene.id, cell).flatten());
-    Ok(json!(live_bar(layer.title(), known.map(|verdict| layer.of(&verdict)), layer.is_log(), length, em)))
+    let known: Vec<Verdict> = cells.filter_map(|cell| tiles.cell(scene.id, cell).flatten()).collect();
+    Ok(json!(live_bar(&layer, &of_verdicts(&layer, &known, family), length, em)))
 }

@@ -6,6 +6,9 @@ pub const MESSAGE: usize = 160 * 1024;
 /// The longest description of a system, in bytes.
 pub const SYSTEM_TEXT: usize = 64 * 1024;
 
+/// The longest line of it, in characters: expressions nest no deeper.
+pub const SYSTEM_LINE: usize = 400;
+
 /// Different systems that pages may describe while the program runs: each is kept until it ends.
 pub const SYSTEM_TEXTS: usize = 200;
 

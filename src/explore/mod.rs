@@ -16,6 +16,7 @@ mod engine;
 mod figures;
 mod gather;
 mod guard;
+mod known;
 mod lattice;
 mod layer;
 mod limits;
@@ -36,6 +37,7 @@ mod tile;
 pub use asked::{Refused, check};
 pub use backends::{Asked, Computing, choosable, open};
 pub use guard::Guard;
+pub use known::Known;
 pub use served::Served;
 pub use server::Server;
 

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::lattice::{Cell, TileKey, Window};
-use super::layer::Layer;
 
 /// A message from a page. `ask` is a number of the page's choice that every answer carries.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -15,13 +14,18 @@ pub enum Request {
     Open { ask: u32, plane: Box<AskedPlane> },
     /// The tiles that are in sight and not there yet, those first that matter most; whatever was wanted before and is not
     /// among them is given up.
-    Want { scene: u32, tiles: Vec<TileKey> },
+    Want {
+        scene: u32,
+        tiles: Vec<TileKey>,
+        #[serde(default)]
+        layer: Option<String>,
+    },
     /// The legend of so many cells of each motion.
     Legend { ask: u32, scene: u32, cells: Vec<(u16, u64)>, rows: usize },
     /// Ticks and titles for what is seen: places in cells of level 0, pixels across and up, the size of letters.
     Axes { ask: u32, scene: u32, x: [f64; 2], y: [f64; 2], size: [f64; 2], em: f64 },
     /// The colour bar of a layer of numbers, of what is known of a window.
-    Bar { ask: u32, scene: u32, layer: Layer, window: Window, length: f64, em: f64 },
+    Bar { ask: u32, scene: u32, layer: String, window: Window, length: f64, em: f64 },
     /// Everything about one cell.
     Probe { ask: u32, scene: u32, cell: Cell, width: u32 },
     /// The bifurcation curves of a window.
@@ -29,9 +33,26 @@ pub enum Request {
     /// The bifurcation diagram along a line between two places in cells of level 0.
     Slice { ask: u32, scene: u32, from: [f64; 2], to: [f64; 2], columns: u32, width: u32 },
     /// A window as a file.
-    Save { ask: u32, scene: u32, window: Window, format: Format, size: [u32; 2], curves: Option<u32> },
+    Save {
+        ask: u32,
+        scene: u32,
+        window: Window,
+        format: Format,
+        size: [u32; 2],
+        curves: Option<u32>,
+        #[serde(default)]
+        layer: Option<String>,
+    },
     /// The command line that makes the figure of a window.
-    Command { ask: u32, scene: u32, window: Window, size: [u32; 2], curves: Option<u32> },
+    Command {
+        ask: u32,
+        scene: u32,
+        window: Window,
+        size: [u32; 2],
+        curves: Option<u32>,
+        #[serde(default)]
+        layer: Option<String>,
+    },
     /// What was asked for is not wanted any more.
     Cancel { ask: u32 },
 }

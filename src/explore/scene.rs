@@ -4,12 +4,13 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::backends::Computing;
+use super::known::Known;
 use super::lattice::{self, Cell};
 use super::limits;
 use crate::analysis::Verdict;
 use crate::backend::Job;
 use crate::model::System;
-use crate::plane::{Axis, Plane, Quantity, RegionMap, Start};
+use crate::plane::{Axis, Plane, Quantity, Start};
 use crate::render::Motion;
 
 /// A plane that is looked at.
@@ -22,7 +23,7 @@ pub struct Scene {
     /// What computes.
     pub computing: Computing,
     /// Cells that were computed before, those of a file.
-    known: Option<Arc<RegionMap>>,
+    known: Option<Arc<Known>>,
     motions: Mutex<Motions>,
 }
 
@@ -35,7 +36,7 @@ struct Motions {
 
 impl Scene {
     /// A plane to be looked at; `known` are cells of it that need not be computed.
-    pub fn new(id: u32, plane: Plane, computing: Computing, known: Option<Arc<RegionMap>>) -> Self {
+    pub fn new(id: u32, plane: Plane, computing: Computing, known: Option<Arc<Known>>) -> Self {
         Scene { id, plane, computing, known, motions: Mutex::default() }
     }
 
@@ -47,7 +48,7 @@ impl Scene {
     /// What is known of a cell from before.
     pub fn known(&self, cell: Cell) -> Option<Verdict> {
         let (column, row) = cell.of_plane(&self.plane)?;
-        self.known.as_ref().map(|map| *map.at(column, row))
+        self.known.as_ref()?.at(column, row)
     }
 
     /// What is to be followed at a cell; none where there is no such system, or it does not begin between its stops.

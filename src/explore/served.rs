@@ -7,11 +7,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::asked::{Refused, because, check, family, plane, refused};
 use super::backends::{self, Asked, Computing};
 use super::engine::Engine;
+use super::known::Known;
 use super::limits;
 use super::request::AskedPlane;
 use super::scene::Scene;
 use super::store::Tiles;
-use crate::plane::{Plane, RegionMap};
+use crate::plane::Plane;
 use crate::system::Family;
 
 /// What all pages share.
@@ -23,7 +24,7 @@ pub struct Served {
     pub first: Plane,
     /// What computes it unless a page asks for something else.
     pub computing: Computing,
-    known: Option<Arc<RegionMap>>,
+    known: Option<Arc<Known>>,
     scenes: Mutex<VecDeque<Arc<Scene>>>,
     next_scene: AtomicU32,
     next_page: AtomicU64,
@@ -46,11 +47,11 @@ impl Drop for Place {
 }
 
 impl Served {
-    /// What pages begin with: a plane and what computes it, and where it was computed before, its map.
+    /// What pages begin with: a plane and what computes it, and where it was computed before, its cells.
     ///
     /// # Errors
     /// A thread that the machine does not give.
-    pub fn new(first: Plane, computing: Computing, known: Option<RegionMap>) -> std::io::Result<Arc<Self>> {
+    pub fn new(first: Plane, computing: Computing, known: Option<Known>) -> std::io::Result<Arc<Self>> {
         Ok(Arc::new(Served {
             engine: Engine::start(Arc::new(Tiles::default()))?,
             first,
@@ -93,7 +94,7 @@ impl Served {
         }
         let computing = backends::open(backend).map_err(because)?;
         // The cells of a file are shown whatever computes the others.
-        let known = self.known.clone().filter(|map| map.plane == plane);
+        let known = self.known.clone().filter(|known| *known.plane() == plane);
         let id = self.next_scene.fetch_add(1, Ordering::Relaxed);
         let scene = Arc::new(Scene::new(id, plane, computing, known));
         let mut scenes = self.scenes.lock().unwrap_or_else(PoisonError::into_inner);

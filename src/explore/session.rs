@@ -10,7 +10,7 @@ use serde_json::json;
 
 use super::asked::{Refused, refused};
 use super::lattice::Cell;
-use super::layer::bar;
+use super::layer::{bar, named};
 use super::outbox::Page;
 use super::probe::probe;
 use super::reply::Outgoing;
@@ -20,7 +20,7 @@ use super::served::{Place, Served};
 use super::task::{Ended, Task};
 use super::{command, describe, figures, limits, slice};
 use crate::plane::Axis;
-use crate::render::{live_axis, live_hatch, live_legend};
+use crate::render::{Motion, live_axis, live_hatch, live_legend};
 
 /// One page that is connected.
 #[derive(Debug)]
@@ -80,7 +80,7 @@ impl Session {
                     flag.store(true, Ordering::Relaxed);
                 }
             }
-            (Request::Want { tiles, .. }, Some(scene)) => {
+            (Request::Want { tiles, layer, .. }, Some(scene)) => {
                 if tiles.len() > limits::WANTED || !tiles.iter().all(|key| key.is_near()) {
                     return Err(refused(format!(
                         "{} tiles, or some that are too far away: want at most {} at a time",
@@ -88,7 +88,8 @@ impl Session {
                         limits::WANTED
                     )));
                 }
-                served.engine.want(self.place.id, &self.page, &scene, tiles);
+                let layer = named(layer.as_deref(), scene.plane.parameters.family())?;
+                served.engine.want(self.place.id, &self.page, &scene, layer, tiles);
             }
             (Request::Legend { ask, cells, rows, .. }, Some(scene)) => {
                 self.reply("legend", ask, legend(&scene, &cells, rows)?);
@@ -96,13 +97,17 @@ impl Session {
             (Request::Axes { ask, x, y, size, em, .. }, Some(scene)) => {
                 self.reply("axes", ask, axes(&scene, [x, y], size, em)?);
             }
-            (Request::Command { ask, window, size, curves, .. }, Some(scene)) => {
+            (Request::Command { ask, window, size, curves, layer, .. }, Some(scene)) => {
+                let layer = named(layer.as_deref(), scene.plane.parameters.family())?;
+                if !window.is_near() {
+                    return Err(refused("this window is empty or too far away"));
+                }
                 let plane = window.plane(&scene.plane).map_err(super::asked::because)?;
-                let text = command::map(&plane, scene.computing.asked, size, curves);
+                let text = command::map(&plane, scene.computing.asked, size, curves, layer);
                 self.reply("command", ask, json!({ "text": text }));
             }
             (Request::Bar { ask, layer, window, length, em, .. }, Some(scene)) => {
-                self.reply("bar", ask, bar(&scene, served.engine.tiles(), layer, &window, length, em)?);
+                self.reply("bar", ask, bar(&scene, served.engine.tiles(), &layer, &window, length, em)?);
             }
             (Request::Probe { ask, cell, width, .. }, Some(scene)) => {
                 if !Cell::is_near(cell) {
@@ -120,9 +125,11 @@ impl Session {
             (Request::Slice { ask, from, to, columns, width, .. }, Some(scene)) => {
                 self.begin_task(ask, true, move |task| slice::slice(&scene, from, to, columns, width, task))?;
             }
-            (Request::Save { ask, window, format, size, curves, .. }, Some(scene)) => {
+            (Request::Save { ask, window, format, size, curves, layer, .. }, Some(scene)) => {
+                let layer = named(layer.as_deref(), scene.plane.parameters.family())?;
+                let drawn = figures::Wanted { format, size, curves, layer };
                 self.begin_task(ask, false, move |task| {
-                    figures::save(&scene, served.engine.tiles(), &window, format, size, curves, task)
+                    figures::save(&scene, served.engine.tiles(), &window, drawn, task)
                 })?;
             }
             (_, None) => return Err(refused("open a plane first")),
@@ -180,7 +187,8 @@ fn legend(scene: &Scene, cells: &[(u16, u64)], rows: usize) -> Result<serde_json
     if cells.len() > limits::MOTIONS {
         return Err(refused("too many motions"));
     }
-    let known = |&(number, count): &(u16, u64)| Some((scene.motion(number)?, count.min(1 << 40)));
+    let known =
+        |&(number, count): &(u16, u64)| Some((Motion::of(&scene.motion(number)?), count.min(1 << 40)));
     let found: Option<Vec<_>> = cells.iter().map(known).collect();
     let found = found.ok_or_else(|| refused("there is no such motion on this plane"))?;
     Ok(json!(live_legend(

@@ -13,16 +13,16 @@ pub const VERSION: u8 = 1;
 pub const NOWHERE: u16 = u16::MAX;
 /// The bytes before the fields.
 pub const HEADER: usize = 32;
-/// The bytes of a cell's fields: motion and N of 2 bytes, three numbers of 4 and the periods of 4.
-pub const CELL: usize = 2 + 2 + 4 + 4 + 4 + 4;
+/// The bytes of a cell's fields: motion and N of 2 bytes, three numbers of 4.
+pub const CELL: usize = 2 + 2 + 4 + 4 + 4;
 
 /// The cells of a tile, row by row, the lowest row first; none where there is no such system.
 pub type Cells = Vec<Option<Verdict>>;
 
 /// A tile's message: the header, then one array per field, all little-endian; see the protocol.
 ///
-/// `motions` has the motion of each cell by its number on the plane.
-pub fn encoded(scene: u32, key: TileKey, cells: &Cells, motions: &[u16]) -> Vec<u8> {
+/// `motions` has the motion of each cell by its number on the plane, `numbers` what the layer that is shown has of it.
+pub fn encoded(scene: u32, key: TileKey, cells: &Cells, motions: &[u16], numbers: &[f32]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(HEADER + cells.len() * CELL);
     bytes.extend([TILE, VERSION]);
     bytes.extend((SIDE as u16).to_le_bytes());
@@ -38,19 +38,8 @@ pub fn encoded(scene: u32, key: TileKey, cells: &Cells, motions: &[u16]) -> Vec<
     bytes.extend(cells.iter().flat_map(|cell| cell.as_ref().map_or(0, |v| v.n).to_le_bytes()));
     bytes.extend(number(|v| v.lyapunov));
     bytes.extend(number(|v| v.peak_impact_velocity));
-    bytes.extend(number(impacts_per_period));
-    bytes.extend(cells.iter().flat_map(|cell| cell.as_ref().map_or(0, |v| v.periods).to_le_bytes()));
+    bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
     bytes
-}
-
-/// Impacts per forcing period: of a periodic motion those of its label, infinite where rebounds accumulate; NaN elsewhere.
-pub fn impacts_per_period(verdict: &Verdict) -> f32 {
-    match verdict.n {
-        0 if verdict.regime == crate::analysis::Regime::NoImpact => 0.0,
-        0 => f32::NAN,
-        _ if verdict.counts.contains(&crate::analysis::INFINITELY_MANY) => f32::INFINITY,
-        n => verdict.counts.iter().map(|&count| f32::from(count)).sum::<f32>() / f32::from(n),
-    }
 }
 
 /// A file's message: which task it answers, then its bytes.
@@ -94,7 +83,8 @@ mod tests {
         cells[17] = Some(verdict());
         let motions: Vec<u16> = (0..256).map(|i| if i == 17 { 5 } else { NOWHERE }).collect();
         let key = TileKey { z: -2, i: -3, j: 1 << 40 };
-        let bytes = encoded(7, key, &cells, &motions);
+        let numbers: Vec<f32> = (0..256_u16).map(f32::from).collect();
+        let bytes = encoded(7, key, &cells, &motions, &numbers);
         assert_eq!(bytes.len(), HEADER + 256 * CELL);
         assert_eq!(bytes[..4], [1, 1, 16, 0]);
         assert_eq!(bytes[4..8], 7_u32.to_le_bytes());
@@ -110,8 +100,7 @@ mod tests {
         assert_eq!(at(2, 2, 17), 2_u16.to_le_bytes());
         assert_eq!(at(4, 4, 17), (-0.25_f32).to_le_bytes());
         assert_eq!(at(8, 4, 17), 1.5_f32.to_le_bytes());
-        assert_eq!(at(12, 4, 17), 3.5_f32.to_le_bytes());
-        assert_eq!(at(16, 4, 17), 450_u32.to_le_bytes());
+        assert_eq!(at(12, 4, 17), 17.0_f32.to_le_bytes());
         assert!(f32::from_le_bytes(at(4, 4, 0).try_into().unwrap()).is_nan());
     }
 
@@ -144,7 +133,7 @@ mod tests {
         let window = r#"{"z":0,"columns":[0,3],"rows":[0,2]}"#;
         let examples = [
             ("open", format!(r#""ask":1,"plane":{plane}"#)),
-            ("want", r#""scene":1,"tiles":[[0,1,-2]]"#.to_owned()),
+            ("want", r#""scene":1,"tiles":[[0,1,-2]],"layer":null"#.to_owned()),
             ("legend", r#""ask":1,"scene":1,"cells":[[0,12]],"rows":9"#.to_owned()),
             ("axes", r#""ask":1,"scene":1,"x":[0,1],"y":[0,1],"size":[300,200],"em":13"#.to_owned()),
             ("bar", format!(r#""ask":1,"scene":1,"layer":"peak","window":{window},"length":200,"em":12"#)),

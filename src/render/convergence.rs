@@ -149,7 +149,7 @@ impl Times {
     }
 }
 
-pub(super) fn ramp(fraction: f64) -> Colour {
+fn ramp(fraction: f64) -> Colour {
     let place = fraction * (RAMP.len() - 1) as f64;
     let i = (place as usize).min(RAMP.len() - 2);
     let share = place - i as f64;

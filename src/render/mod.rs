@@ -49,7 +49,7 @@ pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, Str
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
 pub use live::{
-    LiveAxis, LiveBar, LiveLegend, LiveLine, LiveRow, Word, css, live_axis, live_bar, live_hatch,
+    LiveAxis, LiveBar, LiveLegend, LiveLine, LivePart, LiveRow, Word, css, live_axis, live_bar, live_hatch,
     live_legend, live_lines, live_title, slice_figure, words,
 };
 pub use motion::Motion;

@@ -120,8 +120,11 @@ fn messages(scene: u64, plane: &serde_json::Value) -> Vec<String> {
         all.push(changed("system", json!({ "name": name })));
     }
     let deep = format!("a = {}", "[".repeat(20_000));
-    let texts =
-        ["", "= = =", "name = 1", "\u{0}", &deep, &"x".repeat(70_000), "[system]\nmass = [[\"1/0\"]]"];
+    let lines = format!("a = {}", "[\n".repeat(20_000));
+    let nested = format!("[system]\nmass = [[\"{}1\"]]", "(".repeat(30_000));
+    let long = "x".repeat(70_000);
+    let zero = "[system]\nmass = [[\"1/0\"]]";
+    let texts = ["", "= = =", "name = 1", "\u{0}", &deep, &long, zero, &lines, &nested];
     for text in texts {
         all.push(changed("system", json!({ "text": text })));
     }

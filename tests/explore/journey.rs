@@ -50,13 +50,13 @@ fn map(changed: &[(&str, f64)]) -> RegionMap {
 /// For each cell of a map, the ground and the hatch of its motion in the map's picture.
 fn paints(map: &RegionMap) -> Vec<(String, Option<String>)> {
     let mut numbers: HashMap<Motion, usize> = HashMap::new();
-    let mut found = Vec::new();
+    let mut found: Vec<(Motion, u64)> = Vec::new();
     let cells: Vec<usize> = map
         .verdicts
         .iter()
         .map(|verdict| {
             let number = *numbers.entry(Motion::of(verdict)).or_insert_with(|| {
-                found.push((*verdict, 0));
+                found.push((Motion::of(verdict), 0));
                 found.len() - 1
             });
             found[number].1 += 1;
@@ -224,7 +224,7 @@ async fn own_systems_slices_layers_and_small_screens() {
     browser.until("a portrait", "document.querySelector('.card .portrait svg')").await;
 
     // A layer of numbers has a colour bar.
-    browser.run("const s = document.querySelector('#tools select'); s.value = 'exponent'; s.dispatchEvent(new Event('change'))").await;
+    browser.run("const s = document.querySelector('#tools select'); s.value = 'lyapunov'; s.dispatchEvent(new Event('change'))").await;
     browser
         .until("a colour bar", "explorer.paint.scale && !document.querySelector('#legend .bar').hidden")
         .await;

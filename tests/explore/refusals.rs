@@ -28,8 +28,8 @@ fn bad_input_has_a_clear_message() {
     let cases: [(&[&str], i32, &[&str]); 8] = [
         (&["--port", &port], 3, &["cannot listen on port", &port, "--port"]),
         (&["--data", "none.npz"], 2, &["cannot read `none.npz`"]),
-        (&["--data", "other.npz"], 2, &["other.npz", "give a file that `map` wrote"]),
-        (&["--data", "text.npz"], 2, &["text.npz", "give a file that `map` wrote"]),
+        (&["--data", "other.npz"], 2, &["other.npz", "that `map` wrote"]),
+        (&["--data", "text.npz"], 2, &["text.npz", "that `map` wrote"]),
         (&["--x", "omega=1:1:1"], 2, &["no extent"]),
         (&["--x", "omgea=1:2:9"], 2, &["omgea"]),
         (&["--data", "other.npz", "--x", "omega=1:2:3"], 2, &["--data"]),
@@ -109,4 +109,22 @@ async fn a_part_that_is_taken_along_is_computed_at_its_own_values() {
         |map: &impact_atlas::plane::RegionMap| map.verdicts.iter().map(|v| v.state).collect::<Vec<_>>();
     assert_eq!(states(&map), states(&fresh));
     assert_eq!(map.verdicts.len(), 27 * 20);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_store_is_explored_as_far_as_it_is_there() {
+    let folder = tempdir().unwrap();
+    let part = ["map", "--data", "plane.zarr", "--tile", "32", "--part", "1/2"];
+    let words: Vec<&str> = part.into_iter().chain(SMALL.split_whitespace()).collect();
+    let output = run(folder.path(), &words);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let explorer = Explorer::start(folder.path(), "--data plane.zarr --backend cpu");
+    let (mut socket, hello) = Socket::connect(&explorer).await;
+    let scene = socket.open(&hello).await;
+    assert_eq!((&scene["x"]["count"], &scene["y"]["count"]), (&json!(96), &json!(72)));
+    socket.send(whole("save", &scene, json!({ "format": "npz" }))).await;
+    let map = read_map(Cursor::new(socket.file().await)).unwrap();
+    let cpu = open(impact_atlas::backend::Choice::Cpu, None).unwrap();
+    let fresh = sweep(&map.plane, &*cpu, &Unwatched).unwrap();
+    assert!(map.verdicts.iter().zip(&fresh.verdicts).all(|(a, b)| a.state == b.state));
 }

@@ -13,7 +13,7 @@ export class Grid {
     this.range = [0, -1, 0, -1];
     this.motion = new Uint16Array(0);
     this.from = new Int8Array(0);
-    /** The layer of numbers that is shown, by the name of its field in a tile; null for motions. */
+    /** The layer of numbers that is shown, by its name; null for motions. */
     this.layer = null;
   }
 
@@ -53,7 +53,7 @@ export class Grid {
     if (finer < 0 || finer > 20) return;
     const [a0, a1, b0, b1] = this.range;
     const columns = this.columns;
-    const values = this.layer ? tile[this.layer] : null;
+    const values = this.layer ? tile.number : null;
     const size = 2 ** finer, half = size / 2;
     for (let row = 0; row < SIDE; row++) {
       const middle = (tile.j * SIDE + row) * size;

@@ -3,6 +3,9 @@
 import { element, shape } from './dom.js';
 import { asHtml } from './words.js';
 
+/** A bar is chosen by at most so many cells. */
+const MOST_CELLS = 20000;
+
 /** A sample of paints side by side. */
 export function sample(paints) {
   const part = ([ground, hatch]) => {
@@ -23,11 +26,24 @@ export class Legend {
     this.root.append(this.bar, this.rows, this.notes);
   }
 
+  /** Asks for the colour bar of a layer, from some of the cells in sight. */
+  ask(link, scene, layer, view) {
+    let z = view.level;
+    const cells = () => {
+      const [i0, i1, j0, j1] = view.cells(z);
+      return (i1 - i0 + 1) * (j1 - j0 + 1);
+    };
+    while (z > -12 && cells() > MOST_CELLS) z -= 1;
+    const [i0, i1, j0, j1] = view.cells(z);
+    const window = { z, columns: [i0, i1], rows: [j0, j1] };
+    return link.once({ type: 'bar', scene, layer, window, length: Math.max(100, this.root.clientWidth - 28), em: 12 }, 'bar');
+  }
+
   /** The colour bar of a layer of numbers above the motions; none for null. */
   scale(bar) {
     this.bar.hidden = bar == null;
     if (bar == null) return;
-    const { colours, ticks, title } = bar;
+    const { colours, ticks, title, undefined: none, lost } = bar;
     const strip = shape('svg', { viewBox: `0 0 ${colours.length} 10`, preserveAspectRatio: 'none', 'aria-hidden': 'true' },
       ...colours.map((fill, x) => shape('rect', { x, width: 1.5, height: 10, fill })));
     const labels = ticks.map(([share, text]) => {
@@ -35,8 +51,8 @@ export class Legend {
       label.style.left = `${100 * share}%`;
       return label;
     });
-    this.bar.replaceChildren(element('p', {}, ...asHtml(title)), strip, element('div', { class: 'ticks' }, ...labels),
-      element('p', { class: 'notes' }, sample([['#d9d9d9', null]]), ' not measured, or without meaning'));
+    this.bar.replaceChildren(element('p', { text: title }), strip, element('div', { class: 'ticks' }, ...labels),
+      element('p', { class: 'notes' }, sample([[none[0], null]]), ` ${none[1]} `, sample([[lost[0], null]]), ` ${lost[1]}`));
   }
 
   show({ rows, notes }) {

@@ -5,12 +5,11 @@ import { Axes } from './axes.js';
 import { Controls } from './controls.js';
 import { Curves } from './curves.js';
 import { element, seldom, shape } from './dom.js';
-import { choice } from './form.js';
 import { Grid } from './grid.js';
-import { readout } from './hover.js';
 import { Keys } from './keys.js';
 import { Legend } from './legend.js';
 import { Link } from './link.js';
+import { Marks } from './marks.js';
 import { Paint } from './paint.js';
 import { Panel } from './panel.js';
 import { Pointer } from './pointer.js';
@@ -19,8 +18,9 @@ import { Slice } from './slice.js';
 import { Status } from './status.js';
 import * as theme from './theme.js';
 import { Tiles } from './tiles.js';
-import { View } from './view.js';
-import { asHtml, asText } from './words.js';
+import { Toolbar } from './toolbar.js';
+import { clipped, View } from './view.js';
+import { asHtml } from './words.js';
 
 const MARGINS = { left: innerWidth < 760 ? 60 : 78, right: 14, top: 10, bottom: 56 };
 const EM = 13;
@@ -35,20 +35,20 @@ const grid = new Grid();
 const paint = new Paint(canvas);
 const status = new Status(at('progress'), at('notices'));
 const link = new Link(hear);
-const tiles = new Tiles((keys) => state.scene && link.send({ type: 'want', scene: state.scene.scene, tiles: keys }));
+const tiles = new Tiles((keys) => state.scene && link.send({ type: 'want', scene: state.scene.scene, tiles: keys, layer: grid.layer }));
 const clip = shape('clipPath', { id: 'plot' }, shape('rect', {}));
 frame.append(shape('defs', {}, clip));
 const curves = new Curves(frame, link, status);
 const slice = new Slice(frame, at('slice'), link, status);
-const marks = shape('g', { class: 'marks', 'clip-path': 'url(#plot)' });
-frame.append(marks);
+const marks = new Marks(frame, plane, at('hover'), at('readout'), view, MARGINS);
 const axes = new Axes(frame, link, MARGINS);
 const legend = new Legend(at('legend'));
 const panel = new Panel(at('cards'), link, () => { redraw(); address.write(true); });
-const save = new Save(link, status, () => ({ scene: state.scene.scene, window: shown(), curves: curves.shown }));
+const save = new Save(link, status, () => ({ scene: state.scene.scene, window: shown(), curves: curves.shown, layer: grid.layer }));
 const address = new Address(() => ({
   plane: state.scene.plane, window: view.window, cell: panel.current?.cell, curves: curves.shown, layer: grid.layer,
 }), go);
+const toolbar = new Toolbar(at('tools'), { state, grid, curves, slice, plane, home, showLayer, toggleCurves, save: save.root });
 let controls = null;
 
 /** The window that is taken along: whole cells in sight; of the whole plane, exactly its cells. */
@@ -77,22 +77,20 @@ function hear(type, message) {
 function welcome(hello) {
   status.clear('link');
   address.first = hello.plane;
-  state.layers = hello.layers;
   controls ??= new Controls(at('controls'), hello, (asked) => open(asked, { step: true }));
   const before = state.scene && { plane: state.scene.plane, window: view.window, cell: null, curves: false, layer: grid.layer };
   const wanted = before ?? read(location.hash, hello.plane) ?? { plane: hello.plane };
   state.scene = null;
-  grid.layer = layered(wanted.layer);
   open(wanted.plane, { ...wanted, fallback: hello.plane, again: before != null });
 }
 
 /** Asks for a plane; the view stays where the axes do. */
-function open(asked, { window = null, cell = null, curves: withCurves = false, step = false, fallback = null, again = false } = {}) {
+function open(asked, { window = null, cell = null, curves: withCurves = false, layer = grid.layer, step = false, fallback = null, again = false } = {}) {
   const request = state.pending = {};
   link.once({ type: 'open', plane: asked }, 'scene').then((scene) => {
     if (state.pending !== request) return;
     state.pending = null;
-    arrive(scene, { window, again });
+    arrive(scene, { window, again, layer });
     if (cell) panel.show(scene.scene, cell);
     if (withCurves) toggleCurves(true);
     address.write(step);
@@ -105,13 +103,15 @@ function open(asked, { window = null, cell = null, curves: withCurves = false, s
   });
 }
 
-function arrive(scene, { window, again }) {
+function arrive(scene, { window, again, layer }) {
   const before = state.scene;
   const same = before && ['x', 'y'].every((side) => before[side].text === scene[side].text)
     && before.system.text === scene.system.text;
-  scene.clip = (cells) => clipped(scene, cells);
+  scene.clip = (cells) => clipped(cells, scene.x.count, scene.y.count);
   state.scene = scene;
   state.motions = [];
+  grid.layer = layered(layer);
+  bar(null);
   tiles.clear();
   if (!again) {
     paint.clear();
@@ -125,21 +125,12 @@ function arrive(scene, { window, again }) {
   if (window) view.set(window);
   else if (!same && !again) view.reset();
   at('system-name').textContent = scene.system.name;
-  at('title').replaceChildren(...scene.title.map((words) => element('span', {}, ...asHtml(words), ' ')));
+  at('title').replaceChildren(...scene.title.flatMap((words) => [element('span', {}, ...asHtml(words)), ' ']));
   document.title = `${scene.x.name}, ${scene.y.name} – Impact Atlas`;
   plane.setAttribute('data-scene', scene.scene);
   controls.show(scene);
   tools();
   look();
-}
-
-/** The part of a window in which both parameters keep to positive values where ratios are equal, and to the plane's ends. */
-function clipped(scene, { z, columns, rows }) {
-  const inside = ([from, to], count) => {
-    const unit = 2 ** z, last = Math.floor((count - 1) * unit);
-    return to < 0 || from > last ? [from, to] : [Math.max(from, 0), Math.min(to, last)];
-  };
-  return { z, columns: inside(columns, scene.x.count), rows: inside(rows, scene.y.count) };
 }
 
 function motions({ first, motions: told }) {
@@ -178,8 +169,7 @@ function look() {
 
 function moved(step) {
   look();
-  if (step) address.write(true);
-  else address.replace();
+  address[step ? 'write' : 'replace'](true);
 }
 
 let drawing = false;
@@ -193,8 +183,7 @@ function redraw() {
     axes.draw(view);
     curves.draw(view, MARGINS, EM);
     slice.place(view, MARGINS);
-    mark();
-    hover();
+    marks.draw(state, panel.cells, tiles);
     const share = tiles.share;
     const [i0, i1, j0, j1] = view.cells(view.level);
     status.tiles(share, [i1 - i0 + 1, j1 - j0 + 1]);
@@ -205,34 +194,34 @@ function redraw() {
 
 /** The name of a layer of numbers; null for motions and for names that there are not. */
 function layered(name) {
-  return state.layers?.some((layer) => layer.name === name) ? name : null;
+  return state.scene?.layers.some((layer) => layer.name === name) ? name : null;
 }
 
 /** Shows motions, or a layer of numbers. */
 function showLayer(name) {
   grid.layer = layered(name);
-  paint.bar = null;
-  legend.scale(null);
-  if (!state.stale) grid.rebuild(view, tiles);
-  count();
-  redraw();
+  bar(null);
+  // Tiles carry the numbers of one layer; the program still has their cells.
+  tiles.clear();
+  state.stale = true;
+  look();
   address.replace();
 }
 
 /** Asks for the colour bar of what is in sight. */
 function askBar() {
-  let z = view.level;
-  const cells = () => { const [i0, i1, j0, j1] = view.cells(z); return (i1 - i0 + 1) * (j1 - j0 + 1); };
-  while (z > -12 && cells() > 20000) z -= 1;
-  const [i0, i1, j0, j1] = view.cells(z);
-  const request = { type: 'bar', scene: state.scene.scene, layer: grid.layer, window: { z, columns: [i0, i1], rows: [j0, j1] },
-    length: Math.max(100, at('legend').clientWidth - 28), em: 12 };
-  link.once(request, 'bar').then((bar) => {
-    if (grid.layer !== request.layer || !bar) return;
-    paint.bar = bar;
-    legend.scale(bar);
+  const { layer } = grid;
+  legend.ask(link, state.scene.scene, layer, view).then((shown) => {
+    if (grid.layer !== layer || !shown) return;
+    bar(shown);
     redraw();
   }, () => {});
+}
+
+/** Shows a colour bar, and numbers by it; neither for null. */
+function bar(shown) {
+  paint.bar = shown;
+  legend.scale(shown);
 }
 
 const count = seldom(120, () => {
@@ -251,48 +240,14 @@ const count = seldom(120, () => {
   }, () => {});
 });
 
-/** Rings around the cells of the cards, and the keyboard's cursor. */
-function mark() {
-  const ring = ({ cell: [z, i, j], kept }) => {
-    const [x, y] = view.pixelAt(i * 2 ** -z, j * 2 ** -z);
-    const place = { cx: MARGINS.left + x, cy: MARGINS.top + y };
-    return [shape('circle', { ...place, r: 7, class: 'ring light' }), shape('circle', { ...place, r: 7, class: kept ? 'ring kept' : 'ring' })];
-  };
-  const parts = panel.cells.flatMap(ring);
-  if (state.cursor) {
-    const [x, y] = view.pixelAt(...state.cursor);
-    const d = `M${MARGINS.left + x - 9} ${MARGINS.top + y}h18m-9 -9v18`;
-    parts.push(shape('path', { d, class: 'cursor light' }), shape('path', { d, class: 'cursor' }));
-  }
-  marks.replaceChildren(...parts);
-}
-
-function hover() {
-  const place = state.over ?? state.cursor;
-  const box = at('hover');
-  box.hidden = !state.over;
-  if (!place) return;
-  const { place: where, words } = readout(state.scene, state.motions, tiles, view, ...place);
-  at('readout').textContent = `${where}: ${words}`;
-  if (!state.over) return;
-  const [px, py] = view.pixelAt(...state.over);
-  box.replaceChildren(element('b', { text: words }), element('span', { text: where }));
-  const left = px > view.size[0] / 2;
-  box.style.left = left ? 'auto' : `${MARGINS.left + px + 14}px`;
-  box.style.right = left ? `${plane.clientWidth - MARGINS.left - px + 14}px` : 'auto';
-  box.style.top = `${MARGINS.top + Math.max(4, Math.min(py + 14, view.size[1] - 54))}px`;
-}
-
 // ——— what somebody does ———
 
 function click(x, y) {
   if (state.scene) panel.show(state.scene.scene, view.cellAt(x, y));
 }
 
-function over(x, y) {
-  state.over = x == null ? null : [x, y];
-  redraw();
-}
+const tools = () => toolbar.show();
+const over = (x, y) => { state.over = x == null ? null : [x, y]; redraw(); };
 
 function home() {
   view.reset();
@@ -319,30 +274,6 @@ function toggleCurves(on) {
   address.replace();
 }
 
-/** The choice of what is shown. */
-function layers() {
-  const options = [['motion', 'Motions'], ...(state.layers ?? []).map(({ name, title }) => [name, title])];
-  return choice(options, grid.layer ?? 'motion', 'layer', showLayer);
-}
-
-function tools() {
-  const button = (text, title, pressed, onclick, disabled = false) => element('button', { type: 'button', text, title, onclick,
-    'aria-pressed': pressed == null ? null : String(pressed), disabled });
-  const inactive = !state.scene?.curves;
-  at('tools').replaceChildren(
-    layers(),
-    button('Whole plane', 'The whole plane (key 0)', null, home),
-    button('Curves', inactive ? 'Curves need two parameters of the paper’s oscillator in this version'
-      : 'Bifurcation curves of what is in sight', curves.shown, () => toggleCurves(!curves.shown), inactive),
-    button('Slice', 'Drag a line: the bifurcation diagram along it', slice.active, () => {
-      slice.active = !slice.active;
-      plane.classList.toggle('cutting', slice.active);
-      tools();
-    }),
-    save.root,
-    button('◐', 'Light or dark', null, theme.toggle));
-}
-
 new Pointer(plane, view, MARGINS, {
   moved, over, clicked: click, cutting: () => slice.active,
   line: (from, to, done) => { slice.draw(from, to, done, state.scene.scene); redraw(); },
@@ -364,5 +295,4 @@ new ResizeObserver(() => {
   look();
 }).observe(plane);
 
-// For tests, and for whoever is curious in the console.
-globalThis.explorer = { state, view, grid, tiles, paint, panel, link, curves, slice, save, shown, asText };
+globalThis.explorer = { state, view, grid, tiles, paint, panel, link, curves, slice, save, shown };

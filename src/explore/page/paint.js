@@ -3,9 +3,6 @@
 import { NOWHERE } from './protocol.js';
 import { UNKNOWN } from './grid.js';
 
-/** Cells whose number was not measured, or has no meaning. */
-const UNDEFINED = 0xffd9d9d9;
-
 /** A colour #rrggbb as the four bytes of a pixel. */
 function pixel(css) {
   const rgb = parseInt(css.slice(1), 16);
@@ -30,14 +27,25 @@ export class Paint {
 
   /** The colour bar of a layer of numbers; null for motions. */
   set bar(bar) {
-    this.scale = bar && { ...bar, colours: Uint32Array.from(bar.colours, pixel) };
+    this.scale = bar && {
+      parts: bar.parts,
+      colours: Uint32Array.from(bar.colours, pixel),
+      beyond: bar.beyond.map(pixel),
+      undefined: pixel(bar.undefined[0]),
+      lost: pixel(bar.lost[0]),
+    };
   }
 
   /** The colour of a number. */
   number(value) {
-    const { ends: [low, high], log, colours } = this.scale;
-    if (Number.isNaN(value)) return UNDEFINED;
-    const share = log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+    const { parts, colours, beyond, undefined: none, lost } = this.scale;
+    if (Number.isNaN(value)) return none;
+    if (value === -Infinity) return lost;
+    if (value < parts[0].ends[0]) return beyond[0];
+    if (value > parts.at(-1).ends[1]) return beyond[1];
+    const { ends: [low, high], log, shares } = parts.find((part) => value <= part.ends[1]);
+    const within = log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+    const share = shares[0] + within * (shares[1] - shares[0]);
     return colours[Math.max(0, Math.min(colours.length - 1, Math.floor(share * colours.length)))];
   }
 

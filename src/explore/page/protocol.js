@@ -40,7 +40,6 @@ export function decoded(buffer) {
     n: field(Uint16Array),
     exponent: field(Float32Array),
     peak: field(Float32Array),
-    impacts: field(Float32Array),
-    periods: field(Uint32Array),
+    number: field(Float32Array),
   };
 }

@@ -20,8 +20,8 @@ export class Save {
   }
 
   request() {
-    const { scene, window, curves } = this.asked();
-    return { scene, window, size: this.size, curves: curves ? 2 : null };
+    const { scene, window, curves, layer } = this.asked();
+    return { scene, window, size: this.size, curves: curves ? 2 : null, layer };
   }
 
   save(format) {

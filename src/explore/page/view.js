@@ -2,6 +2,8 @@
 
 const FINEST = 30;
 const COARSEST = -12;
+/** Half a cell, less what rounding may add: a cell whose edge alone is in sight is not. */
+const EDGE = 0.5 - 1e-6;
 /** A cell has at least so many pixels; a screen has at most so many cells. */
 const LEAST_PIXELS = 0.7;
 const MOST_CELLS = 1.2e6;
@@ -27,7 +29,10 @@ export class View {
   /** The level whose cells are shown. */
   get level() {
     const [across, up] = this.scale;
-    let z = Math.floor(Math.log2(Math.min(across, up) / LEAST_PIXELS));
+    // Of the whole plane its own cells are shown; closer up, about as many.
+    const [x0, x1, y0, y1] = this.window, [a0, a1, b0, b1] = this.whole;
+    const closer = Math.log2(Math.max((a1 - a0) / (x1 - x0), (b1 - b0) / (y1 - y0)));
+    let z = Math.floor(Math.min(Math.log2(Math.min(across, up) / LEAST_PIXELS), closer + 1e-6));
     const cells = (level) => ((this.size[0] / across) * (this.size[1] / up)) * 4 ** level;
     while (cells(z) > MOST_CELLS) z -= 1;
     return Math.max(COARSEST, Math.min(FINEST, z));
@@ -53,8 +58,8 @@ export class View {
     const unit = 2 ** z;
     const wide = margin * (x1 - x0), high = margin * (y1 - y0);
     return [
-      Math.ceil((x0 - wide) * unit - 0.5), Math.floor((x1 + wide) * unit + 0.5),
-      Math.ceil((y0 - high) * unit - 0.5), Math.floor((y1 + high) * unit + 0.5),
+      Math.ceil((x0 - wide) * unit - EDGE), Math.floor((x1 + wide) * unit + EDGE),
+      Math.ceil((y0 - high) * unit - EDGE), Math.floor((y1 + high) * unit + EDGE),
     ];
   }
 
@@ -92,4 +97,13 @@ export class View {
   reset() {
     this.window = [...this.whole];
   }
+}
+
+/** The part of a window of cells that lies on a plane of so many columns and rows, where any does. */
+export function clipped({ z, columns, rows }, across, up) {
+  const inside = ([from, to], count) => {
+    const last = Math.floor((count - 1) * 2 ** z);
+    return to < 0 || from > last ? [from, to] : [Math.max(from, 0), Math.min(to, last)];
+  };
+  return { z, columns: inside(columns, across), rows: inside(rows, up) };
 }

@@ -3,83 +3,115 @@
 use serde::Serialize;
 
 use super::css;
-use super::words::{Word, words};
-use crate::render::convergence::ramp;
+use crate::plane::fields::Layer;
+use crate::render::colour_bar::{Bar, LOST, Palette, UNDEFINED};
 use crate::render::frame::{fitting_ticks, widest};
-use crate::render::scale::Scale;
-use crate::render::text::Text;
 
 /// The colours of a bar.
 const COLOURS: u32 = 128;
-/// So much of the numbers at either end does not stretch the bar.
-const OUTLIERS: f64 = 0.002;
 
-/// A colour bar.
+/// A part of a colour bar; there are two where they meet at zero.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct LiveBar {
+pub struct LivePart {
     /// The numbers at its ends.
     pub ends: [f64; 2],
     /// Whether it is one of equal ratios.
     pub log: bool,
-    /// Colours of equal shares of it, from the lower end on, as style sheets write them.
-    pub colours: Vec<String>,
-    /// Labelled ticks: the share of the way from the lower to the upper end, and the label.
-    pub ticks: Vec<(f64, String)>,
-    /// What the numbers are, in the unit that the labels leave out.
-    pub title: Vec<Word>,
+    /// The shares of the whole bar at its ends.
+    pub shares: [f64; 2],
 }
 
-/// The bar of some numbers, along `length` pixels in letters of `em` pixels; those that are not finite, and on one of equal
-/// ratios not positive, are left out. None where nothing is left.
-pub fn live_bar(
-    title: &str,
-    values: impl IntoIterator<Item = f32>,
-    log: bool,
-    length: f64,
-    em: f64,
-) -> Option<LiveBar> {
-    let mut values: Vec<f64> = values.into_iter().map(f64::from).collect();
-    values.retain(|value| value.is_finite() && (!log || *value > 0.0));
-    values.sort_by(f64::total_cmp);
-    let skipped = (OUTLIERS * values.len() as f64) as usize;
-    let (&low, &high) = values.get(skipped).zip(values.get(values.len().checked_sub(1 + skipped)?))?;
-    let scale = match (log, low < high) {
-        (true, true) => Scale::logarithmic(low, high),
-        (true, false) => Scale::logarithmic(low / 2.0, 2.0 * low),
-        (false, true) => Scale::new(low, high),
-        (false, false) => Scale::around([low], 0.0),
-    };
-    let ticks = fitting_ticks(scale, length, |ticks| widest(ticks, em) + em);
-    let unit = match ticks.exponent {
-        0 => Text::from(title),
-        power => Text::from(title).upright(" / 10").superscript(power.to_string().replace('-', "−")),
-    };
-    let shares = (0..COLOURS).map(|i| (f64::from(i) + 0.5) / f64::from(COLOURS));
-    Some(LiveBar {
+/// A colour bar.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LiveBar {
+    /// What the numbers are.
+    pub title: &'static str,
+    /// Its parts, upwards.
+    pub parts: Vec<LivePart>,
+    /// Colours of equal shares of it, from the lower end on, as style sheets write them.
+    pub colours: Vec<String>,
+    /// The colours below and above it.
+    pub beyond: [String; 2],
+    /// The colour of cells without a number, and what they are called.
+    pub undefined: (String, &'static str),
+    /// The colour of cells whose number is minus infinity, and what they are called.
+    pub lost: (String, &'static str),
+    /// Labelled ticks: the share of the way from the lower to the upper end, and the label.
+    pub ticks: Vec<(f64, String)>,
+}
+
+/// The bar of a layer's numbers, along `length` pixels in letters of `em` pixels. None for the layer of motions, and where
+/// there is no number.
+pub fn live_bar(layer: &Layer, values: &[f32], length: f64, em: f64) -> Option<LiveBar> {
+    let Layer::Number { field, drawn, .. } = layer else { return None };
+    let bar = Bar::of(values, drawn.spread, None, Palette::suiting(drawn.spread))?;
+    let (low, high) = bar.shares()?;
+    let mut ticks: Vec<(f64, String)> = Vec::new();
+    for (scale, [from, to]) in bar.parts() {
+        let share = (to - from) / (high - low);
+        let chosen = fitting_ticks(*scale, length * share, |ticks| widest(ticks, em) + em);
+        let unit = if chosen.exponent == 0 { String::new() } else { format!("·1e{}", chosen.exponent) };
+        let at = |value: f64| (from - low) / (high - low) + scale.fraction(value) * share;
+        let labelled = chosen.labelled.iter().map(|(value, label)| (at(*value), format!("{label}{unit}")));
+        ticks.extend(labelled.filter(|(share, _)| ticks_apart(*share, length, em, &[])));
+    }
+    let mut apart: Vec<(f64, String)> = Vec::new();
+    for (share, label) in ticks {
+        if ticks_apart(share, length, em, &apart) {
+            apart.push((share, label));
+        }
+    }
+    let parts = bar.parts().iter().map(|(scale, [from, to])| LivePart {
         ends: scale.ends(),
-        log,
-        colours: shares.map(|share| css(ramp(share))).collect(),
-        ticks: ticks.labelled.into_iter().map(|(value, label)| (scale.fraction(value), label)).collect(),
-        title: words(&unit),
+        log: scale.is_logarithmic(),
+        shares: [from, to].map(|share| (share - low) / (high - low)),
+    });
+    let shares = (0..COLOURS).map(|i| low + (f64::from(i) + 0.5) / f64::from(COLOURS) * (high - low));
+    Some(LiveBar {
+        title: field.title,
+        parts: parts.collect(),
+        colours: shares.map(|share| css(bar.palette().colour(share))).collect(),
+        beyond: [false, true].map(|above| css(bar.colour_beyond(above))),
+        undefined: (css(UNDEFINED), drawn.undefined),
+        lost: (css(LOST), drawn.lost),
+        ticks: apart,
     })
+}
+
+/// Whether a tick stands on the bar and apart from others: those of two parts may meet at zero.
+fn ticks_apart(share: f64, length: f64, em: f64, others: &[(f64, String)]) -> bool {
+    let near = |(other, _): &(f64, String)| (share - other).abs() * length < 1.6 * em;
+    (0.0..=1.0).contains(&share) && !others.iter().any(near)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::system::Family;
 
     #[test]
-    fn a_bar_spans_its_numbers_without_the_odd_one() {
-        let mut values: Vec<f32> = (0..=1000_u16).map(|i| f32::from(i) / 100.0).collect();
-        values.extend([f32::NAN, f32::INFINITY, 1e9]);
-        let bar = live_bar("a number", values.clone(), false, 200.0, 12.0).unwrap();
-        assert!(bar.ends[0] <= 0.05 && (9.9..10.1).contains(&bar.ends[1]), "{:?}", bar.ends);
-        assert!(bar.ticks.len() >= 2 && bar.ticks.windows(2).all(|pair| pair[0].0 < pair[1].0));
-        assert_eq!(bar.colours.len(), COLOURS as usize);
-        assert_ne!(bar.colours[0], bar.colours[127]);
-        let ratios = live_bar("a number", values, true, 200.0, 12.0).unwrap();
-        assert!(ratios.ends[0] > 0.0);
-        assert_eq!(live_bar("nothing", [f32::NAN], false, 200.0, 12.0), None);
-        assert!(live_bar("one", [3.0], true, 200.0, 12.0).is_some_and(|bar| bar.ends[0] < bar.ends[1]));
+    fn a_bar_has_the_colours_of_the_picture() {
+        let values: Vec<f32> = (0..=1000_u16).map(|i| f32::from(i) / 500.0 - 0.7).collect();
+        for layer in Layer::all(Family::paper()) {
+            let Layer::Number { drawn, .. } = &layer else {
+                assert_eq!(live_bar(&layer, &values, 240.0, 12.0), None);
+                continue;
+            };
+            let live = live_bar(&layer, &values, 240.0, 12.0).unwrap();
+            let bar = Bar::of(&values, drawn.spread, None, Palette::suiting(drawn.spread)).unwrap();
+            let part = live.parts.last().unwrap();
+            let value = part.ends[1];
+            assert_eq!(part.shares[1], 1.0);
+            assert_eq!(live.parts[0].shares[0], 0.0);
+            let channel =
+                |text: &str, c: usize| i32::from_str_radix(&text[1 + 2 * c..3 + 2 * c], 16).unwrap();
+            let exact = css(bar.colour(value));
+            for c in 0..3 {
+                assert!((channel(&live.colours[127], c) - channel(&exact, c)).abs() < 12, "{}", layer.name());
+            }
+            assert!(live.ticks.len() >= 2 && live.ticks.windows(2).all(|pair| pair[0].0 < pair[1].0));
+            assert_ne!(live.colours[0], live.colours[127]);
+            assert_eq!(live_bar(&layer, &[f32::NAN], 240.0, 12.0), None);
+        }
     }
 }

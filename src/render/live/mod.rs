@@ -10,7 +10,7 @@ mod slice;
 mod words;
 
 pub use axis::{LiveAxis, live_axis, live_title};
-pub use bar::{LiveBar, live_bar};
+pub use bar::{LiveBar, LivePart, live_bar};
 pub use legend::{LiveLegend, LiveRow, live_legend};
 pub use lines::{LiveLine, live_lines};
 pub use slice::slice_figure;

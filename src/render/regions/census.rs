@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 
 use super::bands::bands;
-use crate::analysis::{Regime, Verdict};
+use crate::analysis::Regime;
 use crate::model::vector::MOST as MOST_STOPS;
 use crate::plane::Window;
 use crate::plane::fields::{CellField, Cells, CellsError};
@@ -73,10 +73,16 @@ impl Census {
         Ok(Census::counted(plane.parameters.family(), plane.has_mirror(), counted))
     }
 
-    /// Takes the census of so many cells of each motion of a family; none for those that were not computed.
-    pub fn counted(family: &'static Family, mirrored: bool, counted: HashMap<Option<Motion>, u64>) -> Self {
+    /// Takes the census of so many cells of each motion; those of none were not computed.
+    pub fn counted(
+        family: &'static Family,
+        mirrored: bool,
+        counted: impl IntoIterator<Item = (Option<Motion>, u64)>,
+    ) -> Self {
         let stops = family.stops().len();
-        let mirrored = mirrored || counted.keys().flatten().any(|motion| motion.symmetric);
+        let counted: Vec<(Option<Motion>, u64)> = counted.into_iter().collect();
+        let symmetric = |(motion, _): &(Option<Motion>, u64)| motion.is_some_and(|motion| motion.symmetric);
+        let mirrored = mirrored || counted.iter().any(symmetric);
         let mut regions: Vec<Region> =
             counted.into_iter().map(|(motion, cells)| Region::of(motion, stops, mirrored, cells)).collect();
         regions.sort_by_key(|region| (Reverse(region.cells), region.motion));
@@ -100,14 +106,14 @@ impl Census {
         Census { family, regions, cells: all, rank }
     }
 
+    /// The region of a motion, if it is there.
+    pub fn region(&self, motion: Motion) -> Option<&Region> {
+        self.rank.get(&Some(motion)).map(|&place| &self.regions[place as usize])
+    }
+
     /// How many rows of a legend cannot be grouped: everything that is not periodic.
     pub fn indispensable(&self) -> usize {
         self.regions.iter().filter(|region| !region.is_periodic()).count()
-    }
-
-    /// The region of the cells that show what a verdict says, if there are any.
-    pub fn region(&self, verdict: &Verdict) -> Option<&Region> {
-        self.rank.get(&Some(Motion::of(verdict))).map(|&place| &self.regions[place as usize])
     }
 
     /// The regions of the cells of a window, row by row.

@@ -7,28 +7,24 @@ mod names;
 mod picture;
 mod raster;
 
-use std::collections::HashMap;
-
 pub(super) use self::census::Census;
 use self::layout::Layout;
-pub use self::picture::{DrawnCurves, PlanePicture};
 use super::canvas::{Anchor, Canvas, Point};
 use super::colours::INK;
 use super::control::describe;
 use super::curves::{Overlay, Shown};
 use super::frame::Frame;
 use super::legend::Entry;
-use super::motion::Motion;
 use super::picture::{LeftOut, Picture};
 use super::scale::Scale;
 use super::size::Size;
 use super::symbols;
 use super::text::Text;
-use crate::analysis::Verdict;
 use crate::curves::Curve;
 use crate::plane::fields::{CellField, Cells, CellsError, Layer};
 use crate::plane::{ControlMap, Plane, Quantity, RegionMap, Window};
-use crate::system::Family;
+
+pub use self::picture::{DrawnCurves, PlanePicture};
 
 /// Draws a computed plane.
 ///
@@ -149,24 +145,9 @@ pub(super) fn definition_of(census: &Census) -> Vec<Text> {
     names::definition(census)
 }
 
-/// The rows of the legend of so many cells of each motion, and their census; a motion is given by any of its verdicts.
-pub(super) fn legend_of(
-    family: &'static Family,
-    mirrored: bool,
-    found: &[(Verdict, u64)],
-    rows: usize,
-) -> (Vec<Entry>, Census) {
-    let mut counted: HashMap<Option<Motion>, u64> = HashMap::new();
-    for (verdict, cells) in found {
-        *counted.entry(Some(Motion::of(verdict))).or_default() += cells;
-    }
-    let census = Census::counted(family, mirrored, counted);
-    (names::entries(&census, rows.max(census.indispensable() + 1), true), census)
-}
-
-#[cfg(test)]
-pub(super) fn census_of(map: &RegionMap) -> Census {
-    Census::of(map, Window::whole(&map.plane)).expect("a map has all its fields")
+/// The rows of the legend of a census, `rows` of them, or one more than is not periodic.
+pub(super) fn entries_of(census: &Census, rows: usize) -> Vec<Entry> {
+    names::entries(census, rows.max(census.indispensable() + 1), true)
 }
 
 /// The axes of a plane.
