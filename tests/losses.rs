@@ -105,8 +105,10 @@ fn both_back_ends_measure_the_same() {
             assert_eq!(theirs.label(), other.label());
             let (a, b) = (theirs.measures, other.measures);
             assert_eq!(a.observed, b.observed);
-            let near = |a: f32, b: f32| (a - b).abs() <= 2e-3 * a.abs().max(b.abs()) + 1e-6;
-            assert!(near(a.power, b.power) && near(a.contact, b.contact), "{a:?} and {b:?}");
+            let power = (a.power - b.power).abs() <= 2e-3 * a.power.abs() + 1e-6;
+            // Rebounds are closed, and counted as contact from there on, as soon as rounding hides them: earlier in f32.
+            let contact = (a.contact - b.contact).abs() <= 5e-3;
+            assert!(power && contact, "{a:?} and {b:?}");
         }
     }
 }

@@ -82,11 +82,6 @@ pub struct MapArgs {
         default_missing_value = "bounding")]
     pub curves: Option<Which>,
 
-    /// Largest N, in forcing periods, of the motions whose curves are computed
-    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
-        value_parser = counted(1, Schedule::LARGEST_PERIOD))]
-    pub curves_max_period: u32,
-
     /// Writes every point of every curve, as `curves` does
     #[arg(long, value_name = "FILE.csv", requires = "curves")]
     pub curves_out: Option<PathBuf>,
