@@ -5,7 +5,6 @@ use std::time::Instant;
 
 use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::Backend;
 use impact_atlas::plane::{Part, Plane, RegionMap, Tiling, Window};
 use impact_atlas::store;
