@@ -26,6 +26,7 @@
 //! | [`store`], [`render`] | files and pictures; they know planes, never back ends |
 //! | [`sweep`], [`validate`] | a plane or a diagram on a back end; two back ends against each other |
 //! | [`reproduce`] | the figures of the paper and what it prints, computed again |
+//! | [`explore`] | a page in the browser that shows a plane, served on this machine |
 //!
 //! The command line is the binary's. `shaders/` has the file names of `src/`; the constants that the two share are
 //! generated from Rust when the shader is assembled.
@@ -98,7 +99,7 @@
 //! # Theory
 //!
 //! *Motions.* A periodic motion is the sequence of its impacts. From one to the next the flight is an exact matrix, so
-//! the times and states of all impacts satisfy four equations each; Newton's method solves them, for stable and unstable
+//! the times and states of all impacts satisfy 2n equations each; Newton's method solves them, for stable and unstable
 //! motions alike, and a symmetric motion is solved as half of itself. Whether the system moves like that is then asked
 //! of the certified flight. The 1-1-1 symmetric motion needs no iteration.
 //!
@@ -129,6 +130,7 @@ pub mod control;
 pub mod curves;
 pub mod diagram;
 pub mod dynamics;
+pub mod explore;
 pub mod model;
 pub mod plane;
 pub mod render;

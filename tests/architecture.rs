@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The rooms of src/, lowest first; a room may use those of the rows above its own.
-const ORDER: [&[&str]; 15] = [
+const ORDER: [&[&str]; 16] = [
     &["system"],
     &["model"],
     &["dynamics"],
@@ -22,6 +22,7 @@ const ORDER: [&[&str]; 15] = [
     &["sweep"],
     &["validate"],
     &["reproduce"],
+    &["explore"],
     &["cli"],
 ];
 

@@ -148,8 +148,8 @@ fn controlled_arrive() {
     }
     var turns = 0.0;
     if memory.seen > 0u {
-        let from = section_tau(memory.points[0]);
-        turns = f32(controlled.passage) + (section_tau(arrived) - from) * INVERSE_TAU;
+        let last = section_tau(memory.points[0]);
+        turns = f32(controlled.passage) + (section_tau(arrived) - last) * INVERSE_TAU;
     }
     let on = controlled.iterates >= control_schedule.start;
     if controlled.iterates == control_schedule.start {

@@ -16,6 +16,7 @@ mod defaults;
 mod drawing;
 mod error;
 mod estimate;
+mod explore;
 mod files;
 mod help;
 mod interrupt;
@@ -88,6 +89,7 @@ Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2
 #[derive(Debug, Subcommand)]
 enum Command {
     Map(map::MapArgs),
+    Explore(explore::ExploreArgs),
     Render(render::RenderArgs),
     Status(status::StatusArgs),
     Classify(classify::ClassifyArgs),
@@ -124,6 +126,7 @@ pub fn run(cli: &Cli) -> Result<(), CliError> {
     machine::start_threads(cli.threads)?;
     panics::shielded(|| match &cli.command {
         Command::Map(args) => map::run(args),
+        Command::Explore(args) => explore::run(args),
         Command::Render(args) => render::run(args),
         Command::Status(args) => status::run(args),
         Command::Classify(args) => classify::run(args),

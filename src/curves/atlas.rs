@@ -49,7 +49,8 @@ pub struct PlaneCurves {
 ///
 /// Motions are taken from the map's regions, refined by Newton's method, and followed along both axes, where they are
 /// unstable too; from each point where they lose or gain their stability or graze, the curve is followed through the plane.
-/// A curve that is met from several regions is computed once. The order of the curves depends on the map alone.
+/// A curve that is met from several regions is computed once. Motions that the map does not show are followed where others
+/// were born from them. The order of the curves depends on the map alone.
 ///
 /// # Errors
 /// [`CurvesError`] where an axis is not a range of a parameter.
@@ -57,36 +58,58 @@ pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<PlaneCurve
     let spans = spans(&map.plane)?;
     let stops = stops_of(&map.plane, spans);
     let shown = shown(map, &stops);
-    let sought: Vec<Result<Vec<Event>, Why>> =
+    let sought: Vec<Result<Followed, Why>> =
         shown.par_iter().map(|shown| sought(map, shown, &stops, max_period, spans)).collect();
-    let mut open: Vec<Event> = sought.iter().flatten().flatten().cloned().collect();
     let mut curves = Vec::new();
-    // Curves that begin at special points of others are followed in their turn.
+    let met = |of: fn(&Followed) -> &Vec<Event>| sought.iter().flatten().flat_map(of).cloned().collect();
+    trace_all(&mut curves, met(|followed| &followed.events), spans);
+    let mut births: Vec<Event> = met(|followed| &followed.births);
+    let mut known = HashSet::new();
+    while !births.is_empty() {
+        births.retain(|event| !lies_on(event, &curves, spans));
+        let seeds: Vec<Seed> =
+            births.iter().filter(|event| known.insert(event.pattern.clone())).map(Event::seed).collect();
+        let followed = Followed::all(follow(&seeds, spans));
+        births.extend(followed.events);
+        trace_all(&mut curves, births, spans);
+        births = followed.births;
+    }
+    curves.retain(|curve| curve.points.iter().any(|point| point.bounding));
+    curves = without_twins(curves, spans);
+    let left_out = left_out(&shown, &sought, |event| lies_on(event, &curves, spans));
+    curves.extend(no_impact_curves(map, spans, &stops));
+    Ok(PlaneCurves { curves, left_out })
+}
+
+/// Follows curves from events, and those that begin at special points of them in their turn.
+fn trace_all(curves: &mut Vec<Curve>, mut open: Vec<Event>, spans: [Span; 2]) {
     while !open.is_empty() {
         let groups = grouped(std::mem::take(&mut open));
         let traced: Vec<Traced> =
-            groups.into_par_iter().flat_map_iter(|group| traced(&group, &curves, spans)).collect();
+            groups.into_par_iter().flat_map_iter(|group| traced(&group, curves, spans)).collect();
         for Traced { curve, offspring } in traced {
             open.extend(offspring);
             curves.push(curve);
         }
     }
-    curves.retain(|curve| curve.points.iter().any(|point| point.bounding));
-    curves = without_twins(curves, spans);
-    let bounded = |event: &Event| {
-        let place = spans.map(|span| span.share(event.parameters.get(span.parameter)));
-        let found = CurveMotion::of(&event.pattern);
-        let is_of = |curve: &&Curve| {
-            curve.kind == event.kind && (curve.motion == found || curve.motion == found.mirror_image())
-        };
-        curves.iter().filter(is_of).any(|curve| distance(curve, place, spans) < SAME)
-    };
-    let left_out = left_out(&shown, &sought, bounded);
-    curves.extend(no_impact_curves(map, spans, &stops));
-    Ok(PlaneCurves { curves, left_out })
 }
 
-/// Where a motion gains or loses stability or grazes.
+/// Whether an event lies on a curve of its kind and motion, or of its motion's mirror image.
+fn lies_on(event: &Event, curves: &[Curve], spans: [Span; 2]) -> bool {
+    let place = spans.map(|span| span.share(event.parameters.get(span.parameter)));
+    let found = CurveMotion::of(&event.pattern);
+    let is_of = |curve: &&Curve| {
+        curve.kind == event.kind && (curve.motion == found || curve.motion == found.mirror_image())
+    };
+    curves.iter().filter(is_of).any(|curve| distance(curve, place, spans) < SAME)
+}
+
+/// Follows motions along both axes.
+fn follow(seeds: &[Seed], spans: [Span; 2]) -> Vec<Followed> {
+    seeds.par_iter().flat_map(|seed| spans.par_iter().map(|&span| followed(seed, span))).collect()
+}
+
+/// Where a motion gains or loses stability or grazes, and what it was born in.
 ///
 /// It is followed from the map's cells along both axes, and from where that leads to along both axes again.
 fn sought(
@@ -95,7 +118,7 @@ fn sought(
     stops: &StopSet,
     max_period: u32,
     spans: [Span; 2],
-) -> Result<Vec<Event>, Why> {
+) -> Result<Followed, Why> {
     if let Some(why) = Why::not_sought(shown, max_period, fewest(map)) {
         return Err(why);
     }
@@ -108,17 +131,14 @@ fn sought(
         let part = |span: Span| (PARTS * span.share(seed.parameters.get(span.parameter))).floor() as i32;
         known.insert((seed.motion.pattern.clone(), spans.map(part)))
     };
-    let follow = |seeds: &[Seed]| -> Vec<Followed> {
-        seeds.par_iter().flat_map(|seed| spans.par_iter().map(|&span| followed(seed, span))).collect()
-    };
     for seed in &first {
         is_new(seed);
     }
-    let met = follow(&first);
+    let met = follow(&first, spans);
     let further: Vec<Seed> =
         met.iter().flat_map(|met| &met.places).filter(|seed| is_new(seed)).cloned().collect();
-    let again = follow(&further);
-    Ok(met.into_iter().chain(again).flat_map(|met| met.events).collect())
+    let again = follow(&further, spans);
+    Ok(Followed::all(met.into_iter().chain(again)))
 }
 
 /// The two parameters of a plane.

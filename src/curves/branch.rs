@@ -46,8 +46,22 @@ pub(super) struct Event {
 pub(super) struct Followed {
     /// The bifurcations at which the motion gains or loses stability, and the grazings of its stable part.
     pub events: Vec<Event>,
+    /// The bifurcations of simpler motions in which the motion was born.
+    pub births: Vec<Event>,
     /// The motion here and there on the way, stable or not.
     pub places: Vec<Seed>,
+}
+
+impl Followed {
+    /// What several have shown.
+    pub fn all(parts: impl IntoIterator<Item = Followed>) -> Self {
+        parts.into_iter().fold(Followed::default(), |mut all, part| {
+            all.events.extend(part.events);
+            all.births.extend(part.births);
+            all.places.extend(part.places);
+            all
+        })
+    }
 }
 
 /// What is watched along a branch.
@@ -106,7 +120,7 @@ fn follow(branch: &Branch, start: PathPoint, found: &mut Followed) {
             }
         }
         if seen.stable || watched.stable {
-            found.events.extend(birth(branch, &here, &next, ds));
+            found.births.extend(birth(branch, &here, &next, ds));
         }
         if watched.is_inadmissible() {
             found.events.extend(grazing_event(branch, &next.y, &watched).filter(|_| seen.stable));
@@ -219,6 +233,12 @@ fn smooth_event(branch: &Branch, y: &DVector<f64>, kind: Kind) -> Option<Event> 
 }
 
 impl Event {
+    /// The motion at its bifurcation.
+    pub fn seed(&self) -> Seed {
+        let (pattern, sections) = (self.pattern.clone(), self.sections.clone());
+        Seed { parameters: self.parameters, motion: PeriodicMotion { pattern, sections, residual: 0.0 } }
+    }
+
     /// A branch that is born in a pitchfork or a period doubling turns around there, as if at a fold: the motion is the
     /// simpler one then, and the bifurcation is that one's.
     fn of_simpler_motion(self, system: &System) -> Self {

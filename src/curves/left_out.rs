@@ -1,6 +1,6 @@
 //! The motions that a map shows and that have no curve.
 
-use super::branch::Event;
+use super::branch::{Event, Followed};
 use super::curve::CurveMotion;
 use super::regions::Shown;
 use super::seeds::MOST_IMPACTS;
@@ -78,7 +78,7 @@ impl LeftOut {
 /// Those of the motions that a map shows for which nothing was found that bounds them.
 pub(super) fn left_out(
     shown: &[Shown],
-    sought: &[Result<Vec<Event>, Why>],
+    sought: &[Result<Followed, Why>],
     bounds: impl Fn(&Event) -> bool,
 ) -> Vec<LeftOut> {
     let mut found: Vec<LeftOut> = shown
@@ -87,7 +87,7 @@ pub(super) fn left_out(
         .filter_map(|(shown, sought)| {
             let why = match sought {
                 Err(why) => *why,
-                Ok(events) if !events.iter().any(&bounds) => Why::Unbounded,
+                Ok(met) if !met.events.iter().chain(&met.births).any(&bounds) => Why::Unbounded,
                 Ok(_) => return None,
             };
             Some(LeftOut { motion: shown.motion.clone(), cells: shown.cells(), why })

@@ -12,7 +12,7 @@ const MOST_LABELS: usize = 12;
 const TICK: f64 = 0.45;
 const MINOR_TICK: f64 = 0.25;
 const GAP: f64 = 0.35;
-const TITLE: f64 = 1.1;
+pub(super) const TITLE: f64 = 1.1;
 const TITLE_GAP: f64 = 0.6;
 /// What the outermost labels may stand out at the upper and the right end, in em.
 const OVERHANG: f64 = 0.7;
@@ -30,7 +30,7 @@ pub struct AxisTitle {
 
 impl AxisTitle {
     /// The fullest title that is no longer than `room`, in the unit that the labels leave out.
-    fn fitting(&self, exponent: i32, size: f64, room: f64) -> Option<Text> {
+    pub(super) fn fitting(&self, exponent: i32, size: f64, room: f64) -> Option<Text> {
         let unit = |title: &Text| match exponent {
             0 => title.clone(),
             power => title.clone().upright(" / 10").superscript(power.to_string().replace('-', "−")),
@@ -181,6 +181,7 @@ fn overhang(scale: Scale, ticks: &Ticks, length: f64, em: f64) -> f64 {
     ticks.labelled.iter().map(end).fold(0.0, f64::max)
 }
 
-fn widest(ticks: &Ticks, em: f64) -> f64 {
+/// The width of the widest label.
+pub(super) fn widest(ticks: &Ticks, em: f64) -> f64 {
     ticks.labelled.iter().map(|(_, label)| Text::from(&**label).width(em)).fold(0.0, f64::max)
 }

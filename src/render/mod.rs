@@ -20,12 +20,14 @@ mod figure;
 mod font;
 mod frame;
 mod legend;
+mod live;
 mod motion;
 mod orbit;
 mod outlines;
 mod paint;
 mod pdf;
 mod picture;
+mod places;
 mod png;
 mod regions;
 mod scale;
@@ -46,6 +48,10 @@ pub use diagram::diagram_figure;
 pub use figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Stretch, Strip, StripLabel, TooSmall};
 pub use frame::{AxisTitle, Frame};
 pub use legend::{Entry, Legend};
+pub use live::{
+    LiveAxis, LiveBar, LiveLegend, LiveLine, LivePart, LiveRow, Word, css, live_axis, live_bar, live_hatch,
+    live_legend, live_lines, live_title, slice_figure, words,
+};
 pub use motion::Motion;
 pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};
 pub use paint::Paint;

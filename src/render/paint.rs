@@ -42,6 +42,11 @@ impl Hatch {
         Hatch { spacing: (0.5 * em).round() as u32 + thickness, thickness }
     }
 
+    /// The spacing and the thickness, in pixels.
+    pub fn lengths(self) -> [u32; 2] {
+        [self.spacing, self.thickness]
+    }
+
     /// The width of a line.
     pub fn width(self) -> f64 {
         f64::from(self.thickness) / std::f64::consts::SQRT_2

@@ -58,6 +58,11 @@ impl Scale {
         [self.first, self.last]
     }
 
+    /// Whether it is one of equal ratios.
+    pub fn is_logarithmic(&self) -> bool {
+        !self.spacing.is_linear()
+    }
+
     /// Whether a value is on the scale.
     pub fn shows(&self, value: f64) -> bool {
         (0.0..=1.0).contains(&self.fraction(value))

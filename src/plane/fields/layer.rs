@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{CELL_FIELDS, CellField, Cells, CellsError, Drawn, Inner};
+use super::{CELL_FIELDS, CellField, CellResult, Cells, CellsError, Drawn, Inner};
 use crate::plane::axis::Component;
 use crate::plane::window::Window;
 use crate::system::Family;
@@ -64,6 +64,21 @@ impl Layer {
             Layer::Number { field, coordinate: None, .. } => field.name.to_owned(),
             Layer::Number { field, coordinate: Some(x), .. } => format!("{}_{}", field.name, x.name()),
         }
+    }
+
+    /// The numbers of some cells: NaN where there is none, infinities as they are.
+    ///
+    /// # Panics
+    /// For the layer of motions, which has no numbers.
+    pub fn numbers<'a>(&self, cells: impl Iterator<Item = CellResult<'a>>, family: &Family) -> Vec<f32> {
+        let Layer::Number { field, drawn, index, .. } = self else { panic!("motions are no numbers") };
+        let inner = field.inner.len(family);
+        let values = field.values(cells, inner);
+        let value = |cell: usize| {
+            let value = values.real(cell * inner + index);
+            if drawn.sentinel == Some(value) { f32::NAN } else { value as f32 }
+        };
+        (0..values.len() / inner).map(value).collect()
     }
 
     /// The values of the cells of a window, row by row: NaN where there is none, infinities as they are.

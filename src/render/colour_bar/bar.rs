@@ -45,6 +45,21 @@ impl Bar {
         Some(Bar { palette, parts })
     }
 
+    /// Its parts upwards, each with the shares of the palette that it takes.
+    pub fn parts(&self) -> &[(Scale, [f64; 2])] {
+        &self.parts
+    }
+
+    /// The shares of the palette at its ends.
+    pub fn shares(&self) -> Option<(f64, f64)> {
+        Some((self.parts.first()?.1[0], self.parts.last()?.1[1]))
+    }
+
+    /// Its colours.
+    pub fn palette(&self) -> Palette {
+        self.palette
+    }
+
     fn ends(&self) -> [f64; 2] {
         let of = |part: Option<&(Scale, [f64; 2])>, end: usize| {
             part.map_or(f64::NAN, |(scale, _)| scale.ends()[end])

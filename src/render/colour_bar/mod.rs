@@ -3,8 +3,9 @@
 mod bar;
 mod palette;
 
+pub(super) use bar::Bar;
 pub use palette::{Palette, PaletteError};
 
-pub(super) use picture::draw_numbers;
+pub(super) use picture::{LOST, UNDEFINED, draw_numbers};
 
 mod picture;

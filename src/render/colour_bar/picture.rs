@@ -24,8 +24,8 @@ const RIGHT: f64 = 9.5;
 const MOST_TITLE_LINES: usize = 3;
 
 /// Cells without a number, those whose number is minus infinity, and those that were not computed.
-const UNDEFINED: Colour = Rgb([0xd9, 0xd9, 0xd9]);
-const LOST: Colour = Rgb([0x8c, 0x8c, 0x8c]);
+pub const UNDEFINED: Colour = Rgb([0xd9, 0xd9, 0xd9]);
+pub const LOST: Colour = Rgb([0x8c, 0x8c, 0x8c]);
 const NOT_THERE: Colour = Rgb([0xff; 3]);
 
 /// Draws a layer of numbers, and curves over it.

@@ -1,5 +1,6 @@
 //! Bifurcation curves over a plane: lines that tell kinds apart, their names, special points, and a key.
 
+mod drawn;
 mod geometry;
 mod key;
 mod labels;

@@ -24,7 +24,7 @@ const FEW: usize = 12;
 
 /// All cells of one motion.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Region {
+pub(in crate::render) struct Region {
     /// What the cells have in common; none of those that were not computed.
     pub motion: Option<Motion>,
     /// What the motion is called.
@@ -46,7 +46,7 @@ impl Region {
 
 /// The regions of a part of a plane, the largest first; those that are not distinct share one paint.
 #[derive(Clone, Debug)]
-pub(super) struct Census {
+pub(in crate::render) struct Census {
     /// The family of the plane's system.
     pub family: &'static Family,
     /// The regions, by descending size.
@@ -69,9 +69,22 @@ impl Census {
                 *counted.entry(run[0]).or_default() += run.len() as u64;
             }
         }
-        let stops = cells.plane().parameters.family().stops().len();
+        let plane = cells.plane();
+        Ok(Census::counted(plane.parameters.family(), plane.has_mirror(), counted))
+    }
+
+    /// Takes the census of so many cells of each motion; those of none were not computed.
+    pub fn counted(
+        family: &'static Family,
+        mirrored: bool,
+        counted: impl IntoIterator<Item = (Option<Motion>, u64)>,
+    ) -> Self {
+        let stops = family.stops().len();
+        let counted: Vec<(Option<Motion>, u64)> = counted.into_iter().collect();
+        let symmetric = |(motion, _): &(Option<Motion>, u64)| motion.is_some_and(|motion| motion.symmetric);
+        let mirrored = mirrored || counted.iter().any(symmetric);
         let mut regions: Vec<Region> =
-            counted.into_iter().map(|(motion, cells)| Region::of(motion, stops, cells)).collect();
+            counted.into_iter().map(|(motion, cells)| Region::of(motion, stops, mirrored, cells)).collect();
         regions.sort_by_key(|region| (Reverse(region.cells), region.motion));
         let all: u64 = regions.iter().map(|region| region.cells).sum();
         let least = (RARE * all as f64) as u64;
@@ -90,8 +103,12 @@ impl Census {
             region.distinct = colouring.own(motion).is_some();
         }
         let rank = (0..).zip(&regions).map(|(place, region)| (region.motion, place)).collect();
-        let family = cells.plane().parameters.family();
-        Ok(Census { family, regions, cells: all, rank })
+        Census { family, regions, cells: all, rank }
+    }
+
+    /// The region of a motion, if it is there.
+    pub fn region(&self, motion: Motion) -> Option<&Region> {
+        self.rank.get(&Some(motion)).map(|&place| &self.regions[place as usize])
     }
 
     /// How many rows of a legend cannot be grouped: everything that is not periodic.
@@ -111,8 +128,8 @@ impl Census {
 }
 
 impl Region {
-    fn of(motion: Option<Motion>, stops: usize, cells: u64) -> Self {
-        let name = motion.map_or_else(|| "not computed".to_owned(), |motion| motion.name_of(stops));
+    fn of(motion: Option<Motion>, stops: usize, mirrored: bool, cells: u64) -> Self {
+        let name = motion.map_or_else(|| "not computed".to_owned(), |motion| motion.name_of(stops, mirrored));
         let paint = if motion.is_some() { SHARED } else { NOT_THERE };
         Region { motion, name, paint, distinct: motion.is_none(), cells }
     }
@@ -153,7 +170,7 @@ mod tests {
         let region_of = census.regions_of(&map, whole).unwrap();
         for (verdict, index) in map.verdicts.iter().zip(region_of) {
             assert_eq!(census.regions[index as usize].motion, Some(Motion::of(verdict)));
-            assert_eq!(census.regions[index as usize].name, Motion::name(verdict));
+            assert_eq!(census.regions[index as usize].name, Motion::name(verdict, true));
         }
         let paint = |distinct: bool| {
             let alike = census.regions.iter().filter(move |region| region.distinct == distinct);

@@ -7,13 +7,14 @@ mod names;
 mod picture;
 mod raster;
 
-use self::census::Census;
+pub(super) use self::census::Census;
 use self::layout::Layout;
 use super::canvas::{Anchor, Canvas, Point};
 use super::colours::INK;
 use super::control::describe;
 use super::curves::{Overlay, Shown};
 use super::frame::Frame;
+use super::legend::Entry;
 use super::picture::{LeftOut, Picture};
 use super::scale::Scale;
 use super::size::Size;
@@ -132,6 +133,21 @@ fn draw_motions(what: &What, overlay: Option<&Overlay>, size: Size) -> Result<Pi
         LeftOut { parts: layout.left_out, enough: size.enough(whole) }
     });
     Ok(Picture::new(size, what.config.clone(), canvas.finish()).without(left_out))
+}
+
+/// The title of a plane's picture, in pieces that belong together.
+pub(super) fn title(plane: &Plane) -> Vec<Text> {
+    names::title(plane)
+}
+
+/// The meaning of the labels of a census.
+pub(super) fn definition_of(census: &Census) -> Vec<Text> {
+    names::definition(census)
+}
+
+/// The rows of the legend of a census, `rows` of them, or one more than is not periodic.
+pub(super) fn entries_of(census: &Census, rows: usize) -> Vec<Entry> {
+    names::entries(census, rows.max(census.indispensable() + 1), true)
 }
 
 /// The axes of a plane.

@@ -1,0 +1,146 @@
+//! A few tiles at once: what is known is taken, the rest computed on the scene's back end.
+
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+
+use super::lattice::{Cell, SIDE, TileKey};
+use super::layer::numbers;
+use super::outbox::Page;
+use super::reply::Outgoing;
+use super::scene::Scene;
+use super::store::Tiles;
+use super::tile::{Cells, encoded};
+use crate::analysis::Verdict;
+use crate::backend::{BackendError, Job, Watch, decide};
+use crate::plane::fields::Layer;
+
+/// Some tiles of a plane.
+#[derive(Debug)]
+pub struct Batch<'a> {
+    /// The plane.
+    pub scene: &'a Scene,
+    /// Where tiles are kept.
+    pub tiles: &'a Tiles,
+    /// Which.
+    pub keys: &'a [TileKey],
+    /// Whether nobody wants them any more.
+    pub cancelled: &'a AtomicBool,
+}
+
+/// Tiles that are done.
+#[derive(Debug)]
+pub struct Done {
+    tiles: Vec<(TileKey, Arc<Cells>)>,
+    /// How many of them were computed; the others were known.
+    pub computed: usize,
+}
+
+/// Why there are no tiles.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Stopped {
+    /// Nobody wants them any more.
+    Cancelled,
+    /// The back end, or the program, could not.
+    Failed(String),
+}
+
+/// Says when a flag is up.
+#[derive(Debug)]
+pub struct Flag<'a>(pub &'a AtomicBool);
+
+impl Watch for Flag<'_> {
+    fn finished(&self, _: u64) {}
+
+    fn cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// What some cells settle on, computed on a back end; a cell without a system has none.
+///
+/// # Errors
+/// [`Stopped`], also where the program has a mistake.
+pub fn verdicts(scene: &Scene, cells: &[Cell], watch: &dyn Watch) -> Result<Vec<Option<Verdict>>, Stopped> {
+    let jobs: Vec<Option<Job>> = cells.par_iter().map(|&cell| scene.job(cell)).collect();
+    let followed: Vec<Job> = jobs.iter().flatten().cloned().collect();
+    let decided = panic::catch_unwind(AssertUnwindSafe(|| {
+        decide(scene.computing.backend, &followed, &scene.plane.schedule, watch)
+    }));
+    let decided = match decided {
+        Ok(Ok(verdicts)) => verdicts,
+        Ok(Err(BackendError::Cancelled)) => return Err(Stopped::Cancelled),
+        Ok(Err(error)) => return Err(Stopped::Failed(error.to_string())),
+        Err(_) => {
+            return Err(Stopped::Failed("internal error: a mistake in the program; please report it".into()));
+        }
+    };
+    let mut decided = decided.into_iter();
+    Ok(jobs.iter().map(|job| job.as_ref().and_then(|_| decided.next())).collect())
+}
+
+/// Computes the tiles that are not there yet.
+///
+/// # Errors
+/// [`Stopped`].
+pub fn compute(batch: &Batch<'_>) -> Result<Done, Stopped> {
+    let Batch { scene, tiles, keys, cancelled } = *batch;
+    let kept: Vec<Option<Arc<Cells>>> = keys.iter().map(|&key| tiles.get(scene.id, key)).collect();
+    let mut found: Vec<(usize, Vec<Option<Option<Verdict>>>)> = Vec::new();
+    let mut open: Vec<Cell> = Vec::new();
+    for (at, &key) in keys.iter().enumerate().filter(|(at, _)| kept[*at].is_none()) {
+        let cells: Vec<Option<Option<Verdict>>> = (cells(key))
+            .map(|cell| {
+                let coarser = cell.coarser().and_then(|coarser| tiles.cell(scene.id, coarser));
+                let known = scene.known(cell).map(Some).or(coarser);
+                if known.is_none() {
+                    open.push(cell);
+                }
+                known
+            })
+            .collect();
+        found.push((at, cells));
+    }
+    let mut fresh = verdicts(scene, &open, &Flag(cancelled))?.into_iter();
+    let mut done = Done { tiles: Vec::with_capacity(keys.len()), computed: found.len() };
+    let mut found = found.into_iter().peekable();
+    for (at, &key) in keys.iter().enumerate() {
+        let cells = match (&kept[at], found.next_if(|(open, _)| *open == at)) {
+            (Some(cells), _) => cells.clone(),
+            (None, Some((_, cells))) => {
+                let all: Cells =
+                    cells.into_iter().map(|known| known.unwrap_or_else(|| fresh.next().flatten())).collect();
+                let all = Arc::new(all);
+                tiles.put(scene.id, key, all.clone());
+                all
+            }
+            (None, None) => continue,
+        };
+        done.tiles.push((key, cells));
+    }
+    Ok(done)
+}
+
+/// The cells of a tile, row by row.
+fn cells(key: TileKey) -> impl Iterator<Item = Cell> {
+    (0..SIDE).flat_map(move |row| (0..SIDE).map(move |column| key.cell(column, row)))
+}
+
+/// Sends tiles to a page, and before them the motions that it was not `told` of.
+pub fn send(scene: &Scene, done: &Done, layer: Option<Layer>, page: &Page, told: Option<&mut usize>) {
+    let family = scene.plane.parameters.family();
+    let numbered: Vec<Vec<u16>> = done.tiles.iter().map(|(_, cells)| scene.numbered(cells)).collect();
+    if let Some(told) = told {
+        let motions = scene.motions_from(*told);
+        if !motions.is_empty() {
+            let _ = page.send(Outgoing::motions(scene.id, *told, &motions, scene.plane.has_mirror()));
+            *told += motions.len();
+        }
+    }
+    for ((key, cells), motions) in done.tiles.iter().zip(&numbered) {
+        let numbers = numbers(layer, cells, family);
+        let _ = page.send(Outgoing::Bytes(encoded(scene.id, *key, cells, motions, &numbers)));
+    }
+}

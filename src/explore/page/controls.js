@@ -1,0 +1,138 @@
+// Everything that says which plane it is: axes, parameters, start, periods, back end. Each change asks for another plane.
+
+import { element, seldom } from './dom.js';
+import { choice, group, number, row } from './form.js';
+import { SystemForm } from './system.js';
+
+const STEPS = 400;
+
+export class Controls {
+  /** `open(plane)` asks for a plane. */
+  constructor(root, hello, open) {
+    this.root = root;
+    this.hello = hello;
+    this.open = open;
+    this.slide = seldom(120, (name, value) => this.set(name, value));
+    this.system = new SystemForm(hello.systems, (system) => this.change({ system, x: null, y: null, set: {}, start: 'rest' }));
+    this.body = element('div', {});
+    root.replaceChildren(this.system.root, this.body);
+  }
+
+  change(changes) {
+    this.open({ ...this.plane, ...changes });
+  }
+
+  set(name, value) {
+    this.change({ set: { ...this.plane.set, [name]: value } });
+  }
+
+  /** Shows the plane that is open. While a slider is held it stays as it is. */
+  show(scene) {
+    const sameSystem = this.scene && this.scene.system.text === scene.system.text;
+    const sameAxes = sameSystem && this.scene.x.name === scene.x.name && this.scene.y.name === scene.y.name;
+    this.scene = scene;
+    this.plane = scene.plane;
+    this.system.show(scene);
+    if (sameAxes && this.body.contains(document.activeElement)) return void this.update(scene);
+    const folded = new Map([...this.body.querySelectorAll('details')].map((g) => [g.firstChild.textContent, g.open]));
+    const open = (name, first) => folded.get(name) ?? first;
+    this.inputs = new Map();
+    this.body.replaceChildren(
+      group('Parameters', open('Parameters', true), ...this.parameters(scene)),
+      group('Axes', open('Axes', true), ...this.axis('x', scene), ...this.axis('y', scene)),
+      group('Start and periods', open('Start and periods', false), ...this.start(scene)),
+      group('Computing', open('Computing', false), this.backend(scene)));
+  }
+
+  update(scene) {
+    for (const { name, value } of scene.parameters) {
+      const pair = this.inputs.get(name);
+      for (const input of pair ?? []) {
+        if (input === document.activeElement) continue;
+        input.value = input.type === 'range' ? this.toSlider(name, value) : String(value);
+      }
+    }
+  }
+
+  toSlider(name, value) {
+    const { slider: [low, high] } = this.scene.parameters.find((parameter) => parameter.name === name);
+    return Math.round(((value - low) / (high - low)) * STEPS);
+  }
+
+  parameters(scene) {
+    const free = scene.parameters.filter(({ name }) => name !== scene.x.name && name !== scene.y.name);
+    return free.map(({ name, symbol, about, value, slider: [low, high], range }) => {
+      const typed = number(value, name, (given) => this.set(name, given));
+      const slider = element('input', { type: 'range', min: 0, max: STEPS, 'aria-label': `${name}, slider`,
+        value: Math.round(((value - low) / (high - low)) * STEPS) });
+      slider.addEventListener('input', () => {
+        const given = Number((low + (slider.value / STEPS) * (high - low)).toPrecision(4));
+        typed.value = String(given);
+        this.slide(name, given);
+      });
+      this.inputs.set(name, [typed, slider]);
+      const label = symbol === name ? name : `${symbol}  ${name}`;
+      return row(label, `${about || name}: ${range}`, typed, slider);
+    });
+  }
+
+  axis(which, scene) {
+    const { name, first, last, count, log } = scene[which];
+    const other = scene[which === 'x' ? 'y' : 'x'].name;
+    const names = [...scene.parameters.map((parameter) => parameter.name), ...scene.components];
+    const options = names.filter((candidate) => candidate !== other).map((candidate) => [candidate, candidate]);
+    const text = (changes) => {
+      const axis = { name, first, last, count, log, ...changes };
+      return `${axis.name}=${axis.first}:${axis.last}:${axis.count}${axis.log ? ':log' : ''}`;
+    };
+    const change = (changes) => this.change({ [which]: text(changes) });
+    const title = which === 'x' ? 'across' : 'up';
+    const choose = choice(options, name, `${title}: what`, (chosen) => this.vary(which, chosen));
+    const ratios = element('input', { type: 'checkbox', checked: log, 'aria-label': `${title}: equal ratios` });
+    ratios.addEventListener('change', () => change({ log: ratios.checked }));
+    return [
+      row(title, 'What the axis varies', choose, element('label', { class: 'check', title: 'Values at equal ratios' }, ratios, 'log')),
+      row('from', 'The first value', number(first, `${title}: from`, (value) => change({ first: value })),
+        element('span', { class: 'to', text: 'to' }), number(last, `${title}: to`, (value) => change({ last: value }))),
+      row('cells', 'Cells of the whole plane; closer up they are finer',
+        number(count, `${title}: cells`, (value) => change({ count: Math.round(value) }))),
+    ];
+  }
+
+  /** Another quantity on an axis, over its slider's range; what was there takes the middle of its own. */
+  vary(which, name) {
+    const scene = this.scene;
+    const parameter = scene.parameters.find((candidate) => candidate.name === name);
+    const [low, high] = parameter ? parameter.slider : [-1, 1];
+    const set = { ...this.plane.set };
+    delete set[name];
+    const { count } = scene[which];
+    const varied = [name, scene[which === 'x' ? 'y' : 'x'].name].some((axis) => scene.components.includes(axis));
+    const start = varied && this.plane.start === 'symmetric' ? 'rest' : this.plane.start;
+    this.change({ [which]: `${name}=${low}:${high}:${count}`, set, start });
+  }
+
+  start(scene) {
+    const kinds = [['rest', 'at rest'], ...(scene.starts_symmetric ? [['symmetric', 'on the 1-1-1 motion']] : []), ['state', 'a state']];
+    const kind = ['rest', 'symmetric'].includes(scene.start) ? scene.start : 'state';
+    const zero = scene.components.map(() => '0').join(',');
+    const typed = element('input', { type: 'text', value: kind === 'state' ? scene.start : zero, 'aria-label': 'start state',
+      hidden: kind !== 'state', spellcheck: 'false', title: scene.components.join(', ') });
+    typed.addEventListener('change', () => this.change({ start: typed.value }));
+    const choose = choice(kinds, kind, 'start', (chosen) => this.change({ start: chosen === 'state' ? typed.value : chosen }));
+    const whole = (name, title, key) => row(name, title, number(this.plane[key], name, (value) => this.change({ [key]: Math.round(value) })));
+    return [
+      row('start', 'How every cell begins', choose), typed,
+      whole('transient', 'Forcing periods before the observation', 'transient'),
+      whole('observe', 'Forcing periods of the observation', 'observe'),
+      whole('largest N', 'Largest N looked for in N-p-q', 'max_period'),
+    ];
+  }
+
+  backend(scene) {
+    const options = this.hello.backends.map(({ name, about }) => [name, about]);
+    const choose = choice(options, this.plane.backend, 'back end', (backend) => this.change({ backend }));
+    return element('div', {}, row('on', 'What computes', choose),
+      element('p', { class: 'note', text: `now ${scene.backend}: ${scene.adapter}` }));
+  }
+}

@@ -1,0 +1,48 @@
+// The plane by keyboard: arrows move, + and − zoom, Shift and arrows move a cursor, Enter asks what moves there.
+
+const STEP = 0.12;
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+export class Keys {
+  /** `hears` has moved(step), clicked(x, y), cursor(x, y) and home(). */
+  constructor(plane, view, hears) {
+    this.cursor = null;
+    plane.addEventListener('keydown', (event) => {
+      if (event.ctrlKey || event.metaKey) return;
+      const arrow = ARROWS[event.key];
+      const [width, height] = view.size;
+      if (arrow && event.shiftKey) this.step(view, arrow, event.altKey ? 10 : 1, hears);
+      else if (arrow) {
+        view.move(-arrow[0] * STEP * width, arrow[1] * STEP * height);
+        hears.moved(true);
+      } else if (event.key === '+' || event.key === '=') {
+        view.zoom([1.5, 1.5], ...this.middle(view));
+        hears.moved(true);
+      } else if (event.key === '-') {
+        view.zoom([1 / 1.5, 1 / 1.5], ...this.middle(view));
+        hears.moved(true);
+      } else if (event.key === '0' || event.key === 'Home') {
+        hears.home();
+      } else if (event.key === 'Enter' || event.key === ' ') {
+        hears.clicked(...(this.cursor ?? view.placeAt(width / 2, height / 2)));
+      } else {
+        return;
+      }
+      event.preventDefault();
+    });
+  }
+
+  middle(view) {
+    return this.cursor ? view.pixelAt(...this.cursor) : [view.size[0] / 2, view.size[1] / 2];
+  }
+
+  step(view, [dx, dy], cells, hears) {
+    const unit = Math.max(2 ** -view.level, 1.5 / Math.min(...view.scale));
+    const [x, y] = this.cursor ?? view.placeAt(view.size[0] / 2, view.size[1] / 2);
+    const [x0, x1, y0, y1] = view.window;
+    this.cursor = [
+      Math.min(x1, Math.max(x0, x + dx * cells * unit)), Math.min(y1, Math.max(y0, y + dy * cells * unit)),
+    ];
+    hears.cursor(...this.cursor);
+  }
+}

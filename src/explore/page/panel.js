@@ -1,0 +1,70 @@
+// The cards: one about the last click, and those that are kept beside it.
+
+import { element } from './dom.js';
+import { Card } from './card.js';
+
+const MOST_KEPT = 3;
+const HINT = 'Click the plane, or press Enter on it, to see what moves there.';
+
+export class Panel {
+  /** `changed(cell)` hears which cell is shown, null for none. */
+  constructor(root, link, changed) {
+    this.root = root;
+    this.link = link;
+    this.changed = changed;
+    this.cards = [];
+    this.hint = element('p', { class: 'hint', text: HINT });
+    root.append(this.hint);
+  }
+
+  get current() {
+    return this.cards.find((entry) => !entry.kept);
+  }
+
+  /** Shows a cell of a plane. */
+  show(scene, cell) {
+    const last = this.current;
+    if (last) this.remove(last);
+    const entry = { cell, kept: false, asked: performance.now() };
+    entry.card = new Card({
+      onclose: () => { this.remove(entry); this.changed(null); },
+      onkeep: () => this.keep(entry),
+    });
+    const width = Math.round(Math.max(300, Math.min(460, this.root.clientWidth - 26)));
+    entry.ask = this.link.ask({ type: 'probe', scene, cell, width }, (kind, content) => {
+      entry.card.hear(kind, content);
+      if (kind === 'portrait') document.body.dataset.portrait = String(Math.round(performance.now() - entry.asked));
+    });
+    this.cards.unshift(entry);
+    this.root.prepend(entry.card.root);
+    this.hint.hidden = true;
+    // Beside the plane the card comes into sight; below it, on a phone, the plane stays where it is.
+    const column = this.root.parentElement;
+    if (column.scrollHeight > column.clientHeight) column.scrollTop = entry.card.root.offsetTop - column.offsetTop - 8;
+    this.changed(cell);
+  }
+
+  keep(entry) {
+    entry.kept = !entry.kept;
+    entry.card.kept = entry.kept;
+    const kept = this.cards.filter((other) => other.kept);
+    if (kept.length > MOST_KEPT) this.remove(kept.at(-1));
+  }
+
+  remove(entry) {
+    this.link.cancel(entry.ask);
+    entry.card.root.remove();
+    this.cards = this.cards.filter((other) => other !== entry);
+    this.hint.hidden = this.cards.length > 0;
+  }
+
+  clear() {
+    const last = this.current;
+    if (last) this.remove(last);
+  }
+
+  /** The cells that are shown, to mark them. */
+  get cells() {
+    return this.cards.map(({ cell, kept }) => ({ cell, kept }));
+  }
+}

@@ -1,0 +1,59 @@
+// A line through the plane, and the bifurcation diagram along it.
+
+import { drawn, element, shape } from './dom.js';
+
+const COLUMNS = 500;
+
+export class Slice {
+  constructor(svg, root, link, status) {
+    Object.assign(this, { root, link, status, active: false, line: null });
+    this.path = shape('path', { class: 'cut', hidden: true });
+    svg.append(this.path);
+  }
+
+  /** The line while it is drawn, and the diagram once it is. */
+  draw(from, to, done, scene) {
+    this.line = [from, to];
+    if (done) this.compute(scene);
+  }
+
+  place(view, { left, top }) {
+    this.path.toggleAttribute('hidden', !this.line);
+    if (!this.line) return;
+    const [a, b] = this.line.map(([x, y]) => view.pixelAt(x, y));
+    this.path.setAttribute('d', `M${left + a[0]} ${top + a[1]}L${left + b[0]} ${top + b[1]}`);
+  }
+
+  compute(scene) {
+    if (this.ask) this.link.cancel(this.ask);
+    const [from, to] = this.line;
+    const width = Math.round(Math.max(360, Math.min(1100, innerWidth - 48)));
+    this.open(element('p', { class: 'hint', text: 'Computing the diagram along the line …' }));
+    this.ask = this.link.ask({ type: 'slice', scene, from, to, columns: COLUMNS, width }, (kind, content) => {
+      if (kind === 'progress') this.status.running({ words: content.what, share: content.share, stop: () => this.close() });
+      if (kind === 'slice') this.open(drawn(content.svg, 'Bifurcation diagram along the line'));
+      if (kind === 'refused') this.open(element('p', { class: 'none', text: content.message }));
+      if (kind === 'done' || kind === 'refused') {
+        this.ask = null;
+        this.status.running(null);
+      }
+    });
+  }
+
+  open(content) {
+    const close = element('button', { type: 'button', text: '×', 'aria-label': 'Close the diagram', onclick: () => this.close() });
+    this.root.hidden = false;
+    this.root.replaceChildren(close, content);
+  }
+
+  close() {
+    if (this.ask) {
+      this.link.cancel(this.ask);
+      this.ask = null;
+      this.status.running(null);
+    }
+    this.line = null;
+    this.root.hidden = true;
+    this.path.setAttribute('hidden', '');
+  }
+}

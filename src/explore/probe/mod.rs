@@ -1,0 +1,129 @@
+//! What moves at one cell: its motion, its portrait, its multipliers and exponents, and what else moves there.
+
+mod beside;
+mod figures;
+
+use serde_json::{Value, json};
+
+use super::asked::refused;
+use super::batch::verdicts;
+use super::describe::start_words;
+use super::lattice::Cell;
+use super::scene::Scene;
+use super::store::Tiles;
+use super::task::{Ended, Task};
+use crate::analysis::Verdict;
+use crate::model::{Number, System};
+use crate::plane::{Component, Quantity, Start};
+use crate::render::{Motion, words};
+use crate::theory::{SettledMotion, Spectrum};
+
+/// Forcing periods over which exponents are measured.
+const EXPONENTS_OVER: u32 = 2000;
+
+/// Answers a click on a cell, the quickest part first; figures are so many pixels wide.
+///
+/// # Errors
+/// [`Ended`], also where there is no such system.
+pub fn probe(scene: &Scene, tiles: &Tiles, cell: Cell, width: u32, task: &Task) -> Result<(), Ended> {
+    let [x, y] = scene.values(cell);
+    let job = scene.job(cell).ok_or_else(|| {
+        let (a, b) = (scene.plane.x.quantity.name(), scene.plane.y.quantity.name());
+        let place = format!("{a} = {}, {b} = {}", Number(x), Number(y));
+        refused(format!("there is no such system at {place}: outside the range of its parameters"))
+    })?;
+    let known = scene.known(cell).or_else(|| tiles.cell(scene.id, cell).flatten());
+    let verdict = match known {
+        Some(verdict) => verdict,
+        None => verdicts(scene, &[cell], task)?.pop().flatten().ok_or(Ended::Cancelled)?,
+    };
+    let start = scene.start_at(x, y);
+    task.answer("motion", motion(scene, [x, y], start, &verdict));
+    task.check()?;
+    figures::portrait(&job.system, &verdict, width, task);
+    task.check()?;
+    task.answer("multipliers", multipliers(&job.system, &verdict));
+    task.check()?;
+    figures::section(&job.system, &verdict, width, task);
+    task.check()?;
+    task.answer("exponents", exponents(&job.system, &verdict));
+    task.check()?;
+    beside::coexisting(scene, &job.system, start, &verdict, task)
+}
+
+/// The place and the motion in words and numbers.
+fn motion(scene: &Scene, [x, y]: [f64; 2], start: Start, verdict: &Verdict) -> Value {
+    let plane = &scene.plane;
+    let family = plane.parameters.family();
+    let place = |quantity: Quantity, value: f64| json!({ "name": quantity.name(), "value": value });
+    let fixed: Vec<Value> = (plane.parameters.entries())
+        .filter(|(parameter, _)| {
+            ![plane.x.quantity, plane.y.quantity].contains(&Quantity::Parameter(*parameter))
+        })
+        .map(|(parameter, value)| json!({ "name": parameter.name(), "value": value }))
+        .collect();
+    let state: Vec<Value> = (Component::all(family.n()).zip(verdict.state.iter()))
+        .map(|(component, value)| json!({ "name": component.name(), "value": value }))
+        .collect();
+    json!({
+        "place": [place(plane.x.quantity, x), place(plane.y.quantity, y)],
+        "fixed": fixed,
+        "name": Motion::name(verdict, plane.has_mirror()),
+        "regime": verdict.regime.name(),
+        "n": verdict.n,
+        "exponent": finite(verdict.lyapunov.into()),
+        "peak": finite(verdict.peak_impact_velocity.into()),
+        "impacts": verdict.impacts,
+        "periods": verdict.periods,
+        "state": state,
+        "start": start_words(start),
+        "command": classify(scene, [x, y], start),
+    })
+}
+
+/// The command line that follows the same cell.
+fn classify(scene: &Scene, [x, y]: [f64; 2], start: Start) -> String {
+    let values = [(scene.plane.x.quantity, x), (scene.plane.y.quantity, y)];
+    super::command::classify(&scene.plane, values, start, scene.computing.asked)
+}
+
+/// The Floquet multipliers of a periodic motion, or why there are none.
+fn multipliers(system: &System, verdict: &Verdict) -> Value {
+    if !verdict.regime.is_periodic() {
+        return json!({ "none": "Only a periodic motion has Floquet multipliers." });
+    }
+    match SettledMotion::of(system, verdict) {
+        Ok(motion) => {
+            let pairs = motion.multipliers(system);
+            let pairs = pairs.map(|all| all.iter().map(|m| [m.re, m.im]).collect::<Vec<_>>());
+            match pairs {
+                Some(pairs) => json!({
+                    "label": motion.label(),
+                    "stable": motion.is_stable(system),
+                    "values": pairs,
+                }),
+                None => json!({ "none": "The motion grazes a stop: its return map has no derivative." }),
+            }
+        }
+        Err(error) => json!({ "none": format!("Newton's method finds no exact motion here: {error}.") }),
+    }
+}
+
+/// All Lyapunov exponents per forcing period, with their standard errors.
+fn exponents(system: &System, verdict: &Verdict) -> Value {
+    match Spectrum::of(system, &verdict.state[..], 0, EXPONENTS_OVER) {
+        Ok(spectrum) => {
+            let values: Vec<Value> = (spectrum.per_period.iter().zip(&spectrum.standard_error))
+                .map(|(&value, &error)| json!([finite(value), finite(error)]))
+                .collect();
+            let name = words(&crate::render::Text::new().italic("λ"));
+            json!({ "values": values, "periods": spectrum.periods, "symbol": name })
+        }
+        Err(error) => json!({ "none": error.to_string() }),
+    }
+}
+
+/// A number as JSON has it: null for −∞ and for what was not measured.
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}

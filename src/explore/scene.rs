@@ -1,0 +1,119 @@
+//! A plane that is looked at: what is asked of its cells, what computes them, and the motions met so far.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::backends::Computing;
+use super::known::Known;
+use super::lattice::{self, Cell};
+use super::limits;
+use crate::analysis::Verdict;
+use crate::backend::Job;
+use crate::model::System;
+use crate::plane::{Axis, Plane, Quantity, Start};
+use crate::render::Motion;
+
+/// A plane that is looked at.
+#[derive(Debug)]
+pub struct Scene {
+    /// By what pages call it.
+    pub id: u32,
+    /// The plane that was asked for: the cells of level 0 are its own.
+    pub plane: Plane,
+    /// What computes.
+    pub computing: Computing,
+    /// Cells that were computed before, those of a file.
+    known: Option<Arc<Known>>,
+    motions: Mutex<Motions>,
+}
+
+/// Motions by their numbers.
+#[derive(Debug, Default)]
+struct Motions {
+    numbers: HashMap<Motion, u16>,
+    examples: Vec<Verdict>,
+}
+
+impl Scene {
+    /// A plane to be looked at; `known` are cells of it that need not be computed.
+    pub fn new(id: u32, plane: Plane, computing: Computing, known: Option<Arc<Known>>) -> Self {
+        Scene { id, plane, computing, known, motions: Mutex::default() }
+    }
+
+    /// The value of the axes at a cell.
+    pub fn values(&self, cell: Cell) -> [f64; 2] {
+        [lattice::value(&self.plane.x, cell.z, cell.i), lattice::value(&self.plane.y, cell.z, cell.j)]
+    }
+
+    /// What is known of a cell from before.
+    pub fn known(&self, cell: Cell) -> Option<Verdict> {
+        let (column, row) = cell.of_plane(&self.plane)?;
+        self.known.as_ref()?.at(column, row)
+    }
+
+    /// What is to be followed at a cell; none where there is no such system, or it does not begin between its stops.
+    pub fn job(&self, cell: Cell) -> Option<Job> {
+        let [x, y] = self.values(cell);
+        self.job_at(x, y)
+    }
+
+    /// What is to be followed at two values of the axes; none where there is no such system.
+    pub fn job_at(&self, x: f64, y: f64) -> Option<Job> {
+        let one = |axis: &Axis, value: f64| {
+            Axis::spaced(axis.quantity, value, value, 1, axis.spacing).ok().filter(|_| value.is_finite())
+        };
+        let plane = Plane { x: one(&self.plane.x, x)?, y: one(&self.plane.y, y)?, ..self.plane.clone() };
+        let system = System::new(plane.parameters_at(0, 0)).ok()?;
+        let start = plane.start_at(0, 0);
+        start.check(system.plant(), plane.parameters.family()).ok()?;
+        Some(Job { start: start.state(&system), system })
+    }
+
+    /// What the cell at two values begins with, in words.
+    pub fn start_at(&self, x: f64, y: f64) -> Start {
+        let values = [(self.plane.x.quantity, x), (self.plane.y.quantity, y)];
+        let n = self.plane.parameters.family().n();
+        values.into_iter().fold(self.plane.start, |start, (quantity, value)| match (quantity, start) {
+            (Quantity::Start(component), start) => {
+                let mut state = match start {
+                    Start::State(state) => state,
+                    Start::Rest | Start::Symmetric => crate::model::StateVector::zeros(n),
+                };
+                state[component.index()] = value;
+                Start::State(state)
+            }
+            (_, start) => start,
+        })
+    }
+
+    /// The numbers of the motions of some cells.
+    pub fn numbered(&self, cells: &[Option<Verdict>]) -> Vec<u16> {
+        let mut motions = self.motions.lock().unwrap_or_else(PoisonError::into_inner);
+        let number = |cell: &Option<Verdict>| {
+            let Some(verdict) = cell else { return super::tile::NOWHERE };
+            let motion = Motion::of(verdict);
+            if let Some(&number) = motions.numbers.get(&motion) {
+                return number;
+            }
+            let number = motions.examples.len().min(limits::MOTIONS) as u16;
+            if usize::from(number) == motions.examples.len() {
+                motions.examples.push(*verdict);
+            }
+            motions.numbers.insert(motion, number);
+            number
+        };
+        cells.iter().map(number).collect()
+    }
+
+    /// An example of every motion from a number on.
+    pub fn motions_from(&self, first: usize) -> Vec<Verdict> {
+        let motions = self.motions.lock().unwrap_or_else(PoisonError::into_inner);
+        motions.examples.get(first..).map(<[Verdict]>::to_vec).unwrap_or_default()
+    }
+
+    /// An example of a motion.
+    pub fn motion(&self, number: u16) -> Option<Verdict> {
+        let motions = self.motions.lock().unwrap_or_else(PoisonError::into_inner);
+        motions.examples.get(usize::from(number)).copied()
+    }
+}

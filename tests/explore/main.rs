@@ -1,0 +1,10 @@
+//! The explorer from outside: what it refuses, what it serves, and its page in a real browser.
+
+mod browser;
+mod figures;
+mod hostile;
+mod journey;
+mod proxy;
+mod refusals;
+mod server;
+mod socket;
