@@ -136,8 +136,8 @@ impl Shown {
         };
         let mut samples: Vec<(Colour, &str)> = Vec::new();
         let [below, above] = self.bar.as_ref().map_or([false; 2], |bar| bar.beyond(&self.values));
-        samples.extend(above.then(|| (Palette::beyond(true), "above the bar")));
-        samples.extend(below.then(|| (Palette::beyond(false), "below the bar")));
+        samples.extend(above.then_some((Palette::beyond(true), "above the bar")));
+        samples.extend(below.then_some((Palette::beyond(false), "below the bar")));
         samples.extend(any(|value| value == f32::NEG_INFINITY).then_some((LOST, self.drawn.lost)));
         samples.extend(any(f32::is_nan).then_some((UNDEFINED, self.drawn.undefined)));
         samples.extend(self.not_there.contains(&true).then_some((NOT_THERE, "not computed")));
