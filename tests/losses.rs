@@ -98,6 +98,7 @@ fn both_back_ends_measure_the_same() {
         .into();
     let Ok(gpu) = backend::open(Choice::Gpu, None) else { panic!("these tests need an adapter") };
     let theirs = gpu.run(&jobs, &SCHEDULE, &Unwatched).unwrap();
+    let mut periodic = 0;
     for (job, theirs) in jobs.iter().zip(&theirs) {
         let twin = follow::<f32>(job, &SCHEDULE);
         let reference = follow::<f64>(job, &SCHEDULE);
@@ -105,8 +106,17 @@ fn both_back_ends_measure_the_same() {
             assert_eq!(theirs.label(), other.label());
             let (a, b) = (theirs.measures, other.measures);
             assert_eq!(a.observed, b.observed);
-            let near = |a: f32, b: f32| (a - b).abs() <= 2e-3 * a.abs().max(b.abs()) + 1e-6;
-            assert!(near(a.power, b.power) && near(a.contact, b.contact), "{a:?} and {b:?}");
+            if !theirs.regime.is_periodic() {
+                // What does not repeat is measured on another stretch of it.
+                assert!((a.power - b.power).abs() <= 0.05 * a.power, "{a:?} and {b:?}");
+                continue;
+            }
+            periodic += 1;
+            let power = (a.power - b.power).abs() <= 2e-3 * a.power.abs() + 1e-6;
+            // Rebounds are closed, and counted as contact from there on, as soon as rounding hides them: earlier in f32.
+            let contact = (a.contact - b.contact).abs() <= 5e-3;
+            assert!(power && contact, "{a:?} and {b:?}");
         }
     }
+    assert!(periodic >= 4, "too few cells were held against each other");
 }
