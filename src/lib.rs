@@ -99,7 +99,7 @@
 //! # Theory
 //!
 //! *Motions.* A periodic motion is the sequence of its impacts. From one to the next the flight is an exact matrix, so
-//! the times and states of all impacts satisfy four equations each; Newton's method solves them, for stable and unstable
+//! the times and states of all impacts satisfy 2n equations each; Newton's method solves them, for stable and unstable
 //! motions alike, and a symmetric motion is solved as half of itself. Whether the system moves like that is then asked
 //! of the certified flight. The 1-1-1 symmetric motion needs no iteration.
 //!

@@ -37,7 +37,7 @@ const FOUR_STOPS: &str = r#"
 name = "Three masses among four stops"
 label_order = ["low", "high", "left", "between"]
 [parameters]
-omega = { default = 2.1, symbol = "ω", about = "forcing frequency", above = 0 }
+omega = { default = 1.75, symbol = "ω", about = "forcing frequency", above = 0 }
 gap = { default = 0.3, about = "distance of the outer stops" }
 [system]
 frequency = "omega"
@@ -54,7 +54,7 @@ restitution = 0.8
 [[stop]]
 name = "low"
 direction = ["0", "-1", "0"]
-gap = "2*gap"
+gap = "gap"
 restitution = 0.7
 [[stop]]
 name = "between"
@@ -150,7 +150,7 @@ fn the_ball_doubles_its_period_where_it_should() {
 fn exponents_add_up_for_every_family() {
     for (system, set, n, stops) in [
         ("shaw-holmes", "zeta=0.05", 1, 1),
-        ("bouncing-ball", "Gamma=3", 1, 1),
+        ("bouncing-ball", "r=0.9", 1, 1),
         ("impact-pair", "nu=1.2", 1, 2),
         ("two-sided", "omega=1.3", 1, 2),
         ("colliding-pair", "omega=1.7", 2, 1),
@@ -163,7 +163,7 @@ fn exponents_add_up_for_every_family() {
         assert_eq!((found["exponents_per_period"].as_array().unwrap().len(), per_stop.len()), (2 * n, stops));
         assert!(per_stop[0] > 100.0 && found["lost_directions"] == 0, "{system}: {found}");
         let [sum, identity] = ["sum_per_period", "sum_identity"].map(|key| found[key].as_f64().unwrap());
-        assert!((sum - identity).abs() < 1e-9, "{system}: {sum} {identity}");
+        assert!((sum - identity).abs() < 1e-8, "{system}: {sum} {identity}");
         assert!(identity.abs() > 1e-3, "the check can fail");
     }
     let found = of_file(FOUR_STOPS, "lyapunov --system own.toml --transient 100 --observe 320 --json");
@@ -275,7 +275,7 @@ fn diagrams_are_read_at_any_stop() {
     fs::write(folder.path().join("own.toml"), FOUR_STOPS).unwrap();
     let read = |backend: &str, probe: &str, more: &str| {
         let command = format!(
-            "bifurcation --system own.toml --x omega=2.05:2.15:5 --backend {backend} {probe} {more} --transient 300 \
+            "bifurcation --system own.toml --x omega=1.72:1.78:5 --backend {backend} {probe} {more} --transient 300 \
              --observe 24 --out d.svg --force"
         );
         let output = run_in(folder.path(), &words(&command));

@@ -23,6 +23,7 @@ struct Observer {
     impacts_total: u32,
     peak: f32,
     stuck: u32,
+    loss: Loss,
 }
 
 struct Verdict {
@@ -38,6 +39,8 @@ struct Verdict {
     periods: u32,
     returning: u32,
     observed: u32,
+    power: f32,
+    contact: f32,
 }
 
 var<private> observer: Observer;
@@ -75,6 +78,7 @@ fn observer_begin(start: State) {
     observer.impacts_total = 0u;
     observer.peak = 0.0;
     observer.stuck = 0u;
+    observer.loss = loss_none(CONTACT_FREE);
     if schedule.transient == 0u {
         observer_begin_observation(schedule.observe);
     }
@@ -82,6 +86,9 @@ fn observer_begin(start: State) {
 
 fn observer_note(taken: Move) {
     observer.moves = observer.moves + 1u;
+    if observer.stage == STAGE_OBSERVATION && taken.event != EVENT_STEP_END {
+        loss_note(taken);
+    }
     if trajectory.contact != CONTACT_FREE {
         observer.stuck = 1u;
     }
@@ -162,6 +169,7 @@ fn observer_begin_observation(observe: u32) {
     observer.impacts = 0u;
     observer.peak = 0.0;
     observer.stuck = 0u;
+    observer.loss = loss_none(trajectory.contact);
     tangent = tangent_seed();
     if trajectory.contact != CONTACT_FREE {
         // While a mass rests, nothing can deviate that it does not carry.
@@ -277,6 +285,16 @@ fn observer_verdict() -> Verdict {
     //: each stop
     impacts_per_stop[$k] = select(0u, observer.recurrence.impacts[$k], periodic);
     //: end
+    var power = 0.0;
+    var contact = 0.0;
+    if observer.stage == STAGE_FAILED {
+        power = NOT_MEASURED;
+        contact = NOT_MEASURED;
+    } else if observer.stage == STAGE_OBSERVED {
+        let time = f32(observer.observed) * (f32(flight.steps) * flight.h);
+        power = observer.loss.energy / time;
+        contact = observer.loss.rested / time;
+    }
     return Verdict(
         regime,
         select(0u, observer.recurrence.n, periodic),
@@ -290,5 +308,7 @@ fn observer_verdict() -> Verdict {
         observer.periods,
         select(0u, observer.recurrence.n, returning),
         select(0u, observer.observed, observer.stage == STAGE_OBSERVED),
+        power,
+        contact,
     );
 }

@@ -274,6 +274,8 @@ fn controlled_outcome() -> Outcome {
             controlled.periods,
             0u,
             0u,
+            0.0,
+            0.0,
         ),
         period,
         controlled.iterates,

@@ -1,6 +1,7 @@
 //! What a trajectory is: regimes and labels, settling, Lyapunov exponents.
 
 mod exponent;
+mod loss;
 mod observer;
 mod probe;
 mod quiet;

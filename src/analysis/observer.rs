@@ -1,6 +1,7 @@
 //! One trajectory followed to its verdict: transient, settling, observation.
 
 use super::exponent::Exponent;
+use super::loss::Loss;
 use super::quiet::is_quiet;
 use super::recurrence::Recurrence;
 use super::schedule::Schedule;
@@ -74,6 +75,8 @@ pub struct Observer<T, const N: usize> {
     pub(super) peak: T,
     /// Whether the first mass rested on a stop since the observation began.
     pub(super) stuck: bool,
+    /// What the impacts took and how long contacts held since the observation began.
+    pub(super) loss: Loss<T>,
 }
 
 impl<T: Real, const N: usize> Observer<T, N> {
@@ -96,6 +99,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             impacts_total: 0,
             peak: T::zero(),
             stuck: false,
+            loss: Loss::none(false),
         };
         if schedule.transient == 0 {
             observer.begin_observation(flight, schedule.observe);
@@ -152,6 +156,9 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 keep(self, variation);
             }
             listen(&trajectory, &taken.event);
+            if self.stage == Stage::Observation {
+                self.loss.note(flight, &trajectory, &taken.event);
+            }
             self.note(flight, schedule, &taken);
             if at_phase || self.stage == Stage::Failed {
                 return;
@@ -250,6 +257,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.impacts = 0;
         self.peak = T::zero();
         self.stuck = false;
+        self.loss = Loss::none(!self.trajectory.contact.is_free());
         // While a mass rests, nothing can deviate that it does not carry.
         self.tangent = Tangent::seed().caught(flight, self.trajectory.contact);
         self.recurrence = Recurrence::anchored(point.state);

@@ -1,5 +1,6 @@
 //! What an observed trajectory settled on.
 
+use super::loss::Loss;
 use super::observer::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, Observer, SIGNIFICANCE, Stage};
 use super::regime::{Counts, Measures, Regime, Verdict};
 use crate::model::{Flight, Real, State, StateVector};
@@ -33,12 +34,21 @@ impl<T: Real, const N: usize> Observer<T, N> {
             peak_impact_velocity: self.peak.widen() as f32,
             periods: self.periods,
             returning: returning as u16,
-            measures: self.measures(),
+            measures: self.measures(flight),
         }
     }
 
-    fn measures(&self) -> Measures {
-        Measures { observed: if self.stage == Stage::Observed { self.observed } else { 0 } }
+    fn measures(&self, flight: &Flight<T, N>) -> Measures {
+        if self.stage == Stage::Failed {
+            return Measures { observed: 0, power: f32::NAN, contact: f32::NAN };
+        }
+        if self.stage != Stage::Observed {
+            return Measures::default();
+        }
+        let time = T::of(f64::from(self.observed)) * (T::of(f64::from(flight.steps)) * flight.h);
+        let Loss { energy, rested, .. } = self.loss;
+        let per_time = |sum: T| (sum / time).widen() as f32;
+        Measures { observed: self.observed, power: per_time(energy), contact: per_time(rested) }
     }
 
     /// The state that is reported: where the trajectory ends, or of motion that decays onto the forced response without

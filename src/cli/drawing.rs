@@ -44,7 +44,7 @@ pub struct DrawingArgs {
     #[arg(long)]
     no_legend: bool,
 
-    /// Largest N of the motions N-p-q whose curves are computed
+    /// Largest N, in forcing periods, of the motions whose curves are computed
     #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
         value_parser = counted(1, Schedule::LARGEST_PERIOD))]
     pub curves_max_period: u32,

@@ -5,7 +5,6 @@ use std::time::Instant;
 
 use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::Backend;
 use impact_atlas::plane::{Part, Plane, RegionMap, Tiling, Window};
 use impact_atlas::store;
@@ -81,11 +80,6 @@ pub struct MapArgs {
     #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
         default_missing_value = "bounding")]
     pub curves: Option<Which>,
-
-    /// Largest N, in forcing periods, of the motions whose curves are computed
-    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
-        value_parser = counted(1, Schedule::LARGEST_PERIOD))]
-    pub curves_max_period: u32,
 
     /// Writes every point of every curve, as `curves` does
     #[arg(long, value_name = "FILE.csv", requires = "curves")]

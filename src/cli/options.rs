@@ -148,7 +148,7 @@ impl SystemArgs {
     /// The system, with a start that lies between its stops.
     pub fn system_and_start(&self, start: Start) -> Result<(System, StateVector), CliError> {
         let system = System::new(self.parameters(&[])?).map_err(CliError::input)?;
-        start.check(system.plant()).map_err(CliError::input)?;
+        start.check(system.plant(), self.family()).map_err(CliError::input)?;
         let state = start_state(&system, start);
         Ok((system, state))
     }

@@ -33,6 +33,13 @@ impl Diagram {
         self.provenance.configuration(&self.spec).to_string()
     }
 
+    /// Whether systems of the diagram have a mirror: that in the middle, or one of a motion that is symmetric.
+    pub fn has_mirror(&self) -> bool {
+        let middle = self.spec.parameters_at(self.spec.x.count() / 2).plant();
+        let mut traces = self.branches.iter().flat_map(|branch| &branch.traces);
+        middle.is_ok_and(|plant| plant.mirror().is_some()) || traces.any(|trace| trace.verdict.symmetric)
+    }
+
     /// Readings that were left out for want of room, over all columns.
     pub fn left_out(&self) -> u64 {
         self.branches.iter().flat_map(|branch| &branch.traces).map(|trace| u64::from(trace.left_out)).sum()

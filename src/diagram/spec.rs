@@ -209,8 +209,8 @@ impl DiagramSpec {
         for end in [0, self.x.count() - 1] {
             self.start_at(end).fits(self.parameters.family())?;
             let Ok(plant) = self.parameters_at(end).plant() else { continue };
-            first.check(&plant)?;
-            self.start_at(end).check(&plant)?;
+            first.check(&plant, self.parameters.family())?;
+            self.start_at(end).check(&plant, self.parameters.family())?;
         }
         Ok(())
     }

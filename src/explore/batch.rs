@@ -135,7 +135,7 @@ pub fn send(scene: &Scene, done: &Done, layer: Option<Layer>, page: &Page, told:
     if let Some(told) = told {
         let motions = scene.motions_from(*told);
         if !motions.is_empty() {
-            let _ = page.send(Outgoing::motions(scene.id, *told, &motions));
+            let _ = page.send(Outgoing::motions(scene.id, *told, &motions, scene.plane.has_mirror()));
             *told += motions.len();
         }
     }

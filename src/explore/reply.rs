@@ -47,13 +47,13 @@ impl Outgoing {
     }
 
     /// Motions of a plane by their numbers, from `first` on: what they are called, and their paints while nothing else is
-    /// to be told from them.
-    pub fn motions(scene: u32, first: usize, motions: &[Verdict]) -> Self {
+    /// to be told from them; `mirrored` says whether systems have a mirror.
+    pub fn motions(scene: u32, first: usize, motions: &[Verdict], mirrored: bool) -> Self {
         let told: Vec<Value> = motions
             .iter()
             .map(|verdict| {
                 let paint = paint_of(Motion::of(verdict));
-                json!({ "name": Motion::name(verdict), "paint": [css(paint.fill), paint.hatch.map(css)] })
+                json!({ "name": Motion::name(verdict, mirrored), "paint": [css(paint.fill), paint.hatch.map(css)] })
             })
             .collect();
         Outgoing::of(json!({ "type": "motions", "scene": scene, "first": first, "motions": told }))

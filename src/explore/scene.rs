@@ -65,7 +65,7 @@ impl Scene {
         let plane = Plane { x: one(&self.plane.x, x)?, y: one(&self.plane.y, y)?, ..self.plane.clone() };
         let system = System::new(plane.parameters_at(0, 0)).ok()?;
         let start = plane.start_at(0, 0);
-        start.check(system.plant()).ok()?;
+        start.check(system.plant(), plane.parameters.family()).ok()?;
         Some(Job { start: start.state(&system), system })
     }
 

@@ -191,7 +191,12 @@ fn legend(scene: &Scene, cells: &[(u16, u64)], rows: usize) -> Result<serde_json
         |&(number, count): &(u16, u64)| Some((Motion::of(&scene.motion(number)?), count.min(1 << 40)));
     let found: Option<Vec<_>> = cells.iter().map(known).collect();
     let found = found.ok_or_else(|| refused("there is no such motion on this plane"))?;
-    Ok(json!(live_legend(scene.plane.parameters.family(), &found, rows.min(limits::LEGEND_ROWS))))
+    Ok(json!(live_legend(
+        scene.plane.parameters.family(),
+        scene.plane.has_mirror(),
+        &found,
+        rows.min(limits::LEGEND_ROWS)
+    )))
 }
 
 /// Ticks and titles of what is seen, with places in cells of level 0.

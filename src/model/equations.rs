@@ -38,6 +38,8 @@ pub struct Normal<const N: usize> {
     pub direction: SVector<f64, N>,
     /// M⁻¹d/(dᵀM⁻¹d).
     pub response: SVector<f64, N>,
+    /// 1/(dᵀM⁻¹d), the mass that an impact along d moves: it takes ½ (1 − r²) of this times (d·v−)².
+    pub mass: f64,
     /// The stops met where d·x grows, and where it falls.
     pub ends: [Option<End>; 2],
 }
@@ -77,7 +79,8 @@ impl<const N: usize> Equations<N> {
         let inverse = SMatrix::<f64, N, N>::from_fn(|i, j| inverse[(i, j)]);
         let square = |m: &DMatrix<f64>| SMatrix::<f64, N, N>::from_fn(|i, j| m[(i, j)]);
         let vector = |v: &nalgebra::DVector<f64>| SVector::<f64, N>::from_fn(|i, _| v[i]);
-        let none = Normal { direction: SVector::zeros(), response: SVector::zeros(), ends: [None; 2] };
+        let none =
+            Normal { direction: SVector::zeros(), response: SVector::zeros(), mass: 0.0, ends: [None; 2] };
         let mut equations = Equations {
             stiffness: -(inverse * square(&plant.stiffness)),
             damping: -(inverse * square(&plant.damping)),
@@ -109,8 +112,9 @@ impl<const N: usize> Equations<N> {
             }
         }
         let response = inverse * direction;
+        let mass = 1.0 / direction.dot(&response);
         let response = response / direction.dot(&response);
-        self.normals[self.count] = Normal { direction, response, ends: [None; 2] };
+        self.normals[self.count] = Normal { direction, response, mass, ends: [None; 2] };
         self.count += 1;
         (self.count - 1, 1.0)
     }

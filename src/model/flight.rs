@@ -74,6 +74,8 @@ pub struct ContactNormal<T, const N: usize> {
     pub direction: [T; N],
     /// M⁻¹d/(dᵀM⁻¹d): an impact that changes d·v by 1 changes v by this.
     pub response: [T; N],
+    /// 1/(dᵀM⁻¹d), the mass that an impact moves.
+    pub mass: T,
     /// The gaps at the upper and the lower end: stops where d·x and where −d·x meets them. [`FAR`] where there is none.
     pub gap: [T; 2],
     /// Coefficients of restitution at the ends.
@@ -118,6 +120,9 @@ pub struct Quiet<T, const N: usize> {
 
 /// Terms of the polynomial [`ContactNormal::kick`].
 pub const KICK_TERMS: usize = 18;
+
+/// What stands for a stop where a normal has none.
+pub const NO_STOP: u8 = u8::MAX;
 
 /// A length, a time or an amplitude beyond all others, and finite in either precision.
 pub const FAR: f64 = 1e30;
@@ -263,6 +268,7 @@ impl<const N: usize> ContactNormal<f64, N> {
         ContactNormal {
             direction: [0.0; N],
             response: [0.0; N],
+            mass: 0.0,
             gap: [FAR; 2],
             restitution: [0.0; 2],
             stop: [0; 2],
@@ -281,6 +287,7 @@ impl<const N: usize> ContactNormal<f64, N> {
         ContactNormal {
             direction: self.direction.map(T::of),
             response: self.response.map(T::of),
+            mass: T::of(self.mass),
             gap: self.gap.map(T::of),
             restitution: self.restitution.map(T::of),
             stop: self.stop,
@@ -316,9 +323,10 @@ fn contact_normal<const N: usize>(
     ContactNormal {
         direction: normal.direction.into(),
         response: normal.response.into(),
+        mass: normal.mass,
         gap: [0, 1].map(|side| end(side).map_or(FAR, |end| end.gap)),
         restitution: [0, 1].map(|side| end(side).map_or(0.0, |end| end.restitution)),
-        stop: [0, 1].map(|side| end(side).map_or(0, |end| end.stop as u8)),
+        stop: [0, 1].map(|side| end(side).map_or(NO_STOP, |end| end.stop as u8)),
         bound_x: bound.x.into(),
         bound_v: bound.v.into(),
         bound_forcing: bound.sin.hypot(bound.cos) + bound.one,

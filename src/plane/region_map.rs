@@ -56,6 +56,11 @@ impl RegionMap {
         &self.verdicts[row as usize * self.plane.x.count as usize + column as usize]
     }
 
+    /// Whether systems of the plane have a mirror: that in the middle, or one of a motion that is symmetric.
+    pub fn has_mirror(&self) -> bool {
+        self.plane.has_mirror() || self.verdicts.iter().any(|verdict| verdict.symmetric)
+    }
+
     /// How many cells are in each regime, in the order of [`Regime::ALL`].
     pub fn census(&self) -> [(Regime, u64); 8] {
         Regime::ALL.map(|regime| (regime, self.verdicts.iter().filter(|v| v.regime == regime).count() as u64))

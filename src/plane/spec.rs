@@ -69,10 +69,16 @@ impl Plane {
         for column in [0, self.x.count - 1] {
             for row in [0, self.y.count - 1] {
                 let Ok(plant) = self.parameters_at(column, row).plant() else { continue };
-                self.start_at(column, row).check(&plant)?;
+                self.start_at(column, row).check(&plant, self.parameters.family())?;
             }
         }
         Ok(())
+    }
+
+    /// Whether the system in the middle of the plane has a mirror.
+    pub fn has_mirror(&self) -> bool {
+        let middle = self.parameters_at(self.x.count / 2, self.y.count / 2).plant();
+        middle.is_ok_and(|plant| plant.mirror().is_some())
     }
 
     /// How many cells the plane has.

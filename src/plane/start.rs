@@ -16,8 +16,8 @@ use crate::theory::symmetric_start;
 pub enum Start {
     /// Both masses at rest at their equilibrium.
     Rest,
-    /// The stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical; rest elsewhere, and in
-    /// every system but the paper's oscillator.
+    /// The stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical; rest elsewhere, and
+    /// where a system has no mirror.
     Symmetric,
     /// The given (x1 … xn, v1 … vn); non-dimensional.
     State(StateVector),
@@ -51,11 +51,11 @@ impl Start {
         }
     }
 
-    /// Checks that the masses begin between the stops of a plant.
+    /// Checks that the masses begin between the stops of a family's plant.
     ///
     /// # Errors
     /// [`StartError::OutsideStops`] with the place, and [`StartError::Components`].
-    pub fn check(&self, plant: &Plant) -> Result<(), StartError> {
+    pub fn check(&self, plant: &Plant, family: &Family) -> Result<(), StartError> {
         let Start::State(state) = *self else { return Ok(()) };
         if state.coordinates() != plant.n {
             return Err(StartError::Components { given: state.len(), needed: 2 * plant.n });
@@ -67,12 +67,16 @@ impl Start {
                 let alone = stop.direction.iter().filter(|d| **d != 0.0).count() == 1;
                 let met = stop.direction.iter().position(|d| *d != 0.0).filter(|_| alone);
                 let place = met.map_or_else(
-                    || format!("its place along stop {} is {}", number + 1, Number(place)),
+                    || {
+                        let met = family.stop_place(number).to_string();
+                        let along = met.split_once(" = ").map_or("d·x", |(along, _)| along);
+                        format!("{along} = {}", Number(place))
+                    },
                     |i| format!("x{} = {}", i + 1, Number(state[i])),
                 );
                 return Err(StartError::OutsideStops {
                     start: *self,
-                    stop: number + 1,
+                    stop: family.stops()[number].plain_name().to_owned(),
                     place: place.into(),
                     gap: stop.gap,
                 });
@@ -142,8 +146,8 @@ pub enum StartError {
     OutsideStops {
         /// The start.
         start: Start,
-        /// Which stop, counted from 1 in the order of the family.
-        stop: usize,
+        /// Which stop, by its name.
+        stop: String,
         /// Where it would begin, in words: the coordinate that meets the stop, or direction · x.
         place: Box<str>,
         /// The stop's gap.
@@ -159,15 +163,15 @@ mod tests {
     #[test]
     fn a_start_lies_between_the_stops() {
         let plant = Setting::defaults(Family::paper()).plant().unwrap();
-        assert_eq!(Start::Rest.check(&plant), Ok(()));
-        assert_eq!(Start::State([-0.1, 9.0, 9.0, 9.0].into()).check(&plant), Ok(()));
+        assert_eq!(Start::Rest.check(&plant, Family::paper()), Ok(()));
+        assert_eq!(Start::State([-0.1, 9.0, 9.0, 9.0].into()).check(&plant, Family::paper()), Ok(()));
         let start = Start::State([-0.2, 0.0, 0.0, 0.0].into());
         assert_eq!(
-            start.check(&plant),
-            Err(StartError::OutsideStops { start, stop: 2, place: "x1 = -0.2".into(), gap: 0.1 })
+            start.check(&plant, Family::paper()),
+            Err(StartError::OutsideStops { start, stop: "B".into(), place: "x1 = -0.2".into(), gap: 0.1 })
         );
         let short = Start::State(StateVector::zeros(1));
-        assert_eq!(short.check(&plant), Err(StartError::Components { given: 2, needed: 4 }));
+        assert_eq!(short.check(&plant, Family::paper()), Err(StartError::Components { given: 2, needed: 4 }));
     }
 
     #[test]

@@ -4,6 +4,7 @@ use super::colours::{INK, STEADY_BLUE, STRIKING};
 use super::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample};
 use super::frame::{AxisTitle, Frame};
 use super::orbit::{Orbit, OrbitPanel, orbit_key};
+use super::places::stop_place;
 use super::scale::Scale;
 use super::symbols;
 use super::text::Text;
@@ -223,7 +224,7 @@ impl ControlPicture<'_> {
             Text::from(format!("Before control: {before};")),
             Text::from(format!("under control: {after}.")),
             Text::from("Iterates are returns to ")
-                .then(symbols::stop_place(self.setting().family(), self.scheme.stop().index()))
+                .then(stop_place(self.setting().family(), self.scheme.stop().index()))
                 .upright(","),
             "just after an impact.".into(),
         ]

@@ -27,6 +27,7 @@ mod outlines;
 mod paint;
 mod pdf;
 mod picture;
+mod places;
 mod png;
 mod regions;
 mod scale;

@@ -28,8 +28,8 @@ impl Motion {
     }
 
     /// The name in as few letters as still tell it from others, such as "1-2-2 unsym.".
-    pub fn short_name(verdict: &Verdict) -> String {
-        let name = Motion::name(verdict);
+    pub fn short_name(verdict: &Verdict, mirrored: bool) -> String {
+        let name = Motion::name(verdict, mirrored);
         let name = name.strip_suffix(", sticking").unwrap_or(&name);
         match name.strip_suffix("symmetric") {
             Some(start) => format!("{start}sym."),
@@ -39,13 +39,14 @@ impl Motion {
 
     /// The motion's name in a legend, such as "1-2-2 unsymmetric".
     ///
-    /// A motion with p ≠ q cannot be symmetric, so that nothing is said about it.
-    pub fn name(verdict: &Verdict) -> String {
-        Motion::of(verdict).name_of(verdict.counts.len())
+    /// A motion with p ≠ q cannot be symmetric, so that nothing is said about it; nor is it of one without symmetry where
+    /// systems have no mirror (`mirrored` says whether they have).
+    pub fn name(verdict: &Verdict, mirrored: bool) -> String {
+        Motion::of(verdict).name_of(verdict.counts.len(), mirrored)
     }
 
     /// The same for a motion of a system with so many stops.
-    pub(super) fn name_of(&self, stops: usize) -> String {
+    pub(super) fn name_of(&self, stops: usize, mirrored: bool) -> String {
         let Motion { regime, symmetric, .. } = *self;
         let [n, counts @ ..] = self.counts;
         let counts = &counts[..stops];
@@ -56,8 +57,8 @@ impl Motion {
         let alike = counts.len() > 1 && counts.iter().all(|count| *count == counts[0]);
         let symmetry = match (alike, symmetric) {
             (true, true) => " symmetric",
-            (true, false) => " unsymmetric",
-            (false, _) => "",
+            (true, false) if mirrored => " unsymmetric",
+            _ => "",
         };
         match regime {
             Regime::Periodic => format!("{label}{symmetry}"),
@@ -74,7 +75,8 @@ mod tests {
 
     #[test]
     fn names_say_what_tells_motions_apart() {
-        let name = |regime, counts, symmetric| Motion::name(&Verdict::of_motion(regime, counts, symmetric));
+        let name =
+            |regime, counts, symmetric| Motion::name(&Verdict::of_motion(regime, counts, symmetric), true);
         assert_eq!(name(Regime::Periodic, [1, 1, 1], true), "1-1-1 symmetric");
         assert_eq!(name(Regime::Periodic, [2, 4, 4], false), "2-4-4 unsymmetric");
         assert_eq!(name(Regime::Periodic, [1, 1, 2], false), "1-1-2");
@@ -83,11 +85,14 @@ mod tests {
             "1-∞-∞ symmetric, sticking"
         );
         assert_eq!(name(Regime::Chaotic, [7, 7, 7], true), "chaotic");
-        let short =
-            |regime, counts, symmetric| Motion::short_name(&Verdict::of_motion(regime, counts, symmetric));
+        let short = |regime, counts, symmetric| {
+            Motion::short_name(&Verdict::of_motion(regime, counts, symmetric), true)
+        };
         assert_eq!(short(Regime::Periodic, [1, 1, 1], true), "1-1-1 sym.");
         assert_eq!(short(Regime::Periodic, [1, 1, 1], false), "1-1-1 unsym.");
         assert_eq!(short(Regime::PeriodicSticking, [1, u16::MAX, 0], false), "1-∞-0");
+        let plain = Motion::name(&Verdict::of_motion(Regime::Periodic, [1, 1, 1], false), false);
+        assert_eq!(plain, "1-1-1", "without a mirror nothing is unsymmetric");
         assert_eq!(short(Regime::QuasiPeriodic, [7, 7, 7], true), "quasi-periodic");
     }
 

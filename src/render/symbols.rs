@@ -1,14 +1,13 @@
 //! How quantities are printed: symbols with their subscripts, and numbers.
 
 use super::frame::AxisTitle;
+use super::places;
 use super::text::Text;
 use crate::analysis::{Reading, Section};
 use crate::control::ControlQuantity;
 use crate::dynamics::Stop;
-use crate::model::vector::MOST;
-use crate::model::{Parameter, Setting, StateVector, are_parallel};
+use crate::model::{Setting, StateVector};
 use crate::plane::{Component, Quantity, Start};
-use crate::system::{Family, Gap, StopPlace};
 
 /// The symbol of a quantity.
 pub(super) fn symbol(quantity: Quantity) -> Text {
@@ -126,7 +125,7 @@ pub(super) fn title_on(setting: &Setting, section: Section, reading: Reading) ->
         (Reading::VBefore | Reading::VAfter, Section::Impact(stop)) => {
             let before = reading == Reading::VBefore;
             let what = if before { "velocity before impact" } else { "velocity after impact" };
-            titled(what.to_owned(), along(setting, stop).superscript(sign(before)))
+            titled(what.to_owned(), places::along(setting, stop).superscript(sign(before)))
         }
         (Reading::X(_), _) if family.n() == 1 => titled("displacement".to_owned(), reading_symbol(reading)),
         (Reading::V(_), _) if family.n() == 1 => titled("velocity".to_owned(), reading_symbol(reading)),
@@ -140,104 +139,6 @@ pub(super) fn title_on(setting: &Setting, section: Section, reading: Reading) ->
         ),
         _ => reading_title(reading),
     }
-}
-
-/// d·v along the contact normal of a stop: v1, −v1, or in parentheses v1 − v2.
-fn along(setting: &Setting, stop: Stop) -> Text {
-    let stops = |i: usize| setting.family().stop_place(i);
-    let first = setting.plant().ok().map_or(stop.index(), |plant| {
-        let own = &plant.stops[stop.index()].direction;
-        (0..stop.index()).find(|&i| are_parallel(own, &plant.stops[i].direction)).unwrap_or(stop.index())
-    });
-    let place = stops(first);
-    let alone = place.is_alone();
-    let mut text = Text::new();
-    if !alone {
-        text = text.upright("(");
-    } else if place.negative {
-        text = text.upright("−");
-    }
-    text = text.then(terms(&place, "v"));
-    if alone { text } else { text.upright(")") }
-}
-
-/// The terms of direction · x, or of direction · v.
-fn terms(place: &StopPlace, letter: &str) -> Text {
-    place.terms.iter().enumerate().fold(Text::new(), |text, (i, term)| {
-        let sign = match (i, term.negative) {
-            (0, false) => "",
-            (0, true) => "−",
-            (_, false) => " + ",
-            (_, true) => " − ",
-        };
-        let factor = if term.factor.is_empty() { String::new() } else { format!("{} ", term.factor) };
-        let coordinate = (term.coordinate + 1).to_string();
-        text.upright(sign).upright(factor).italic(letter).subscript(coordinate)
-    })
-}
-
-/// Where a stop of a family stands: x1 = +δ.
-pub(super) fn stop_place(family: &'static Family, stop: usize) -> Text {
-    let place = family.stop_place(stop);
-    let text = terms(&place, "x").upright(" = ");
-    let signed = |text: Text| match (place.negative, place.is_alone()) {
-        (true, _) => text.upright("−"),
-        (false, true) => text.upright("+"),
-        (false, false) => text,
-    };
-    match &place.gap {
-        Gap::Number(value) => text.upright(number(if place.negative { 0.0 - value } else { *value })),
-        Gap::Name(name) => match Parameter::of(family, name) {
-            Ok(parameter) => signed(text).then(symbol(Quantity::Parameter(parameter))),
-            Err(_) => signed(text).upright(name),
-        },
-        Gap::Formula(formula) if place.gap.is_sum() && place.negative => {
-            text.upright(format!("−({formula})"))
-        }
-        Gap::Formula(formula) if place.gap.is_sum() => text.upright(formula),
-        Gap::Formula(formula) => signed(text).upright(formula),
-    }
-}
-
-/// The stops of a family in a key: stops x1 = ±δ.
-pub(super) fn stops(family: &'static Family) -> Text {
-    let places: Vec<StopPlace> = (0..family.stops().len()).map(|stop| family.stop_place(stop)).collect();
-    match &places[..] {
-        [_] => Text::from("stop ").then(stop_place(family, 0)),
-        [a, b] if a.negative != b.negative && a.terms == b.terms && a.gap == b.gap => {
-            let text = Text::from("stops ").then(terms(a, "x")).upright(" = ±");
-            match &a.gap {
-                Gap::Name(name) => match Parameter::of(family, name) {
-                    Ok(parameter) => text.then(symbol(Quantity::Parameter(parameter))),
-                    Err(_) => text.upright(name),
-                },
-                Gap::Number(value) => text.upright(number(*value)),
-                Gap::Formula(formula) => text.upright(format!("({formula})")),
-            }
-        }
-        [_, _] => Text::from("stops ").then(stop_place(family, 0)).upright(", ").then(stop_place(family, 1)),
-        _ => {
-            let names: Vec<&str> = family.stops().iter().map(|stop| stop.name.as_str()).collect();
-            Text::from(format!("stops {}", names.join(", ")))
-        }
-    }
-}
-
-/// The letters of labels behind N.
-const COUNTS: [&str; MOST] = ["p", "q", "s", "u"];
-
-/// The meaning of labels, in pieces that belong together: N-p-q: N forcing periods, p impacts at …
-pub(super) fn label_definition(family: &'static Family) -> Vec<Text> {
-    let order = family.label_order();
-    let head = COUNTS[..order.len()]
-        .iter()
-        .fold(Text::new().italic("N"), |text, letter| text.upright("-").italic(*letter));
-    let mut pieces = vec![head.upright(": ").italic("N").upright(" forcing periods,")];
-    pieces.extend(order.iter().zip(COUNTS).enumerate().map(|(i, (&stop, letter))| {
-        let comma = if i + 1 < order.len() { "," } else { "" };
-        Text::new().italic(letter).upright(" impacts at ").then(stop_place(family, stop)).upright(comma)
-    }));
-    pieces
 }
 
 /// Parameters as equations, in pieces that belong together, without those of which `varied` says so.

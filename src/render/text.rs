@@ -152,6 +152,13 @@ mod tests {
         assert!((Text::from("x1").width(20.0) - 2.0 * flat).abs() < 1e-9);
     }
 
+    /// What stands behind an empty subscript would be drawn as low as that.
+    #[test]
+    fn nothing_takes_no_place() {
+        assert_eq!(Text::new().italic("ω").subscript("").upright(" = 1").spans().len(), 2);
+        assert!(Text::from("").spans().is_empty());
+    }
+
     #[test]
     fn lines_break_where_they_must() {
         let pieces = || ["one", "two", "three"].map(Text::from);

@@ -63,7 +63,7 @@ fn paints(map: &RegionMap) -> Vec<(String, Option<String>)> {
             number
         })
         .collect();
-    let legend = live_legend(map.plane.parameters.family(), &found, 14);
+    let legend = live_legend(map.plane.parameters.family(), true, &found, 14);
     cells.into_iter().map(|cell| legend.paints[cell].clone()).collect()
 }
 
@@ -108,7 +108,7 @@ async fn a_plane_is_opened_and_clicked_and_changed_and_found_again() {
     let [z, i, j]: [i64; 3] = serde_json::from_value(cell).unwrap();
     let shown = browser.page.find(Locator::Css(".card h2")).await.unwrap().text().await.unwrap();
     let on_plane = |at: i64| (at as f64 * 2_f64.powi(-(z as i32))).round() as u32;
-    assert_eq!(shown, Motion::name(own.at(on_plane(i), on_plane(j))));
+    assert_eq!(shown, Motion::name(own.at(on_plane(i), on_plane(j)), true));
     browser.screenshot("1280x800").await;
 
     // It is kept beside the next one.

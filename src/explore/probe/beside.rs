@@ -62,7 +62,7 @@ pub fn coexisting(
         .map(|(motion, verdict, count, start)| {
             let paint = paint_of(*motion);
             json!({
-                "name": Motion::name(verdict),
+                "name": Motion::name(verdict, scene.plane.has_mirror()),
                 "paint": [css(paint.fill), paint.hatch.map(css)],
                 "starts": count,
                 "first": start,

@@ -68,7 +68,7 @@ fn motion(scene: &Scene, [x, y]: [f64; 2], start: Start, verdict: &Verdict) -> V
     json!({
         "place": [place(plane.x.quantity, x), place(plane.y.quantity, y)],
         "fixed": fixed,
-        "name": Motion::name(verdict),
+        "name": Motion::name(verdict, plane.has_mirror()),
         "regime": verdict.regime.name(),
         "n": verdict.n,
         "exponent": finite(verdict.lyapunov.into()),

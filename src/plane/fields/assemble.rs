@@ -22,6 +22,7 @@ pub fn assembled<E: From<CellsError>>(
     let (regime, n, counts, symmetric) = (get("regime")?, get("n")?, get("counts")?, get("symmetric")?);
     let (lyapunov, state, impacts) = (get("lyapunov")?, get("state")?, get("impacts")?);
     let (peak, periods, observed) = (get("peak_impact_velocity")?, get("periods")?, get("observed")?);
+    let (power, contact) = (get("power")?, get("contact")?);
     let (stops, components) = (family.stops().len(), 2 * family.n());
     let verdict = |i: usize| {
         let code = regime.whole(i);
@@ -41,7 +42,11 @@ pub fn assembled<E: From<CellsError>>(
             peak_impact_velocity: peak.real(i) as f32,
             periods: periods.whole(i),
             returning: 0,
-            measures: Measures { observed: observed.whole(i) },
+            measures: Measures {
+                observed: observed.whole(i),
+                power: power.real(i) as f32,
+                contact: contact.real(i) as f32,
+            },
         })
     };
     let verdicts: Result<Vec<Verdict>, CellsError> = (0..cells).map(verdict).collect();

@@ -138,6 +138,23 @@ pub const CELL_FIELDS: &[CellField] = &[
         drawn(Spread::Even, Some(0.0), "no impact"),
     ),
     field(
+        "power",
+        "power lost in impacts",
+        (Inner::One, "1"),
+        Source::F32(|cell, _| cell.verdict.measures.power),
+        "power lost in impacts while the cell was observed: the sum of ½ (1 − r²) (d·v)²/(dᵀM⁻¹d) per unit of time; NaN \
+         where the regime is failed",
+        drawn(Spread::Ratios, Some(0.0), "no loss"),
+    ),
+    field(
+        "contact",
+        "share of time in contact",
+        (Inner::One, "1"),
+        Source::F32(|cell, _| cell.verdict.measures.contact),
+        "share of the observation in which some contact held, from 0 to 1; NaN where the regime is failed",
+        drawn(Spread::Even, Some(0.0), "never in contact"),
+    ),
+    field(
         "periods",
         "forcing periods simulated",
         (Inner::One, "forcing periods"),

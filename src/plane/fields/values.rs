@@ -71,6 +71,21 @@ impl Values {
         self.len() == 0
     }
 
+    /// Those of some cells, `inner` of them each.
+    #[must_use]
+    pub fn picked(&self, cells: &[usize], inner: usize) -> Values {
+        fn of<T: Copy>(values: &[T], cells: &[usize], inner: usize) -> Vec<T> {
+            cells.iter().flat_map(|&cell| values[inner * cell..][..inner].iter().copied()).collect()
+        }
+        match self {
+            Values::U8(values) => Values::U8(of(values, cells, inner)),
+            Values::U16(values) => Values::U16(of(values, cells, inner)),
+            Values::U32(values) => Values::U32(of(values, cells, inner)),
+            Values::F32(values) => Values::F32(of(values, cells, inner)),
+            Values::F64(values) => Values::F64(of(values, cells, inner)),
+        }
+    }
+
     /// One of them as a real number.
     pub fn real(&self, i: usize) -> f64 {
         match self {

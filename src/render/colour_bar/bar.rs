@@ -71,7 +71,7 @@ impl Bar {
     pub fn colour(&self, value: f64) -> Colour {
         let [low, high] = self.ends();
         if value < low || value > high {
-            return self.palette.beyond(value > high);
+            return self.colour_beyond(value > high);
         }
         let part = self.parts.iter().find(|(scale, _)| value <= scale.ends()[1]).or(self.parts.last());
         let Some((scale, [from, to])) = part else { return self.palette.colour(0.0) };
@@ -80,7 +80,7 @@ impl Bar {
 
     /// The colour of numbers above the bar, or below it.
     pub fn colour_beyond(&self, above: bool) -> Colour {
-        self.palette.beyond(above)
+        Palette::beyond(above)
     }
 
     /// Whether some of the numbers lie below the bar, or above it.
@@ -202,9 +202,8 @@ mod tests {
         let [low, high] = even.ends();
         assert!(low > -0.1 && high < 1.1, "{low} to {high}");
         assert_eq!(even.beyond(&values), [true, true]);
-        let palette = Palette::suiting(Spread::Even);
-        assert_eq!(even.colour(1e6), palette.beyond(true));
-        assert_eq!(even.colour(-1e6), palette.beyond(false));
+        assert_eq!(even.colour(1e6), Palette::beyond(true));
+        assert_eq!(even.colour(-1e6), Palette::beyond(false));
         assert_eq!(bar(&[0.1, 0.2, f32::NAN], Spread::Even).beyond(&[0.1, f32::NAN]), [false, false]);
     }
 

@@ -136,9 +136,8 @@ impl Shown {
         };
         let mut samples: Vec<(Colour, &str)> = Vec::new();
         let [below, above] = self.bar.as_ref().map_or([false; 2], |bar| bar.beyond(&self.values));
-        let palette = |above| self.bar.as_ref().map_or(UNDEFINED, |bar| bar.colour_beyond(above));
-        samples.extend(above.then(|| (palette(true), "above the bar")));
-        samples.extend(below.then(|| (palette(false), "below the bar")));
+        samples.extend(above.then_some((Palette::beyond(true), "above the bar")));
+        samples.extend(below.then_some((Palette::beyond(false), "below the bar")));
         samples.extend(any(|value| value == f32::NEG_INFINITY).then_some((LOST, self.drawn.lost)));
         samples.extend(any(f32::is_nan).then_some((UNDEFINED, self.drawn.undefined)));
         samples.extend(self.not_there.contains(&true).then_some((NOT_THERE, "not computed")));

@@ -8,8 +8,8 @@ use crate::render::colours::{INK, MUTED};
 use crate::render::figure::{Mark, Panel};
 use crate::render::frame::{AxisTitle, Frame};
 use crate::render::scale::Scale;
-use crate::render::symbols;
 use crate::render::text::Text;
+use crate::render::{places, symbols};
 use crate::system::Family;
 
 /// Lengths in em.
@@ -130,7 +130,7 @@ impl Exponents {
         }
         if self.none && unit == Some(ExponentUnit::Iterate) {
             notes.push("No exponents per iterate without impacts".into());
-            let at = Text::from("at ").then(symbols::stop_place(family, 0));
+            let at = Text::from("at ").then(places::stop_place(family, 0));
             notes.push(at.upright(", or with infinitely many."));
         }
         notes

@@ -14,8 +14,8 @@ use super::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Strip};
 use super::frame::Frame;
 use super::paint::Paint;
 use super::scale::Scale;
-use super::symbols;
 use super::text::Text;
+use super::{places, symbols};
 use crate::analysis::{CHATTER_RUN, Section};
 use crate::diagram::{Branch, Diagram, Direction};
 use crate::plane::Quantity;
@@ -95,7 +95,7 @@ fn section_panel(diagram: &Diagram, motions: &Motions) -> Panel {
     }
     let strip = |branch: &Branch| Strip {
         stretches: columns.stretches(&branch.traces, &motions.paints),
-        labels: columns.labels(&branch.traces),
+        labels: columns.labels(&branch.traces, diagram.has_mirror()),
         name: (diagram.branches.len() > 1).then(|| branch.direction.name().into()),
     };
     let strips = diagram.branches.iter().map(strip).collect();
@@ -135,7 +135,7 @@ fn marks_key(diagram: &Diagram) -> Vec<KeyEntry> {
 fn where_read(section: Section, family: &'static Family) -> Text {
     match section {
         Section::Impact(stop) => {
-            Text::from("at impacts at ").then(symbols::stop_place(family, stop.index())).upright(".")
+            Text::from("at impacts at ").then(places::stop_place(family, stop.index())).upright(".")
         }
         Section::Strobe => "at forcing phase 0.".into(),
     }
@@ -148,7 +148,7 @@ fn notes(diagram: &Diagram) -> Vec<Text> {
         format!("After {} forcing periods, {} are shown", schedule.transient, schedule.observe).into(),
         where_read(diagram.spec.probe.section, family),
     ];
-    notes.extend(symbols::label_definition(family));
+    notes.extend(places::label_definition(family));
     let last = notes.len() - 1;
     notes[last] = notes[last].clone().upright(".");
     let bands = diagram.branches.iter().map(|branch| Columns::of(&diagram.spec.x).bands(&branch.traces));

@@ -20,6 +20,8 @@ const FEW: usize = 6;
 pub(super) struct Motions {
     /// Those with an entry of their own, and a verdict that has the name.
     named: Vec<(Motion, Verdict)>,
+    /// Whether there is a mirror, so that motions may be unsymmetric.
+    mirrored: bool,
     /// How many others there are.
     others: usize,
     /// What they are filled with.
@@ -48,15 +50,16 @@ impl Motions {
         let paints = Colouring::of(candidates.iter().map(|&(motion, _)| motion));
         let named: Vec<_> =
             candidates.into_iter().filter(|&(motion, _)| paints.own(motion).is_some()).collect();
-        Motions { others: order.len() - named.len(), named, paints }
+        Motions { others: order.len() - named.len(), mirrored: diagram.has_mirror(), named, paints }
     }
 
     /// What the paints stand for.
     pub fn key(&self) -> Vec<KeyEntry> {
         let entry = |paint, name: String| KeyEntry { sample: Sample::Fill(paint), name: name.into() };
         let named = self.named.iter();
-        let mut key: Vec<KeyEntry> =
-            named.map(|(motion, verdict)| entry(self.paints.paint(*motion), Motion::name(verdict))).collect();
+        let mut key: Vec<KeyEntry> = named
+            .map(|(motion, verdict)| entry(self.paints.paint(*motion), Motion::name(verdict, self.mirrored)))
+            .collect();
         if self.others > 0 {
             let plural = if self.others == 1 { "" } else { "s" };
             key.push(entry(SHARED, format!("other periodic ({} motion{plural})", self.others)));

@@ -62,7 +62,7 @@ impl Columns {
     }
 
     /// The names of the motions, in full and abbreviated.
-    pub fn labels(&self, traces: &[Trace]) -> Vec<StripLabel> {
+    pub fn labels(&self, traces: &[Trace], mirrored: bool) -> Vec<StripLabel> {
         let gap = (INTERRUPTION * traces.len() as f64) as usize;
         let mut windows: Vec<Run<Motion>> = Vec::new();
         for run in runs(traces.iter().map(|trace| Motion::of(&trace.verdict))) {
@@ -78,7 +78,8 @@ impl Columns {
         }
         let label = |window: &Run<Motion>| {
             let verdict = &traces[window.last].verdict;
-            let names = vec![Motion::name(verdict).into(), Motion::short_name(verdict).into()];
+            let names =
+                vec![Motion::name(verdict, mirrored).into(), Motion::short_name(verdict, mirrored).into()];
             StripLabel { x: self.span(window.first, window.last), names }
         };
         windows.iter().map(label).collect()
@@ -117,7 +118,7 @@ mod tests {
     fn short_interruptions_do_not_end_a_window() {
         let columns = Columns::of(&"x2=0:999:1000".parse().unwrap());
         let traces = traces(&[(1, 400), (2, 1), (1, 1), (3, 1), (1, 97), (2, 500)]);
-        let labels = columns.labels(&traces);
+        let labels = columns.labels(&traces, true);
         let spans: Vec<[f64; 2]> = labels.iter().map(|label| label.x).collect();
         assert_eq!(spans, [[-0.5, 499.5], [499.5, 999.5]]);
         assert_eq!(columns.stretches(&traces, &Colouring::of([])).len(), 6);
@@ -129,7 +130,7 @@ mod tests {
         let stretches = columns.stretches(&traces(&[(1, 1)]), &Colouring::of([]));
         let [left, right] = stretches[0].x.map(|x| columns.scale().fraction(x));
         assert_eq!((stretches.len(), left, right), (1, 0.0, 1.0));
-        assert!(columns.labels(&traces(&[(1, 1)]))[0].x[0] < 2.0);
+        assert!(columns.labels(&traces(&[(1, 1)]), true)[0].x[0] < 2.0);
     }
 
     #[test]
@@ -137,7 +138,7 @@ mod tests {
         let columns = Columns::of(&"x2=0:1:2".parse().unwrap());
         let mut both = traces(&[(1, 2)]);
         both[0].verdict.symmetric = true;
-        let labels = columns.labels(&both);
+        let labels = columns.labels(&both, true);
         assert!(labels[0].names.iter().all(|name| !labels[1].names.contains(name)), "{labels:?}");
     }
 

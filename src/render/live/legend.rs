@@ -35,8 +35,14 @@ pub struct LiveLegend {
 /// The legend and the paints of a picture whose cells are so many of each motion of a family.
 ///
 /// `rows` is how many rows there is room for; what is not periodic has one of its own in any case.
-pub fn live_legend(family: &'static Family, found: &[(Motion, u64)], rows: usize) -> LiveLegend {
-    let census = Census::counted(family, found.iter().map(|(motion, cells)| (Some(*motion), *cells)));
+pub fn live_legend(
+    family: &'static Family,
+    mirrored: bool,
+    found: &[(Motion, u64)],
+    rows: usize,
+) -> LiveLegend {
+    let census =
+        Census::counted(family, mirrored, found.iter().map(|(motion, cells)| (Some(*motion), *cells)));
     let paint = |paint: &Paint| (css(paint.fill), paint.hatch.map(css));
     let rows = entries_of(&census, rows).into_iter().map(|entry| LiveRow {
         paints: entry.paints.iter().map(paint).collect(),
@@ -69,7 +75,7 @@ mod tests {
             *counts.entry(Motion::of(verdict)).or_default() += 1;
         }
         let mut found: Vec<(Motion, u64)> = counts.into_iter().collect();
-        let live = live_legend(Family::paper(), &found, 24);
+        let live = live_legend(Family::paper(), true, &found, 24);
         for ((motion, _), paint) in found.iter().zip(&live.paints) {
             let region = census.region(*motion).unwrap();
             assert_eq!(*paint, (css(region.paint.fill), region.paint.hatch.map(css)), "{}", region.name);
@@ -79,6 +85,6 @@ mod tests {
         // A census of other cells has other shares.
         let first = found.iter_mut().find(|(motion, _)| Some(*motion) == census.regions[0].motion).unwrap();
         first.1 *= 3;
-        assert_ne!(live_legend(Family::paper(), &found, 24).rows[0].share[0].text, share);
+        assert_ne!(live_legend(Family::paper(), true, &found, 24).rows[0].share[0].text, share);
     }
 }

@@ -7,8 +7,8 @@ use crate::plane::Start;
 use crate::render::colours::{STICKING, STOP, STRIKING};
 use crate::render::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample};
 use crate::render::paint::Paint;
-use crate::render::symbols;
 use crate::render::text::Text;
+use crate::render::{places, symbols};
 use crate::system::Family;
 
 /// How many plots stand side by side.
@@ -59,7 +59,7 @@ pub fn orbit_key(family: &'static Family, plots: &[Panel]) -> Vec<KeyEntry> {
         *colour == STOP
     };
     if shown(&is_stop) {
-        key.push(KeyEntry { sample: Sample::Line(STOP), name: symbols::stops(family) });
+        key.push(KeyEntry { sample: Sample::Line(STOP), name: places::stops(family) });
     }
     if shown(&|mark| matches!(mark, Mark::Dots { colour: STRIKING, .. })) {
         key.push(KeyEntry { sample: Sample::Dot(STRIKING), name: "impact".into() });
@@ -81,7 +81,7 @@ fn words(panel: OrbitPanel, family: &'static Family) -> Text {
         OrbitPanel::Time(_) => "time series".into(),
         OrbitPanel::Section(Section::Strobe, _) => "strobe section, forcing phase 0".into(),
         OrbitPanel::Section(Section::Impact(stop), _) => {
-            Text::from("impact Poincaré section ").then(symbols::stop_place(family, stop.index()))
+            Text::from("impact Poincaré section ").then(places::stop_place(family, stop.index()))
         }
     }
 }

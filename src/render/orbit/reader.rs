@@ -92,7 +92,7 @@ impl Reader {
     pub fn shows(&self, stop: Stop, reading: Reading) -> bool {
         match reading {
             Reading::X(i) => self.lines[stop.index()].direction[usize::from(i)] != 0.0,
-            Reading::Gap(of) => of == stop,
+            Reading::Gap(_) => self.level(stop, reading).is_some(),
             _ => false,
         }
     }

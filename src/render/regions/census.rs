@@ -69,17 +69,22 @@ impl Census {
                 *counted.entry(run[0]).or_default() += run.len() as u64;
             }
         }
-        Ok(Census::counted(cells.plane().parameters.family(), counted))
+        let plane = cells.plane();
+        Ok(Census::counted(plane.parameters.family(), plane.has_mirror(), counted))
     }
 
     /// Takes the census of so many cells of each motion; those of none were not computed.
     pub fn counted(
         family: &'static Family,
+        mirrored: bool,
         counted: impl IntoIterator<Item = (Option<Motion>, u64)>,
     ) -> Self {
         let stops = family.stops().len();
+        let counted: Vec<(Option<Motion>, u64)> = counted.into_iter().collect();
+        let symmetric = |(motion, _): &(Option<Motion>, u64)| motion.is_some_and(|motion| motion.symmetric);
+        let mirrored = mirrored || counted.iter().any(symmetric);
         let mut regions: Vec<Region> =
-            counted.into_iter().map(|(motion, cells)| Region::of(motion, stops, cells)).collect();
+            counted.into_iter().map(|(motion, cells)| Region::of(motion, stops, mirrored, cells)).collect();
         regions.sort_by_key(|region| (Reverse(region.cells), region.motion));
         let all: u64 = regions.iter().map(|region| region.cells).sum();
         let least = (RARE * all as f64) as u64;
@@ -123,8 +128,8 @@ impl Census {
 }
 
 impl Region {
-    fn of(motion: Option<Motion>, stops: usize, cells: u64) -> Self {
-        let name = motion.map_or_else(|| "not computed".to_owned(), |motion| motion.name_of(stops));
+    fn of(motion: Option<Motion>, stops: usize, mirrored: bool, cells: u64) -> Self {
+        let name = motion.map_or_else(|| "not computed".to_owned(), |motion| motion.name_of(stops, mirrored));
         let paint = if motion.is_some() { SHARED } else { NOT_THERE };
         Region { motion, name, paint, distinct: motion.is_none(), cells }
     }
@@ -165,7 +170,7 @@ mod tests {
         let region_of = census.regions_of(&map, whole).unwrap();
         for (verdict, index) in map.verdicts.iter().zip(region_of) {
             assert_eq!(census.regions[index as usize].motion, Some(Motion::of(verdict)));
-            assert_eq!(census.regions[index as usize].name, Motion::name(verdict));
+            assert_eq!(census.regions[index as usize].name, Motion::name(verdict, true));
         }
         let paint = |distinct: bool| {
             let alike = census.regions.iter().filter(move |region| region.distinct == distinct);

@@ -5,8 +5,8 @@ use crate::plane::{Plane, Quantity};
 use crate::render::legend::Entry;
 use crate::render::motion::Motion;
 use crate::render::paint::Paint;
-use crate::render::symbols;
 use crate::render::text::Text;
+use crate::render::{places, symbols};
 
 /// How many of a group's paints its sample shows.
 const SAMPLES: usize = 4;
@@ -69,7 +69,7 @@ fn names(periodic: &[&Region], census: &Census, rows: usize) -> Vec<Motion> {
 
 /// The meaning of the labels, in pieces that belong together; of N = 0 where a region has it.
 pub(super) fn definition(census: &Census) -> Vec<Text> {
-    let mut pieces = symbols::label_definition(census.family);
+    let mut pieces = places::label_definition(census.family);
     if census.regions.iter().any(|region| region.name.starts_with("0-")) {
         // Only control, which may jump in phase, gets there.
         pieces.extend([

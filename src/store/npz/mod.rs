@@ -45,7 +45,11 @@ mod tests {
             peak_impact_velocity: 0.5 + f32::from(i),
             periods: 1000 + u32::from(i),
             returning: 0,
-            measures: crate::analysis::Measures { observed: 40 + u32::from(i) },
+            measures: crate::analysis::Measures {
+                observed: 40 + u32::from(i),
+                power: 0.25 * f32::from(i),
+                contact: 0.125,
+            },
         };
         RegionMap { plane, provenance, verdicts: (0..6).map(verdict).collect(), multipliers: None }
     }

@@ -71,6 +71,7 @@ fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut 
     members.number("drag", normal.drag);
     members.number("coupling", normal.coupling);
     members.number("stretch", normal.stretch);
+    members.number("mass", normal.mass);
     members.align();
     members.vector("direction", &normal.direction);
     members.vector("response", &normal.response);

@@ -59,6 +59,13 @@ pub struct Verdict {
     pub periods: u32,
     pub returning: u32,
     pub observed: u32,
+    pub power: f32,
+    pub contact: f32,
+}
+
+/// A number that a shader wrote; NaN for one that was not measured.
+fn measured(value: f32) -> f32 {
+    if value == NOT_MEASURED { f32::NAN } else { value }
 }
 
 impl Verdict {
@@ -76,6 +83,8 @@ impl Verdict {
         periods: 0,
         returning: 0,
         observed: 0,
+        power: 0.0,
+        contact: 0.0,
     };
 
     /// Whether the shader has not written it yet.
@@ -100,14 +109,18 @@ impl Verdict {
             n: self.n as u16,
             counts: Counts::in_order(&self.impacts_per_stop.map(|count| count as u16), system.label_order()),
             symmetric: self.symmetric != 0,
-            lyapunov: if self.lyapunov == NOT_MEASURED { f32::NAN } else { self.lyapunov },
+            lyapunov: measured(self.lyapunov),
             state: self.state_of(system),
             impacts: self.impacts,
             impacts_total: self.impacts_total,
             peak_impact_velocity: self.peak_impact_velocity,
             periods: self.periods,
             returning: self.returning as u16,
-            measures: Measures { observed: self.observed },
+            measures: Measures {
+                observed: self.observed,
+                power: measured(self.power),
+                contact: measured(self.contact),
+            },
         }
     }
 }

@@ -51,6 +51,8 @@ fn structs_lie_as_the_shaders_declare_them() {
         periods,
         returning,
         observed,
+        power,
+        contact,
     });
     assert_layout!(TraceDispatch { schedule, count, budget, begin, row, section, reading, capacity, unused });
     assert_layout!(Rebounds { last, stop, run, longest });

@@ -71,7 +71,7 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 16] = [
+const COMMON: [&str; 17] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
     include_str!("../../../../shaders/dynamics/stop.wgsl"),
@@ -87,6 +87,7 @@ const COMMON: [&str; 16] = [
     include_str!("../../../../shaders/analysis/exponent.wgsl"),
     include_str!("../../../../shaders/analysis/spread.wgsl"),
     include_str!("../../../../shaders/analysis/quiet.wgsl"),
+    include_str!("../../../../shaders/analysis/loss.wgsl"),
     include_str!("../../../../shaders/analysis/observer.wgsl"),
 ];
 

@@ -1,0 +1,33 @@
+// What impacts take from a trajectory, and how long contacts hold.
+
+struct Loss {
+    energy: f32,
+    rested: f32,
+    since: f32,
+    held: u32,
+}
+
+fn loss_none(contact: u32) -> Loss {
+    return Loss(0.0, 0.0, 0.0, select(0u, 1u, contact != CONTACT_FREE));
+}
+
+fn loss_note(taken: Move) {
+    let strobe = taken.event == EVENT_STROBE;
+    let steps = select(trajectory.step, flight.steps, strobe);
+    let now = f32(steps) * flight.h + trajectory.offset;
+    if observer.loss.held == 1u {
+        observer.loss.rested = observer.loss.rested + (now - observer.loss.since);
+    }
+    observer.loss.since = select(now, 0.0, strobe);
+    observer.loss.held = select(0u, 1u, trajectory.contact != CONTACT_FREE);
+    if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER {
+        let after = select(0.0, taken.rebound, taken.event == EVENT_IMPACT);
+        var mass = 0.0;
+        //: each normal
+        if flight.normals[$k].stop[0] == taken.stop || flight.normals[$k].stop[1] == taken.stop {
+            mass = flight.normals[$k].mass;
+        }
+        //: end
+        observer.loss.energy = observer.loss.energy + 0.5 * mass * (taken.velocity * taken.velocity - after * after);
+    }
+}
