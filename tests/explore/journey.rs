@@ -199,7 +199,7 @@ async fn own_systems_slices_layers_and_small_screens() {
     browser.resize(1280, 800).await;
     let write = |text: &str| {
         format!(
-            "const area = document.querySelector('textarea'); area.closest('details').open = true; area.value = {}; \
+            "const area = document.querySelector('.system textarea'); area.closest('details').open = true; area.value = {}; \
              [...document.querySelectorAll('button')].find((b) => b.textContent === 'Use this system').click();",
             json!(text)
         )
