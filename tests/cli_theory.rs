@@ -86,8 +86,20 @@ fn the_symmetric_motion_has_the_printed_digits() {
     assert_eq!(keys(&found), ["reason", "solutions"]);
     assert_eq!(found["reason"], Value::Null);
     let [first, second] = &found["solutions"].as_array().unwrap()[..] else { panic!("{found}") };
-    let expected =
-        ["half_multipliers", "multipliers", "physical", "reason", "residual", "section", "stable", "state"];
+    let expected = [
+        "half_multipliers",
+        "impacts_per_stop",
+        "label",
+        "multipliers",
+        "physical",
+        "reason",
+        "residual",
+        "section",
+        "section_names",
+        "section_stop",
+        "stable",
+        "state",
+    ];
     assert_eq!(keys(first), expected);
     assert_close(&first["section"], &[-0.345457, -0.006341, 0.021160, 1.802134], 1e-6);
     assert_eq!(
@@ -162,8 +174,9 @@ fn where_there_is_no_symmetric_motion_the_list_is_empty_and_says_why() {
     }
 }
 
-const MOTION: [&str; 14] = [
+const MOTION: [&str; 16] = [
     "half_multipliers",
+    "impacts_per_stop",
     "label",
     "method",
     "multipliers",
@@ -172,6 +185,7 @@ const MOTION: [&str; 14] = [
     "q",
     "residual",
     "section",
+    "section_names",
     "section_stop",
     "stable",
     "state",
