@@ -312,6 +312,7 @@ fn exponents_have_three_units_and_their_sum_is_known() {
         "exponents_per_period",
         "exponents_per_time",
         "impacts",
+        "impacts_per_stop",
         "iterates",
         "lost_directions",
         "period",
