@@ -4,7 +4,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 export IMPACT_ATLAS=${IMPACT_ATLAS:-$(command -v impact-atlas)}
-export PLANE="--backend cpu --x omega=0.3:3.9:96 --y delta=0.05:0.5:64 --transient 400 --observe 100 --fixed-periods --tile 16"
+export PLANE="--x omega=0.3:3.9:96 --y delta=0.05:0.5:64 --transient 150 --observe 50 --fixed-periods --tile 16"
 PYTHON=${PYTHON:-python3}
 work=$(mktemp -d)
 trap 'stop' EXIT
@@ -13,7 +13,8 @@ stop() {
     for daemon in slurmd slurmctld munged; do
         [ -f "$work/$daemon.pid" ] && kill "$(cat "$work/$daemon.pid")" 2>/dev/null || true
     done
-    rm -rf "$work"
+    sleep 1
+    rm -rf "$work" || true
 }
 
 start_slurm() {
@@ -84,18 +85,18 @@ cd "$work"
 cp "$here"/* .
 echo "computing the plane at once"
 # shellcheck disable=SC2086 # the plane is several words
-"$IMPACT_ATLAS" -q map $PLANE --data whole.zarr >/dev/null
+"$IMPACT_ATLAS" -q map $PLANE --backend cpu --data whole.zarr >/dev/null
 
 start_slurm
 echo "Slurm $(sinfo -V): an array of 6 tasks, one killed and put back into the queue"
 DATA=$work/slurm.zarr sbatch --array=1-6 --cpus-per-task=1 slurm-cpu.sh
-for _ in $(seq 60); do
+for _ in $(seq 300); do
     # Some tile of a part under way is there.
     task=$(squeue -h -t R -o '%i' | head -n 1)
     [ -n "$task" ] && ls slurm.zarr/regime/c/*/* >/dev/null 2>&1 && break
     sleep 0.2
 done
-[ -n "$task" ] || { echo "no task ran" >&2; exit 1; }
+[ -n "$task" ] || { echo "no task ran" >&2; squeue -o "%i %t %r"; sinfo -N -l; tail -n 5 "$work"/*.log; exit 1; }
 pid=$(pgrep -f -- "--data $work/slurm.zarr --part" | head -n 1)
 kill -9 "$pid"
 scontrol requeue "$task" || true
