@@ -22,7 +22,7 @@ fn done(folder: &Path, arguments: &[&str]) -> Output {
 fn config_of_png(path: &Path) -> Value {
     let reader =
         png::Decoder::new(std::io::BufReader::new(fs::File::open(path).unwrap())).read_info().unwrap();
-    let [chunk] = &reader.info().utf8_text[..] else { panic!("one text chunk") };
+    let chunk = reader.info().utf8_text.iter().find(|chunk| chunk.keyword == "impact-atlas").unwrap();
     serde_json::from_str(&chunk.get_text().unwrap()).unwrap()
 }
 
@@ -64,7 +64,7 @@ fn plots_that_cannot_be_are_refused() {
     refuses(&orbit(&["--zoom", "tau=1:2"]), &["--zoom tau=1:2", "no panel"]);
     refuses(&orbit(&["--zoom", "t=1:2", "--zoom", "t=1:3"]), &["t=1:2", "t=1:3", "two ranges"]);
     refuses(&orbit(&["--size", "100x80", "--transient", "1"]), &["100 × 80", "at least"]);
-    refuses(&["orbit", "--out", "o.jpg"], &["o.jpg", ".png or .svg"]);
+    refuses(&["orbit", "--out", "o.jpg"], &["o.jpg", ".png, .svg or .pdf"]);
     refuses(&["orbit", "--out", "o.svg", "--impacts", "o.svg"], &["two results"]);
     refuses(&["orbit", "--panel", "time"], &["--out"]);
 }
@@ -138,7 +138,7 @@ fn diagrams_that_cannot_be_are_refused() {
     );
     refuses(&diagram(&["--points", "0"]), &["0 points", "--points 1"]);
     refuses(&diagram(&["--out", "d.png", "--data", "d.png"]), &["two results"]);
-    refuses(&diagram(&["--out", "d.pdf"]), &["d.pdf", ".svg"]);
+    refuses(&diagram(&["--out", "d.gif"]), &["d.gif", ".svg"]);
     refuses(&["bifurcation", "--x", "v1=-1:1:9", "--sweep", "up"], &["--sweep up", "--sweep rest"]);
     refuses(&diagram(&["--size", "200x100"]), &["200 × 100", "at least"]);
 }

@@ -444,7 +444,8 @@ fn help_has_examples_and_units() {
         let help = stdout(&run(&[command, "--help"]));
         assert!(help.contains(&format!("  impact-atlas {command}")), "{help}");
     }
-    assert!(stdout(&run(&["lyapunov", "--help"])).contains("standard error is per forcing period"));
+    let help = stdout(&run(&["lyapunov", "--help"])).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(help.contains("standard error is per forcing period"), "{help}");
 }
 
 #[cfg(unix)]

@@ -61,7 +61,19 @@ fn pictures_name_the_stop_and_the_components() {
 #[test]
 fn a_force_acts_on_the_coordinate_that_is_named() {
     let forced = |coordinate: &'static str| {
-        let pair = ["control", "sine", "--system", "colliding-pair", "--convention", "force", "--alpha", "0"];
+        let pair = [
+            "control",
+            "sine",
+            "--system",
+            "colliding-pair",
+            "--convention",
+            "force",
+            "--alpha",
+            "0",
+            "--target=-0.3",
+            "--component",
+            "v1+",
+        ];
         let rest = [
             "--amplitude",
             "0.15",
@@ -108,7 +120,7 @@ fn what_the_system_does_not_have_is_refused() {
     refuses(&ball(&["--gains", "0.1,0.2,0.3,0.4"]), &["--gains has 4 numbers", "two", "v1+ and tau"]);
     let pulse = [&["control", "pulse"], &BALL[..]].concat();
     refuses(&pulse, &["give the target itself", "v1+, tau"]);
-    refuses(&[&pulse[..], &["--target", "0.3,1"]].concat(), &["v1+ = 0.3"]);
+    refuses(&[&pulse[..], &["--target=-0.3,1"]].concat(), &["v1+ = -0.3"]);
     let sine = [&["control", "sine"], &BALL[..], &["--target", "1", "--component", "x2"]].concat();
     refuses(&sine, &["--component x2", "stop A", "v1+ and tau"]);
     let map = ["map", "--control", "pulse", "--system", "bouncing-ball", "--target", "-1,1"];
@@ -158,5 +170,5 @@ fn curves_of_the_ball_are_written_down() {
     let output = run_in(folder.path(), &[&map[..], &drawn].concat());
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let svg = fs::read_to_string(folder.path().join("m.svg")).unwrap();
-    assert!(svg.contains(">F 1-1<") && svg.contains(">PD 1-1<"));
+    assert!(svg.contains("\"F 1-1\"") && svg.contains("\"PD 1-1\""));
 }

@@ -70,7 +70,7 @@ mod tests {
         let words =
             ["map", "--threads", "2", "--set", "r=0.7", "--title", "a plane", "--force", "-q", "--threads=1"];
         let command = said(words.into_iter().map(str::to_owned));
-        assert_eq!(command, "impact-atlas map --set r=0.7 --title 'a plane'");
+        assert_eq!(command, "impact-atlas map --set 'r=0.7' --title 'a plane'");
     }
 
     #[test]

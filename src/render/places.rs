@@ -57,11 +57,11 @@ pub(super) fn stop_place(family: &'static Family, stop: usize) -> Text {
             Ok(parameter) => signed(text).then(symbol(Quantity::Parameter(parameter))),
             Err(_) => signed(text).upright(name),
         },
-        Gap::Formula(formula) if place.gap.is_sum() && place.negative => {
-            text.upright(format!("−({formula})"))
+        Gap::Formula(sum) if place.gap.is_sum() && place.negative => {
+            text.upright("−(").then(formula(family, sum)).upright(")")
         }
-        Gap::Formula(formula) if place.gap.is_sum() => text.upright(formula),
-        Gap::Formula(formula) => signed(text).upright(formula),
+        Gap::Formula(sum) if place.gap.is_sum() => text.then(formula(family, sum)),
+        Gap::Formula(product) => signed(text).then(formula(family, product)),
     }
 }
 

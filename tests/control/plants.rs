@@ -326,7 +326,7 @@ fn settling() -> Vec<(&'static str, ControlJob)> {
             gamma: 1.0,
             phase: 0.0,
             component,
-            target: Target { reference: 1.0, given, own: usize::from(components == 6) },
+            target: Target { reference: 1.0, given, own: 1 },
         })
     };
     let rested = |n: usize| vec![0.0; 2 * n];

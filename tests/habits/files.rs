@@ -81,7 +81,7 @@ fn a_reproduction_brings_its_own_files_up_to_date_and_no_others() {
 
 #[test]
 fn names_fit_what_files_hold() {
-    refuses(&words("map --out map.jpg"), &["map.jpg", ".png or .svg"]);
+    refuses(&words("map --out map.jpg"), &["map.jpg", ".png, .svg or .pdf"]);
     refuses(&words("map --data map.png --out other.png"), &["map.png", ".npz"]);
     refuses(&words("map --control delay --times t.csv"), &["t.csv", ".svg"]);
     refuses(&words("orbit --impacts i.png"), &["i.png", ".csv"]);
