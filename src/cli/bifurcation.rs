@@ -201,15 +201,11 @@ impl BifurcationArgs {
             )));
         }
         let section = match &self.section {
-            Some(name) => {
-                self.system.named("--section <SECTION>", name, |name, family| Section::named(name, family))?
-            }
+            Some(name) => self.system.named("--section <SECTION>", name, Section::named)?,
             None => Section::A,
         };
         let reading = match &self.record {
-            Some(name) => {
-                self.system.named("--record <NAME>", name, |name, family| Reading::named(name, family))?
-            }
+            Some(name) => self.system.named("--record <NAME>", name, Reading::named)?,
             None => Reading::usual(section, self.system.family()),
         };
         let probe = Probe::new(section, reading).map_err(CliError::input)?;

@@ -88,8 +88,8 @@ Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Map(map::MapArgs),
-    Explore(explore::ExploreArgs),
+    Map(Box<map::MapArgs>),
+    Explore(Box<explore::ExploreArgs>),
     Render(render::RenderArgs),
     Status(status::StatusArgs),
     Classify(classify::ClassifyArgs),

@@ -192,11 +192,8 @@ impl OrbitArgs {
 
     fn shown(&self) -> Result<Shown, CliError> {
         let family = self.system.family();
-        let panel = |text: &String| {
-            self.system.named("--panel <NAME[:X,Y]>", text, |t, f| OrbitPanel::of_family(t, f))
-        };
-        let zoom =
-            |text: &String| self.system.named("--zoom <NAME=LOW:HIGH>", text, |t, f| Zoom::of_family(t, f));
+        let panel = |text: &String| self.system.named("--panel <NAME[:X,Y]>", text, OrbitPanel::of_family);
+        let zoom = |text: &String| self.system.named("--zoom <NAME=LOW:HIGH>", text, Zoom::of_family);
         let panels = match (&self.out, &self.panels[..]) {
             (None, _) => Vec::new(),
             (Some(_), []) => vec![OrbitPanel::portrait(family), OrbitPanel::time_series(family)],

@@ -15,7 +15,7 @@ pub struct Computing {
     pub backend: &'static dyn Backend,
 }
 
-/// What a page asks for: automatic, the CPU, a GPU, or one of the adapters by its number in [`adapters`].
+/// What a page asks for: automatic, the CPU, a GPU, or one of the adapters by its number in the list of adapters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
     /// A hardware GPU where there is one, the CPU path elsewhere.

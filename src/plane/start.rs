@@ -75,7 +75,7 @@ impl Start {
                     |i| format!("x{} = {}", i + 1, Number(state[i])),
                 );
                 return Err(StartError::OutsideStops {
-                    start: *self,
+                    start: Box::new(*self),
                     stop: family.stops()[number].plain_name().to_owned(),
                     place: place.into(),
                     gap: stop.gap,
@@ -145,7 +145,7 @@ pub enum StartError {
     )]
     OutsideStops {
         /// The start.
-        start: Start,
+        start: Box<Start>,
         /// Which stop, by its name.
         stop: String,
         /// Where it would begin, in words: the coordinate that meets the stop, or direction · x.
@@ -168,7 +168,12 @@ mod tests {
         let start = Start::State([-0.2, 0.0, 0.0, 0.0].into());
         assert_eq!(
             start.check(&plant, Family::paper()),
-            Err(StartError::OutsideStops { start, stop: "B".into(), place: "x1 = -0.2".into(), gap: 0.1 })
+            Err(StartError::OutsideStops {
+                start: start.into(),
+                stop: "B".into(),
+                place: "x1 = -0.2".into(),
+                gap: 0.1
+            })
         );
         let short = Start::State(StateVector::zeros(1));
         assert_eq!(short.check(&plant, Family::paper()), Err(StartError::Components { given: 2, needed: 4 }));

@@ -68,7 +68,7 @@ fn the_coco_books_impact_oscillator() {
 fn the_ball_on_the_table() {
     // In one period the table must return what gravity took, 2π: v− = −2π/(1 + e). Born at Γ = π (1 − e)/(1 + e), the 1-1
     // motion doubles its period at Γ² = (π (1 − e)/(1 + e))² + (2 (1 + e²)/(1 + e)²)² (P. J. Holmes 1982).
-    for (e, born, doubled) in [(0.5, 1.047_198, 1.526_824), (0.8, 0.349_066, 1.070_836)] {
+    for (e, born, doubled) in [(0.5, PI / 3.0, 1.526_824), (0.8, PI / 9.0, 1.070_836)] {
         let at = |gamma: f64, shift: f64| {
             // On the motion: it leaves the table at the phase φ with cos φ = π (1 − e)/((1 + e) Γ), at 2π e/(1 + e).
             let phase = (PI * (1.0 - e) / ((1.0 + e) * gamma)).acos();

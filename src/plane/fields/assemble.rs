@@ -6,6 +6,9 @@ use crate::model::StateVector;
 use crate::plane::region_map::Multipliers;
 use crate::system::Family;
 
+/// Verdicts, and where there are any the multipliers of the exact orbits.
+type Results = (Vec<Verdict>, Option<Vec<Option<Multipliers>>>);
+
 /// The results of so many cells from their fields; the multipliers where the file has them.
 ///
 /// What files do not hold, the impacts over the whole trajectory and what is in question, reads as 0.
@@ -17,7 +20,7 @@ pub fn assembled<E: From<CellsError>>(
     cells: usize,
     certified: bool,
     mut read: impl FnMut(&'static CellField) -> Result<Values, E>,
-) -> Result<(Vec<Verdict>, Option<Vec<Option<Multipliers>>>), E> {
+) -> Result<Results, E> {
     let mut get = |name: &str| read(CellField::named(name).expect("the table has the field"));
     let (regime, n, counts, symmetric) = (get("regime")?, get("n")?, get("counts")?, get("symmetric")?);
     let (lyapunov, state, impacts) = (get("lyapunov")?, get("state")?, get("impacts")?);

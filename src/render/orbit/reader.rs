@@ -72,7 +72,7 @@ impl Reader {
             }
             Reading::Gap(of) => {
                 let other = &self.lines[of.index()];
-                (other.direction == line.direction).then(|| other.sign * (other.place - line.place))
+                (other.direction == line.direction).then_some(other.sign * (other.place - line.place))
             }
             _ => None,
         }
