@@ -39,8 +39,8 @@ fn feedback(stop: Stop, components: usize, gain: f64) -> Scheme {
 
 fn pulse(stop: Stop, target: &[f64]) -> Scheme {
     let given = SectionValues::from_slice(target).unwrap().map(Some);
-    // The three masses are met at the second.
-    let own = usize::from(target.len() == 6);
+    // The second of the three masses meets the stops, and the second of two its stop of its own.
+    let own = usize::from(target.len() == 6 || (target.len() == 4 && stop == Stop::B));
     Scheme::Pulse(PulseSetting {
         stop,
         period: 1,
@@ -326,7 +326,7 @@ fn settling() -> Vec<(&'static str, ControlJob)> {
             gamma: 1.0,
             phase: 0.0,
             component,
-            target: Target { reference: 1.0, given, own: 1 },
+            target: Target { reference: 1.0, given, own: usize::from(components == 6) },
         })
     };
     let rested = |n: usize| vec![0.0; 2 * n];
