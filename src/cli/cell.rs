@@ -6,10 +6,10 @@ use std::path::Path;
 use std::str::FromStr;
 
 use anyhow::{Context, anyhow};
-use impact_atlas::plane::{Axis, Plane, Provenance};
+use impact_atlas::plane::{Axis, Made, Plane};
 use impact_atlas::render::carried_configuration;
 use impact_atlas::store::{ZarrStore, read_config};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use thiserror::Error;
 
 use super::CliError;
@@ -53,28 +53,8 @@ pub struct Cell {
     pub y: f64,
 }
 
-/// What a map's file says about the map.
-#[derive(Debug)]
-pub struct Made {
-    /// The plane.
-    pub plane: Plane,
-    /// What computed it.
-    pub provenance: Provenance,
-    /// Whether its periodic cells were certified.
-    pub certified: bool,
-}
-
 /// Reads the configuration that a map's picture or data carry.
 pub fn made(path: &Path) -> Result<Made, CliError> {
-    #[derive(Deserialize)]
-    struct Configuration {
-        #[serde(flatten)]
-        provenance: Provenance,
-        #[serde(flatten)]
-        plane: Plane,
-        #[serde(default)]
-        certified: bool,
-    }
     let name = path.display();
     if path.is_dir() {
         let store = ZarrStore::open(path)?;
@@ -95,17 +75,16 @@ pub fn made(path: &Path) -> Result<Made, CliError> {
             "`{name}` is a map under control: `classify` answers for maps without; follow a cell with `control`"
         )));
     }
-    let Ok(Configuration { provenance, plane, certified }) = serde_json::from_value(value) else {
+    let Ok(made) = serde_json::from_value::<Made>(value) else {
         return Err(CliError::Input(anyhow!("`{name}` is no map: give a file that `map` wrote")));
     };
-    plane.check().map_err(CliError::input)?;
-    Ok(Made { plane, provenance, certified })
+    made.plane.check().map_err(CliError::input)?;
+    Ok(made)
 }
 
-impl Made {
-    /// The cell that holds a place.
-    pub fn cell(&self, Place(values): &Place) -> Result<Cell, CliError> {
-        let Plane { x, y, .. } = &self.plane;
+impl Cell {
+    /// The cell of a plane that holds a place.
+    pub fn holding(Place(values): &Place, Plane { x, y, .. }: &Plane) -> Result<Self, CliError> {
         let on = |axis: &Axis| {
             let value = values.iter().find(|(name, _)| name == axis.quantity.name()).map(|(_, value)| *value);
             value.ok_or_else(|| {

@@ -7,13 +7,13 @@ use clap::Args;
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Backend, Job, decide};
 use impact_atlas::model::{StateVector, System};
-use impact_atlas::plane::{Component, Provenance, Start};
+use impact_atlas::plane::{Component, Start};
 use impact_atlas::sweep::certify_cells;
 use serde::Serialize;
 
 use super::cell::{Cell, Place, made};
 use super::interrupt::{Interruptible, abandonable};
-use super::options::{BackendArgs, BackendName, SystemArgs, start_state};
+use super::options::{BackendArgs, SystemArgs, start_state};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse};
@@ -144,7 +144,7 @@ fn of_map(
     backend: &BackendArgs,
 ) -> Result<(Asked, BackendArgs), CliError> {
     let made = made(from)?;
-    let cell = made.cell(at)?;
+    let cell = Cell::holding(at, &made.plane)?;
     let Cell { column, row, .. } = cell;
     let (x, y) = (made.plane.x.quantity.name(), made.plane.y.quantity.name());
     note(&format!("column {column}, row {row} of `{}`: {x} = {}, {y} = {}", from.display(), cell.x, cell.y));
@@ -154,16 +154,7 @@ fn of_map(
     let job = Job { system, start: state };
     let asked =
         Asked { job, start, schedule: made.plane.schedule, cell: Some(cell), certified: made.certified };
-    Ok((asked, same_backend(backend, &made.provenance)))
-}
-
-fn same_backend(asked: &BackendArgs, made: &Provenance) -> BackendArgs {
-    let backend = match (asked.backend, &*made.backend) {
-        (BackendName::Auto, "cpu") if asked.adapter.is_none() => BackendName::Cpu,
-        (BackendName::Auto, "gpu") => BackendName::Gpu,
-        (asked, _) => asked,
-    };
-    BackendArgs { backend, adapter: asked.adapter.clone() }
+    Ok((asked, backend.or_those_of(&made.provenance)))
 }
 
 impl ClassifyArgs {

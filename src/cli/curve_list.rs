@@ -6,7 +6,6 @@ use anyhow::anyhow;
 use impact_atlas::curves::{
     Criticality, Curve, CurveMotion, CurvePoint, End, Kind, LeftOut, Named, Special, Why, named,
 };
-use impact_atlas::model::System;
 use impact_atlas::plane::Plane;
 use impact_atlas::store::Output;
 use serde::Serialize;
@@ -218,7 +217,6 @@ pub fn read(path: &Path, plane: &Plane) -> Result<Vec<Curve>, CliError> {
     if headers.iter().ne(COLUMNS) {
         return Err(refused(format!("its columns are not {}", COLUMNS.join(", "))));
     }
-    let system = System::new(plane.parameters_at(0, 0)).map_err(CliError::input)?;
     let mut curves: Vec<Curve> = Vec::new();
     let mut last = String::new();
     for (row, record) in (2..).zip(table.records()) {
@@ -233,7 +231,7 @@ pub fn read(path: &Path, plane: &Plane) -> Result<Vec<Curve>, CliError> {
             special: Special::named(&record[6]),
         };
         let kind = Kind::named(&record[1]).ok_or_else(|| wrong("an unknown kind"))?;
-        let motion = CurveMotion::labelled(&record[2], &record[7] == "true", &system)
+        let motion = CurveMotion::labelled(&record[2], &record[7] == "true", plane)
             .ok_or_else(|| wrong("no motion of this system"))?;
         match curves.last_mut() {
             Some(curve)

@@ -2,10 +2,12 @@
 
 use serde::{Serialize, Serializer};
 
+use super::atlas::spans;
 use super::condition::Kind;
+use super::symmetry::stops_of;
 use crate::analysis::{Regime, Verdict, motion_label};
 use crate::dynamics::Stop;
-use crate::model::System;
+use crate::plane::Plane;
 use crate::theory::{Pattern, StopSet};
 
 /// A bifurcation curve in the plane of two parameters; non-dimensional.
@@ -64,9 +66,10 @@ impl CurveMotion {
         CurveMotion { n, impacts, image, symmetric }
     }
 
-    /// The motion of a label, N and the impacts at each stop in the order of labels, or what it is called without impacts.
-    pub fn labelled(label: &str, symmetric: bool, system: &System) -> Option<Self> {
-        let stops = StopSet::of(system);
+    /// The motion of a label on a plane, N and the impacts at each stop in the order of labels, or what it is called without
+    /// impacts.
+    pub fn labelled(label: &str, symmetric: bool, plane: &Plane) -> Option<Self> {
+        let stops = stops_of(plane, spans(plane).ok()?);
         if label == "no impact" {
             return Some(CurveMotion { symmetric, ..CurveMotion::without_impact(&stops) });
         }

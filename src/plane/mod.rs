@@ -18,7 +18,7 @@ pub use axis_error::AxisError;
 pub use connected::{Cell, connected};
 pub use controlled::{ControlMap, ControlPlane, ControlPlaneError};
 pub use part::{Part, PartError, cost};
-pub use region_map::{Multipliers, Provenance, RegionMap};
+pub use region_map::{Made, Multipliers, Provenance, RegionMap};
 pub use spacing::Spacing;
 pub use spec::{Plane, PlaneError};
 pub use start::{Start, StartError};

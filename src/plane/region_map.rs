@@ -34,6 +34,20 @@ impl Provenance {
     }
 }
 
+/// The configuration that a map's files carry, as far as it says what was computed.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Made {
+    /// The plane.
+    #[serde(flatten)]
+    pub plane: Plane,
+    /// What computed it.
+    #[serde(flatten)]
+    pub provenance: Provenance,
+    /// Whether its periodic cells were certified.
+    #[serde(default)]
+    pub certified: bool,
+}
+
 /// (re, im) of the 2n Floquet multipliers of a periodic motion, largest modulus first.
 pub type Multipliers = Vec<[f64; 2]>;
 

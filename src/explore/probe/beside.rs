@@ -57,12 +57,13 @@ pub fn coexisting(
         }
     }
     let own = Motion::of(verdict);
+    let mirror = scene.plane.has_mirror();
     let told: Vec<Value> = found
         .iter()
         .map(|(motion, verdict, count, start)| {
             let paint = paint_of(*motion);
             json!({
-                "name": Motion::name(verdict, scene.plane.has_mirror()),
+                "name": Motion::name(verdict, mirror),
                 "paint": [css(paint.fill), paint.hatch.map(css)],
                 "starts": count,
                 "first": start,

@@ -3,12 +3,11 @@
 use std::io::{self, Read, Seek};
 
 use npyz::{Deserialize as FromNpy, NpyFile};
-use serde::Deserialize;
 use thiserror::Error;
 use zip::ZipArchive;
 
 use crate::plane::fields::{CellField, CellsError, Kind, Values, assembled};
-use crate::plane::{Plane, Provenance, RegionMap, Window};
+use crate::plane::{Made, Plane, RegionMap, Window};
 
 /// Reads a map that [`write_map`](super::write_map) wrote.
 ///
@@ -17,16 +16,9 @@ use crate::plane::{Plane, Provenance, RegionMap, Window};
 /// # Errors
 /// What is missing from the file or does not fit together in it.
 pub fn read_map(from: impl Read + Seek) -> Result<RegionMap, ReadError> {
-    #[derive(Deserialize)]
-    struct Config {
-        #[serde(flatten)]
-        provenance: Provenance,
-        #[serde(flatten)]
-        plane: Plane,
-    }
     let mut zip = ZipArchive::new(from).map_err(io::Error::from)?;
     let config = values::<String>(&mut zip, "config", &[])?.concat();
-    let Config { provenance, plane } = serde_json::from_str(&config)?;
+    let Made { provenance, plane, .. } = serde_json::from_str(&config)?;
     let certified = zip.index_for_name(&npyz::npz::file_name_from_array_name("multipliers")).is_some();
     let cells = Window::whole(&plane).cells();
     let family = plane.parameters.family();

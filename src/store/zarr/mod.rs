@@ -17,7 +17,6 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use serde::Deserialize;
 use serde_json::Value;
 use tempfile::Builder;
 use zarrs::filesystem::FilesystemStore;
@@ -25,7 +24,7 @@ use zarrs::group::Group;
 
 use self::skeleton::{FORMAT, Skeleton};
 use super::OutputError;
-use crate::plane::{Plane, Provenance, Tiling};
+use crate::plane::{Made, Plane, Provenance, Tiling};
 
 pub use error::StoreError;
 pub use log::{Event, Log};
@@ -96,15 +95,6 @@ impl ZarrStore {
     /// # Errors
     /// What is not there, is no store of this program, or has another format.
     pub fn open(path: &Path) -> Result<Self, StoreError> {
-        #[derive(Deserialize)]
-        struct Configuration {
-            #[serde(flatten)]
-            provenance: Provenance,
-            #[serde(flatten)]
-            plane: Plane,
-            #[serde(default)]
-            certified: bool,
-        }
         let foreign = |reason: String| StoreError::Foreign { path: path.to_owned(), reason };
         if !path.exists() {
             return Err(StoreError::Missing(path.to_owned()));
@@ -126,7 +116,7 @@ impl ZarrStore {
         let not_understood =
             |error: serde_json::Error| foreign(format!("its configuration is not understood: {error}"));
         let configuration: Value = serde_json::from_str(text).map_err(not_understood)?;
-        let Configuration { provenance, plane, certified } =
+        let Made { provenance, plane, certified } =
             serde_json::from_value(configuration.clone()).map_err(not_understood)?;
         let side = about.get("tile").and_then(Value::as_u64).and_then(|side| u32::try_from(side).ok());
         let side = side.filter(|side| (1..=Tiling::LARGEST).contains(side));
