@@ -5,17 +5,25 @@
 //! direction). A contact that an impact elsewhere drives into its stop is an impact at the same instant; one that it pulls
 //! off opens. Impacts whose directions are perpendicular in the metric of M⁻¹ commute.
 
+mod abreast;
 mod chatter;
 mod contact;
+mod crossing;
 mod drive;
+mod leg;
+mod near;
 mod placing;
 mod point;
+mod quintic;
 mod recording;
 mod series;
+mod sticking;
 mod stop;
+mod striking;
 mod tangent;
 mod trajectory;
 
+pub use abreast::Abreast;
 pub use contact::holds;
 pub use drive::{Drive, DriveSeries, Phasor};
 pub use point::{Motion, Point};
@@ -27,7 +35,10 @@ pub use trajectory::{Event, Impact, Move, Trajectory};
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::chatter::{DRAGGED, SLOW, STEADY};
-    pub use super::contact::{HERMITE, WIDENING};
+    pub use super::contact::WIDENING;
+    pub use super::crossing::WIDER;
+    pub use super::leg::SWELLING;
+    pub use super::quintic::STEPS as NEWTON_STEPS;
     pub use super::series::INVERSE_FACTORIALS;
     pub use super::trajectory::{MOST_KICKS, MOST_MOVES};
     pub use crate::model::FAR;
