@@ -21,6 +21,24 @@ struct Dispatch {
 @group(0) @binding(5) var<storage, read_write> observers: array<Observer>;
 @group(0) @binding(6) var<storage, read_write> verdicts: array<Verdict>;
 
+// Follows the trajectory while it is in a stage of its schedule, carrying the tangent along or not; what is spent of the
+// budget after that.
+fn follow_stage(stage: u32, carry: bool, spent: u32) -> u32 {
+    var taken = spent;
+    while taken < dispatch.budget && observer.stage == stage {
+        pace_rounds(carry);
+        if pace.arrived {
+            observer.moves = observer.moves + 1u;
+            observer_strobe();
+        } else if pace.rare {
+            observer_note(advance_warily(carry));
+        }
+        observer_give_up();
+        taken = taken + 1u;
+    }
+    return taken;
+}
+
 @compute @workgroup_size(WORKGROUP)
 fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
     let index = id.y * dispatch.row + id.x;
@@ -36,8 +54,8 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     var taken = 0u;
     while taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
-        observer_note(advance(observer.stage == STAGE_OBSERVATION));
-        taken = taken + 1u;
+        taken = follow_stage(STAGE_TRANSIENT, false, taken);
+        taken = follow_stage(STAGE_OBSERVATION, true, taken);
     }
     // Some drivers end every loop in silence after so many iterations; what they cut short must not pass for a result.
     if taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {

@@ -1,5 +1,6 @@
 //! What a trajectory is: regimes and labels, settling, Lyapunov exponents.
 
+mod abreast;
 mod exponent;
 mod loss;
 mod observer;
@@ -14,6 +15,7 @@ mod spread;
 mod trace;
 mod verdict;
 
+pub use abreast::{Queue, follow_abreast};
 pub(crate) use exponent::Exponent;
 pub use observer::{Observer, Stage};
 pub use probe::Probe;
@@ -26,6 +28,7 @@ pub use trace::{Trace, Tracer};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
+    pub use super::abreast::{CLEAR_STEPS, ROUNDS};
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::observer::{
         CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING, SETTLING_AT_REST,

@@ -5,7 +5,7 @@ mod decide;
 mod gpu;
 mod select;
 
-pub use cpu::{Cpu, Precision, follow, follow_controlled, trace};
+pub use cpu::{Cpu, Precision, Width, follow, follow_all, follow_controlled, trace};
 pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use select::{Choice, open};

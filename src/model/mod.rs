@@ -1,13 +1,17 @@
 //! The system: its parameters, the equations of motion, and the constants of linear flight.
 
+mod abreast;
 mod drive;
 mod equations;
 mod flight;
 mod flow;
 mod forced;
 mod line;
+mod lanes;
+mod pack;
 mod parameters;
 mod real;
+mod shared;
 mod state;
 mod system;
 pub mod vector;
@@ -19,7 +23,10 @@ pub use equations::{Equations, are_parallel};
 pub use flight::{ContactNormal, FAR, Flight, Quiet};
 pub use forced::{ForcedResponse, Trap};
 pub use line::Line;
+pub use lanes::{Lanes, Mask};
+pub use pack::{Pack, Twin};
 pub use parameters::Parameters;
 pub use real::Real;
+pub use shared::Flights;
 pub use state::{State, StateVector};
 pub use system::{System, SystemError};

@@ -8,6 +8,7 @@ use super::Kernel;
 use super::compiled::Compiled;
 use super::device::guarded;
 use super::tile::Tile;
+use crate::analysis::constants::ROUNDS;
 use crate::backend::gpu::layout::Record;
 use crate::backend::{BackendError, Job, Watch};
 use crate::model::Real;
@@ -15,12 +16,13 @@ use crate::model::Real;
 /// How long one dispatch should take; a display driver kills one of a few seconds.
 const PORTION: Duration = Duration::from_millis(200);
 /// Moves of the first dispatch, before its speed is known.
-const FIRST_BUDGET: u32 = 128;
+const FIRST_BUDGET: u32 = 32;
 /// The most moves of one dispatch on hardware.
 const HARDWARE_BUDGET: u32 = 1 << 14;
-/// Loop iterations in one move: the loop of the moves itself, and every place where a series is summed. Lanes that
-/// diverge go through all of them, one after the other.
-pub const ITERATIONS: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
+/// Loop iterations in one move, or in the rounds that the kernel `follow` counts as one: the loops of the rounds and of the
+/// moves, and every place where a series is summed. Lanes that diverge go through all of them, one after the other; those of
+/// the transient and of the observation too.
+pub const ITERATIONS: u32 = 2 * (2 + ROUNDS + 17 * <f32 as Real>::ORDER as u32);
 /// Loop iterations of one dispatch on a software adapter: Mesa's stop every loop in silence after 65,535 iterations
 /// of all the loops in an invocation. (The kernel counts a trajectory that was cut short as failed.)
 const SOFTWARE_ITERATIONS: u32 = 65_535;

@@ -73,7 +73,7 @@ fn the_constants_of_a_cell_fill_what_the_shader_declares() {
                 let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name)).unwrap();
                 ty.inner.size(module.to_ctx()) as usize
             };
-            let flight = model::Flight::<f32, N>::blank(normals);
+            let flight = model::Flight::<f32, N>::blank(normals, 0.0);
             let (mut constants, mut kicks) = (Vec::new(), Vec::new());
             write_flight(&flight, &mut constants);
             write_kicks(&flight, &mut kicks);

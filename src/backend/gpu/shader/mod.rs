@@ -47,7 +47,10 @@ impl Kernel {
 
     fn fragments(self) -> &'static [&'static str] {
         match self {
-            Kernel::Follow => &[include_str!("../../../../shaders/kernels/follow.wgsl")],
+            Kernel::Follow => &[
+                include_str!("../../../../shaders/analysis/abreast.wgsl"),
+                include_str!("../../../../shaders/kernels/follow.wgsl"),
+            ],
             Kernel::Trace => &[
                 include_str!("../../../../shaders/analysis/rebounds.wgsl"),
                 include_str!("../../../../shaders/analysis/probe.wgsl"),
@@ -71,7 +74,7 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 17] = [
+const COMMON: [&str; 23] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
     include_str!("../../../../shaders/dynamics/stop.wgsl"),
@@ -80,9 +83,15 @@ const COMMON: [&str; 17] = [
     include_str!("../../../../shaders/dynamics/tangent.wgsl"),
     include_str!("../../../../shaders/dynamics/contact.wgsl"),
     include_str!("../../../../shaders/dynamics/chatter.wgsl"),
+    include_str!("../../../../shaders/dynamics/leg.wgsl"),
+    include_str!("../../../../shaders/dynamics/quintic.wgsl"),
+    include_str!("../../../../shaders/dynamics/near.wgsl"),
+    include_str!("../../../../shaders/dynamics/crossing.wgsl"),
     include_str!("../../../../shaders/dynamics/placing.wgsl"),
     include_str!("../../../../shaders/dynamics/corner.wgsl"),
     include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
+    include_str!("../../../../shaders/dynamics/striking.wgsl"),
+    include_str!("../../../../shaders/dynamics/sticking.wgsl"),
     include_str!("../../../../shaders/analysis/recurrence.wgsl"),
     include_str!("../../../../shaders/analysis/exponent.wgsl"),
     include_str!("../../../../shaders/analysis/spread.wgsl"),
@@ -92,8 +101,8 @@ const COMMON: [&str; 17] = [
 ];
 
 /// How the bound on a normal is read, and how where a force comes on top.
-const BOUND: &str = "+ flight.normals[normal].bound_forcing;";
-const DRIVEN_BOUND: &str = "+ (flight.normals[normal].bound_forcing + driven.bound[normal]);";
+const BOUND: &str = "var bound = flight.normals[normal].bound_forcing;";
+const DRIVEN_BOUND: &str = "var bound = flight.normals[normal].bound_forcing + driven.bound[normal];";
 
 /// The source of a kernel for a shape.
 pub fn source(kernel: Kernel, shape: &Shape) -> String {

@@ -1,9 +1,13 @@
 //! The CPU path: f64, the reference, on every core.
 
+mod lanes;
+
+pub use lanes::{Width, follow_all};
+
 use rayon::prelude::*;
 
-use super::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::analysis::{Observer, Probe, Schedule, Trace, Tracer, Verdict};
+use crate::backend::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::control::{ControlSchedule, Outcome, control};
 use crate::dynamics::{Event, Trajectory};
 use crate::model::{Flight, Real};
@@ -31,7 +35,7 @@ impl Backend for Cpu {
         schedule: &Schedule,
         watch: &dyn Watch,
     ) -> Result<Vec<Verdict>, BackendError> {
-        each(jobs, watch, |job| follow::<f64>(job, schedule))
+        follow_all(jobs, schedule, watch, Width::available()[0])
     }
 
     fn trace(
