@@ -70,7 +70,12 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let left = gap - sign * along(direction, reached.state.x);
     let speed = sign * along(direction, reached.state.v);
     let straight = left / speed;
-    let slide = left / ((sign * along(direction, acceleration) * 0.5) * straight + speed);
+    let bend = sign * along(direction, acceleration);
+    let turn = (sign * along(direction, jerk)) * 0.5;
+    let nearly = left / ((bend * 0.5) * straight + speed);
+    let far = ((turn * THIRD) * nearly + bend * 0.5) * nearly + speed;
+    let steep = (turn * nearly + bend) * nearly + speed;
+    let slide = nearly - (far * nearly - left) / steep;
     let slid = point_slid(reached, slide, acceleration, jerk);
     let time = u * window + slide;
 
@@ -91,7 +96,9 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let first = crossing_is_first(face, speeds.x, sign * velocity, pulls, time, point_bound(before, normal), window);
     let force = sign * along(direction, result);
     let parts = crossing_parts(face.end, restitution, rebound, point.state, force);
-    let certain = face.only & close & within & first & parts;
+    let size = abs(gap) + abs(window * velocity) + along(abs(direction), abs(slid.point.state.x));
+    let meets = abs(away) < size * (ROUNDINGS * EPSILON);
+    let certain = face.only & close & within & first & parts & meets;
     return Crossing(certain, face.end, time, point, velocity, change, rebound, slid.acceleration, result);
 }
 

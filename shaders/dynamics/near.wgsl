@@ -33,12 +33,13 @@ struct Slid {
     acceleration: X,
 }
 
-// The point a time s later, so short that its cube is lost in rounding.
+// The point a time s later, so short that its fourth power is lost in rounding.
 fn point_slid(point: Point, s: f32, acceleration: X, jerk: X) -> Slid {
     let half = s * 0.5;
     let turn = flight.omega * s;
     let half_turn = turn * 0.5;
-    let mean = point.state.v + half * acceleration;
+    let third = s * THIRD;
+    let mean = point.state.v + half * (acceleration + third * jerk);
     let later = Point(
         State(point.state.x + s * mean, point.state.v + s * (acceleration + half * jerk)),
         turn * (point.cos - half_turn * point.sin) + point.sin,

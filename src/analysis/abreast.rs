@@ -3,7 +3,7 @@
 use super::observer::{Observer, Stage};
 use super::schedule::Schedule;
 use crate::dynamics::{Abreast, Event};
-use crate::model::{Flight, Lanes, Real};
+use crate::model::{Flight, Lanes};
 
 /// What the lanes are to follow, and who is told.
 pub trait Queue<T, const N: usize> {
@@ -77,7 +77,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     #[inline(never)]
     fn fill(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
         while let Some((ticket, flight, mut observer)) = queue.next() {
-            settle_down(&mut observer, &flight, schedule, false);
+            observer.settle_down(&flight, schedule, false);
             if observer.is_done() {
                 queue.done(ticket, &flight, &observer);
                 continue;
@@ -156,25 +156,13 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         if seat.observer.stage == Stage::Observation {
             seat.observer.tangent = self.abreast.tangent(lane);
         }
-        settle_down(&mut seat.observer, &seat.flight, schedule, true);
+        seat.observer.settle_down(&seat.flight, schedule, true);
         if seat.observer.is_done() {
             self.finish(lane, schedule, queue);
         } else {
             self.sit(lane);
         }
     }
-}
-
-/// Follows a trajectory by itself until it is at the beginning of a step of free flight, or done, with the instructions of
-/// the processor at hand.
-#[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
-fn settle_down<T: Real, const N: usize>(
-    observer: &mut Observer<T, N>,
-    flight: &Flight<T, N>,
-    schedule: &Schedule,
-    warily: bool,
-) {
-    observer.settle_down(flight, schedule, warily);
 }
 
 /// The lanes whose bit is set.

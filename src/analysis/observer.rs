@@ -108,7 +108,6 @@ impl<T: Real, const N: usize> Observer<T, N> {
     }
 
     /// Follows the trajectory to its end.
-    #[inline(always)]
     pub fn follow(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         self.follow_listening(flight, schedule, &mut |_: &Trajectory<T, N>, _: &Event<T>| ());
     }
@@ -136,7 +135,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// Follows the trajectory to the next phase 0 or π, on copies that the compiler can hold in registers;
+    /// Follows the trajectory to the next phase 0 or π, on copies;
     /// `keep` takes the variation back.
     #[inline(always)]
     fn follow_to_phase<V: Variation<T, N>>(
@@ -149,7 +148,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
     ) {
         let mut trajectory = self.trajectory;
         loop {
-            let taken = trajectory.advance_inline(flight, &mut variation);
+            let taken = trajectory.advance(flight, &mut variation);
             if taken.event == Event::StepEnd {
                 continue;
             }
@@ -182,7 +181,6 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     /// Goes on until the trajectory is at the beginning of a step of free flight, or done; `warily` where the contact
     /// ahead is known not to be certain.
-    #[inline(always)]
     pub(super) fn settle_down(&mut self, flight: &Flight<T, N>, schedule: &Schedule, mut warily: bool) {
         while !self.is_done() && (warily || !self.trajectory.begins_free_step()) {
             let taken = if self.stage == Stage::Observation {
@@ -213,7 +211,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if warily {
             self.trajectory.advance_warily(flight, variation)
         } else {
-            self.trajectory.advance_inline(flight, variation)
+            self.trajectory.advance(flight, variation)
         }
     }
 

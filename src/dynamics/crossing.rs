@@ -1,12 +1,13 @@
 //! Contact in one go: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
 
 use super::chatter::{SLOW, STEADY};
+use super::contact::ROUNDINGS;
 use super::drive::Drive;
 use super::leg::Leg;
 use super::point::Point;
 use super::quintic::Quintic;
 use super::tangent::Struck;
-use crate::model::vector::{MOST, axpy, dot, fused_dot, select};
+use crate::model::vector::{MOST, axpy, dot, select};
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
 /// A contact, and the flight after it.
@@ -71,7 +72,7 @@ impl<L: Lanes, const N: usize> Face<L, N> {
         let mut found = never;
         for k in 0..flight.count {
             let normal = &flight.normals[k];
-            let ends = fused_dot(&normal.direction, &leg.to.state.x);
+            let ends = dot(&normal.direction, &leg.to.state.x);
             let upper = normal.gap[0].below(ends);
             let beyond = upper.or(normal.gap[1].below(-ends));
             let clear = leg.clearance(flight, k);
@@ -99,7 +100,19 @@ impl<L: Lanes, const N: usize> Face<L, N> {
     /// A vector's part towards the stop.
     #[inline(always)]
     fn towards(&self, vector: &[L; N]) -> L {
-        self.sign * fused_dot(&self.direction, vector)
+        self.sign * dot(&self.direction, vector)
+    }
+
+    /// Where a state is on the stop, up to rounding: `way` is the length of the way to it.
+    #[inline(always)]
+    fn meets(&self, state: &State<L, N>, way: L) -> L::Mask {
+        let mut parts = (self.direction[0] * state.x[0]).magnitude();
+        for i in 1..N {
+            parts = parts + (self.direction[i] * state.x[i]).magnitude();
+        }
+        let size = self.gap.magnitude() + way.magnitude() + parts;
+        let away = self.sign * self.gap - dot(&self.direction, &state.x);
+        away.magnitude().below(size * way.all(ROUNDINGS * L::Real::EPSILON))
     }
 
     /// Moved onto the stop, with d·v as given.
@@ -134,11 +147,16 @@ pub fn crossing<L: Lanes, const N: usize, D: Drive<L, N>>(
     let left = face.gap - face.towards(&reached.state.x);
     let speed = face.towards(&reached.state.v);
     let straight = left / speed;
-    let slide = left / (face.towards(&acceleration) * zero.all(0.5)).fused(straight, speed);
+    let bend = face.towards(&acceleration);
+    let turn = face.towards(&jerk) * zero.all(0.5);
+    let nearly = left / (bend * zero.all(0.5)).times_plus(straight, speed);
+    let far = (turn * zero.all(1.0 / 3.0)).times_plus(nearly, bend * zero.all(0.5)).times_plus(nearly, speed);
+    let steep = turn.times_plus(nearly, bend).times_plus(nearly, speed);
+    let slide = nearly - (far * nearly - left) / steep;
     let (arrived, before) = reached.slid(flight, slide, &acceleration, &jerk);
-    let time = u.fused(window, slide);
+    let time = u.times_plus(window, slide);
 
-    let velocity = fused_dot(&face.direction, &arrived.state.v);
+    let velocity = dot(&face.direction, &arrived.state.v);
     let rebound = -(face.restitution * velocity);
     let kick = rebound - velocity;
     let point = Point { state: face.placed(&arrived.state, rebound), ..arrived };
@@ -148,6 +166,7 @@ pub fn crossing<L: Lanes, const N: usize, D: Drive<L, N>>(
     let first = is_first(&face, speeds[0], face.sign * velocity, pulls, time, window);
     let parts = parts_for_good(&face, flight, rebound, &point.state.v, face.towards(&after));
     let certain = face.only.and(close).and(within).and(first).and(parts);
+    let certain = certain.and(face.meets(&arrived.state, window * velocity));
     let mut ahead = *to;
     for k in 0..flight.count {
         if face.normals[k].bits() != 0 {
@@ -177,7 +196,7 @@ fn is_first<L: Lanes, const N: usize>(
     let swelling = (window * window) * (face.bound * window.all(0.125));
     let least = pulls[0].smaller(pulls[1]) - swelling;
     let most = pulls[0].larger(pulls[1]) + swelling;
-    let sets_out = zero.below(least.smaller(zero).fused(time, leaves));
+    let sets_out = zero.below(least.smaller(zero).times_plus(time, leaves));
     let comes_in = zero.below(arrives - most.larger(zero) * time);
     let bends = zero.below(least).and(face.opposite_clear);
     zero.below(arrives).and(sets_out.or(comes_in).or(bends))
@@ -195,8 +214,8 @@ fn parts_for_good<L: Lanes, const N: usize>(
 ) -> L::Mask {
     let speed = rebound.magnitude();
     let mut size = face.gap.magnitude() + speed.all(1.0);
-    for i in 0..N {
-        size = size + (face.direction[i] * v[i]).magnitude();
+    for (direction, speed) in face.direction.iter().zip(v) {
+        size = size + (*direction * *speed).magnitude();
     }
     let slow = (size * speed.all(L::Real::EPSILON)).larger(speed.all(SLOW));
     let one = speed.all(1.0);

@@ -2,7 +2,7 @@
 
 use super::drive::Drive;
 use super::point::Point;
-use crate::model::vector::fused_dot;
+use crate::model::vector::dot;
 use crate::model::{Flight, Lanes, Mask};
 
 /// From where a trajectory is to where its step ends if nothing more is met on the way.
@@ -50,17 +50,17 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Leg<'_, L, N, D> {
     pub fn clearance(&self, flight: &Flight<L, N>, k: usize) -> Clearance<L::Mask> {
         let Leg { from, to, window } = *self;
         let normal = &flight.normals[k];
-        let begins = fused_dot(&normal.direction, &from.state.x);
-        let leaves = fused_dot(&normal.direction, &from.state.v);
-        let ends = fused_dot(&normal.direction, &to.state.x);
-        let arrives = fused_dot(&normal.direction, &to.state.v);
+        let begins = dot(&normal.direction, &from.state.x);
+        let leaves = dot(&normal.direction, &from.state.v);
+        let ends = dot(&normal.direction, &to.state.x);
+        let arrives = dot(&normal.direction, &to.state.v);
         let quarter = window * window.all(0.25);
         let square = window * window;
         let margin = (square * square) * (window.all(SWELLING) * from.bound(flight, k));
-        let second = leaves.fused(quarter, begins);
+        let second = leaves.times_plus(quarter, begins);
         let fourth = ends - arrives * quarter;
         let turn = (leaves - arrives) * (window * window.all(1.0 / 6.0));
-        let middle = (begins + ends).fused(window.all(0.5), turn);
+        let middle = (begins + ends).times_plus(window.all(0.5), turn);
         let highest = second.larger(fourth).larger(ends).larger(middle + margin);
         let lowest = second.smaller(fourth).smaller(ends).smaller(middle - margin);
         // Not a number anywhere makes `middle` none, and no comparison holds.

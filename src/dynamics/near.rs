@@ -3,7 +3,7 @@
 use super::drive::{Drive, DriveSeries};
 use super::point::Point;
 use super::series::INVERSE_FACTORIALS;
-use crate::model::vector::{applied, fused_applied, fused_axpy, scaled, scaled_columns};
+use crate::model::vector::{applied, applied_onto, axpy, scaled, scaled_columns};
 use crate::model::{Flight, Lanes, Real, State};
 
 impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
@@ -19,26 +19,26 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
         let (force_sin, force_cos) = (scaled(s, &flight.sin), scaled(s, &flight.cos));
         let mut drive = self.drive.series(s);
         let mut before = self.state.v;
-        let loaded = fused_axpy(self.one, &flight.load, &applied(&flight.stiffness, &self.state.x));
-        let first = fused_axpy(self.cos, &force_cos, &fused_axpy(self.sin, &force_sin, &scaled(s, &loaded)));
-        let mut last = drive.forced(fused_applied(&dampers, &before, &first), s);
+        let loaded = axpy(self.one, &flight.load, &applied(&flight.stiffness, &self.state.x));
+        let first = axpy(self.cos, &force_cos, &axpy(self.sin, &force_sin, &scaled(s, &loaded)));
+        let mut last = drive.forced(applied_onto(&dampers, &before, &first), s);
         let mut phasor = [self.cos * turn, -(self.sin * turn)];
         let mut velocity = before;
         let mut mean = before;
         let mut phase = [self.sin, self.cos];
         for k in 1..=L::Real::CONTACT_ORDER {
             let weight = s.all(INVERSE_FACTORIALS[k]);
-            velocity = fused_axpy(weight, &last, &velocity);
-            mean = fused_axpy(s.all(INVERSE_FACTORIALS[k + 1]), &last, &mean);
-            phase = fused_axpy(weight, &phasor, &phase);
+            velocity = axpy(weight, &last, &velocity);
+            mean = axpy(s.all(INVERSE_FACTORIALS[k + 1]), &last, &mean);
+            phase = axpy(weight, &phasor, &phase);
             drive.next(weight);
-            let forced = fused_axpy(phasor[1], &force_cos, &scaled(phasor[0], &force_sin));
-            let forced = drive.forced(fused_applied(&springs, &before, &forced), s);
-            (before, last) = (last, fused_applied(&dampers, &last, &forced));
+            let forced = axpy(phasor[1], &force_cos, &scaled(phasor[0], &force_sin));
+            let forced = drive.forced(applied_onto(&springs, &before, &forced), s);
+            (before, last) = (last, applied_onto(&dampers, &last, &forced));
             phasor = [phasor[1] * turn, -(phasor[0] * turn)];
         }
         Point {
-            state: State { x: fused_axpy(s, &mean, &self.state.x), v: velocity },
+            state: State { x: axpy(s, &mean, &self.state.x), v: velocity },
             sin: phase[0],
             cos: phase[1],
             one: self.one,
@@ -46,21 +46,22 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
         }
     }
 
-    /// The point a time `s` later, so short that its cube is lost in rounding, from its x'' and x'''; and x'' then.
+    /// The point a time `s` later, so short that its fourth power is lost in rounding, from its x'' and x'''; and x'' then.
     #[inline(always)]
     pub fn slid(&self, flight: &Flight<L, N>, s: L, acceleration: &[L; N], jerk: &[L; N]) -> (Self, [L; N]) {
         let half = s * s.all(0.5);
         let turn = flight.omega * s;
-        let later = fused_axpy(s, jerk, acceleration);
-        let mean = fused_axpy(half, acceleration, &self.state.v);
+        let later = axpy(s, jerk, acceleration);
+        let third = s * s.all(1.0 / 3.0);
+        let mean = axpy(half, &axpy(third, jerk, acceleration), &self.state.v);
         let half_turn = turn * s.all(0.5);
         let point = Point {
             state: State {
-                x: fused_axpy(s, &mean, &self.state.x),
-                v: fused_axpy(s, &fused_axpy(half, jerk, acceleration), &self.state.v),
+                x: axpy(s, &mean, &self.state.x),
+                v: axpy(s, &axpy(half, jerk, acceleration), &self.state.v),
             },
-            sin: turn.fused(self.cos - half_turn * self.sin, self.sin),
-            cos: (-turn).fused(self.sin + half_turn * self.cos, self.cos),
+            sin: turn.times_plus(self.cos - half_turn * self.sin, self.sin),
+            cos: (-turn).times_plus(self.sin + half_turn * self.cos, self.cos),
             one: self.one,
             drive: self.drive.slid(s),
         };

@@ -3,7 +3,7 @@
 use super::drive::{Drive, DriveSeries};
 use super::series::{INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
-use crate::model::vector::{MOST, axpy, dot, fused_absolute, fused_applied, fused_axpy, scaled};
+use crate::model::vector::{MOST, absolute_onto, applied_onto, axpy, dot, scaled};
 use crate::model::{Flight, Lanes, Real, State};
 
 /// State and forcing phasor at one instant, and that of a second force where there is one; non-dimensional.
@@ -69,18 +69,18 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
     #[inline(always)]
     pub fn stepped(&self, flight: &Flight<L, N>) -> Self {
         let forced = flight.gamma_one.scaled(self.one);
-        let forced = forced.fused(self.sin, &flight.gamma_sin).fused(self.cos, &flight.gamma_cos);
+        let forced = forced.plus(self.sin, &flight.gamma_sin).plus(self.cos, &flight.gamma_cos);
         let mut flown = flight.phi_x[0].scaled(self.state.x[0]);
         for i in 1..N {
-            flown = flown.fused(self.state.x[i], &flight.phi_x[i]);
+            flown = flown.plus(self.state.x[i], &flight.phi_x[i]);
         }
         for i in 0..N {
-            flown = flown.fused(self.state.v[i], &flight.phi_v[i]);
+            flown = flown.plus(self.state.v[i], &flight.phi_v[i]);
         }
         Point {
             state: self.drive.carried(forced.added(&flown)),
-            sin: self.sin.fused(flight.turn_cos, self.cos * flight.turn_sin),
-            cos: self.cos.fused(flight.turn_cos, -(self.sin * flight.turn_sin)),
+            sin: self.sin.times_plus(flight.turn_cos, self.cos * flight.turn_sin),
+            cos: self.cos.times_plus(flight.turn_cos, -(self.sin * flight.turn_sin)),
             one: self.one,
             drive: self.drive.stepped(),
         }
@@ -94,27 +94,27 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
         let terms = &flight.normals[normal].kick;
         let mut sum = terms[L::Real::ORDER];
         for k in (0..L::Real::ORDER).rev() {
-            sum = terms[k].fused(u, &sum);
+            sum = terms[k].plus(u, &sum);
         }
-        Point { state: self.state.fused(kick, &sum), ..*self }
+        Point { state: self.state.plus(kick, &sum), ..*self }
     }
 
     /// x'' in free flight.
     #[inline(always)]
     pub fn accelerations(&self, flight: &Flight<L, N>) -> [L; N] {
-        let forced = fused_axpy(self.sin, &flight.sin, &scaled(self.one, &flight.load));
-        let forced = fused_axpy(self.cos, &flight.cos, &forced);
-        let pulled = fused_applied(&flight.stiffness, &self.state.x, &forced);
-        self.drive.pushed(fused_applied(&flight.damping, &self.state.v, &pulled))
+        let forced = axpy(self.sin, &flight.sin, &scaled(self.one, &flight.load));
+        let forced = axpy(self.cos, &flight.cos, &forced);
+        let pulled = applied_onto(&flight.stiffness, &self.state.x, &forced);
+        self.drive.pushed(applied_onto(&flight.damping, &self.state.v, &pulled))
     }
 
     /// x''' in free flight, from x''.
     #[inline(always)]
     pub fn jerks(&self, flight: &Flight<L, N>, acceleration: &[L; N]) -> [L; N] {
         let turned = scaled(-(flight.omega * self.sin), &flight.cos);
-        let forced = fused_axpy(flight.omega * self.cos, &flight.sin, &turned);
-        let pulled = fused_applied(&flight.stiffness, &self.state.v, &forced);
-        self.drive.jerked(fused_applied(&flight.damping, acceleration, &pulled))
+        let forced = axpy(flight.omega * self.cos, &flight.sin, &turned);
+        let pulled = applied_onto(&flight.stiffness, &self.state.v, &forced);
+        self.drive.jerked(applied_onto(&flight.damping, acceleration, &pulled))
     }
 
     /// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for the rest
@@ -122,8 +122,8 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
     #[inline(always)]
     pub fn bound(&self, flight: &Flight<L, N>, normal: usize) -> L {
         let along = &flight.normals[normal];
-        let moved = fused_absolute(&along.bound_x, &self.state.x, along.bound_forcing);
-        self.drive.bounded(normal, fused_absolute(&along.bound_v, &self.state.v, moved))
+        let moved = absolute_onto(&along.bound_x, &self.state.x, along.bound_forcing);
+        self.drive.bounded(normal, absolute_onto(&along.bound_v, &self.state.v, moved))
     }
 }
 

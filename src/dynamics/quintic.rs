@@ -24,9 +24,9 @@ impl<L: Lanes> Quintic<L> {
             gaps[0],
             slope,
             bend,
-            place.fused(number(10.0), arrival.fused(number(-4.0), pull)),
-            place.fused(number(-15.0), arrival.fused(number(7.0), -(pull + pull))),
-            place.fused(number(6.0), arrival.fused(number(-3.0), pull)),
+            place.times_plus(number(10.0), arrival.times_plus(number(-4.0), pull)),
+            place.times_plus(number(-15.0), arrival.times_plus(number(7.0), -(pull + pull))),
+            place.times_plus(number(6.0), arrival.times_plus(number(-3.0), pull)),
         ])
     }
 
@@ -37,7 +37,7 @@ impl<L: Lanes> Quintic<L> {
         let Quintic(c) = self;
         let zero = approach.all(0.0);
         let bend = gaps[1] - gaps[0] + approach;
-        let discriminant = approach.fused(approach, -(zero.all(4.0) * bend * gaps[0]));
+        let discriminant = approach.times_plus(approach, -(zero.all(4.0) * bend * gaps[0]));
         let sum = approach.magnitude() + discriminant.larger(zero).root();
         let double = gaps[0] + gaps[0];
         let approaching = zero.below(approach);
@@ -46,9 +46,15 @@ impl<L: Lanes> Quintic<L> {
         let below = L::select(approaching, sum, -(bend + bend));
         let mut u = above / below;
         for _ in 0..STEPS {
-            let value = c[5].fused(u, c[4]).fused(u, c[3]).fused(u, c[2]).fused(u, c[1]).fused(u, c[0]);
-            let slope = (c[5] * zero.all(5.0)).fused(u, c[4] * zero.all(4.0));
-            let slope = slope.fused(u, c[3] * zero.all(3.0)).fused(u, c[2] + c[2]).fused(u, c[1]);
+            let value = c[5]
+                .times_plus(u, c[4])
+                .times_plus(u, c[3])
+                .times_plus(u, c[2])
+                .times_plus(u, c[1])
+                .times_plus(u, c[0]);
+            let slope = (c[5] * zero.all(5.0)).times_plus(u, c[4] * zero.all(4.0));
+            let slope =
+                slope.times_plus(u, c[3] * zero.all(3.0)).times_plus(u, c[2] + c[2]).times_plus(u, c[1]);
             u = u - value / slope;
         }
         u

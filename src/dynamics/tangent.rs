@@ -3,7 +3,7 @@
 use super::point::held;
 use super::series::{INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
-use crate::model::vector::{applied, axpy, dot, fused_applied, fused_axpy, scaled, scaled_columns};
+use crate::model::vector::{applied, applied_onto, axpy, dot, scaled, scaled_columns};
 use crate::model::{Flight, Lanes, Real, State};
 
 /// An impact as a deviation meets it.
@@ -143,10 +143,10 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
     pub fn stepped_freely(&self, flight: &Flight<L, N>) -> Self {
         let mut state = flight.phi_x[0].scaled(self.0.x[0]);
         for i in 1..N {
-            state = state.fused(self.0.x[i], &flight.phi_x[i]);
+            state = state.plus(self.0.x[i], &flight.phi_x[i]);
         }
         for i in 0..N {
-            state = state.fused(self.0.v[i], &flight.phi_v[i]);
+            state = state.plus(self.0.v[i], &flight.phi_v[i]);
         }
         Tangent(state)
     }
@@ -161,16 +161,16 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
         let dampers = scaled_columns(s, &flight.damping);
         let mut before = self.0.v;
         let pulled = scaled(s, &applied(&flight.stiffness, &self.0.x));
-        let mut last = fused_applied(&dampers, &before, &pulled);
+        let mut last = applied_onto(&dampers, &before, &pulled);
         let mut velocity = before;
         let mut mean = before;
         for k in 1..=L::Real::ORDER {
-            velocity = fused_axpy(s.all(INVERSE_FACTORIALS[k]), &last, &velocity);
-            mean = fused_axpy(s.all(INVERSE_FACTORIALS[k + 1]), &last, &mean);
+            velocity = axpy(s.all(INVERSE_FACTORIALS[k]), &last, &velocity);
+            mean = axpy(s.all(INVERSE_FACTORIALS[k + 1]), &last, &mean);
             let pulled = applied(&springs, &before);
-            (before, last) = (last, fused_applied(&dampers, &last, &pulled));
+            (before, last) = (last, applied_onto(&dampers, &last, &pulled));
         }
-        Tangent(State { x: fused_axpy(s, &mean, &self.0.x), v: velocity })
+        Tangent(State { x: axpy(s, &mean, &self.0.x), v: velocity })
     }
 
     /// Just after an impact that ends in flight; see [`Variation::struck`].
@@ -182,8 +182,8 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
         let factor = struck.kick / struck.velocity;
         let along = dot(&struck.direction, &self.0.v) - dot(&struck.direction, &struck.before) * shift;
         let mut v = axpy(factor * along, &struck.response, &self.0.v);
-        for i in 0..N {
-            v[i] = v[i] + (struck.after[i] - struck.before[i]) * shift;
+        for (v, (after, before)) in v.iter_mut().zip(struck.after.iter().zip(&struck.before)) {
+            *v = *v + (*after - *before) * shift;
         }
         Tangent(State { x: axpy(struck.kick * shift, &struck.response, &self.0.x), v })
     }

@@ -125,17 +125,8 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     }
 
     /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none.
+    #[inline(never)]
     pub fn advance<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
-        advance(self, flight, variation)
-    }
-
-    /// [`Trajectory::advance`] compiled where it is used, with the instructions of the processor that are at hand there.
-    #[inline(always)]
-    pub(crate) fn advance_inline<V: Variation<T, N>>(
-        &mut self,
-        flight: &Flight<T, N>,
-        variation: &mut V,
-    ) -> Move<T> {
         let taken =
             if self.contact.is_free() { self.fly(flight, variation) } else { self.rest(flight, variation) };
         debug_assert!(contact::holds(flight, &self.point), "beyond a stop after {taken:?}: {self:?}");
@@ -148,7 +139,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     }
 
     /// Moves on like [`Trajectory::advance`] where the contact ahead is known not to be certain.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn advance_warily<V: Variation<T, N>>(
         &mut self,
         flight: &Flight<T, N>,
@@ -291,14 +282,4 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
             Event::StepEnd
         }
     }
-}
-
-/// [`Trajectory::advance`] with the instructions of the processor at hand: multiplying and adding at once is slow without.
-#[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
-fn advance<T: Real, const N: usize, D: Drive<T, N>, V: Variation<T, N>>(
-    trajectory: &mut Trajectory<T, N, D>,
-    flight: &Flight<T, N>,
-    variation: &mut V,
-) -> Move<T> {
-    trajectory.advance_inline(flight, variation)
 }

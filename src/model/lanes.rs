@@ -32,9 +32,12 @@ pub trait Lanes:
     #[must_use]
     fn all(self, value: f64) -> Self;
 
-    /// self · factor + term: rounded once in f64, twice in f32, as in the GPU's shaders.
+    /// self · factor + term, rounded twice: so the bits do not depend on whether a processor multiplies and adds at once.
+    #[inline(always)]
     #[must_use]
-    fn fused(self, factor: Self, term: Self) -> Self;
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
 
     /// |self|.
     #[must_use]
@@ -113,7 +116,7 @@ impl Mask for bool {
 }
 
 macro_rules! one_lane {
-    ($real:ty, $fused:expr) => {
+    ($real:ty) => {
         impl Lanes for $real {
             type Real = $real;
             type Mask = bool;
@@ -122,12 +125,6 @@ macro_rules! one_lane {
             #[inline(always)]
             fn all(self, value: f64) -> Self {
                 value as $real
-            }
-
-            #[inline(always)]
-            fn fused(self, factor: Self, term: Self) -> Self {
-                let fused: fn($real, $real, $real) -> $real = $fused;
-                fused(self, factor, term)
             }
 
             #[inline(always)]
@@ -163,5 +160,5 @@ macro_rules! one_lane {
     };
 }
 
-one_lane!(f64, f64::mul_add);
-one_lane!(f32, |a, b, c| a * b + c);
+one_lane!(f64);
+one_lane!(f32);

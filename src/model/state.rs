@@ -2,7 +2,7 @@
 
 use super::lanes::Lanes;
 use super::real::Real;
-use super::vector::{MOST, added, axpy, fused_axpy, scaled, select};
+use super::vector::{MOST, added, axpy, scaled, select};
 
 /// Displacements and velocities of N coordinates, or a deviation of them; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,13 +84,6 @@ impl<L: Lanes, const N: usize> State<L, N> {
     #[must_use]
     pub fn scaled(&self, a: L) -> Self {
         State { x: scaled(a, &self.x), v: scaled(a, &self.v) }
-    }
-
-    /// self + a other; see [`Lanes::fused`].
-    #[inline(always)]
-    #[must_use]
-    pub fn fused(&self, a: L, other: &Self) -> Self {
-        State { x: fused_axpy(a, &other.x, &self.x), v: fused_axpy(a, &other.v, &self.v) }
     }
 
     /// `yes` where the mask holds, `no` elsewhere.

@@ -68,46 +68,26 @@ pub fn applied<T: Lanes, const N: usize, const M: usize>(columns: &[[T; N]; M], 
     sum
 }
 
-/// a · b, each product added without rounding in between where lanes are f64; see [`Lanes::fused`].
+/// y plus a matrix, given column by column, times x.
 #[inline(always)]
-pub fn fused_dot<L: Lanes, const N: usize>(a: &[L; N], b: &[L; N]) -> L {
-    let mut sum = a[0] * b[0];
-    for i in 1..N {
-        sum = a[i].fused(b[i], sum);
-    }
-    sum
-}
-
-/// y + a x; see [`fused_dot`].
-#[inline(always)]
-pub fn fused_axpy<L: Lanes, const N: usize>(a: L, x: &[L; N], y: &[L; N]) -> [L; N] {
-    let mut sum = *y;
-    for i in 0..N {
-        sum[i] = x[i].fused(a, y[i]);
-    }
-    sum
-}
-
-/// y plus a matrix, given column by column, times x; see [`fused_dot`].
-#[inline(always)]
-pub fn fused_applied<L: Lanes, const N: usize, const M: usize>(
+pub fn applied_onto<L: Lanes, const N: usize, const M: usize>(
     columns: &[[L; N]; M],
     x: &[L; M],
     y: &[L; N],
 ) -> [L; N] {
     let mut sum = *y;
     for j in 0..M {
-        sum = fused_axpy(x[j], &columns[j], &sum);
+        sum = axpy(x[j], &columns[j], &sum);
     }
     sum
 }
 
-/// y + Σ aᵢ |xᵢ|; see [`fused_dot`].
+/// y + Σ aᵢ |xᵢ|.
 #[inline(always)]
-pub fn fused_absolute<L: Lanes, const N: usize>(a: &[L; N], x: &[L; N], y: L) -> L {
+pub fn absolute_onto<L: Lanes, const N: usize>(a: &[L; N], x: &[L; N], y: L) -> L {
     let mut sum = y;
     for i in 0..N {
-        sum = a[i].fused(x[i].magnitude(), sum);
+        sum = sum + a[i] * x[i].magnitude();
     }
     sum
 }

@@ -58,7 +58,8 @@ impl Width {
     }
 }
 
-/// Follows every job in f64, `width` trajectories at once on each thread of rayon's current pool.
+/// Follows every job in f64, `width` trajectories at once on each thread of rayon's current pool; one by one where there
+/// are more than two coordinates, or not equally many in all jobs.
 ///
 /// # Errors
 /// [`BackendError::Cancelled`] when the watch asked for it.
@@ -68,15 +69,12 @@ pub fn follow_all(
     watch: &dyn Watch,
     width: Width,
 ) -> Result<Vec<Verdict>, BackendError> {
-    let alike = |job: &Job| job.system.plant().n == jobs[0].system.plant().n;
-    if jobs.len() < 2 || width == Width::One || !jobs.iter().all(alike) {
-        return super::each(jobs, watch, |job| super::follow::<f64>(job, schedule));
-    }
-    match jobs[0].system.plant().n {
-        1 => spread::<1>(jobs, schedule, watch, width),
-        2 => spread::<2>(jobs, schedule, watch, width),
-        3 => spread::<3>(jobs, schedule, watch, width),
-        _ => spread::<4>(jobs, schedule, watch, width),
+    let n = jobs.first().map_or(0, |job| job.system.plant().n);
+    let alike = jobs.iter().all(|job| job.system.plant().n == n);
+    match n {
+        1 if alike && width != Width::One => spread::<1>(jobs, schedule, watch, width),
+        2 if alike && width != Width::One => spread::<2>(jobs, schedule, watch, width),
+        _ => super::each(jobs, watch, |job| super::follow::<f64>(job, schedule)),
     }
 }
 
