@@ -8,3 +8,4 @@ mod proxy;
 mod refusals;
 mod server;
 mod socket;
+mod stopped;
