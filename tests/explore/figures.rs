@@ -20,6 +20,8 @@ async fn how_long_it_takes() {
     browser.page.goto(&explorer.address).await.unwrap();
     browser.until("the coarse plane", KNOWN).await;
     println!("opening to the first whole coarse plane: {:.2} s", began.elapsed().as_secs_f64());
+    let marks = "return performance.getEntriesByType('mark').map((m) => `${m.name} ${Math.round(m.startTime)}`).join(', ')";
+    println!("in milliseconds of the page: {}", browser.run(marks).await);
 
     let mut clicks = Vec::new();
     for k in 0..25 {

@@ -9,3 +9,4 @@ mod refusals;
 mod server;
 mod socket;
 mod stopped;
+mod stores;
