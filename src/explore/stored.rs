@@ -10,6 +10,7 @@ use super::scene::Scene;
 use super::store::Tiles;
 use crate::analysis::Verdict;
 use crate::plane::Window;
+use crate::plane::fields::{Assembled, Cells, Extras};
 use crate::store::{StoreError, ZarrStore};
 use crate::sweep::provenance;
 
@@ -123,7 +124,7 @@ impl Stored {
     /// Whether tiles that a scene computes belong into the store: what computes them is what the store is of.
     pub fn keeps(&self, scene: &Scene) -> bool {
         self.keeps.load(Ordering::Relaxed)
-            && !self.store.is_certified()
+            && self.store.extras() == Extras::NONE
             && *self.store.provenance() == provenance(scene.computing.backend)
     }
 
@@ -144,7 +145,7 @@ impl Stored {
                 continue;
             }
             let Some(verdicts) = whole(scene, tiles, self.store.tiling().window(tile)) else { continue };
-            if let Err(error) = self.store.write_tile(tile, &verdicts, None) {
+            if let Err(error) = self.store.write_tile(tile, &Assembled::from(verdicts.clone())) {
                 self.keeps.store(false, Ordering::Relaxed);
                 return Err(error);
             }

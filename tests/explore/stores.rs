@@ -6,6 +6,7 @@ use std::process::Command;
 
 use impact_atlas::analysis::{Counts, Measures, Regime, Schedule, Verdict};
 use impact_atlas::backend::Cpu;
+use impact_atlas::plane::fields::Extras;
 use impact_atlas::plane::{Plane, Start};
 use impact_atlas::store::{Wanted, ZarrStore};
 use impact_atlas::sweep::provenance;
@@ -127,9 +128,9 @@ async fn a_store_of_more_cells_than_memory_is_read_where_it_is_looked_at() {
         schedule: Schedule { transient: 20, observe: 16, max_period: 4, fixed_periods: true },
     };
     let made = provenance(&Cpu);
-    let wanted = Wanted { plane: &plane, provenance: &made, certified: false, tile: Some(128) };
+    let wanted = Wanted { plane: &plane, provenance: &made, extras: Extras::NONE, tile: Some(128) };
     let store = ZarrStore::of(&folder.path().join("large.zarr"), &wanted).unwrap();
-    store.write_tile(0, &vec![mark(); 128 * 128], None).unwrap();
+    store.write_tile(0, &vec![mark(); 128 * 128].into()).unwrap();
     let explorer = Explorer::start(folder.path(), "--data large.zarr --backend cpu");
     let (mut socket, hello) = Socket::connect(&explorer).await;
     let scene = socket.open(&hello).await;
@@ -146,7 +147,7 @@ async fn a_store_of_more_cells_than_memory_is_read_where_it_is_looked_at() {
     assert!(explorer.memory() < 500_000_000, "{} bytes", explorer.memory());
     // A shard that is damaged is told, not shown.
     let shard = folder.path().join("large.zarr/state/c/0/1/0");
-    store.write_tile(1, &vec![mark(); 128 * 128], None).unwrap();
+    store.write_tile(1, &vec![mark(); 128 * 128].into()).unwrap();
     let bytes = fs::read(&shard).unwrap();
     fs::write(&shard, &bytes[..bytes.len() / 2]).unwrap();
     socket.send(json!({ "type": "want", "scene": scene["scene"], "tiles": [[0, 9, 0]] }).to_string()).await;
