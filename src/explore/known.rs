@@ -18,7 +18,7 @@ enum Cells {
     /// All of them, row by row.
     All(Vec<Verdict>),
     /// Those of a store.
-    Stored(Stored),
+    Stored(Box<Stored>),
 }
 
 impl Known {
@@ -30,7 +30,7 @@ impl Known {
     /// # Errors
     /// What the file system reports.
     pub fn of_store(store: ZarrStore) -> Result<Self, crate::store::StoreError> {
-        Ok(Known { plane: store.plane().clone(), cells: Cells::Stored(Stored::new(store)?) })
+        Ok(Known { plane: store.plane().clone(), cells: Cells::Stored(Box::new(Stored::new(store)?)) })
     }
 
     /// The plane.

@@ -155,11 +155,11 @@ mod tests {
     use tempfile::tempdir;
 
     use super::*;
-    use crate::analysis::Schedule;
+    use crate::analysis::{Schedule, Verdict};
     use crate::backend::{Cpu, Job, Unwatched};
     use crate::model::Parameters;
     use crate::plane::fields::Extras;
-    use crate::plane::{Part, Plane, Start};
+    use crate::plane::{Part, Plane, Start, Window};
     use crate::store::Wanted;
     use crate::sweep::{provenance, sweep};
 

@@ -190,7 +190,7 @@ pub const CELL_FIELDS: &[CellField] = &[
             "peak of the coordinate",
             (Inner::Coordinates, "1"),
             Source::F32(|cell, i| cell.extent.map_or(f32::NAN, |extent| extent.peak[i])),
-            "with `--extents` only: the largest |xᵢ| of the continuous motion over the same forcing periods, to 1e-4 of it; NaN \
+            "with `--extents` only: the largest modulus of every coordinate of the continuous motion over the same forcing periods, to 1e-4 of it; NaN \
              where the regime is failed",
             drawn(Spread::Even, None, "failed"),
         )
