@@ -39,17 +39,18 @@ async fn curves_that_are_stopped_are_followed_no_further() {
     let scene = socket.open(&hello).await["scene"].as_u64().unwrap();
     begun(&mut socket, scene).await;
     let busy = load(&explorer).await;
-    assert!(busy > 0.5, "they are not being followed: {busy}");
+    // The machine may have others to serve.
+    assert!(busy > 0.1, "they are not being followed: {busy}");
     let began = Instant::now();
     socket.send(json!({ "type": "cancel", "ask": 8 }).to_string()).await;
     socket.text("done").await;
     assert!(began.elapsed() < Duration::from_secs(2), "{:?}", began.elapsed());
     let idle = load(&explorer).await;
-    assert!(idle < 0.1, "they are still being followed: {idle}");
+    assert!(idle < 0.05, "they are still being followed: {idle}");
     // A page that is gone wants nothing any more.
     begun(&mut socket, scene).await;
     drop(socket);
     tokio::time::sleep(Duration::from_secs(2)).await;
     let idle = load(&explorer).await;
-    assert!(idle < 0.1, "they are still being followed: {idle}");
+    assert!(idle < 0.05, "they are still being followed: {idle}");
 }
