@@ -2,6 +2,7 @@
 
 mod abreast;
 mod exponent;
+mod extent;
 mod loss;
 mod observer;
 mod probe;
@@ -17,6 +18,7 @@ mod verdict;
 
 pub use abreast::{Queue, follow_abreast};
 pub(crate) use exponent::Exponent;
+pub use extent::{Extent, ExtentObserver};
 pub use observer::{Observer, Stage};
 pub use probe::Probe;
 pub use rebounds::{CHATTER_RUN, Rebounds};
