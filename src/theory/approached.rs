@@ -7,7 +7,7 @@
 use nalgebra::DVector;
 
 use super::strobe::StrobeMotion;
-use crate::analysis::{Counts, Regime, Verdict};
+use crate::analysis::{Counts, INFINITELY_MANY, Regime, Verdict};
 use crate::model::{StateVector, System};
 
 /// The largest distance of a strobe state from the motion that it approaches, for states of order one.
@@ -77,12 +77,21 @@ pub fn with_motion(verdict: &Verdict, motion: &StrobeMotion) -> Verdict {
 /// spirals in for an unsymmetric one. A period with a positive exponent contradicts itself: where no exact motion
 /// is approached either, it is unresolved.
 pub fn confirmed(system: &System, verdict: &Verdict) -> Option<Verdict> {
+    if verdict.returning == 0 && forgets_everything(system, verdict) {
+        return Some(Verdict { lyapunov: f32::NEG_INFINITY, ..*verdict });
+    }
     let n = if verdict.returning > 0 { verdict.returning } else { barely_attracting(verdict)? };
     let motion = approached(system, verdict.state, u32::from(n)).filter(StrobeMotion::has_impacts);
     match motion {
         Some(motion) => Some(with_motion(verdict, &motion)),
         None => contradicts_itself(verdict).then(|| undone(verdict)),
     }
+}
+
+/// Whether every deviation from a periodic motion dies out within a period: its only mass comes to rest on a stop.
+fn forgets_everything(system: &System, verdict: &Verdict) -> bool {
+    let rests = verdict.regime == Regime::PeriodicSticking && verdict.counts.contains(&INFINITELY_MANY);
+    rests && system.plant().n == 1
 }
 
 /// N of a periodic verdict whose largest multiplier is close to one in modulus, as far as its exponent was measured.
