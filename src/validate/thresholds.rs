@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::agreement::Agreement;
 
-/// The least agreement that is accepted.
+/// The least agreement that is accepted; the shares are those of many cells, and of few as much less as chance allows.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Thresholds {
     /// Least share of cells inside regions whose regime and label agree.
@@ -49,21 +49,31 @@ impl Check {
     }
 }
 
+/// Standard errors of a share by which chance may lower it: a few cells that rounding decides are many of a small plane's.
+const SCATTER: f64 = 4.0;
+
+/// A least share, lowered by what chance can do where it is measured on so few cells.
+fn of_few(least: f64, cells: u64) -> f64 {
+    least - SCATTER * (least * (1.0 - least) / cells.max(1) as f64).sqrt()
+}
+
 impl Agreement {
     /// Every threshold with what it is held against.
     pub fn checks(&self, thresholds: &Thresholds) -> Vec<Check> {
         let end_state = self.end_state;
+        let inside = self.inside.without(self.tipped.inside);
+        let non_chaotic = self.non_chaotic.without(self.tipped.non_chaotic);
         let failed = (self.failed.reference + self.failed.candidate) as f64;
         vec![
             Check::at_least(
                 "agreement inside regions",
-                self.inside.without(self.tipped.inside).value(),
-                thresholds.inside,
+                inside.value(),
+                of_few(thresholds.inside, inside.cells),
             ),
             Check::at_least(
                 "agreement of non-chaotic cells",
-                self.non_chaotic.without(self.tipped.non_chaotic).value(),
-                thresholds.non_chaotic,
+                non_chaotic.value(),
+                of_few(thresholds.non_chaotic, non_chaotic.cells),
             ),
             Check::at_most("failed cells", Some(failed), 0.0),
             Check::at_most(
@@ -78,5 +88,19 @@ impl Agreement {
     /// Whether every threshold is met.
     pub fn holds(&self, thresholds: &Thresholds) -> bool {
         self.checks(thresholds).iter().all(|check| check.holds)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_cells_may_scatter_and_many_may_not() {
+        let least = 0.97;
+        assert!(0.95 >= of_few(least, 81) && 0.95 < of_few(least, 10_000));
+        assert!(of_few(least, 120_000) > least - 0.002);
+        // A plane of one cell, or of two, must agree in all.
+        assert!(0.0 < of_few(0.995, 1) && 0.5 < of_few(least, 2));
     }
 }
