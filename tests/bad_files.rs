@@ -145,7 +145,7 @@ fn every_plane_refuses_a_cell_that_is_no_system() {
         ),
         (
             "mass = [[\"1\"]]",
-            "mass = [[\"omega-2\"]]",
+            "mass = [[\"(omega-2)^2\"]]",
             "own.toml:9: system.mass:",
             &["singular", "omega = 2"],
         ),

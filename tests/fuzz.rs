@@ -30,6 +30,9 @@ const FEW: usize = 300;
 /// What the program announces as soon as something will take longer.
 const WORTH_SAYING: Duration = Duration::from_secs(10);
 
+/// What the driver of a software adapter takes to compile the kernels of a number of coordinates and stops.
+const COMPILING: Duration = Duration::from_secs(30);
+
 /// By how much a run may exceed what was announced, or could have been.
 const PATIENCE: u32 = 10;
 
@@ -116,7 +119,10 @@ fn announced(said: &str) -> Duration {
         };
         Some(Duration::from_secs_f64(number * unit))
     };
-    WORTH_SAYING + said.lines().filter_map(of_line).sum::<Duration>()
+    let compiles =
+        said.lines().any(|line| line.starts_with("computing on gpu: ") && line.ends_with("software)"));
+    let compiling = if compiles { COMPILING } else { Duration::ZERO };
+    WORTH_SAYING + compiling + said.lines().filter_map(of_line).sum::<Duration>()
 }
 
 /// The files that a run found in its folder, as they were.
