@@ -412,3 +412,35 @@ fn help_names_what_the_system_has() {
     }
     assert!(help(&["motion", "--system=luo-ma-lv", "-h"]).contains("impacts at B, A"));
 }
+
+/// Without a mirror there is no symmetric motion to begin on, and what begins at rest says so.
+#[test]
+fn systems_without_a_mirror_begin_at_rest_and_say_so() {
+    let text = stdout(&run(&words("classify --system bouncing-ball")));
+    assert!(text.contains("1-∞") && text.contains("start                       rest: x1 0.0"), "{text}");
+    assert!(text.contains("minus infinity: every deviation is forgotten"), "{text}");
+    let found = json(&run(&words("classify --system bouncing-ball --json")));
+    assert!(found["lyapunov"].is_null(), "{found}");
+    let mirrored = stdout(&run(&words("classify --system impact-pair")));
+    assert!(mirrored.contains("start                       symmetric: "), "{mirrored}");
+    let plane = "--x Gamma=1.2:1.7:20 --y r=0.4:0.6:15 --transient 100 --observe 40 --backend cpu";
+    let curves = |more: &str| run(&words(&format!("curves --system bouncing-ball {plane} {more}")));
+    let [rest, thrown] = ["", "--start 0,2"].map(curves);
+    assert!(stderr(&rest).contains("motions to which rest does not lead have no curve"), "{}", stderr(&rest));
+    assert!(!stderr(&thrown).contains("begins at rest"), "{}", stderr(&thrown));
+    assert!(stdout(&thrown).contains("period doubling of 1-1 "), "{}", stdout(&thrown));
+}
+
+/// p and q are the first two counts of the label, for every command that has them.
+#[test]
+fn counts_named_p_and_q_are_those_of_the_label() {
+    let motion = json(&run(&words("motion --system bouncing-ball --set Gamma=1.6 --label 1-1 --json")));
+    assert_eq!((&motion["p"], &motion["q"]), (&1.into(), &0.into()), "{motion}");
+    let classified = json(&run(&words("classify --system bouncing-ball --json")));
+    let stuck = json(&run(&words("motion --system bouncing-ball --json")));
+    for found in [classified, stuck] {
+        assert_eq!((&found["p"], &found["q"]), (&65535.into(), &0.into()), "{found}");
+    }
+    let paper = json(&run(&words("motion --set omega=2.83 --label 1-2-1 --json")));
+    assert_eq!((&paper["p"], &paper["q"]), (&2.into(), &1.into()), "{paper}");
+}

@@ -5,6 +5,7 @@ use std::io::Cursor;
 use impact_atlas::analysis::{CHATTER_RUN, Probe, Reading, Regime, Section};
 use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched};
 use impact_atlas::diagram::{Diagram, DiagramError, DiagramSpec, ExponentUnit, Sweep};
+use impact_atlas::dynamics::Stop;
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::Start;
 use impact_atlas::render::{Size, diagram_figure};
@@ -171,10 +172,15 @@ fn spectra_belong_to_the_motion() {
     }
     assert!(spectrum[0][0] > 0.1 && spectrum[2][0] < -0.01, "chaos, then order: {spectrum:?}");
     // 1-1-1 returns to A once a period; chaos at ω = 2.83 returns less often.
-    let iterates = computed(&DiagramSpec { spectrum: Some(ExponentUnit::Iterate), ..spec }, &Cpu);
+    let iterates = computed(&DiagramSpec { spectrum: Some(ExponentUnit::Iterate), ..spec.clone() }, &Cpu);
     let per_iterate = iterates.branches[0].spectrum.as_ref().unwrap();
     assert_eq!(per_iterate[2], spectrum[2]);
     assert!(per_iterate[0][0] > 0.0 && per_iterate[0] != spectrum[0]);
+    // On the section of the other stop its returns count.
+    let probe = Probe::new(Section::Impact(Stop::B), Reading::VBefore).unwrap();
+    let other = computed(&DiagramSpec { spectrum: Some(ExponentUnit::Iterate), probe, ..spec }, &Cpu);
+    let other = other.branches[0].spectrum.as_ref().unwrap();
+    assert!(other[2] == spectrum[2] && other[0] != per_iterate[0], "{other:?}");
 }
 
 #[test]

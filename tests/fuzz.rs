@@ -7,6 +7,7 @@ mod program;
 
 mod invocations;
 
+use std::collections::BTreeMap;
 use std::env;
 use std::fs::{self, File};
 use std::path::Path;
@@ -14,8 +15,9 @@ use std::process::{Child, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use impact_atlas::store::fields;
+use invocations::{Invocation, Subject};
 use npyz::{DType, NpyFile};
-use program::{names, program};
+use program::{names, program, run_in, stderr};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde_json::Value;
@@ -27,6 +29,9 @@ const FEW: usize = 300;
 
 /// What the program announces as soon as something will take longer.
 const WORTH_SAYING: Duration = Duration::from_secs(10);
+
+/// What the driver of a software adapter takes to compile the kernels of a number of coordinates and stops.
+const COMPILING: Duration = Duration::from_secs(30);
 
 /// By how much a run may exceed what was announced, or could have been.
 const PATIENCE: u32 = 10;
@@ -42,19 +47,29 @@ fn whatever_is_asked_is_answered() {
     let mut codes = [0; 4];
     let all = self::number("IMPACT_ATLAS_FUZZ", FEW);
     for number in 0..all {
-        let arguments = invocations::invocation(&mut random);
+        let Invocation { file, before, arguments } = invocations::invocation(&mut random);
         let folder = tempdir().unwrap();
+        if let Some((name, text)) = file {
+            fs::write(folder.path().join(name), text).unwrap();
+        }
+        if !before.is_empty() {
+            let arguments: Vec<&str> = before.iter().map(String::as_str).collect();
+            let prepared = run_in(folder.path(), &arguments);
+            assert_eq!(prepared.status.code(), Some(0), "{before:?}: {}", stderr(&prepared));
+        }
+        let known = Known::of(folder.path());
         let wrong = match answered(folder.path(), &arguments) {
             Ok(output) => {
                 let code = output.status.code().unwrap_or(-1);
                 if let Some(count) = usize::try_from(code).ok().and_then(|code| codes.get_mut(code)) {
                     *count += 1;
                 }
-                faults(folder.path(), &output)
+                faults(folder.path(), &known, &output)
             }
             Err(wrong) => vec![wrong],
         };
-        assert!(wrong.is_empty(), "invocation {number} of seed {seed}: {}\n{wrong:#?}", arguments.join(" "));
+        let [before, asked] = [before, arguments].map(|arguments| arguments.join(" "));
+        assert!(wrong.is_empty(), "invocation {number} of seed {seed}: {before}; {asked}\n{wrong:#?}");
     }
     // Of either kind there were enough that the checks were put to the test.
     println!("exit codes 0 to 3: {codes:?}");
@@ -104,11 +119,39 @@ fn announced(said: &str) -> Duration {
         };
         Some(Duration::from_secs_f64(number * unit))
     };
-    WORTH_SAYING + said.lines().filter_map(of_line).sum::<Duration>()
+    let compiles =
+        said.lines().any(|line| line.starts_with("computing on gpu: ") && line.ends_with("software)"));
+    let compiling = if compiles { COMPILING } else { Duration::ZERO };
+    WORTH_SAYING + compiling + said.lines().filter_map(of_line).sum::<Duration>()
+}
+
+/// The files that a run found in its folder, as they were.
+#[derive(Default)]
+struct Known(BTreeMap<String, Vec<u8>>);
+
+impl Known {
+    fn of(folder: &Path) -> Self {
+        let content = |name: &String| fs::read(folder.join(name)).unwrap_or_default();
+        Known(names(folder).into_iter().map(|name| (name.clone(), content(&name))).collect())
+    }
+
+    /// Names of files that are new, or not what they were.
+    fn changed(&self, folder: &Path) -> Vec<String> {
+        let now = Known::of(folder).0;
+        now.into_iter()
+            .filter(|(name, content)| self.0.get(name) != Some(content))
+            .map(|(name, _)| name)
+            .collect()
+    }
+
+    /// Names of files that are gone.
+    fn lost(&self, folder: &Path) -> Vec<&String> {
+        self.0.keys().filter(|name| !folder.join(name).exists()).collect()
+    }
 }
 
 /// Everything that is wrong with an answer.
-fn faults(folder: &Path, output: &Output) -> Vec<String> {
+fn faults(folder: &Path, known: &Known, output: &Output) -> Vec<String> {
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     let code = output.status.code();
     let mut wrong = Vec::new();
@@ -118,7 +161,8 @@ fn faults(folder: &Path, output: &Output) -> Vec<String> {
     if ["panicked", "internal error", "ZipWriter", "RUST_BACKTRACE"].iter().any(|word| said.contains(word)) {
         wrong.push(format!("a panic: {said}"));
     }
-    let files = names(folder);
+    let files = known.changed(folder);
+    wrong.extend(known.lost(folder).iter().map(|name| format!("{name} is gone")));
     if code == Some(0) {
         let listed =
             |name: &&String| said.lines().any(|line| line.starts_with("written: ") && line.contains(*name));
@@ -161,6 +205,7 @@ fn unreadable(path: &Path) -> Result<(), String> {
         Some("png") if bytes.starts_with(b"\x89PNG") && bytes.ends_with(b"IEND\xaeB`\x82") => Ok(()),
         Some("svg") if bytes.ends_with(b"</svg>\n") || bytes.ends_with(b"</svg>") => numbers_of_svg(&bytes),
         Some("npz") => archive(path),
+        Some("pdf") if bytes.starts_with(b"%PDF") => Ok(()),
         Some("json" | "md") => Ok(()),
         _ => Err(format!("{name} is not what its name says")),
     }
@@ -204,7 +249,7 @@ fn archive(path: &Path) -> Result<(), String> {
 fn faults_would_be_found() {
     let folder = tempdir().unwrap();
     let ended = |command: &str| std::process::Command::new("sh").args(["-c", command]).output().unwrap();
-    let found = |command: &str| faults(folder.path(), &ended(command)).len();
+    let found = |command: &str| faults(folder.path(), &Known::default(), &ended(command)).len();
     assert_eq!(found("echo done"), 0);
     assert_eq!(found("echo 'error: no' >&2; exit 2"), 0);
     assert_eq!(found("echo thread panicked >&2; exit 101"), 2);
@@ -215,6 +260,26 @@ fn faults_would_be_found() {
     fs::write(folder.path().join("half.csv"), "time\nNaN\n").unwrap();
     assert_eq!(found("echo 'error: no' >&2; exit 2"), 2);
     assert_eq!(found("echo done"), 2);
+    // A file that was there may not change without a word, nor go.
+    let known = Known::of(folder.path());
+    let against = |command: &str| faults(folder.path(), &known, &ended(command)).len();
+    assert_eq!(against("echo 'error: no' >&2; exit 2"), 0);
+    let path = folder.path().join("half.csv");
+    fs::write(&path, "time\n1\n").unwrap();
+    assert_eq!(against("echo 'error: no' >&2; exit 2"), 1);
+    fs::remove_file(path).unwrap();
+    assert_eq!(against("echo 'error: no' >&2; exit 2"), 1);
     assert_eq!(announced("the map will take about 3 min (measured on 512 of 9000 cells)").as_secs(), 190);
     assert_eq!(announced("computing on cpu"), WORTH_SAYING);
+}
+
+/// Families from files take part, sound ones and damaged ones.
+#[test]
+fn files_of_ones_own_are_sound_until_they_are_damaged() {
+    let mut random = ChaCha8Rng::seed_from_u64(3);
+    let drawn: Vec<Subject> = (0..2000).map(|_| Subject::random(&mut random)).collect();
+    let own = |sound: bool| drawn.iter().filter(|s| s.file.is_some() && s.sound == sound).count();
+    assert!(own(true) > 100 && own(false) > 50, "{} {}", own(true), own(false));
+    let named = |subject: &&Subject| subject.option.starts_with("--system") && subject.file.is_none();
+    assert!(drawn.iter().filter(named).count() > 400);
 }

@@ -94,7 +94,7 @@ pub struct BifurcationArgs {
     points: Option<u32>,
 
     /// Computes all 2n Lyapunov exponents of every column, on the CPU, and draws them below, per forcing period, per
-    /// iterate of the impact map (returns to the first stop; the paper's unit) or per unit of time
+    /// iterate of the impact map (returns to the stop of --section, to the first on the strobe section; at A the paper's unit) or per unit of time
     #[arg(long, value_enum, value_name = "UNIT", num_args = 0..=1, default_missing_value = "period",
         require_equals = true)]
     spectrum: Option<SpectrumUnit>,

@@ -75,7 +75,7 @@ pub struct ClassifyArgs {
     backend: BackendArgs,
 
     /// Prints JSON; impacts_per_stop counts in the order of the system's stops, p and q in that of its labels; they are 65535 for infinitely many impacts (complete chatter), lyapunov null where it was not
-    /// measured
+    /// measured, or is minus infinity
     #[arg(long)]
     json: bool,
 }
@@ -96,6 +96,9 @@ struct Classification {
     periods: u32,
     start: String,
     start_state: StateVector,
+    /// The start that was taken in place of the one asked for, where that does not exist.
+    #[serde(skip)]
+    taken: String,
     /// Whether symmetry means anything: only where the plant has a mirror.
     #[serde(skip)]
     has_mirror: bool,
@@ -194,6 +197,7 @@ impl Classification {
             periods: verdict.periods,
             start: asked.start.to_string(),
             start_state: asked.job.start,
+            taken: asked.start.taken(&asked.job.system).to_string(),
             has_mirror: asked.job.system.mirror().is_some(),
             cell: asked.cell,
             backend: backend.name(),
@@ -210,6 +214,7 @@ impl Classification {
         };
         let exponent = match self.lyapunov {
             exponent if exponent.is_nan() => "not measured".to_owned(),
+            f32::NEG_INFINITY => "minus infinity: every deviation is forgotten".to_owned(),
             exponent => format!("{exponent:.6} per forcing period"),
         };
         format!(
@@ -222,7 +227,7 @@ impl Classification {
             self.label,
             self.peak_impact_velocity,
             components(self.state),
-            self.start,
+            self.taken,
             components(self.start_state),
             self.periods
         )

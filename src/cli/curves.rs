@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::curves::{self, PlaneCurves};
-use impact_atlas::plane::{Plane, RegionMap};
+use impact_atlas::plane::{Plane, RegionMap, Start};
 use impact_atlas::sweep::sweep;
 
 use super::files::{self, Batch, Kind};
@@ -83,6 +83,7 @@ pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
     let backend = args.backend.open()?;
     estimate::of_plane("looking for motions", &plane, &*backend)?;
     let map = sweep(&plane, &*backend, &Progress::of_cells("looking for motions", plane.cells()))?;
+    tell_of_rest(&plane);
     let (_, PlaneCurves { curves, left_out }) = of_map(map, args.max_period)?;
     let mut batch = Batch::default();
     curve_list::add_table(&mut batch, &output, &curves, &plane)?;
@@ -94,6 +95,17 @@ pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
     }
     let left_out = curve_list::left_out(&left_out).map(|text| format!("\n{text}")).unwrap_or_default();
     print(&format!("{}{left_out}", curve_list::text(&summaries, &plane)))
+}
+
+/// Says that motions were looked for from rest alone, where the default start comes to that.
+fn tell_of_rest(plane: &Plane) {
+    let plant = plane.parameters_at(plane.x.count / 2, plane.y.count / 2).plant();
+    if plane.start == Start::Symmetric && plant.is_ok_and(|plant| plant.mirror().is_none()) {
+        note(
+            "a system without a mirror begins at rest: motions to which rest does not lead have no curve; look for \
+             them from another start, --start X1,V1 (x1 … xn, v1 … vn)",
+        );
+    }
 }
 
 /// The curves of a map, which is handed back.

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use impact_atlas::analysis::Schedule;
+use impact_atlas::dynamics::Stop;
 use impact_atlas::model::System;
 use impact_atlas::plane::Start;
 use impact_atlas::theory::Spectrum;
@@ -111,14 +112,14 @@ impl Exponents {
         let whole = spectrum.lost == 0;
         Exponents {
             exponents_per_period: finite(spectrum.per_period.clone()),
-            exponents_per_iterate: spectrum.per_iterate().map(finite),
+            exponents_per_iterate: spectrum.per_iterate(Stop::A).map(finite),
             exponents_per_time: finite(spectrum.per_time()),
             standard_error: errors(1.0),
             standard_error_per_time: errors(spectrum.period),
             lost_directions: spectrum.lost,
             closed: system.is_clamped().then(|| system.closed()),
             first_stop: system.stop_name(0),
-            iterates: spectrum.iterates,
+            iterates: spectrum.returns(Stop::A),
             impacts: spectrum.impacts,
             impacts_per_stop: spectrum.impacts_per_stop.clone(),
             periods: spectrum.periods,

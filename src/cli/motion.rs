@@ -191,14 +191,19 @@ fn elsewhere(verdict: &Verdict) -> Option<String> {
     })
 }
 
+/// The count of a label at one of its places, 0 beyond the last.
+fn labelled(system: &System, per_stop: &[u32], place: usize) -> u32 {
+    system.label_order().get(place).map_or(0, |&stop| per_stop[stop])
+}
+
 impl Motion {
     fn of_impacts(system: &System, motion: &PeriodicMotion) -> Self {
         let stop = motion.pattern.stops[0];
         Motion {
             label: motion.label(),
             n: motion.pattern.n(),
-            p: motion.pattern.p(),
-            q: motion.pattern.q(),
+            p: labelled(system, &motion.pattern.counts(), 0),
+            q: labelled(system, &motion.pattern.counts(), 1),
             impacts_per_stop: motion.pattern.counts(),
             has_mirror: system.mirror().is_some(),
             first_stop: system.stop_name(0),
@@ -219,12 +224,13 @@ impl Motion {
 
     fn of_strobe(system: &System, motion: &StrobeMotion) -> Self {
         let section = motion.section.as_ref();
+        let impacts: Vec<u32> = motion.impacts.iter().map(|&count| count.into()).collect();
         Motion {
             label: motion.label(),
             n: motion.n,
-            p: motion.p().into(),
-            q: motion.q().into(),
-            impacts_per_stop: motion.impacts.iter().map(|&count| count.into()).collect(),
+            p: labelled(system, &impacts, 0),
+            q: labelled(system, &impacts, 1),
+            impacts_per_stop: impacts,
             has_mirror: system.mirror().is_some(),
             first_stop: system.stop_name(0),
             symmetric: motion.symmetric,

@@ -169,7 +169,7 @@ pub struct OverwriteArgs {
 
 /// The state that a start means for a system, which is told where it is not the one named.
 pub fn start_state(system: &System, start: Start) -> StateVector {
-    let is_sought = system.is_paper();
+    let is_sought = system.mirror().is_some() && system.plant().stops.len() == 2;
     if start == Start::Symmetric && is_sought && symmetric_start(system).is_none() {
         note("there is no physical symmetric 1-1-1 motion here: starting from rest");
     }

@@ -4,9 +4,11 @@ mod axis;
 mod coexistence;
 mod result;
 mod spec;
+mod unit;
 mod written;
 
 pub use axis::SweepAxis;
 pub use coexistence::{Coexistence, Pair};
 pub use result::{Branch, Diagram};
-pub use spec::{DiagramError, DiagramSpec, Direction, ExponentUnit, Sweep};
+pub use spec::{DiagramError, DiagramSpec, Direction, Sweep};
+pub use unit::ExponentUnit;

@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::axis::SweepAxis;
+use super::unit::ExponentUnit;
 use super::written::WrittenDiagram;
 use crate::analysis::{Probe, Schedule, ScheduleError};
 use crate::model::{ParameterError, Setting, StateVector};
 use crate::plane::{Component, Quantity, Start, StartError};
-use crate::theory::Spectrum;
 
 /// How the columns of a diagram begin.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -131,41 +131,6 @@ pub struct DiagramSpec {
     pub capacity: u32,
     /// The unit of the Lyapunov spectrum, if that is computed as well.
     pub spectrum: Option<ExponentUnit>,
-}
-
-/// What Lyapunov exponents are counted by; natural logarithm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum ExponentUnit {
-    /// The forcing period.
-    Period,
-    /// An iterate of the impact map of the first stop, σ→σ, the paper's unit; there is none without impacts there, or with
-    /// infinitely many.
-    Iterate,
-    /// The unit of (non-dimensional) time.
-    Time,
-}
-
-impl ExponentUnit {
-    /// The exponents of a spectrum in this unit, as they are; NaN where it has no meaning.
-    pub fn of(self, spectrum: &Spectrum) -> Vec<f64> {
-        match self {
-            ExponentUnit::Period => spectrum.per_period.clone(),
-            ExponentUnit::Iterate => {
-                spectrum.per_iterate().unwrap_or_else(|| vec![f64::NAN; spectrum.per_period.len()])
-            }
-            ExponentUnit::Time => spectrum.per_time(),
-        }
-    }
-
-    /// The unit in words.
-    pub fn name(self) -> &'static str {
-        match self {
-            ExponentUnit::Period => "forcing period",
-            ExponentUnit::Iterate => "iterate",
-            ExponentUnit::Time => "unit of time",
-        }
-    }
 }
 
 impl DiagramSpec {

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use super::axis::SweepAxis;
-use super::spec::{DiagramSpec, ExponentUnit, Sweep};
+use super::spec::{DiagramSpec, Sweep};
+use super::unit::ExponentUnit;
 use crate::analysis::Schedule;
 use crate::plane::Start;
 use crate::plane::written::{WrittenParameters, WrittenSystem, parameters};

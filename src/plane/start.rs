@@ -38,6 +38,11 @@ impl Start {
         }
     }
 
+    /// The start that is really taken: rest where there is no symmetric motion to begin on.
+    pub fn taken(&self, system: &System) -> Self {
+        if *self == Start::Symmetric && symmetric_start(system).is_none() { Start::Rest } else { *self }
+    }
+
     /// Checks that the start has as many components as a family's states.
     ///
     /// # Errors

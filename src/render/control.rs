@@ -210,7 +210,8 @@ impl ControlPicture<'_> {
     /// The system, the start and the method, without the settings of which `varied` says so.
     pub fn title(&self, varied: impl Fn(ControlQuantity) -> bool) -> Vec<Text> {
         let mut title = symbols::equations(self.setting(), |_| false);
-        title.extend(symbols::start(self.start, self.system.plant().n, |_| false));
+        let setting = self.setting();
+        title.extend(symbols::start(self.start, symbols::has_mirror(setting), setting.family(), |_| false));
         if let Some(last) = title.last_mut() {
             *last = last.clone().upright(";");
         }

@@ -8,6 +8,7 @@ use crate::control::ControlQuantity;
 use crate::dynamics::Stop;
 use crate::model::{Setting, StateVector};
 use crate::plane::{Component, Quantity, Start};
+use crate::system::Family;
 
 /// The symbol of a quantity.
 pub(super) fn symbol(quantity: Quantity) -> Text {
@@ -160,13 +161,29 @@ pub(super) fn equations(parameters: &Setting, varied: impl Fn(Quantity) -> bool)
     pieces.into_iter().map(|(names, value)| names.upright(format!(" = {},", number(value)))).collect()
 }
 
+/// Whether a system of these parameters has a mirror, and so a symmetric motion to begin on.
+pub(super) fn has_mirror(parameters: &Setting) -> bool {
+    parameters.plant().is_ok_and(|plant| plant.mirror().is_some())
+}
+
 /// How trajectories begin, in pieces that belong together; `varied` says which components of the start are not fixed.
-pub(super) fn start(start: Start, coordinates: usize, varied: impl Fn(Component) -> bool) -> Vec<Text> {
+///
+/// Systems none of which is `mirrored` have no symmetric motion, and begin at rest in its place.
+pub(super) fn start(
+    start: Start,
+    mirrored: bool,
+    family: &Family,
+    varied: impl Fn(Component) -> bool,
+) -> Vec<Text> {
+    let coordinates = family.n();
     let any_varied = Component::all(coordinates).any(&varied);
     let state = match start {
-        Start::Symmetric => return vec!["start on the 1-1-1 motion, else at rest".into()],
-        Start::Rest if !any_varied => return vec!["start at rest".into()],
-        Start::Rest => StateVector::zeros(coordinates),
+        Start::Symmetric if mirrored && family.stops().len() == 2 => {
+            return vec!["start on the 1-1-1 motion, else at rest".into()];
+        }
+        Start::Symmetric if mirrored => return vec!["start on the symmetric motion, else at rest".into()],
+        Start::Rest | Start::Symmetric if !any_varied => return vec!["start at rest".into()],
+        Start::Rest | Start::Symmetric => StateVector::zeros(coordinates),
         Start::State(state) => state,
     };
     let fixed: Vec<Component> = Component::all(coordinates).filter(|&c| !varied(c)).collect();

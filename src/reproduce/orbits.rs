@@ -154,7 +154,8 @@ pub(super) fn largest_exponent(
     let system = point.system();
     let claim = format!("largest Lyapunov exponent per iterate at {}", point.words());
     let found = Spectrum::of(&system, &point.start.state(&system)[..], point.transient, periods);
-    let per_iterate = found.as_ref().ok().and_then(|spectrum| Some((spectrum, spectrum.per_iterate()?)));
+    let per_iterate =
+        found.as_ref().ok().and_then(|spectrum| Some((spectrum, spectrum.per_iterate(Stop::A)?)));
     match per_iterate {
         Some((spectrum, exponents)) => {
             let scale =

@@ -106,7 +106,7 @@ fn with_spectra(
                 if watch.cancelled() {
                     return Err(BackendError::Cancelled.into());
                 }
-                let exponents = exponents(system, trace, spec.schedule.observe, unit);
+                let exponents = exponents(system, trace, spec, unit);
                 watch.finished(1);
                 Ok(exponents)
             })
@@ -117,10 +117,11 @@ fn with_spectra(
 }
 
 /// The 2n exponents, largest first whatever their statistical error, NaN where the trajectory could not be followed.
-fn exponents(system: &System, trace: &Trace, observe: u32, unit: ExponentUnit) -> Vec<f64> {
+fn exponents(system: &System, trace: &Trace, spec: &DiagramSpec, unit: ExponentUnit) -> Vec<f64> {
     let start = system.between_stops(trace.verdict.state);
-    let spectrum = Spectrum::of(system, &start[..], 0, observe);
-    let mut exponents = spectrum.map_or_else(|_| vec![f64::NAN; start.len()], |spectrum| unit.of(&spectrum));
+    let spectrum = Spectrum::of(system, &start[..], 0, spec.schedule.observe);
+    let in_unit = |spectrum: Spectrum| unit.of(&spectrum, spec.probe.section);
+    let mut exponents = spectrum.map_or_else(|_| vec![f64::NAN; start.len()], in_unit);
     exponents.sort_by(|a, b| b.total_cmp(a));
     exponents
 }

@@ -7,7 +7,7 @@
 use nalgebra::DVector;
 
 use super::strobe::StrobeMotion;
-use crate::analysis::{Counts, Regime, Verdict};
+use crate::analysis::{Counts, INFINITELY_MANY, Regime, Verdict};
 use crate::model::{StateVector, System};
 
 /// The largest distance of a strobe state from the motion that it approaches, for states of order one.
@@ -16,6 +16,9 @@ const NEAR: f64 = 1e-2;
 const FORETOLD: f64 = 0.2;
 /// What single precision and the closing of chatter leave uncertain about a state of order one.
 const UNCERTAIN: f64 = 1e-6;
+/// −ln of a multiplier so close to one that symmetry cannot be told from a strobe state: it takes a hundred periods to
+/// come ten thousand times closer.
+const BARELY: f64 = 0.1;
 
 /// The stable motion that a strobe state approaches which comes back after `n` forcing periods: of that period, of a
 /// divisor, or of twice as much, since a motion that has just doubled its period returns closely after half of it.
@@ -67,13 +70,51 @@ pub fn with_motion(verdict: &Verdict, motion: &StrobeMotion) -> Verdict {
     }
 }
 
-/// The verdict on a trajectory whose strobe state comes back without having settled, from the motion that it approaches;
-/// none where there is no such motion.
+/// A verdict in doubt with what the exact motion says of it; none where the verdict is in no doubt, or no motion answers.
+///
+/// In doubt is a strobe state that comes back without having settled. So is a periodic verdict whose largest multiplier is
+/// close to one in modulus: beside a pitchfork an unsymmetric motion passes for a symmetric one, and a state that still
+/// spirals in for an unsymmetric one. A period with a positive exponent contradicts itself: where no exact motion
+/// is approached either, it is unresolved.
 pub fn confirmed(system: &System, verdict: &Verdict) -> Option<Verdict> {
-    let motion = (verdict.returning > 0)
-        .then(|| approached(system, verdict.state, u32::from(verdict.returning)))
-        .flatten()?;
-    motion.has_impacts().then(|| with_motion(verdict, &motion))
+    if verdict.returning == 0 && forgets_everything(system, verdict) {
+        return Some(Verdict { lyapunov: f32::NEG_INFINITY, ..*verdict });
+    }
+    let n = if verdict.returning > 0 { verdict.returning } else { barely_attracting(verdict)? };
+    let motion = approached(system, verdict.state, u32::from(n)).filter(StrobeMotion::has_impacts);
+    match motion {
+        Some(motion) => Some(with_motion(verdict, &motion)),
+        None => contradicts_itself(verdict).then(|| undone(verdict)),
+    }
+}
+
+/// Whether every deviation from a periodic motion dies out within a period: its only mass comes to rest on a stop.
+fn forgets_everything(system: &System, verdict: &Verdict) -> bool {
+    let rests = verdict.regime == Regime::PeriodicSticking && verdict.counts.contains(&INFINITELY_MANY);
+    rests && system.plant().n == 1
+}
+
+/// N of a periodic verdict whose largest multiplier is close to one in modulus, as far as its exponent was measured.
+fn barely_attracting(verdict: &Verdict) -> Option<u16> {
+    let growth = f64::from(verdict.lyapunov) * f64::from(verdict.n);
+    (verdict.regime.is_periodic() && growth > -BARELY).then_some(verdict.n)
+}
+
+/// Whether a verdict has a period and a positive exponent.
+fn contradicts_itself(verdict: &Verdict) -> bool {
+    verdict.regime.is_periodic() && verdict.lyapunov > 0.0
+}
+
+/// A verdict without the motion that it named, to be looked at for longer.
+fn undone(verdict: &Verdict) -> Verdict {
+    Verdict {
+        regime: Regime::Unresolved,
+        n: 0,
+        counts: Counts::default(),
+        symmetric: false,
+        returning: verdict.n,
+        ..*verdict
+    }
 }
 
 #[cfg(test)]

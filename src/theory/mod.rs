@@ -30,6 +30,7 @@ mod settled;
 mod spectrum;
 mod strobe;
 mod symmetric;
+mod turn;
 
 pub(crate) use admissible::fly;
 pub use admissible::{Inadmissible, NamedStop};

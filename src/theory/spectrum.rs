@@ -33,9 +33,8 @@ pub struct Spectrum {
     pub impacts: u64,
     /// Impacts observed at each stop, in the plant's order.
     pub impacts_per_stop: Vec<u64>,
-    /// Returns to the section at the first stop, the paper's σ: impacts there; none where complete chatter makes them
-    /// infinitely many.
-    pub iterates: Option<u64>,
+    /// Whether complete chatter makes the impacts at a stop infinitely many, in the plant's order.
+    pub endless: Vec<bool>,
 }
 
 /// The trajectory could not be followed.
@@ -74,7 +73,8 @@ impl Spectrum {
                 moves.count(follower.as_ref())?;
             }
         }
-        let mut tally = Tally { impacts: vec![0; system.plant().stops.len()], iterates: Some(0) };
+        let stops = system.plant().stops.len();
+        let mut tally = Tally { impacts: vec![0; stops], endless: vec![false; stops] };
         let mut frame = Frame::new(system, follower.as_mut());
         // The frame turns into the exponents' directions before anything is counted.
         let batch_periods = observe.div_ceil(BATCHES).max(1);
@@ -111,10 +111,16 @@ impl Spectrum {
         self.per_period.iter().map(|exponent| exponent / self.period).collect()
     }
 
-    /// The exponents per iterate of the impact map σ→σ, the paper's unit; none where there are no returns, or infinitely
-    /// many.
-    pub fn per_iterate(&self) -> Option<Vec<f64>> {
-        let iterates = self.iterates.filter(|&iterates| iterates > 0)?;
+    /// Returns to the section at a stop: impacts there; none where complete chatter makes them infinitely many.
+    pub fn returns(&self, stop: Stop) -> Option<u64> {
+        let at = stop.index();
+        (!self.endless[at]).then_some(self.impacts_per_stop[at])
+    }
+
+    /// The exponents per iterate of the impact map σ→σ at a stop, at A the paper's unit; none where there are no returns,
+    /// or infinitely many.
+    pub fn per_iterate(&self, stop: Stop) -> Option<Vec<f64>> {
+        let iterates = self.returns(stop).filter(|&iterates| iterates > 0)?;
         let scaled = |exponent: &f64| exponent * f64::from(self.periods) / iterates as f64;
         Some(self.per_period.iter().map(scaled).collect())
     }
@@ -153,7 +159,7 @@ impl Moves {
 /// The impacts that are observed.
 struct Tally {
     impacts: Vec<u64>,
-    iterates: Option<u64>,
+    endless: Vec<bool>,
 }
 
 impl Tally {
@@ -166,10 +172,9 @@ impl Tally {
             }
             _ => return,
         };
-        self.impacts[impact.stop.index()] += 1;
-        if impact.stop == Stop::A {
-            self.iterates = self.iterates.filter(|_| !complete_chatter).map(|count| count + 1);
-        }
+        let at = impact.stop.index();
+        self.impacts[at] += 1;
+        self.endless[at] |= complete_chatter;
     }
 
     fn spectrum(self, system: &System, frame: &Frame, batches: &[Vec<f64>], batch_periods: u32) -> Spectrum {
@@ -192,7 +197,7 @@ impl Tally {
             period: system.period(),
             impacts: self.impacts.iter().sum(),
             impacts_per_stop: self.impacts,
-            iterates: self.iterates,
+            endless: self.endless,
         }
     }
 }

@@ -8,12 +8,15 @@ use super::label::spelled;
 use super::motion::NoMotion;
 use super::multipliers::{STABLE, eigenvalues};
 use super::pattern::StopSet;
+use super::turn::Turn;
 use crate::analysis::INFINITELY_MANY;
-use crate::dynamics::{Event, Impact, Stop};
+use crate::dynamics::Stop;
 use crate::model::System;
 
 /// The most Newton steps.
 const MOST_STEPS: usize = 30;
+/// Newton steps over half a turn from a motion that is almost symmetric.
+const HALF_TURN_STEPS: usize = 4;
 /// A step is halved at most so often.
 const MOST_HALVINGS: usize = 10;
 /// The largest residual of a solution, for states of order one: what closing complete chatter leaves uncertain.
@@ -22,8 +25,8 @@ const SOLVED: f64 = 1e-9;
 const MIRRORED: f64 = 1e-7;
 /// The largest distance after a divisor of N, for states of order one, of a motion that has the divisor as its period.
 const REPEATED: f64 = 1e-7;
-/// Moves beyond which a trajectory is given up, per forcing period.
-const MOST_MOVES: u32 = 1 << 24;
+/// The largest distance from its mirror image at which a motion may be a symmetric one that could not be told apart.
+const BESIDE: f64 = 1e-4;
 
 /// A periodic motion as a fixed point of Pᴺ, where P takes the state at forcing phase 0 to that one forcing period
 /// later; everything is non-dimensional.
@@ -35,6 +38,8 @@ pub struct StrobeMotion {
     pub impacts: Vec<u16>,
     /// Whether x(t + Nπ/ω) = P x(t) with the mirror P of the system.
     pub symmetric: bool,
+    /// How far it is from its mirror image half a turn later; none for even N and without a mirror.
+    asymmetry: Option<f64>,
     /// Whether a mass rests on a stop on the way.
     pub sticking: bool,
     /// (x, v) at forcing phase 0.
@@ -96,13 +101,24 @@ impl StrobeMotion {
         if let Some(shorter) = turn.shorter(n, REPEATED * scale) {
             return Self::refine(system, state.as_slice(), shorter);
         }
-        let half = turn.half.take().filter(|_| among.has_mirror());
-        let symmetric =
-            half.as_ref().is_some_and(|(half, _)| (half - flow.mirrored(&state)).amax() <= MIRRORED * scale);
-        Ok(StrobeMotion {
+        let motion = Self::solved(&flow, among, n, &state, turn);
+        let asymmetry = motion.asymmetry.filter(|_| !motion.symmetric);
+        let beside = asymmetry.is_some_and(|asymmetry| asymmetry <= BESIDE * scale);
+        let symmetric = beside.then(|| Self::symmetric_beside(follower.as_mut(), &flow, &motion));
+        Ok(symmetric.flatten().filter(|motion| motion.is_stable() == Some(true)).unwrap_or(motion))
+    }
+
+    /// The motion of a turn that closes.
+    fn solved(flow: &Flow, among: StopSet, n: u32, state: &DVector<f64>, turn: Turn) -> Self {
+        let residual = (&turn.end - state).amax();
+        let half = turn.half.filter(|_| among.has_mirror());
+        let asymmetry = half.as_ref().map(|(half, _)| (half - flow.mirrored(state)).amax());
+        let symmetric = asymmetry.is_some_and(|asymmetry| asymmetry <= MIRRORED * (1.0 + state.amax()));
+        StrobeMotion {
             n,
             impacts: turn.impacts,
             symmetric,
+            asymmetry,
             sticking: turn.sticking,
             state: state.iter().map(|value| value + 0.0).collect(),
             peak: turn.peak,
@@ -111,7 +127,27 @@ impl StrobeMotion {
             half_jacobian: half.filter(|_| symmetric).map(|(_, jacobian)| flow.mirrored_columns(&jacobian)),
             residual,
             among,
-        })
+        }
+    }
+
+    /// The symmetric motion beside one that is almost its own mirror image, by Newton's method on half a turn and the
+    /// mirror.
+    ///
+    /// Beside a pitchfork the whole turn has a multiplier near 1, and leaves a symmetric motion a little off its mirror
+    /// image. Half a turn has one near −1 there, and leaves no doubt. Of a symmetric and an unsymmetric motion so close
+    /// one alone is stable.
+    fn symmetric_beside(follower: &mut dyn Follower, flow: &Flow, motion: &Self) -> Option<Self> {
+        let mut state = DVector::from_column_slice(&motion.state);
+        let size = state.len();
+        for _ in 0..HALF_TURN_STEPS {
+            let (half, jacobian) = Turn::from(follower, flow, &state, motion.n)?.half?;
+            let matrix = flow.mirrored_columns(&jacobian) - DMatrix::identity(size, size);
+            state -= matrix.lu().solve(&(flow.mirrored(&half) - &state))?;
+            follower.bring_within(&mut state.as_mut_slice()[..size / 2]);
+        }
+        let turn = Turn::from(follower, flow, &state, motion.n)?;
+        let found = Self::solved(flow, motion.among.clone(), motion.n, &state, turn);
+        (found.symmetric && found.residual <= SOLVED * (1.0 + state.amax())).then_some(found)
     }
 
     /// P^n of (x, v) at forcing phase 0; none if the trajectory cannot be followed.
@@ -170,106 +206,4 @@ impl StrobeMotion {
 
 fn finite(matrix: &DMatrix<f64>) -> Option<&DMatrix<f64>> {
     matrix.iter().all(|value| value.is_finite()).then_some(matrix)
-}
-
-/// One turn of a trajectory over N forcing periods, with its derivative.
-struct Turn {
-    end: DVector<f64>,
-    /// The states at the forcing periods before the end.
-    strobes: Vec<DVector<f64>>,
-    jacobian: DMatrix<f64>,
-    /// The state and its derivative half a turn from the start, for odd N.
-    half: Option<(DVector<f64>, DMatrix<f64>)>,
-    impacts: Vec<u16>,
-    sticking: bool,
-    peak: f64,
-    hardest: Option<Hardest>,
-}
-
-/// The hardest impact of a turn.
-struct Hardest {
-    stop: Stop,
-    speed: f64,
-    section: Vec<f64>,
-}
-
-impl Turn {
-    /// Follows a trajectory; none if its state is not finite, or it makes too many moves.
-    fn from(follower: &mut dyn Follower, flow: &Flow, start: &DVector<f64>, n: u32) -> Option<Self> {
-        follower.begin(start.as_slice());
-        follower.carry();
-        let clamping = follower.clamping();
-        let clamped = |(stop, _)| if clamping.contains(&stop) { INFINITELY_MANY } else { 0 };
-        let mut turn = Turn {
-            end: start.clone(),
-            strobes: Vec::new(),
-            jacobian: follower.tangents(),
-            half: None,
-            impacts: flow.faces().enumerate().map(clamped).collect(),
-            sticking: !clamping.is_empty(),
-            peak: 0.0,
-            hardest: None,
-        };
-        for period in 0..n {
-            let mut moves = 0;
-            turn.strobes.push(follower.state());
-            loop {
-                let taken = follower.advance_to_event();
-                moves += 1;
-                if moves > MOST_MOVES || !follower.is_finite() {
-                    return None;
-                }
-                turn.sticking |= !taken.contact.is_free();
-                match taken.event {
-                    Event::Impact(impact) => turn.note(follower, flow, &impact, false),
-                    Event::Caught { impact, complete_chatter, beside } => {
-                        turn.sticking = true;
-                        if impact.velocity_before != 0.0 {
-                            turn.note(follower, flow, &impact, complete_chatter);
-                        }
-                        for stop in follower.stops_of(beside) {
-                            turn.impacts[stop.index()] = INFINITELY_MANY;
-                        }
-                    }
-                    Event::HalfPeriod if n % 2 == 1 && period == n / 2 => {
-                        turn.half = Some((follower.state(), follower.tangents()));
-                    }
-                    Event::Strobe => break,
-                    _ => {}
-                }
-            }
-        }
-        turn.end = follower.state();
-        turn.jacobian = follower.tangents();
-        Some(turn)
-    }
-
-    /// The smallest divisor of n after which the state is the same already.
-    fn shorter(&self, n: u32, tolerance: f64) -> Option<u32> {
-        let same = |m: &u32| (&self.strobes[*m as usize] - &self.strobes[0]).amax() <= tolerance;
-        (1..n).filter(|m| n.is_multiple_of(*m)).find(same)
-    }
-
-    /// Counts an impact, and keeps it if it is the hardest so far; those at an earlier stop count before all others.
-    fn note(&mut self, follower: &dyn Follower, flow: &Flow, impact: &Impact<f64>, complete_chatter: bool) {
-        let stop = impact.stop;
-        let count = &mut self.impacts[stop.index()];
-        if complete_chatter {
-            *count = INFINITELY_MANY;
-        } else if *count < INFINITELY_MANY - 1 {
-            *count += 1;
-        }
-        self.peak = self.peak.max(impact.velocity_before.abs());
-        let speed = impact.velocity_after.abs();
-        let harder = self
-            .hardest
-            .as_ref()
-            .is_none_or(|hardest| stop < hardest.stop || (stop == hardest.stop && speed > hardest.speed));
-        if harder {
-            let phase = follower.phase(flow.omega);
-            let section = flow.face(stop).section(follower.x(), follower.v(), phase);
-            let section = section.iter().map(|value| value + 0.0).collect();
-            self.hardest = Some(Hardest { stop, speed, section });
-        }
-    }
 }

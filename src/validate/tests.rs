@@ -100,7 +100,10 @@ fn a_boundary_may_move_by_a_cell_but_not_everywhere() {
     assert_eq!(failing(&agreement), [""; 0]);
     assert_eq!(agreement.boundary, Share { agree: 17, cells: 20 });
     assert_eq!(agreement.confusion[2][5], 3);
-    candidate.verdicts[cell(9, 3)] = of_regime(Regime::QuasiPeriodic);
+    // Of a hundred cells chance accounts for six.
+    for row in 3..7 {
+        candidate.verdicts[cell(9, row)] = of_regime(Regime::QuasiPeriodic);
+    }
     assert_eq!(failing(&compare(&reference, &candidate)), ["agreement of non-chaotic cells"]);
 }
 

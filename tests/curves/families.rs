@@ -238,6 +238,15 @@ impl<'a> Walked<'a> {
         Some(Walked { map: self.map, at, motion })
     }
 
+    /// Whether the same motion at the place of another is that one: beyond a fold Newton's method may come upon another
+    /// branch of the same label, from which there is no way back.
+    fn leads_back_to(&self, other: &Self) -> bool {
+        self.to(other.at, 30).is_some_and(|back| {
+            let pairs = back.motion.sections.iter().zip(&other.motion.sections);
+            pairs.map(|(a, b)| (a - b).amax()).fold(0.0, f64::max) < 1e-6
+        })
+    }
+
     /// The multipliers of a turn, largest modulus first.
     fn multipliers(&self) -> Option<Vec<Complex<f64>>> {
         let system = self.system(self.at);
@@ -304,7 +313,7 @@ fn sides_agree(map: &RegionMap, curve: &Curve, k: usize) -> bool {
         let Some((stable, by)) = stable else { continue };
         let other = stable.to(beside(-by), 30);
         if matches!(curve.kind, Kind::Fold | Kind::Grazing) {
-            assert!(other.is_none(), "{context}: it goes on beyond");
+            assert!(!other.is_some_and(|other| other.leads_back_to(&stable)), "{context}: it goes on beyond");
         } else {
             let Some(other) = other else { continue };
             lost(curve, point, &other, &context);
@@ -381,7 +390,6 @@ fn curves_of_the_one_sided_oscillator_are_what_they_are_called() {
 }
 
 #[test]
-#[ignore = "a motion of the same label is found beyond the fold of another"]
 fn curves_of_the_impact_pair_are_what_they_are_called() {
     let family = Family::builtin("impact-pair");
     let map = map_of(family, ["nu=0.4:6:100", "r=0.3:0.9:60"], &[], Start::Symmetric);

@@ -1,13 +1,16 @@
 //! Random command lines: sensible ones most of the time, with values from everyday to absurd.
 
+mod subject;
+
 use rand::Rng;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
+pub use subject::Subject;
 
 type Random = ChaCha8Rng;
 
 /// The commands, each as often as it is listed.
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 18] = [
     "map",
     "map",
     "map",
@@ -22,6 +25,10 @@ const COMMANDS: [&str; 14] = [
     "lyapunov",
     "curves",
     "validate",
+    "render",
+    "status",
+    "again",
+    "systems",
 ];
 
 fn chance(random: &mut Random, of: u32) -> bool {
@@ -32,14 +39,105 @@ fn pick<'a>(random: &mut Random, from: &[&'a str]) -> &'a str {
     from.choose(random).expect("there is something to choose from")
 }
 
-/// The arguments of one run.
-pub fn invocation(random: &mut Random) -> Vec<String> {
+/// One run: the files that it finds, the run that came before it, and what it is asked.
+#[derive(Clone, Debug)]
+pub struct Invocation {
+    /// A file that lies in its folder, by name and text.
+    pub file: Option<(String, String)>,
+    /// Arguments of a run whose results it finds there; none where there are none.
+    pub before: Vec<String>,
+    /// Its own arguments.
+    pub arguments: Vec<String>,
+}
+
+/// A random run.
+pub fn invocation(random: &mut Random) -> Invocation {
+    let subject = Subject::random(random);
     let command = pick(random, &COMMANDS);
+    let (before, arguments) = match command {
+        "render" | "status" | "again" if subject.sound => afterwards(random, &subject, command),
+        "render" | "status" | "again" | "systems" => (Vec::new(), words(&about(random))),
+        _ => (Vec::new(), computing(random, &subject, command)),
+    };
+    Invocation { file: subject.file, before, arguments }
+}
+
+fn words(line: &str) -> Vec<String> {
+    line.split_whitespace().map(str::to_owned).collect()
+}
+
+/// Arguments of commands that compute nothing, and of some about files that are not there.
+fn about(random: &mut Random) -> String {
+    let lines = [
+        "systems",
+        "systems --json",
+        "systems impact-damper",
+        "systems no-such",
+        "adapters",
+        "completions zsh",
+        "completions no-such",
+        "man",
+        "man curves",
+        "man no-such",
+        "status nowhere.zarr",
+        "render nowhere.npz --out r.png",
+        "classify --from nowhere.png --at omega=1,delta=1",
+        "map --from nowhere.npz",
+        "curves --help",
+        "--version",
+        "no-such",
+    ];
+    pick(random, &lines).to_owned()
+}
+
+/// A small map, and what is done with its files.
+fn afterwards(random: &mut Random, subject: &Subject, command: &str) -> (Vec<String>, Vec<String>) {
+    let axis = |name: &str, subject: &Subject| {
+        let default = subject.parameters.iter().find(|(own, _)| own == name).map_or(1.0, |(_, d)| *d);
+        format!("{name}={}:{}:4", default, 1.1 * default + 0.05)
+    };
+    let [(x, _), .., (y, _)] = &subject.parameters[..] else { unreachable!("two parameters at least") };
+    let data = if command == "status" || chance(random, 2) { "d.zarr" } else { "d.npz" };
+    let before = format!(
+        "map {} --backend cpu --x {} --y {} --transient 40 --observe 20 --out d.png --data {data} --size 300x200",
+        subject.option,
+        axis(x, subject),
+        axis(y, subject)
+    );
+    let after = match command {
+        "status" => pick(random, &["status d.zarr", "status d.zarr --json", "status d.png"]).to_owned(),
+        "render" => {
+            let layer = pick(random, &["motion", "lyapunov", "n", "power", "contact", "settling", "no-such"]);
+            let more =
+                pick(random, &["", "--palette magma", "--range 0:1", "--x 0:100", "--title T", "--range 1"]);
+            let out = pick(random, &["r.png", "r.svg", "r.pdf", "r.jpg", "d.png", "d.png --force"]);
+            format!("render {data} --layer {layer} {more} --size 300x200 --out {out}")
+        }
+        _ => {
+            let from = pick(random, &["d.png", data, "own.toml"]);
+            let value =
+                |name: &str| subject.parameters.iter().find(|(own, _)| own == name).map_or(9.0, |p| p.1);
+            let lines = [
+                format!("classify --from {from} --at {x}={},{y}={}", value(x), value(y)),
+                format!("classify --from {from} --at {x}=9e9,{y}=0 --json"),
+                format!("classify --from {from} --at {x}=0"),
+                format!("map --from {from} --out again.png"),
+                format!("map --from {from} --set {x}=1 --out again.svg"),
+                format!("map --from {from} --certify --out d.png"),
+            ];
+            lines.choose(random).expect("there are some").clone()
+        }
+    };
+    (words(&before), words(&after))
+}
+
+/// The arguments of a run that computes.
+fn computing(random: &mut Random, subject: &Subject, command: &str) -> Vec<String> {
     let mut line = vec![command.to_owned()];
     let mut say = |words: String| line.extend(words.split_whitespace().map(str::to_owned));
     match command {
         "map" => {
-            let (control, axes) = plane(random);
+            let (control, axes) = plane(random, subject);
             say(format!(
                 "{control} {axes} {} {}",
                 lengths(random, control.is_empty(), true),
@@ -51,21 +149,26 @@ pub fn invocation(random: &mut Random) -> Vec<String> {
                 &["--out m.png", "--out m.svg", "--data d.npz", "--out -", "--size 300x200"],
             ));
         }
-        "classify" => say(format!("{} {} {}", start(random), lengths(random, true, true), backend(random))),
+        "classify" => {
+            say(format!("{} {} {}", start(random, subject), lengths(random, true, true), backend(random)))
+        }
         "orbit" => {
             let periods = count(random, 30);
-            say(format!("{} --transient {} --periods {periods}", start(random), count(random, 200)));
-            let panels = ["--out o.svg --panel strobe --section-periods 50", "--out o.png", "--impacts -"];
+            say(format!("{} --transient {} --periods {periods}", start(random, subject), count(random, 200)));
+            let stop = subject.stop(random);
+            let gap = format!("--out o.svg --panel time:gap.{stop} --panel section:tau,v_after");
+            let panels =
+                ["--out o.svg --panel strobe --section-periods 50", &gap, "--out o.png", "--impacts -"];
             say(outputs(
                 random,
                 &[&["--impacts i.csv", "--trajectory t.csv --samples 20"], &panels[..]].concat(),
             ));
         }
         "control" => {
-            let method = method(random);
+            let method = method(random, subject);
             say(format!(
                 "{method} {} --from {} --iterates {}",
-                start(random),
+                start(random, subject),
                 count(random, 60),
                 count(random, 200)
             ));
@@ -74,30 +177,35 @@ pub fn invocation(random: &mut Random) -> Vec<String> {
         "bifurcation" => {
             say(format!(
                 "--x {} --transient {} --observe {}",
-                axis(random, 12),
+                axis(random, subject, 12),
                 count(random, 80),
                 count(random, 30)
             ));
-            let sweep = pick(random, &["", "--sweep both", "--sweep down", "--spectrum", "--section strobe"]);
+            let (stop, reading) = (subject.stop(random), subject.component(random));
+            let section = format!("--section {stop} --record {reading} --spectrum=iterate");
+            let sweep = pick(
+                random,
+                &["", "--sweep both", "--sweep down", "--spectrum", "--section strobe", &section],
+            );
             say(format!("{sweep} {}", backend(random)));
             say(outputs(random, &["--out b.svg", "--data b.npz", "--points 3"]));
         }
         "motion" => {
             let label =
-                pick(random, &["", "--label 1-1-1", "--label 2-2-2", "--label 1-0-1", "--label 0-1-1"]);
-            say(format!("{} {} {label}", start(random), lengths(random, false, true)));
+                if chance(random, 5) { String::new() } else { format!("--label {}", subject.label(random)) };
+            say(format!("{} {} {label}", start(random, subject), lengths(random, false, true)));
         }
         "lyapunov" => say(format!(
             "{} --transient {} --observe {}",
-            start(random),
+            start(random, subject),
             count(random, 200),
             count(random, 400)
         )),
         "curves" => {
             say(format!(
                 "--x {} --y {} --transient {} --observe 40",
-                axis(random, 6),
-                axis(random, 6),
+                axis(random, subject, 6),
+                axis(random, subject, 6),
                 count(random, 60)
             ));
             say(format!(
@@ -110,16 +218,17 @@ pub fn invocation(random: &mut Random) -> Vec<String> {
         "validate" if chance(random, 3) => {
             say(format!(
                 "--x {} --y {} --transient {} --observe 30",
-                axis(random, 4),
-                axis(random, 4),
+                axis(random, subject, 4),
+                axis(random, subject, 4),
                 count(random, 60)
             ));
         }
-        "validate" => say(format!("--backend cpu --x {}", axis(random, 4))),
+        "validate" => say(format!("--backend cpu --x {}", axis(random, subject, 4))),
         _ => {}
     }
+    say(subject.option.clone());
     let sets = random.random_range(0..4);
-    (0..sets).for_each(|_| say(format!("--set {}", assignment(random))));
+    (0..sets).for_each(|_| say(format!("--set {}", assignment(random, subject))));
     if chance(random, 4) && command != "orbit" {
         say("--json".into());
     }
@@ -129,10 +238,10 @@ pub fn invocation(random: &mut Random) -> Vec<String> {
     line
 }
 
-fn plane(random: &mut Random) -> (String, String) {
-    let axes = |random: &mut Random, x: String| format!("--x {x} --y {}", axis(random, 5));
+fn plane(random: &mut Random, subject: &Subject) -> (String, String) {
+    let axes = |random: &mut Random, x: String| format!("--x {x} --y {}", axis(random, subject, 5));
     if chance(random, 4) {
-        let method = method(random);
+        let method = method(random, subject);
         let setting = pick(
             random,
             &[
@@ -145,15 +254,24 @@ fn plane(random: &mut Random) -> (String, String) {
             ],
         );
         let lengths = format!("--from {} --iterates {}", count(random, 40), count(random, 120));
-        let x = if chance(random, 4) { axis(random, 4) } else { setting.to_owned() };
+        let x = if chance(random, 4) { axis(random, subject, 4) } else { setting.to_owned() };
         return (format!("--control {method} {lengths}"), axes(random, x));
     }
-    let x = axis(random, 5);
+    let x = axis(random, subject, 5);
     (String::new(), axes(random, x))
 }
 
-fn method(random: &mut Random) -> String {
+fn method(random: &mut Random, subject: &Subject) -> String {
+    let (stop, state) = (subject.stop(random), subject.state(random));
+    let own = [
+        format!("delay --stop {stop}"),
+        format!("pulse --stop {stop} --target={state}"),
+        format!("sine --stop {stop} --convention force --coordinate x{}", subject.n),
+    ];
     let methods = [
+        &own[0],
+        &own[1],
+        &own[2],
         "delay",
         "delay --gain 0.4",
         "delay --delay 3",
@@ -173,14 +291,8 @@ fn method(random: &mut Random) -> String {
 }
 
 /// A value of a parameter: everyday, at the end of its range, tiny, huge, or none.
-fn value(random: &mut Random, name: &str) -> String {
-    let everyday = match name {
-        "omega" => random.random_range(0.3..5.0),
-        "delta" => random.random_range(0.01..0.8),
-        "zeta" => random.random_range(0.01..0.3),
-        "f20" => random.random_range(0.0..1.0),
-        _ => random.random_range(0.2..0.9),
-    };
+fn value(random: &mut Random, subject: &Subject, name: &str) -> String {
+    let everyday = subject.everyday(random, name);
     match random.random_range(0..14) {
         0 => pick(random, &["0", "1", "0.999999", "1e-3"]).to_owned(),
         1 => pick(random, &["1e-6", "20", "0.05", "-1", "1e300", "nan", "inf", "x", "", "1e-300", "-0"])
@@ -189,11 +301,9 @@ fn value(random: &mut Random, name: &str) -> String {
     }
 }
 
-const PARAMETERS: [&str; 8] = ["omega", "delta", "zeta", "r", "mu_m", "mu_k", "mu_c", "f20"];
-
-fn assignment(random: &mut Random) -> String {
-    let name = pick(random, &PARAMETERS);
-    let value = value(random, name);
+fn assignment(random: &mut Random, subject: &Subject) -> String {
+    let name = subject.parameter(random);
+    let value = value(random, subject, name);
     if chance(random, 25) {
         pick(random, &["omgea=1", "x1=0.1", "omega", "gain=0.3"]).into()
     } else {
@@ -201,14 +311,14 @@ fn assignment(random: &mut Random) -> String {
     }
 }
 
-fn axis(random: &mut Random, most: u32) -> String {
+fn axis(random: &mut Random, subject: &Subject, most: u32) -> String {
     let name =
-        if chance(random, 5) { pick(random, &["x1", "x2", "v1", "v2"]) } else { pick(random, &PARAMETERS) };
+        if chance(random, 5) { subject.component(random) } else { subject.parameter(random).to_owned() };
     let count = random.random_range(2..=most);
-    let (a, b) = match name {
+    let (a, b) = match &*name {
         "x1" => ("-0.01".to_owned(), "0.01".to_owned()),
-        "x2" | "v1" | "v2" => ("-1".to_owned(), "1".to_owned()),
-        _ => (value(random, name), value(random, name)),
+        "x2" | "x3" | "v1" | "v2" | "v3" => ("-1".to_owned(), "1".to_owned()),
+        _ => (value(random, subject, &name), value(random, subject, &name)),
     };
     let swapped = matches!((a.parse::<f64>(), b.parse::<f64>()), (Ok(a), Ok(b)) if a > b);
     let (first, last) = if swapped && !chance(random, 8) { (b, a) } else { (a, b) };
@@ -242,8 +352,10 @@ fn lengths(random: &mut Random, observe: bool, transient: bool) -> String {
     words.join(" ")
 }
 
-fn start(random: &mut Random) -> String {
+fn start(random: &mut Random, subject: &Subject) -> String {
+    let own = format!("--start={}", subject.state(random));
     let starts = [
+        &own,
         "",
         "",
         "--start symmetric",

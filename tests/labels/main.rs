@@ -5,6 +5,7 @@ mod common;
 
 mod certified;
 mod continued;
+mod mirrored;
 mod named;
 
 use impact_atlas::analysis::{Schedule, Verdict};

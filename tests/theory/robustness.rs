@@ -3,6 +3,7 @@
 
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Job, follow};
+use impact_atlas::dynamics::Stop;
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::theory::{SettledMotion, Spectrum, StrobeMotion, symmetric_motions, symmetric_start};
 use nalgebra::Complex;
@@ -102,7 +103,8 @@ fn spectra_are_numbers_anywhere() {
         assert!(spectrum.per_period[kept..].iter().all(|&value| value == f64::NEG_INFINITY), "{context:?}");
         assert!(spectrum.standard_error.iter().all(|value| value.is_finite()), "{context:?}: {spectrum:?}");
         assert!(spectrum.per_period.is_sorted_by(|a, b| a >= b), "{context:?}: {spectrum:?}");
-        assert!(spectrum.iterates.is_none_or(|iterates| iterates <= spectrum.impacts));
+        let returns = [Stop::A, Stop::B].map(|stop| spectrum.returns(stop));
+        assert!(returns.iter().flatten().sum::<u64>() <= spectrum.impacts, "{context:?}: {spectrum:?}");
         if spectrum.lost == 0 && context.r > 1e-4 {
             let expected = spectrum.sum_identity(&system);
             let sum: f64 = spectrum.per_period.iter().sum();

@@ -1,6 +1,6 @@
 //! Lyapunov spectra.
 
-use impact_atlas::dynamics::{Event, Trajectory};
+use impact_atlas::dynamics::{Event, Stop, Trajectory};
 use impact_atlas::model::{Flight, Parameters, State, System};
 use impact_atlas::theory::Spectrum;
 
@@ -78,7 +78,19 @@ fn sticking_loses_two_directions() {
     assert_eq!(spectrum.lost, 2);
     assert!(spectrum.per_period[..2].iter().all(|exponent| exponent.is_finite()), "{spectrum:?}");
     assert_eq!(spectrum.per_period[2..], [f64::NEG_INFINITY; 2]);
-    assert_eq!((spectrum.iterates, spectrum.per_iterate()), (None, None));
+    for stop in [Stop::A, Stop::B] {
+        assert_eq!((spectrum.returns(stop), spectrum.per_iterate(stop)), (None, None));
+    }
+}
+
+/// An iterate is a return to the stop that is asked for: between the stops of an unsymmetric motion they differ.
+#[test]
+fn iterates_are_returns_to_the_stop_that_is_asked_for() {
+    let spectrum = Spectrum::of(&at(1.338_983, 0.14), [0.0; 4], 400, 160).unwrap();
+    let [a, b] = [Stop::A, Stop::B].map(|stop| spectrum.returns(stop).unwrap());
+    assert_ne!(a, b, "{spectrum:?}");
+    let [at_a, at_b] = [Stop::A, Stop::B].map(|stop| spectrum.per_iterate(stop).unwrap()[3]);
+    assert!((at_a * a as f64 - at_b * b as f64).abs() < 1e-9 * (at_a * a as f64).abs());
 }
 
 #[test]
@@ -97,5 +109,5 @@ fn without_impacts_the_exponents_are_the_linear_decay() {
     let golden = (1.0 + 5f64.sqrt()) / 2.0;
     let decays = [-0.1 / (golden * golden), -0.1 * golden * golden];
     assert_close(&spectrum.per_time(), &[decays[0], decays[0], decays[1], decays[1]], 2e-3);
-    assert_eq!((spectrum.impacts, spectrum.per_iterate()), (0, None));
+    assert_eq!((spectrum.impacts, spectrum.per_iterate(Stop::A)), (0, None));
 }

@@ -1,7 +1,7 @@
 //! The panel of Lyapunov exponents, and what it leaves out.
 
 use super::windows::Columns;
-use crate::diagram::{Branch, Diagram, ExponentUnit};
+use crate::diagram::{Branch, Diagram, DiagramSpec, ExponentUnit};
 use crate::model::vector::MOST;
 use crate::render::canvas::Colour;
 use crate::render::colours::{INK, MUTED};
@@ -10,7 +10,6 @@ use crate::render::frame::{AxisTitle, Frame};
 use crate::render::scale::Scale;
 use crate::render::text::Text;
 use crate::render::{places, symbols};
-use crate::system::Family;
 
 /// Lengths in em.
 const LINE: f64 = 0.08;
@@ -120,7 +119,7 @@ impl Exponents {
     }
 
     /// What the panel does not show, and why.
-    pub fn notes(&self, unit: Option<ExponentUnit>, family: &'static Family) -> Vec<Text> {
+    pub fn notes(&self, spec: &DiagramSpec) -> Vec<Text> {
         let mut notes: Vec<Text> = Vec::new();
         if self.cut {
             notes.push("The lowest exponents are below the panel.".into());
@@ -128,9 +127,10 @@ impl Exponents {
         if self.lost {
             notes.push("Exponents of −∞ are not drawn.".into());
         }
-        if self.none && unit == Some(ExponentUnit::Iterate) {
+        if self.none && spec.spectrum == Some(ExponentUnit::Iterate) {
             notes.push("No exponents per iterate without impacts".into());
-            let at = Text::from("at ").then(places::stop_place(family, 0));
+            let stop = ExponentUnit::counted_at(spec.probe.section).index();
+            let at = Text::from("at ").then(places::stop_place(spec.parameters.family(), stop));
             notes.push(at.upright(", or with infinitely many."));
         }
         notes
@@ -180,6 +180,7 @@ mod tests {
         let (near, far) = (with(-2.0), with(-20.0));
         assert_eq!((near.cut, near.shown[0]), (false, -2.0));
         assert_eq!((far.cut, far.shown[0]), (true, -1.5));
-        assert_eq!((near.notes(None, Family::paper()).len(), far.notes(None, Family::paper()).len()), (0, 1));
+        let spec = DiagramSpec { spectrum: None, ..diagram("omega=5:0.2:100", Sweep::Down, 0.1, 0.07).spec };
+        assert_eq!((near.notes(&spec).len(), far.notes(&spec).len()), (0, 1));
     }
 }

@@ -18,7 +18,7 @@ use super::text::Text;
 use super::{places, symbols};
 use crate::analysis::{CHATTER_RUN, Section};
 use crate::diagram::{Branch, Diagram, Direction};
-use crate::plane::Quantity;
+use crate::plane::{Quantity, Start};
 use crate::system::Family;
 
 /// Lengths in em.
@@ -47,16 +47,19 @@ pub fn diagram_figure(diagram: &Diagram) -> Figure {
 /// How the columns begin, in pieces that belong together.
 fn beginning(diagram: &Diagram) -> Vec<Text> {
     let spec = &diagram.spec;
+    let family = spec.parameters.family();
     let varied = |component| spec.x.quantity() == Quantity::Start(component);
+    let mirrored = || (0..spec.x.count()).any(|column| symbols::has_mirror(&spec.parameters_at(column)));
     match diagram.branches.as_slice() {
         [Branch { direction: Direction::Each, .. }] => {
             let crate::diagram::Sweep::Each(start) = spec.sweep else { return Vec::new() };
-            symbols::start(start, spec.parameters.family().n(), varied)
+            symbols::start(start, start == Start::Symmetric && mirrored(), family, varied)
         }
         branches => {
             let names: Vec<&str> = branches.iter().map(|branch| branch.direction.name()).collect();
             let mut pieces = vec![format!("state carried {},", names.join(" and ")).into()];
-            pieces.extend(symbols::start(spec.start, spec.parameters.family().n(), varied));
+            let mirrored = spec.start == Start::Symmetric && mirrored();
+            pieces.extend(symbols::start(spec.start, mirrored, family, varied));
             pieces
         }
     }
@@ -160,7 +163,7 @@ fn notes(diagram: &Diagram) -> Vec<Text> {
         let capacity = diagram.spec.capacity;
         notes.push(format!("Of each column the first {capacity} points are shown.").into());
     }
-    notes.extend(Exponents::of(diagram).notes(diagram.spec.spectrum, family));
+    notes.extend(Exponents::of(diagram).notes(&diagram.spec));
     notes
 }
 
@@ -171,7 +174,7 @@ pub(super) mod tests {
     use crate::analysis::{Probe, Reading, Regime, Trace};
     use crate::diagram::{DiagramSpec, ExponentUnit, Sweep};
     use crate::model::Parameters;
-    use crate::plane::{Provenance, Start};
+    use crate::plane::Provenance;
     use crate::render::figure::tests::faults;
     use crate::render::size::Size;
 

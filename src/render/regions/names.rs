@@ -1,7 +1,7 @@
 //! The words of the picture: title, legend and notes.
 
 use super::census::{Census, Region};
-use crate::plane::{Plane, Quantity};
+use crate::plane::{Plane, Quantity, Start};
 use crate::render::legend::Entry;
 use crate::render::motion::Motion;
 use crate::render::paint::Paint;
@@ -15,10 +15,18 @@ const SAMPLES: usize = 4;
 pub(super) fn title(plane: &Plane) -> Vec<Text> {
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
     let mut title = symbols::equations(&plane.parameters, varied);
-    title.extend(symbols::start(plane.start, plane.parameters.family().n(), |component| {
+    let mirrored = plane.start == Start::Symmetric && is_mirrored(plane);
+    title.extend(symbols::start(plane.start, mirrored, plane.parameters.family(), |component| {
         varied(Quantity::Start(component))
     }));
     title
+}
+
+/// Whether systems of the plane have a mirror, as far as those along its edges tell.
+fn is_mirrored(plane: &Plane) -> bool {
+    let bottom = (0..plane.x.count).map(|column| (column, 0));
+    let left = (0..plane.y.count).map(|row| (0, row));
+    bottom.chain(left).any(|(column, row)| symbols::has_mirror(&plane.parameters_at(column, row)))
 }
 
 /// The rows of the legend: at most `rows`, everything that is not periodic among them, the rarest motions grouped with
@@ -92,8 +100,10 @@ mod tests {
     use super::*;
     use crate::analysis::Counts;
     use crate::analysis::Regime;
-    use crate::plane::{RegionMap, Start, Window};
+    use crate::model::Setting;
+    use crate::plane::{Axis, RegionMap, Start, Window};
     use crate::render::example;
+    use crate::system::Family;
 
     fn plain(text: &Text) -> String {
         text.spans().iter().map(|span| span.content.as_str()).collect()
@@ -105,6 +115,32 @@ mod tests {
 
     fn title_of(plane: &Plane) -> String {
         title(plane).iter().map(plain).collect::<Vec<_>>().join(" ")
+    }
+
+    /// Without a mirror there is no symmetric motion to begin on; where one cell has it, that is said.
+    #[test]
+    fn the_title_tells_how_systems_without_a_mirror_begin() {
+        let plane = |family: &str, x: &str| {
+            let family = Family::builtin(family);
+            Plane {
+                x: Axis::of_family(x, family).unwrap(),
+                y: Axis::of_family("r=0.2:0.8:3", family).unwrap(),
+                parameters: Setting::defaults(family),
+                ..example::map(4, 3).plane
+            }
+        };
+        for (family, x, mirrored) in [
+            ("shaw-holmes", "sigma=0:1:4", false),
+            ("bouncing-ball", "Gamma=1:2:4", false),
+            ("two-sided", "delta=0.1:0.4:4", false),
+            ("two-sided", "beta=0.5:2:4", true),
+            ("impact-pair", "nu=1:2:4", true),
+            ("impact-damper", "delta=1:2:4", true),
+        ] {
+            let title = title_of(&plane(family, x));
+            assert!(title.ends_with("start at rest") != mirrored, "{title}");
+            assert!(title.contains("1-1-1 motion") == mirrored, "{title}");
+        }
     }
 
     #[test]
