@@ -1,11 +1,12 @@
 // Trajectories in free flight side by side: a few clear steps, then the contacts of those that wait for one; what is rare
 // happens outside.
 
-// Whether the trajectory waits for a contact within its step, whether it came to phase 0, and whether its contact must be
-// approached from the safe side.
+// Whether the trajectory waits for a contact within its step, whether it came to phase 0 or, under observation, to phase π,
+// and whether its contact must be approached from the safe side.
 struct Pace {
     waits: bool,
     arrived: bool,
+    halfway: bool,
     rare: bool,
 }
 
@@ -17,6 +18,7 @@ fn pace_begin() {
     pace.rare = !free | ((trajectory.kicks > MOST_KICKS) & (trajectory.offset != 0.0));
     pace.waits = trajectory.offset != 0.0;
     pace.arrived = false;
+    pace.halfway = false;
 }
 
 // A whole step of free flight, where it clears the stops.
@@ -28,7 +30,7 @@ fn pace_step(carry: bool) {
         if carry {
             tangent = tangent_stepped(tangent);
         }
-        pace_complete();
+        pace_complete(carry);
     }
 }
 
@@ -40,17 +42,18 @@ fn pace_rest(carry: bool) {
             tangent = tangent_flown_freely(tangent, rest);
         }
         pace.waits = false;
-        pace_complete();
+        pace_complete(carry);
     }
 }
 
 // The end of a step.
-fn pace_complete() {
+fn pace_complete(carry: bool) {
     trajectory.point = trajectory.ahead;
     let event = end_step();
     pace.arrived = event == EVENT_STROBE;
     if event == EVENT_HALF_PERIOD {
-        observer_half_period();
+        observer.moves = observer.moves + 1u;
+        pace.halfway = carry;
     }
 }
 
@@ -72,18 +75,19 @@ fn pace_cross(carry: bool) {
 
 // Rounds until phase 0, until something rare, or until they are enough.
 fn pace_rounds(carry: bool) {
-    pace_begin();
-    if pace.waits & !pace.rare {
-        pace_rest(carry);
-    }
     for (var round = 0u; round < ROUNDS; round++) {
-        //: each clear step
-        if !(pace.waits | pace.arrived | pace.rare) {
+        for (var step = 0u; step < CLEAR_STEPS; step++) {
+            if pace.waits | pace.arrived | pace.halfway | pace.rare {
+                break;
+            }
             pace_step(carry);
         }
-        //: end
         if pace.waits & !pace.rare {
             pace_cross(carry);
+        }
+        if pace.halfway {
+            recurrence_at_half_period(trajectory.point.state, RETURNED);
+            pace.halfway = false;
         }
         if pace.arrived | pace.rare {
             break;

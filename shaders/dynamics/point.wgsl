@@ -106,10 +106,10 @@ fn point_flown(point: Point, s: f32, contact: u32) -> Point {
 // The point with the speed along a normal changed by `kick` a time s ≤ h ago.
 fn point_kicked(point: Point, normal: u32, kick: f32, s: f32) -> Point {
     let u = s * flight.inverse_h;
-    let first = (cell * NORMALS + normal) * KICK_TERMS;
-    var sum = kicks[first + ORDER];
+    let first = normal * KICK_TERMS;
+    var sum = kick_term(first + ORDER);
     //: each kick term
-    sum = state_plus(kicks[first + $ku], u, sum);
+    sum = state_plus(kick_term(first + $ku), u, sum);
     //: end
     return Point(state_plus(point.state, kick, sum), point.sin, point.cos);
 }

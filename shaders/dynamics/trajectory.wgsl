@@ -117,6 +117,10 @@ fn approach(carry: bool) -> Move {
 // What is rare: an approach from the safe side, or sticking.
 fn advance_warily(carry: bool) -> Move {
     if trajectory.contact == CONTACT_FREE {
+        let window = flight.h - trajectory.offset;
+        if trajectory.kicks <= MOST_KICKS && leg_clears(trajectory.point, trajectory.ahead, window) {
+            return go_ahead(carry, window);
+        }
         return approach(carry);
     }
     return rest(carry);

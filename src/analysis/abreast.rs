@@ -18,9 +18,11 @@ pub trait Queue<T, const N: usize> {
 }
 
 /// Steps that are tried between two looks at the waiting lanes.
-pub const CLEAR_STEPS: usize = 4;
+pub const CLEAR_STEPS: u32 = 4;
 /// Rounds of steps and contacts on the GPU before what is rare is looked at.
 pub const ROUNDS: u32 = 16;
+/// Turns of such rounds on the GPU, each up to phase 0 at the latest, before lanes with something rare have waited enough.
+pub const TURNS: u32 = 8;
 
 /// One lane's trajectory.
 struct Seat<T, const N: usize, K> {

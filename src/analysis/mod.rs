@@ -30,7 +30,7 @@ pub use trace::{Trace, Tracer};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
-    pub use super::abreast::{CLEAR_STEPS, ROUNDS};
+    pub use super::abreast::{CLEAR_STEPS, ROUNDS, TURNS};
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::observer::{
         CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING, SETTLING_AT_REST,

@@ -8,10 +8,10 @@ use super::Kernel;
 use super::compiled::Compiled;
 use super::device::guarded;
 use super::tile::Tile;
-use crate::analysis::constants::ROUNDS;
-use crate::backend::gpu::layout::Record;
+use crate::backend::gpu::layout::{KICK_TERMS, Record};
 use crate::backend::{BackendError, Job, Watch};
 use crate::model::Real;
+use crate::model::vector::MOST;
 
 /// How long one dispatch should take; a display driver kills one of a few seconds.
 const PORTION: Duration = Duration::from_millis(200);
@@ -19,13 +19,13 @@ const PORTION: Duration = Duration::from_millis(200);
 const FIRST_BUDGET: u32 = 32;
 /// The most moves of one dispatch on hardware.
 const HARDWARE_BUDGET: u32 = 1 << 14;
-/// Loop iterations in one move, or in the rounds that the kernel `follow` counts as one: the loops of the rounds and of the
-/// moves, and every place where a series is summed. Lanes that diverge go through all of them, one after the other; those of
-/// the transient and of the observation too.
-pub const ITERATIONS: u32 = 2 * (2 + ROUNDS + 17 * <f32 as Real>::ORDER as u32);
-/// Loop iterations of one dispatch on a software adapter: Mesa's stop every loop in silence after 65,535 iterations
-/// of all the loops in an invocation. (The kernel counts a trajectory that was cut short as failed.)
-const SOFTWARE_ITERATIONS: u32 = 65_535;
+/// Loop iterations in one move: its own loop, and every place where a series is summed. Lanes that diverge go through all of
+/// them, one after the other.
+pub const MOVE: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
+/// Loop iterations of one dispatch on a software adapter, beside those that fetch the constants of a cell: Mesa's stop every
+/// loop in silence after 65,535 iterations of all the loops in an invocation. (The kernel counts a trajectory that was cut
+/// short as failed.)
+const SOFTWARE_ITERATIONS: u32 = 65_535 - (MOST * KICK_TERMS) as u32;
 /// Workgroups in one row of a dispatch; every adapter takes at least 65,535.
 pub const ROW: u32 = 1 << 15;
 

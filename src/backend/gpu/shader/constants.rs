@@ -52,6 +52,8 @@ pub fn source(shape: &Shape) -> String {
         ("SETTLED_OBSERVATION", analysis::SETTLED_OBSERVATION),
         ("MOST_KICKS", dynamics::MOST_KICKS),
         ("ROUNDS", analysis::ROUNDS),
+        ("TURNS", analysis::TURNS),
+        ("CLEAR_STEPS", analysis::CLEAR_STEPS),
         ("MOST_MOVES", analysis::MOST_MOVES),
         ("DEPTH", LONGEST_ON_DEVICE.max(LONGEST_DELAY) as u32 + 1),
         ("DELAYS", DELAYS as u32),

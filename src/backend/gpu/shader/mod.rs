@@ -1,10 +1,12 @@
 //! The shader: fragments in their order, unrolled for a shape, after declarations generated from this crate's own.
 
 mod constants;
+mod residence;
 mod sections;
 mod template;
 mod vectors;
 
+pub use residence::Residence;
 pub use template::Shape;
 
 use super::layout;
@@ -113,10 +115,10 @@ const BOUND: &str = "var bound = flight.normals[normal].bound_forcing;";
 const DRIVEN_BOUND: &str = "var bound = flight.normals[normal].bound_forcing + driven.bound[normal];";
 
 /// The source of a kernel for a shape.
-pub fn source(kernel: Kernel, shape: &Shape) -> String {
+pub fn source(kernel: Kernel, shape: &Shape, residence: Residence) -> String {
     let fragments: String =
         COMMON.iter().chain(kernel.fragments()).map(|fragment| shape.unrolled(fragment) + "\n").collect();
-    // The constants of a cell are read where they lie; a force in phase with the forcing is added to what it changes.
+    // A force in phase with the forcing is added to what it changes.
     let fragments = match kernel {
         Kernel::Follow | Kernel::Trace | Kernel::Extent => fragments,
         Kernel::Control => ["gamma_sin", "gamma_cos", "sin"].iter().fold(fragments, |text, name| {
@@ -133,7 +135,8 @@ pub fn source(kernel: Kernel, shape: &Shape) -> String {
         &layout::declarations_for(shape),
         &pressing_share(shape),
         &sections,
-        &fragments.replace("flight.", "flights[cell]."),
+        residence.source(),
+        &fragments.replace("flight.", &format!("{}.", residence.flight())),
     ]
     .join("\n")
 }
@@ -166,8 +169,10 @@ mod tests {
     #[test]
     fn the_shaders_are_valid_and_need_no_feature() {
         for kernel in Kernel::ALL {
-            for shape in shapes() {
-                let source = source(kernel, &shape);
+            for (shape, residence) in
+                shapes().into_iter().flat_map(|shape| Residence::ALL.map(|kept| (shape, kept)))
+            {
+                let source = source(kernel, &shape, residence);
                 let module = naga::front::wgsl::parse_str(&source)
                     .unwrap_or_else(|error| panic!("{shape:?} {}", error.emit_to_string(&source)));
                 let all = naga::valid::ValidationFlags::all();

@@ -5,16 +5,14 @@
 //! normals` stands once for every ordered pair, with `$k` and `$l`. Series of fixed order are unrolled too, with `$k` as the
 //! order: see [`COUNTED`].
 
-use crate::analysis::constants::CLEAR_STEPS;
 use crate::dynamics::constants::NEWTON_STEPS;
 use crate::model::Real;
 
 /// Blocks that stand so many times in every shader, the first order and the last.
-const COUNTED: [(&str, usize, usize); 4] = [
+const COUNTED: [(&str, usize, usize); 3] = [
     ("contact term", 1, <f32 as Real>::CONTACT_ORDER),
     ("flight term", 1, <f32 as Real>::ORDER),
     ("newton step", 1, NEWTON_STEPS),
-    ("clear step", 1, CLEAR_STEPS),
 ];
 
 /// What a shader is written for.
