@@ -72,7 +72,7 @@ fn content(title: &str) -> FileContent {
 const RUNS: [(&str, &str, &str); 5] = [
     (
         "A map,",
-        "map --certify --backend cpu --x omega=2.8:3.8:4 --y delta=0.1:0.3:3 --transient 20 --observe 10",
+        "map --certify --extents --backend cpu --x omega=2.8:3.8:4 --y delta=0.1:0.3:3 --transient 20 --observe 10",
         "map.npz",
     ),
     (

@@ -7,14 +7,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use impact_atlas::plane::fields::{CellField, Cells, Inner};
+use impact_atlas::plane::fields::{CellField, Cells, Extras, Inner};
 use impact_atlas::store::ZarrStore;
 use program::{run_in, stderr, stdout};
 use serde_json::{Value, json};
 use tempfile::{TempDir, tempdir};
 
-const PLANE: &str =
-    "--backend cpu --x omega=2.6:3.9:13 --y delta=0.05:0.3:9 --transient 60 --observe 40 --certify";
+const PLANE: &str = "--backend cpu --x omega=2.6:3.9:13 --y delta=0.05:0.3:9 --transient 60 --observe 40 --certify \
+     --extents";
 
 fn here() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -82,7 +82,7 @@ fn expected(folder: &TempDir) -> Value {
         "rows": plane.y.count,
         "columns": plane.x.count,
         "tile": store.tiling().side,
-        "fields": CellField::of_plane(true).map(field).collect::<Vec<_>>(),
+        "fields": CellField::of_plane(Extras { certified: true, extents: true }).map(field).collect::<Vec<_>>(),
         "x": axis(&plane.x),
         "y": axis(&plane.y),
         "version": env!("CARGO_PKG_VERSION"),

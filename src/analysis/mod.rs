@@ -1,6 +1,7 @@
 //! What a trajectory is: regimes and labels, settling, Lyapunov exponents.
 
 mod exponent;
+mod extent;
 mod loss;
 mod observer;
 mod probe;
@@ -15,6 +16,7 @@ mod trace;
 mod verdict;
 
 pub(crate) use exponent::Exponent;
+pub use extent::{Extent, ExtentObserver};
 pub use observer::{Observer, Stage};
 pub use probe::Probe;
 pub use rebounds::{CHATTER_RUN, Rebounds};

@@ -2,11 +2,13 @@
 
 mod cpu;
 mod decide;
+mod extents;
 mod gpu;
 mod select;
 
 pub use cpu::{Cpu, Precision, follow, follow_controlled, trace};
 pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
+pub use extents::{extent, extents};
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use select::{Choice, open};
 
@@ -14,7 +16,7 @@ use std::fmt::Debug;
 
 use thiserror::Error;
 
-use crate::analysis::{Probe, Schedule, Trace, Verdict};
+use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, Controller, Outcome};
 use crate::model::{StateVector, System};
 
@@ -103,6 +105,15 @@ pub trait Backend: Debug + Sync {
         _watch: &dyn Watch,
     ) -> Result<Vec<Trace>, BackendError> {
         Err(BackendError::Unsupported(format!("{} reads no sections", self.name())))
+    }
+
+    /// Follows every job for so many forcing periods and measures how far it goes; on the processor, unless this back end
+    /// has a way of its own.
+    ///
+    /// # Errors
+    /// Those of [`Backend::run`].
+    fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>, BackendError> {
+        extents::on_processor(jobs, periods, watch)
     }
 }
 

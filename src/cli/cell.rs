@@ -6,6 +6,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 use anyhow::{Context, anyhow};
+use impact_atlas::plane::fields::{Cells, Extras};
 use impact_atlas::plane::{Axis, Made, Plane};
 use impact_atlas::render::carried_configuration;
 use impact_atlas::store::{ZarrStore, read_config};
@@ -59,7 +60,8 @@ pub fn made(path: &Path) -> Result<Made, CliError> {
     if path.is_dir() {
         let store = ZarrStore::open(path)?;
         let (plane, provenance) = (store.plane().clone(), store.provenance().clone());
-        return Ok(Made { plane, provenance, certified: store.is_certified() });
+        let Extras { certified, extents } = store.extras();
+        return Ok(Made { plane, provenance, certified, extents });
     }
     let bytes = fs::read(path).with_context(|| format!("cannot read `{name}`")).map_err(CliError::Input)?;
     let carried = if bytes.starts_with(b"PK") {

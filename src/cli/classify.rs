@@ -7,8 +7,8 @@ use clap::Args;
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Backend, Job, decide};
 use impact_atlas::model::{StateVector, System};
-use impact_atlas::plane::{Component, Start};
-use impact_atlas::sweep::certify_cells;
+use impact_atlas::plane::{Component, Plane, Start, Window};
+use impact_atlas::sweep::certify_window;
 use serde::Serialize;
 
 use super::cell::{Cell, Place, made};
@@ -116,7 +116,8 @@ struct Asked {
     start: Start,
     schedule: Schedule,
     cell: Option<Cell>,
-    certified: bool,
+    /// Of a certified map: its plane, which certifies the cell.
+    certified: Option<Plane>,
 }
 
 /// Runs the command.
@@ -130,8 +131,9 @@ pub fn run(args: &ClassifyArgs) -> Result<(), CliError> {
         let backend = options.open()?;
         let jobs = [asked.job.clone()];
         let mut verdicts = decide(&*backend, &jobs, &asked.schedule, &Interruptible)?;
-        if asked.certified {
-            certify_cells(&jobs, 1, &mut verdicts, &asked.schedule, &*backend, &Interruptible)?;
+        if let (Some(plane), Some(Cell { column, row, .. })) = (&asked.certified, asked.cell) {
+            let window = Window { column, row, columns: 1, rows: 1 };
+            certify_window(plane, window, &mut verdicts, &*backend, &Interruptible)?;
         }
         let verdict = verdicts.first().ok_or_else(|| anyhow!("the back end gave no verdict"));
         Ok(Classification::new(verdict.map_err(CliError::Machine)?, &asked, &*backend))
@@ -155,8 +157,13 @@ fn of_map(
     let start = made.plane.start_at(column, row);
     let state = start_state(&system, start);
     let job = Job { system, start: state };
-    let asked =
-        Asked { job, start, schedule: made.plane.schedule, cell: Some(cell), certified: made.certified };
+    let asked = Asked {
+        job,
+        start,
+        schedule: made.plane.schedule,
+        cell: Some(cell),
+        certified: made.certified.then_some(made.plane),
+    };
     Ok((asked, backend.or_those_of(&made.provenance)))
 }
 
@@ -170,7 +177,7 @@ impl ClassifyArgs {
         };
         schedule.check().map_err(CliError::input)?;
         let (system, start) = self.system.system_and_start(self.start)?;
-        Ok(Asked { job: Job { system, start }, start: self.start, schedule, cell: None, certified: false })
+        Ok(Asked { job: Job { system, start }, start: self.start, schedule, cell: None, certified: None })
     }
 }
 

@@ -56,7 +56,8 @@ pub fn run(method: MethodName, args: &MapArgs) -> Result<(), CliError> {
     let plane = args.control.cells.plane(method, &args.plane)?;
     if let Some(store) = args.data.as_deref().filter(|path| is_store(path)) {
         return Err(CliError::Input(anyhow!(
-            "a map under control is written as an npz file: name {} with .npz",
+            "a map under control has no store, which holds motions and not the outcomes of control: name `{}` with .npz, or \
+             compute parts of its plane into files of their own",
             store.display()
         )));
     }

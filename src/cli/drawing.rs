@@ -112,6 +112,18 @@ impl DrawingArgs {
         Ok(layer)
     }
 
+    /// Refuses a layer that some cells do not have.
+    pub fn check_there(&self, cells: &dyn Cells) -> Result<(), CliError> {
+        let layer = self.check(cells.plane().parameters.family())?;
+        if layer.is_with(cells.extras()) {
+            return Ok(());
+        }
+        Err(CliError::Input(anyhow!(
+            "these data do not have the layer {}: compute them with `map --extents`",
+            self.layer
+        )))
+    }
+
     /// The curves over a window.
     pub fn curves(
         &self,
@@ -145,6 +157,7 @@ impl DrawingArgs {
         curves: Option<&Curves>,
     ) -> Result<Picture, CliError> {
         let layer = self.check(cells.plane().parameters.family())?;
+        self.check_there(cells)?;
         let curves = curves.map(|found| DrawnCurves {
             map: &found.map,
             curves: &found.curves,

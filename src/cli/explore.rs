@@ -38,6 +38,10 @@ pub struct ExploreArgs {
     backend: BackendArgs,
 
     /// Begins with the plane of an archive or a store that `map` wrote; its cells are not computed again
+    ///
+    /// A tile of a store that is not there is kept in it as soon as all its cells were looked at, if the back end is the
+    /// store's own and the store is not certified. Of a store of more than 8 million cells seen from afar, cells are computed
+    /// where that is sooner done than reading their tile.
     #[arg(long, value_name = "FILE.npz|STORE.zarr", conflicts_with_all = ["x", "y", "family", "assignments", "start",
         "transient", "observe", "max_period", "fixed_periods"])]
     data: Option<PathBuf>,
@@ -122,20 +126,11 @@ fn computing(args: &BackendArgs) -> Result<Computing, CliError> {
     Ok(explore::open(asked)?)
 }
 
-/// The cells of an archive or of a store, as far as they are there.
+/// The cells of an archive, or of a store as far as they are there.
 fn read(path: &Path) -> Result<Known, CliError> {
     let name = path.display();
     if path.is_dir() {
-        let store = ZarrStore::open(path)?;
-        small_enough(&name.to_string(), store.plane())?;
-        let mut known = Known::nothing_of(store.plane().clone());
-        let there = store.tiles_there()?;
-        for tile in (0..).zip(&there).filter(|(_, there)| **there).map(|(tile, _)| tile) {
-            let window = store.tiling().window(tile);
-            let map = store.map_of(window).map_err(CliError::machine)?;
-            known.add(window, &map.verdicts);
-        }
-        return Ok(known);
+        return Ok(Known::of_store(ZarrStore::open(path)?)?);
     }
     let wrong = |error: anyhow::Error| {
         CliError::Input(error.context(format!(
@@ -156,7 +151,8 @@ fn small_enough(name: &str, plane: &Plane) -> Result<(), CliError> {
         return Ok(());
     }
     Err(CliError::Input(anyhow!(
-        "`{name}` has {} cells, and at most {} are explored at once: draw a part of it with `render --x A:B --y A:B`",
+        "`{name}` has {} cells, and at most {} of an archive are explored: put the plane into a store, with `map --from` it \
+         and --data STORE.zarr",
         plane.cells(),
         Known::MOST
     )))

@@ -6,9 +6,10 @@ use std::time::Instant;
 use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::backend::Backend;
+use impact_atlas::plane::fields::Extras;
 use impact_atlas::plane::{Part, Plane, RegionMap, Tiling, Window};
 use impact_atlas::store;
-use impact_atlas::sweep::{Certification, certify, sweep};
+use impact_atlas::sweep::{Certification, certify, measure_extents, sweep};
 use serde::{Serialize, Serializer};
 
 use super::control_map::{self, ControlMapArgs};
@@ -75,6 +76,13 @@ pub struct MapArgs {
     /// help. The data then hold the Floquet multipliers too.
     #[arg(long, conflicts_with = "control")]
     pub certify: bool,
+
+    /// Also measures how far every coordinate goes: its root mean square and its peak, the fields `rms` and `peak` and the layers
+    /// rms.x1, peak.x1 and so on
+    ///
+    /// Every trajectory is followed on for whole periods of its motion. A --layer that is one of these asks for it too.
+    #[arg(long, conflicts_with = "control")]
+    pub extents: bool,
 
     /// Draws bifurcation curves over the map, and names them: those that bound what can be observed, or all of them
     #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
@@ -157,20 +165,24 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     };
     let options =
         made.as_ref().map_or_else(|| args.backend.clone(), |made| args.backend.or_those_of(&made.provenance));
-    let certify = args.certify || made.as_ref().is_some_and(|made| made.certified);
     let family = plane.parameters.family();
     if args.curves.is_some() {
         impact_atlas::curves::check(&plane).map_err(CliError::input)?;
     }
-    args.drawing.check(family)?;
+    let layer = args.drawing.check(family)?;
+    let certified = args.certify || made.as_ref().is_some_and(|made| made.certified);
+    let extents = args.extents || made.as_ref().is_some_and(|made| made.extents);
+    let without = Extras { certified, extents };
+    // A layer asks for what it shows.
+    let extras = if layer.is_with(without) { without } else { Extras { extents: true, ..without } };
     match args.data.as_deref().filter(|path| stored::is_store(path)) {
-        Some(path) => stored::run(args, &plane, path, &options, certify),
-        None => in_memory(args, &plane, &options, certify),
+        Some(path) => stored::run(args, &plane, path, &options, extras),
+        None => in_memory(args, &plane, &options, extras),
     }
 }
 
 /// A plane whose cells are all held at once, and written into one file.
-fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, certify: bool) -> Result<(), CliError> {
+fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extras) -> Result<(), CliError> {
     if args.part.is_some() || args.tile.is_some() {
         return Err(CliError::Input(anyhow!(
             "--part and --tile are for stores: give --data DATA.zarr in place of an npz file"
@@ -196,7 +208,11 @@ fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, certify: bool
     let began = Instant::now();
     let mut map = sweep(plane, &*backend, &Progress::of_cells("computing", plane.cells()))?;
     let seconds = began.elapsed().as_secs_f64();
-    let certified = certify.then(|| certified(&mut map, &*backend)).transpose()?;
+    let certified = extras.certified.then(|| certified(&mut map, &*backend)).transpose()?;
+    if extras.extents {
+        let progress = Progress::of_cells("measuring", plane.cells());
+        measure_extents(&mut map, &*backend, &progress)?;
+    }
     let whole = Window::whole(plane);
     let curves = args.drawing.curves(&map, whole, args.curves.map(CurveSource::Computed))?;
     let drawn = args.drawing.draw(&map, whole, curves.as_ref())?;

@@ -56,7 +56,7 @@ pub struct RenderArgs {
 pub fn run(args: &RenderArgs) -> Result<(), CliError> {
     let cells = opened(&args.data)?;
     let cells = &*cells;
-    args.drawing.check(cells.plane().parameters.family())?;
+    args.drawing.check_there(cells)?;
     let window = window(cells, args.x, args.y)?;
     let [picture] = files::prepare(args.overwrite, [Kind::Picture.at(Some(&args.out))])?;
     let source = args.curves.as_deref().map(|curves| match curves.to_str() {

@@ -300,7 +300,7 @@ mod tests {
             start: Start::State([0.0, 0.5, -0.25, 1e-7].into()),
             schedule: Schedule { transient: 40, observe: 20, max_period: 8, fixed_periods: true },
         };
-        RegionMap { plane, provenance, verdicts: vec![verdict(1); 20], multipliers: None }
+        RegionMap { plane, provenance, verdicts: vec![verdict(1); 20], multipliers: None, extents: None }
     }
 
     fn report<'a>(

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::anyhow;
-use impact_atlas::plane::fields::Cells;
+use impact_atlas::plane::fields::{Cells, Extras};
 use impact_atlas::plane::{Part, Plane, Window};
 use impact_atlas::store::{Failure, Wanted, ZarrStore};
 use impact_atlas::sweep::{provenance, sweep_stored};
@@ -50,7 +50,7 @@ pub fn run(
     plane: &Plane,
     path: &Path,
     options: &BackendArgs,
-    certify: bool,
+    extras: Extras,
 ) -> Result<(), CliError> {
     let part = args.part.unwrap_or(Part::WHOLE);
     if args.part.is_some() && (args.out.is_some() || args.curves.is_some()) {
@@ -64,7 +64,7 @@ pub fn run(
     let backend = options.open()?;
     let (name, adapter) = (backend.name(), backend.adapter());
     let provenance = provenance(&*backend);
-    let asked = Wanted { plane, provenance: &provenance, certified: certify, tile: args.tile };
+    let asked = Wanted { plane, provenance: &provenance, extras, tile: args.tile };
     let store = ZarrStore::of(path, &asked)?;
     let tiles = part.tiles(plane, &store.tiling());
     let cells: u64 = tiles.iter().map(|&tile| store.tiling().window(tile).cells() as u64).sum();

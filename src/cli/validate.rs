@@ -5,7 +5,7 @@ use clap::Args;
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::curves::{self, bifurcation_curves};
 use impact_atlas::plane::Plane;
-use impact_atlas::sweep::{sweep, sweep_control};
+use impact_atlas::sweep::{measure_extents, sweep, sweep_control};
 use impact_atlas::validate::{
     Thresholds, boundaries, compare_continued, compare_controlled, continue_strays, tipped,
 };
@@ -85,9 +85,11 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
     note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
 
     estimate::of_plane("the candidate's map", &plane, &*candidate)?;
-    let theirs = sweep(&plane, &*candidate, &Progress::of_cells("candidate", plane.cells()))?;
+    let mut theirs = sweep(&plane, &*candidate, &Progress::of_cells("candidate", plane.cells()))?;
+    measure_extents(&mut theirs, &*candidate, &Interruptible)?;
     estimate::of_plane("the reference's map", &plane, &*reference)?;
-    let ours = sweep(&plane, &*reference, &Progress::of_cells("reference", plane.cells()))?;
+    let mut ours = sweep(&plane, &*reference, &Progress::of_cells("reference", plane.cells()))?;
+    measure_extents(&mut ours, &*reference, &Interruptible)?;
     let strays = impact_atlas::validate::strays(&ours, &theirs).len() as u64;
     let continued = continue_strays(&ours, &theirs, &*reference, &Progress::of_cells("continuing", strays))?;
     let examined = tipped(&ours, &theirs, &*reference, &Interruptible)?;

@@ -15,6 +15,7 @@ use super::seeds::{Seed, fewest, seeds};
 use super::symmetry::stops_of;
 use super::trace::{Traced, trace};
 use super::unknowns::Span;
+use super::until::Until;
 use crate::plane::{Axis, Plane, Quantity, RegionMap};
 use crate::theory::{Pattern, StopSet};
 
@@ -23,7 +24,7 @@ const PARTS: f64 = 5.0;
 /// An event this near to a curve of its kind and motion lies on it; in sides of the plane.
 const SAME: f64 = 2e-3;
 
-/// Curves are for planes of two parameters only.
+/// Why there are no curves.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum CurvesError {
     /// An axis varies the start.
@@ -34,6 +35,9 @@ pub enum CurvesError {
     /// An axis has no extent.
     #[error("bifurcation curves need a range of {0}, not a single value")]
     SingleValue(&'static str),
+    /// Nobody wants them any more.
+    #[error("interrupted")]
+    Cancelled,
 }
 
 /// The bifurcation curves of a plane, and the motions that have none.
@@ -55,24 +59,41 @@ pub struct PlaneCurves {
 /// # Errors
 /// [`CurvesError`] where an axis is not a range of a parameter.
 pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<PlaneCurves, CurvesError> {
+    bifurcation_curves_until(map, max_period, &|| false)
+}
+
+/// The same, given up soon after `cancelled` says so; it is asked often, and from several threads.
+///
+/// # Errors
+/// Those of [`bifurcation_curves`], and [`CurvesError::Cancelled`].
+pub fn bifurcation_curves_until(
+    map: &RegionMap,
+    max_period: u32,
+    cancelled: &(dyn Fn() -> bool + Sync),
+) -> Result<PlaneCurves, CurvesError> {
+    let until = Until(cancelled);
     let spans = spans(&map.plane)?;
     let stops = stops_of(&map.plane, spans);
     let shown = shown(map, &stops);
     let sought: Vec<Result<Followed, Why>> =
-        shown.par_iter().map(|shown| sought(map, shown, &stops, max_period, spans)).collect();
+        shown.par_iter().map(|shown| sought(map, shown, &stops, max_period, spans, until)).collect();
     let mut curves = Vec::new();
     let met = |of: fn(&Followed) -> &Vec<Event>| sought.iter().flatten().flat_map(of).cloned().collect();
-    trace_all(&mut curves, met(|followed| &followed.events), spans);
+    trace_all(&mut curves, met(|followed| &followed.events), spans, until);
     let mut births: Vec<Event> = met(|followed| &followed.births);
     let mut known = HashSet::new();
-    while !births.is_empty() {
+    while !births.is_empty() && !until.is_over() {
         births.retain(|event| !lies_on(event, &curves, spans));
         let seeds: Vec<Seed> =
             births.iter().filter(|event| known.insert(event.pattern.clone())).map(Event::seed).collect();
-        let followed = Followed::all(follow(&seeds, spans));
+        let followed = Followed::all(follow(&seeds, spans, until));
         births.extend(followed.events);
-        trace_all(&mut curves, births, spans);
+        trace_all(&mut curves, births, spans, until);
         births = followed.births;
+    }
+    // What was left halfway is no curve.
+    if until.is_over() {
+        return Err(CurvesError::Cancelled);
     }
     curves.retain(|curve| curve.points.iter().any(|point| point.bounding));
     curves = without_twins(curves, spans);
@@ -82,11 +103,11 @@ pub fn bifurcation_curves(map: &RegionMap, max_period: u32) -> Result<PlaneCurve
 }
 
 /// Follows curves from events, and those that begin at special points of them in their turn.
-fn trace_all(curves: &mut Vec<Curve>, mut open: Vec<Event>, spans: [Span; 2]) {
-    while !open.is_empty() {
+fn trace_all(curves: &mut Vec<Curve>, mut open: Vec<Event>, spans: [Span; 2], until: Until<'_>) {
+    while !open.is_empty() && !until.is_over() {
         let groups = grouped(std::mem::take(&mut open));
         let traced: Vec<Traced> =
-            groups.into_par_iter().flat_map_iter(|group| traced(&group, curves, spans)).collect();
+            groups.into_par_iter().flat_map_iter(|group| traced(&group, curves, spans, until)).collect();
         for Traced { curve, offspring } in traced {
             open.extend(offspring);
             curves.push(curve);
@@ -105,8 +126,8 @@ fn lies_on(event: &Event, curves: &[Curve], spans: [Span; 2]) -> bool {
 }
 
 /// Follows motions along both axes.
-fn follow(seeds: &[Seed], spans: [Span; 2]) -> Vec<Followed> {
-    seeds.par_iter().flat_map(|seed| spans.par_iter().map(|&span| followed(seed, span))).collect()
+fn follow(seeds: &[Seed], spans: [Span; 2], until: Until<'_>) -> Vec<Followed> {
+    seeds.par_iter().flat_map(|seed| spans.par_iter().map(|&span| followed(seed, span, until))).collect()
 }
 
 /// Where a motion gains or loses stability or grazes, and what it was born in.
@@ -118,11 +139,12 @@ fn sought(
     stops: &StopSet,
     max_period: u32,
     spans: [Span; 2],
+    until: Until<'_>,
 ) -> Result<Followed, Why> {
     if let Some(why) = Why::not_sought(shown, max_period, fewest(map)) {
         return Err(why);
     }
-    let first = seeds(map, shown, stops);
+    let first = if until.is_over() { Vec::new() } else { seeds(map, shown, stops) };
     if first.is_empty() {
         return Err(Why::Unsolved);
     }
@@ -134,10 +156,10 @@ fn sought(
     for seed in &first {
         is_new(seed);
     }
-    let met = follow(&first, spans);
+    let met = follow(&first, spans, until);
     let further: Vec<Seed> =
         met.iter().flat_map(|met| &met.places).filter(|seed| is_new(seed)).cloned().collect();
-    let again = follow(&further, spans);
+    let again = follow(&further, spans, until);
     Ok(Followed::all(met.into_iter().chain(again)))
 }
 
@@ -181,7 +203,7 @@ fn span(axis: &Axis) -> Result<Span, CurvesError> {
 }
 
 /// The curves of one kind and motion that are not known yet, each once.
-fn traced(events: &[Event], known: &[Curve], spans: [Span; 2]) -> Vec<Traced> {
+fn traced(events: &[Event], known: &[Curve], spans: [Span; 2], until: Until<'_>) -> Vec<Traced> {
     let mut found: Vec<Traced> = Vec::new();
     for event in events {
         let place = spans.map(|span| span.share(event.parameters.get(span.parameter)));
@@ -192,7 +214,7 @@ fn traced(events: &[Event], known: &[Curve], spans: [Span; 2]) -> Vec<Traced> {
         {
             continue;
         }
-        found.extend(trace(event, spans));
+        found.extend(trace(event, spans, until));
     }
     found
 }

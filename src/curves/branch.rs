@@ -9,6 +9,7 @@ use super::path::PathPoint;
 use super::seeds::Seed;
 use super::touch::{Touch, arrival_speeds, nearest, touches};
 use super::unknowns::{Span, Unknowns};
+use super::until::Until;
 use crate::model::{Setting, System};
 use crate::theory::{Flow, Pattern, PeriodicMotion, Section, eigenvalues, phase, turn};
 
@@ -82,7 +83,7 @@ impl Watched {
 }
 
 /// Follows a motion both ways to the ends of a parameter's range, or to where it ceases to be one.
-pub(super) fn followed(Seed { motion, parameters }: &Seed, span: Span) -> Followed {
+pub(super) fn followed(Seed { motion, parameters }: &Seed, span: Span, until: Until<'_>) -> Followed {
     let unknowns =
         Unknowns { pattern: motion.pattern.clone(), fixed: *parameters, extra: 0, spans: vec![span] };
     let guess = unknowns.pack(&motion.sections, &[], parameters);
@@ -90,18 +91,18 @@ pub(super) fn followed(Seed { motion, parameters }: &Seed, span: Span) -> Follow
     let branch = Branch(unknowns);
     let Some(start) = PathPoint::near(&branch, guess, fixed) else { return Followed::default() };
     let mut found = Followed::default();
-    follow(&branch, start.clone(), &mut found);
-    follow(&branch, start.reversed(), &mut found);
+    follow(&branch, start.clone(), &mut found, until);
+    follow(&branch, start.reversed(), &mut found, until);
     found
 }
 
-fn follow(branch: &Branch, start: PathPoint, found: &mut Followed) {
+fn follow(branch: &Branch, start: PathPoint, found: &mut Followed, until: Until<'_>) {
     let share = |at: &PathPoint| at.y[at.y.len() - 1];
     let mut here = start;
     let mut kept = share(&here);
     let Some(mut seen) = watch(branch, &here.y) else { return };
     let mut ds = LONGEST;
-    for _ in 0..MOST_STEPS {
+    for _ in (0..MOST_STEPS).take_while(|_| !until.is_over()) {
         let ahead = here.advanced(branch, ds).filter(|next| here.straightness(next) > STRAIGHT);
         let Some((next, watched)) = ahead.and_then(|next| watch(branch, &next.y).map(|w| (next, w))) else {
             ds *= 0.5;

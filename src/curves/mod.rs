@@ -25,8 +25,9 @@ mod symmetry;
 mod touch;
 mod trace;
 mod unknowns;
+mod until;
 
-pub use atlas::{CurvesError, PlaneCurves, bifurcation_curves, check};
+pub use atlas::{CurvesError, PlaneCurves, bifurcation_curves, bifurcation_curves_until, check};
 pub use condition::Kind;
 pub use curve::{Criticality, Curve, CurveMotion, CurvePoint, End, Special};
 pub use left_out::{LeftOut, Why};

@@ -90,7 +90,7 @@ mod tests {
         let provenance =
             Provenance { version: String::new(), backend: String::new(), adapter: String::new() };
         let verdicts = lines.iter().rev().flat_map(|line| line.chars()).map(verdict).collect();
-        RegionMap { plane, provenance, verdicts, multipliers: None }
+        RegionMap { plane, provenance, verdicts, multipliers: None, extents: None }
     }
 
     fn sizes(lines: &[&str]) -> Vec<(String, Vec<usize>)> {

@@ -8,6 +8,7 @@ use super::look::{Reason, Seen, look};
 use super::parting::passed;
 use super::path::PathPoint;
 use super::unknowns::{Span, Unknowns};
+use super::until::Until;
 use crate::model::System;
 
 /// The longest step, in sides of the plane.
@@ -41,7 +42,7 @@ pub(super) struct Traced {
 }
 
 /// The curve through a bifurcation; none if it cannot be begun.
-pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Traced> {
+pub(super) fn trace(event: &Event, spans: [Span; 2], until: Until<'_>) -> Option<Traced> {
     let locus = Locus {
         unknowns: Unknowns {
             pattern: event.pattern.clone(),
@@ -64,8 +65,8 @@ pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Traced> {
         Some(_) => return None,
     };
     let ((mut places, first_end), (after, second_end)) = rayon::join(
-        || follow(&locus, start.reversed(), seen.clone()),
-        || follow(&locus, start.clone(), seen.clone()),
+        || follow(&locus, start.reversed(), seen.clone(), until),
+        || follow(&locus, start.clone(), seen.clone(), until),
     );
     let seen = [(&places, first_end), (&after, second_end)]
         .into_iter()
@@ -93,11 +94,11 @@ pub(super) fn trace(event: &Event, spans: [Span; 2]) -> Option<Traced> {
 }
 
 /// The points of a path beyond its start, and why it ends.
-fn follow(locus: &Locus, start: PathPoint, first: Seen) -> (Vec<Seen>, Reason) {
+fn follow(locus: &Locus, start: PathPoint, first: Seen, until: Until<'_>) -> (Vec<Seen>, Reason) {
     let mut points = Vec::new();
     let (mut here, mut seen) = (start.clone(), first.clone());
     let mut ds = FIRST;
-    while points.len() < MOST_POINTS {
+    while points.len() < MOST_POINTS && !until.is_over() {
         let ahead = here.advanced(locus, ds).filter(|next| here.straightness(next) > STRAIGHT);
         let Some((next, looked)) = ahead.and_then(|next| look(locus, &next).map(|looked| (next, looked)))
         else {

@@ -17,6 +17,9 @@ use crate::analysis::Verdict;
 use crate::backend::{BackendError, Job, Watch, decide};
 use crate::plane::fields::Layer;
 
+/// Jobs that a processor's thread takes at a time.
+const FEW: usize = 4;
+
 /// Some tiles of a plane.
 #[derive(Debug)]
 pub struct Batch<'a> {
@@ -66,9 +69,7 @@ impl Watch for Flag<'_> {
 pub fn verdicts(scene: &Scene, cells: &[Cell], watch: &dyn Watch) -> Result<Vec<Option<Verdict>>, Stopped> {
     let jobs: Vec<Option<Job>> = cells.par_iter().map(|&cell| scene.job(cell)).collect();
     let followed: Vec<Job> = jobs.iter().flatten().cloned().collect();
-    let decided = panic::catch_unwind(AssertUnwindSafe(|| {
-        decide(scene.computing.backend, &followed, &scene.plane.schedule, watch)
-    }));
+    let decided = panic::catch_unwind(AssertUnwindSafe(|| decided(scene, &followed, watch)));
     let decided = match decided {
         Ok(Ok(verdicts)) => verdicts,
         Ok(Err(BackendError::Cancelled)) => return Err(Stopped::Cancelled),
@@ -81,6 +82,17 @@ pub fn verdicts(scene: &Scene, cells: &[Cell], watch: &dyn Watch) -> Result<Vec<
     Ok(jobs.iter().map(|job| job.as_ref().and_then(|_| decided.next())).collect())
 }
 
+/// The verdicts on some jobs. A processor takes a few at a time, so that none waits for the slowest of all to be looked at
+/// once more; an adapter takes all at once.
+fn decided(scene: &Scene, jobs: &[Job], watch: &dyn Watch) -> Result<Vec<Verdict>, BackendError> {
+    let backend = scene.computing.backend;
+    let decide = |jobs: &[Job]| decide(backend, jobs, &scene.plane.schedule, watch);
+    match backend.name() {
+        "cpu" => Ok(jobs.par_chunks(FEW).map(decide).collect::<Result<Vec<_>, _>>()?.concat()),
+        _ => decide(jobs),
+    }
+}
+
 /// Computes the tiles that are not there yet.
 ///
 /// # Errors
@@ -88,6 +100,8 @@ pub fn verdicts(scene: &Scene, cells: &[Cell], watch: &dyn Watch) -> Result<Vec<
 pub fn compute(batch: &Batch<'_>) -> Result<Done, Stopped> {
     let Batch { scene, tiles, keys, cancelled } = *batch;
     let kept: Vec<Option<Arc<Cells>>> = keys.iter().map(|&key| tiles.get(scene.id, key)).collect();
+    let unknown = || keys.iter().zip(&kept).filter(|(_, kept)| kept.is_none()).map(|(key, _)| *key);
+    scene.prepare(unknown().flat_map(cells)).map_err(Stopped::Failed)?;
     let mut found: Vec<(usize, Vec<Option<Option<Verdict>>>)> = Vec::new();
     let mut open: Vec<Cell> = Vec::new();
     for (at, &key) in keys.iter().enumerate().filter(|(at, _)| kept[*at].is_none()) {

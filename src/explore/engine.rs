@@ -154,11 +154,18 @@ impl Shared {
     }
 
     fn work(&self) {
-        let mut per_tile = BATCH;
+        // The tiles of a first, coarse look together.
+        let mut per_tile = BATCH / 4;
         while let Some((scene, page, id, keys, cancelled)) = self.next(per_tile) {
             let began = Instant::now();
             let batch = Batch { scene: &scene, tiles: &self.tiles, keys: &keys, cancelled: &cancelled };
             let computed = batch::compute(&batch);
+            if let (Ok(_), Some(stored)) = (&computed, scene.stored())
+                && let Err(error) = stored.keep(&scene, &self.tiles, &keys)
+            {
+                let message = format!("{error}; what is computed here is no longer kept in the store");
+                let _ = page.send(Outgoing::failed(scene.id, &message));
+            }
             let mut state = self.lock();
             state.running = None;
             match computed {

@@ -14,7 +14,7 @@ use super::scene::Scene;
 use super::store::Tiles;
 use super::task::{Ended, Task};
 use crate::backend::Watch;
-use crate::curves::{Curve, bifurcation_curves, check};
+use crate::curves::{Curve, CurvesError, bifurcation_curves_until, check};
 use crate::plane::RegionMap;
 use crate::plane::fields::Layer;
 use crate::render::{DrawnCurves, Picture, PlanePicture, Shown, Size, live_lines};
@@ -58,12 +58,14 @@ fn followed(map: &RegionMap, max_period: u32, task: &Task) -> Result<Vec<Curve>,
         return Err(refused(format!("N up to {max_period} cannot be used: give 1 to {most}")).into());
     }
     let step = task.at("following the bifurcation curves", 0);
-    let found = panic::catch_unwind(AssertUnwindSafe(|| bifurcation_curves(map, max_period)));
-    if step.cancelled() {
-        return Err(Ended::Cancelled);
+    let cancelled = || step.cancelled();
+    let found =
+        panic::catch_unwind(AssertUnwindSafe(|| bifurcation_curves_until(map, max_period, &cancelled)));
+    match found.map_err(|_| refused("internal error: a mistake in the program; please report it"))? {
+        Ok(found) => Ok(found.curves),
+        Err(CurvesError::Cancelled) => Err(Ended::Cancelled),
+        Err(error) => Err(because(error).into()),
     }
-    let found = found.map_err(|_| refused("internal error: a mistake in the program; please report it"))?;
-    Ok(found.map_err(because)?.curves)
 }
 
 /// A file that is taken along.

@@ -41,8 +41,12 @@ pub fn map(
         let fits = !exactly || same[0][at % columns] && same[1][at / columns];
         fits.then(|| scene.known(cell).or_else(|| tiles.cell(scene.id, cell).flatten())).flatten()
     };
-    let mut found: Vec<Option<Verdict>> =
-        cells.iter().enumerate().map(|(at, &cell)| known(at, cell)).collect();
+    let mut found: Vec<Option<Verdict>> = Vec::with_capacity(cells.len());
+    for some in cells.chunks(1 << 16) {
+        scene.prepare(some.iter().copied()).map_err(refused)?;
+        let first = found.len();
+        found.extend(some.iter().enumerate().map(|(at, &cell)| known(first + at, cell)));
+    }
     let open: Vec<usize> = (0..found.len()).filter(|&at| found[at].is_none()).collect();
     let step = task.at("computing cells", open.len() as u64);
     let asked = Scene::new(scene.id, plane.clone(), scene.computing, None);
@@ -57,7 +61,13 @@ pub fn map(
     let verdicts: Option<Vec<Verdict>> = found.into_iter().collect();
     let nowhere = || Stopped::Failed("a part of the window has no such system: move it off the edge".into());
     let verdicts = verdicts.ok_or_else(nowhere)?;
-    Ok(RegionMap { plane, provenance: provenance(scene.computing.backend), verdicts, multipliers: None })
+    Ok(RegionMap {
+        plane,
+        provenance: provenance(scene.computing.backend),
+        verdicts,
+        multipliers: None,
+        extents: None,
+    })
 }
 
 /// For each column and each row, whether the window's plane has the very value of the lattice there.

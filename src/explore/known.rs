@@ -1,23 +1,36 @@
-//! Cells that were computed before: those of a file.
+//! Cells that were computed before: those of a file, or of a store.
 
+use super::lattice::Cell;
+use super::stored::Stored;
 use crate::analysis::Verdict;
-use crate::plane::{Plane, RegionMap, Window};
+use crate::plane::{Plane, RegionMap};
+use crate::store::ZarrStore;
 
 /// The cells of a plane, as far as they were computed.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Known {
     plane: Plane,
-    verdicts: Vec<Option<Verdict>>,
+    cells: Cells,
+}
+
+#[derive(Debug)]
+enum Cells {
+    /// All of them, row by row.
+    All(Vec<Verdict>),
+    /// Those of a store.
+    Stored(Box<Stored>),
 }
 
 impl Known {
-    /// The most cells that are held.
+    /// The most cells that are held in memory.
     pub const MOST: u64 = 8_000_000;
 
-    /// A plane of which nothing is known.
-    pub fn nothing_of(plane: Plane) -> Self {
-        let verdicts = vec![None; plane.cells() as usize];
-        Known { plane, verdicts }
+    /// The cells of a store, which are read as they are looked at.
+    ///
+    /// # Errors
+    /// What the file system reports.
+    pub fn of_store(store: ZarrStore) -> Result<Self, crate::store::StoreError> {
+        Ok(Known { plane: store.plane().clone(), cells: Cells::Stored(Box::new(Stored::new(store)?)) })
     }
 
     /// The plane.
@@ -25,25 +38,38 @@ impl Known {
         &self.plane
     }
 
-    /// Adds the cells of a window, row by row.
-    ///
-    /// # Panics
-    /// If there are not as many, or they are not on the plane.
-    pub fn add(&mut self, window: Window, verdicts: &[Verdict]) {
-        assert_eq!(window.cells(), verdicts.len(), "one verdict per cell");
-        for ((column, row), verdict) in window.places().zip(verdicts) {
-            self.verdicts[row as usize * self.plane.x.count as usize + column as usize] = Some(*verdict);
+    /// The store that the cells are in, if they are in one.
+    pub fn stored(&self) -> Option<&Stored> {
+        match &self.cells {
+            Cells::All(_) => None,
+            Cells::Stored(stored) => Some(stored),
         }
     }
 
-    /// What is known of a cell.
+    /// Makes ready what is known of some cells, as far as that is sooner done than computing them.
+    ///
+    /// # Errors
+    /// What could not be read, in words.
+    pub fn prepare(&self, cells: impl Iterator<Item = Cell>) -> Result<(), String> {
+        match &self.cells {
+            Cells::All(_) => Ok(()),
+            Cells::Stored(stored) => stored.prepare(cells.filter_map(|cell| cell.of_plane(&self.plane))),
+        }
+    }
+
+    /// What is known of a cell, of those that were made ready.
     pub fn at(&self, column: u32, row: u32) -> Option<Verdict> {
-        self.verdicts[row as usize * self.plane.x.count as usize + column as usize]
+        match &self.cells {
+            Cells::All(verdicts) => {
+                verdicts.get(row as usize * self.plane.x.count as usize + column as usize).copied()
+            }
+            Cells::Stored(stored) => stored.at(column, row),
+        }
     }
 }
 
 impl From<RegionMap> for Known {
     fn from(map: RegionMap) -> Self {
-        Known { verdicts: map.verdicts.into_iter().map(Some).collect(), plane: map.plane }
+        Known { plane: map.plane, cells: Cells::All(map.verdicts) }
     }
 }

@@ -9,7 +9,7 @@ use super::scene::Scene;
 use super::store::Tiles;
 use super::tile::Cells;
 use crate::analysis::Verdict;
-use crate::plane::fields::{CellResult, Layer};
+use crate::plane::fields::{CellResult, Extras, Layer};
 use crate::render::live_bar;
 use crate::system::Family;
 
@@ -20,13 +20,17 @@ use crate::system::Family;
 pub fn named(name: Option<&str>, family: &Family) -> Result<Option<Layer>, Refused> {
     match name {
         None | Some(Layer::MOTION) => Ok(None),
-        Some(name) => Layer::named(name, family).map(Some).map_err(because),
+        Some(name) => match Layer::named(name, family).map_err(because)? {
+            layer if layer.is_with(Extras::NONE) => Ok(Some(layer)),
+            _ => Err(refused(format!("the layer {name} is not computed here: use `map --layer {name}`"))),
+        },
     }
 }
 
 /// The layers of a family by name, as pages list them.
 pub fn layers(family: &Family) -> Value {
-    let listed = Layer::all(family).into_iter().filter_map(|layer| match layer {
+    let here = Layer::all(family).into_iter().filter(|layer| layer.is_with(Extras::NONE));
+    let listed = here.filter_map(|layer| match layer {
         Layer::Motion => None,
         Layer::Number { field, coordinate, .. } => {
             let of = coordinate.map(|x| format!(" of {}", x.name())).unwrap_or_default();
@@ -45,7 +49,10 @@ pub fn numbers(layer: Option<Layer>, cells: &Cells, family: &Family) -> Vec<f32>
 }
 
 fn of_verdicts(layer: &Layer, verdicts: &[Verdict], family: &Family) -> Vec<f32> {
-    layer.numbers(verdicts.iter().map(|verdict| CellResult { verdict, multipliers: None }), family)
+    layer.numbers(
+        verdicts.iter().map(|verdict| CellResult { verdict, multipliers: None, extent: None }),
+        family,
+    )
 }
 
 /// The colour bar of what is known of a window, along `length` pixels; null where nothing is.

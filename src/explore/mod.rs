@@ -31,6 +31,7 @@ mod server;
 mod session;
 mod slice;
 mod store;
+mod stored;
 mod task;
 mod tile;
 

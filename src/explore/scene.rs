@@ -7,6 +7,7 @@ use super::backends::Computing;
 use super::known::Known;
 use super::lattice::{self, Cell};
 use super::limits;
+use super::stored::Stored;
 use crate::analysis::Verdict;
 use crate::backend::Job;
 use crate::model::System;
@@ -45,7 +46,20 @@ impl Scene {
         [lattice::value(&self.plane.x, cell.z, cell.i), lattice::value(&self.plane.y, cell.z, cell.j)]
     }
 
-    /// What is known of a cell from before.
+    /// Makes ready what is known from before of some cells.
+    ///
+    /// # Errors
+    /// What could not be read, in words.
+    pub fn prepare(&self, cells: impl Iterator<Item = Cell>) -> Result<(), String> {
+        self.known.as_ref().map_or(Ok(()), |known| known.prepare(cells))
+    }
+
+    /// The store that its cells are in, if they are in one.
+    pub fn stored(&self) -> Option<&Stored> {
+        self.known.as_ref()?.stored()
+    }
+
+    /// What is known of a cell from before, of those that were made ready.
     pub fn known(&self, cell: Cell) -> Option<Verdict> {
         let (column, row) = cell.of_plane(&self.plane)?;
         self.known.as_ref()?.at(column, row)

@@ -123,6 +123,7 @@ impl ControlMap {
             provenance: self.provenance.clone(),
             verdicts: self.outcomes.iter().map(|outcome| outcome.verdict).collect(),
             multipliers: None,
+            extents: None,
         }
     }
 

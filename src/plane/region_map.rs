@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::spec::Plane;
-use crate::analysis::{Regime, Verdict};
+use crate::analysis::{Extent, Regime, Verdict};
 
 /// What computed a result.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,6 +46,9 @@ pub struct Made {
     /// Whether its periodic cells were certified.
     #[serde(default)]
     pub certified: bool,
+    /// Whether the root mean squares and the peaks of its coordinates were measured.
+    #[serde(default)]
+    pub extents: bool,
 }
 
 /// (re, im) of the 2n Floquet multipliers of a periodic motion, largest modulus first.
@@ -62,6 +65,8 @@ pub struct RegionMap {
     pub verdicts: Vec<Verdict>,
     /// Where the map was certified, the multipliers of each cell's exact orbit; none for a cell that has no such orbit.
     pub multipliers: Option<Vec<Option<Multipliers>>>,
+    /// Where they were measured, the root mean squares and the peaks of each cell's coordinates.
+    pub extents: Option<Vec<Extent>>,
 }
 
 impl RegionMap {
@@ -89,6 +94,9 @@ impl RegionMap {
         let mut configuration = self.provenance.configuration(&self.plane);
         if self.multipliers.is_some() {
             configuration["certified"] = true.into();
+        }
+        if self.extents.is_some() {
+            configuration["extents"] = true.into();
         }
         configuration
     }

@@ -22,6 +22,7 @@ pub(super) fn of(columns: u32, rows: u32, cell: impl Fn(u32, u32) -> Verdict) ->
             .map(|(c, r)| cell(c, r))
             .collect(),
         multipliers: None,
+        extents: None,
     }
 }
 

@@ -5,13 +5,15 @@
 //! what the cell's trajectory approaches. What is not confirmed so is looked at for longer, and if that does not help it is
 //! unresolved.
 
+use std::collections::HashMap;
+
 use rayon::prelude::*;
 
 use super::SweepError;
-use super::map::cell_job;
+use super::map::{cell_job, window_jobs};
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
 use crate::backend::{Backend, BackendError, Job, Watch, decide, second_look};
-use crate::plane::{Multipliers, RegionMap};
+use crate::plane::{Multipliers, Plane, RegionMap, Window};
 use crate::theory::{StrobeMotion, approached, approached_from, with_motion};
 
 /// How many cells of a map were certified.
@@ -45,27 +47,26 @@ pub fn certify(
     backend: &dyn Backend,
     watch: &dyn Watch,
 ) -> Result<Certification, SweepError> {
-    let columns = map.plane.x.count as usize;
-    let jobs: Vec<Job> =
-        (0..map.plane.cells()).map(|cell| cell_job(&map.plane, cell)).collect::<Result<_, _>>()?;
-    let (certified, counts) =
-        certify_cells(&jobs, columns, &mut map.verdicts, &map.plane.schedule, backend, watch)?;
+    let whole = Window::whole(&map.plane);
+    let (certified, counts) = certify_window(&map.plane, whole, &mut map.verdicts, backend, watch)?;
     map.multipliers = Some(certified);
     Ok(counts)
 }
 
-/// Certifies the verdicts on some jobs, in rows of so many, in place; the multipliers of the orbits that were found.
+/// Certifies the verdicts on some cells of a plane in place, row by row; the multipliers of the orbits that were found.
+///
+/// A cell gets what it has on the whole plane: neighbours beyond the window are followed where one is needed.
 ///
 /// # Errors
-/// What the back end could not do.
-pub fn certify_cells(
-    jobs: &[Job],
-    columns: usize,
+/// A system that cannot be used, or what the back end could not do.
+pub fn certify_window(
+    plane: &Plane,
+    window: Window,
     verdicts: &mut [Verdict],
-    schedule: &Schedule,
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<(Vec<Option<Multipliers>>, Certification), BackendError> {
+) -> Result<(Vec<Option<Multipliers>>, Certification), SweepError> {
+    let (jobs, schedule) = (&window_jobs(plane, window)?[..], &plane.schedule);
     let before: Vec<Verdict> = verdicts.to_vec();
     let mut found: Vec<Option<Certified>> = (jobs.par_iter().zip(&before))
         .map(|(job, verdict)| {
@@ -74,12 +75,15 @@ pub fn certify_cells(
         })
         .collect();
     if watch.cancelled() {
-        return Err(BackendError::Cancelled);
+        return Err(BackendError::Cancelled.into());
     }
-    let by_neighbours: Vec<(usize, Certified)> = open(&before, &found)
-        .into_par_iter()
-        .filter_map(|cell| Some((cell, by_neighbour(jobs, columns, &before, &found, cell)?)))
-        .collect();
+    let by_neighbours: Vec<(usize, Certified)> = {
+        let open = open(&before, &found);
+        let around =
+            Around { plane, window, found: &found, beyond: beyond(plane, window, &open, backend, watch)? };
+        let certified = |cell: usize| Some((cell, by_neighbour(&jobs[cell], &before[cell], &around, cell)?));
+        open.into_par_iter().filter_map(certified).collect()
+    };
     for (cell, certified) in by_neighbours {
         found[cell] = Some(certified);
     }
@@ -110,24 +114,81 @@ fn by_itself(job: &Job, verdict: &Verdict) -> Option<Certified> {
 }
 
 /// The orbit that a neighbour's leads to, and that the cell's own state approaches.
-fn by_neighbour(
-    jobs: &[Job],
-    columns: usize,
-    verdicts: &[Verdict],
-    found: &[Option<Certified>],
-    cell: usize,
-) -> Option<Certified> {
-    let verdict = &verdicts[cell];
-    let (column, row) = (cell % columns, cell / columns);
-    let around = |i: usize| i.saturating_sub(1)..=i + 1;
-    let cells = around(row).flat_map(|r| around(column).map(move |c| (c, r)));
-    let neighbours = cells.filter(|&(c, r)| c < columns && r * columns + c < found.len());
-    neighbours.filter_map(|(c, r)| found[r * columns + c].as_ref()).find_map(|neighbour| {
+fn by_neighbour(job: &Job, verdict: &Verdict, around: &Around<'_>, cell: usize) -> Option<Certified> {
+    let places = neighbours(around.plane, around.window, cell);
+    places.filter_map(|place| around.at(place)).find_map(|neighbour| {
         let n = u32::from(neighbour.verdict.n);
-        let system = &jobs[cell].system;
-        let motion = approached_from(system, &neighbour.verdict.state[..], &verdict.state[..], n)?;
+        let motion = approached_from(&job.system, &neighbour.verdict.state[..], &verdict.state[..], n)?;
         certified(verdict, &motion)
     })
+}
+
+/// The columns and rows of a cell of a window and of its neighbours on the plane, row by row.
+fn neighbours(plane: &Plane, window: Window, cell: usize) -> impl Iterator<Item = (u32, u32)> + use<> {
+    let columns = window.columns as usize;
+    let (column, row) = (window.column + (cell % columns) as u32, window.row + (cell / columns) as u32);
+    let around = |i: u32, count: u32| i.saturating_sub(1)..=(i + 1).min(count - 1);
+    let (across, up) = (around(column, plane.x.count), around(row, plane.y.count));
+    up.flat_map(move |r| across.clone().map(move |c| (c, r)))
+}
+
+/// What the cells of a window, and those around it, lead to by themselves.
+struct Around<'a> {
+    plane: &'a Plane,
+    window: Window,
+    found: &'a [Option<Certified>],
+    beyond: HashMap<(u32, u32), Certified>,
+}
+
+impl Around<'_> {
+    fn at(&self, place: (u32, u32)) -> Option<&Certified> {
+        match is_within(self.window, place) {
+            true => self.found[self.window.index(place)].as_ref(),
+            false => self.beyond.get(&place),
+        }
+    }
+}
+
+fn is_within(window: Window, (column, row): (u32, u32)) -> bool {
+    (window.column..window.column + window.columns).contains(&column)
+        && (window.row..window.row + window.rows).contains(&row)
+}
+
+/// What the neighbours beyond a window of some of its cells lead to by themselves.
+fn beyond(
+    plane: &Plane,
+    window: Window,
+    cells: &[usize],
+    backend: &dyn Backend,
+    watch: &dyn Watch,
+) -> Result<HashMap<(u32, u32), Certified>, SweepError> {
+    let mut places: Vec<(u32, u32)> = (cells.iter())
+        .flat_map(|&cell| neighbours(plane, window, cell))
+        .filter(|&place| !is_within(window, place))
+        .collect();
+    places.sort_unstable();
+    places.dedup();
+    let whole = Window::whole(plane);
+    let jobs: Vec<Job> =
+        (places.iter()).map(|&place| cell_job(plane, whole.index(place) as u64)).collect::<Result<_, _>>()?;
+    let mut verdicts = Vec::with_capacity(jobs.len());
+    for jobs in jobs.chunks(backend.tile().max(1)) {
+        verdicts.extend(decide(backend, jobs, &plane.schedule, &Silent(watch))?);
+    }
+    let found = (jobs.par_iter().zip(&verdicts).zip(places))
+        .filter_map(|((job, verdict), place)| Some((place, by_itself(job, verdict)?)));
+    Ok(found.collect())
+}
+
+/// Counts no cell twice.
+struct Silent<'a>(&'a dyn Watch);
+
+impl Watch for Silent<'_> {
+    fn finished(&self, _: u64) {}
+
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
 }
 
 fn certified(verdict: &Verdict, motion: &StrobeMotion) -> Option<Certified> {

@@ -30,7 +30,13 @@ pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<
         let jobs = jobs(plane, first..cells.min(first + tile as u64))?;
         verdicts.extend(decide(backend, &jobs, &plane.schedule, watch)?);
     }
-    Ok(RegionMap { plane: plane.clone(), provenance: provenance(backend), verdicts, multipliers: None })
+    Ok(RegionMap {
+        plane: plane.clone(),
+        provenance: provenance(backend),
+        verdicts,
+        multipliers: None,
+        extents: None,
+    })
 }
 
 /// Refuses time scales that are too far apart before anything is computed: they are so on the border first.

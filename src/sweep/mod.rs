@@ -3,6 +3,7 @@
 mod certify;
 mod control;
 mod diagram;
+mod extents;
 mod map;
 mod sample;
 mod stored;
@@ -14,9 +15,10 @@ use crate::diagram::DiagramError;
 use crate::model::SystemError;
 use crate::plane::{PlaneError, Provenance};
 
-pub use certify::{Certification, certify, certify_cells};
+pub use certify::{Certification, certify, certify_window};
 pub use control::{ControlSweepError, sweep_control};
 pub use diagram::diagram;
+pub use extents::measure_extents;
 pub use map::{sweep, sweep_window};
 pub use sample::{sample, sample_control, spread};
 pub use stored::{Reopen, StoredError, StoredRun, sweep_stored};

@@ -5,11 +5,11 @@ use std::time::Instant;
 use thiserror::Error;
 
 use super::SweepError;
-use super::certify::certify_cells;
-use super::map::{check_border, sweep_window, window_jobs};
-use crate::analysis::Verdict;
+use super::certify::certify_window;
+use super::extents::window_extents;
+use super::map::{check_border, sweep_window};
 use crate::backend::{Backend, BackendError, Watch};
-use crate::plane::{Multipliers, Window};
+use crate::plane::fields::{Assembled, Cells};
 use crate::store::{Failure, Log, StoreError, ZarrStore};
 
 /// Opens the back end anew, after it failed.
@@ -32,8 +32,8 @@ pub struct StoredRun {
 
 /// Computes those of some tiles of a store that are not there, in their order.
 ///
-/// A tile that fails is tried once more, on a back end opened anew, and then left out; the rest is computed. The verdicts
-/// of certified cells rest on their tile alone, so that they do not depend on what else is there.
+/// A tile that fails is tried once more, on a back end opened anew, and then left out; the rest is computed. A cell's results
+/// are those that it has on the whole plane, certified ones too, whatever the tiles.
 ///
 /// # Errors
 /// A plane that cannot be used, a store that cannot be written, and the end that the watch asked for; tiles that are there
@@ -61,8 +61,9 @@ pub fn sweep_stored(
         }
         let began = Instant::now();
         match computed(store, tile, &mut backend, reopen, watch)? {
-            Ok(Computed { verdicts, multipliers }) => {
-                store.write_tile(tile, &verdicts, multipliers.as_deref())?;
+            Ok(results) => {
+                store.write_tile(tile, &results)?;
+                let verdicts = &results.verdicts;
                 log.done(tile, cells, began.elapsed().as_secs_f64());
                 run.computed += 1;
                 run.cells += cells;
@@ -78,12 +79,6 @@ pub fn sweep_stored(
     Ok(run)
 }
 
-/// The results of a tile.
-struct Computed {
-    verdicts: Vec<Verdict>,
-    multipliers: Option<Vec<Option<Multipliers>>>,
-}
-
 /// The results of a tile, at the second attempt if need be; within, why that failed too.
 fn computed(
     store: &ZarrStore,
@@ -91,7 +86,7 @@ fn computed(
     backend: &mut Box<dyn Backend>,
     reopen: &Reopen,
     watch: &dyn Watch,
-) -> Result<Result<Computed, String>, StoredError> {
+) -> Result<Result<Assembled, String>, StoredError> {
     let mut message = String::new();
     for attempt in 0..2 {
         if attempt > 0 {
@@ -116,28 +111,19 @@ fn once(
     tile: u32,
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<Computed, SweepError> {
+) -> Result<Assembled, SweepError> {
     let (plane, window) = (store.plane(), store.tiling().window(tile));
     let mut verdicts = sweep_window(plane, window, backend, watch)?;
-    let multipliers = match store.is_certified() {
-        true => Some(certified(store, window, &mut verdicts, backend, watch)?),
+    let (extras, silent) = (store.extras(), Silent(watch));
+    let multipliers = match extras.certified {
+        true => Some(certify_window(plane, window, &mut verdicts, backend, &silent)?.0),
         false => None,
     };
-    Ok(Computed { verdicts, multipliers })
-}
-
-fn certified(
-    store: &ZarrStore,
-    window: Window,
-    verdicts: &mut [Verdict],
-    backend: &dyn Backend,
-    watch: &dyn Watch,
-) -> Result<Vec<Option<Multipliers>>, SweepError> {
-    let plane = store.plane();
-    let jobs = window_jobs(plane, window)?;
-    let silent = Silent(watch);
-    let columns = window.columns as usize;
-    Ok(certify_cells(&jobs, columns, verdicts, &plane.schedule, backend, &silent)?.0)
+    let extents = match extras.extents {
+        true => Some(window_extents(plane, window, &verdicts, backend, &silent)?),
+        false => None,
+    };
+    Ok(Assembled { verdicts, multipliers, extents })
 }
 
 /// Counts no cell twice.
@@ -169,11 +155,11 @@ mod tests {
     use tempfile::tempdir;
 
     use super::*;
-    use crate::analysis::Schedule;
+    use crate::analysis::{Schedule, Verdict};
     use crate::backend::{Cpu, Job, Unwatched};
     use crate::model::Parameters;
-    use crate::plane::fields::Cells;
-    use crate::plane::{Part, Plane, Start};
+    use crate::plane::fields::Extras;
+    use crate::plane::{Part, Plane, Start, Window};
     use crate::store::Wanted;
     use crate::sweep::{provenance, sweep};
 
@@ -189,7 +175,7 @@ mod tests {
 
     fn store(folder: &tempfile::TempDir) -> ZarrStore {
         let (plane, provenance) = (plane(), provenance(&Cpu));
-        let wanted = Wanted { plane: &plane, provenance: &provenance, certified: false, tile: Some(4) };
+        let wanted = Wanted { plane: &plane, provenance: &provenance, extras: Extras::NONE, tile: Some(4) };
         ZarrStore::of(&folder.path().join("plane.zarr"), &wanted).unwrap()
     }
 

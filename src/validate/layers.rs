@@ -46,5 +46,6 @@ pub(super) fn layers(reference: &RegionMap, candidate: &RegionMap) -> Vec<LayerA
         }
         Some(LayerAgreement { layer: layer.name(), defined, relative, difference: Spread::of(differences) })
     };
-    Layer::all(reference.plane.parameters.family()).into_iter().filter_map(of).collect()
+    let both = |layer: &Layer| layer.is_with(reference.extras()) && layer.is_with(candidate.extras());
+    Layer::all(reference.plane.parameters.family()).into_iter().filter(both).filter_map(of).collect()
 }

@@ -42,7 +42,7 @@ fn halves(right: Verdict) -> RegionMap {
     let verdict = |index| if index % COLUMNS < COLUMNS / 2 { motion(1, true) } else { right };
     let provenance = Provenance { version: String::new(), backend: String::new(), adapter: String::new() };
     let verdicts = (0..COLUMNS * ROWS).map(verdict).collect();
-    RegionMap { plane, provenance, verdicts, multipliers: None }
+    RegionMap { plane, provenance, verdicts, multipliers: None, extents: None }
 }
 
 /// The thresholds that are not met.

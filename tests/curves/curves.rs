@@ -1,6 +1,10 @@
 //! What the curves are.
 
-use impact_atlas::curves::{Criticality, CurvePoint, CurvesError, End, Kind, Special, bifurcation_curves};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use impact_atlas::curves::{
+    Criticality, CurvePoint, CurvesError, End, Kind, Special, bifurcation_curves, bifurcation_curves_until,
+};
 use impact_atlas::dynamics::{Stop, record};
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::theory::{symmetric_motions, symmetric_start};
@@ -110,6 +114,26 @@ fn the_same_map_gives_the_same_curves() {
     let (first, second) = (curves(&map), curves(&map));
     assert!(!first.is_empty());
     assert_eq!(first, second);
+}
+
+#[test]
+fn curves_that_nobody_wants_any_more_are_given_up_soon() {
+    let map = map("omega=1.4:2:16", "delta=0.05:0.15:12", Parameters::default());
+    let asked = AtomicUsize::new(0);
+    let given_up_after = |most: usize| {
+        asked.store(0, Ordering::Relaxed);
+        let found =
+            bifurcation_curves_until(&map, 2, &|| asked.fetch_add(1, Ordering::Relaxed) >= most).map(drop);
+        (found, asked.load(Ordering::Relaxed))
+    };
+    let (whole, all) = given_up_after(usize::MAX);
+    assert!(whole.is_ok() && all > 2000, "{whole:?} {all}");
+    for most in [0, all / 100, all / 2] {
+        let (found, asked) = given_up_after(most);
+        assert_eq!(found, Err(CurvesError::Cancelled));
+        // What was begun is left at its next step; what was not is not begun.
+        assert!(asked < most + all / 4, "{asked} of {all} after {most}");
+    }
 }
 
 #[test]

@@ -8,3 +8,5 @@ mod proxy;
 mod refusals;
 mod server;
 mod socket;
+mod stopped;
+mod stores;

@@ -52,6 +52,16 @@ impl Explorer {
         1024 * line.split_whitespace().nth(1).unwrap().parse::<u64>().unwrap()
     }
 
+    /// The processor time that it has used, in clock ticks of a hundredth of a second.
+    pub fn processor_time(&self) -> Duration {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).unwrap();
+        // The name, in brackets, may hold blanks; user and system time are the 12th and 13th words after it.
+        let words: Vec<&str> = stat.rsplit_once(')').unwrap().1.split_whitespace().collect();
+        Duration::from_millis(
+            10 * words[11..13].iter().map(|ticks| ticks.parse::<u64>().unwrap()).sum::<u64>(),
+        )
+    }
+
     /// Presses Ctrl-C and waits for the end: the exit code, what was said, and how long it took.
     pub fn interrupt(mut self) -> (Option<i32>, String, Duration) {
         let began = Instant::now();

@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use impact_atlas::analysis::{Counts, Regime, Verdict};
 use impact_atlas::backend::{Cpu, Unwatched};
-use impact_atlas::model::{Parameters, System};
-use impact_atlas::plane::{Plane, RegionMap, Start};
-use impact_atlas::sweep::{Certification, certify, sweep};
+use impact_atlas::model::{Parameters, Setting, StateVector, System};
+use impact_atlas::plane::{Axis, Plane, RegionMap, Start, Window};
+use impact_atlas::sweep::{Certification, certify, certify_window, sweep};
+use impact_atlas::system::Family;
 use impact_atlas::theory::SettledMotion;
 
 use super::schedule;
@@ -103,6 +104,46 @@ fn a_label_far_from_any_orbit_is_looked_at_again() {
     for [_, after] in cells {
         assert!(after.regime.is_periodic() || after.n == 0, "{after:?}");
     }
+}
+
+#[test]
+fn a_cell_is_certified_alike_in_every_window() {
+    // Beyond the second period doubling of the ball.
+    let ball = Family::builtin("bouncing-ball");
+    let plane = Plane {
+        x: Axis::of_family("Gamma=1.6728:1.6734:12", ball).unwrap(),
+        y: Axis::of_family("r=0.4999:0.5001:8", ball).unwrap(),
+        parameters: Setting::defaults(ball),
+        start: Start::State(StateVector::from_slice(&[1.5, 1.5]).unwrap()),
+        schedule: schedule(300),
+    };
+    let truth = sweep(&plane, &Cpu, &Unwatched).unwrap();
+    let columns = COLUMNS as u32;
+    let (mut compared, mut by_neighbours) = (0, 0);
+    for cell in periodic(&truth).into_iter().filter(|&cell| truth.verdicts[cell].n == 4) {
+        // Of a quarter and half of its period no stable motion is found, so that the neighbours' orbits are tried.
+        let mut planted = truth.verdicts[cell];
+        planted.n = 1;
+        let mut whole = truth.clone();
+        whole.verdicts[cell] = planted;
+        let whole = certified(whole).0;
+        let window = |plane: &Plane, window: Window| {
+            let mut verdicts = vec![planted];
+            let found = certify_window(plane, window, &mut verdicts, &Cpu, &Unwatched).unwrap().0;
+            (verdicts[0], found[0].clone())
+        };
+        let (column, row) = (cell as u32 % columns, cell as u32 / columns);
+        let own = Window { column, row, columns: 1, rows: 1 };
+        let (verdict, multipliers) = window(&truth.plane, own);
+        assert_eq!(verdict.state, whole.verdicts[cell].state, "cell {cell}");
+        assert_eq!(label(&verdict), label(&whole.verdicts[cell]), "cell {cell}");
+        assert_eq!(multipliers, whole.multipliers.as_ref().unwrap()[cell], "cell {cell}");
+        // On a plane of this cell alone nothing is around it.
+        let alone = own.plane(&truth.plane);
+        by_neighbours += u32::from(window(&alone, Window::whole(&alone)).0.periods != verdict.periods);
+        compared += 1;
+    }
+    assert!(compared > 10 && by_neighbours > 5, "{compared} {by_neighbours}");
 }
 
 #[test]

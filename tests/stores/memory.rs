@@ -42,6 +42,7 @@ fn a_store_is_drawn_in_memory_that_does_not_hold_it() {
     use impact_atlas::analysis::{Counts, Measures, Regime, Schedule, Verdict};
     use impact_atlas::backend::{Backend, Cpu};
     use impact_atlas::model::Parameters;
+    use impact_atlas::plane::fields::Extras;
     use impact_atlas::plane::{Plane, Start};
     use impact_atlas::store::{Wanted, ZarrStore};
 
@@ -57,7 +58,7 @@ fn a_store_is_drawn_in_memory_that_does_not_hold_it() {
         schedule: Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: true },
     };
     let provenance = impact_atlas::sweep::provenance(&Cpu as &dyn Backend);
-    let wanted = Wanted { plane: &plane, provenance: &provenance, certified: false, tile: None };
+    let wanted = Wanted { plane: &plane, provenance: &provenance, extras: Extras::NONE, tile: None };
     let store = ZarrStore::of(&folder.path().join("plane.zarr"), &wanted).unwrap();
     // Slanted bands of motions, and in the last of them numbers that no two cells share.
     let cell = |(column, row): (u32, u32)| {
@@ -80,7 +81,7 @@ fn a_store_is_drawn_in_memory_that_does_not_hold_it() {
     };
     for tile in 0..store.tiling().count() {
         let verdicts: Vec<Verdict> = store.tiling().window(tile).places().map(cell).collect();
-        store.write_tile(tile, &verdicts, None).unwrap();
+        store.write_tile(tile, &verdicts.into()).unwrap();
     }
     // What the states alone take would not fit beside the program and the picture.
     let limit = 300_000;

@@ -32,7 +32,7 @@ fn a_picture_from_data_is_the_picture_of_the_map() {
 #[test]
 fn every_layer_is_drawn_in_every_format() {
     let folder = tempdir().unwrap();
-    done(folder.path(), &format!("{SMALL} --data plane.zarr"));
+    done(folder.path(), &format!("{SMALL} --data plane.zarr --extents"));
     let family = impact_atlas::system::Family::paper();
     let layers = impact_atlas::plane::fields::Layer::all(family);
     assert!(layers.len() >= 6);

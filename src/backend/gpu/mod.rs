@@ -10,7 +10,7 @@ mod shader;
 use std::fmt;
 
 use super::{Backend, BackendError, ControlJob, Job, Watch};
-use crate::analysis::{Probe, Schedule, Trace, Verdict};
+use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, Controller, Convention, LONGEST_ON_DEVICE, Outcome};
 
 pub use adapters::{AdapterReport, adapters};
@@ -125,6 +125,14 @@ impl Backend for Gpu {
             traces.extend(self.kernel.trace(tile, schedule, probe, capacity, watch)?);
         }
         Ok(traces)
+    }
+
+    fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>, BackendError> {
+        let mut extents = Vec::with_capacity(jobs.len());
+        for (jobs, periods) in jobs.chunks(self.kernel.tile()).zip(periods.chunks(self.kernel.tile())) {
+            extents.extend(self.kernel.extents(jobs, periods, watch)?);
+        }
+        Ok(extents)
     }
 }
 

@@ -1,6 +1,6 @@
 // The address holds the whole view: plane, window, clicked cell, curves. Going back goes back.
 
-import { seldom } from './dom.js';
+import { afterwards } from './dom.js';
 
 const WORDS = ['x', 'y', 'start', 'backend'];
 const NUMBERS = ['transient', 'observe', 'max_period'];
@@ -44,7 +44,7 @@ export class Address {
   /** `state()` gives the view, `go(view)` shows another. */
   constructor(state, go) {
     this.state = state;
-    this.replace = seldom(250, () => this.write(false));
+    this.replace = afterwards(250, () => this.write(false));
     addEventListener('popstate', () => go(read(location.hash, this.first)));
     addEventListener('hashchange', () => go(read(location.hash, this.first)));
   }

@@ -65,7 +65,8 @@ export class Card {
       ...(regime === name || name.startsWith(regime) ? [] : row('regime', regime)),
       ...row('λ1 per period', digits(exponent, 5)), ...row('peak impact velocity', digits(peak, 5)),
       ...row('impacts observed', String(impacts)), ...row('periods followed', String(periods)),
-      ...row('started', start), ...row('state', state.map((s) => `${s.name} ${digits(s.value, 6)}`).join(', ')));
+      ...row('started', start), element('dt', { text: 'state' }), element('dd', {}, ...state.flatMap((s, k) => [
+        k > 0 ? ', ' : '', element('span', { text: `${s.name} = ${digits(s.value, 6)}` })])));
     const copy = element('button', { type: 'button', class: 'small', text: 'Copy command',
       onclick: () => navigator.clipboard?.writeText(command).then(() => { copy.textContent = 'Copied'; }, () => {}) });
     this.numbers.append(element('dt', { text: 'classify' }), element('dd', {}, copy));

@@ -1,6 +1,6 @@
 // Everything that says which plane it is: axes, parameters, start, periods, back end. Each change asks for another plane.
 
-import { element, seldom } from './dom.js';
+import { afterwards, element } from './dom.js';
 import { choice, group, number, row } from './form.js';
 import { SystemForm } from './system.js';
 
@@ -12,7 +12,7 @@ export class Controls {
     this.root = root;
     this.hello = hello;
     this.open = open;
-    this.slide = seldom(120, (name, value) => this.set(name, value));
+    this.slide = afterwards(120, (name, value) => this.set(name, value));
     this.system = new SystemForm(hello.systems, (system) => this.change({ system, x: null, y: null, set: {}, start: 'rest' }));
     this.body = element('div', {});
     root.replaceChildren(this.system.root, this.body);

@@ -36,8 +36,26 @@ export function drawn(svg, name) {
   return document.importNode(root, true);
 }
 
-/** Does something soon, and at most once in so many milliseconds; the last call counts. */
+/** Does something at once, and at most once in so many milliseconds: of the calls meanwhile the last one counts. */
 export function seldom(milliseconds, action) {
+  let timer = null, next = null;
+  const run = () => {
+    timer = null;
+    if (next) act(...next);
+  };
+  const act = (...values) => {
+    next = null;
+    timer = setTimeout(run, milliseconds);
+    action(...values);
+  };
+  return (...values) => {
+    if (timer == null) act(...values);
+    else next = values;
+  };
+}
+
+/** Does something once nobody has asked for it in so many milliseconds. */
+export function afterwards(milliseconds, action) {
   let timer = null;
   return (...values) => {
     clearTimeout(timer);

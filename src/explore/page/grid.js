@@ -76,19 +76,17 @@ export class Grid {
     }
   }
 
-  /** How many cells in sight have each motion: pairs of a motion and a count; and how many are not known. */
+  /** How many cells in sight have each motion: pairs of a motion and a count. */
   count(view) {
     const [i0, i1, j0, j1] = view.cells(this.level);
     const counts = new Map();
-    let unknown = 0;
     for (let j = Math.max(j0, this.range[2]); j <= Math.min(j1, this.range[3]); j++) {
       const line = (j - this.range[2]) * this.columns - this.range[0];
       for (let i = Math.max(i0, this.range[0]); i <= Math.min(i1, this.range[1]); i++) {
         const motion = this.motion[line + i];
-        if (motion === UNKNOWN) unknown += 1;
-        else if (motion !== NOWHERE) counts.set(motion, (counts.get(motion) ?? 0) + 1);
+        if (motion !== UNKNOWN && motion !== NOWHERE) counts.set(motion, (counts.get(motion) ?? 0) + 1);
       }
     }
-    return { counts: [...counts], unknown };
+    return [...counts];
   }
 }

@@ -25,6 +25,7 @@ import { asHtml } from './words.js';
 const MARGINS = { left: innerWidth < 760 ? 60 : 78, right: 14, top: 10, bottom: 56 };
 const EM = 13;
 
+performance.mark('script');
 theme.begin();
 const at = (id) => document.getElementById(id);
 const plane = at('plane'), frame = at('frame'), canvas = plane.querySelector('canvas');
@@ -62,7 +63,13 @@ function shown() {
 
 // ——— what the server says ———
 
+/** Notes when something comes for the first time: `performance.getEntriesByType('mark')` tells where time goes. */
+function first(name) {
+  if (performance.getEntriesByName(name, 'mark').length === 0) performance.mark(name);
+}
+
 function hear(type, message) {
+  if (type === 'hello' || type === 'tile') first(type);
   if (type === 'hello') welcome(message);
   else if (type === 'tile') tile(message);
   else if (type === 'motions' && message.scene === state.scene?.scene) motions(message);
@@ -104,6 +111,7 @@ function open(asked, { window = null, cell = null, curves: withCurves = false, l
 }
 
 function arrive(scene, { window, again, layer }) {
+  first('scene');
   const before = state.scene;
   const same = before && ['x', 'y'].every((side) => before[side].text === scene[side].text)
     && before.system.text === scene.system.text;
@@ -188,7 +196,8 @@ function redraw() {
     const [i0, i1, j0, j1] = view.cells(view.level);
     status.tiles(share, [i1 - i0 + 1, j1 - j0 + 1]);
     plane.dataset.share = share.toFixed(4);
-    plane.dataset.known = String(!state.stale && state.unknown === 0);
+    plane.dataset.known = String(!state.stale && tiles.isBegun(view));
+    if (plane.dataset.known === 'true') first('known');
   });
 }
 
@@ -227,8 +236,7 @@ function bar(shown) {
 const count = seldom(120, () => {
   if (!state.scene || state.stale) return;
   if (grid.layer) askBar();
-  const { counts, unknown } = grid.count(view);
-  state.unknown = unknown;
+  const counts = grid.count(view);
   if (counts.length === 0) return;
   const rows = innerWidth < 760 ? 12 : 14;
   const scene = state.scene.scene;

@@ -9,7 +9,7 @@ export class Status {
     this.bar = element('span', { class: 'bar' });
     this.words = element('span', { class: 'words' });
     this.stop = element('button', { type: 'button', class: 'small', text: 'Stop', hidden: true });
-    progress.append(element('span', { class: 'track' }, this.bar), this.words, this.stop);
+    progress.append(this.words, element('span', { class: 'track' }, this.bar), this.stop);
     this.task = null;
   }
 

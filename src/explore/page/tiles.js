@@ -32,6 +32,12 @@ export class Tiles {
     }
   }
 
+  /** Whether the coarsest level of a view is there. */
+  isBegun(view) {
+    for (const key of this.inSight(view, Tiles.first(view))) if (!this.get(...key)) return false;
+    return true;
+  }
+
   get(z, i, j) {
     return this.kept.get(`${z},${i},${j}`);
   }

@@ -32,6 +32,7 @@ pub fn probe(scene: &Scene, tiles: &Tiles, cell: Cell, width: u32, task: &Task) 
         let place = format!("{a} = {}, {b} = {}", Number(x), Number(y));
         refused(format!("there is no such system at {place}: outside the range of its parameters"))
     })?;
+    scene.prepare(std::iter::once(cell)).map_err(refused)?;
     let known = scene.known(cell).or_else(|| tiles.cell(scene.id, cell).flatten());
     let verdict = match known {
         Some(verdict) => verdict,

@@ -1,15 +1,29 @@
 //! Verdicts from the fields of a file.
 
-use super::{CellField, CellsError, Values};
-use crate::analysis::{Counts, Measures, Regime, Verdict};
+use super::{CellField, CellsError, Extras, Values};
+use crate::analysis::{Counts, Extent, Measures, Regime, Verdict};
 use crate::model::StateVector;
 use crate::plane::region_map::Multipliers;
 use crate::system::Family;
 
-/// Verdicts, and where there are any the multipliers of the exact orbits.
-type Results = (Vec<Verdict>, Option<Vec<Option<Multipliers>>>);
+/// The results of some cells, those beyond verdicts where there are any.
+#[derive(Clone, Debug)]
+pub struct Assembled {
+    /// What became of their trajectories.
+    pub verdicts: Vec<Verdict>,
+    /// The multipliers of the exact orbits.
+    pub multipliers: Option<Vec<Option<Multipliers>>>,
+    /// How far the motions go.
+    pub extents: Option<Vec<Extent>>,
+}
 
-/// The results of so many cells from their fields; the multipliers where the file has them.
+impl From<Vec<Verdict>> for Assembled {
+    fn from(verdicts: Vec<Verdict>) -> Self {
+        Assembled { verdicts, multipliers: None, extents: None }
+    }
+}
+
+/// The results of so many cells from their fields; what a file has beyond verdicts as far as it is asked for.
 ///
 /// What files do not hold, the impacts over the whole trajectory and what is in question, reads as 0.
 ///
@@ -18,9 +32,9 @@ type Results = (Vec<Verdict>, Option<Vec<Option<Multipliers>>>);
 pub fn assembled<E: From<CellsError>>(
     family: &Family,
     cells: usize,
-    certified: bool,
+    extras: Extras,
     mut read: impl FnMut(&'static CellField) -> Result<Values, E>,
-) -> Result<Results, E> {
+) -> Result<Assembled, E> {
     let mut get = |name: &str| read(CellField::named(name).expect("the table has the field"));
     let (regime, n, counts, symmetric) = (get("regime")?, get("n")?, get("counts")?, get("symmetric")?);
     let (lyapunov, state, impacts) = (get("lyapunov")?, get("state")?, get("impacts")?);
@@ -54,13 +68,27 @@ pub fn assembled<E: From<CellsError>>(
     };
     let verdicts: Result<Vec<Verdict>, CellsError> = (0..cells).map(verdict).collect();
     let verdicts = verdicts?;
-    if !certified {
-        return Ok((verdicts, None));
-    }
-    let numbers = get("multipliers")?;
-    let multipliers = (0..cells).map(|i| {
-        let of = |k: usize, part: usize| numbers.real(2 * (components * i + k) + part);
-        (!of(0, 0).is_nan()).then(|| (0..components).map(|k| [of(k, 0), of(k, 1)]).collect())
+    let multipliers = match extras.certified {
+        true => Some(get("multipliers")?),
+        false => None,
+    };
+    let multipliers = multipliers.map(|numbers| {
+        let of_cell = |i: usize| {
+            let of = |k: usize, part: usize| numbers.real(2 * (components * i + k) + part);
+            (!of(0, 0).is_nan()).then(|| (0..components).map(|k| [of(k, 0), of(k, 1)]).collect())
+        };
+        (0..cells).map(of_cell).collect()
     });
-    Ok((verdicts, Some(multipliers.collect())))
+    let extents = match extras.extents {
+        true => Some((get("rms")?, get("peak")?)),
+        false => None,
+    };
+    let extents = extents.map(|(rms, peak)| {
+        let n = family.n();
+        let of_cell = |values: &Values, i: usize| {
+            std::array::from_fn(|k| if k < n { values.real(n * i + k) as f32 } else { 0.0 })
+        };
+        (0..cells).map(|i| Extent { rms: of_cell(&rms, i), peak: of_cell(&peak, i) }).collect()
+    });
+    Ok(Assembled { verdicts, multipliers, extents })
 }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{CELL_FIELDS, CellField, CellResult, Cells, CellsError, Drawn, Inner};
+use super::{CELL_FIELDS, CellField, CellResult, Cells, CellsError, Drawn, Extras, Inner};
 use crate::plane::axis::Component;
 use crate::plane::window::Window;
 use crate::system::Family;
@@ -62,7 +62,15 @@ impl Layer {
         match self {
             Layer::Motion => Self::MOTION.to_owned(),
             Layer::Number { field, coordinate: None, .. } => field.name.to_owned(),
-            Layer::Number { field, coordinate: Some(x), .. } => format!("{}_{}", field.name, x.name()),
+            Layer::Number { field, coordinate: Some(x), .. } => format!("{}.{}", field.name, x.name()),
+        }
+    }
+
+    /// Whether a plane that has so much beyond verdicts has the layer.
+    pub fn is_with(&self, extras: Extras) -> bool {
+        match self {
+            Layer::Motion => true,
+            Layer::Number { field, .. } => field.is_with(extras),
         }
     }
 

@@ -11,10 +11,10 @@ use thiserror::Error;
 use super::region_map::{Multipliers, RegionMap};
 use super::spec::Plane;
 use super::window::Window;
-use crate::analysis::Verdict;
+use crate::analysis::{Extent, Verdict};
 use crate::system::Family;
 
-pub use assemble::assembled;
+pub use assemble::{Assembled, assembled};
 pub use layer::{Layer, LayerError};
 pub use table::{CELL_FIELDS, NOT_COMPUTED};
 pub use thinned::thinned;
@@ -27,6 +27,8 @@ pub struct CellResult<'a> {
     pub verdict: &'a Verdict,
     /// The multipliers of its exact orbit; none where none was certified.
     pub multipliers: Option<&'a Multipliers>,
+    /// How far its motion goes; none where that was not measured.
+    pub extent: Option<&'a Extent>,
 }
 
 /// What a field has of every cell.
@@ -97,6 +99,20 @@ pub(super) enum Source {
     F64(fn(&CellResult, usize) -> f64),
 }
 
+/// What a plane's cells have beyond their verdicts, where it was asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Extras {
+    /// Periodic cells are certified, and have multipliers.
+    pub certified: bool,
+    /// The root mean square and the peak of every coordinate are measured.
+    pub extents: bool,
+}
+
+impl Extras {
+    /// None.
+    pub const NONE: Extras = Extras { certified: false, extents: false };
+}
+
 /// A field: one array of a file, of the shape rows, columns, and whatever [`Inner`] adds.
 #[derive(Clone, Copy)]
 pub struct CellField {
@@ -110,8 +126,8 @@ pub struct CellField {
     pub unit: &'static str,
     /// What it is, and what its special values mean.
     pub meaning: &'static str,
-    /// Whether only a certified plane has it.
-    pub certified: bool,
+    /// What a plane must have beyond verdicts to have it.
+    pub needs: Extras,
     /// How it is drawn, if it is a layer.
     pub drawn: Option<Drawn>,
     source: Source,
@@ -147,8 +163,13 @@ impl CellField {
     }
 
     /// The fields that a plane has.
-    pub fn of_plane(certified: bool) -> impl Iterator<Item = &'static CellField> {
-        CELL_FIELDS.iter().filter(move |field| certified || !field.certified)
+    pub fn of_plane(extras: Extras) -> impl Iterator<Item = &'static CellField> {
+        CELL_FIELDS.iter().filter(move |field| field.is_with(extras))
+    }
+
+    /// Whether a plane that has so much beyond verdicts has it.
+    pub fn is_with(&self, extras: Extras) -> bool {
+        (extras.certified || !self.needs.certified) && (extras.extents || !self.needs.extents)
     }
 
     /// The values of some cells, `inner` of them each.
@@ -172,8 +193,8 @@ pub trait Cells: Sync {
     /// The configuration that made it, as files carry it.
     fn configuration(&self) -> serde_json::Value;
 
-    /// Whether its periodic cells were certified, so that it has all fields.
-    fn is_certified(&self) -> bool;
+    /// What its cells have beyond their verdicts.
+    fn extras(&self) -> Extras;
 
     /// A field of the cells of a window, row by row; of a cell that is not there, the field's own value for that.
     ///
@@ -201,8 +222,8 @@ impl Cells for RegionMap {
         RegionMap::configuration(self)
     }
 
-    fn is_certified(&self) -> bool {
-        self.multipliers.is_some()
+    fn extras(&self) -> Extras {
+        Extras { certified: self.multipliers.is_some(), extents: self.extents.is_some() }
     }
 
     fn read(&self, field: &'static CellField, window: Window) -> Result<Values, CellsError> {
@@ -211,7 +232,8 @@ impl Cells for RegionMap {
         let cells = window.places().map(|place| {
             let index = whole.index(place);
             let multipliers = self.multipliers.as_ref().and_then(|all| all[index].as_ref());
-            CellResult { verdict: &self.verdicts[index], multipliers }
+            let extent = self.extents.as_ref().map(|all| &all[index]);
+            CellResult { verdict: &self.verdicts[index], multipliers, extent }
         });
         Ok(field.values(cells, inner))
     }

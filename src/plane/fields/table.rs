@@ -1,6 +1,6 @@
 //! The table itself.
 
-use super::{CellField, Drawn, Inner, Source, Spread};
+use super::{CellField, Drawn, Extras, Inner, Source, Spread};
 
 /// The code of the regime of a cell that was not computed yet: no regime has it.
 pub const NOT_COMPUTED: u8 = u8::MAX;
@@ -23,7 +23,7 @@ const fn field(
     meaning: &'static str,
     drawn: Option<Drawn>,
 ) -> CellField {
-    CellField { name, title, inner, unit, meaning, certified: false, drawn, source }
+    CellField { name, title, inner, unit, meaning, needs: Extras::NONE, drawn, source }
 }
 
 /// Every field of a cell. The regime is the first, and the last to be written: where it is there, all are.
@@ -172,7 +172,31 @@ pub const CELL_FIELDS: &[CellField] = &[
         drawn(Spread::Ratios, Some(0.0), "not settled"),
     ),
     CellField {
-        certified: true,
+        needs: Extras { extents: true, ..Extras::NONE },
+        ..field(
+            "rms",
+            "root mean square of the coordinate",
+            (Inner::Coordinates, "1"),
+            Source::F32(|cell, i| cell.extent.map_or(f32::NAN, |extent| extent.rms[i])),
+            "with `--extents` only: √⟨xᵢ²⟩ of every coordinate over the forcing periods that follow on the observation, \
+             whole periods of a periodic motion; NaN where the regime is failed",
+            drawn(Spread::Even, None, "failed"),
+        )
+    },
+    CellField {
+        needs: Extras { extents: true, ..Extras::NONE },
+        ..field(
+            "peak",
+            "peak of the coordinate",
+            (Inner::Coordinates, "1"),
+            Source::F32(|cell, i| cell.extent.map_or(f32::NAN, |extent| extent.peak[i])),
+            "with `--extents` only: the largest modulus of every coordinate of the continuous motion over the same forcing periods, to 1e-4 of it; NaN \
+             where the regime is failed",
+            drawn(Spread::Even, None, "failed"),
+        )
+    },
+    CellField {
+        needs: Extras { certified: true, ..Extras::NONE },
         ..field(
             "multipliers",
             "Floquet multipliers",

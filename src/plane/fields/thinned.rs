@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::{CellField, Cells, CellsError, assembled};
+use super::{CellField, Cells, CellsError, Extras, assembled};
 use crate::plane::{Axis, Plane, Provenance, RegionMap, Window};
 
 /// A window of a plane as a map: all of its cells, or where they are more than `most` every second, third … of each row and
@@ -30,7 +30,7 @@ pub fn thinned(cells: &dyn Cells, window: Window, most: usize) -> Result<RegionM
             let read = |field: &'static CellField| {
                 Ok(cells.read(field, band)?.picked(&picks, field.inner.len(family)))
             };
-            verdicts.extend(assembled::<CellsError>(family, picks.len(), false, read)?.0);
+            verdicts.extend(assembled::<CellsError>(family, picks.len(), Extras::NONE, read)?.verdicts);
         }
         row = next;
     }
@@ -41,7 +41,7 @@ pub fn thinned(cells: &dyn Cells, window: Window, most: usize) -> Result<RegionM
     let provenance = Provenance::deserialize(cells.configuration())
         .map_err(|error| CellsError(format!("the configuration is not understood: {error}")))?;
     let plane = Plane { x: axis(plane.x), y: axis(plane.y), ..plane };
-    Ok(RegionMap { plane, provenance, verdicts, multipliers: None })
+    Ok(RegionMap { plane, provenance, verdicts, multipliers: None, extents: None })
 }
 
 /// Columns and rows of a window in steps.
@@ -69,6 +69,7 @@ mod tests {
             provenance: Provenance { version: "1".into(), backend: "cpu".into(), adapter: "test".into() },
             verdicts: (0..columns * rows).map(of).collect(),
             multipliers: None,
+            extents: None,
         }
     }
 

@@ -8,7 +8,7 @@ use crate::plane::Window;
 use crate::plane::fields::{Cells, CellsError};
 
 /// So many cells are read at a time, about.
-const TOGETHER: usize = 1 << 22;
+const TOGETHER: usize = 1 << 20;
 
 /// A window in bands of whole rows, as many as are best read together.
 pub(super) fn bands(cells: &dyn Cells, window: Window) -> Vec<Window> {

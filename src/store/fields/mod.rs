@@ -68,8 +68,8 @@ const INTRODUCTION: &str = "\
 Archives are NumPy's (`numpy.load` reads them, without pickles); tables are CSV with a line of names. Everything is
 non-dimensional (of the paper's oscillator lengths in static deflections (P1+P2)/K1, times in √(M1/K1), velocities in
 lengths over times; of others as their file says), unit 1 below. In planes rows run along y, and the first row is the first y value. The same configuration gives the same bytes.
-A state is (x1 … xn, v1 … vn) at forcing phase 0, (x1, x2, v1, v2) of the paper's oscillator: the size `component` is 2n, and
-`stop` the number of stops. A point on σ, the section of a stop, is the velocity just after an impact there of the coordinate
+A state is (x1 … xn, v1 … vn) at forcing phase 0, (x1, x2, v1, v2) of the paper's oscillator: the size `component` is 2n,
+`coordinate` n, and `stop` the number of stops. A point on σ, the section of a stop, is the velocity just after an impact there of the coordinate
 with the largest share of the stop's direction, the other displacements, the other velocities, and the forcing phase: 2n
 numbers, (v1+, x2, v2, τ) at x1 = +δ. `config` holds the whole text of
 the system's file, and its hash, under `system`.

@@ -45,7 +45,7 @@ fn of_cells(wanted: impl Fn(&CellField) -> bool) -> Vec<Field> {
         Inner::One => "y, x",
         Inner::Stops => "y, x, stop",
         Inner::Components => "y, x, component",
-        Inner::Coordinates => "y, x, n",
+        Inner::Coordinates => "y, x, coordinate",
         Inner::Multipliers => "y, x, component, 2",
     };
     let written = |cell: &CellField| Field {

@@ -6,7 +6,7 @@ use super::super::fields::CONTROLLED;
 use super::write::Archive;
 use crate::control::History;
 use crate::plane::ControlMap;
-use crate::plane::fields::{CellField, CellResult};
+use crate::plane::fields::{CellField, CellResult, Extras};
 
 /// Writes a control run as a NumPy archive; its arrays are in the table of [`store`](crate::store).
 ///
@@ -38,8 +38,9 @@ pub fn write_control_map(map: &ControlMap, to: impl Write + Seek) -> io::Result<
     let mut archive = Archive::new(to);
     let cells = [u64::from(map.plane.y.count), u64::from(map.plane.x.count)];
     let motions = map.motions();
-    let results = motions.verdicts.iter().map(|verdict| CellResult { verdict, multipliers: None });
-    let of_cells = CellField::of_plane(false).filter(|field| CONTROLLED.contains(&field.name));
+    let results =
+        motions.verdicts.iter().map(|verdict| CellResult { verdict, multipliers: None, extent: None });
+    let of_cells = CellField::of_plane(Extras::NONE).filter(|field| CONTROLLED.contains(&field.name));
     archive.cells(&motions.plane, of_cells, results)?;
     let outcomes = || map.outcomes.iter();
     archive.array("period", &cells, outcomes().map(|o| o.period))?;

@@ -51,7 +51,13 @@ mod tests {
                 contact: 0.125,
             },
         };
-        RegionMap { plane, provenance, verdicts: (0..6).map(verdict).collect(), multipliers: None }
+        RegionMap {
+            plane,
+            provenance,
+            verdicts: (0..6).map(verdict).collect(),
+            multipliers: None,
+            extents: None,
+        }
     }
 
     fn written(map: &RegionMap) -> Vec<u8> {
@@ -74,6 +80,16 @@ mod tests {
         map.multipliers = Some((0..6).map(of).collect());
         assert_eq!(read_map(Cursor::new(written(&map))).unwrap(), map);
         assert!(read_config(Cursor::new(written(&map))).unwrap().contains(r#""certified":true"#));
+    }
+
+    #[test]
+    fn a_map_with_extents_reads_back_with_them() {
+        let mut map = example();
+        let of = |i: usize| crate::analysis::Extent::of(&[0.25, i as f64], &[1.0, 2.5]);
+        map.extents = Some((0..6).map(of).collect());
+        assert_eq!(read_map(Cursor::new(written(&map))).unwrap(), map);
+        assert!(read_config(Cursor::new(written(&map))).unwrap().contains(r#""extents":true"#));
+        assert!(!read_config(Cursor::new(written(&example()))).unwrap().contains("extents"));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use npyz::{Deserialize as FromNpy, NpyFile};
 use thiserror::Error;
 use zip::ZipArchive;
 
-use crate::plane::fields::{CellField, CellsError, Kind, Values, assembled};
+use crate::plane::fields::{Assembled, CellField, CellsError, Extras, Kind, Values, assembled};
 use crate::plane::{Made, Plane, RegionMap, Window};
 
 /// Reads a map that [`write_map`](super::write_map) wrote.
@@ -19,12 +19,13 @@ pub fn read_map(from: impl Read + Seek) -> Result<RegionMap, ReadError> {
     let mut zip = ZipArchive::new(from).map_err(io::Error::from)?;
     let config = values::<String>(&mut zip, "config", &[])?.concat();
     let Made { provenance, plane, .. } = serde_json::from_str(&config)?;
-    let certified = zip.index_for_name(&npyz::npz::file_name_from_array_name("multipliers")).is_some();
+    let has = |name: &str| zip.index_for_name(&npyz::npz::file_name_from_array_name(name)).is_some();
+    let extras = Extras { certified: has("multipliers"), extents: has("rms") };
     let cells = Window::whole(&plane).cells();
     let family = plane.parameters.family();
-    let (verdicts, multipliers) =
-        assembled::<ReadError>(family, cells, certified, |of| field(&mut zip, &plane, of))?;
-    Ok(RegionMap { plane, provenance, verdicts, multipliers })
+    let Assembled { verdicts, multipliers, extents } =
+        assembled::<ReadError>(family, cells, extras, |of| field(&mut zip, &plane, of))?;
+    Ok(RegionMap { plane, provenance, verdicts, multipliers, extents })
 }
 
 /// Reads the configuration text of an archive of this crate.

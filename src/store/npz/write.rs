@@ -7,7 +7,7 @@ use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use super::fused::Fused;
-use crate::plane::fields::{CellField, CellResult, Values};
+use crate::plane::fields::{CellField, CellResult, Cells, Values};
 use crate::plane::{Plane, RegionMap};
 
 /// Writes a map as a NumPy archive; `numpy.load` reads it, without pickles.
@@ -24,9 +24,10 @@ pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + 
     let cells = map.verdicts.iter().enumerate().map(|(i, verdict)| CellResult {
         verdict,
         multipliers: map.multipliers.as_ref().and_then(|all| all[i].as_ref()),
+        extent: map.extents.as_ref().map(|all| &all[i]),
     });
     let mut archive = Archive::new(to);
-    archive.cells(plane, CellField::of_plane(map.multipliers.is_some()), cells)?;
+    archive.cells(plane, CellField::of_plane(map.extras()), cells)?;
     archive.array("x", &[plane.x.count.into()], plane.x.values())?;
     archive.array("y", &[plane.y.count.into()], plane.y.values())?;
     archive.text("config", config)?;

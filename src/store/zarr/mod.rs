@@ -24,6 +24,7 @@ use zarrs::group::Group;
 
 use self::skeleton::{FORMAT, Skeleton};
 use super::OutputError;
+use crate::plane::fields::Extras;
 use crate::plane::{Made, Plane, Provenance, Tiling};
 
 pub use error::StoreError;
@@ -40,7 +41,7 @@ pub struct ZarrStore {
     plane: Plane,
     provenance: Provenance,
     configuration: Value,
-    certified: bool,
+    extras: Extras,
     tiling: Tiling,
     storage: Arc<FilesystemStore>,
 }
@@ -52,8 +53,8 @@ pub struct Wanted<'a> {
     pub plane: &'a Plane,
     /// What computes it.
     pub provenance: &'a Provenance,
-    /// Whether its periodic cells are certified.
-    pub certified: bool,
+    /// What is computed beyond verdicts.
+    pub extras: Extras,
     /// The side of its tiles; where it is none, that of the store, or the usual one of the plane.
     pub tile: Option<u32>,
 }
@@ -61,8 +62,11 @@ pub struct Wanted<'a> {
 impl Wanted<'_> {
     fn configuration(&self) -> Value {
         let mut configuration = self.provenance.configuration(self.plane);
-        if self.certified {
+        if self.extras.certified {
             configuration["certified"] = true.into();
+        }
+        if self.extras.extents {
+            configuration["extents"] = true.into();
         }
         configuration
     }
@@ -116,13 +120,14 @@ impl ZarrStore {
         let not_understood =
             |error: serde_json::Error| foreign(format!("its configuration is not understood: {error}"));
         let configuration: Value = serde_json::from_str(text).map_err(not_understood)?;
-        let Made { provenance, plane, certified } =
+        let Made { provenance, plane, certified, extents } =
             serde_json::from_value(configuration.clone()).map_err(not_understood)?;
         let side = about.get("tile").and_then(Value::as_u64).and_then(|side| u32::try_from(side).ok());
         let side = side.filter(|side| (1..=Tiling::LARGEST).contains(side));
         let side = side.ok_or_else(|| foreign("it does not say how large its tiles are".to_owned()))?;
         let tiling = Tiling::of(&plane, side);
-        Ok(ZarrStore { path: path.to_owned(), plane, provenance, configuration, certified, tiling, storage })
+        let extras = Extras { certified, extents };
+        Ok(ZarrStore { path: path.to_owned(), plane, provenance, configuration, extras, tiling, storage })
     }
 
     /// Where it is.
@@ -138,11 +143,6 @@ impl ZarrStore {
     /// What computes it.
     pub fn provenance(&self) -> &Provenance {
         &self.provenance
-    }
-
-    /// Whether its periodic cells are certified.
-    pub fn is_certified(&self) -> bool {
-        self.certified
     }
 
     /// Its tiles.
@@ -171,12 +171,12 @@ fn create(path: &Path, wanted: &Wanted) -> Result<(), StoreError> {
         None => Tiling::usual(wanted.plane),
     };
     let configuration = wanted.configuration();
-    let Wanted { plane, provenance, certified, .. } = *wanted;
+    let Wanted { plane, provenance, extras, .. } = *wanted;
     // A folder of its own, with the permissions that any folder gets.
     let empty = hidden.path().join(name);
     let failed = |source| StoreError::Io { path: path.to_owned(), source };
     fs::create_dir_all(empty.join(HIDDEN)).map_err(failed)?;
-    let skeleton = Skeleton { plane, provenance, configuration: &configuration, certified, tiling };
+    let skeleton = Skeleton { plane, provenance, configuration: &configuration, extras, tiling };
     skeleton.write(&empty).map_err(|error| failed(io::Error::other(error)))?;
     match fs::rename(&empty, path) {
         Err(error) if !path.is_dir() => Err(failed(error)),

@@ -14,7 +14,7 @@ use zarrs::group::GroupBuilder;
 use zarrs::storage::store::MemoryStore;
 
 use crate::analysis::Regime;
-use crate::plane::fields::{CellField, Inner, Kind, NOT_COMPUTED};
+use crate::plane::fields::{CellField, Extras, Inner, Kind, NOT_COMPUTED};
 use crate::plane::{Axis, Component, Plane, Provenance, Quantity, Tiling};
 
 /// The format of stores that this version writes and reads.
@@ -34,8 +34,8 @@ pub struct Skeleton<'a> {
     pub provenance: &'a Provenance,
     /// The configuration, as every file carries it.
     pub configuration: &'a Value,
-    /// Whether its periodic cells are certified.
-    pub certified: bool,
+    /// What its cells have beyond verdicts.
+    pub extras: Extras,
     /// Its tiles.
     pub tiling: Tiling,
 }
@@ -45,7 +45,7 @@ impl Skeleton<'_> {
     pub fn write(&self, folder: &Path) -> Result<(), Failure> {
         let store = Arc::new(FilesystemStore::new(folder)?);
         let mut consolidated = Map::new();
-        for field in CellField::of_plane(self.certified) {
+        for field in CellField::of_plane(self.extras) {
             let array = self.field(field, store.clone())?;
             array.store_metadata()?;
             consolidated.insert(field.name.to_owned(), serde_json::to_value(array.metadata())?);

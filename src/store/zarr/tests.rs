@@ -7,7 +7,7 @@ use tempfile::tempdir;
 use super::*;
 use crate::analysis::{Regime, Schedule, Verdict};
 use crate::model::Parameters;
-use crate::plane::fields::{CELL_FIELDS, Cells, CellsError, NOT_COMPUTED, Values};
+use crate::plane::fields::{CELL_FIELDS, Cells, CellsError, Extras, NOT_COMPUTED, Values};
 use crate::plane::{Start, Window};
 
 fn plane() -> Plane {
@@ -25,7 +25,7 @@ fn provenance() -> Provenance {
 }
 
 fn of(path: &Path, plane: &Plane, tile: Option<u32>) -> Result<ZarrStore, StoreError> {
-    ZarrStore::of(path, &Wanted { plane, provenance: &provenance(), certified: false, tile })
+    ZarrStore::of(path, &Wanted { plane, provenance: &provenance(), extras: Extras::NONE, tile })
 }
 
 fn verdicts(window: Window) -> Vec<Verdict> {
@@ -39,7 +39,7 @@ fn verdicts(window: Window) -> Vec<Verdict> {
 }
 
 fn fill(store: &ZarrStore, tile: u32) {
-    store.write_tile(tile, &verdicts(store.tiling().window(tile)), None).unwrap();
+    store.write_tile(tile, &verdicts(store.tiling().window(tile)).into()).unwrap();
 }
 
 fn regimes(store: &ZarrStore) -> Vec<u8> {

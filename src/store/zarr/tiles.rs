@@ -14,11 +14,11 @@ use zarrs::filesystem::FilesystemStore;
 
 use super::skeleton::{kind_and_fill, shard_of};
 use super::{HIDDEN, StoreError, ZarrStore};
-use crate::analysis::Verdict;
 use crate::plane::fields::{
-    CELL_FIELDS, CellField, CellResult, Cells, CellsError, Kind, NOT_COMPUTED, Values, assembled,
+    Assembled, CELL_FIELDS, CellField, CellResult, Cells, CellsError, Extras, Kind, NOT_COMPUTED, Values,
+    assembled,
 };
-use crate::plane::{Multipliers, Plane, RegionMap, Window};
+use crate::plane::{Plane, RegionMap, Window};
 use crate::store::OutputError;
 
 impl ZarrStore {
@@ -29,18 +29,15 @@ impl ZarrStore {
     ///
     /// # Panics
     /// If there are not as many verdicts as the tile has cells.
-    pub fn write_tile(
-        &self,
-        tile: u32,
-        verdicts: &[Verdict],
-        multipliers: Option<&[Option<Multipliers>]>,
-    ) -> Result<(), StoreError> {
+    pub fn write_tile(&self, tile: u32, results: &Assembled) -> Result<(), StoreError> {
         let window = self.tiling.window(tile);
+        let Assembled { verdicts, multipliers, extents } = results;
         assert_eq!(verdicts.len(), window.cells(), "a verdict for every cell of the tile");
         let cells = || {
             verdicts.iter().enumerate().map(|(i, verdict)| CellResult {
                 verdict,
-                multipliers: multipliers.and_then(|all| all[i].as_ref()),
+                multipliers: multipliers.as_ref().and_then(|all| all[i].as_ref()),
+                extent: extents.as_ref().map(|all| &all[i]),
             })
         };
         let write = |field: &'static CellField| {
@@ -48,7 +45,7 @@ impl ZarrStore {
             self.write_shard(field, tile, &field.values(cells(), inner))
         };
         let [regime, others @ ..] = CELL_FIELDS else { unreachable!("the table has fields") };
-        others.par_iter().filter(|field| self.certified || !field.certified).try_for_each(write)?;
+        others.par_iter().filter(|field| field.is_with(self.extras)).try_for_each(write)?;
         write(regime)
     }
 
@@ -60,7 +57,7 @@ impl ZarrStore {
         let [across, down] = self.tiling.shape();
         let mut found = vec![0_u32; self.tiling.count() as usize];
         let mut fields = 0;
-        for field in CellField::of_plane(self.certified) {
+        for field in CellField::of_plane(self.extras) {
             fields += 1;
             for row in 0..down {
                 let folder = self.path.join(field.name).join("c").join(row.to_string());
@@ -76,7 +73,7 @@ impl ZarrStore {
 
     /// Whether a tile is there.
     pub fn is_there(&self, tile: u32) -> bool {
-        CellField::of_plane(self.certified).all(|field| self.shard(field, tile).is_file())
+        CellField::of_plane(self.extras).all(|field| self.shard(field, tile).is_file())
     }
 
     /// The cells of a window as a map; it must be there altogether.
@@ -85,15 +82,15 @@ impl ZarrStore {
     /// What could not be read, and cells that were not computed.
     pub fn map_of(&self, window: Window) -> Result<RegionMap, CellsError> {
         let family = self.plane.parameters.family();
-        let (verdicts, multipliers) =
-            assembled::<CellsError>(family, window.cells(), self.certified, |field| {
-                self.read(field, window)
-            })?;
+        let read = |field: &'static CellField| self.read(field, window);
+        let Assembled { verdicts, multipliers, extents } =
+            assembled::<CellsError>(family, window.cells(), self.extras, read)?;
         Ok(RegionMap {
             plane: window.plane(&self.plane),
             provenance: self.provenance.clone(),
             verdicts,
             multipliers,
+            extents,
         })
     }
 
@@ -235,8 +232,8 @@ impl Cells for ZarrStore {
         self.configuration.clone()
     }
 
-    fn is_certified(&self) -> bool {
-        self.certified
+    fn extras(&self) -> Extras {
+        self.extras
     }
 
     fn read(&self, field: &'static CellField, window: Window) -> Result<Values, CellsError> {

@@ -4,6 +4,7 @@ mod compiled;
 mod control;
 mod device;
 mod drive;
+mod extent;
 mod follow;
 mod tile;
 mod trace;

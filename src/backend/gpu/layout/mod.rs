@@ -1,6 +1,7 @@
 //! What lies in the GPU's buffers, byte for byte as the shaders declare it.
 
 mod control;
+mod extent;
 mod flight;
 mod follow;
 mod record;
@@ -11,6 +12,7 @@ mod trace;
 pub use control::{
     Control, ControlDispatch, ControlSchedule, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE, Outcome,
 };
+pub use extent::{Extent, ExtentDispatch};
 pub use flight::{KICK_TERMS, write_flight, write_kicks};
 pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};
 pub use record::Record;

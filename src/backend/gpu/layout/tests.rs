@@ -55,6 +55,8 @@ fn structs_lie_as_the_shaders_declare_them() {
         contact,
     });
     assert_layout!(TraceDispatch { schedule, count, budget, begin, row, section, reading, capacity, unused });
+    assert_layout!(ExtentDispatch { count, budget, begin, row });
+    assert_layout!(Extent { code, mean_squares, peaks });
     assert_layout!(Rebounds { last, stop, run, longest });
     assert_layout!(Trace { rebounds, passages });
     assert_layout!(ControlSchedule { start, iterates, observed, fixed_iterates });

@@ -21,12 +21,14 @@ pub enum Kernel {
     Trace,
     /// Trajectories under control to their outcomes.
     Control,
+    /// How far trajectories go.
+    Extent,
 }
 
 impl Kernel {
     /// Every kernel.
     #[cfg(test)]
-    pub const ALL: [Kernel; 3] = [Kernel::Follow, Kernel::Trace, Kernel::Control];
+    pub const ALL: [Kernel; 4] = [Kernel::Follow, Kernel::Trace, Kernel::Control, Kernel::Extent];
 
     /// The name of its entry point.
     pub fn entry(self) -> &'static str {
@@ -34,6 +36,7 @@ impl Kernel {
             Kernel::Follow => "follow",
             Kernel::Trace => "trace",
             Kernel::Control => "control_trajectories",
+            Kernel::Extent => "measure_extents",
         }
     }
 
@@ -42,6 +45,7 @@ impl Kernel {
         match self {
             Kernel::Follow | Kernel::Trace => "Observer",
             Kernel::Control => "Controlled",
+            Kernel::Extent => "ExtentObserver",
         }
     }
 
@@ -65,6 +69,10 @@ impl Kernel {
                 include_str!("../../../../shaders/control/leaving.wgsl"),
                 include_str!("../../../../shaders/control/controlled.wgsl"),
                 include_str!("../../../../shaders/kernels/control.wgsl"),
+            ],
+            Kernel::Extent => &[
+                include_str!("../../../../shaders/analysis/extent.wgsl"),
+                include_str!("../../../../shaders/kernels/extent.wgsl"),
             ],
         }
     }
@@ -101,7 +109,7 @@ pub fn source(kernel: Kernel, shape: &Shape) -> String {
         COMMON.iter().chain(kernel.fragments()).map(|fragment| shape.unrolled(fragment) + "\n").collect();
     // The constants of a cell are read where they lie; a force in phase with the forcing is added to what it changes.
     let fragments = match kernel {
-        Kernel::Follow | Kernel::Trace => fragments,
+        Kernel::Follow | Kernel::Trace | Kernel::Extent => fragments,
         Kernel::Control => ["gamma_sin", "gamma_cos", "sin"].iter().fold(fragments, |text, name| {
             text.replace(&format!("flight.{name};"), &format!("driven.{name};"))
                 .replace(&format!("flight.{name},"), &format!("driven.{name},"))

@@ -1,0 +1,104 @@
+// How far a motion goes: the integral of the square and the peak of every coordinate.
+
+struct Extent {
+    // EXTENT_DONE or EXTENT_FAILED; anything else while it is not written.
+    code: u32,
+    mean_squares: array<f32, 4>,
+    peaks: array<f32, 4>,
+}
+
+struct ExtentObserver {
+    trajectory: Trajectory,
+    // Over the forcing periods that are over, and over the present one.
+    squares: X,
+    turn: X,
+    peak: X,
+    periods: u32,
+    moves: u32,
+}
+
+const EXTENT_DONE = 0u;
+const EXTENT_FAILED = 1u;
+const EXTENT_FOLLOWED = 2u;
+
+var<private> extent: ExtentObserver;
+
+// Begins at forcing phase 0. While an observer works, `trajectory` holds what it will store.
+fn extent_begin(start: State) {
+    trajectory = trajectory_new(start);
+    extent.squares = X(0.0);
+    extent.turn = X(0.0);
+    extent.peak = X(0.0);
+    extent.periods = 0u;
+    extent.moves = 0u;
+}
+
+fn extent_resume(saved: ExtentObserver) {
+    extent = saved;
+    trajectory = saved.trajectory;
+}
+
+fn extent_saved() -> ExtentObserver {
+    var saved = extent;
+    saved.trajectory = trajectory;
+    return saved;
+}
+
+// One move further; whether so many forcing periods are over, or it has to be given up.
+fn extent_advance(periods: u32) -> u32 {
+    let before = trajectory.point;
+    let offset = trajectory.offset;
+    let held_before = trajectory.contact;
+    let event = advance(false).event;
+    let at_end = event == EVENT_STEP_END || event == EVENT_HALF_PERIOD || event == EVENT_STROBE;
+    let until = select(trajectory.offset, flight.h, at_end);
+    let contact = select(held_before, trajectory.contact, event == EVENT_RELEASED);
+    extent_note(before, until - offset, contact);
+    extent.moves = extent.moves + 1u;
+    if event == EVENT_STROBE {
+        extent.squares = extent.squares + extent.turn;
+        extent.turn = X(0.0);
+        extent.moves = 0u;
+        extent.periods = extent.periods + 1u;
+        if !state_is_finite(trajectory.point.state) {
+            return EXTENT_FAILED;
+        }
+        return select(EXTENT_FOLLOWED, EXTENT_DONE, extent.periods == periods);
+    }
+    return select(EXTENT_FOLLOWED, EXTENT_FAILED, extent.moves > MOST_MOVES);
+}
+
+// Notes a piece of flight from a point on.
+fn extent_note(before: Point, time: f32, contact: u32) {
+    let half = 0.5 * time;
+    let a = before.state;
+    let m = point_flown(before, half, contact).state;
+    let b = point_flown(before, time, contact).state;
+    let values = 7.0 * (a.x * a.x + b.x * b.x) + 16.0 * (m.x * m.x);
+    let slopes = a.x * a.v - b.x * b.v;
+    extent.turn = extent.turn + (time / 30.0) * (values + time * slopes);
+    let peak = max(max(max(extent.peak, abs(a.x)), abs(m.x)), abs(b.x));
+    extent.peak = extent_turned(extent_turned(peak, half, a, m), half, m, b);
+}
+
+// The larger of a peak and of the modulus at a turning point of the cubic over a time, between two states.
+fn extent_turned(peak: X, time: f32, a: State, b: State) -> X {
+    let share = a.v / (a.v - b.v);
+    let rest = 1.0 - share;
+    let value = a.x * rest * rest * (1.0 + 2.0 * share)
+        + b.x * share * share * (3.0 - 2.0 * share)
+        + time * share * rest * (a.v * rest - b.v * share);
+    return max(peak, select(peak, abs(value), a.v * b.v < X(0.0)));
+}
+
+// What is written of a trajectory that was followed for so many forcing periods.
+fn extent_written(code: u32, periods: u32) -> Extent {
+    let time = f32(periods) * (f32(flight.steps) * flight.h);
+    let means = extent.squares / time;
+    var written = Extent(code, array<f32, 4>(), array<f32, 4>());
+    //: each coordinate
+    written.mean_squares[$i] = means$c;
+    written.peaks[$i] = extent.peak$c;
+    //: end
+    return written;
+}

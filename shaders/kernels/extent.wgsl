@@ -1,0 +1,51 @@
+// Follows trajectories for whole forcing periods and measures how far they go, a bounded number of moves per dispatch.
+
+struct ExtentDispatch {
+    // Trajectories in this dispatch.
+    count: u32,
+    // Moves that each of them may make.
+    budget: u32,
+    // 1 in the first dispatch of a tile, which begins the trajectories; 0 in those that resume them.
+    begin: u32,
+    // Invocations in one row of workgroups.
+    row: u32,
+}
+
+@group(0) @binding(0) var<uniform> dispatch: ExtentDispatch;
+@group(0) @binding(1) var<storage, read> flights: array<Flight>;
+@group(0) @binding(2) var<storage, read> kicks: array<State>;
+@group(0) @binding(3) var<storage, read> starts: array<f32>;
+// Which cells are not finished yet.
+@group(0) @binding(4) var<storage, read> unfinished: array<u32>;
+@group(0) @binding(5) var<storage, read_write> observers: array<ExtentObserver>;
+@group(0) @binding(6) var<storage, read_write> extents: array<Extent>;
+// Forcing periods for which each cell is followed.
+@group(0) @binding(7) var<storage, read> periods: array<u32>;
+
+@compute @workgroup_size(WORKGROUP)
+fn measure_extents(@builtin(global_invocation_id) id: vec3<u32>) {
+    let index = id.y * dispatch.row + id.x;
+    if id.x >= dispatch.row || index >= dispatch.count {
+        return;
+    }
+    cell = unfinished[index];
+    if dispatch.begin == 1u {
+        extent_begin(start_of_cell());
+    } else {
+        extent_resume(observers[cell]);
+    }
+    var taken = 0u;
+    var code = EXTENT_FOLLOWED;
+    while taken < dispatch.budget && code == EXTENT_FOLLOWED {
+        code = extent_advance(periods[cell]);
+        taken = taken + 1u;
+    }
+    // Some drivers end every loop in silence after so many iterations; what they cut short must not pass for a result.
+    if taken < dispatch.budget && code == EXTENT_FOLLOWED {
+        code = EXTENT_FAILED;
+    }
+    observers[cell] = extent_saved();
+    if code != EXTENT_FOLLOWED {
+        extents[cell] = extent_written(code, periods[cell]);
+    }
+}

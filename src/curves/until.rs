@@ -1,0 +1,12 @@
+//! Curves take their time, and nobody may want them any more.
+
+/// Says when nobody wants the curves any more; asked at every step of every path.
+#[derive(Clone, Copy)]
+pub(super) struct Until<'a>(pub &'a (dyn Fn() -> bool + Sync));
+
+impl Until<'_> {
+    /// Whether whoever follows a path should leave it.
+    pub fn is_over(self) -> bool {
+        (self.0)()
+    }
+}
