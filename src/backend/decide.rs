@@ -11,7 +11,7 @@
 
 use rayon::prelude::*;
 
-use super::{Backend, BackendError, Job, Watch};
+use super::{Backend, BackendError, Job, Silent, Watch};
 use crate::analysis::{Regime, Schedule, Verdict};
 use crate::theory::confirmed;
 
@@ -125,15 +125,4 @@ fn confirm(jobs: &[Job], verdicts: &mut [Verdict]) {
             *verdict = exact;
         }
     });
-}
-
-/// Counts no cell twice, and is cancelled as the other is.
-struct Silent<'a>(&'a dyn Watch);
-
-impl Watch for Silent<'_> {
-    fn finished(&self, _: u64) {}
-
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
-    }
 }

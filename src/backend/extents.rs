@@ -1,7 +1,6 @@
 //! How far the motions go that trajectories settled on.
 
-use rayon::prelude::*;
-
+use super::cpu::each;
 use super::{Backend, BackendError, Job, Watch};
 use crate::analysis::{Extent, ExtentObserver, Regime, Schedule, Verdict};
 use crate::model::{Flight, Real};
@@ -50,10 +49,8 @@ pub(super) fn on_processor(
     periods: &[u32],
     watch: &dyn Watch,
 ) -> Result<Vec<Extent>, BackendError> {
-    let extents: Option<Vec<Extent>> = (jobs.par_iter().zip(periods))
-        .map(|(job, &periods)| (!watch.cancelled()).then(|| extent::<f64>(job, periods)))
-        .collect();
-    extents.ok_or(BackendError::Cancelled)
+    let followed: Vec<(&Job, u32)> = jobs.iter().zip(periods.iter().copied()).collect();
+    each(&followed, watch, |&(job, periods)| extent::<f64>(job, periods))
 }
 
 /// How far one trajectory goes in so many forcing periods, in the given precision; in f32 it does what the GPU does.

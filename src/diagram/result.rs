@@ -35,9 +35,9 @@ impl Diagram {
 
     /// Whether systems of the diagram have a mirror: that in the middle, or one of a motion that is symmetric.
     pub fn has_mirror(&self) -> bool {
-        let middle = self.spec.parameters_at(self.spec.x.count() / 2).plant();
+        let middle = self.spec.parameters_at(self.spec.x.count() / 2);
         let mut traces = self.branches.iter().flat_map(|branch| &branch.traces);
-        middle.is_ok_and(|plant| plant.mirror().is_some()) || traces.any(|trace| trace.verdict.symmetric)
+        middle.has_mirror() || traces.any(|trace| trace.verdict.symmetric)
     }
 
     /// Readings that were left out for want of room, over all columns.

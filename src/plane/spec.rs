@@ -77,8 +77,7 @@ impl Plane {
 
     /// Whether the system in the middle of the plane has a mirror.
     pub fn has_mirror(&self) -> bool {
-        let middle = self.parameters_at(self.x.count / 2, self.y.count / 2).plant();
-        middle.is_ok_and(|plant| plant.mirror().is_some())
+        self.parameters_at(self.x.count / 2, self.y.count / 2).has_mirror()
     }
 
     /// How many cells the plane has.

@@ -32,6 +32,12 @@ impl Window {
         (row..row + rows).flat_map(move |row| (column..column + columns).map(move |column| (column, row)))
     }
 
+    /// Whether a cell of the plane is one of them.
+    pub fn contains(&self, (column, row): (u32, u32)) -> bool {
+        (self.column..self.column + self.columns).contains(&column)
+            && (self.row..self.row + self.rows).contains(&row)
+    }
+
     /// The cells that it shares with another; empty if there are none.
     pub fn shared(&self, other: &Window) -> Window {
         let span = |first: [u32; 2], count: [u32; 2]| {

@@ -211,7 +211,7 @@ impl ControlPicture<'_> {
     pub fn title(&self, varied: impl Fn(ControlQuantity) -> bool) -> Vec<Text> {
         let mut title = symbols::equations(self.setting(), |_| false);
         let setting = self.setting();
-        title.extend(symbols::start(self.start, symbols::has_mirror(setting), setting.family(), |_| false));
+        title.extend(symbols::start(self.start, setting.has_mirror(), setting.family(), |_| false));
         if let Some(last) = title.last_mut() {
             *last = last.clone().upright(";");
         }

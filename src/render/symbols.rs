@@ -161,11 +161,6 @@ pub(super) fn equations(parameters: &Setting, varied: impl Fn(Quantity) -> bool)
     pieces.into_iter().map(|(names, value)| names.upright(format!(" = {},", number(value)))).collect()
 }
 
-/// Whether a system of these parameters has a mirror, and so a symmetric motion to begin on.
-pub(super) fn has_mirror(parameters: &Setting) -> bool {
-    parameters.plant().is_ok_and(|plant| plant.mirror().is_some())
-}
-
 /// How trajectories begin, in pieces that belong together; `varied` says which components of the start are not fixed.
 ///
 /// Systems none of which is `mirrored` have no symmetric motion, and begin at rest in its place.

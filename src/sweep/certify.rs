@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use super::SweepError;
 use super::map::{cell_job, window_jobs};
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
-use crate::backend::{Backend, BackendError, Job, Watch, decide, second_look};
+use crate::backend::{Backend, BackendError, Job, Silent, Watch, decide, second_look};
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
 use crate::theory::{StrobeMotion, approached, approached_from, with_motion};
 
@@ -142,16 +142,11 @@ struct Around<'a> {
 
 impl Around<'_> {
     fn at(&self, place: (u32, u32)) -> Option<&Certified> {
-        match is_within(self.window, place) {
+        match self.window.contains(place) {
             true => self.found[self.window.index(place)].as_ref(),
             false => self.beyond.get(&place),
         }
     }
-}
-
-fn is_within(window: Window, (column, row): (u32, u32)) -> bool {
-    (window.column..window.column + window.columns).contains(&column)
-        && (window.row..window.row + window.rows).contains(&row)
 }
 
 /// What the neighbours beyond a window of some of its cells lead to by themselves.
@@ -164,7 +159,7 @@ fn beyond(
 ) -> Result<HashMap<(u32, u32), Certified>, SweepError> {
     let mut places: Vec<(u32, u32)> = (cells.iter())
         .flat_map(|&cell| neighbours(plane, window, cell))
-        .filter(|&place| !is_within(window, place))
+        .filter(|&place| !window.contains(place))
         .collect();
     places.sort_unstable();
     places.dedup();
@@ -178,17 +173,6 @@ fn beyond(
     let found = (jobs.par_iter().zip(&verdicts).zip(places))
         .filter_map(|((job, verdict), place)| Some((place, by_itself(job, verdict)?)));
     Ok(found.collect())
-}
-
-/// Counts no cell twice.
-struct Silent<'a>(&'a dyn Watch);
-
-impl Watch for Silent<'_> {
-    fn finished(&self, _: u64) {}
-
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
-    }
 }
 
 fn certified(verdict: &Verdict, motion: &StrobeMotion) -> Option<Certified> {

@@ -3,7 +3,7 @@
 use super::SweepError;
 use super::map::window_jobs;
 use crate::analysis::{Extent, Verdict};
-use crate::backend::{self, Backend, Watch};
+use crate::backend::{self, Backend, Silent, Watch};
 use crate::plane::{Plane, RegionMap, Window};
 
 /// Measures root mean square and peak of every coordinate in every cell of a map, and keeps them there.
@@ -38,7 +38,7 @@ pub(super) fn window_extents(
         let part =
             Window { row: window.row + (k * rows) as u32, rows: (verdicts.len() / columns) as u32, ..window };
         let jobs = window_jobs(plane, part)?;
-        extents.extend(backend::extents(backend, &jobs, verdicts, &plane.schedule, watch)?);
+        extents.extend(backend::extents(backend, &jobs, verdicts, &plane.schedule, &Silent(watch))?);
         watch.finished(verdicts.len() as u64);
     }
     Ok(extents)

@@ -8,7 +8,7 @@ use super::SweepError;
 use super::certify::certify_window;
 use super::extents::window_extents;
 use super::map::{check_border, sweep_window};
-use crate::backend::{Backend, BackendError, Watch};
+use crate::backend::{Backend, BackendError, Silent, Watch};
 use crate::plane::fields::{Assembled, Cells};
 use crate::store::{Failure, Log, StoreError, ZarrStore};
 
@@ -124,17 +124,6 @@ fn once(
         false => None,
     };
     Ok(Assembled { verdicts, multipliers, extents })
-}
-
-/// Counts no cell twice.
-struct Silent<'a>(&'a dyn Watch);
-
-impl Watch for Silent<'_> {
-    fn finished(&self, _: u64) {}
-
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
-    }
 }
 
 /// Why a plane was not computed into a store.

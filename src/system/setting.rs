@@ -221,6 +221,11 @@ impl Setting {
     pub fn plant(&self) -> Result<Plant, CellError> {
         self.family.plant(&Values(self.values[..self.family.parameters().len()].to_vec()))
     }
+
+    /// Whether these values make a plant, and it has a mirror: then there is a symmetric motion to look for.
+    pub fn has_mirror(&self) -> bool {
+        self.plant().is_ok_and(|plant| plant.mirror().is_some())
+    }
 }
 
 impl PartialEq for Setting {

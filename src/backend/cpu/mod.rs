@@ -60,7 +60,7 @@ impl Backend for Cpu {
 }
 
 /// Does every job on one of the pool's threads, until the watch ends it.
-fn each<J: Sync, R: Send>(
+pub(super) fn each<J: Sync, R: Send>(
     jobs: &[J],
     watch: &dyn Watch,
     work: impl Fn(&J) -> R + Sync,

@@ -31,6 +31,22 @@ pub struct CellResult<'a> {
     pub extent: Option<&'a Extent>,
 }
 
+impl<'a> CellResult<'a> {
+    /// Cell `i` of some results, with what there is beyond verdicts.
+    pub fn of(
+        i: usize,
+        verdicts: &'a [Verdict],
+        multipliers: Option<&'a [Option<Multipliers>]>,
+        extents: Option<&'a [Extent]>,
+    ) -> Self {
+        CellResult {
+            verdict: &verdicts[i],
+            multipliers: multipliers.and_then(|all| all[i].as_ref()),
+            extent: extents.map(|all| &all[i]),
+        }
+    }
+}
+
 /// What a field has of every cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inner {
@@ -230,10 +246,8 @@ impl Cells for RegionMap {
         let inner = field.inner.len(self.plane.parameters.family());
         let whole = Window::whole(&self.plane);
         let cells = window.places().map(|place| {
-            let index = whole.index(place);
-            let multipliers = self.multipliers.as_ref().and_then(|all| all[index].as_ref());
-            let extent = self.extents.as_ref().map(|all| &all[index]);
-            CellResult { verdict: &self.verdicts[index], multipliers, extent }
+            let (multipliers, extents) = (self.multipliers.as_deref(), self.extents.as_deref());
+            CellResult::of(whole.index(place), &self.verdicts, multipliers, extents)
         });
         Ok(field.values(cells, inner))
     }

@@ -49,7 +49,7 @@ fn beginning(diagram: &Diagram) -> Vec<Text> {
     let spec = &diagram.spec;
     let family = spec.parameters.family();
     let varied = |component| spec.x.quantity() == Quantity::Start(component);
-    let mirrored = || (0..spec.x.count()).any(|column| symbols::has_mirror(&spec.parameters_at(column)));
+    let mirrored = || (0..spec.x.count()).any(|column| spec.parameters_at(column).has_mirror());
     match diagram.branches.as_slice() {
         [Branch { direction: Direction::Each, .. }] => {
             let crate::diagram::Sweep::Each(start) = spec.sweep else { return Vec::new() };

@@ -18,7 +18,7 @@ const BESIDE: usize = 2;
 pub fn orbit_figure(orbit: &Orbit<'_>, start: Start, panels: &[OrbitPanel], zooms: &[Zoom]) -> Figure {
     let parameters = orbit.system.setting().expect("a system that is drawn is made of a setting");
     let mut title = symbols::equations(parameters, |_| false);
-    title.extend(symbols::start(start, symbols::has_mirror(parameters), parameters.family(), |_| false));
+    title.extend(symbols::start(start, parameters.has_mirror(), parameters.family(), |_| false));
     let mut plots: Vec<Panel> = panels.iter().map(|&panel| orbit.panel(panel, zooms)).collect();
     let family = parameters.family();
     let key = orbit_key(family, &plots);

@@ -26,7 +26,7 @@ pub(super) fn title(plane: &Plane) -> Vec<Text> {
 fn is_mirrored(plane: &Plane) -> bool {
     let bottom = (0..plane.x.count).map(|column| (column, 0));
     let left = (0..plane.y.count).map(|row| (0, row));
-    bottom.chain(left).any(|(column, row)| symbols::has_mirror(&plane.parameters_at(column, row)))
+    bottom.chain(left).any(|(column, row)| plane.parameters_at(column, row).has_mirror())
 }
 
 /// The rows of the legend: at most `rows`, everything that is not periodic among them, the rarest motions grouped with

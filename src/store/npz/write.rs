@@ -21,11 +21,8 @@ pub fn write_map(map: &RegionMap, to: impl Write + Seek) -> io::Result<()> {
 /// Writes the arrays of `map` with the given configuration text.
 pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + Seek) -> io::Result<()> {
     let plane = &map.plane;
-    let cells = map.verdicts.iter().enumerate().map(|(i, verdict)| CellResult {
-        verdict,
-        multipliers: map.multipliers.as_ref().and_then(|all| all[i].as_ref()),
-        extent: map.extents.as_ref().map(|all| &all[i]),
-    });
+    let (multipliers, extents) = (map.multipliers.as_deref(), map.extents.as_deref());
+    let cells = (0..map.verdicts.len()).map(|i| CellResult::of(i, &map.verdicts, multipliers, extents));
     let mut archive = Archive::new(to);
     archive.cells(plane, CellField::of_plane(map.extras()), cells)?;
     archive.array("x", &[plane.x.count.into()], plane.x.values())?;

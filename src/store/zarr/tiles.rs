@@ -33,13 +33,8 @@ impl ZarrStore {
         let window = self.tiling.window(tile);
         let Assembled { verdicts, multipliers, extents } = results;
         assert_eq!(verdicts.len(), window.cells(), "a verdict for every cell of the tile");
-        let cells = || {
-            verdicts.iter().enumerate().map(|(i, verdict)| CellResult {
-                verdict,
-                multipliers: multipliers.as_ref().and_then(|all| all[i].as_ref()),
-                extent: extents.as_ref().map(|all| &all[i]),
-            })
-        };
+        let (multipliers, extents) = (multipliers.as_deref(), extents.as_deref());
+        let cells = || (0..verdicts.len()).map(|i| CellResult::of(i, verdicts, multipliers, extents));
         let write = |field: &'static CellField| {
             let inner = field.inner.len(self.plane.parameters.family());
             self.write_shard(field, tile, &field.values(cells(), inner))
