@@ -70,7 +70,8 @@ fn pictures_and_data_are_written() {
     for name in ["iterate", "section", "arrived", "signal", "escaped", "trajectory", "config"] {
         assert!(zip.by_name(&format!("{name}.npy")).is_ok(), "{name}");
     }
-    let vector = run_in(folder.path(), &control("delay", &["--out", "c.svg", "--iterates", "2300"]));
+    let vector =
+        run_in(folder.path(), &control("delay", &["--from", "2001", "--out", "c.svg", "--iterates", "2300"]));
     assert_eq!(vector.status.code(), Some(0), "{}", stderr(&vector));
     let svg = fs::read_to_string(folder.path().join("c.svg")).unwrap();
     for words in ["phase portrait under control", "control signal", "1-2-1", "\"method\"", "delay"] {

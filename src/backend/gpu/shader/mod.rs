@@ -170,7 +170,7 @@ mod tests {
     fn the_shaders_are_valid_and_need_no_feature() {
         for kernel in Kernel::ALL {
             for (shape, residence) in
-                shapes().into_iter().flat_map(|shape| Residence::ALL.map(|kept| (shape, kept)))
+                shapes().into_iter().flat_map(|shape| Residence::ALL.map(|residence| (shape, residence)))
             {
                 let source = source(kernel, &shape, residence);
                 let module = naga::front::wgsl::parse_str(&source)

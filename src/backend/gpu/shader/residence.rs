@@ -18,7 +18,7 @@ impl Residence {
     pub fn flight(self) -> &'static str {
         match self {
             Residence::Buffer => "flights[cell]",
-            Residence::Private => "kept",
+            Residence::Private => "cell_flight",
         }
     }
 
@@ -35,19 +35,19 @@ fn kick_term(at: u32) -> State {
 "
             }
             Residence::Private => {
-                "var<private> kept: Flight;
-var<private> kept_kicks: array<State, NORMALS * KICK_TERMS>;
+                "var<private> cell_flight: Flight;
+var<private> cell_kicks: array<State, NORMALS * KICK_TERMS>;
 
 fn flight_load() {
-    kept = flights[cell];
+    cell_flight = flights[cell];
     for (var at = 0u; at < NORMALS * KICK_TERMS; at++) {
-        kept_kicks[at] = kicks[cell * (NORMALS * KICK_TERMS) + at];
+        cell_kicks[at] = kicks[cell * (NORMALS * KICK_TERMS) + at];
     }
 }
 
 // The kick polynomials of the cell, normal by normal.
 fn kick_term(at: u32) -> State {
-    return kept_kicks[at];
+    return cell_kicks[at];
 }
 "
             }
