@@ -1,81 +1,187 @@
 //! How many trajectories, and impacts, a back end follows in a second.
 //!
-//! The workload is fixed: ω from 1 to 5 and δ from 0.1 to 0.6 in equal steps, every cell from rest, 200 forcing
-//! periods without early finish. In f32 the end states are compared with the CPU path's f64, cell by cell where the motion
-//! is regular (its largest Lyapunov exponent is below zero); the f64 path itself is held to an independent oracle by the
-//! tests.
+//! Three workloads, every cell from rest:
+//!
+//! - `plane`: ω from 1 to 5 and δ from 0.1 to 0.6 in equal steps, 200 forcing periods without early finish;
+//! - `figure`: the plane of the paper's Fig. 5, ω from 0.5 to 4.4 and δ from 0.02 to 0.6, by the default schedule but without
+//!   second looks;
+//! - `chatter`: ω from 0.2 to 0.6 and δ from 0.1 to 0.6, 200 forcing periods without early finish.
+//!
+//! In f32 the end states of `plane` are compared with the CPU path's f64, cell by cell where the motion is regular (its
+//! largest Lyapunov exponent is below zero); the f64 path itself is held to an independent oracle by the tests.
 //!
 //! ```text
-//! cargo run --release --example throughput -- [cpu|gpu|f32] [SIDE] [REPEATS]
+//! cargo run --release --example throughput -- [cpu|one|gpu|f32] [SIDE] [REPEATS] [--json]
 //! ```
 //!
-//! SIDE is the cells along either axis (32 by default; 1024 for a million-cell plane). The number of threads of the
-//! CPU path is RAYON_NUM_THREADS, all cores by default. `f32` is the CPU in the GPU's precision.
+//! SIDE is the cells along either axis (32 by default; 1024 for a million-cell plane). `cpu` follows as many trajectories
+//! side by side as the processor has room for, `one` does so one by one. The number of threads is RAYON_NUM_THREADS, all
+//! cores by default. `f32` is the CPU in the GPU's precision. Preparing the cells' constants is part of the time, and is
+//! measured by itself too.
 
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Backend, BackendError, Cpu, Gpu, Job, Unwatched, follow};
-use impact_atlas::model::{Parameters, System};
+use impact_atlas::backend::{Backend, BackendError, Cpu, Gpu, Job, Unwatched, Width, follow, follow_all};
+use impact_atlas::model::{Flights, Parameters, System};
 use rayon::prelude::*;
+use serde::Serialize;
 
 const PERIODS: u32 = 200;
 
+/// A plane of cells and how long each is followed.
+struct Workload {
+    name: &'static str,
+    omega: [f64; 2],
+    delta: [f64; 2],
+    schedule: Schedule,
+}
+
+/// What one workload took.
+#[derive(Serialize)]
+struct Measured {
+    workload: &'static str,
+    cells: usize,
+    impacts: u64,
+    /// Of the fastest run.
+    seconds: f64,
+    /// Of preparing the constants of all cells, which is part of it.
+    preparing_seconds: f64,
+    trajectories_per_second: f64,
+    impacts_per_second: f64,
+    /// Cells by regime.
+    regimes: BTreeMap<String, usize>,
+    /// Median, 95th percentile and largest distance of regular end states from f64; none for f64 itself.
+    end_states_off: Option<[f64; 3]>,
+}
+
+type Runner = Box<dyn Fn(&[Job], &Schedule) -> Result<Vec<Verdict>, BackendError>>;
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let mut arguments = std::env::args().skip(1);
-    let path = arguments.next().unwrap_or_else(|| "cpu".to_owned());
-    let side: u32 = arguments.next().map_or(Ok(32), |text| text.parse())?;
-    let repeats: u32 = arguments.next().map_or(Ok(5), |text| text.parse())?;
-    let jobs = jobs(side)?;
-    let schedule = schedule(PERIODS - 1);
-    let runner: Box<dyn Fn() -> Result<Vec<Verdict>, BackendError>> = match path.as_str() {
-        "cpu" => {
-            println!("{}, {} threads", Cpu.adapter(), rayon::current_num_threads());
-            Box::new(|| Cpu.run(&jobs, &schedule, &Unwatched))
-        }
-        "gpu" => {
-            let gpu = Gpu::open(None)?;
-            println!("{}", gpu.adapter());
-            let jobs = &jobs;
-            Box::new(move || gpu.run(jobs, &schedule, &Unwatched))
-        }
-        "f32" => {
-            println!("{} f32, {} threads", std::env::consts::ARCH, rayon::current_num_threads());
-            Box::new(|| Ok(jobs.par_iter().map(|job| follow::<f32>(job, &schedule)).collect()))
-        }
-        other => return Err(format!("`{other}` is no path: choose cpu, gpu or f32").into()),
-    };
-    let mut verdicts = Vec::new();
-    let mut fastest = f64::INFINITY;
-    for _ in 0..repeats.max(1) {
-        let began = Instant::now();
-        verdicts = runner()?;
-        fastest = fastest.min(began.elapsed().as_secs_f64());
+    let (flags, words): (Vec<String>, Vec<String>) =
+        std::env::args().skip(1).partition(|a| a.starts_with("--"));
+    let json = flags.iter().any(|flag| flag == "--json");
+    let path = words.first().map_or("cpu", String::as_str);
+    let side: u32 = words.get(1).map_or(Ok(32), |text| text.parse())?;
+    let repeats: u32 = words.get(2).map_or(Ok(3), |text| text.parse())?;
+    let (what, runner) = runner(path)?;
+    let mut measured = Vec::new();
+    for workload in workloads() {
+        measured.push(measure(&workload, side, repeats, path, &runner)?);
     }
-    let impacts: u64 = verdicts.iter().map(|verdict| u64::from(verdict.impacts_total)).sum();
+    if json {
+        let report = serde_json::json!({
+            "path": path, "what": what, "threads": rayon::current_num_threads(), "workloads": measured,
+        });
+        println!("{report:#}");
+        return Ok(());
+    }
+    println!("{what}, {} threads", rayon::current_num_threads());
     println!(
-        "{} trajectories of {PERIODS} periods, {impacts} impacts, fastest of {repeats}: {fastest:.3} s",
-        jobs.len()
+        "{:<9} {:>8} {:>9} {:>9} {:>14} {:>11}",
+        "workload", "cells", "seconds", "preparing", "trajectories/s", "impacts/s"
     );
-    println!("{:.0} trajectories/s", jobs.len() as f64 / fastest);
-    println!("{:.3e} impacts/s", impacts as f64 / fastest);
-    if path != "cpu" {
-        report_errors(&jobs, &verdicts)?;
+    for row in &measured {
+        println!(
+            "{:<9} {:>8} {:>9.4} {:>9.4} {:>14.0} {:>11.3e}",
+            row.workload,
+            row.cells,
+            row.seconds,
+            row.preparing_seconds,
+            row.trajectories_per_second,
+            row.impacts_per_second
+        );
+    }
+    for Measured { workload, end_states_off, .. } in &measured {
+        if let Some([median, most, largest]) = end_states_off {
+            println!(
+                "{workload}: regular end states against f64: median {median:.1e}, 95 % {most:.1e}, largest {largest:.1e}"
+            );
+        }
     }
     Ok(())
 }
 
-fn schedule(transient: u32) -> Schedule {
-    Schedule { transient, observe: PERIODS - transient, max_period: 32, fixed_periods: true }
+/// What computes, and how it is run.
+fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
+    Ok(match path {
+        "cpu" | "one" => {
+            let width = if path == "cpu" { Width::available()[0] } else { Width::One };
+            let what = format!("{}, {}", Cpu.adapter(), width.instructions());
+            (what, Box::new(move |jobs, schedule| follow_all(jobs, schedule, &Unwatched, width)))
+        }
+        "gpu" => {
+            let gpu = Gpu::open(None)?;
+            (gpu.adapter(), Box::new(move |jobs, schedule| gpu.run(jobs, schedule, &Unwatched)))
+        }
+        "f32" => {
+            let what = format!("{} f32", std::env::consts::ARCH);
+            let run = |jobs: &[Job], schedule: &Schedule| {
+                Ok(jobs.par_iter().map(|job| follow::<f32>(job, schedule)).collect())
+            };
+            (what, Box::new(run))
+        }
+        other => return Err(format!("`{other}` is no path: choose cpu, one, gpu or f32").into()),
+    })
 }
 
-fn jobs(side: u32) -> Result<Vec<Job>, Box<dyn std::error::Error>> {
-    let value = |first: f64, last: f64, i: u32| first + (last - first) * f64::from(i) / f64::from(side - 1);
+fn workloads() -> [Workload; 3] {
+    let fixed =
+        |transient| Schedule { transient, observe: PERIODS - transient, max_period: 32, fixed_periods: true };
+    let default = Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false };
+    [
+        Workload { name: "plane", omega: [1.0, 5.0], delta: [0.1, 0.6], schedule: fixed(PERIODS - 1) },
+        Workload { name: "figure", omega: [0.5, 4.4], delta: [0.02, 0.6], schedule: default },
+        Workload { name: "chatter", omega: [0.2, 0.6], delta: [0.1, 0.6], schedule: fixed(PERIODS - 1) },
+    ]
+}
+
+fn measure(
+    workload: &Workload,
+    side: u32,
+    repeats: u32,
+    path: &str,
+    runner: &Runner,
+) -> Result<Measured, Box<dyn std::error::Error>> {
+    let jobs = jobs(workload, side)?;
+    let mut verdicts = Vec::new();
+    let mut seconds = f64::INFINITY;
+    for _ in 0..repeats.max(1) {
+        let began = Instant::now();
+        verdicts = runner(&jobs, &workload.schedule)?;
+        seconds = seconds.min(began.elapsed().as_secs_f64());
+    }
+    let began = Instant::now();
+    let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
+    let flights = Flights::<2>::of(&systems);
+    let preparing_seconds = began.elapsed().as_secs_f64();
+    assert!(flights.distinct() <= jobs.len());
+    let mut regimes = BTreeMap::new();
+    for verdict in &verdicts {
+        *regimes.entry(verdict.regime.name().to_owned()).or_insert(0) += 1;
+    }
+    let impacts: u64 = verdicts.iter().map(|verdict| u64::from(verdict.impacts_total)).sum();
+    let in_f32 = workload.name == "plane" && matches!(path, "gpu" | "f32");
+    Ok(Measured {
+        workload: workload.name,
+        cells: jobs.len(),
+        impacts,
+        seconds,
+        preparing_seconds,
+        trajectories_per_second: jobs.len() as f64 / seconds,
+        impacts_per_second: impacts as f64 / seconds,
+        regimes,
+        end_states_off: if in_f32 { Some(errors(&jobs, &verdicts)?) } else { None },
+    })
+}
+
+fn jobs(workload: &Workload, side: u32) -> Result<Vec<Job>, Box<dyn std::error::Error>> {
+    let value = |[first, last]: [f64; 2], i: u32| first + (last - first) * f64::from(i) / f64::from(side - 1);
     let mut jobs = Vec::new();
     for row in 0..side {
         for column in 0..side {
-            let omega = value(1.0, 5.0, column);
-            let delta = value(0.1, 0.6, row);
+            let (omega, delta) = (value(workload.omega, column), value(workload.delta, row));
             let system = System::new(Parameters { omega, delta, ..Parameters::default() })?;
             jobs.push(Job { system, start: [0.0; 4].into() });
         }
@@ -83,9 +189,11 @@ fn jobs(side: u32) -> Result<Vec<Job>, Box<dyn std::error::Error>> {
     Ok(jobs)
 }
 
-/// How far the end states are from f64 where the motion is regular.
-fn report_errors(jobs: &[Job], verdicts: &[Verdict]) -> Result<(), BackendError> {
-    let reference = Cpu.run(jobs, &schedule(PERIODS / 2), &Unwatched)?;
+/// How far the end states are from f64 where the motion is regular: median, 95th percentile, largest.
+fn errors(jobs: &[Job], verdicts: &[Verdict]) -> Result<[f64; 3], BackendError> {
+    let halves =
+        Schedule { transient: PERIODS / 2, observe: PERIODS / 2, max_period: 32, fixed_periods: true };
+    let reference = Cpu.run(jobs, &halves, &Unwatched)?;
     let mut errors: Vec<f64> = reference
         .iter()
         .zip(verdicts)
@@ -97,12 +205,5 @@ fn report_errors(jobs: &[Job], verdicts: &[Verdict]) -> Result<(), BackendError>
         .collect();
     errors.sort_by(f64::total_cmp);
     let quantile = |share: f64| errors[((errors.len() - 1) as f64 * share) as usize];
-    println!(
-        "end states of {} regular cells against f64: median {:.1e}, 95th percentile {:.1e}, largest {:.1e}",
-        errors.len(),
-        quantile(0.5),
-        quantile(0.95),
-        quantile(1.0)
-    );
-    Ok(())
+    Ok([quantile(0.5), quantile(0.95), quantile(1.0)])
 }

@@ -62,12 +62,22 @@
 //! phases 0 and π, so that rounding cannot drift; ωt is never formed. Shorter flights are Taylor polynomials of the
 //! equation of motion, of an order that rounding cannot tell from infinite.
 //!
-//! *No impact is missed.* Within a step d·x lies in the hull of the four Bézier points of its cubic Hermite
-//! interpolant, widened by h⁴/384 times a bound on |d·x''''|. Where that hull clears the stops, the step is taken. Where
-//! it does not, the gap is at least that of a quadratic whose acceleration bounds the true one on a window, and the
-//! trajectory flies to that quadratic's root: just short of the contact, never beyond. Repeated, this converges
-//! faster than Newton's method, and a touch that comes to nothing is passed without harm. The last stretch, whose
-//! square is lost in rounding, is a straight line.
+//! *No impact is missed.* Within a step d·x differs from its cubic Hermite interpolant by s²(h − s)²/24 times a bound on
+//! |(d·x)''''|: so it lies in the hull of five Bernstein coefficients. Where that hull clears the stops, the step is taken.
+//! Where the step ends beyond a stop, the contact is found in one go: the polynomial of fifth degree through both ends has
+//! its root by three of Newton's steps, a Taylor polynomial of fixed order leads there from the nearer end, and the rest of
+//! the way is so short that its fourth power is lost in rounding. A certificate says that this contact is the first: by the same
+//! bound, d·x approaches the stop without turning, or is pressed towards it all the way. Where nothing is certified (grazing,
+//! two contacts in a step, chatter about to be complete), the stop is approached from the safe side: the gap is at least that
+//! of a quadratic whose acceleration bounds the true one on a window, and the trajectory flies to that quadratic's root: just
+//! short of the contact, never beyond. Repeated, this converges faster than Newton's method, and a touch that comes to
+//! nothing is passed without harm.
+//!
+//! *Side by side.* With one or two coordinates, the CPU path follows as many trajectories at once as fit two of the
+//! processor's registers (sixteen with AVX-512, eight with AVX2), from the same source as a single one and with the same
+//! bits: no operation is contracted, and every machine rounds alike. The lanes take a few steps together; contacts are found
+//! when half of them wait for one, and what is rare is left to the single trajectory. The GPU's kernel goes in the same
+//! rounds.
 //!
 //! *Impacts* change the velocities along M⁻¹d. What the change does to the end of the step is a polynomial that is known per cell, so
 //! the rest of the step need not be flown again.

@@ -60,7 +60,8 @@ fn pulses_hold_a_target_that_is_given() {
 #[test]
 fn pictures_and_data_are_written() {
     let folder = tempdir().unwrap();
-    let files = ["--out", "c.png", "--data", "c.npz", "--iterates", "2300", "--range", "1950:2200"];
+    let files =
+        ["--from", "2001", "--out", "c.png", "--data", "c.npz", "--iterates", "2300", "--range", "1950:2200"];
     let output = run_in(folder.path(), &control("delay", &files));
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     assert!(String::from_utf8(output.stdout).unwrap().contains("under control   1-2-1"));
@@ -69,7 +70,8 @@ fn pictures_and_data_are_written() {
     for name in ["iterate", "section", "arrived", "signal", "escaped", "trajectory", "config"] {
         assert!(zip.by_name(&format!("{name}.npy")).is_ok(), "{name}");
     }
-    let vector = run_in(folder.path(), &control("delay", &["--out", "c.svg", "--iterates", "2300"]));
+    let vector =
+        run_in(folder.path(), &control("delay", &["--from", "2001", "--out", "c.svg", "--iterates", "2300"]));
     assert_eq!(vector.status.code(), Some(0), "{}", stderr(&vector));
     let svg = fs::read_to_string(folder.path().join("c.svg")).unwrap();
     for words in ["phase portrait under control", "control signal", "1-2-1", "\"method\"", "delay"] {

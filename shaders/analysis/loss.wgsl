@@ -22,12 +22,16 @@ fn loss_note(taken: Move) {
     observer.loss.held = select(0u, 1u, trajectory.contact != CONTACT_FREE);
     if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER {
         let after = select(0.0, taken.rebound, taken.event == EVENT_IMPACT);
-        var mass = 0.0;
-        //: each normal
-        if flight.normals[$k].stop[0] == taken.stop || flight.normals[$k].stop[1] == taken.stop {
-            mass = flight.normals[$k].mass;
-        }
-        //: end
-        observer.loss.energy = observer.loss.energy + 0.5 * mass * (taken.velocity * taken.velocity - after * after);
+        loss_take(taken.stop, taken.velocity, after);
     }
+}
+
+fn loss_take(stop: u32, before: f32, after: f32) {
+    var mass = 0.0;
+    //: each normal
+    if flight.normals[$k].stop[0] == stop || flight.normals[$k].stop[1] == stop {
+        mass = flight.normals[$k].mass;
+    }
+    //: end
+    observer.loss.energy = observer.loss.energy + 0.5 * mass * (before * before - after * after);
 }

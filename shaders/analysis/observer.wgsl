@@ -85,7 +85,6 @@ fn observer_begin(start: State) {
 }
 
 fn observer_note(taken: Move) {
-    observer.moves = observer.moves + 1u;
     if observer.stage == STAGE_OBSERVATION && taken.event != EVENT_STEP_END {
         loss_note(taken);
     }
@@ -93,16 +92,36 @@ fn observer_note(taken: Move) {
         observer.stuck = 1u;
     }
     if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER && taken.velocity != 0.0 {
-        recurrence_count(taken.stop, taken.event == EVENT_COMPLETE_CHATTER);
+        observer_impact(taken.stop, taken.velocity, taken.event == EVENT_COMPLETE_CHATTER);
         observer_count_beside(taken.beside);
-        observer.impacts = observer.impacts + 1u;
-        observer.impacts_total = observer.impacts_total + 1u;
-        observer.peak = max(observer.peak, abs(taken.velocity));
-    } else if taken.event == EVENT_HALF_PERIOD && observer.stage == STAGE_OBSERVATION {
-        recurrence_at_half_period(trajectory.point.state, RETURNED);
-    } else if taken.event == EVENT_STROBE {
-        observer_strobe();
+    } else if taken.event == EVENT_HALF_PERIOD {
+        observer_half_period();
+    } else {
+        observer.moves = observer.moves + 1u;
+        if taken.event == EVENT_STROBE {
+            observer_strobe();
+        }
     }
+    observer_give_up();
+}
+
+fn observer_impact(stop: u32, velocity: f32, complete_chatter: bool) {
+    observer.moves = observer.moves + 1u;
+    recurrence_count(stop, complete_chatter);
+    observer.impacts = observer.impacts + 1u;
+    observer.impacts_total = observer.impacts_total + 1u;
+    observer.peak = max(observer.peak, abs(velocity));
+}
+
+fn observer_half_period() {
+    observer.moves = observer.moves + 1u;
+    if observer.stage == STAGE_OBSERVATION {
+        recurrence_at_half_period(trajectory.point.state, RETURNED);
+    }
+}
+
+// Gives up a trajectory that makes no headway.
+fn observer_give_up() {
     if observer.moves > MOST_MOVES {
         observer.stage = STAGE_FAILED;
     }

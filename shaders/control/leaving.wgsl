@@ -20,7 +20,7 @@ fn leaving_holds(state: State) -> bool {
     var holds = true;
     //: each normal
     let place$k = along(flight.normals[$k].direction, state.x);
-    let rounding$k = (ROUNDINGS * EPSILON) * dot_absolute(abs(flight.normals[$k].direction), moved)
+    let rounding$k = (ROUNDINGS * EPSILON) * along(abs(flight.normals[$k].direction), abs(moved))
         + (ROUNDINGS * EPSILON) * min(abs(flight.normals[$k].gap[0]), abs(flight.normals[$k].gap[1]));
     holds = holds && place$k - flight.normals[$k].gap[0] <= rounding$k;
     holds = holds && -place$k - flight.normals[$k].gap[1] <= rounding$k;

@@ -1,27 +1,5 @@
 // The next contact with a stop, approached from the safe side.
 
-fn contact_clears(before: Point, after: Point) -> bool {
-    let third = flight.h * THIRD;
-    let h2 = flight.h * flight.h;
-    let widening = (h2 * h2) * HERMITE;
-    var clear = true;
-    //: each normal
-    {
-        let direction = flight.normals[$k].direction;
-        let margin = widening * point_bound(before, $ku);
-        let begins = along(direction, before.state.x);
-        let ends = along(direction, after.state.x);
-        let leaving = begins + third * along(direction, before.state.v);
-        let arriving = ends - third * along(direction, after.state.v);
-        let upper = flight.normals[$k].gap[0] - margin;
-        let lower = margin - flight.normals[$k].gap[1];
-        clear = clear && begins < upper && leaving < upper && arriving < upper && ends < upper;
-        clear = clear && begins > lower && leaving > lower && arriving > lower && ends > lower;
-    }
-    //: end
-    return clear;
-}
-
 // A time for which the motion provably stays off all stops but those at the ends that `ignored` includes.
 fn contact_safe_time(point: Point, motion: Motion, ignored: u32, window: f32) -> f32 {
     var safe = window;

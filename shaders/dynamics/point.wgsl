@@ -35,18 +35,33 @@ fn point_at_phase_zero(state: State) -> Point {
 
 // One whole step h of free flight.
 fn point_stepped(point: Point) -> Point {
-    var state = flight.gamma_one;
-    state = state_plus(state_plus(state, point.sin, flight.gamma_sin), point.cos, flight.gamma_cos);
-    //: each coordinate
-    state = state_plus(state, point.state.x$c, flight.phi_x[$i]);
-    //: end
-    //: each coordinate
-    state = state_plus(state, point.state.v$c, flight.phi_v[$i]);
-    //: end
+    let sine = state_plus(flight.gamma_one, point.sin, flight.gamma_sin);
+    let forced = state_plus(sine, point.cos, flight.gamma_cos);
     return Point(
-        state,
+        state_plus(forced, 1.0, state_flown(point.state)),
         point.sin * flight.turn_cos + point.cos * flight.turn_sin,
-        point.cos * flight.turn_cos - point.sin * flight.turn_sin,
+        point.cos * flight.turn_cos + -(point.sin * flight.turn_sin),
+    );
+}
+
+// What one step makes of a deviation.
+fn state_flown(deviation: State) -> State {
+    var state = State(X(0.0), X(0.0));
+    //: each coordinate
+    state = state_plus(state, deviation.x$c, flight.phi_x[$i]);
+    //: end
+    //: each coordinate
+    state = state_plus(state, deviation.v$c, flight.phi_v[$i]);
+    //: end
+    return state;
+}
+
+// `yes` where the choice is true, else `no`.
+fn point_select(choice: bool, yes: Point, no: Point) -> Point {
+    return Point(
+        State(select(no.state.x, yes.state.x, choice), select(no.state.v, yes.state.v, choice)),
+        select(no.sin, yes.sin, choice),
+        select(no.cos, yes.cos, choice),
     );
 }
 
@@ -91,11 +106,11 @@ fn point_flown(point: Point, s: f32, contact: u32) -> Point {
 // The point with the speed along a normal changed by `kick` a time s ≤ h ago.
 fn point_kicked(point: Point, normal: u32, kick: f32, s: f32) -> Point {
     let u = s * flight.inverse_h;
-    let first = (cell * NORMALS + normal) * KICK_TERMS;
-    var sum = kicks[first + ORDER];
-    for (var k = ORDER; k > 0u; k--) {
-        sum = state_plus(kicks[first + k - 1u], u, sum);
-    }
+    let first = normal * KICK_TERMS;
+    var sum = kick_term(first + ORDER);
+    //: each kick term
+    sum = state_plus(kick_term(first + $ku), u, sum);
+    //: end
     return Point(state_plus(point.state, kick, sum), point.sin, point.cos);
 }
 
@@ -112,25 +127,36 @@ fn point_nudged(point: Point, s: f32, contact: u32) -> Point {
 
 // x'' in free flight.
 fn point_accelerations(point: Point) -> X {
-    let inner = applied(flight.stiffness, point.state.x) + applied(flight.damping, point.state.v);
-    let outer = (flight.load + point.sin * flight.sin) + point.cos * flight.cos;
-    return inner + outer;
+    let forced = (flight.load + point.sin * flight.sin) + point.cos * flight.cos;
+    let pulled = applied_onto(flight.stiffness, point.state.x, forced);
+    return applied_onto(flight.damping, point.state.v, pulled);
+}
+
+// x''' in free flight, from x''.
+fn point_jerks(point: Point, acceleration: X) -> X {
+    let turned = -(flight.omega * point.sin) * flight.cos;
+    let forced = turned + (flight.omega * point.cos) * flight.sin;
+    let pulled = applied_onto(flight.stiffness, point.state.v, forced);
+    return applied_onto(flight.damping, acceleration, pulled);
 }
 
 // What decides when a stop can be reached, or left.
 fn point_motion(point: Point, contact: u32) -> Motion {
     let a = held(contact, point_accelerations(point));
-    let inner = applied(flight.stiffness, point.state.v) + applied(flight.damping, a.rest);
-    let outer = -(flight.omega * point.sin) * flight.cos + (flight.omega * point.cos) * flight.sin;
-    let j = held(contact, inner + outer);
+    let j = held(contact, point_jerks(point, a.rest));
     return Motion(a.rest, j.rest, a.pressing, j.pressing);
 }
 
 // A bound on |(d·x)''''| along a normal for the rest of the step.
 fn point_bound(point: Point, normal: u32) -> f32 {
-    return dot_absolute(flight.normals[normal].bound_x, point.state.x)
-        + dot_absolute(flight.normals[normal].bound_v, point.state.v)
-        + flight.normals[normal].bound_forcing;
+    var bound = flight.normals[normal].bound_forcing;
+    //: each coordinate
+    bound = bound + flight.normals[normal].bound_x$c * abs(point.state.x$c);
+    //: end
+    //: each coordinate
+    bound = bound + flight.normals[normal].bound_v$c * abs(point.state.v$c);
+    //: end
+    return bound;
 }
 
 fn point_approach(point: Point, motion: Motion, normal: u32) -> Approach {

@@ -15,23 +15,35 @@ fn tangent_seed() -> State {
 }
 
 fn tangent_stepped(tangent: State) -> State {
-    var state = State(X(0.0), X(0.0));
-    //: each coordinate
-    state = state_plus(state, tangent.x$c, flight.phi_x[$i]);
+    return state_flown(tangent);
+}
+
+// A time s ≤ h of free flight later, by a Taylor polynomial of fixed order.
+fn tangent_flown_freely(tangent: State, s: f32) -> State {
+    let springs = columns_scaled(s * s, flight.stiffness);
+    let dampers = columns_scaled(s, flight.damping);
+    var before = tangent.v;
+    var last = applied_onto(dampers, before, s * applied(flight.stiffness, tangent.x));
+    var velocity = before;
+    var mean = before;
+    //: each flight term
+    velocity = velocity + INVERSE_FACTORIALS[$k] * last;
+    mean = mean + INVERSE_FACTORIALS[$k + 1] * last;
+    let pulled$k = applied(springs, before);
+    before = last;
+    last = applied_onto(dampers, last, pulled$k);
     //: end
-    //: each coordinate
-    state = state_plus(state, tangent.v$c, flight.phi_v[$i]);
-    //: end
-    return state;
+    return State(tangent.x + s * mean, velocity);
 }
 
 fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
+    if contact == CONTACT_FREE {
+        return tangent_flown_freely(tangent, s);
+    }
     let series = series_new(s);
     var before = tangent.v;
     var last = series_first(series, tangent.x, before);
-    if contact != CONTACT_FREE {
-        last = held(contact, last).rest;
-    }
+    last = held(contact, last).rest;
     var velocity = before;
     var mean = before;
     var power = 1.0;
@@ -43,10 +55,7 @@ fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
         if power * weight < TRUNCATION {
             break;
         }
-        var next = series_next(series, before, last, X(0.0));
-        if contact != CONTACT_FREE {
-            next = held(contact, next).rest;
-        }
+        let next = held(contact, series_next(series, before, last, X(0.0))).rest;
         before = last;
         last = next;
     }

@@ -31,6 +31,7 @@ fn control_trajectories(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     cell = unfinished[index];
+    flight_load();
     control = controls[cell];
     control_schedule = dispatch.schedule;
     reach = dispatch.max_period;

@@ -29,6 +29,7 @@ fn measure_extents(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     cell = unfinished[index];
+    flight_load();
     if dispatch.begin == 1u {
         extent_begin(start_of_cell());
     } else {

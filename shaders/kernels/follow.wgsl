@@ -21,6 +21,31 @@ struct Dispatch {
 @group(0) @binding(5) var<storage, read_write> observers: array<Observer>;
 @group(0) @binding(6) var<storage, read_write> verdicts: array<Verdict>;
 
+// Follows the trajectory in a stage of its schedule until something is rare, for a few turns.
+fn follow_stage(stage: u32, carry: bool) {
+    for (var turn = 0u; turn < TURNS; turn++) {
+        if (observer.stage != stage) | pace.rare {
+            break;
+        }
+        pace_begin();
+        pace_rounds(carry);
+        if pace.arrived {
+            observer_note(Move(EVENT_STROBE, 0u, 0.0, 0.0, CONTACT_FREE));
+        }
+    }
+}
+
+// Rounds of free flight, and what is rare after them.
+fn follow_turn() {
+    pace.rare = false;
+    follow_stage(STAGE_TRANSIENT, false);
+    follow_stage(STAGE_OBSERVATION, true);
+    if pace.rare {
+        observer_note(advance_warily(observer.stage == STAGE_OBSERVATION));
+    }
+    observer_give_up();
+}
+
 @compute @workgroup_size(WORKGROUP)
 fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
     let index = id.y * dispatch.row + id.x;
@@ -28,6 +53,7 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     cell = unfinished[index];
+    flight_load();
     schedule = dispatch.schedule;
     if dispatch.begin == 1u {
         observer_begin(start_of_cell());
@@ -36,7 +62,7 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     var taken = 0u;
     while taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
-        observer_note(advance(observer.stage == STAGE_OBSERVATION));
+        follow_turn();
         taken = taken + 1u;
     }
     // Some drivers end every loop in silence after so many iterations; what they cut short must not pass for a result.

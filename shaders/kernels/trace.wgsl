@@ -36,6 +36,7 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     cell = unfinished[index];
+    flight_load();
     schedule = dispatch.schedule;
     probe = Probe(dispatch.section, dispatch.reading);
     if dispatch.begin == 1u {

@@ -47,8 +47,9 @@ impl<T: Real> Loss<T> {
         }
     }
 
+    /// Notes what an impact takes that ends free flight and begins it again.
     #[inline(always)]
-    fn take<const N: usize>(&mut self, flight: &Flight<T, N>, stop: Stop, before: T, after: T) {
+    pub fn take<const N: usize>(&mut self, flight: &Flight<T, N>, stop: Stop, before: T, after: T) {
         let mut mass = T::zero();
         for normal in flight.normals() {
             if normal.stop[0] == stop.0 || normal.stop[1] == stop.0 {

@@ -1,5 +1,6 @@
 //! What a trajectory is: regimes and labels, settling, Lyapunov exponents.
 
+mod abreast;
 mod exponent;
 mod extent;
 mod loss;
@@ -15,6 +16,7 @@ mod spread;
 mod trace;
 mod verdict;
 
+pub use abreast::{Queue, follow_abreast};
 pub(crate) use exponent::Exponent;
 pub use extent::{Extent, ExtentObserver};
 pub use observer::{Observer, Stage};
@@ -28,6 +30,7 @@ pub use trace::{Trace, Tracer};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
+    pub use super::abreast::{CLEAR_STEPS, ROUNDS, TURNS};
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::observer::{
         CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING, SETTLING_AT_REST,

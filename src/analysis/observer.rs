@@ -7,7 +7,7 @@ use super::recurrence::Recurrence;
 use super::schedule::Schedule;
 use super::spread::Spread;
 use crate::dynamics::constants::MOST_MOVES;
-use crate::dynamics::{Event, Move, Stop, Tangent, Trajectory, Variation};
+use crate::dynamics::{Contact, Event, Impact, Move, Stop, Tangent, Trajectory, Variation};
 use crate::model::{Flight, Real, State};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
@@ -52,7 +52,7 @@ impl Stage {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer<T, const N: usize> {
     pub(super) trajectory: Trajectory<T, N>,
-    tangent: Tangent<T, N>,
+    pub(super) tangent: Tangent<T, N>,
     pub(super) recurrence: Recurrence<T, N>,
     pub(super) exponent: Exponent<T>,
     pub(super) spread: Spread<T, N>,
@@ -108,7 +108,6 @@ impl<T: Real, const N: usize> Observer<T, N> {
     }
 
     /// Follows the trajectory to its end.
-    #[inline(always)]
     pub fn follow(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         self.follow_listening(flight, schedule, &mut |_: &Trajectory<T, N>, _: &Event<T>| ());
     }
@@ -136,7 +135,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// Follows the trajectory to the next phase 0 or π, on copies that the compiler can hold in registers;
+    /// Follows the trajectory to the next phase 0 or π, on copies;
     /// `keep` takes the variation back.
     #[inline(always)]
     fn follow_to_phase<V: Variation<T, N>>(
@@ -149,7 +148,10 @@ impl<T: Real, const N: usize> Observer<T, N> {
     ) {
         let mut trajectory = self.trajectory;
         loop {
-            let taken = trajectory.advance_to_event(flight, &mut variation);
+            let taken = trajectory.advance(flight, &mut variation);
+            if taken.event == Event::StepEnd {
+                continue;
+            }
             let at_phase = matches!(taken.event, Event::HalfPeriod | Event::Strobe);
             if at_phase {
                 self.trajectory = trajectory;
@@ -166,8 +168,77 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
+    /// Whether it is at its end.
     #[inline(always)]
-    fn note(&mut self, flight: &Flight<T, N>, schedule: &Schedule, taken: &Move<T>) {
+    pub(super) fn is_done(&self) -> bool {
+        matches!(self.stage, Stage::Observed | Stage::Quiet | Stage::Failed)
+    }
+
+    /// The tangent, while it is carried along.
+    pub(super) fn carried(&self) -> Option<&Tangent<T, N>> {
+        (self.stage == Stage::Observation).then_some(&self.tangent)
+    }
+
+    /// Goes on until the trajectory is at the beginning of a step of free flight, or done; `warily` where the contact
+    /// ahead is known not to be certain.
+    pub(super) fn settle_down(&mut self, flight: &Flight<T, N>, schedule: &Schedule, mut warily: bool) {
+        while !self.is_done() && (warily || !self.trajectory.begins_free_step()) {
+            let taken = if self.stage == Stage::Observation {
+                let mut tangent = self.tangent;
+                let taken = self.move_on(flight, &mut tangent, warily);
+                self.tangent = tangent;
+                taken
+            } else {
+                self.move_on(flight, &mut (), warily)
+            };
+            if taken.event != Event::StepEnd {
+                if self.stage == Stage::Observation {
+                    self.loss.note(flight, &self.trajectory, &taken.event);
+                }
+                self.note(flight, schedule, &taken);
+            }
+            warily = false;
+        }
+    }
+
+    #[inline(always)]
+    fn move_on<V: Variation<T, N>>(
+        &mut self,
+        flight: &Flight<T, N>,
+        variation: &mut V,
+        warily: bool,
+    ) -> Move<T> {
+        if warily {
+            self.trajectory.advance_warily(flight, variation)
+        } else {
+            self.trajectory.advance(flight, variation)
+        }
+    }
+
+    /// Notes an impact from free flight to free flight.
+    #[inline(always)]
+    pub(super) fn pass_impact(&mut self, flight: &Flight<T, N>, schedule: &Schedule, taken: &Move<T>) {
+        if self.stage == Stage::Observation
+            && let Event::Impact(Impact { stop, velocity_before, velocity_after }) = taken.event
+        {
+            self.loss.take(flight, stop, velocity_before, velocity_after);
+        }
+        self.note(flight, schedule, taken);
+    }
+
+    /// Notes that the trajectory came to phase π before its observation: nothing is read there.
+    #[inline(always)]
+    pub(super) fn pass_half_period(&mut self) {
+        self.moves += 1;
+    }
+
+    /// Notes that the trajectory came to phase 0 or π in free flight.
+    pub(super) fn arrive(&mut self, flight: &Flight<T, N>, schedule: &Schedule, event: Event<T>) {
+        self.note(flight, schedule, &Move { time: T::zero(), contact: Contact::FREE, event });
+    }
+
+    #[inline(always)]
+    pub(super) fn note(&mut self, flight: &Flight<T, N>, schedule: &Schedule, taken: &Move<T>) {
         self.moves += 1;
         if !taken.contact.is_free() {
             self.stuck = true;

@@ -6,7 +6,7 @@ mod extents;
 mod gpu;
 mod select;
 
-pub use cpu::{Cpu, Precision, follow, follow_controlled, trace};
+pub use cpu::{Cpu, Precision, Width, follow, follow_all, follow_controlled, trace};
 pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
 pub use extents::{extent, extents};
 pub use gpu::{AdapterReport, Gpu, adapters};

@@ -1,7 +1,7 @@
-//! `impact-atlas adapters`: what the GPU back end can run on.
+//! `impact-atlas adapters`: what the GPU back end can run on, and how the CPU back end does.
 
 use clap::Args;
-use impact_atlas::backend;
+use impact_atlas::backend::{self, Backend, Cpu, Width};
 
 use super::CliError;
 use super::terminal::{print, print_json};
@@ -24,14 +24,16 @@ pub fn run(args: &AdaptersArgs) -> Result<(), CliError> {
     if args.json {
         return print_json(&adapters);
     }
-    if adapters.is_empty() {
-        return print("no adapter was found; --backend cpu needs none");
-    }
-    let lines: Vec<String> = (adapters.iter().enumerate())
+    let mut lines: Vec<String> = (adapters.iter().enumerate())
         .map(|(i, a)| {
             let at = if a.pci.is_empty() { String::new() } else { format!(", {}", a.pci) };
             format!("#{i} {} ({}, {}, {}{at})", a.name, a.kind, a.api, a.driver)
         })
         .collect();
+    if lines.is_empty() {
+        lines.push("no adapter was found; --backend cpu needs none".to_owned());
+    }
+    let abreast = Width::available()[0].instructions();
+    lines.push(format!("--backend cpu: {}, trajectories side by side: {abreast}", Cpu.adapter()));
     print(&lines.join("\n"))
 }

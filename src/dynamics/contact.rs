@@ -6,33 +6,6 @@ use super::stop::{Contact, End};
 use crate::model::vector::{axpy, dot, dot_absolute};
 use crate::model::{ContactNormal, FAR, Flight, Real, State};
 
-/// Whether the step from `from` to `to` provably stays off all stops.
-///
-/// Along each normal d·x lies within h⁴/384·max|(d·x)''''| of its cubic Hermite interpolant, and that within the hull of
-/// its four Bézier points.
-#[inline(always)]
-pub fn clears<T: Real, const N: usize, D: Drive<T, N>>(
-    flight: &Flight<T, N>,
-    from: &Point<T, N, D>,
-    to: &Point<T, N, D>,
-) -> bool {
-    let third = flight.h * T::of(1.0 / 3.0);
-    let h2 = flight.h * flight.h;
-    let widening = (h2 * h2) * T::of(HERMITE);
-    let mut clear = true;
-    for (k, normal) in flight.normals().iter().enumerate() {
-        let margin = widening * from.bound(flight, k);
-        let begins = dot(&normal.direction, &from.state.x);
-        let ends = dot(&normal.direction, &to.state.x);
-        let leaving = begins + third * dot(&normal.direction, &from.state.v);
-        let arriving = ends - third * dot(&normal.direction, &to.state.v);
-        let (upper, lower) = (normal.gap[0] - margin, margin - normal.gap[1]);
-        clear &= begins < upper && leaving < upper && arriving < upper && ends < upper;
-        clear &= begins > lower && leaving > lower && arriving > lower && ends > lower;
-    }
-    clear
-}
-
 /// A time for which the motion from `point` provably stays off all stops but those at the ends that `ignored` includes:
 /// `window` if it does so for all of it, else a time just short of the first contact (0 at the contact itself, moving
 /// outwards).
@@ -230,9 +203,6 @@ pub fn clears_elsewhere<T: Real, const N: usize, D: Drive<T, N>>(
         && safe_time(flight, point, &motion, ignored, time) >= time
         && safe_time(flight, &raised, &motion, ignored, time) >= time
 }
-
-/// The cubic Hermite interpolant's error constant, in h⁴·max|x''''|.
-pub const HERMITE: f64 = 1.0 / 384.0;
 
 /// How far beyond the expected contact the window reaches.
 pub const WIDENING: f64 = 1.25;

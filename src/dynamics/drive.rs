@@ -3,12 +3,16 @@
 use std::fmt::Debug;
 
 use crate::model::vector::axpy;
-use crate::model::{Drive as Constants, Real, State};
+use crate::model::{Drive as Constants, Lanes, Real, State};
 
 /// What drives one coordinate besides the forcing: nothing, or a [`Phasor`].
-pub trait Drive<T, const N: usize>: Copy + Debug + PartialEq {
+pub trait Drive<T: Lanes, const N: usize>: Copy + Debug + PartialEq {
     /// The Taylor series of the drive within one flight.
     type Series: DriveSeries<T, N, Drive = Self>;
+
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[must_use]
+    fn select(mask: T::Mask, yes: Self, no: Self) -> Self;
 
     /// Accelerations with the drive's share.
     #[must_use]
@@ -34,6 +38,10 @@ pub trait Drive<T, const N: usize>: Copy + Debug + PartialEq {
     #[must_use]
     fn nudged(&self, s: T) -> Self;
 
+    /// The drive a time `s` later, so short that its cube is lost in rounding.
+    #[must_use]
+    fn slid(&self, s: T) -> Self;
+
     /// The series of a flight of length `s`.
     fn series(&self, s: T) -> Self::Series;
 }
@@ -55,8 +63,11 @@ pub trait DriveSeries<T, const N: usize>: Copy {
 }
 
 /// No drive, at no cost.
-impl<T, const N: usize> Drive<T, N> for () {
+impl<T: Lanes, const N: usize> Drive<T, N> for () {
     type Series = ();
+
+    #[inline(always)]
+    fn select(_: T::Mask, (): Self, (): Self) -> Self {}
 
     #[inline(always)]
     fn pushed(&self, acceleration: [T; N]) -> [T; N] {
@@ -83,6 +94,9 @@ impl<T, const N: usize> Drive<T, N> for () {
 
     #[inline(always)]
     fn nudged(&self, _: T) -> Self {}
+
+    #[inline(always)]
+    fn slid(&self, _: T) -> Self {}
 
     #[inline(always)]
     fn series(&self, _: T) -> Self::Series {}
@@ -127,6 +141,11 @@ impl<'a, T: Real, const N: usize> Drive<T, N> for Phasor<'a, T, N> {
     type Series = PhasorSeries<'a, T, N>;
 
     #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
     fn pushed(&self, acceleration: [T; N]) -> [T; N] {
         axpy(self.sin, &self.constants.push, &acceleration)
     }
@@ -160,6 +179,17 @@ impl<'a, T: Real, const N: usize> Drive<T, N> for Phasor<'a, T, N> {
     fn nudged(&self, s: T) -> Self {
         let turn = self.constants.omega * s;
         Phasor { sin: self.sin + self.cos * turn, cos: self.cos - self.sin * turn, ..*self }
+    }
+
+    #[inline(always)]
+    fn slid(&self, s: T) -> Self {
+        let turn = self.constants.omega * s;
+        let half = turn * T::of(0.5);
+        Phasor {
+            sin: self.sin + turn * (self.cos - half * self.sin),
+            cos: self.cos - turn * (self.sin + half * self.cos),
+            ..*self
+        }
     }
 
     #[inline(always)]

@@ -6,18 +6,26 @@
 //! off opens. Impacts whose directions are perpendicular in the metric of M⁻¹ commute. Impacts that throw the masses from one
 //! stop to the other, infinitely many in finite time, end with the masses at rest on all of these stops.
 
+mod abreast;
 mod chatter;
 mod contact;
 mod corner;
+mod crossing;
 mod drive;
+mod leg;
+mod near;
 mod placing;
 mod point;
+mod quintic;
 mod recording;
 mod series;
+mod sticking;
 mod stop;
+mod striking;
 mod tangent;
 mod trajectory;
 
+pub use abreast::Abreast;
 pub use contact::holds;
 pub use drive::{Drive, DriveSeries, Phasor};
 pub use point::{Motion, Point};
@@ -29,7 +37,10 @@ pub use trajectory::{Event, Impact, Move, Trajectory};
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::chatter::{DRAGGED, SLOW, STEADY};
-    pub use super::contact::{HERMITE, ROUNDINGS, WIDENING};
+    pub use super::contact::{ROUNDINGS, WIDENING};
+    pub use super::crossing::WIDER;
+    pub use super::leg::SWELLING;
+    pub use super::quintic::STEPS as NEWTON_STEPS;
     pub use super::series::INVERSE_FACTORIALS;
     pub use super::trajectory::{MOST_KICKS, MOST_MOVES};
     pub use crate::model::FAR;

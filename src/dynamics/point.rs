@@ -3,8 +3,8 @@
 use super::drive::{Drive, DriveSeries};
 use super::series::{INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
-use crate::model::vector::{MOST, added, applied, axpy, dot, dot_absolute, scaled};
-use crate::model::{Flight, Real, State};
+use crate::model::vector::{MOST, absolute_onto, applied_onto, axpy, dot, scaled};
+use crate::model::{Flight, Lanes, Real, State};
 
 /// State and forcing phasor at one instant, and that of a second force where there is one; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,27 +52,82 @@ impl<T: Real, const N: usize> Point<T, N> {
     }
 }
 
-impl<T: Real, const N: usize, D: Drive<T, N>> Point<T, N, D> {
+impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[inline(always)]
+    pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
+        Point {
+            state: State::select(mask, &yes.state, &no.state),
+            sin: L::select(mask, yes.sin, no.sin),
+            cos: L::select(mask, yes.cos, no.cos),
+            one: yes.one,
+            drive: D::select(mask, yes.drive, no.drive),
+        }
+    }
+
     /// The point one whole step h of free flight later.
     #[inline(always)]
-    pub fn stepped(&self, flight: &Flight<T, N>) -> Self {
-        let mut state = flight.gamma_one.scaled(self.one);
-        state = state.plus(self.sin, &flight.gamma_sin).plus(self.cos, &flight.gamma_cos);
-        for (column, &x) in flight.phi_x.iter().zip(&self.state.x) {
-            state = state.plus(x, column);
+    pub fn stepped(&self, flight: &Flight<L, N>) -> Self {
+        let forced = flight.gamma_one.scaled(self.one);
+        let forced = forced.plus(self.sin, &flight.gamma_sin).plus(self.cos, &flight.gamma_cos);
+        let mut flown = flight.phi_x[0].scaled(self.state.x[0]);
+        for i in 1..N {
+            flown = flown.plus(self.state.x[i], &flight.phi_x[i]);
         }
-        for (column, &v) in flight.phi_v.iter().zip(&self.state.v) {
-            state = state.plus(v, column);
+        for i in 0..N {
+            flown = flown.plus(self.state.v[i], &flight.phi_v[i]);
         }
         Point {
-            state: self.drive.carried(state),
-            sin: self.sin * flight.turn_cos + self.cos * flight.turn_sin,
-            cos: self.cos * flight.turn_cos - self.sin * flight.turn_sin,
+            state: self.drive.carried(forced.added(&flown)),
+            sin: self.sin.times_plus(flight.turn_cos, self.cos * flight.turn_sin),
+            cos: self.cos.times_plus(flight.turn_cos, -(self.sin * flight.turn_sin)),
             one: self.one,
             drive: self.drive.stepped(),
         }
     }
 
+    /// The point with the speed along a normal changed by `kick` a time `s` ≤ h ago: flight is linear, so the change
+    /// just adds.
+    #[inline(always)]
+    pub fn kicked(&self, flight: &Flight<L, N>, normal: usize, kick: L, s: L) -> Self {
+        let u = s * flight.inverse_h;
+        let terms = &flight.normals[normal].kick;
+        let mut sum = terms[L::Real::ORDER];
+        for k in (0..L::Real::ORDER).rev() {
+            sum = terms[k].plus(u, &sum);
+        }
+        Point { state: self.state.plus(kick, &sum), ..*self }
+    }
+
+    /// x'' in free flight.
+    #[inline(always)]
+    pub fn accelerations(&self, flight: &Flight<L, N>) -> [L; N] {
+        let forced = axpy(self.sin, &flight.sin, &scaled(self.one, &flight.load));
+        let forced = axpy(self.cos, &flight.cos, &forced);
+        let pulled = applied_onto(&flight.stiffness, &self.state.x, &forced);
+        self.drive.pushed(applied_onto(&flight.damping, &self.state.v, &pulled))
+    }
+
+    /// x''' in free flight, from x''.
+    #[inline(always)]
+    pub fn jerks(&self, flight: &Flight<L, N>, acceleration: &[L; N]) -> [L; N] {
+        let turned = scaled(-(flight.omega * self.sin), &flight.cos);
+        let forced = axpy(flight.omega * self.cos, &flight.sin, &turned);
+        let pulled = applied_onto(&flight.stiffness, &self.state.v, &forced);
+        self.drive.jerked(applied_onto(&flight.damping, acceleration, &pulled))
+    }
+
+    /// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for the rest
+    /// of the step.
+    #[inline(always)]
+    pub fn bound(&self, flight: &Flight<L, N>, normal: usize) -> L {
+        let along = &flight.normals[normal];
+        let moved = absolute_onto(&along.bound_x, &self.state.x, along.bound_forcing);
+        self.drive.bounded(normal, absolute_onto(&along.bound_v, &self.state.v, moved))
+    }
+}
+
+impl<T: Real, const N: usize, D: Drive<T, N>> Point<T, N, D> {
     /// The point a time `s` ≤ h later with the contacts that hold, by the Taylor polynomial of the equations of motion.
     ///
     /// The terms are kept as Vₖ = v⁽ᵏ⁾ sᵏ, which obey a recurrence of second order; 1/k! comes from a table.
@@ -120,19 +175,6 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Point<T, N, D> {
         }
     }
 
-    /// The point with the speed along a normal changed by `kick` a time `s` ≤ h ago: flight is linear, so the change
-    /// just adds.
-    #[inline(always)]
-    pub fn kicked(&self, flight: &Flight<T, N>, normal: usize, kick: T, s: T) -> Self {
-        let u = s * flight.inverse_h;
-        let terms = &flight.normals[normal].kick;
-        let mut sum = terms[T::ORDER];
-        for k in (0..T::ORDER).rev() {
-            sum = terms[k].plus(u, &sum);
-        }
-        Point { state: self.state.plus(kick, &sum), ..*self }
-    }
-
     /// The point a time `s` later, so short that its square is lost in rounding.
     #[inline(always)]
     pub fn nudged(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
@@ -150,38 +192,12 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Point<T, N, D> {
         }
     }
 
-    /// x'' in free flight.
-    #[inline(always)]
-    pub fn accelerations(&self, flight: &Flight<T, N>) -> [T; N] {
-        let inner =
-            added(&applied(&flight.stiffness, &self.state.x), &applied(&flight.damping, &self.state.v));
-        let load = scaled(self.one, &flight.load);
-        let outer = axpy(self.cos, &flight.cos, &axpy(self.sin, &flight.sin, &load));
-        self.drive.pushed(added(&inner, &outer))
-    }
-
     /// What decides when a stop can be reached, or left.
     #[inline(always)]
     pub fn motion(&self, flight: &Flight<T, N>, contact: Contact) -> Motion<T, N> {
         let (acceleration, pressing) = held(flight, contact, self.accelerations(flight));
-        let inner =
-            added(&applied(&flight.stiffness, &self.state.v), &applied(&flight.damping, &acceleration));
-        let outer =
-            axpy(flight.omega * self.cos, &flight.sin, &scaled(-(flight.omega * self.sin), &flight.cos));
-        let jerk = self.drive.jerked(added(&inner, &outer));
-        let (jerk, pressing_rate) = held(flight, contact, jerk);
+        let (jerk, pressing_rate) = held(flight, contact, self.jerks(flight, &acceleration));
         Motion { acceleration, jerk, pressing, pressing_rate }
-    }
-
-    /// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for the rest
-    /// of the step.
-    #[inline(always)]
-    pub fn bound(&self, flight: &Flight<T, N>, normal: usize) -> T {
-        let along = &flight.normals[normal];
-        let bound = dot_absolute(&along.bound_x, &self.state.x)
-            + dot_absolute(&along.bound_v, &self.state.v)
-            + along.bound_forcing;
-        self.drive.bounded(normal, bound)
     }
 
     /// How a motion from here goes on along a normal.

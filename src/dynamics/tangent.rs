@@ -3,8 +3,8 @@
 use super::point::held;
 use super::series::{INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
-use crate::model::vector::{axpy, dot};
-use crate::model::{Flight, Real, State};
+use crate::model::vector::{applied, applied_onto, axpy, dot, scaled, scaled_columns};
+use crate::model::{Flight, Lanes, Real, State};
 
 /// An impact as a deviation meets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +21,23 @@ pub struct Saltation<T, const N: usize> {
     pub after: [T; N],
     /// The contacts that hold after it.
     pub contact: Contact,
+}
+
+/// An impact that ends in flight, as deviations in lanes meet it.
+#[derive(Clone, Copy, Debug)]
+pub struct Struck<L, const N: usize> {
+    /// d.
+    pub direction: [L; N],
+    /// M⁻¹d/(dᵀM⁻¹d).
+    pub response: [L; N],
+    /// d·v−.
+    pub velocity: L,
+    /// d·v+ − d·v−.
+    pub kick: L,
+    /// x'' before it.
+    pub before: [L; N],
+    /// x'' after it.
+    pub after: [L; N],
 }
 
 /// What is carried along with a trajectory: nothing, a tangent vector, or several of them.
@@ -87,19 +104,95 @@ pub struct Tangent<T, const N: usize>(pub State<T, N>);
 impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
     #[inline(always)]
     fn stepped(&self, flight: &Flight<T, N>) -> Self {
-        let mut state = flight.phi_x[0].scaled(self.0.x[0]);
-        for (column, &x) in flight.phi_x.iter().zip(&self.0.x).skip(1) {
-            state = state.plus(x, column);
-        }
-        for (column, &v) in flight.phi_v.iter().zip(&self.0.v) {
-            state = state.plus(v, column);
-        }
-        Tangent(state)
+        self.stepped_freely(flight)
     }
 
     /// See [`Point::flown`](super::Point::flown).
     #[inline(always)]
     fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
+        if contact.is_free() { self.flown_freely(flight, s) } else { self.flown_held(flight, s, contact) }
+    }
+
+    /// A deviation d·ξ shifts the impact by −d·ξ/d·v−; what differs on either side of it (v along the response, and x'')
+    /// acts for that long.
+    #[inline(always)]
+    fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self {
+        let normal = &flight.normals[impact.normal];
+        let struck = self.struck_freely(&Struck {
+            direction: normal.direction,
+            response: normal.response,
+            velocity: impact.velocity,
+            kick: impact.kick,
+            before: impact.before,
+            after: impact.after,
+        });
+        if impact.contact.is_free() { struck } else { struck.caught(flight, impact.contact) }
+    }
+
+    /// What the deviation had along the normals that hold is lost.
+    #[inline(always)]
+    fn caught(&self, flight: &Flight<T, N>, contact: Contact) -> Self {
+        Tangent(State { x: held(flight, contact, self.0.x).0, v: held(flight, contact, self.0.v).0 })
+    }
+}
+
+impl<L: Lanes, const N: usize> Tangent<L, N> {
+    /// One whole step h of free flight later.
+    #[inline(always)]
+    #[must_use]
+    pub fn stepped_freely(&self, flight: &Flight<L, N>) -> Self {
+        let mut state = flight.phi_x[0].scaled(self.0.x[0]);
+        for i in 1..N {
+            state = state.plus(self.0.x[i], &flight.phi_x[i]);
+        }
+        for i in 0..N {
+            state = state.plus(self.0.v[i], &flight.phi_v[i]);
+        }
+        Tangent(state)
+    }
+
+    /// A time `s` ≤ h of free flight later, with as many Taylor terms in every lane; see
+    /// [`Point::flown_near`](super::Point::flown_near).
+    #[inline(always)]
+    #[must_use]
+    pub fn flown_freely(&self, flight: &Flight<L, N>, s: L) -> Self {
+        let square = s * s;
+        let springs = scaled_columns(square, &flight.stiffness);
+        let dampers = scaled_columns(s, &flight.damping);
+        let mut before = self.0.v;
+        let pulled = scaled(s, &applied(&flight.stiffness, &self.0.x));
+        let mut last = applied_onto(&dampers, &before, &pulled);
+        let mut velocity = before;
+        let mut mean = before;
+        for k in 1..=L::Real::ORDER {
+            velocity = axpy(s.all(INVERSE_FACTORIALS[k]), &last, &velocity);
+            mean = axpy(s.all(INVERSE_FACTORIALS[k + 1]), &last, &mean);
+            let pulled = applied(&springs, &before);
+            (before, last) = (last, applied_onto(&dampers, &last, &pulled));
+        }
+        Tangent(State { x: axpy(s, &mean, &self.0.x), v: velocity })
+    }
+
+    /// Just after an impact that ends in flight; see [`Variation::struck`].
+    #[inline(always)]
+    #[must_use]
+    pub fn struck_freely(&self, struck: &Struck<L, N>) -> Self {
+        let shift = dot(&struck.direction, &self.0.x) / struck.velocity;
+        // −(1 + r), as it acted.
+        let factor = struck.kick / struck.velocity;
+        let along = dot(&struck.direction, &self.0.v) - dot(&struck.direction, &struck.before) * shift;
+        let mut v = axpy(factor * along, &struck.response, &self.0.v);
+        for (v, (after, before)) in v.iter_mut().zip(struck.after.iter().zip(&struck.before)) {
+            *v = *v + (*after - *before) * shift;
+        }
+        Tangent(State { x: axpy(struck.kick * shift, &struck.response, &self.0.x), v })
+    }
+}
+
+impl<T: Real, const N: usize> Tangent<T, N> {
+    /// See [`Point::flown`](super::Point::flown).
+    #[inline(never)]
+    fn flown_held(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
         let series = Series::new(flight, s);
         let mut before = self.0.v;
         let mut last = held(flight, contact, series.first(flight, &self.0.x, &before)).0;
@@ -120,31 +213,6 @@ impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
         Tangent(State { x: axpy(s, &mean, &self.0.x), v: velocity })
     }
 
-    /// A deviation d·ξ shifts the impact by −d·ξ/d·v−; what differs on either side of it (v along the response, and x'')
-    /// acts for that long.
-    #[inline(always)]
-    fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self {
-        let normal = &flight.normals[impact.normal];
-        let shift = dot(&normal.direction, &self.0.x) / impact.velocity;
-        // −(1 + r), as it acted.
-        let factor = impact.kick / impact.velocity;
-        let along = dot(&normal.direction, &self.0.v) - dot(&normal.direction, &impact.before) * shift;
-        let v = axpy(factor * along, &normal.response, &self.0.v);
-        let struck = Tangent(State {
-            x: axpy(impact.kick * shift, &normal.response, &self.0.x),
-            v: std::array::from_fn(|i| v[i] + (impact.after[i] - impact.before[i]) * shift),
-        });
-        if impact.contact.is_free() { struck } else { struck.caught(flight, impact.contact) }
-    }
-
-    /// What the deviation had along the normals that hold is lost.
-    #[inline(always)]
-    fn caught(&self, flight: &Flight<T, N>, contact: Contact) -> Self {
-        Tangent(State { x: held(flight, contact, self.0.x).0, v: held(flight, contact, self.0.v).0 })
-    }
-}
-
-impl<T: Real, const N: usize> Tangent<T, N> {
     /// The deviation every measurement begins with: all components alike, of unit length.
     pub fn seed() -> Self {
         let one = T::one();

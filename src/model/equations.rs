@@ -48,12 +48,15 @@ impl<const N: usize> Normal<N> {
     /// Lets stops that differ by rounding alone touch each other: they clamp the masses.
     fn close(&mut self) {
         if let [Some(upper), Some(lower)] = &mut self.ends {
-            let rounding = 8.0 * f64::EPSILON * (upper.gap.abs() + lower.gap.abs());
-            if (upper.gap + lower.gap).abs() <= rounding {
-                lower.gap = -upper.gap;
-            }
+            lower.gap = closed([upper.gap, lower.gap]);
         }
     }
+}
+
+/// The gap at the lower end of a normal: what closes it exactly where rounding alone leaves it open.
+pub(super) fn closed([upper, lower]: [f64; 2]) -> f64 {
+    let rounding = 8.0 * f64::EPSILON * (upper.abs() + lower.abs());
+    if (upper + lower).abs() <= rounding { -upper } else { lower }
 }
 
 /// A stop at one end of a contact normal.

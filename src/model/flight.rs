@@ -217,11 +217,11 @@ impl<const N: usize> Flight<f64, N> {
     }
 }
 
-impl<T: Real, const N: usize> Flight<T, N> {
-    /// A flight of so many normals in which every number is 0: what a layout is read from.
-    pub fn blank(count: usize) -> Self {
-        let zero = T::zero();
+impl<T: Copy, const N: usize> Flight<T, N> {
+    /// A flight of so many normals in which every number is `zero`: what a layout is read from, or lanes are filled into.
+    pub fn blank(count: usize, zero: T) -> Self {
         let vectors = [[zero; N]; N];
+        let state = State { x: [zero; N], v: [zero; N] };
         Flight {
             steps: 0,
             h: zero,
@@ -230,23 +230,23 @@ impl<T: Real, const N: usize> Flight<T, N> {
             turn_cos: zero,
             omega: zero,
             rate: zero,
-            phi_x: [State::zero(); N],
-            phi_v: [State::zero(); N],
-            gamma_sin: State::zero(),
-            gamma_cos: State::zero(),
-            gamma_one: State::zero(),
+            phi_x: [state; N],
+            phi_v: [state; N],
+            gamma_sin: state,
+            gamma_cos: state,
+            gamma_one: state,
             stiffness: vectors,
             damping: vectors,
             sin: [zero; N],
             cos: [zero; N],
             load: [zero; N],
-            normals: [ContactNormal::none().round(); MOST],
+            normals: [ContactNormal::blank(zero); MOST],
             count,
             pressing: [[[zero; MOST]; MOST]; 1 << MOST],
             quiet: Quiet {
                 exists: false,
                 decays: false,
-                forced: State::zero(),
+                forced: state,
                 xx: vectors,
                 xv: vectors,
                 vv: vectors,
@@ -255,7 +255,9 @@ impl<T: Real, const N: usize> Flight<T, N> {
             linear_exponent: zero,
         }
     }
+}
 
+impl<T: Real, const N: usize> Flight<T, N> {
     /// The contact normals.
     #[inline(always)]
     pub fn normals(&self) -> &[ContactNormal<T, N>] {
@@ -263,24 +265,31 @@ impl<T: Real, const N: usize> Flight<T, N> {
     }
 }
 
+impl<T: Copy, const N: usize> ContactNormal<T, N> {
+    fn blank(zero: T) -> Self {
+        let vector = [zero; N];
+        ContactNormal {
+            direction: vector,
+            response: vector,
+            mass: zero,
+            gap: [zero; 2],
+            restitution: [zero; 2],
+            stop: [0; 2],
+            bound_x: vector,
+            bound_v: vector,
+            bound_forcing: zero,
+            kick: [State { x: vector, v: vector }; KICK_TERMS],
+            drag: zero,
+            coupling: zero,
+            reach: [zero; 2],
+            stretch: zero,
+        }
+    }
+}
+
 impl<const N: usize> ContactNormal<f64, N> {
     fn none() -> Self {
-        ContactNormal {
-            direction: [0.0; N],
-            response: [0.0; N],
-            mass: 0.0,
-            gap: [FAR; 2],
-            restitution: [0.0; 2],
-            stop: [0; 2],
-            bound_x: [0.0; N],
-            bound_v: [0.0; N],
-            bound_forcing: 0.0,
-            kick: [State::zero(); KICK_TERMS],
-            drag: 0.0,
-            coupling: 0.0,
-            reach: [FAR; 2],
-            stretch: 0.0,
-        }
+        ContactNormal { gap: [FAR; 2], reach: [FAR; 2], ..ContactNormal::blank(0.0) }
     }
 
     fn round<T: Real>(&self) -> ContactNormal<T, N> {

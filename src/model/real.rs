@@ -4,14 +4,23 @@ use std::fmt::Debug;
 
 use num_traits::Float;
 
+use super::lanes::Lanes;
+
 /// A floating-point type that trajectories are computed in.
 ///
 /// Tolerances that depend on the precision live here, in one place; the GPU's shader gets the f32 ones generated.
-pub trait Real: Float + Debug + Send + Sync + 'static {
+pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask = bool> {
+    /// The distance from 1 to the next larger number.
+    const EPSILON: f64;
     /// Taylor terms below this share of the largest are left out of a flight.
     const TRUNCATION: f64;
     /// The largest order of a flight's Taylor polynomial.
     const ORDER: usize;
+    /// The order of the Taylor polynomial by which a contact is reached from the nearer end of a step.
+    const CONTACT_ORDER: usize;
+    /// What may be left of the way to a contact after that, in units of the fastest motion's time scale: its cube is lost in
+    /// rounding.
+    const STRAIGHT: f64;
     /// A gap below this multiple of δ is contact.
     const TOUCH: f64;
     /// Contact less than this far ahead, in units of the fastest motion's time scale, is reached in one straight line.
@@ -34,8 +43,11 @@ pub trait Real: Float + Debug + Send + Sync + 'static {
 }
 
 impl Real for f64 {
+    const EPSILON: f64 = f64::EPSILON;
     const TRUNCATION: f64 = 2e-16;
     const ORDER: usize = 17;
+    const CONTACT_ORDER: usize = 13;
+    const STRAIGHT: f64 = 1e-5;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
     const CHATTER: f64 = 1e-13;
@@ -55,8 +67,11 @@ impl Real for f64 {
 }
 
 impl Real for f32 {
+    const EPSILON: f64 = f32::EPSILON as f64;
     const TRUNCATION: f64 = 1e-8;
     const ORDER: usize = 10;
+    const CONTACT_ORDER: usize = 8;
+    const STRAIGHT: f64 = 3e-3;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
     const IMMINENT: f64 = 1e-4;
     const CHATTER: f64 = 3e-9;

@@ -1,7 +1,8 @@
 //! Displacements and velocities.
 
+use super::lanes::Lanes;
 use super::real::Real;
-use super::vector::{MOST, added, axpy, scaled};
+use super::vector::{MOST, added, axpy, scaled, select};
 
 /// Displacements and velocities of N coordinates, or a deviation of them; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,27 +47,6 @@ impl<T: Real, const N: usize> State<T, N> {
         self.values().all(|value| value.is_finite())
     }
 
-    /// self + a other.
-    #[inline(always)]
-    #[must_use]
-    pub fn plus(&self, a: T, other: &Self) -> Self {
-        State { x: axpy(a, &other.x, &self.x), v: axpy(a, &other.v, &self.v) }
-    }
-
-    /// self + other.
-    #[inline(always)]
-    #[must_use]
-    pub fn added(&self, other: &Self) -> Self {
-        State { x: added(&self.x, &other.x), v: added(&self.v, &other.v) }
-    }
-
-    /// a self.
-    #[inline(always)]
-    #[must_use]
-    pub fn scaled(&self, a: T) -> Self {
-        State { x: scaled(a, &self.x), v: scaled(a, &self.v) }
-    }
-
     /// Each component by itself.
     #[inline(always)]
     pub fn map<U>(&self, f: impl Fn(T) -> U + Copy) -> State<U, N> {
@@ -81,6 +61,51 @@ impl<T: Real, const N: usize> State<T, N> {
             squares = squares + (self.x[i] * self.x[i] + self.v[i] * self.v[i]);
         }
         squares.sqrt()
+    }
+}
+
+impl<L: Lanes, const N: usize> State<L, N> {
+    /// self + a other.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(&self, a: L, other: &Self) -> Self {
+        State { x: axpy(a, &other.x, &self.x), v: axpy(a, &other.v, &self.v) }
+    }
+
+    /// self + other.
+    #[inline(always)]
+    #[must_use]
+    pub fn added(&self, other: &Self) -> Self {
+        State { x: added(&self.x, &other.x), v: added(&self.v, &other.v) }
+    }
+
+    /// a self.
+    #[inline(always)]
+    #[must_use]
+    pub fn scaled(&self, a: L) -> Self {
+        State { x: scaled(a, &self.x), v: scaled(a, &self.v) }
+    }
+
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[inline(always)]
+    #[must_use]
+    pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
+        State { x: select(mask, &yes.x, &no.x), v: select(mask, &yes.v, &no.v) }
+    }
+
+    /// The state in one lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> State<L::Real, N> {
+        State { x: self.x.map(|value| value.lane(lane)), v: self.v.map(|value| value.lane(lane)) }
+    }
+
+    /// Puts a state into one lane.
+    #[inline(always)]
+    pub fn set_lane(&mut self, lane: usize, state: &State<L::Real, N>) {
+        for i in 0..N {
+            self.x[i].set_lane(lane, state.x[i]);
+            self.v[i].set_lane(lane, state.v[i]);
+        }
     }
 }
 

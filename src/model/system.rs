@@ -212,6 +212,20 @@ impl System {
         self.plant.mirror().map(|mirror| mirror.matrix)
     }
 
+    /// Which stops have the same gap, per length of their direction, and the same restitution, within a few ulps: one value
+    /// for each pair. Systems with the same flow and the same values have the same mirror.
+    pub(super) fn mirrored_stops(&self) -> impl Iterator<Item = u64> + '_ {
+        let measures: Vec<[f64; 2]> = (self.plant.stops.iter())
+            .map(|stop| [stop.gap / stop.direction.norm(), stop.restitution])
+            .collect();
+        let alike = move |i: usize, j: usize| {
+            let near = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
+            near(measures[i][0], measures[j][0]) && near(measures[i][1], measures[j][1])
+        };
+        let count = self.plant.stops.len();
+        (0..count).flat_map(move |i| (0..i).map(move |j| (i, j))).map(move |(i, j)| u64::from(alike(i, j)))
+    }
+
     /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.
     pub fn contraction(&self) -> f64 {
         let inverse = self.plant.mass.clone().try_inverse();

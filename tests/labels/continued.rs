@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::common::oracle::follow::Period;
 use super::common::oracle::{Follower, Plant};
-use super::{at, job, schedule};
+use super::{at, beside, job, schedule};
 
 /// How closely a strobe state must return, and how far from itself it must be after a divisor of N.
 const SAME: f64 = 2e-6;
@@ -70,7 +70,7 @@ fn every_label_of_a_plane_is_what_the_oracle_continues() {
 fn wrong_labels_are_seen_to_be_wrong() {
     // Taken for what its returns within a ten-thousandth say, a decaying alternation fails.
     let alternating = job(at(1.338_983_050_847_457_6, 0.14));
-    let once = follow::<f64>(&alternating, &schedule(300));
+    let once = follow::<f64>(&beside(&alternating), &schedule(10));
     let right = decide(&Cpu, std::slice::from_ref(&alternating), &schedule(300), &Unwatched).unwrap()[0];
     let naive = Verdict { n: once.returning, counts: Counts::new(&[2 * right.p(), 2 * right.q()]), ..once };
     assert!(fault(&alternating, &naive).unwrap().contains("off"));

@@ -9,7 +9,7 @@ mod mirrored;
 mod named;
 
 use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Backend, Job, Unwatched, decide};
+use impact_atlas::backend::{Backend, Cpu, Job, Unwatched, decide};
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::Start;
 
@@ -23,6 +23,13 @@ fn job(parameters: Parameters) -> Job {
     let system = System::new(parameters).unwrap();
     let start = Start::Symmetric.state(&system);
     Job { system, start }
+}
+
+/// The same system, a thousandth beside the motion that it settles on.
+fn beside(job: &Job) -> Job {
+    let mut start = decided(&Cpu, job, 300).state;
+    start[2] += 1e-3;
+    Job { system: job.system.clone(), start }
 }
 
 fn at(omega: f64, delta: f64) -> Parameters {

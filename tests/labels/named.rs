@@ -5,7 +5,7 @@ use impact_atlas::backend::{Backend, Cpu, Gpu, follow};
 use impact_atlas::model::Parameters;
 use impact_atlas::theory::SettledMotion;
 
-use super::{at, decided, job, schedule};
+use super::{at, beside, decided, job, schedule};
 
 fn on_both(check: impl Fn(&dyn Backend)) {
     check(&Cpu);
@@ -37,10 +37,10 @@ fn a_decaying_alternation_is_no_period() {
 
 #[test]
 fn the_alternation_does_return_and_one_look_leaves_it_open() {
-    // The trap that the test above is about: within a ten-thousandth the state comes back after two periods.
+    // The trap that the test above is about: within a ten-thousandth the state comes back after two periods, for a while.
     for (omega, delta, ..) in ALTERNATING {
-        let verdict = follow::<f64>(&job(at(omega, delta)), &schedule(300));
-        assert_eq!((verdict.regime, verdict.returning), (Regime::Unresolved, 2));
+        let once = follow::<f64>(&beside(&job(at(omega, delta))), &schedule(10));
+        assert_eq!((once.regime, once.returning), (Regime::Unresolved, 2));
     }
 }
 
@@ -68,7 +68,9 @@ fn a_period_with_a_positive_exponent_is_looked_at_for_longer() {
         let verdict = decided(backend, &system, 300);
         assert_eq!(verdict.label(), "28-28-52", "{}", backend.name());
         // What the observation measured of the way there is no part of it.
-        assert!((verdict.lyapunov + 0.0256).abs() < 1e-3, "{}", verdict.lyapunov);
+        // (In single precision the motion is that of a parameter a rounding away, in a window that is narrow.)
+        let within = if backend.name() == "gpu" { 5e-3 } else { 1e-4 };
+        assert!((verdict.lyapunov + 0.0256).abs() < within, "{}", verdict.lyapunov);
     });
 }
 

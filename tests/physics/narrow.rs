@@ -13,7 +13,7 @@ use crate::stops::{Touches, touches_of};
 const PERIODS: u32 = 6;
 
 /// The most roundings of one flight by which x1 may lie beyond a stop.
-const ROUNDINGS: f64 = 4.0;
+const ROUNDINGS: f64 = 16.0;
 
 fn setups() -> Vec<Setup> {
     let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0003);

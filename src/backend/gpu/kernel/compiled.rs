@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::device::compiled;
 use crate::backend::BackendError;
-use crate::backend::gpu::shader::{self, Shape};
+use crate::backend::gpu::shader::{self, Residence, Shape};
 
 /// A compiled kernel, and the size of what it keeps of a trajectory.
 pub struct Compiled {
@@ -15,10 +15,17 @@ pub struct Compiled {
 }
 
 /// Every kernel that was compiled so far.
-#[derive(Default)]
-pub struct Library(Mutex<HashMap<(shader::Kernel, Shape), Arc<Compiled>>>);
+pub struct Library {
+    residence: Residence,
+    compiled: Mutex<HashMap<(shader::Kernel, Shape), Arc<Compiled>>>,
+}
 
 impl Library {
+    /// An empty library of kernels that keep the constants of a cell there.
+    pub fn new(residence: Residence) -> Self {
+        Library { residence, compiled: Mutex::default() }
+    }
+
     /// The kernel for a shape, compiled if it is needed for the first time.
     pub fn get(
         &self,
@@ -26,11 +33,11 @@ impl Library {
         kernel: shader::Kernel,
         shape: Shape,
     ) -> Result<Arc<Compiled>, BackendError> {
-        let mut library = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut library = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(compiled) = library.get(&(kernel, shape)) {
             return Ok(compiled.clone());
         }
-        let source = shader::source(kernel, &shape);
+        let source = shader::source(kernel, &shape, self.residence);
         let state = size_of_state(&source, kernel.state());
         let pipeline = compiled(device, kernel.entry(), source)?;
         let compiled = Arc::new(Compiled { pipeline, state });

@@ -8,7 +8,7 @@ use wgpu::util::DeviceExt;
 use super::Kernel;
 use super::compiled::Compiled;
 use super::device::guarded;
-use super::drive::{ITERATIONS, Portion, Program, ROW};
+use super::drive::{MOVE, Portion, Program, ROW};
 use super::follow::shape_of;
 use crate::backend::gpu::layout::{Control, ControlDispatch, ControlSchedule, Outcome};
 use crate::backend::gpu::shader::{self, WORKGROUP};
@@ -21,8 +21,7 @@ use crate::model::Real;
 fn iterations(schedule: &control::ControlSchedule) -> u32 {
     let reach = schedule.max_period;
     let kept = reach.max(LONGEST_DELAY as u32) + 1;
-    ITERATIONS
-        + 4 * <f32 as Real>::ORDER as u32
+    MOVE + 4 * <f32 as Real>::ORDER as u32
         + kept
         + 4 * DELAYS as u32
         + 5 * reach

@@ -8,22 +8,24 @@ use super::Kernel;
 use super::compiled::Compiled;
 use super::device::guarded;
 use super::tile::Tile;
-use crate::backend::gpu::layout::Record;
+use crate::backend::gpu::layout::{KICK_TERMS, Record};
 use crate::backend::{BackendError, Job, Watch};
 use crate::model::Real;
+use crate::model::vector::MOST;
 
 /// How long one dispatch should take; a display driver kills one of a few seconds.
 const PORTION: Duration = Duration::from_millis(200);
 /// Moves of the first dispatch, before its speed is known.
-const FIRST_BUDGET: u32 = 128;
+const FIRST_BUDGET: u32 = 32;
 /// The most moves of one dispatch on hardware.
 const HARDWARE_BUDGET: u32 = 1 << 14;
-/// Loop iterations in one move: the loop of the moves itself, and every place where a series is summed. Lanes that
-/// diverge go through all of them, one after the other.
-pub const ITERATIONS: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
-/// Loop iterations of one dispatch on a software adapter: Mesa's stop every loop in silence after 65,535 iterations
-/// of all the loops in an invocation. (The kernel counts a trajectory that was cut short as failed.)
-const SOFTWARE_ITERATIONS: u32 = 65_535;
+/// Loop iterations in one move: its own loop, and every place where a series is summed. Lanes that diverge go through all of
+/// them, one after the other.
+pub const MOVE: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
+/// Loop iterations of one dispatch on a software adapter, beside those that fetch the constants of a cell: Mesa's stop every
+/// loop in silence after 65,535 iterations of all the loops in an invocation. (The kernel counts a trajectory that was cut
+/// short as failed.)
+const SOFTWARE_ITERATIONS: u32 = 65_535 - (MOST * KICK_TERMS) as u32;
 /// Workgroups in one row of a dispatch; every adapter takes at least 65,535.
 pub const ROW: u32 = 1 << 15;
 

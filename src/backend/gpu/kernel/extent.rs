@@ -4,7 +4,7 @@ use wgpu::util::DeviceExt;
 
 use super::Kernel;
 use super::device::guarded;
-use super::drive::{ITERATIONS, Portion, Program, ROW};
+use super::drive::{MOVE, Portion, Program, ROW};
 use super::follow::shape_of;
 use crate::analysis;
 use crate::backend::gpu::layout::{Extent, ExtentDispatch};
@@ -13,7 +13,7 @@ use crate::backend::{BackendError, Job, Watch};
 use crate::model::Real;
 
 /// A move, and the two flights that measure it.
-const WITH_FLIGHTS: u32 = ITERATIONS + 2 * <f32 as Real>::ORDER as u32;
+const WITH_FLIGHTS: u32 = MOVE + 2 * <f32 as Real>::ORDER as u32;
 
 impl Kernel {
     /// Follows one tile of trajectories, each for so many forcing periods.

@@ -2,11 +2,16 @@
 
 use super::Kernel;
 use super::compiled::Compiled;
-use super::drive::{ITERATIONS, Portion, Program, ROW};
+use super::drive::{MOVE, Portion, Program, ROW};
 use crate::analysis;
+use crate::analysis::constants::{CLEAR_STEPS, ROUNDS, TURNS};
 use crate::backend::gpu::layout::{Dispatch, Schedule, Verdict};
 use crate::backend::gpu::shader::{self, Shape, WORKGROUP};
 use crate::backend::{BackendError, Job, Watch};
+
+/// Loop iterations in what the kernel counts as one move: turns of rounds in the transient, others under observation, and
+/// what is rare after them.
+const TURN: u32 = 2 * TURNS * (1 + ROUNDS * (2 + CLEAR_STEPS)) + MOVE;
 
 impl Kernel {
     /// Follows one tile of trajectories.
@@ -25,7 +30,7 @@ impl Kernel {
         };
         let Some(shape) = shape_of(jobs)? else { return Ok(Vec::new()) };
         let pipeline = self.library.get(&self.device, shader::Kernel::Follow, shape)?;
-        let program = self.observing(&pipeline, &[], &dispatch);
+        let program = self.observing(&pipeline, TURN, &[], &dispatch);
         let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
         Ok(verdicts.iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect())
     }
@@ -34,10 +39,11 @@ impl Kernel {
     pub(super) fn observing<'a, D>(
         &self,
         pipeline: &'a Compiled,
+        iterations: u32,
         more: &'a [&'a wgpu::Buffer],
         dispatch: &'a dyn Fn(Portion) -> D,
     ) -> Program<'a, D> {
-        Program { pipeline, iterations: ITERATIONS, more, dispatch }
+        Program { pipeline, iterations, more, dispatch }
     }
 }
 

@@ -11,6 +11,7 @@ mod trace;
 
 use super::adapters::Found;
 use crate::backend::BackendError;
+use crate::backend::gpu::shader::Residence;
 
 use compiled::Library;
 
@@ -36,7 +37,9 @@ impl Kernel {
         };
         let (device, queue) = pollster::block_on(found.adapter.request_device(&descriptor))
             .map_err(|error| BackendError::Device(error.to_string()))?;
-        Ok(Kernel { device, queue, library: Library::default(), software: found.report.is_software() })
+        let software = found.report.is_software();
+        let residence = if software { Residence::Private } else { Residence::Buffer };
+        Ok(Kernel { device, queue, library: Library::new(residence), software })
     }
 
     /// Trajectories that one call of [`Kernel::run`] takes at most.

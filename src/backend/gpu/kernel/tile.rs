@@ -3,13 +3,12 @@
 use std::marker::PhantomData;
 
 use bytemuck::Pod;
-use rayon::prelude::*;
 use wgpu::util::DeviceExt;
 
 use super::Kernel;
 use super::device::empty;
 use super::drive::{Portion, Program, ROW};
-use crate::backend::gpu::layout::{Cell, Record};
+use crate::backend::gpu::layout::{Cells, Record};
 use crate::backend::gpu::shader::WORKGROUP;
 use crate::backend::{BackendError, Job};
 
@@ -26,10 +25,7 @@ pub struct Tile<R> {
 impl<R: Record> Tile<R> {
     pub fn new<D: Pod>(kernel: &Kernel, program: &Program<'_, D>, jobs: &[Job]) -> Self {
         let device = &kernel.device;
-        let prepared: Vec<Cell> = jobs.par_iter().map(Cell::of).collect();
-        let flights: Vec<u32> = prepared.iter().flat_map(|cell| &cell.flight).copied().collect();
-        let kicks: Vec<u32> = prepared.iter().flat_map(|cell| &cell.kicks).copied().collect();
-        let starts: Vec<f32> = prepared.iter().flat_map(|cell| &cell.start).copied().collect();
+        let Cells { flights, kicks, starts } = Cells::of(jobs);
         let pending = vec![R::PENDING; jobs.len()];
         let filled = |contents: &[u8], usage: wgpu::BufferUsages| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })

@@ -2,7 +2,7 @@
 
 use super::Kernel;
 use super::device::{empty, guarded};
-use super::drive::{Portion, ROW};
+use super::drive::{MOVE, Portion, ROW};
 use super::follow::shape_of;
 use crate::analysis;
 use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
@@ -46,7 +46,7 @@ impl Kernel {
             unused: 0,
         };
         let more = [&traces, &readings];
-        let program = self.observing(&pipeline, &more, &dispatch);
+        let program = self.observing(&pipeline, MOVE, &more, &dispatch);
         let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
         let traces: Vec<Trace> = guarded(&self.device, || self.fetch(&traces))??;
         let readings: Vec<f32> = guarded(&self.device, || self.fetch(&readings))??;

@@ -192,7 +192,7 @@ const fn vector_words<const N: usize>() -> usize {
 
 /// The structs `ContactNormal` and `Flight` as the shader declares them.
 pub fn declarations<const N: usize>(shape: &Shape) -> String {
-    let none = Flight::<f32, N>::blank(shape.normals);
+    let none = Flight::<f32, N>::blank(shape.normals, 0.0);
     let mut normal = Declaration::default();
     normal_members(&none.normals[0], &mut normal);
     let mut flight = Declaration::default();

@@ -18,6 +18,8 @@ pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};
 pub use record::Record;
 pub use trace::{Trace, TraceDispatch};
 
+use rayon::prelude::*;
+
 use super::shader::Shape;
 use crate::backend::Job;
 use crate::model;
@@ -32,29 +34,42 @@ pub fn declarations_for(shape: &Shape) -> String {
     }
 }
 
-/// The constants of one cell as the shader reads them: of flight, of kicks, and its start.
-pub struct Cell {
-    pub flight: Vec<u32>,
+/// The constants of cells as the shader reads them, one after the other: of flight, of kicks, and their starts.
+pub struct Cells {
+    pub flights: Vec<u32>,
     pub kicks: Vec<u32>,
-    pub start: Vec<f32>,
+    pub starts: Vec<f32>,
 }
 
-impl Cell {
-    /// Prepares a job.
-    pub fn of(job: &Job) -> Self {
-        match job.system.plant().n {
-            1 => Cell::with::<1>(job),
-            2 => Cell::with::<2>(job),
-            3 => Cell::with::<3>(job),
-            _ => Cell::with::<4>(job),
+/// Cells that one thread writes at a time.
+const CHUNK: usize = 256;
+
+impl Cells {
+    /// Prepares jobs, all of them with as many coordinates; the constants of a flow are computed once for all its cells.
+    pub fn of(jobs: &[Job]) -> Self {
+        match jobs.first().map_or(1, |job| job.system.plant().n) {
+            1 => Cells::with::<1>(jobs),
+            2 => Cells::with::<2>(jobs),
+            3 => Cells::with::<3>(jobs),
+            _ => Cells::with::<4>(jobs),
         }
     }
 
-    fn with<const N: usize>(job: &Job) -> Self {
-        let constants = model::Flight::<f64, N>::new(&job.system).round::<f32>();
-        let (mut flight, mut kicks) = (Vec::new(), Vec::new());
-        write_flight(&constants, &mut flight);
-        write_kicks(&constants, &mut kicks);
-        Cell { flight, kicks, start: job.start.iter().map(|&value| value as f32).collect() }
+    fn with<const N: usize>(jobs: &[Job]) -> Self {
+        let systems: Vec<&model::System> = jobs.iter().map(|job| &job.system).collect();
+        let shared = model::Flights::<N>::of(&systems);
+        let written = |(chunk, jobs): (usize, &[Job])| {
+            let (mut flights, mut kicks) = (Vec::new(), Vec::new());
+            for (i, job) in jobs.iter().enumerate() {
+                let constants = shared.get(chunk * CHUNK + i, &job.system).round::<f32>();
+                write_flight(&constants, &mut flights);
+                write_kicks(&constants, &mut kicks);
+            }
+            (flights, kicks)
+        };
+        let parts: Vec<(Vec<u32>, Vec<u32>)> = jobs.par_chunks(CHUNK).enumerate().map(written).collect();
+        let (flights, kicks): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
+        let starts = jobs.iter().flat_map(|job| job.start.iter().map(|&value| value as f32)).collect();
+        Cells { flights: flights.concat(), kicks: kicks.concat(), starts }
     }
 }

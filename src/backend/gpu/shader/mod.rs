@@ -1,10 +1,12 @@
 //! The shader: fragments in their order, unrolled for a shape, after declarations generated from this crate's own.
 
 mod constants;
+mod residence;
 mod sections;
 mod template;
 mod vectors;
 
+pub use residence::Residence;
 pub use template::Shape;
 
 use super::layout;
@@ -51,7 +53,10 @@ impl Kernel {
 
     fn fragments(self) -> &'static [&'static str] {
         match self {
-            Kernel::Follow => &[include_str!("../../../../shaders/kernels/follow.wgsl")],
+            Kernel::Follow => &[
+                include_str!("../../../../shaders/analysis/abreast.wgsl"),
+                include_str!("../../../../shaders/kernels/follow.wgsl"),
+            ],
             Kernel::Trace => &[
                 include_str!("../../../../shaders/analysis/rebounds.wgsl"),
                 include_str!("../../../../shaders/analysis/probe.wgsl"),
@@ -79,7 +84,7 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 17] = [
+const COMMON: [&str; 23] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
     include_str!("../../../../shaders/dynamics/stop.wgsl"),
@@ -88,9 +93,15 @@ const COMMON: [&str; 17] = [
     include_str!("../../../../shaders/dynamics/tangent.wgsl"),
     include_str!("../../../../shaders/dynamics/contact.wgsl"),
     include_str!("../../../../shaders/dynamics/chatter.wgsl"),
+    include_str!("../../../../shaders/dynamics/leg.wgsl"),
+    include_str!("../../../../shaders/dynamics/quintic.wgsl"),
+    include_str!("../../../../shaders/dynamics/near.wgsl"),
+    include_str!("../../../../shaders/dynamics/crossing.wgsl"),
     include_str!("../../../../shaders/dynamics/placing.wgsl"),
     include_str!("../../../../shaders/dynamics/corner.wgsl"),
     include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
+    include_str!("../../../../shaders/dynamics/striking.wgsl"),
+    include_str!("../../../../shaders/dynamics/sticking.wgsl"),
     include_str!("../../../../shaders/analysis/recurrence.wgsl"),
     include_str!("../../../../shaders/analysis/exponent.wgsl"),
     include_str!("../../../../shaders/analysis/spread.wgsl"),
@@ -100,14 +111,14 @@ const COMMON: [&str; 17] = [
 ];
 
 /// How the bound on a normal is read, and how where a force comes on top.
-const BOUND: &str = "+ flight.normals[normal].bound_forcing;";
-const DRIVEN_BOUND: &str = "+ (flight.normals[normal].bound_forcing + driven.bound[normal]);";
+const BOUND: &str = "var bound = flight.normals[normal].bound_forcing;";
+const DRIVEN_BOUND: &str = "var bound = flight.normals[normal].bound_forcing + driven.bound[normal];";
 
 /// The source of a kernel for a shape.
-pub fn source(kernel: Kernel, shape: &Shape) -> String {
+pub fn source(kernel: Kernel, shape: &Shape, residence: Residence) -> String {
     let fragments: String =
         COMMON.iter().chain(kernel.fragments()).map(|fragment| shape.unrolled(fragment) + "\n").collect();
-    // The constants of a cell are read where they lie; a force in phase with the forcing is added to what it changes.
+    // A force in phase with the forcing is added to what it changes.
     let fragments = match kernel {
         Kernel::Follow | Kernel::Trace | Kernel::Extent => fragments,
         Kernel::Control => ["gamma_sin", "gamma_cos", "sin"].iter().fold(fragments, |text, name| {
@@ -124,7 +135,8 @@ pub fn source(kernel: Kernel, shape: &Shape) -> String {
         &layout::declarations_for(shape),
         &pressing_share(shape),
         &sections,
-        &fragments.replace("flight.", "flights[cell]."),
+        residence.source(),
+        &fragments.replace("flight.", &format!("{}.", residence.flight())),
     ]
     .join("\n")
 }
@@ -157,8 +169,10 @@ mod tests {
     #[test]
     fn the_shaders_are_valid_and_need_no_feature() {
         for kernel in Kernel::ALL {
-            for shape in shapes() {
-                let source = source(kernel, &shape);
+            for (shape, residence) in
+                shapes().into_iter().flat_map(|shape| Residence::ALL.map(|residence| (shape, residence)))
+            {
+                let source = source(kernel, &shape, residence);
                 let module = naga::front::wgsl::parse_str(&source)
                     .unwrap_or_else(|error| panic!("{shape:?} {}", error.emit_to_string(&source)));
                 let all = naga::valid::ValidationFlags::all();

@@ -2,7 +2,18 @@
 //!
 //! A block between the lines `//: each normal` and `//: end` stands once for every normal, with `$k` as its number; so do
 //! `each stop` and, with `$i` as the number and `$c` as what selects the component, `each coordinate`. A block of `each pair of
-//! normals` stands once for every ordered pair, with `$k` and `$l`.
+//! normals` stands once for every ordered pair, with `$k` and `$l`. Series of fixed order are unrolled too, with `$k` as the
+//! order: see [`COUNTED`].
+
+use crate::dynamics::constants::NEWTON_STEPS;
+use crate::model::Real;
+
+/// Blocks that stand so many times in every shader, the first order and the last.
+const COUNTED: [(&str, usize, usize); 3] = [
+    ("contact term", 1, <f32 as Real>::CONTACT_ORDER),
+    ("flight term", 1, <f32 as Real>::ORDER),
+    ("newton step", 1, NEWTON_STEPS),
+];
 
 /// What a shader is written for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,6 +72,14 @@ impl Shape {
                         push(block.replace("$k", &k.to_string()).replace("$l", &l.to_string()));
                     }
                 }
+            }
+            // Horner's scheme, from the highest order below the last.
+            "kick term" => {
+                (0..<f32 as Real>::ORDER).rev().for_each(|k| push(block.replace("$k", &k.to_string())));
+            }
+            counted if COUNTED.iter().any(|(name, ..)| *name == counted) => {
+                let (_, first, last) = COUNTED[COUNTED.iter().position(|(n, ..)| *n == counted).unwrap_or(0)];
+                (first..=last).for_each(|k| push(block.replace("$k", &k.to_string())));
             }
             other => panic!("a shader repeats over `{other}`"),
         }

@@ -33,11 +33,6 @@ fn along(a: X, b: X) -> f32 {{
     return {dot};
 }}
 
-// Σ |aᵢ| |bᵢ| for a ≥ 0.
-fn dot_absolute(a: X, b: X) -> f32 {{
-    return {dot_absolute};
-}}
-
 // The largest |aᵢ|.
 fn largest(a: X) -> f32 {{
     return {largest};
@@ -56,6 +51,11 @@ fn squares(a: X, b: X) -> f32 {{
 // A matrix, given column by column, times a vector.
 fn applied(columns: array<X, COORDINATES>, x: X) -> X {{
     return {applied};
+}}
+
+// y plus a matrix, given column by column, times x.
+fn applied_onto(columns: array<X, COORDINATES>, x: X, y: X) -> X {{
+    return {applied_onto};
 }}
 
 fn columns_scaled(a: f32, columns: array<X, COORDINATES>) -> array<X, COORDINATES> {{
@@ -78,11 +78,13 @@ fn start_of_cell() -> State {{
 }}
 ",
         dot = each(&|c, _| format!("a{c} * b{c}"), " + "),
-        dot_absolute = each(&|c, _| format!("a{c} * abs(b{c})"), " + "),
         largest = fold("max", &|c| format!("abs(a{c})")),
         largest_part = fold("max", &|c| format!("abs(a{c} * b{c})")),
         squares = each(&|c, _| format!("(a{c} * a{c} + b{c} * b{c})"), " + "),
         applied = each(&|c, i| format!("columns[{i}] * x{c}"), " + "),
+        applied_onto = (0..n).fold("y".to_owned(), |so_far, i| {
+            format!("({so_far} + columns[{i}] * x{})", shape.component(i))
+        }),
         columns_scaled = each(&|_, i| format!("a * columns[{i}]"), ", "),
         are_finite = each(&|c, _| format!("is_finite(a{c})"), " && "),
         start_x = start(0),

@@ -1,9 +1,13 @@
 //! The CPU path: f64, the reference, on every core.
 
+mod lanes;
+
+pub use lanes::{Width, follow_all};
+
 use rayon::prelude::*;
 
-use super::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::analysis::{Observer, Probe, Schedule, Trace, Tracer, Verdict};
+use crate::backend::{Backend, BackendError, ControlJob, Job, Watch};
 use crate::control::{ControlSchedule, Outcome, control};
 use crate::dynamics::{Event, Trajectory};
 use crate::model::{Flight, Real};
@@ -31,7 +35,7 @@ impl Backend for Cpu {
         schedule: &Schedule,
         watch: &dyn Watch,
     ) -> Result<Vec<Verdict>, BackendError> {
-        each(jobs, watch, |job| follow::<f64>(job, schedule))
+        follow_all(jobs, schedule, watch, Width::available()[0])
     }
 
     fn trace(
@@ -117,20 +121,20 @@ macro_rules! precision {
         impl Precision for $real {
             fn follow(job: &Job, schedule: &Schedule) -> Verdict {
                 match job.system.plant().n {
-                    1 => followed::<$real, 1>(job, schedule, Observer::follow),
-                    2 => followed::<$real, 2>(job, schedule, follow_to_end),
-                    3 => followed::<$real, 3>(job, schedule, Observer::follow),
-                    _ => followed::<$real, 4>(job, schedule, Observer::follow),
+                    1 => followed::<$real, 1>(job, schedule),
+                    2 => followed::<$real, 2>(job, schedule),
+                    3 => followed::<$real, 3>(job, schedule),
+                    _ => followed::<$real, 4>(job, schedule),
                 }
             }
 
             fn trace(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace {
                 let tracer = Tracer::new(probe, capacity as usize);
                 match job.system.plant().n {
-                    1 => traced::<$real, 1>(job, schedule, tracer, watch_to_end),
-                    2 => traced::<$real, 2>(job, schedule, tracer, trace_to_end),
-                    3 => traced::<$real, 3>(job, schedule, tracer, watch_to_end),
-                    _ => traced::<$real, 4>(job, schedule, tracer, watch_to_end),
+                    1 => traced::<$real, 1>(job, schedule, tracer),
+                    2 => traced::<$real, 2>(job, schedule, tracer),
+                    3 => traced::<$real, 3>(job, schedule, tracer),
+                    _ => traced::<$real, 4>(job, schedule, tracer),
                 }
             }
         }
@@ -140,15 +144,11 @@ macro_rules! precision {
 precision!(f64);
 precision!(f32);
 
-/// Follows one trajectory of N coordinates to its end with `to_end`.
-fn followed<T: Real, const N: usize>(
-    Job { system, start }: &Job,
-    schedule: &Schedule,
-    to_end: fn(&mut Observer<T, N>, &Flight<T, N>, &Schedule),
-) -> Verdict {
+/// Follows one trajectory of N coordinates to its end.
+fn followed<T: Real, const N: usize>(Job { system, start }: &Job, schedule: &Schedule) -> Verdict {
     let flight = Flight::<f64, N>::new(system).round::<T>();
     let mut observer = Observer::new(&flight, schedule, start.state());
-    to_end(&mut observer, &flight, schedule);
+    observer.follow(&flight, schedule);
     observer.verdict(&flight, system.label_order())
 }
 
@@ -157,55 +157,11 @@ fn traced<T: Real, const N: usize>(
     Job { system, start }: &Job,
     schedule: &Schedule,
     mut tracer: Tracer<T>,
-    to_end: fn(&mut Observer<T, N>, &Flight<T, N>, &Schedule, &mut Tracer<T>),
 ) -> Trace {
     let flight = Flight::<f64, N>::new(system).round::<T>();
     let mut observer = Observer::new(&flight, schedule, start.state());
-    to_end(&mut observer, &flight, schedule, &mut tracer);
-    tracer.finish(observer.verdict(&flight, system.label_order()))
-}
-
-/// [`Observer::follow`] with the instructions of the processor at hand; no operation is contracted or reordered, so
-/// the results do not depend on them.
-#[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
-fn follow_to_end<T: Real, const N: usize>(
-    observer: &mut Observer<T, N>,
-    flight: &Flight<T, N>,
-    schedule: &Schedule,
-) {
-    observer.follow(flight, schedule);
-}
-
-/// Follows a trajectory and reads its section.
-#[inline(always)]
-fn watched<T: Real, const N: usize>(
-    observer: &mut Observer<T, N>,
-    flight: &Flight<T, N>,
-    schedule: &Schedule,
-    tracer: &mut Tracer<T>,
-) {
-    observer.follow_listening(flight, schedule, &mut |trajectory: &Trajectory<T, N>, event: &Event<T>| {
-        tracer.see(flight, trajectory, event);
+    observer.follow_listening(&flight, schedule, &mut |trajectory: &Trajectory<T, N>, event: &Event<T>| {
+        tracer.see(&flight, trajectory, event);
     });
-}
-
-/// See [`watched`].
-fn watch_to_end<T: Real, const N: usize>(
-    observer: &mut Observer<T, N>,
-    flight: &Flight<T, N>,
-    schedule: &Schedule,
-    tracer: &mut Tracer<T>,
-) {
-    watched(observer, flight, schedule, tracer);
-}
-
-/// [`watched`] with the instructions of the processor at hand.
-#[multiversion::multiversion(targets("x86_64+avx2+bmi1+bmi2+fma+lzcnt"))]
-fn trace_to_end<T: Real, const N: usize>(
-    observer: &mut Observer<T, N>,
-    flight: &Flight<T, N>,
-    schedule: &Schedule,
-    tracer: &mut Tracer<T>,
-) {
-    watched(observer, flight, schedule, tracer);
+    tracer.finish(observer.verdict(&flight, system.label_order()))
 }

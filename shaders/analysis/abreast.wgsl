@@ -1,0 +1,96 @@
+// Trajectories in free flight side by side: a few clear steps, then the contacts of those that wait for one; what is rare
+// happens outside.
+
+// Whether the trajectory waits for a contact within its step, whether it came to phase 0 or, under observation, to phase π,
+// and whether its contact must be approached from the safe side.
+struct Pace {
+    waits: bool,
+    arrived: bool,
+    halfway: bool,
+    rare: bool,
+}
+
+var<private> pace: Pace;
+
+// Begins rounds: only free flight takes part.
+fn pace_begin() {
+    let free = trajectory.contact == CONTACT_FREE;
+    pace.rare = !free | ((trajectory.kicks > MOST_KICKS) & (trajectory.offset != 0.0));
+    pace.waits = trajectory.offset != 0.0;
+    pace.arrived = false;
+    pace.halfway = false;
+}
+
+// A whole step of free flight, where it clears the stops.
+fn pace_step(carry: bool) {
+    trajectory.ahead = point_stepped(trajectory.point);
+    trajectory.kicks = 0u;
+    pace.waits = !leg_clears(trajectory.point, trajectory.ahead, flight.h);
+    if !pace.waits {
+        if carry {
+            tangent = tangent_stepped(tangent);
+        }
+        pace_complete(carry);
+    }
+}
+
+// The rest of the step, where it clears the stops.
+fn pace_rest(carry: bool) {
+    let rest = flight.h - trajectory.offset;
+    if leg_clears(trajectory.point, trajectory.ahead, rest) {
+        if carry {
+            tangent = tangent_flown_freely(tangent, rest);
+        }
+        pace.waits = false;
+        pace_complete(carry);
+    }
+}
+
+// The end of a step.
+fn pace_complete(carry: bool) {
+    trajectory.point = trajectory.ahead;
+    let event = end_step();
+    pace.arrived = event == EVENT_STROBE;
+    if event == EVENT_HALF_PERIOD {
+        observer.moves = observer.moves + 1u;
+        pace.halfway = carry;
+    }
+}
+
+// The contact that the trajectory waits for, and the rest of the step after it.
+fn pace_cross(carry: bool) {
+    let window = flight.h - trajectory.offset;
+    let met = crossing_of(trajectory.point, trajectory.ahead, window);
+    pace.rare = !met.certain | (trajectory.kicks >= MOST_KICKS);
+    if !pace.rare {
+        trajectory_cross(met, carry);
+        let stop = flight.normals[met.end.normal].stop[met.end.side];
+        observer_impact(stop, met.velocity, false);
+        if carry {
+            loss_take(stop, met.velocity, met.rebound);
+        }
+        pace_rest(carry);
+    }
+}
+
+// Rounds until phase 0, until something rare, or until they are enough.
+fn pace_rounds(carry: bool) {
+    for (var round = 0u; round < ROUNDS; round++) {
+        for (var step = 0u; step < CLEAR_STEPS; step++) {
+            if pace.waits | pace.arrived | pace.halfway | pace.rare {
+                break;
+            }
+            pace_step(carry);
+        }
+        if pace.waits & !pace.rare {
+            pace_cross(carry);
+        }
+        if pace.halfway {
+            recurrence_at_half_period(trajectory.point.state, RETURNED);
+            pace.halfway = false;
+        }
+        if pace.arrived | pace.rare {
+            break;
+        }
+    }
+}

@@ -1,0 +1,136 @@
+// Contact in one go: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
+
+// A contact, and the point just after the impact.
+struct Crossing {
+    certain: bool,
+    end: End,
+    time: f32,
+    point: Point,
+    velocity: f32,
+    kick: f32,
+    rebound: f32,
+    before: X,
+    after: X,
+}
+
+// The stop that lies between the ends of a leg: whether there is exactly one, and the leg stays off all stops along other
+// normals; and whether it stays off the stop at the other end of the normal.
+struct Face {
+    end: End,
+    only: bool,
+    opposite_clear: bool,
+}
+
+fn crossing_face(before: Point, after: Point, window: f32) -> Face {
+    var found = false;
+    var only = true;
+    var opposite_clear = false;
+    var normal = 0u;
+    var upper = false;
+    //: each normal
+    {
+        let ends = along(flight.normals[$k].direction, after.state.x);
+        let beyond_upper = flight.normals[$k].gap[0] < ends;
+        let beyond = beyond_upper | (flight.normals[$k].gap[1] < -ends);
+        let clear = leg_clearance(before, after, window, $ku);
+        only = only & !(beyond & found) & (beyond | (clear.upper & clear.lower));
+        found = found | beyond;
+        opposite_clear = opposite_clear | (beyond_upper & clear.lower) | (beyond & !beyond_upper & clear.upper);
+        normal = select(normal, $ku, beyond);
+        upper = upper | beyond_upper;
+    }
+    //: end
+    return Face(End(normal, select(1u, 0u, upper)), only & found, opposite_clear);
+}
+
+// The contact of a leg that ends beyond one stop.
+fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
+    let face = crossing_face(before, after, window);
+    let normal = face.end.normal;
+    let sign = end_sign(face.end);
+    let direction = flight.normals[normal].direction;
+    let response = flight.normals[normal].response;
+    let gap = select(flight.normals[normal].gap[1], flight.normals[normal].gap[0], face.end.side == 0u);
+    let pulls = sign * vec2(
+        along(direction, point_accelerations(before)),
+        along(direction, point_accelerations(after)),
+    );
+    let speeds = sign * vec2(along(direction, before.state.v), along(direction, after.state.v));
+    let gaps = vec2(
+        gap - sign * along(direction, before.state.x),
+        gap - sign * along(direction, after.state.x),
+    );
+    let u = quintic_root(gaps, speeds, pulls, window);
+
+    // From the nearer end of the step, and what is left of the way as if the acceleration changed steadily.
+    let near = u < 0.5;
+    let reached = point_flown_near(point_select(near, before, after), window * select(u - 1.0, u, near));
+    let acceleration = point_accelerations(reached);
+    let jerk = point_jerks(reached, acceleration);
+    let left = gap - sign * along(direction, reached.state.x);
+    let speed = sign * along(direction, reached.state.v);
+    let straight = left / speed;
+    let bend = sign * along(direction, acceleration);
+    let turn = (sign * along(direction, jerk)) * 0.5;
+    let nearly = left / ((bend * 0.5) * straight + speed);
+    let far = ((turn * THIRD) * nearly + bend * 0.5) * nearly + speed;
+    let steep = (turn * nearly + bend) * nearly + speed;
+    let slide = nearly - (far * nearly - left) / steep;
+    let slid = point_slid(reached, slide, acceleration, jerk);
+    let time = u * window + slide;
+
+    let velocity = along(direction, slid.point.state.v);
+    let restitution = select(
+        flight.normals[normal].restitution[1],
+        flight.normals[normal].restitution[0],
+        face.end.side == 0u,
+    );
+    let rebound = -(restitution * velocity);
+    var point = slid.point;
+    let away = sign * gap - along(direction, point.state.x);
+    let change = rebound - velocity;
+    point.state = State(point.state.x + away * response, point.state.v + change * response);
+    let result = point_accelerations(point);
+    let close = abs(slide) * flight.rate < STRAIGHT;
+    let within = (0.0 < time) & (time < window);
+    let first = crossing_is_first(face, speeds.x, sign * velocity, pulls, time, point_bound(before, normal), window);
+    let force = sign * along(direction, result);
+    let parts = crossing_parts(face.end, restitution, rebound, point.state, force);
+    let size = abs(gap) + abs(window * velocity) + along(abs(direction), abs(slid.point.state.x));
+    let meets = abs(away) < size * (ROUNDINGS * EPSILON);
+    let certain = face.only & close & within & first & parts & meets;
+    return Crossing(certain, face.end, time, point, velocity, change, rebound, slid.acceleration, result);
+}
+
+// Whether a contact is the first: the way to it is monotone, or bends towards the stop while it stays off the other one.
+fn crossing_is_first(
+    face: Face,
+    leaves: f32,
+    arrives: f32,
+    pulls: vec2<f32>,
+    time: f32,
+    bound: f32,
+    window: f32,
+) -> bool {
+    let swelling = (window * window) * (bound * 0.125);
+    let least = min(pulls.x, pulls.y) - swelling;
+    let most = max(pulls.x, pulls.y) + swelling;
+    let sets_out = 0.0 < min(least, 0.0) * time + leaves;
+    let comes_in = 0.0 < arrives - max(most, 0.0) * time;
+    let bends = (0.0 < least) & face.opposite_clear;
+    return (0.0 < arrives) & (sets_out | comes_in | bends);
+}
+
+// Whether the rebounds that follow an impact can surely not be closed, so that it ends in flight.
+fn crossing_parts(end: End, restitution: f32, rebound: f32, state: State, force: f32) -> bool {
+    let speed = abs(rebound);
+    let slow = max(unresolved(end, state), SLOW);
+    let loss = 1.0 - restitution;
+    let cubic_loss = 1.0 - restitution * restitution * restitution;
+    let drift = (flight.rate + flight.rate) * speed;
+    let steady = drift < force * loss * STEADY_BOUND;
+    let effect = flight.normals[end.normal].coupling * drift * (speed * speed * speed) * TWO_THIRDS;
+    let lost = effect < (force * force * force) * (loss * cubic_loss) * CHATTER_BOUND;
+    let may_close = (0.0 < force) & steady & lost;
+    return (slow < speed) & !may_close;
+}

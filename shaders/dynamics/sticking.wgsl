@@ -1,0 +1,54 @@
+// Sticking: masses resting on stops, until what presses on a contact vanishes.
+
+// Sticking: the masses that are free move on until a stop is met, or what presses on a contact vanishes.
+fn rest(carry: bool) -> Move {
+    let window = flight.h - trajectory.offset;
+    let contact = trajectory.contact;
+    let motion = point_motion(trajectory.point, contact);
+    let least = flight.h * SQRT_EPSILON;
+    let clear = contact_safe_time(trajectory.point, motion, contact_with_opposite_ends(contact), window);
+    if clear <= least {
+        let reached = contact_imminent(trajectory.point, contact);
+        if trajectory.offset + reached.left <= flight.h {
+            return strike(carry, reached);
+        }
+    }
+    var time = clear;
+    //: each normal
+    if (contact_held(contact) >> $ku & 1u) == 1u && !contact_is_clamped_along(contact, $ku) {
+        let end = contact_end_along(contact, $ku);
+        let sign = end_sign(end);
+        let force = sign * motion.pressing[$k];
+        let slope = sign * motion.pressing_rate[$k];
+        let bound = point_bound(trajectory.point, $ku);
+        let lost = unresolved(end, trajectory.point.state);
+        if (force <= lost && slope < 0.0) || force < -lost {
+            return release(carry, end, bound);
+        }
+        time = min(time, max(contact_pressed_time(force, slope, bound, window), least));
+    }
+    //: end
+    glide(carry, min(time, window));
+    if time >= window {
+        return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
+    }
+    return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE);
+}
+
+fn release(carry: bool, end: End, bound: f32) -> Move {
+    let half_window = 0.5 * (flight.h - trajectory.offset);
+    let least = flight.h * SQRT_EPSILON;
+    let contact = contact_without(trajectory.contact, end.normal);
+    trajectory.contact = contact;
+    let motion = point_motion(trajectory.point, contact);
+    let slope = end_sign(end) * along(flight.normals[end.normal].direction, motion.jerk);
+    let drawn = max(select(least, -slope / (bound + bound), slope < 0.0), least);
+    let ignored = contact_with(contact_with_opposite_ends(contact), end);
+    let pulled = min(drawn, contact_safe_time(trajectory.point, motion, ignored, half_window));
+    glide(carry, pulled);
+    if contact == CONTACT_FREE {
+        trajectory.ahead = point_flown(trajectory.point, flight.h - trajectory.offset, contact);
+        trajectory.kicks = 0u;
+    }
+    return Move(EVENT_RELEASED, flight.normals[end.normal].stop[end.side], 0.0, 0.0, CONTACT_FREE);
+}

@@ -1,0 +1,125 @@
+// Impacts that are approached from the safe side: restitution, and what follows where chatter is complete.
+
+fn strike(carry: bool, reached: Reached) -> Move {
+    let end = reached.end;
+    let direction = flight.normals[end.normal].direction;
+    let sign = end_sign(end);
+    let speed = along(direction, trajectory.point.state.v);
+    if sign * speed < 0.0 {
+        trajectory.point.state.v = trajectory.point.state.v - speed * flight.normals[end.normal].response;
+    }
+    let before_contact = trajectory.contact;
+    let arrived = point_nudged(trajectory.point, reached.left, before_contact);
+    let before = point_motion(arrived, before_contact).acceleration;
+    let velocity = along(direction, arrived.state.v);
+    let rebound = -(flight.normals[end.normal].restitution[end.side] * velocity);
+    let kick = rebound - velocity;
+    trajectory.point = arrived;
+    trajectory.point.state = placed(arrived.state, end, rebound);
+    trajectory.offset = trajectory.offset + reached.left;
+    if before_contact != CONTACT_FREE {
+        keep_pressed(end.normal, kick);
+    }
+    let after = point_motion(trajectory.point, trajectory.contact);
+    if carry && velocity != 0.0 {
+        let contact = trajectory.contact;
+        let impact = Saltation(end.normal, velocity, kick, before, after.acceleration, contact);
+        tangent = tangent_struck(tangent, impact);
+    }
+    let stop = flight.normals[end.normal].stop[end.side];
+    let closure = strike_closure(end, rebound, after);
+    if !closure.closes {
+        let corner = corner_closes(trajectory.point, trajectory.contact, end);
+        if corner != CONTACT_FREE {
+            let beside = corner & ~contact_with(trajectory.contact, end);
+            trajectory.contact = corner;
+            trajectory.point.state = rested(trajectory.point.state, corner);
+            if carry {
+                tangent = tangent_caught(tangent, corner);
+            }
+            return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, beside);
+        }
+        let lost = unresolved(end, trajectory.point.state);
+        if abs(rebound) <= lost {
+            // Pulled off the stop as soon as it is met: rounding must not make that another impact.
+            trajectory.point.state = placed(trajectory.point.state, end, -(sign * (lost + lost)));
+        }
+        bounce(end.normal, kick, before_contact);
+        return Move(EVENT_IMPACT, stop, velocity, rebound, CONTACT_FREE);
+    }
+    come_to_rest(end, closure.gap_integral);
+    if carry {
+        tangent = tangent_caught(tangent, trajectory.contact);
+    }
+    let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, abs(rebound) > 0.0);
+    return Move(event, stop, velocity, rebound, CONTACT_FREE);
+}
+
+// The closure of the rebounds that follow an impact, if that is as good as following them.
+fn strike_closure(end: End, rebound: f32, after: Motion) -> Closure {
+    let approach = point_approach(trajectory.point, after, end.normal);
+    let towards = Approach(end_sign(end) * approach.acceleration, approach.jerk, approach.bound);
+    let room = f32(flight.steps - trajectory.step) * flight.h - trajectory.offset;
+    let restitution = flight.normals[end.normal].restitution[end.side];
+    let least = unresolved(end, trajectory.point.state);
+    var closure = chatter_close(end.normal, Rebound(abs(rebound), restitution, least, room), towards);
+    if closure.closes {
+        let resting = at_rest(end, closure.gap_integral);
+        let contact = contact_with(trajectory.contact, end);
+        closure.closes = contact_clears_elsewhere(resting, contact, end, closure.height, closure.lasts);
+    }
+    return closure;
+}
+
+// An impact that ends in flight: the end of the step is where the kick takes it.
+fn bounce(normal: u32, kick: f32, before_contact: u32) {
+    if trajectory.contact != CONTACT_FREE {
+        return;
+    }
+    let rest = flight.h - trajectory.offset;
+    if before_contact != CONTACT_FREE {
+        trajectory.kicks = 0u;
+        trajectory.ahead = point_flown(trajectory.point, rest, CONTACT_FREE);
+        return;
+    }
+    trajectory.kicks = trajectory.kicks + 1u;
+    if trajectory.kicks <= MOST_KICKS {
+        trajectory.ahead = point_kicked(trajectory.ahead, normal, kick, rest);
+    }
+}
+
+// The end of a chatter sequence: springs and dampers acted on the masses that are free, and now the contact holds.
+fn come_to_rest(end: End, gap_integral: f32) {
+    trajectory.point = at_rest(end, gap_integral);
+    trajectory.contact = contact_with(trajectory.contact, end);
+}
+
+fn at_rest(end: End, gap_integral: f32) -> Point {
+    let contact = contact_with(trajectory.contact, end);
+    let response = flight.normals[end.normal].response;
+    let push = held(contact, applied(flight.damping, response)).rest;
+    let pull = held(contact, applied(flight.stiffness, response) + applied(flight.damping, push)).rest;
+    let signed_integral = -(end_sign(end) * gap_integral);
+    let state = trajectory.point.state;
+    let moved = State(state.x + signed_integral * push, state.v + signed_integral * pull);
+    var point = trajectory.point;
+    point.state = rested(moved, contact);
+    return point;
+}
+
+// After an impact along the normal `struck`: a contact whose speed this changes, by more than is lost in rounding, no
+// longer holds.
+fn keep_pressed(struck: u32, kick: f32) {
+    let response = flight.normals[struck].response;
+    //: each normal
+    if (contact_held(trajectory.contact) >> $ku & 1u) == 1u {
+        let end = contact_end_along(trajectory.contact, $ku);
+        let change = kick * along(flight.normals[$k].direction, response);
+        let lost = unresolved(end, trajectory.point.state) + 4.0 * EPSILON * abs(kick);
+        if !contact_is_clamped_along(trajectory.contact, $ku) && abs(change) > lost {
+            trajectory.contact = contact_without(trajectory.contact, $ku);
+        }
+    }
+    //: end
+    trajectory.point.state = rested(trajectory.point.state, trajectory.contact);
+}

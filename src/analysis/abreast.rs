@@ -1,0 +1,179 @@
+//! Observers side by side: each lane follows one to its verdict, then takes the next.
+
+use super::observer::{Observer, Stage};
+use super::schedule::Schedule;
+use crate::dynamics::{Abreast, Event};
+use crate::model::{Flight, Lanes};
+
+/// What the lanes are to follow, and who is told.
+pub trait Queue<T, const N: usize> {
+    /// What tells one trajectory from another.
+    type Ticket;
+
+    /// The next trajectory: none when there is no more.
+    fn next(&mut self) -> Option<(Self::Ticket, Flight<T, N>, Observer<T, N>)>;
+
+    /// A trajectory is at its end.
+    fn done(&mut self, ticket: Self::Ticket, flight: &Flight<T, N>, observer: &Observer<T, N>);
+}
+
+/// Steps that are tried between two looks at the waiting lanes.
+pub const CLEAR_STEPS: u32 = 4;
+/// Rounds of steps and contacts on the GPU before what is rare is looked at.
+pub const ROUNDS: u32 = 16;
+/// Turns of such rounds on the GPU, each up to phase 0 at the latest, before lanes with something rare have waited enough.
+pub const TURNS: u32 = 8;
+
+/// One lane's trajectory.
+struct Seat<T, const N: usize, K> {
+    ticket: K,
+    flight: Flight<T, N>,
+    observer: Observer<T, N>,
+    /// The step at which the last phase 0 or π was.
+    phase: u32,
+}
+
+/// Follows everything in a queue, in as many lanes as `zero` has, each trajectory exactly as [`Observer::follow`] does;
+/// all cells have `normals` contact normals.
+#[inline(always)]
+pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
+    zero: L,
+    normals: usize,
+    schedule: &Schedule,
+    queue: &mut Q,
+) {
+    let mut lanes = Lane::<L, N, Q>::all(zero, normals, queue, schedule);
+    while lanes.busy > 0 {
+        for _ in 0..CLEAR_STEPS {
+            let phases = lanes.abreast.step();
+            lanes.pass_phases(phases, schedule, queue);
+        }
+        let (waiting, stepping) = lanes.abreast.waiting();
+        if 2 * waiting >= lanes.busy || stepping == 0 {
+            let round = lanes.abreast.cross();
+            lanes.note_impacts(round.impacts, schedule);
+            lanes.pass_phases(round.phases, schedule, queue);
+            for lane in bits(round.uncertain) {
+                lanes.go_warily(lane, schedule, queue);
+            }
+        }
+    }
+}
+
+/// The lanes with who sits in them.
+struct Lane<L: Lanes, const N: usize, Q: Queue<L::Real, N>> {
+    abreast: Box<Abreast<L, N>>,
+    seats: Vec<Option<Seat<L::Real, N, Q::Ticket>>>,
+    busy: u32,
+}
+
+impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
+    fn all(zero: L, normals: usize, queue: &mut Q, schedule: &Schedule) -> Self {
+        let seats = (0..L::WIDTH).map(|_| None).collect();
+        let mut lanes = Lane { abreast: Box::new(Abreast::new(zero, normals)), seats, busy: 0 };
+        (0..L::WIDTH).for_each(|lane| lanes.fill(lane, schedule, queue));
+        lanes
+    }
+
+    /// Gives an empty lane the next trajectory that still flies; those that do not are followed on the spot.
+    #[inline(never)]
+    fn fill(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
+        while let Some((ticket, flight, mut observer)) = queue.next() {
+            observer.settle_down(&flight, schedule, false);
+            if observer.is_done() {
+                queue.done(ticket, &flight, &observer);
+                continue;
+            }
+            self.abreast.prepare(lane, &flight);
+            self.seats[lane] = Some(Seat { ticket, flight, observer, phase: 0 });
+            self.busy += 1;
+            self.sit(lane);
+            return;
+        }
+        self.abreast.vacate(lane);
+    }
+
+    /// Puts a lane's trajectory, at the beginning of a step of free flight, among the others.
+    fn sit(&mut self, lane: usize) {
+        let Some(seat) = &mut self.seats[lane] else { return };
+        let half = seat.flight.steps / 2;
+        seat.phase = if seat.observer.trajectory.step < half { 0 } else { half };
+        let tangent = seat.observer.carried();
+        self.abreast.seat(lane, &seat.flight, &seat.observer.trajectory, tangent);
+    }
+
+    /// Takes a lane's trajectory back where it is done, and gives the lane the next.
+    fn finish(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
+        if let Some(Seat { ticket, flight, observer, .. }) = self.seats[lane].take() {
+            queue.done(ticket, &flight, &observer);
+            self.busy -= 1;
+            self.fill(lane, schedule, queue);
+        }
+    }
+
+    #[inline(always)]
+    fn note_impacts(&mut self, impacts: u32, schedule: &Schedule) {
+        for lane in bits(impacts) {
+            let Some(seat) = &mut self.seats[lane] else { continue };
+            let Some(taken) = self.abreast.impact(lane, &seat.flight) else { continue };
+            seat.observer.pass_impact(&seat.flight, schedule, &taken);
+        }
+    }
+
+    #[inline(always)]
+    fn pass_phases(&mut self, phases: u32, schedule: &Schedule, queue: &mut Q) {
+        for lane in bits(phases) {
+            self.pass_phase(lane, schedule, queue);
+        }
+    }
+
+    fn pass_phase(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
+        let Some(seat) = &mut self.seats[lane] else { return };
+        let half = seat.flight.steps / 2;
+        let event = if seat.phase == 0 { Event::HalfPeriod } else { Event::Strobe };
+        self.abreast.pass_phase(lane, &seat.flight, event);
+        seat.phase = half - seat.phase;
+        let observing = seat.observer.stage == Stage::Observation;
+        if event == Event::HalfPeriod && !observing {
+            seat.observer.pass_half_period();
+            return;
+        }
+        seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight, seat.phase);
+        if observing {
+            seat.observer.tangent = self.abreast.tangent(lane);
+        }
+        seat.observer.arrive(&seat.flight, schedule, event);
+        if seat.observer.is_done() {
+            self.finish(lane, schedule, queue);
+        } else if event == Event::Strobe {
+            self.abreast.set_tangent(lane, seat.observer.carried());
+        }
+    }
+
+    /// Follows a lane's trajectory by itself through what is rare, until it is in free flight again.
+    #[inline(never)]
+    fn go_warily(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
+        let Some(seat) = &mut self.seats[lane] else { return };
+        seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight, seat.phase);
+        if seat.observer.stage == Stage::Observation {
+            seat.observer.tangent = self.abreast.tangent(lane);
+        }
+        seat.observer.settle_down(&seat.flight, schedule, true);
+        if seat.observer.is_done() {
+            self.finish(lane, schedule, queue);
+        } else {
+            self.sit(lane);
+        }
+    }
+}
+
+/// The lanes whose bit is set.
+fn bits(mut set: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        (set != 0).then(|| {
+            let lane = set.trailing_zeros() as usize;
+            set &= set - 1;
+            lane
+        })
+    })
+}

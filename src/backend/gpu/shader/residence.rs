@@ -1,0 +1,56 @@
+//! Where a kernel reads the constants of its cell.
+
+/// Where the constants of a cell are while its trajectory is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Residence {
+    /// Where they lie: hardware has few registers, and caches for the rest.
+    Buffer,
+    /// In memory of the invocation: a software adapter reads a buffer lane by lane, each time anew.
+    Private,
+}
+
+impl Residence {
+    /// Every residence.
+    #[cfg(test)]
+    pub const ALL: [Residence; 2] = [Residence::Buffer, Residence::Private];
+
+    /// What `flight` stands for in a shader.
+    pub fn flight(self) -> &'static str {
+        match self {
+            Residence::Buffer => "flights[cell]",
+            Residence::Private => "cell_flight",
+        }
+    }
+
+    /// Declares `flight_load`, which a kernel calls when it knows its cell, and `kick_term`.
+    pub fn source(self) -> &'static str {
+        match self {
+            Residence::Buffer => {
+                "fn flight_load() {}
+
+// The kick polynomials of the cell, normal by normal.
+fn kick_term(at: u32) -> State {
+    return kicks[cell * (NORMALS * KICK_TERMS) + at];
+}
+"
+            }
+            Residence::Private => {
+                "var<private> cell_flight: Flight;
+var<private> cell_kicks: array<State, NORMALS * KICK_TERMS>;
+
+fn flight_load() {
+    cell_flight = flights[cell];
+    for (var at = 0u; at < NORMALS * KICK_TERMS; at++) {
+        cell_kicks[at] = kicks[cell * (NORMALS * KICK_TERMS) + at];
+    }
+}
+
+// The kick polynomials of the cell, normal by normal.
+fn kick_term(at: u32) -> State {
+    return cell_kicks[at];
+}
+"
+            }
+        }
+    }
+}

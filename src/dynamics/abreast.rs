@@ -1,0 +1,261 @@
+//! Trajectories in free flight side by side, one in each lane: clear steps together, contacts when several wait for one.
+
+use super::crossing::{Crossing, crossing};
+use super::leg::Leg;
+use super::point::Point;
+use super::stop::{Contact, Stop};
+use super::tangent::Tangent;
+use super::trajectory::{Event, Impact, MOST_KICKS, Move, Trajectory};
+use crate::model::vector::MOST;
+use crate::model::{Flight, Lanes, Mask, Real, State};
+
+/// As many trajectories as there are lanes, each of them in free flight, or none in its lane.
+///
+/// What [`Trajectory::advance`] does to one of them happens here to all that are ready for it, operation by operation, so
+/// that the bits are the same.
+#[derive(Debug)]
+pub struct Abreast<L: Lanes, const N: usize> {
+    flight: Flight<L, N>,
+    point: Point<L, N>,
+    ahead: Point<L, N>,
+    tangent: Tangent<L, N>,
+    offset: L,
+    kicks: L,
+    /// Steps to the next phase 0 or π.
+    left: L,
+    /// 1 where a trajectory is at the beginning of a step, else 0.
+    steps: L,
+    /// 1 where the rest of the step does not clear the stops, else 0.
+    waits: L,
+    /// 1 where the tangent is carried along, else 0.
+    carries: L,
+    /// The impacts of the last round.
+    last: Option<Impacts<L>>,
+}
+
+/// The impacts of one round, lane by lane.
+#[derive(Clone, Copy, Debug)]
+struct Impacts<L: Lanes> {
+    normals: [L::Mask; MOST],
+    upper: L::Mask,
+    time: L,
+    velocity: L,
+    rebound: L,
+}
+
+/// What a round of contacts led to, lane by lane (bit k for lane k).
+#[derive(Clone, Copy, Debug)]
+pub struct Round {
+    /// An impact: see [`Abreast::impact`].
+    pub impacts: u32,
+    /// The contact is not certain: it must be approached from the safe side.
+    pub uncertain: u32,
+    /// The step was completed after the impact, at phase 0 or π.
+    pub phases: u32,
+}
+
+impl<L: Lanes, const N: usize> Abreast<L, N> {
+    /// Empty lanes for cells of so many contact normals.
+    pub fn new(zero: L, normals: usize) -> Self {
+        let vector = [zero; N];
+        let state = State { x: vector, v: vector };
+        let point = Point { state, sin: zero, cos: zero, one: zero.all(1.0), drive: () };
+        Abreast {
+            flight: Flight::blank(normals, zero),
+            point,
+            ahead: point,
+            tangent: Tangent(state),
+            offset: zero,
+            kicks: zero,
+            left: zero,
+            steps: zero,
+            waits: zero,
+            carries: zero,
+            last: None,
+        }
+    }
+
+    /// Puts the constants of a cell into a lane.
+    pub fn prepare(&mut self, lane: usize, flight: &Flight<L::Real, N>) {
+        self.flight.set_lane(lane, flight);
+    }
+
+    /// Puts a trajectory at the beginning of a step of free flight into a lane, with its tangent where that is carried along.
+    pub fn seat(
+        &mut self,
+        lane: usize,
+        flight: &Flight<L::Real, N>,
+        trajectory: &Trajectory<L::Real, N>,
+        tangent: Option<&Tangent<L::Real, N>>,
+    ) {
+        debug_assert!(trajectory.contact.is_free() && trajectory.offset == L::Real::of(0.0));
+        let number = |value: f64| L::Real::of(value);
+        self.point.set_lane(lane, &trajectory.point);
+        self.offset.set_lane(lane, number(0.0));
+        let half = flight.steps / 2;
+        let left = half - trajectory.step % half;
+        self.left.set_lane(lane, number(f64::from(left)));
+        self.steps.set_lane(lane, number(1.0));
+        self.waits.set_lane(lane, number(0.0));
+        self.set_tangent(lane, tangent);
+    }
+
+    /// Carries a tangent along in a lane, or none.
+    pub fn set_tangent(&mut self, lane: usize, tangent: Option<&Tangent<L::Real, N>>) {
+        self.carries.set_lane(lane, L::Real::of(if tangent.is_some() { 1.0 } else { 0.0 }));
+        if let Some(tangent) = tangent {
+            self.tangent.0.set_lane(lane, &tangent.0);
+        }
+    }
+
+    /// Leaves a lane empty.
+    pub fn vacate(&mut self, lane: usize) {
+        self.steps.set_lane(lane, L::Real::of(0.0));
+        self.waits.set_lane(lane, L::Real::of(0.0));
+    }
+
+    /// The trajectory in a lane, `flight` being its cell's.
+    pub fn trajectory(
+        &self,
+        lane: usize,
+        flight: &Flight<L::Real, N>,
+        before: u32,
+    ) -> Trajectory<L::Real, N> {
+        let half = flight.steps / 2;
+        let left = self.left.lane(lane).widen() as u32;
+        // `before` is the last phase that was passed: 0 at its beginning, `half` at π.
+        Trajectory::resumed(
+            self.point.lane(lane),
+            self.ahead.lane(lane),
+            self.kicks.lane(lane).widen() as u32,
+            before + half - left,
+            self.offset.lane(lane),
+        )
+    }
+
+    /// The tangent in a lane.
+    pub fn tangent(&self, lane: usize) -> Tangent<L::Real, N> {
+        Tangent(self.tangent.0.lane(lane))
+    }
+
+    /// How many trajectories wait for a contact, and how many can step.
+    #[inline(always)]
+    pub fn waiting(&self) -> (u32, u32) {
+        (holds(self.waits).bits().count_ones(), holds(self.steps).bits().count_ones())
+    }
+
+    /// One step of every trajectory that is at the beginning of one, where it clears the stops; the others wait from then
+    /// on. The lanes that came to phase 0 or π.
+    #[inline(always)]
+    pub fn step(&mut self) -> u32 {
+        let steps = holds(self.steps);
+        let flight = &self.flight;
+        let ahead = self.point.stepped(flight);
+        let clear = Leg { from: &self.point, to: &ahead, window: flight.h }.clears(flight);
+        let moves = steps.and(clear);
+        let carried = moves.and(holds(self.carries));
+        if carried.bits() != 0 {
+            let tangent = self.tangent.stepped_freely(flight).0;
+            self.tangent.0 = State::select(carried, &tangent, &self.tangent.0);
+        }
+        let zero = self.left.all(0.0);
+        let one = self.left.all(1.0);
+        self.ahead = Point::select(steps, &ahead, &self.ahead);
+        self.kicks = L::select(steps, zero, self.kicks);
+        let stays = steps.and(moves.not());
+        self.waits = L::select(stays, one, self.waits);
+        self.steps = L::select(stays, zero, self.steps);
+        self.complete(moves)
+    }
+
+    /// The contacts of all trajectories that wait for one, and the rest of their step where it clears the stops.
+    #[inline(always)]
+    pub fn cross(&mut self) -> Round {
+        let waits = holds(self.waits);
+        let carries = holds(self.carries);
+        let flight = &self.flight;
+        let window = flight.h - self.offset;
+        let met = crossing(&Leg { from: &self.point, to: &self.ahead, window }, flight);
+        let few = self.kicks.below(window.all(f64::from(MOST_KICKS)));
+        let struck = waits.and(met.certain).and(few);
+        let one = window.all(1.0);
+        if struck.and(carries).bits() != 0 {
+            let tangent = self.tangent.flown_freely(flight, met.time).struck_freely(&met.struck);
+            self.tangent.0 = State::select(struck.and(carries), &tangent.0, &self.tangent.0);
+        }
+        self.point = Point::select(struck, &met.point, &self.point);
+        self.ahead = Point::select(struck, &met.ahead, &self.ahead);
+        self.kicks = L::select(struck, self.kicks + one, self.kicks);
+        self.offset = L::select(struck, self.offset + met.time, self.offset);
+        let rest = flight.h - self.offset;
+        let clear = Leg { from: &self.point, to: &self.ahead, window: rest }.clears(flight);
+        let moves = struck.and(clear);
+        if moves.and(carries).bits() != 0 {
+            let tangent = self.tangent.flown_freely(flight, rest);
+            self.tangent.0 = State::select(moves.and(carries), &tangent.0, &self.tangent.0);
+        }
+        self.waits = L::select(moves, window.all(0.0), self.waits);
+        self.steps = L::select(moves, one, self.steps);
+        self.offset = L::select(moves, window.all(0.0), self.offset);
+        let Crossing { normals, upper, time, rebound, .. } = met;
+        self.last = Some(Impacts { normals, upper, time, velocity: met.struck.velocity, rebound });
+        Round {
+            impacts: struck.bits(),
+            uncertain: waits.and(struck.not()).bits(),
+            phases: self.complete(moves),
+        }
+    }
+
+    /// Ends the step of some lanes; those that come to phase 0 or π.
+    #[inline(always)]
+    fn complete(&mut self, moves: L::Mask) -> u32 {
+        self.point = Point::select(moves, &self.ahead, &self.point);
+        self.left = L::select(moves, self.left - self.left.all(1.0), self.left);
+        moves.and(self.left.below(self.left.all(0.5))).bits()
+    }
+
+    /// Goes on from phase 0 or π, where the forcing phasor is exact.
+    pub fn pass_phase(&mut self, lane: usize, flight: &Flight<L::Real, N>, event: Event<L::Real>) {
+        let cos = if event == Event::Strobe { 1.0 } else { -1.0 };
+        self.point.sin.set_lane(lane, L::Real::of(0.0));
+        self.point.cos.set_lane(lane, L::Real::of(cos));
+        self.left.set_lane(lane, L::Real::of(f64::from(flight.steps / 2)));
+    }
+
+    /// The impact of a lane in the last round of contacts.
+    pub fn impact(&self, lane: usize, flight: &Flight<L::Real, N>) -> Option<Move<L::Real>> {
+        let met = self.last.as_ref()?;
+        let normal = (0..flight.count).find(|&k| met.normals[k].bits() >> lane & 1 == 1)?;
+        let side = usize::from(met.upper.bits() >> lane & 1 == 0);
+        let impact = Impact {
+            stop: Stop(flight.normals[normal].stop[side]),
+            velocity_before: met.velocity.lane(lane),
+            velocity_after: met.rebound.lane(lane),
+        };
+        Some(Move { time: met.time.lane(lane), contact: Contact::FREE, event: Event::Impact(impact) })
+    }
+}
+
+/// Where a flag is 1.
+#[inline(always)]
+fn holds<L: Lanes>(flag: L) -> L::Mask {
+    flag.all(0.5).below(flag)
+}
+
+impl<L: Lanes, const N: usize> Point<L, N> {
+    fn lane(&self, lane: usize) -> Point<L::Real, N> {
+        Point {
+            state: self.state.lane(lane),
+            sin: self.sin.lane(lane),
+            cos: self.cos.lane(lane),
+            one: self.one.lane(lane),
+            drive: (),
+        }
+    }
+
+    fn set_lane(&mut self, lane: usize, point: &Point<L::Real, N>) {
+        self.state.set_lane(lane, &point.state);
+        self.sin.set_lane(lane, point.sin);
+        self.cos.set_lane(lane, point.cos);
+    }
+}

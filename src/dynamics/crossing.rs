@@ -1,0 +1,236 @@
+//! Contact in one go: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
+
+use super::chatter::{SLOW, STEADY};
+use super::contact::ROUNDINGS;
+use super::drive::Drive;
+use super::leg::Leg;
+use super::point::Point;
+use super::quintic::Quintic;
+use super::tangent::Struck;
+use crate::model::vector::{MOST, axpy, dot, select};
+use crate::model::{Flight, Lanes, Mask, Real, State};
+
+/// A contact, and the flight after it.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing<L: Lanes, const N: usize, D> {
+    /// Where all this holds: elsewhere the stops must be approached from the safe side.
+    pub certain: L::Mask,
+    /// The normal that is met: one of them where it is certain.
+    pub normals: [L::Mask; MOST],
+    /// Where it is met at its upper end.
+    pub upper: L::Mask,
+    /// The time since the beginning of the leg.
+    pub time: L,
+    /// Just after the impact.
+    pub point: Point<L, N, D>,
+    /// Where the step ends now.
+    pub ahead: Point<L, N, D>,
+    /// The impact as deviations meet it.
+    pub struck: Struck<L, N>,
+    /// d·v+.
+    pub rebound: L,
+}
+
+/// The stop that lies between the ends of a leg.
+struct Face<L: Lanes, const N: usize> {
+    /// Where there is exactly one, and the leg stays off all stops along other normals.
+    only: L::Mask,
+    /// Where the leg stays off the stop at the other end of the normal.
+    opposite_clear: L::Mask,
+    normals: [L::Mask; MOST],
+    upper: L::Mask,
+    /// +1 at the upper end, −1 at the lower one.
+    sign: L,
+    gap: L,
+    restitution: L,
+    direction: [L; N],
+    response: [L; N],
+    bound: L,
+    /// See [`ContactNormal::coupling`](crate::model::ContactNormal::coupling).
+    coupling: L,
+}
+
+impl<L: Lanes, const N: usize> Face<L, N> {
+    #[inline(always)]
+    fn of<D: Drive<L, N>>(leg: &Leg<'_, L, N, D>, flight: &Flight<L, N>) -> Self {
+        let zero = leg.window.all(0.0);
+        let never = zero.below(zero);
+        let first = &flight.normals[0];
+        let mut face = Face {
+            only: never.not(),
+            opposite_clear: never,
+            normals: [never; MOST],
+            upper: never,
+            sign: zero,
+            gap: first.gap[0],
+            restitution: first.restitution[0],
+            direction: first.direction,
+            response: first.response,
+            bound: zero,
+            coupling: first.coupling,
+        };
+        let mut found = never;
+        for k in 0..flight.count {
+            let normal = &flight.normals[k];
+            let ends = dot(&normal.direction, &leg.to.state.x);
+            let upper = normal.gap[0].below(ends);
+            let beyond = upper.or(normal.gap[1].below(-ends));
+            let clear = leg.clearance(flight, k);
+            face.only = face.only.and(beyond.and(found).not());
+            face.only = face.only.and(beyond.or(clear.upper.and(clear.lower)));
+            found = found.or(beyond);
+            face.opposite_clear =
+                face.opposite_clear.or(upper.and(clear.lower)).or(beyond.and(upper.not()).and(clear.upper));
+            face.normals[k] = beyond;
+            face.upper = face.upper.or(upper);
+            let gap = L::select(upper, normal.gap[0], normal.gap[1]);
+            let restitution = L::select(upper, normal.restitution[0], normal.restitution[1]);
+            face.gap = L::select(beyond, gap, face.gap);
+            face.restitution = L::select(beyond, restitution, face.restitution);
+            face.bound = L::select(beyond, leg.from.bound(flight, k), face.bound);
+            face.coupling = L::select(beyond, normal.coupling, face.coupling);
+            face.direction = select(beyond, &normal.direction, &face.direction);
+            face.response = select(beyond, &normal.response, &face.response);
+        }
+        face.only = face.only.and(found);
+        face.sign = L::select(face.upper, zero.all(1.0), zero.all(-1.0));
+        face
+    }
+
+    /// A vector's part towards the stop.
+    #[inline(always)]
+    fn towards(&self, vector: &[L; N]) -> L {
+        self.sign * dot(&self.direction, vector)
+    }
+
+    /// Where a state is on the stop, up to rounding: `way` is the length of the way to it.
+    #[inline(always)]
+    fn meets(&self, state: &State<L, N>, way: L) -> L::Mask {
+        let mut parts = (self.direction[0] * state.x[0]).magnitude();
+        for i in 1..N {
+            parts = parts + (self.direction[i] * state.x[i]).magnitude();
+        }
+        let size = self.gap.magnitude() + way.magnitude() + parts;
+        let away = self.sign * self.gap - dot(&self.direction, &state.x);
+        away.magnitude().below(size * way.all(ROUNDINGS * L::Real::EPSILON))
+    }
+
+    /// Moved onto the stop, with d·v as given.
+    #[inline(always)]
+    fn placed(&self, state: &State<L, N>, speed: L) -> State<L, N> {
+        let away = self.sign * self.gap - dot(&self.direction, &state.x);
+        let change = speed - dot(&self.direction, &state.v);
+        State { x: axpy(away, &self.response, &state.x), v: axpy(change, &self.response, &state.v) }
+    }
+}
+
+/// The contact of a leg that ends beyond one stop; nothing is certain elsewhere.
+#[inline(always)]
+pub fn crossing<L: Lanes, const N: usize, D: Drive<L, N>>(
+    leg: &Leg<'_, L, N, D>,
+    flight: &Flight<L, N>,
+) -> Crossing<L, N, D> {
+    let face = Face::of(leg, flight);
+    let Leg { from, to, window } = *leg;
+    let zero = window.all(0.0);
+    let pulls = [face.towards(&from.accelerations(flight)), face.towards(&to.accelerations(flight))];
+    let speeds = [face.towards(&from.state.v), face.towards(&to.state.v)];
+    let gaps = [face.gap - face.towards(&from.state.x), face.gap - face.towards(&to.state.x)];
+    let u = Quintic::through(gaps, speeds, pulls, window).root(gaps, speeds[0] * window);
+
+    // From the nearer end of the step, and what is left of the way as if the acceleration changed steadily.
+    let near = u.below(zero.all(0.5));
+    let base = Point::select(near, from, to);
+    let reached = base.flown_near(flight, window * L::select(near, u, u - zero.all(1.0)));
+    let acceleration = reached.accelerations(flight);
+    let jerk = reached.jerks(flight, &acceleration);
+    let left = face.gap - face.towards(&reached.state.x);
+    let speed = face.towards(&reached.state.v);
+    let straight = left / speed;
+    let bend = face.towards(&acceleration);
+    let turn = face.towards(&jerk) * zero.all(0.5);
+    let nearly = left / (bend * zero.all(0.5)).times_plus(straight, speed);
+    let far = (turn * zero.all(1.0 / 3.0)).times_plus(nearly, bend * zero.all(0.5)).times_plus(nearly, speed);
+    let steep = turn.times_plus(nearly, bend).times_plus(nearly, speed);
+    let slide = nearly - (far * nearly - left) / steep;
+    let (arrived, before) = reached.slid(flight, slide, &acceleration, &jerk);
+    let time = u.times_plus(window, slide);
+
+    let velocity = dot(&face.direction, &arrived.state.v);
+    let rebound = -(face.restitution * velocity);
+    let kick = rebound - velocity;
+    let point = Point { state: face.placed(&arrived.state, rebound), ..arrived };
+    let after = point.accelerations(flight);
+    let close = (slide.magnitude() * flight.rate).below(zero.all(L::Real::STRAIGHT));
+    let within = zero.below(time).and(time.below(window));
+    let first = is_first(&face, speeds[0], face.sign * velocity, pulls, time, window);
+    let parts = parts_for_good(&face, flight, rebound, &point.state.v, face.towards(&after));
+    let certain = face.only.and(close).and(within).and(first).and(parts);
+    let certain = certain.and(face.meets(&arrived.state, window * velocity));
+    let mut ahead = *to;
+    for k in 0..flight.count {
+        if face.normals[k].bits() != 0 {
+            let kicked = to.kicked(flight, k, kick, window - time);
+            ahead = Point::select(face.normals[k], &kicked, &ahead);
+        }
+    }
+    let Face { direction, response, normals, upper, .. } = face;
+    let struck = Struck { direction, response, velocity, kick, before, after };
+    Crossing { certain, normals, upper, time, point, ahead, struck, rebound }
+}
+
+/// Where a contact after `time` is the first: the way to it is monotone, or bends towards the stop while it stays off the
+/// other one.
+///
+/// The acceleration towards the stop lies within w²/8·max|(d·x)''''| of what lies between those at the ends of the leg.
+#[inline(always)]
+fn is_first<L: Lanes, const N: usize>(
+    face: &Face<L, N>,
+    leaves: L,
+    arrives: L,
+    pulls: [L; 2],
+    time: L,
+    window: L,
+) -> L::Mask {
+    let zero = window.all(0.0);
+    let swelling = (window * window) * (face.bound * window.all(0.125));
+    let least = pulls[0].smaller(pulls[1]) - swelling;
+    let most = pulls[0].larger(pulls[1]) + swelling;
+    let sets_out = zero.below(least.smaller(zero).times_plus(time, leaves));
+    let comes_in = zero.below(arrives - most.larger(zero) * time);
+    let bends = zero.below(least).and(face.opposite_clear);
+    zero.below(arrives).and(sets_out.or(comes_in).or(bends))
+}
+
+/// Where the rebounds that follow an impact can surely not be closed, so that it ends in flight; see
+/// [`close`](super::chatter::close).
+#[inline(always)]
+fn parts_for_good<L: Lanes, const N: usize>(
+    face: &Face<L, N>,
+    flight: &Flight<L, N>,
+    rebound: L,
+    v: &[L; N],
+    force: L,
+) -> L::Mask {
+    let speed = rebound.magnitude();
+    let mut size = face.gap.magnitude() + speed.all(1.0);
+    for (direction, speed) in face.direction.iter().zip(v) {
+        size = size + (*direction * *speed).magnitude();
+    }
+    let slow = (size * speed.all(L::Real::EPSILON)).larger(speed.all(SLOW));
+    let one = speed.all(1.0);
+    let loss = one - face.restitution;
+    let cubic_loss = one - face.restitution * face.restitution * face.restitution;
+    // The change of the force over the sequence is at least rate · 2u/(a(1 − r)).
+    let drift = (flight.rate + flight.rate) * speed;
+    let steady = drift.below(force * loss * speed.all(STEADY * WIDER));
+    let effect = face.coupling * drift * (speed * speed * speed) * speed.all(2.0 / 3.0);
+    let lost =
+        effect.below((force * force * force) * (loss * cubic_loss) * speed.all(L::Real::CHATTER * WIDER));
+    let zero = speed.all(0.0);
+    let may_close = zero.below(force).and(steady).and(lost);
+    slow.below(speed).and(may_close.not())
+}
+
+/// What rounding may add to a bound.
+pub const WIDER: f64 = 1.001;

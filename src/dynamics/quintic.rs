@@ -1,0 +1,84 @@
+//! The gap to a stop along a leg, as the polynomial of fifth degree that agrees with it at both ends.
+
+use crate::model::Lanes;
+
+/// A polynomial in u = s/w, from places, velocities and accelerations at u = 0 and u = 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Quintic<L>([L; 6]);
+
+/// Newton steps to its root.
+pub const STEPS: usize = 3;
+
+impl<L: Lanes> Quintic<L> {
+    /// For a gap that is `gaps` wide at the two ends, approached with `speeds` and the accelerations `pulls`.
+    #[inline(always)]
+    pub fn through(gaps: [L; 2], speeds: [L; 2], pulls: [L; 2], window: L) -> Self {
+        let number = |value: f64| window.all(value);
+        let square = window * window;
+        let slope = -(speeds[0] * window);
+        let bend = -(pulls[0] * square * number(0.5));
+        let place = gaps[1] - gaps[0] - slope - bend;
+        let arrival = -(speeds[1] * window) - slope - (bend + bend);
+        let pull = (-(pulls[1] * square) - (bend + bend)) * number(0.5);
+        Quintic([
+            gaps[0],
+            slope,
+            bend,
+            place.times_plus(number(10.0), arrival.times_plus(number(-4.0), pull)),
+            place.times_plus(number(-15.0), arrival.times_plus(number(7.0), -(pull + pull))),
+            place.times_plus(number(6.0), arrival.times_plus(number(-3.0), pull)),
+        ])
+    }
+
+    /// Where the gap, open at u = 0 and closed beyond u = 1, closes: by Newton's method, from the root of the parabola with
+    /// the same places and the same approach (`approach` = speed · w at u = 0).
+    #[inline(always)]
+    pub fn root(&self, gaps: [L; 2], approach: L) -> L {
+        let Quintic(c) = self;
+        let zero = approach.all(0.0);
+        let bend = gaps[1] - gaps[0] + approach;
+        let discriminant = approach.times_plus(approach, -(zero.all(4.0) * bend * gaps[0]));
+        let sum = approach.magnitude() + discriminant.larger(zero).root();
+        let double = gaps[0] + gaps[0];
+        let approaching = zero.below(approach);
+        // Without cancellation, whichever way it sets out.
+        let above = L::select(approaching, double, sum);
+        let below = L::select(approaching, sum, -(bend + bend));
+        let mut u = above / below;
+        for _ in 0..STEPS {
+            let value = c[5]
+                .times_plus(u, c[4])
+                .times_plus(u, c[3])
+                .times_plus(u, c[2])
+                .times_plus(u, c[1])
+                .times_plus(u, c[0]);
+            let slope = (c[5] * zero.all(5.0)).times_plus(u, c[4] * zero.all(4.0));
+            let slope =
+                slope.times_plus(u, c[3] * zero.all(3.0)).times_plus(u, c[2] + c[2]).times_plus(u, c[1]);
+            u = u - value / slope;
+        }
+        u
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_root_of_a_fall_and_of_a_hop() {
+        // A polynomial of fifth degree is its own interpolant.
+        let gap = |s: f64| 0.3 - 0.5 * s - 0.7 * s * s + 0.1 * s.powi(3) - 0.04 * s.powi(5);
+        let speed = |s: f64| 0.5 + 1.4 * s - 0.3 * s * s + 0.2 * s.powi(4);
+        let pull = |s: f64| 1.4 - 0.6 * s + 0.8 * s.powi(3);
+        let w = 0.9;
+        let quintic = Quintic::through([gap(0.0), gap(w)], [speed(0.0), speed(w)], [pull(0.0), pull(w)], w);
+        let u = quintic.root([gap(0.0), gap(w)], speed(0.0) * w);
+        assert!(gap(u * w).abs() < 1e-14 && u > 0.0 && u < 1.0, "{u}");
+        // Off the stop and back onto it: not the root at 0.
+        let hop = |s: f64| 0.2 * s - 0.6 * s * s;
+        let quintic = Quintic::through([0.0, hop(w)], [-0.2, -0.2 + 1.2 * w], [1.2, 1.2], w);
+        let u = quintic.root([0.0, hop(w)], -0.2 * w);
+        assert!((u * w - 1.0 / 3.0).abs() < 1e-14, "{u}");
+    }
+}

@@ -1,0 +1,153 @@
+//! Impacts that are approached from the safe side: restitution, and what follows where chatter is complete.
+
+use super::chatter::{self, Closure, Rebound};
+use super::contact::{self, Reached};
+use super::corner;
+use super::drive::Drive;
+use super::placing::{placed, rested};
+use super::point::{Approach, Motion, Point};
+use super::stop::{Contact, End, Stop};
+use super::tangent::{Saltation, Variation};
+use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
+use crate::model::vector::{added, applied, axpy, dot};
+use crate::model::{Flight, Real, State};
+
+impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
+    /// An impact, a time `left` ahead: restitution, and sticking where the rebounds that follow can be closed.
+    #[inline(always)]
+    pub(super) fn strike<V: Variation<T, N>>(
+        &mut self,
+        flight: &Flight<T, N>,
+        variation: &mut V,
+        Reached { end, left }: Reached<T>,
+    ) -> Event<T> {
+        let normal = &flight.normals[end.normal];
+        let sign = end.sign::<T>();
+        let speed = dot(&normal.direction, &self.point.state.v);
+        if sign * speed < T::zero() {
+            self.point.state.v = axpy(-speed, &normal.response, &self.point.state.v);
+        }
+        let held = self.contact;
+        let arrived = self.point.nudged(flight, left, held);
+        let before = arrived.motion(flight, held).acceleration;
+        let velocity = dot(&normal.direction, &arrived.state.v);
+        let rebound = -(normal.restitution[end.side] * velocity);
+        let kick = rebound - velocity;
+        self.point = Point { state: placed(flight, &arrived.state, end, rebound), ..arrived };
+        self.offset = self.offset + left;
+        if !held.is_free() {
+            self.keep_pressed(flight, end.normal, kick);
+        }
+        let after = self.point.motion(flight, self.contact);
+        if velocity != T::zero() {
+            let contact = self.contact;
+            let after = after.acceleration;
+            *variation = variation
+                .struck(flight, &Saltation { normal: end.normal, velocity, kick, before, after, contact });
+        }
+        let impact =
+            Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
+        let Some(closure) = self.closure(flight, end, rebound, &after) else {
+            if let Some(corner) = corner::closes(flight, &self.point, self.contact, end) {
+                let beside = corner.since(self.contact.with(end));
+                self.contact = corner;
+                self.point.state = rested(flight, &self.point.state, corner);
+                *variation = variation.caught(flight, corner);
+                return Event::Caught { impact, complete_chatter: true, beside };
+            }
+            let lost = contact::unresolved(normal, end.side, &self.point.state);
+            if rebound.abs() <= lost {
+                // Pulled off the stop as soon as it is met: rounding must not make that another impact.
+                let parting = -(sign * (lost + lost));
+                self.point.state = placed(flight, &self.point.state, end, parting);
+            }
+            self.bounce(flight, end.normal, kick, held);
+            return Event::Impact(impact);
+        };
+        self.come_to_rest(flight, end, closure.gap_integral);
+        *variation = variation.caught(flight, self.contact);
+        Event::Caught { impact, complete_chatter: rebound.abs() > T::zero(), beside: Contact::FREE }
+    }
+
+    /// The closure of the rebounds that follow an impact, if that is as good as following them.
+    #[inline(always)]
+    fn closure(
+        &self,
+        flight: &Flight<T, N>,
+        end: End,
+        rebound: T,
+        after: &Motion<T, N>,
+    ) -> Option<Closure<T>> {
+        let normal = &flight.normals[end.normal];
+        let along = self.point.approach(flight, after, end.normal);
+        let towards = Approach { acceleration: end.sign::<T>() * along.acceleration, ..along };
+        let room = T::of(f64::from(flight.steps - self.step)) * flight.h - self.offset;
+        let rebound = Rebound {
+            speed: rebound.abs(),
+            restitution: normal.restitution[end.side],
+            unresolved: contact::unresolved(normal, end.side, &self.point.state),
+            room,
+        };
+        let closure = chatter::close(flight, normal, &rebound, &towards)?;
+        let resting = self.at_rest(flight, end, closure.gap_integral);
+        let contact = self.contact.with(end);
+        let Closure { height, lasts, .. } = closure;
+        contact::clears_elsewhere(flight, &resting, contact, end, height, lasts).then_some(closure)
+    }
+
+    /// An impact that ends in flight: the end of the step is where the kick takes it.
+    #[inline(always)]
+    fn bounce(&mut self, flight: &Flight<T, N>, normal: usize, kick: T, held: Contact) {
+        if !self.contact.is_free() {
+            return;
+        }
+        if !held.is_free() {
+            self.kicks = 0;
+            self.ahead = self.point.flown(flight, flight.h - self.offset, self.contact);
+            return;
+        }
+        self.kicks += 1;
+        if self.kicks <= MOST_KICKS {
+            self.ahead = self.ahead.kicked(flight, normal, kick, flight.h - self.offset);
+        }
+    }
+
+    /// The end of a chatter sequence whose rebounds opened the gap for `gap_integral` in all: meanwhile springs and dampers
+    /// acted on the masses that are free with the contact, and now it holds.
+    #[inline(never)]
+    fn come_to_rest(&mut self, flight: &Flight<T, N>, end: End, gap_integral: T) {
+        self.point = self.at_rest(flight, end, gap_integral);
+        self.contact = self.contact.with(end);
+    }
+
+    /// See [`Trajectory::come_to_rest`].
+    #[inline(never)]
+    fn at_rest(&self, flight: &Flight<T, N>, end: End, gap_integral: T) -> Point<T, N, D> {
+        let contact = self.contact.with(end);
+        let free = |v: [T; N]| super::point::held(flight, contact, v).0;
+        let response = &flight.normals[end.normal].response;
+        let push = free(applied(&flight.damping, response));
+        let pull = free(added(&applied(&flight.stiffness, response), &applied(&flight.damping, &push)));
+        let signed = -(end.sign::<T>() * gap_integral);
+        let State { x, v } = self.point.state;
+        let state = State { x: axpy(signed, &push, &x), v: axpy(signed, &pull, &v) };
+        Point { state: rested(flight, &state, contact), ..self.point }
+    }
+
+    /// After an impact along the normal `struck`: a contact whose speed this changes, by more than is lost in rounding, no
+    /// longer holds; where it is directed into the stop, the next move is an impact there, at the same instant.
+    #[inline(never)]
+    pub(super) fn keep_pressed(&mut self, flight: &Flight<T, N>, struck: usize, kick: T) {
+        let response = &flight.normals[struck].response;
+        for (k, normal) in flight.normals().iter().enumerate() {
+            let Some(end) = self.contact.end_along(k) else { continue };
+            let change = kick * dot(&normal.direction, response);
+            let lost = contact::unresolved(normal, end.side, &self.point.state)
+                + T::of(4.0) * T::epsilon() * kick.abs();
+            if !self.contact.is_clamped_along(k) && change.abs() > lost {
+                self.contact = self.contact.without(k);
+            }
+        }
+        self.point.state = rested(flight, &self.point.state, self.contact);
+    }
+}

@@ -1,0 +1,59 @@
+//! The constants of several cells side by side: those that free flight and impacts need.
+
+use super::flight::{ContactNormal, Flight};
+use super::lanes::Lanes;
+
+impl<L: Lanes, const N: usize> Flight<L, N> {
+    /// Puts the constants of a cell into one lane. What sticking, symmetry and the end of a trajectory need stays out.
+    ///
+    /// # Panics
+    /// If the cell has another number of contact normals.
+    pub fn set_lane(&mut self, lane: usize, flight: &Flight<L::Real, N>) {
+        assert_eq!(self.count, flight.count, "contact normals");
+        self.h.set_lane(lane, flight.h);
+        self.inverse_h.set_lane(lane, flight.inverse_h);
+        self.turn_sin.set_lane(lane, flight.turn_sin);
+        self.turn_cos.set_lane(lane, flight.turn_cos);
+        self.omega.set_lane(lane, flight.omega);
+        self.rate.set_lane(lane, flight.rate);
+        for i in 0..N {
+            self.phi_x[i].set_lane(lane, &flight.phi_x[i]);
+            self.phi_v[i].set_lane(lane, &flight.phi_v[i]);
+        }
+        self.gamma_sin.set_lane(lane, &flight.gamma_sin);
+        self.gamma_cos.set_lane(lane, &flight.gamma_cos);
+        self.gamma_one.set_lane(lane, &flight.gamma_one);
+        for i in 0..N {
+            set_vector(&mut self.stiffness[i], lane, &flight.stiffness[i]);
+            set_vector(&mut self.damping[i], lane, &flight.damping[i]);
+        }
+        set_vector(&mut self.sin, lane, &flight.sin);
+        set_vector(&mut self.cos, lane, &flight.cos);
+        set_vector(&mut self.load, lane, &flight.load);
+        for (normal, from) in self.normals.iter_mut().zip(flight.normals()) {
+            normal.set_lane(lane, from);
+        }
+    }
+}
+
+impl<L: Lanes, const N: usize> ContactNormal<L, N> {
+    fn set_lane(&mut self, lane: usize, from: &ContactNormal<L::Real, N>) {
+        set_vector(&mut self.direction, lane, &from.direction);
+        set_vector(&mut self.response, lane, &from.response);
+        set_vector(&mut self.gap, lane, &from.gap);
+        set_vector(&mut self.restitution, lane, &from.restitution);
+        set_vector(&mut self.bound_x, lane, &from.bound_x);
+        set_vector(&mut self.bound_v, lane, &from.bound_v);
+        self.bound_forcing.set_lane(lane, from.bound_forcing);
+        self.coupling.set_lane(lane, from.coupling);
+        for (term, from) in self.kick.iter_mut().zip(&from.kick) {
+            term.set_lane(lane, from);
+        }
+    }
+}
+
+fn set_vector<L: Lanes, const M: usize>(vector: &mut [L; M], lane: usize, from: &[L::Real; M]) {
+    for (value, &from) in vector.iter_mut().zip(from) {
+        value.set_lane(lane, from);
+    }
+}

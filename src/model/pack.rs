@@ -1,0 +1,227 @@
+//! Several lanes of f64 in the registers of a processor.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use pulp::Simd;
+
+use super::lanes::{Lanes, Mask};
+
+/// As many f64 as a register of the instruction set `S` holds.
+#[derive(Clone, Copy, Debug)]
+pub struct Pack<S: Simd> {
+    simd: S,
+    values: S::f64s,
+}
+
+/// A truth value for each lane of a [`Pack`].
+#[derive(Clone, Copy, Debug)]
+pub struct PackMask<S: Simd> {
+    simd: S,
+    values: S::m64s,
+}
+
+impl<S: Simd> Pack<S> {
+    /// Zero in every lane.
+    #[inline(always)]
+    pub fn zero(simd: S) -> Self {
+        Pack { simd, values: simd.splat_f64s(0.0) }
+    }
+}
+
+macro_rules! operator {
+    ($operator:ident, $method:ident, $of:ident) => {
+        impl<S: Simd> $operator for Pack<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Pack { values: self.simd.$of(self.values, other.values), ..self }
+            }
+        }
+    };
+}
+
+operator!(Add, add, add_f64s);
+operator!(Sub, sub, sub_f64s);
+operator!(Mul, mul, mul_f64s);
+operator!(Div, div, div_f64s);
+
+impl<S: Simd> Neg for Pack<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Pack { values: self.simd.neg_f64s(self.values), ..self }
+    }
+}
+
+impl<S: Simd> Lanes for Pack<S> {
+    type Real = f64;
+    type Mask = PackMask<S>;
+    const WIDTH: usize = S::F64_LANES;
+
+    #[inline(always)]
+    fn all(self, value: f64) -> Self {
+        Pack { values: self.simd.splat_f64s(value), ..self }
+    }
+
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        Pack { values: self.simd.abs_f64s(self.values), ..self }
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        Pack { values: self.simd.sqrt_f64s(self.values), ..self }
+    }
+
+    #[inline(always)]
+    fn below(self, other: Self) -> PackMask<S> {
+        PackMask { simd: self.simd, values: self.simd.less_than_f64s(self.values, other.values) }
+    }
+
+    #[inline(always)]
+    fn select(mask: PackMask<S>, yes: Self, no: Self) -> Self {
+        Pack { values: yes.simd.select_f64s(mask.values, yes.values, no.values), ..yes }
+    }
+
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> f64 {
+        bytemuck::cast_slice::<S::f64s, f64>(std::slice::from_ref(&self.values))[lane]
+    }
+
+    #[inline(always)]
+    fn set_lane(&mut self, lane: usize, value: f64) {
+        bytemuck::cast_slice_mut::<S::f64s, f64>(std::slice::from_mut(&mut self.values))[lane] = value;
+    }
+}
+
+impl<S: Simd> Mask for PackMask<S> {
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        PackMask { values: self.simd.and_m64s(self.values, other.values), ..self }
+    }
+
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        PackMask { values: self.simd.or_m64s(self.values, other.values), ..self }
+    }
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        PackMask { values: self.simd.not_m64s(self.values), ..self }
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        let bytes = bytemuck::bytes_of(&self.values);
+        if bytes.len() == 1 {
+            // One bit for each lane.
+            return u32::from(bytes[0]);
+        }
+        let stride = bytes.len() / S::F64_LANES;
+        (0..S::F64_LANES).fold(0, |bits, lane| bits | u32::from(bytes[lane * stride] & 1) << lane)
+    }
+}
+
+/// Two packs that take every step together, so that one waits less for its own results.
+#[derive(Clone, Copy, Debug)]
+pub struct Twin<L>(pub L, pub L);
+
+/// A truth value for each lane of a [`Twin`].
+#[derive(Clone, Copy, Debug)]
+pub struct TwinMask<M>(M, M, u32);
+
+macro_rules! twin_operator {
+    ($operator:ident, $method:ident) => {
+        impl<L: Lanes> $operator for Twin<L> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Twin(self.0.$method(other.0), self.1.$method(other.1))
+            }
+        }
+    };
+}
+
+twin_operator!(Add, add);
+twin_operator!(Sub, sub);
+twin_operator!(Mul, mul);
+twin_operator!(Div, div);
+
+impl<L: Lanes> Neg for Twin<L> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Twin(-self.0, -self.1)
+    }
+}
+
+impl<L: Lanes> Lanes for Twin<L> {
+    type Real = L::Real;
+    type Mask = TwinMask<L::Mask>;
+    const WIDTH: usize = 2 * L::WIDTH;
+
+    #[inline(always)]
+    fn all(self, value: f64) -> Self {
+        Twin(self.0.all(value), self.1.all(value))
+    }
+
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        Twin(self.0.magnitude(), self.1.magnitude())
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        Twin(self.0.root(), self.1.root())
+    }
+
+    #[inline(always)]
+    fn below(self, other: Self) -> TwinMask<L::Mask> {
+        TwinMask(self.0.below(other.0), self.1.below(other.1), L::WIDTH as u32)
+    }
+
+    #[inline(always)]
+    fn select(mask: TwinMask<L::Mask>, yes: Self, no: Self) -> Self {
+        Twin(L::select(mask.0, yes.0, no.0), L::select(mask.1, yes.1, no.1))
+    }
+
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> L::Real {
+        if lane < L::WIDTH { self.0.lane(lane) } else { self.1.lane(lane - L::WIDTH) }
+    }
+
+    #[inline(always)]
+    fn set_lane(&mut self, lane: usize, value: L::Real) {
+        if lane < L::WIDTH {
+            self.0.set_lane(lane, value);
+        } else {
+            self.1.set_lane(lane - L::WIDTH, value);
+        }
+    }
+}
+
+impl<M: Mask> Mask for TwinMask<M> {
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        TwinMask(self.0.and(other.0), self.1.and(other.1), self.2)
+    }
+
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        TwinMask(self.0.or(other.0), self.1.or(other.1), self.2)
+    }
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        TwinMask(self.0.not(), self.1.not(), self.2)
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.0.bits() | self.1.bits() << self.2
+    }
+}

@@ -1,0 +1,118 @@
+//! Trajectories side by side have the bits that they have one by one, at every width and number of threads.
+
+use impact_atlas::analysis::{Schedule, Verdict};
+use impact_atlas::backend::{Job, Unwatched, Width, follow, follow_all};
+use impact_atlas::model::{Parameters, StateVector, System};
+use impact_atlas::system::{BUILTIN, Family, Plant};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+const SETTLING: Schedule = Schedule { transient: 60, observe: 40, max_period: 16, fixed_periods: false };
+const FIXED: Schedule = Schedule { transient: 3, observe: 30, max_period: 8, fixed_periods: true };
+
+/// Cells of the paper's oscillator with every regime among them: chaos, chatter, sticking, no impact.
+fn paper() -> Vec<Job> {
+    let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0040);
+    (0..300)
+        .map(|_| {
+            let parameters = Parameters {
+                omega: rng.random_range(0.3..4.5),
+                delta: rng.random_range(0.002..0.6),
+                r: rng.random_range(0.3..1.0),
+                zeta: rng.random_range(0.005..0.2),
+                ..Parameters::default()
+            };
+            Job { system: System::new(parameters).unwrap(), start: [0.0; 4].into() }
+        })
+        .collect()
+}
+
+/// Cells of every built-in family, of one to three coordinates and one to four stops.
+fn families() -> Vec<Vec<Job>> {
+    BUILTIN.iter().map(|builtin| family(&Family::parse(builtin.text, builtin.name).unwrap())).collect()
+}
+
+fn family(family: &Family) -> Vec<Job> {
+    let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0041);
+    let plane = family.plane().expect("built-in families have a plane");
+    let axis = |text: &str| {
+        let (name, range) = text.split_once('=').unwrap();
+        let numbers: Vec<f64> = range.split(':').map(|number| number.parse().unwrap()).collect();
+        (family.parameter(name).unwrap(), numbers[0], numbers[1])
+    };
+    let axes = [axis(&plane.x), axis(&plane.y)];
+    let cell = |_| {
+        let mut values = family.defaults();
+        for (id, first, last) in axes {
+            values.set(id, rng.random_range(first..last));
+        }
+        family.plant(&values).ok().and_then(|plant| job(&plant))
+    };
+    (0..60).filter_map(cell).collect()
+}
+
+/// From rest, with a push.
+fn job(plant: &Plant) -> Option<Job> {
+    let system = System::of_plant(plant.clone()).ok()?;
+    let n = plant.n;
+    let values: Vec<f64> = (0..2 * n).map(|i| if i < n { 0.0 } else { 0.1 - 0.15 * i as f64 }).collect();
+    let inside = plant.stops.iter().all(|stop| stop.gap >= 0.0);
+    inside.then(|| Job { system, start: StateVector::from_slice(&values).unwrap() })
+}
+
+/// Everything that a verdict says, with the bits of its numbers.
+fn bits(verdict: &Verdict) -> (String, Vec<u64>, u32, u32) {
+    let state = verdict.state.iter().map(|value| value.to_bits()).collect();
+    let said = format!("{} {:?} {}", verdict.label(), verdict.regime, verdict.periods);
+    (said, state, verdict.lyapunov.to_bits(), verdict.peak_impact_velocity.to_bits())
+}
+
+/// The verdicts that are not bit for bit the same at every width.
+fn differ(jobs: &[Job], schedule: &Schedule, altered: fn(&Job) -> Job) -> usize {
+    let alone: Vec<_> = jobs.iter().map(|job| bits(&follow::<f64>(job, schedule))).collect();
+    let given: Vec<Job> = jobs.iter().map(altered).collect();
+    let mut wrong = 0;
+    for width in Width::available() {
+        for threads in [1, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let abreast = pool.install(|| follow_all(&given, schedule, &Unwatched, width)).unwrap();
+            assert_eq!(abreast.len(), alone.len());
+            wrong += alone.iter().zip(&abreast).filter(|(alone, abreast)| **alone != bits(abreast)).count();
+        }
+    }
+    wrong
+}
+
+#[test]
+fn the_papers_oscillator_has_the_same_bits_at_every_width() {
+    let jobs = paper();
+    for schedule in [SETTLING, FIXED] {
+        assert_eq!(differ(&jobs, &schedule, Job::clone), 0, "{schedule:?}");
+    }
+}
+
+#[test]
+fn every_family_has_the_same_bits_at_every_width() {
+    let families = families();
+    let cells: usize = families.iter().map(Vec::len).sum();
+    assert!(families.len() >= 8 && cells > 300, "{cells} cells of {} families", families.len());
+    for jobs in &families {
+        for schedule in [SETTLING, FIXED] {
+            assert_eq!(differ(jobs, &schedule, Job::clone), 0, "{:?}", jobs[0].system.plant());
+        }
+    }
+}
+
+/// The negative control: a start moved a little is seen wherever the motion remembers it.
+#[test]
+fn a_start_moved_a_little_is_noticed() {
+    let jobs = paper();
+    let moved = |job: &Job| {
+        let mut start = job.start;
+        start[2] = 1e-6;
+        Job { system: job.system.clone(), start }
+    };
+    let runs = 2 * Width::available().len();
+    let noticed = differ(&jobs, &FIXED, moved);
+    assert!(2 * noticed > runs * jobs.len(), "{noticed} of {}", runs * jobs.len());
+}
