@@ -7,18 +7,18 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use rayon::prelude::*;
 
 use super::lattice::{Cell, SIDE, TileKey};
-use super::layer::numbers;
+use super::layer::{needs_extents, numbers, place};
 use super::outbox::Page;
 use super::reply::Outgoing;
 use super::scene::Scene;
 use super::store::Tiles;
-use super::tile::{Cells, encoded};
-use crate::analysis::Verdict;
-use crate::backend::{BackendError, Job, Watch, decide};
+use super::tile::{Cells, Extents, encoded};
+use crate::analysis::{Extent, Verdict};
+use crate::backend::{self, BackendError, Job, Watch, decide};
 use crate::plane::fields::Layer;
 
 /// Jobs that a processor's thread takes at a time.
-const FEW: usize = 4;
+const FEW: usize = 128;
 
 /// Some tiles of a plane.
 #[derive(Debug)]
@@ -29,6 +29,8 @@ pub struct Batch<'a> {
     pub tiles: &'a Tiles,
     /// Which.
     pub keys: &'a [TileKey],
+    /// What is shown of them, if not their motions.
+    pub layer: Option<Layer>,
     /// Whether nobody wants them any more.
     pub cancelled: &'a AtomicBool,
 }
@@ -36,9 +38,17 @@ pub struct Batch<'a> {
 /// Tiles that are done.
 #[derive(Debug)]
 pub struct Done {
-    tiles: Vec<(TileKey, Arc<Cells>)>,
+    tiles: Vec<Tile>,
     /// How many of them were computed; the others were known.
     pub computed: usize,
+}
+
+#[derive(Debug)]
+struct Tile {
+    key: TileKey,
+    cells: Arc<Cells>,
+    /// How far its motions go, where the layer that is shown asks for it.
+    extents: Option<Arc<Extents>>,
 }
 
 /// Why there are no tiles.
@@ -69,17 +79,18 @@ impl Watch for Flag<'_> {
 pub fn verdicts(scene: &Scene, cells: &[Cell], watch: &dyn Watch) -> Result<Vec<Option<Verdict>>, Stopped> {
     let jobs: Vec<Option<Job>> = cells.par_iter().map(|&cell| scene.job(cell)).collect();
     let followed: Vec<Job> = jobs.iter().flatten().cloned().collect();
-    let decided = panic::catch_unwind(AssertUnwindSafe(|| decided(scene, &followed, watch)));
-    let decided = match decided {
-        Ok(Ok(verdicts)) => verdicts,
-        Ok(Err(BackendError::Cancelled)) => return Err(Stopped::Cancelled),
-        Ok(Err(error)) => return Err(Stopped::Failed(error.to_string())),
-        Err(_) => {
-            return Err(Stopped::Failed("internal error: a mistake in the program; please report it".into()));
-        }
-    };
-    let mut decided = decided.into_iter();
+    let mut decided = caught(|| decided(scene, &followed, watch))?.into_iter();
     Ok(jobs.iter().map(|job| job.as_ref().and_then(|_| decided.next())).collect())
+}
+
+/// What a back end computes; a mistake in the program ends no more than this.
+fn caught<T>(work: impl FnOnce() -> Result<T, BackendError>) -> Result<T, Stopped> {
+    match panic::catch_unwind(AssertUnwindSafe(work)) {
+        Ok(Ok(done)) => Ok(done),
+        Ok(Err(BackendError::Cancelled)) => Err(Stopped::Cancelled),
+        Ok(Err(error)) => Err(Stopped::Failed(error.to_string())),
+        Err(_) => Err(Stopped::Failed("internal error: a mistake in the program; please report it".into())),
+    }
 }
 
 /// The verdicts on some jobs. A processor takes a few at a time, so that none waits for the slowest of all to be looked at
@@ -98,7 +109,7 @@ fn decided(scene: &Scene, jobs: &[Job], watch: &dyn Watch) -> Result<Vec<Verdict
 /// # Errors
 /// [`Stopped`].
 pub fn compute(batch: &Batch<'_>) -> Result<Done, Stopped> {
-    let Batch { scene, tiles, keys, cancelled } = *batch;
+    let Batch { scene, tiles, keys, layer, cancelled } = *batch;
     let kept: Vec<Option<Arc<Cells>>> = keys.iter().map(|&key| tiles.get(scene.id, key)).collect();
     let unknown = || keys.iter().zip(&kept).filter(|(_, kept)| kept.is_none()).map(|(key, _)| *key);
     scene.prepare(unknown().flat_map(cells)).map_err(Stopped::Failed)?;
@@ -132,9 +143,39 @@ pub fn compute(batch: &Batch<'_>) -> Result<Done, Stopped> {
             }
             (None, None) => continue,
         };
-        done.tiles.push((key, cells));
+        done.tiles.push(Tile { key, cells, extents: None });
+    }
+    if needs_extents(layer) {
+        for tile in &mut done.tiles {
+            tile.extents = Some(measured(batch, tile.key, &tile.cells)?);
+        }
     }
     Ok(done)
+}
+
+/// How far the motions of a tile go: as it is known, or measured now and kept.
+fn measured(batch: &Batch<'_>, key: TileKey, verdicts: &Cells) -> Result<Arc<Extents>, Stopped> {
+    let Batch { scene, tiles, cancelled, .. } = *batch;
+    if let Some(extents) = tiles.extents(scene.id, key) {
+        return Ok(extents);
+    }
+    let there: Vec<(usize, Job, Verdict)> = cells(key)
+        .zip(verdicts)
+        .enumerate()
+        .filter_map(|(at, (cell, verdict))| Some((at, scene.job(cell)?, (*verdict)?)))
+        .collect();
+    let (jobs, found): (Vec<Job>, Vec<Verdict>) =
+        there.iter().map(|(_, job, verdict)| (job.clone(), *verdict)).unzip();
+    let schedule = &scene.plane.schedule;
+    let watch = Flag(cancelled);
+    let measured = caught(|| backend::extents(scene.computing.backend, &jobs, &found, schedule, &watch))?;
+    let mut extents = vec![Extent::NONE; verdicts.len()];
+    for ((at, ..), extent) in there.into_iter().zip(measured) {
+        extents[at] = extent;
+    }
+    let extents = Arc::new(extents);
+    tiles.put_extents(scene.id, key, extents.clone());
+    Ok(extents)
 }
 
 /// The cells of a tile, row by row.
@@ -145,7 +186,9 @@ fn cells(key: TileKey) -> impl Iterator<Item = Cell> {
 /// Sends tiles to a page, and before them the motions that it was not `told` of.
 pub fn send(scene: &Scene, done: &Done, layer: Option<Layer>, page: &Page, told: Option<&mut usize>) {
     let family = scene.plane.parameters.family();
-    let numbered: Vec<Vec<u16>> = done.tiles.iter().map(|(_, cells)| scene.numbered(cells)).collect();
+    // The layer may be another than when the tiles were begun: then they are asked for once more.
+    let shown = || done.tiles.iter().filter(|tile| tile.extents.is_some() || !needs_extents(layer));
+    let numbered: Vec<Vec<u16>> = shown().map(|tile| scene.numbered(&tile.cells)).collect();
     if let Some(told) = told {
         let motions = scene.motions_from(*told);
         if !motions.is_empty() {
@@ -153,8 +196,9 @@ pub fn send(scene: &Scene, done: &Done, layer: Option<Layer>, page: &Page, told:
             *told += motions.len();
         }
     }
-    for ((key, cells), motions) in done.tiles.iter().zip(&numbered) {
-        let numbers = numbers(layer, cells, family);
-        let _ = page.send(Outgoing::Bytes(encoded(scene.id, *key, cells, motions, &numbers)));
+    let place = place(layer, family);
+    for (Tile { key, cells, extents }, motions) in shown().zip(&numbered) {
+        let numbers = numbers(layer, cells, extents.as_deref(), family);
+        let _ = page.send(Outgoing::Bytes(encoded(scene.id, *key, cells, motions, (place, &numbers))));
     }
 }

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use super::batch::{self, Batch};
 use super::lattice::TileKey;
+use super::layer::needs_extents;
 use super::outbox::Page;
 use super::reply::Outgoing;
 use super::scene::Scene;
@@ -58,6 +59,19 @@ struct Running {
     page: u64,
     scene: u32,
     tiles: Vec<TileKey>,
+    /// Whether they are measured for a layer, too.
+    measures: bool,
+    cancelled: Arc<AtomicBool>,
+}
+
+/// What is computed next.
+#[derive(Debug)]
+struct Next {
+    scene: Arc<Scene>,
+    layer: Option<Layer>,
+    page: Page,
+    id: u64,
+    keys: Vec<TileKey>,
     cancelled: Arc<AtomicBool>,
 }
 
@@ -98,6 +112,7 @@ impl Engine {
                 running.page == page
                     && running.scene == scene.id
                     && !running.cancelled.load(Ordering::Relaxed)
+                    && (running.measures || !needs_extents(layer))
                     && running.tiles.contains(key)
             })
         };
@@ -156,9 +171,10 @@ impl Shared {
     fn work(&self) {
         // The tiles of a first, coarse look together.
         let mut per_tile = BATCH / 4;
-        while let Some((scene, page, id, keys, cancelled)) = self.next(per_tile) {
+        while let Some(Next { scene, layer, page, id, keys, cancelled }) = self.next(per_tile) {
             let began = Instant::now();
-            let batch = Batch { scene: &scene, tiles: &self.tiles, keys: &keys, cancelled: &cancelled };
+            let batch =
+                Batch { scene: &scene, tiles: &self.tiles, keys: &keys, layer, cancelled: &cancelled };
             let computed = batch::compute(&batch);
             if let (Ok(_), Some(stored)) = (&computed, scene.stored())
                 && let Err(error) = stored.keep(&scene, &self.tiles, &keys)
@@ -191,8 +207,7 @@ impl Shared {
     }
 
     /// Waits for the next batch; none at the end.
-    #[allow(clippy::type_complexity, reason = "it is taken apart at once")]
-    fn next(&self, per_tile: Duration) -> Option<(Arc<Scene>, Page, u64, Vec<TileKey>, Arc<AtomicBool>)> {
+    fn next(&self, per_tile: Duration) -> Option<Next> {
         let mut state = self.lock();
         let mut patience = WAIT;
         loop {
@@ -207,12 +222,16 @@ impl Shared {
                 let fitting = (BATCH.as_secs_f64() / per_tile.as_secs_f64().max(1e-6)) as usize;
                 let count = fitting.clamp(1, most.max(1)).min(wanted.tiles.len());
                 let keys: Vec<TileKey> = wanted.tiles.drain(..count).collect();
-                let (scene, page) = (wanted.scene.clone(), wanted.page.clone());
+                let (scene, layer, page) = (wanted.scene.clone(), wanted.layer, wanted.page.clone());
                 let cancelled = Arc::new(AtomicBool::new(false));
-                let running =
-                    Running { page: id, scene: scene.id, tiles: keys.clone(), cancelled: cancelled.clone() };
-                state.running = Some(running);
-                return Some((scene, page, id, keys, cancelled));
+                state.running = Some(Running {
+                    page: id,
+                    scene: scene.id,
+                    tiles: keys.clone(),
+                    measures: needs_extents(layer),
+                    cancelled: cancelled.clone(),
+                });
+                return Some(Next { scene, layer, page, id, keys, cancelled });
             }
             let pause = if busy { Duration::from_millis(50) } else { Duration::from_secs(1) };
             patience = if busy { patience.saturating_sub(pause) } else { WAIT };

@@ -8,17 +8,19 @@ use serde_json::{Value, json};
 use super::asked::{Refused, because, refused};
 use super::gather;
 use super::lattice::Window;
+use super::layer::needs_extents;
 use super::limits;
 use super::request::Format;
 use super::scene::Scene;
 use super::store::Tiles;
 use super::task::{Ended, Task};
-use crate::backend::Watch;
+use crate::backend::{BackendError, Watch};
 use crate::curves::{Curve, CurvesError, bifurcation_curves_until, check};
 use crate::plane::RegionMap;
 use crate::plane::fields::Layer;
 use crate::render::{DrawnCurves, Picture, PlanePicture, Shown, Size, live_lines};
 use crate::store::write_map;
+use crate::sweep::{SweepError, measure_extents};
 
 /// Sends the bifurcation curves of a window as lines in cells of level 0.
 ///
@@ -87,7 +89,15 @@ pub struct Wanted {
 /// [`Ended`].
 pub fn save(scene: &Scene, tiles: &Tiles, window: &Window, wanted: Wanted, task: &Task) -> Result<(), Ended> {
     let size = figure_size(wanted.size)?;
-    let map = gather::map(scene, tiles, window, limits::SAVED_CELLS, true, task)?;
+    let mut map = gather::map(scene, tiles, window, limits::SAVED_CELLS, true, task)?;
+    if needs_extents(wanted.layer) {
+        let step = task.at("measuring how far motions go", window.cells());
+        match measure_extents(&mut map, scene.computing.backend, &step) {
+            Ok(()) => {}
+            Err(SweepError::Backend(BackendError::Cancelled)) => return Err(Ended::Cancelled),
+            Err(error) => return Err(because(error).into()),
+        }
+    }
     let io = |error: std::io::Error| refused(format!("the file could not be made: {error}"));
     let mut bytes = Vec::new();
     match wanted.format {

@@ -5,8 +5,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::lattice::{Cell, TileKey};
 use super::limits;
-use super::tile::Cells;
-use crate::analysis::Verdict;
+use super::tile::{Cells, Extents};
+use crate::analysis::{Extent, Verdict};
 
 /// One tile of one plane.
 type Key = (u32, TileKey);
@@ -19,8 +19,17 @@ pub struct Tiles {
 
 #[derive(Debug, Default)]
 struct Kept {
-    tiles: HashMap<Key, (Arc<Cells>, u64)>,
+    tiles: HashMap<Key, Tile>,
     asked: u64,
+}
+
+#[derive(Debug)]
+struct Tile {
+    cells: Arc<Cells>,
+    /// How far its motions go, where that was measured.
+    extents: Option<Arc<Extents>>,
+    /// When it was asked for last.
+    last: u64,
 }
 
 impl Tiles {
@@ -29,9 +38,36 @@ impl Tiles {
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         kept.asked += 1;
         let now = kept.asked;
-        let (cells, last) = kept.tiles.get_mut(&(scene, key))?;
-        *last = now;
-        Some(cells.clone())
+        let tile = kept.tiles.get_mut(&(scene, key))?;
+        tile.last = now;
+        Some(tile.cells.clone())
+    }
+
+    /// How far the motions of a tile go, if it is there and that was measured.
+    pub fn extents(&self, scene: u32, key: TileKey) -> Option<Arc<Extents>> {
+        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.tiles.get(&(scene, key))?.extents.clone()
+    }
+
+    /// Keeps with a tile how far its motions go.
+    pub fn put_extents(&self, scene: u32, key: TileKey, extents: Arc<Extents>) {
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(tile) = kept.tiles.get_mut(&(scene, key)) {
+            tile.extents = Some(extents);
+        }
+    }
+
+    /// How far the motion of a cell goes, where that was measured at its own level or at a coarser one that has it too.
+    pub fn extent(&self, scene: u32, cell: Cell) -> Option<Extent> {
+        let mut next = Some(cell);
+        while let Some(cell) = next {
+            let (key, at) = cell.tile();
+            if let Some(extents) = self.extents(scene, key) {
+                return Some(extents[at]);
+            }
+            next = cell.coarser();
+        }
+        None
     }
 
     /// What is known of a cell: of its own level, or of a coarser one that has it too. `Some(None)` where there is no such
@@ -53,12 +89,12 @@ impl Tiles {
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         kept.asked += 1;
         let now = kept.asked;
-        kept.tiles.insert((scene, key), (cells, now));
+        kept.tiles.insert((scene, key), Tile { cells, extents: None, last: now });
         if kept.tiles.len() > limits::TILES {
-            let mut ages: Vec<u64> = kept.tiles.values().map(|(_, last)| *last).collect();
+            let mut ages: Vec<u64> = kept.tiles.values().map(|tile| tile.last).collect();
             ages.sort_unstable();
             let oldest = ages[ages.len() / 4];
-            kept.tiles.retain(|_, (_, last)| *last > oldest);
+            kept.tiles.retain(|_, tile| tile.last > oldest);
         }
     }
 

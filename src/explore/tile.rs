@@ -1,7 +1,7 @@
 //! A tile: what its cells settle on, and its bytes on the way to a page.
 
 use super::lattice::{SIDE, TileKey};
-use crate::analysis::Verdict;
+use crate::analysis::{Extent, Verdict};
 
 /// The first byte of a message that holds a tile.
 pub const TILE: u8 = 1;
@@ -19,16 +19,26 @@ pub const CELL: usize = 2 + 2 + 4 + 4 + 4;
 /// The cells of a tile, row by row, the lowest row first; none where there is no such system.
 pub type Cells = Vec<Option<Verdict>>;
 
+/// How far the motions of a tile's cells go, in the same order; [`Extent::NONE`] where there is no such system.
+pub type Extents = Vec<Extent>;
+
 /// A tile's message: the header, then one array per field, all little-endian; see the protocol.
 ///
-/// `motions` has the motion of each cell by its number on the plane, `numbers` what the layer that is shown has of it.
-pub fn encoded(scene: u32, key: TileKey, cells: &Cells, motions: &[u16], numbers: &[f32]) -> Vec<u8> {
+/// `motions` has the motion of each cell by its number on the plane, `numbers` what the layer that is shown has of it, after
+/// the layer's own number.
+pub fn encoded(
+    scene: u32,
+    key: TileKey,
+    cells: &Cells,
+    motions: &[u16],
+    (layer, numbers): (u32, &[f32]),
+) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(HEADER + cells.len() * CELL);
     bytes.extend([TILE, VERSION]);
     bytes.extend((SIDE as u16).to_le_bytes());
     bytes.extend(scene.to_le_bytes());
     bytes.extend(key.z.to_le_bytes());
-    bytes.extend(0_u32.to_le_bytes());
+    bytes.extend(layer.to_le_bytes());
     bytes.extend((key.i as f64).to_le_bytes());
     bytes.extend((key.j as f64).to_le_bytes());
     let number = |of: fn(&Verdict) -> f32| {
@@ -84,11 +94,12 @@ mod tests {
         let motions: Vec<u16> = (0..256).map(|i| if i == 17 { 5 } else { NOWHERE }).collect();
         let key = TileKey { z: -2, i: -3, j: 1 << 40 };
         let numbers: Vec<f32> = (0..256_u16).map(f32::from).collect();
-        let bytes = encoded(7, key, &cells, &motions, &numbers);
+        let bytes = encoded(7, key, &cells, &motions, (3, &numbers));
         assert_eq!(bytes.len(), HEADER + 256 * CELL);
         assert_eq!(bytes[..4], [1, 1, 16, 0]);
         assert_eq!(bytes[4..8], 7_u32.to_le_bytes());
         assert_eq!(bytes[8..12], (-2_i32).to_le_bytes());
+        assert_eq!(bytes[12..16], 3_u32.to_le_bytes());
         assert_eq!(bytes[16..24], (-3.0_f64).to_le_bytes());
         assert_eq!(bytes[24..32], (2.0_f64.powi(40)).to_le_bytes());
         let at = |field: usize, width: usize, cell: usize| {

@@ -228,8 +228,14 @@ async fn own_systems_slices_layers_and_small_screens() {
     browser
         .until("a colour bar", "explorer.paint.scale && !document.querySelector('#legend .bar').hidden")
         .await;
-    let colours = "return new Set(explorer.paint.pixels).size";
-    assert!(browser.run(colours).await.as_u64().unwrap() > 8);
+    browser.until("its colours", "new Set(explorer.paint.pixels).size > 8").await;
+
+    // One that is measured when it is looked at has its own.
+    let before = browser.run("return [...explorer.paint.pixels].join()").await;
+    browser.run("const s = document.querySelector('#tools select'); s.value = 'rms.x1'; s.dispatchEvent(new Event('change'))").await;
+    let shown = "document.querySelector('#plane').dataset.known === 'true' && new Set(explorer.paint.pixels).size > 8";
+    browser.until("the colours of a measured layer", shown).await;
+    assert_ne!(browser.run("return [...explorer.paint.pixels].join()").await, before);
 
     // A line through the plane gives a diagram.
     browser

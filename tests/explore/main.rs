@@ -4,6 +4,7 @@ mod browser;
 mod figures;
 mod hostile;
 mod journey;
+mod layers;
 mod proxy;
 mod refusals;
 mod server;

@@ -149,7 +149,7 @@ function motions({ first, motions: told }) {
 }
 
 function tile(message) {
-  if (message.scene !== state.scene?.scene) return;
+  if (message.scene !== state.scene?.scene || message.layer !== layerPlace()) return;
   tiles.put(message);
   if (state.stale) {
     state.stale = false;
@@ -204,6 +204,11 @@ function redraw() {
 /** The name of a layer of numbers; null for motions and for names that there are not. */
 function layered(name) {
   return state.scene?.layers.some((layer) => layer.name === name) ? name : null;
+}
+
+/** By what number a tile says that it carries the numbers of the layer that is shown; those of another come anew. */
+function layerPlace() {
+  return 1 + state.scene.layers.findIndex((layer) => layer.name === grid.layer);
 }
 
 /** Shows motions, or a layer of numbers. */

@@ -34,6 +34,7 @@ export function decoded(buffer) {
     kind,
     scene: bytes.getUint32(4, true),
     z: bytes.getInt32(8, true),
+    layer: bytes.getUint32(12, true),
     i: bytes.getFloat64(16, true),
     j: bytes.getFloat64(24, true),
     motion: field(Uint16Array),
