@@ -5,8 +5,9 @@ use std::collections::HashMap;
 use fantoccini::Locator;
 use fantoccini::key::Key;
 use impact_atlas::backend::{Choice, Unwatched, open};
+use impact_atlas::curves::bifurcation_curves;
 use impact_atlas::plane::{Plane, RegionMap};
-use impact_atlas::render::{Motion, live_legend};
+use impact_atlas::render::{Motion, Shown, live_legend, live_lines};
 use impact_atlas::sweep::sweep;
 use serde_json::{Value, json};
 use tempfile::tempdir;
@@ -244,5 +245,38 @@ async fn own_systems_slices_layers_and_small_screens() {
     browser.drag(&[[60.0, 120.0], [200.0, 160.0], [330.0, 300.0]]).await;
     browser.until("a diagram", "document.querySelector('#slice svg')").await;
     browser.screenshot("1280x800-dark").await;
+    browser.close().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn curves_lie_over_the_plane_and_say_what_they_are() {
+    let folder = tempdir().unwrap();
+    let explorer = Explorer::start(folder.path(), SMALL);
+    let browser = Browser::start(1280, 800).await;
+    browser.page.goto(&explorer.address).await.unwrap();
+    browser.settled().await;
+    let pressed =
+        "[...document.querySelectorAll('#tools button')].find((b) => b.textContent === 'Curves').click()";
+    browser.run(pressed).await;
+    browser.until("curves", "document.querySelectorAll('.curves .felt').length > 0").await;
+    let about =
+        "return [...document.querySelectorAll('.curves .felt title')].map((title) => title.textContent)";
+    let about: Vec<String> = serde_json::from_value(browser.run(about).await).unwrap();
+    let map = map(&[]);
+    let found = bifurcation_curves(&map, 2).unwrap().curves;
+    let lines: Vec<String> =
+        live_lines(&map, &found, Shown::Bounding).into_iter().map(|line| line.about).collect();
+    assert!(about.len() > 4 && about.iter().all(|line| lines.contains(line)), "{about:?}\n{lines:?}");
+    assert!(about.iter().any(|line| line.contains("pitchfork")), "{about:?}");
+    // One that has a name has it written beside it, in its own colour.
+    browser.until("a name", "document.querySelectorAll('.curves .curve-name').length > 0").await;
+    browser.screenshot("curves-1280x800").await;
+    // They stay where they belong when the plane moves, and go when they are not wanted.
+    let first = "return document.querySelector('.curves .felt').getAttribute('d')";
+    let before = browser.run(first).await;
+    browser.drag(&[[300.0, 300.0], [340.0, 320.0]]).await;
+    assert_ne!(browser.run(first).await, before);
+    browser.run(pressed).await;
+    browser.until("no curves", "document.querySelectorAll('.curves .felt').length === 0").await;
     browser.close().await;
 }
