@@ -73,7 +73,7 @@ fn copies(map: &RegionMap, index: usize) -> impl Iterator<Item = Job> + '_ {
             let mixed = (copy * 40 + which + 1).wrapping_mul(0x9e37_79b9);
             if (mixed >> 15) & 1 == 0 { ROUNDING } else { -ROUNDING }
         };
-        let changed = |value: f64, which: u32| value + change(which) * value.abs().max(f64::MIN_POSITIVE);
+        let changed = |value: f64, which: u32| value + change(which) * value.abs();
         let varied =
             (parameters.entries().zip(0..)).fold(parameters, |varied, ((parameter, value), which)| {
                 let value = changed(value, which);
@@ -113,5 +113,38 @@ impl Watch for Unheard<'_> {
 
     fn cancelled(&self) -> bool {
         self.0.cancelled()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::Schedule;
+    use crate::backend::{Cpu, Unwatched};
+    use crate::model::Parameters;
+    use crate::plane::{Plane, Start};
+    use crate::sweep::sweep;
+
+    #[test]
+    fn copies_are_a_rounding_away_and_what_is_zero_stays_zero() {
+        let plane = Plane {
+            x: "omega=2:3:2".parse().unwrap(),
+            y: "f20=0:0.5:2".parse().unwrap(),
+            parameters: Parameters::default().into(),
+            start: Start::Rest,
+            schedule: Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: true },
+        };
+        let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
+        let copies: Vec<Job> = copies(&map, 0).collect();
+        assert_eq!(copies.len(), COPIES as usize);
+        for Job { system, .. } in &copies {
+            let Parameters { omega, delta, f20, .. } = system.parameters();
+            // A zero is exact in every precision; a rounding of the smallest number would be a scale of its own.
+            assert_eq!(f20, 0.0);
+            for (value, exact) in [(omega, 2.0), (delta, Parameters::default().delta)] {
+                let off = (value / exact - 1.0).abs();
+                assert!(0.0 < off && off < 2.0 * ROUNDING, "{value}");
+            }
+        }
     }
 }
