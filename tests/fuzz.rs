@@ -45,7 +45,7 @@ fn whatever_is_asked_is_answered() {
     let seed = number("IMPACT_ATLAS_FUZZ_SEED", 9) as u64;
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut codes = [0; 4];
-    let all = self::number("IMPACT_ATLAS_FUZZ", FEW);
+    let all = number("IMPACT_ATLAS_FUZZ", FEW);
     for number in 0..all {
         let Invocation { file, before, arguments } = invocations::invocation(&mut random);
         let folder = tempdir().unwrap();

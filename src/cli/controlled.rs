@@ -81,7 +81,7 @@ mod tests {
 
     use super::*;
     use crate::cli::Cli;
-    use crate::cli::asked::Asked;
+    use crate::cli::compared::Compared;
 
     #[derive(Parser)]
     struct Wrapper {
@@ -113,8 +113,8 @@ mod tests {
             "--control sine --x omega=2.8:2.9:3 --y target_tau=1:2:4 --alpha 0.05 --max-period 20",
             "--control delay --x omega=2.8:2.9:3 --y gain=0.1:0.5:4 --set delay=3 --set mu_c=1e-7",
         ] {
-            let plane = self::plane(words);
-            let command = Asked::Controlled(&plane).command(2, 1, "--backend gpu");
+            let plane = plane(words);
+            let command = Compared::Controlled(&plane).command(2, 1, "--backend gpu");
             Cli::try_parse_from(command.split_whitespace()).unwrap();
             let options = command.strip_prefix("impact-atlas validate ").unwrap();
             let alone = self::plane(options.split(" --backend").next().unwrap());

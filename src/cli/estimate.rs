@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use impact_atlas::backend::{Backend, Watch};
+use impact_atlas::backend::{Backend, Watch, Width};
 use impact_atlas::plane::{ControlPlane, Plane};
 use impact_atlas::sweep::{sample, sample_control, spread};
 
@@ -12,8 +12,11 @@ use super::{CliError, note, spans};
 /// The most cells that are measured.
 const MOST: u32 = 512;
 
-/// One cell of so many is measured at most, so that measuring costs little beside the rest.
+/// One cell of so many is measured, so that measuring costs little beside the rest.
 const ONE_OF: u64 = 32;
+
+/// One of so many where it will take long: a few cells may cost more than all the others.
+const ONE_OF_FEWER: u64 = 8;
 
 /// Planes of fewer cells are not worth it.
 const FEWEST: u64 = 64;
@@ -48,20 +51,23 @@ fn of_cells(
     if all < FEWEST {
         return Ok(());
     }
-    let cells = spread(columns, rows, u32::try_from(all / ONE_OF).unwrap_or(MOST).min(MOST));
-    // A device works on many cells at once; a processor's threads take what they get.
-    let together = if backend.name() == "cpu" { 4 * rayon::current_num_threads() } else { MOST as usize };
+    let cells = spread(columns, rows, u32::try_from(all / ONE_OF_FEWER).unwrap_or(MOST).min(MOST));
+    // A device works on many cells at once; a processor on as many as its threads have lanes.
+    let lanes = Width::available()[0].lanes() * rayon::current_num_threads();
+    let together = if backend.name() == "cpu" { lanes } else { MOST as usize };
     let began = Instant::now();
     let mut measured = 0;
+    let mut estimate = Duration::ZERO;
     for some in cells.chunks(together) {
         compute(some, &Interruptible)?;
         interrupt::check()?;
         measured += some.len();
-        if began.elapsed() > LONGEST {
+        estimate = began.elapsed().mul_f64(all as f64 / measured as f64);
+        let is_short = measured as u64 >= all / ONE_OF && estimate < WORTH_SAYING;
+        if is_short || began.elapsed() > LONGEST {
             break;
         }
     }
-    let estimate = began.elapsed().mul_f64(all as f64 / measured as f64);
     if estimate > WORTH_SAYING {
         let time = spans::words(estimate);
         note(&format!("{what} will take about {time} (measured on {measured} of {all} cells)"));

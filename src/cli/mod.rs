@@ -3,12 +3,13 @@
 //! Results go to standard output, everything else to standard error.
 
 mod adapters;
-mod asked;
 mod bifurcation;
 mod cell;
 mod classify;
+mod compared;
 mod control;
 mod control_map;
+mod control_options;
 mod controlled;
 mod curve_list;
 mod curves;
@@ -38,7 +39,6 @@ mod reproduce;
 mod scripts;
 mod site;
 mod spans;
-mod spelled;
 mod status;
 mod stored;
 mod symmetric;

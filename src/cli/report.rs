@@ -10,14 +10,14 @@ use impact_atlas::validate::{Agreement, Boundaries, Check, Share, Spread, Thresh
 use serde::Serialize;
 
 use super::CliError;
-use super::asked::Asked;
+use super::compared::Compared;
 
 /// Everything that `validate` says.
 #[derive(Debug, Serialize)]
 pub struct Report<'a> {
     holds: bool,
     checks: Vec<Check>,
-    plane: Asked<'a>,
+    plane: Compared<'a>,
     reference: &'a Provenance,
     candidate: &'a Provenance,
     /// The regimes in the order of the rows and columns of `confusion`.
@@ -46,7 +46,7 @@ struct Suspect {
 impl<'a> Report<'a> {
     /// The report on two computations of a plane; `adapter` is how the candidate's adapter was chosen.
     pub fn new(
-        plane: Asked<'a>,
+        plane: Compared<'a>,
         [reference, candidate]: [&'a Provenance; 2],
         agreement: &'a Agreement,
         thresholds: &Thresholds,
@@ -145,7 +145,7 @@ impl<'a> Report<'a> {
         writeln!(to, "symmetry agrees             {}\n", share(agreement.symmetry))?;
         writeln!(to, "end states of equal periodic motions, largest difference of a component")?;
         writeln!(to, "  {}", spread(agreement.end_state))?;
-        if let Asked::Free(_) = self.plane {
+        if let Compared::Free(_) = self.plane {
             let continued = agreement.continued;
             writeln!(to, "  {continued} of them on another branch or phase, continued on the reference")?;
         }
@@ -234,6 +234,9 @@ impl<'a> Report<'a> {
 }
 
 fn figure(value: f64) -> String {
+    if value >= 2.0 && value.fract() == 0.0 {
+        return format!("{value:.0}");
+    }
     if value == 0.0 || value.abs() >= 1e-3 { format!("{value:.5}") } else { format!("{value:.2e}") }
 }
 
@@ -310,7 +313,7 @@ mod tests {
         adapter: Option<&str>,
     ) -> Report<'a> {
         let made = [&ours.provenance, &theirs.provenance];
-        Report::new(Asked::Free(&ours.plane), made, agreement, &Thresholds::default(), adapter)
+        Report::new(Compared::Free(&ours.plane), made, agreement, &Thresholds::default(), adapter)
     }
 
     #[test]

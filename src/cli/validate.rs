@@ -10,7 +10,7 @@ use impact_atlas::validate::{
     Thresholds, boundaries, compare_continued, compare_controlled, continue_strays, tipped,
 };
 
-use super::asked::Asked;
+use super::compared::Compared;
 use super::controlled::ControlledArgs;
 use super::interrupt::{Interruptible, abandonable};
 use super::method::MethodName;
@@ -96,7 +96,7 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
     let agreement = compare_continued(&ours, &theirs, &continued).leaving_out(&ours, &examined);
 
     let made = [&ours.provenance, &theirs.provenance];
-    let asked = Asked::Free(&ours.plane);
+    let asked = Compared::Free(&ours.plane);
     let report =
         Report::new(asked, made, &agreement, &Thresholds::default(), args.candidate.adapter.as_deref());
     let report = if args.curves {
@@ -125,7 +125,7 @@ fn controlled(args: &ValidateArgs, method: MethodName) -> Result<(), CliError> {
     let ours = sweep_control(&plane, &*reference, &Progress::of_cells("reference", cells))?;
     let agreement = compare_controlled(&ours, &theirs);
     let made = [&ours.provenance, &theirs.provenance];
-    let asked = Asked::Controlled(&plane);
+    let asked = Compared::Controlled(&plane);
     let adapter = args.candidate.adapter.as_deref();
     told(&Report::new(asked, made, &agreement, &Thresholds::default(), adapter), args.json)
 }

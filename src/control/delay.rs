@@ -1,4 +1,6 @@
 //! Delayed feedback: Eq. (30), with the sign that stabilises.
+//!
+//! After K. Pyragas, Phys. Lett. A 170 (1992) 421–428, doi:10.1016/0375-9601(92)90745-8.
 
 use super::components::Components;
 use super::memory::Memory;

@@ -50,5 +50,5 @@ pub trait Witness<T: Real> {
     }
 }
 
-/// Nobody hears.
+/// Control that is not watched: what happens is noted nowhere.
 impl<T: Real> Witness<T> for () {}

@@ -1,4 +1,7 @@
 //! Pseudo-arclength continuation: the solutions of n equations in n + 1 unknowns, point after point.
+//!
+//! See Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, Springer (2004), chapter 10,
+//! doi:10.1007/978-1-4757-3978-7.
 
 use nalgebra::{DMatrix, DVector, RowDVector};
 
@@ -86,7 +89,7 @@ impl PathPoint {
         PathPoint::corrected(equations, guess, &border, &jacobian, FARTHEST)
     }
 
-    /// The same point, the other way.
+    /// The same point with its tangent reversed: the curve is followed in the other direction from here.
     pub fn reversed(&self) -> Self {
         PathPoint { tangent: -&self.tangent, ..self.clone() }
     }

@@ -1,4 +1,7 @@
 //! How near a motion comes to the stops between its impacts, and how slowly it strikes them.
+//!
+//! Grazing: A. B. Nordmark, J. Sound Vib. 145 (1991) 279–297, doi:10.1016/0022-460X(91)90592-8; M. di Bernardo, C. J. Budd,
+//! A. R. Champneys, P. Kowalczyk, Piecewise-smooth Dynamical Systems, Springer (2008), doi:10.1007/978-1-84628-708-4.
 
 use crate::dynamics::Stop;
 use crate::model::System;

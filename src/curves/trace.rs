@@ -3,8 +3,8 @@
 use super::branch::Event;
 use super::condition::Kind;
 use super::curve::{Curve, CurveMotion, End};
+use super::events::{Reason, Seen, look};
 use super::locus::Locus;
-use super::look::{Reason, Seen, look};
 use super::parting::passed;
 use super::path::PathPoint;
 use super::unknowns::{Span, Unknowns};

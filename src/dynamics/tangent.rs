@@ -1,4 +1,7 @@
 //! Small deviations from the motion, carried through flight and impact.
+//!
+//! How a deviation passes an impact (the saltation of the flow): P. C. Müller, Chaos, Solitons & Fractals 5 (1995) 1671–1681,
+//! doi:10.1016/0960-0779(94)00170-U.
 
 use super::point::held;
 use super::series::{INVERSE_FACTORIALS, Series};

@@ -81,7 +81,7 @@ impl<const N: usize> Equations<N> {
             plant.mass.clone().try_inverse().expect("a plant's mass matrix was checked to be invertible");
         let inverse = SMatrix::<f64, N, N>::from_fn(|i, j| inverse[(i, j)]);
         let square = |m: &DMatrix<f64>| SMatrix::<f64, N, N>::from_fn(|i, j| m[(i, j)]);
-        let vector = |v: &nalgebra::DVector<f64>| SVector::<f64, N>::from_fn(|i, _| v[i]);
+        let vector = |v: &DVector<f64>| SVector::<f64, N>::from_fn(|i, _| v[i]);
         let none =
             Normal { direction: SVector::zeros(), response: SVector::zeros(), mass: 0.0, ends: [None; 2] };
         let mut equations = Equations {

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::bench::{PaperPoint, Plot, draw, words};
+use super::paper_point::{PaperPoint, Plot, draw, words};
 use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
 use crate::analysis::{CHATTER_RUN, Probe, Reading, Regime, Schedule, Section};
 use crate::backend::{Job, Watch, trace};

@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::bench::PaperPoint;
-use super::loss::{Change, State, changes, lost, state};
 use super::orbits::{CHAOS, largest_exponent};
+use super::paper_point::PaperPoint;
+use super::stability_loss::{Change, State, changes, lost, state};
 use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
 use crate::analysis::{Probe, Reading, Section};
 use crate::backend::{Cpu, Watch};

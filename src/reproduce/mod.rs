@@ -3,18 +3,18 @@
 //! Every figure is a [`PaperFigure`] of the [`registry`]: it knows its configuration, draws its pictures and holds what the
 //! paper says of it against what is computed. Nothing on the computed side is written down here.
 
-mod bench;
 mod chatter;
 mod claim;
 mod control;
 mod diagrams;
 mod lines;
-mod loss;
 mod orbits;
+mod paper_point;
 mod plane;
 mod regions;
 mod report;
 mod sections;
+mod stability_loss;
 
 use serde_json::Value;
 use thiserror::Error;

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::bench::{PaperPoint, Plot, draw, words};
-use super::loss::{grazes, lost};
+use super::paper_point::{PaperPoint, Plot, draw, words};
+use super::stability_loss::{grazes, lost};
 use super::{Claim, Outcome, PaperFigure, Produced, ReproduceError, config_of};
 use crate::analysis::Verdict;
 use crate::backend::Watch;

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::bench::{PaperPoint, words};
 use super::lines::lines;
+use super::paper_point::{PaperPoint, words};
 use super::regions::regions;
 use super::{Claim, PaperFigure, Produced, ReproduceError};
 use crate::analysis::{Schedule, Verdict};

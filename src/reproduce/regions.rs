@@ -1,7 +1,7 @@
 //! The regions R1 to R7 of Fig. 5: what the paper's points in them settle on, and the connected cells around those.
 
 use super::Claim;
-use super::bench::{PaperPoint, words};
+use super::paper_point::{PaperPoint, words};
 use crate::analysis::{Regime, Verdict};
 use crate::curves::paper_region;
 use crate::plane::{Cell, RegionMap, connected};

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::bench::{PaperPoint, Plot, draw};
 use super::orbits::{CHAOS, DOUBLED, largest_exponent, settles};
+use super::paper_point::{PaperPoint, Plot, draw};
 use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
 use crate::backend::Watch;
 use crate::dynamics::Stop;

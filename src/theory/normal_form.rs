@@ -1,4 +1,7 @@
 //! How a motion loses its stability: the normal-form coefficient, and super- or subcritical from its sign.
+//!
+//! The coefficients of period doublings, pitchforks and Neimark–Sacker bifurcations of maps: Yu. A. Kuznetsov, Elements of
+//! Applied Bifurcation Theory, Springer (2004), chapters 4 and 5, doi:10.1007/978-1-4757-3978-7.
 
 use nalgebra::{Complex, DMatrix, DVector};
 

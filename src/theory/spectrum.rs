@@ -1,4 +1,7 @@
 //! The Lyapunov spectrum: all exponents of a trajectory, with their statistical error.
+//!
+//! Deviations made orthogonal again and again: G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980)
+//! 9–20 and 21–30, doi:10.1007/BF02128236 and doi:10.1007/BF02128237.
 
 use thiserror::Error;
 

@@ -72,6 +72,10 @@ fn a_map_agrees_with_itself() {
     assert_eq!(agreement.regimes.iter().map(|r| r.regime).collect::<Vec<_>>(), ["periodic", "chaotic"]);
     assert_eq!(agreement.regimes[1].end_state, None);
     assert_eq!(agreement.worst, []);
+    // Where nothing was compared, nothing agrees.
+    let none = Share { agree: 0, cells: 0 };
+    let nothing = Agreement { inside: none, non_chaotic: none, end_state: None, ..agreement };
+    assert_eq!(failing(&nothing), ["cells compared"]);
 }
 
 #[test]

@@ -20,6 +20,7 @@ pub const FIXED_POINT: [f64; 4] = [-0.41959403, -0.02899702, 0.02903494, 1.80721
 /// The 1-1-1 motion at the paper's reference, ω = 3.7.
 pub const TARGET: Target = Target { reference: 3.7, given: SectionValues::new([None; 4]), own: 0 };
 
+/// The system that is controlled: chaotic at ω = 2.83.
 pub fn system() -> System {
     System::new(Parameters { omega: 2.83, ..Parameters::default() }).unwrap()
 }
@@ -45,10 +46,12 @@ pub fn run(scheme: &Scheme, iterates: u32, start: [f64; 4]) -> (Outcome, Vec<Ret
     (outcome, returns.0)
 }
 
+/// Delayed feedback of one return, with a gain and its sign.
 pub fn delay(gain: f64, sign: Sign) -> Scheme {
     Scheme::Delay(DelaySetting { stop: Stop::A, gains: SectionValues::new([gain; 4]), delay: 1, sign })
 }
 
+/// The sine force of a convention, with its amplitude, its weight α and its dead band.
 pub fn sine(convention: Convention, amplitude: f64, alpha: f64, dead_band: f64) -> Scheme {
     Scheme::Sine(SineSetting {
         stop: Stop::A,

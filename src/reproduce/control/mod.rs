@@ -11,7 +11,7 @@ pub(super) use sine::{Figure15, Figure16};
 use serde_json::{Value, json};
 
 use super::Claim;
-use super::bench::WIDTH;
+use super::paper_point::WIDTH;
 use crate::analysis::Reading;
 use crate::control::{
     ControlQuantity, ControlSchedule, History, Outcome, Scheme, SectionValues, Target, control, converged_at,

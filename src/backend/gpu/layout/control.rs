@@ -182,7 +182,7 @@ impl Record for Outcome {
 
 impl Outcome {
     /// The outcome with its values widened.
-    pub fn widen(&self, system: &model::System) -> control::Outcome {
+    pub fn widen(&self, system: &System) -> control::Outcome {
         control::Outcome {
             verdict: self.verdict.widen(system),
             period: self.period,

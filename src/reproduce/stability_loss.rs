@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::bench::PaperPoint;
+use super::paper_point::PaperPoint;
 use crate::model::{Parameters, System};
 use crate::theory::{
     PeriodicMotion, SymmetricMotion, flip_coefficient, neimark_sacker_coefficient, settled_motion,

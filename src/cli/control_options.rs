@@ -8,7 +8,7 @@ use impact_atlas::system::Family;
 /// The options that make a scheme again; those that an axis varies are left out.
 ///
 /// The stop is named as in the family, where it is not the first.
-pub fn spelled(scheme: &Scheme, family: &Family, varied: impl Fn(ControlQuantity) -> bool) -> String {
+pub fn control_options(scheme: &Scheme, family: &Family, varied: impl Fn(ControlQuantity) -> bool) -> String {
     use ControlQuantity as Q;
     let stop = match scheme.stop() {
         Stop::A => String::new(),

@@ -5,24 +5,24 @@ use impact_atlas::model::{Number, Setting};
 use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity};
 use serde::Serialize;
 
-use super::spelled::spelled;
+use super::control_options::control_options;
 
 /// A plane, or a plane under control.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[serde(untagged)]
-pub enum Asked<'a> {
+pub enum Compared<'a> {
     /// A plane.
     Free(&'a Plane),
     /// A plane under control.
     Controlled(&'a ControlPlane),
 }
 
-impl Asked<'_> {
+impl Compared<'_> {
     /// The axes, the horizontal one first.
     pub fn axes(&self) -> [&Axis; 2] {
         match self {
-            Asked::Free(plane) => [&plane.x, &plane.y],
-            Asked::Controlled(plane) => [&plane.x, &plane.y],
+            Compared::Free(plane) => [&plane.x, &plane.y],
+            Compared::Controlled(plane) => [&plane.x, &plane.y],
         }
     }
 
@@ -31,10 +31,10 @@ impl Asked<'_> {
         let [x, y] = self.axes();
         let varied = |quantity: Quantity| [x.quantity, y.quantity].contains(&quantity);
         let (method, parameters, start) = match self {
-            Asked::Free(plane) => (String::new(), &plane.parameters, plane.start),
-            Asked::Controlled(plane) => {
+            Compared::Free(plane) => (String::new(), &plane.parameters, plane.start),
+            Compared::Controlled(plane) => {
                 let settings =
-                    spelled(&plane.control, plane.parameters.family(), |setting: ControlQuantity| {
+                    control_options(&plane.control, plane.parameters.family(), |setting: ControlQuantity| {
                         varied(Quantity::Control(setting))
                     });
                 (format!(" --control {}{settings}", plane.control.method()), &plane.parameters, plane.start)
@@ -58,7 +58,7 @@ impl Asked<'_> {
     /// The options that say how long a cell is followed.
     fn lengths(&self) -> String {
         match self {
-            Asked::Free(plane) => {
+            Compared::Free(plane) => {
                 let schedule = plane.schedule;
                 let fixed = if schedule.fixed_periods { " --fixed-periods" } else { "" };
                 format!(
@@ -66,7 +66,7 @@ impl Asked<'_> {
                     schedule.transient, schedule.observe, schedule.max_period
                 )
             }
-            Asked::Controlled(plane) => {
+            Compared::Controlled(plane) => {
                 let iterates = plane.iterates;
                 format!(
                     "--from {} --iterates {} --max-period {}",
