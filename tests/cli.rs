@@ -316,7 +316,7 @@ fn single_precision_agrees_with_the_reference() {
     let report = json(&run(&[&plane[..], &["--json"]].concat()));
     assert_eq!(report["holds"], true);
     assert_eq!(report["cells"], 30);
-    assert_eq!(report["checks"].as_array().unwrap().len(), 5);
+    assert_eq!(report["checks"].as_array().unwrap().len(), 6);
     assert_eq!(report["confusion"].as_array().unwrap().len(), 8);
     assert_eq!(keys(&report["tipped"]), ["cells", "inside", "non_chaotic"]);
     let text = run(&plane);
