@@ -103,6 +103,18 @@ fn every_family_has_the_same_bits_at_every_width() {
     }
 }
 
+/// Rebounds that hardly lose velocity under a slow force: thousands in every period, which other lanes do not wait for.
+#[test]
+fn rebounds_by_the_thousand_have_the_same_bits_at_every_width() {
+    let slow = |(omega, r)| Parameters { omega, r, delta: 0.1, ..Parameters::default() };
+    let cells = [(0.03, 1.0), (0.035, 1.0), (0.04, 0.9999), (0.3, 0.9), (0.05, 1.0), (0.02, 0.995)];
+    let job = |cell| Job { system: System::new(slow(cell)).unwrap(), start: [0.0; 4].into() };
+    let jobs: Vec<Job> = cells.map(job).into();
+    let most = jobs.iter().map(|job| follow::<f64>(job, &FIXED)).map(|told| told.impacts_total).max();
+    assert!(most > Some(5_000 * (FIXED.transient + FIXED.observe)), "{most:?} impacts");
+    assert_eq!(differ(&jobs, &FIXED, Job::clone), 0);
+}
+
 /// The negative control: a start moved a little is seen wherever the motion remembers it.
 #[test]
 fn a_start_moved_a_little_is_noticed() {

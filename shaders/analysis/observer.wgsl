@@ -144,7 +144,7 @@ fn observer_count_beside(beside: u32) {
 
 fn observer_strobe() {
     let state = trajectory.point.state;
-    observer.moves = 0u;
+    observer.moves = observer.moves - min(observer.moves, FAIR_MOVES);
     observer.periods = observer.periods + 1u;
     if !state_is_finite(state) {
         observer.stage = STAGE_FAILED;

@@ -129,7 +129,7 @@ fn controlled_note(taken: Move) {
 }
 
 fn controlled_strobe() {
-    controlled.moves = 0u;
+    controlled.moves = controlled.moves - min(controlled.moves, FAIR_MOVES);
     controlled.periods = controlled.periods + 1u;
     controlled.passage = controlled.passage + 1u;
     if !state_is_finite(trajectory.point.state) {

@@ -64,6 +64,6 @@ fn leaving_goes_on_from(section: Section, action: Action) {
     } else {
         trajectory = section_trajectory(section, leaving_contact(section, action.correction));
         // A phase that jumps back time and again never passes a strobe.
-        controlled.moves = 0u;
+        controlled.moves = controlled.moves - min(controlled.moves, FAIR_MOVES);
     }
 }

@@ -13,6 +13,9 @@ pub trait Queue<T, const N: usize> {
     /// The next trajectory: none when there is no more.
     fn next(&mut self) -> Option<(Self::Ticket, Flight<T, N>, Observer<T, N>)>;
 
+    /// A trajectory makes so many moves that the others would wait for it: it is to be followed to its end elsewhere.
+    fn hand_over(&mut self, ticket: Self::Ticket, flight: Flight<T, N>, observer: Observer<T, N>);
+
     /// A trajectory is at its end.
     fn done(&mut self, ticket: Self::Ticket, flight: &Flight<T, N>, observer: &Observer<T, N>);
 }
@@ -111,6 +114,16 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         }
     }
 
+    /// Lets a lane's trajectory be followed elsewhere, and gives the lane the next.
+    #[inline(never)]
+    fn hand_over(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
+        if let Some(Seat { ticket, flight, observer, .. }) = self.seats[lane].take() {
+            queue.hand_over(ticket, flight, observer);
+            self.busy -= 1;
+            self.fill(lane, schedule, queue);
+        }
+    }
+
     #[inline(always)]
     fn note_impacts(&mut self, impacts: u32, schedule: &Schedule) {
         for lane in bits(impacts) {
@@ -136,6 +149,10 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         let observing = seat.observer.stage == Stage::Observation;
         if event == Event::HalfPeriod && !observing {
             seat.observer.pass_half_period();
+            if seat.observer.keeps_others_waiting() {
+                seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight, seat.phase);
+                self.hand_over(lane, schedule, queue);
+            }
             return;
         }
         seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight, seat.phase);
@@ -145,6 +162,8 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         seat.observer.arrive(&seat.flight, schedule, event);
         if seat.observer.is_done() {
             self.finish(lane, schedule, queue);
+        } else if seat.observer.keeps_others_waiting() {
+            self.hand_over(lane, schedule, queue);
         } else if event == Event::Strobe {
             self.abreast.set_tangent(lane, seat.observer.carried());
         }
@@ -161,6 +180,8 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         seat.observer.settle_down(&seat.flight, schedule, true);
         if seat.observer.is_done() {
             self.finish(lane, schedule, queue);
+        } else if seat.observer.keeps_others_waiting() {
+            self.hand_over(lane, schedule, queue);
         } else {
             self.sit(lane);
         }

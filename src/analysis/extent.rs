@@ -1,7 +1,6 @@
 //! How far a motion goes: the root mean square and the peak of every coordinate.
 
-use crate::dynamics::constants::MOST_MOVES;
-use crate::dynamics::{Contact, Event, Point, Trajectory};
+use crate::dynamics::{Contact, Event, Moves, Point, Trajectory};
 use crate::model::vector::MOST;
 use crate::model::{Flight, Real, State};
 
@@ -66,7 +65,7 @@ impl<T: Real, const N: usize> ExtentObserver<T, N> {
 
     /// Follows it to the next phase 0; false where it has to be given up.
     fn follow_to_strobe(&mut self, flight: &Flight<T, N>) -> bool {
-        let mut moves = 0;
+        let mut moves = Moves::default();
         loop {
             let (before, offset, held) =
                 (self.trajectory.point, self.trajectory.offset, self.trajectory.contact);
@@ -75,11 +74,11 @@ impl<T: Real, const N: usize> ExtentObserver<T, N> {
             let until = if at_end { flight.h } else { self.trajectory.offset };
             let contact = if matches!(event, Event::Released(_)) { self.trajectory.contact } else { held };
             self.note(flight, &before, until - offset, contact);
-            moves += 1;
+            moves.add();
             if matches!(event, Event::Strobe) {
                 return self.trajectory.point.state.is_finite();
             }
-            if moves > MOST_MOVES {
+            if moves.are_too_many() {
                 return false;
             }
         }

@@ -38,5 +38,5 @@ pub(crate) mod constants {
     };
     pub use super::recurrence::{DISTINCT, FARTHEST};
     pub use super::spread::STATIONARY;
-    pub use crate::dynamics::constants::MOST_MOVES;
+    pub use crate::dynamics::constants::{FAIR_MOVES, MOST_MOVES};
 }

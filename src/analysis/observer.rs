@@ -6,8 +6,7 @@ use super::quiet::is_quiet;
 use super::recurrence::Recurrence;
 use super::schedule::Schedule;
 use super::spread::Spread;
-use crate::dynamics::constants::MOST_MOVES;
-use crate::dynamics::{Contact, Event, Impact, Move, Stop, Tangent, Trajectory, Variation};
+use crate::dynamics::{Contact, Event, Impact, Move, Moves, Stop, Tangent, Trajectory, Variation};
 use crate::model::{Flight, Real, State};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
@@ -66,7 +65,7 @@ pub struct Observer<T, const N: usize> {
     /// Forcing periods of the observation.
     pub(super) observe: u32,
     /// Moves since the last strobe.
-    moves: u32,
+    moves: Moves,
     /// Impacts since the observation began.
     pub(super) impacts: u32,
     /// Impacts since the start.
@@ -94,7 +93,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             periods: 0,
             observed: 0,
             observe: schedule.observe,
-            moves: 0,
+            moves: Moves::default(),
             impacts: 0,
             impacts_total: 0,
             peak: T::zero(),
@@ -174,6 +173,12 @@ impl<T: Real, const N: usize> Observer<T, N> {
         matches!(self.stage, Stage::Observed | Stage::Quiet | Stage::Failed)
     }
 
+    /// Whether it makes so many moves in a forcing period that others beside it would wait.
+    #[inline(always)]
+    pub(super) fn keeps_others_waiting(&self) -> bool {
+        self.moves.are_many()
+    }
+
     /// The tangent, while it is carried along.
     pub(super) fn carried(&self) -> Option<&Tangent<T, N>> {
         (self.stage == Stage::Observation).then_some(&self.tangent)
@@ -229,7 +234,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// Notes that the trajectory came to phase π before its observation: nothing is read there.
     #[inline(always)]
     pub(super) fn pass_half_period(&mut self) {
-        self.moves += 1;
+        self.moves.add();
     }
 
     /// Notes that the trajectory came to phase 0 or π in free flight.
@@ -239,7 +244,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     #[inline(always)]
     pub(super) fn note(&mut self, flight: &Flight<T, N>, schedule: &Schedule, taken: &Move<T>) {
-        self.moves += 1;
+        self.moves.add();
         if !taken.contact.is_free() {
             self.stuck = true;
         }
@@ -262,7 +267,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             }
             Event::Strobe => self.strobe(flight, schedule),
         }
-        if self.moves > MOST_MOVES {
+        if self.moves.are_too_many() {
             self.stage = Stage::Failed;
         }
     }
@@ -279,7 +284,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
     #[inline(always)]
     fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         let point = self.trajectory.point;
-        self.moves = 0;
+        self.moves.pass_period();
         self.periods += 1;
         if !point.state.is_finite() {
             self.stage = Stage::Failed;

@@ -11,9 +11,8 @@ use super::section::Section;
 use super::surface::Surface;
 use super::values::SectionValues;
 use super::witness::{Return, Witness};
-use crate::analysis::constants::MOST_MOVES;
 use crate::analysis::{Exponent, INFINITELY_MANY, Spread};
-use crate::dynamics::{Event, Impact, Move, Tangent, Trajectory};
+use crate::dynamics::{Event, Impact, Move, Moves, Tangent, Trajectory};
 use crate::model::vector::MOST;
 use crate::model::{Flight, Real};
 
@@ -49,7 +48,7 @@ pub struct Controlled<T: Real, const N: usize, D: Actuated<T, N> = ()> {
     /// Forcing periods since the last return.
     passage: u32,
     /// Moves since the last strobe or correction.
-    pub(super) moves: u32,
+    pub(super) moves: Moves,
     /// Impacts at each stop since the last return.
     pub(super) at_stops: Counts,
     /// The mirror image of the last impact at the twin of the section's stop.
@@ -89,7 +88,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
             observed_turns: T::zero(),
             periods: 0,
             passage: 0,
-            moves: 0,
+            moves: Moves::default(),
             at_stops: [0; MOST],
             mirrored: Section::zero(),
             impacts: 0,
@@ -122,7 +121,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
         taken: &Move<T>,
         witness: &mut impl Witness<T>,
     ) {
-        self.moves += 1;
+        self.moves.add();
         if !taken.contact.is_free() && !taken.contact.is_clamped_only() {
             self.stuck = self.iterates + 1;
         }
@@ -135,7 +134,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
             Event::Strobe => self.strobe(),
             Event::Flight | Event::StepEnd | Event::HalfPeriod | Event::Released(_) => {}
         }
-        if self.moves > MOST_MOVES {
+        if self.moves.are_too_many() {
             self.progress = Progress::Failed;
         }
     }
@@ -170,7 +169,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     }
 
     fn strobe(&mut self) {
-        self.moves = 0;
+        self.moves.pass_period();
         self.periods += 1;
         self.passage += 1;
         if !self.trajectory.point.state.is_finite() {

@@ -71,7 +71,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
             let contact = self.kept(flight, section, &action.correction);
             self.trajectory = section.trajectory(flight, &self.surface, contact, drive);
             // A phase that jumps back time and again never passes a strobe.
-            self.moves = 0;
+            self.moves.pass_period();
         }
     }
 }

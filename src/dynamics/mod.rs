@@ -13,6 +13,7 @@ mod corner;
 mod crossing;
 mod drive;
 mod leg;
+mod moves;
 mod near;
 mod placing;
 mod point;
@@ -28,6 +29,7 @@ mod trajectory;
 pub use abreast::Abreast;
 pub use contact::holds;
 pub use drive::{Drive, DriveSeries, Phasor};
+pub(crate) use moves::Moves;
 pub use point::{Motion, Point};
 pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record, resting_on};
 pub use stop::{Contact, End, Stop};
@@ -40,8 +42,9 @@ pub(crate) mod constants {
     pub use super::contact::{ROUNDINGS, WIDENING};
     pub use super::crossing::WIDER;
     pub use super::leg::SWELLING;
+    pub use super::moves::{FAIR_MOVES, MOST_MOVES};
     pub use super::quintic::STEPS as NEWTON_STEPS;
     pub use super::series::INVERSE_FACTORIALS;
-    pub use super::trajectory::{MOST_KICKS, MOST_MOVES};
+    pub use super::trajectory::MOST_KICKS;
     pub use crate::model::FAR;
 }

@@ -2,8 +2,9 @@
 
 use thiserror::Error;
 
+use super::moves::MOST_MOVES;
 use super::stop::{Contact, Stop};
-use super::trajectory::{Event, Impact, MOST_MOVES, Move, Trajectory};
+use super::trajectory::{Event, Impact, Move, Trajectory};
 use crate::model::{Flight, State, StateVector, System};
 
 /// An impact, at its instant; everything is non-dimensional.

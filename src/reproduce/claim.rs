@@ -107,10 +107,13 @@ impl Claim {
         Claim { verdict: Outcome::NotChecked, ..claim }
     }
 
-    /// The same claim with a note.
+    /// The same claim with a note, after any that it has.
     #[must_use]
     pub fn noted(mut self, note: impl Into<String>) -> Self {
-        self.note = note.into();
+        if !self.note.is_empty() {
+            self.note += "; ";
+        }
+        self.note += &note.into();
         self
     }
 }

@@ -8,11 +8,9 @@ use thiserror::Error;
 use super::follower::{Follower, follower};
 use super::frame::Frame;
 use crate::analysis::constants::{ALIGNING, BATCHES};
+use crate::dynamics::constants::MOST_MOVES;
 use crate::dynamics::{Event, Stop};
 use crate::model::System;
-
-/// Moves in one forcing period beyond which a trajectory is given up.
-const MOST_MOVES: u32 = 1 << 24;
 
 /// The 2n Lyapunov exponents of a trajectory, largest first, natural logarithm; everything is non-dimensional.
 ///
@@ -71,7 +69,7 @@ impl Spectrum {
         let mut follower = follower(system);
         follower.begin(start.as_ref());
         for period in 0..transient {
-            let mut moves = Moves { period, left: MOST_MOVES };
+            let mut moves = Headway { period, left: MOST_MOVES };
             while follower.advance().event != Event::Strobe {
                 moves.count(follower.as_ref())?;
             }
@@ -87,7 +85,7 @@ impl Spectrum {
             if period >= aligning && (period - aligning).is_multiple_of(batch_periods) {
                 batches.push(vec![0.0; 2 * system.plant().n]);
             }
-            let mut moves = Moves { period: transient + period, left: MOST_MOVES };
+            let mut moves = Headway { period: transient + period, left: MOST_MOVES };
             loop {
                 let taken = follower.advance();
                 moves.count(follower.as_ref())?;
@@ -140,12 +138,12 @@ impl Spectrum {
 }
 
 /// Guards against trajectories without end.
-struct Moves {
+struct Headway {
     period: u32,
     left: u32,
 }
 
-impl Moves {
+impl Headway {
     fn count(&mut self, follower: &dyn Follower) -> Result<(), SpectrumFailed> {
         let periods = self.period;
         self.left -= 1;

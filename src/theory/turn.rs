@@ -5,10 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::flow::Flow;
 use super::follower::Follower;
 use crate::analysis::INFINITELY_MANY;
-use crate::dynamics::{Event, Impact, Stop};
-
-/// Moves beyond which a trajectory is given up, per forcing period.
-const MOST_MOVES: u32 = 1 << 24;
+use crate::dynamics::{Event, Impact, Moves, Stop};
 
 /// One turn of a trajectory over N forcing periods, with its derivative.
 pub(super) struct Turn {
@@ -48,13 +45,14 @@ impl Turn {
             peak: 0.0,
             hardest: None,
         };
+        let mut moves = Moves::default();
         for period in 0..n {
-            let mut moves = 0;
+            moves.pass_period();
             turn.strobes.push(follower.state());
             loop {
                 let taken = follower.advance_to_event();
-                moves += 1;
-                if moves > MOST_MOVES || !follower.is_finite() {
+                moves.add();
+                if moves.are_too_many() || !follower.is_finite() {
                     return None;
                 }
                 turn.sticking |= !taken.contact.is_free();

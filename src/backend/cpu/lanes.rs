@@ -1,9 +1,10 @@
 //! Trajectories side by side in the registers of the processor, as many as it has room for.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{self, Sender};
 
 use pulp::{Simd, WithSimd};
-use rayon::prelude::*;
+use rayon::Scope;
 
 use crate::analysis::{Observer, Queue, Schedule, Verdict, follow_abreast};
 use crate::backend::{BackendError, Job, Watch};
@@ -89,41 +90,44 @@ fn spread<const N: usize>(
     let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
     let flights = Flights::<N>::of(&systems);
     let threads = rayon::current_num_threads().min(jobs.len().div_ceil(width.lanes()));
-    let done: Vec<Vec<(usize, Verdict)>> = (0..threads)
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|_| {
+    let (sender, done) = mpsc::channel();
+    let (taken, flights) = (&taken, &flights);
+    rayon::scope(|scope| {
+        for _ in 0..threads {
+            let done = sender.clone();
             let normals = jobs[0].system.normals();
-            let (taken, flights, done) = (&taken, &flights, Vec::new());
-            let mut line = Line { jobs, flights, schedule, watch, taken, normals, done };
-            line.follow(width);
-            line.done
-        })
-        .collect();
+            scope.spawn(move |scope| {
+                Line { jobs, flights, schedule, watch, taken, normals, done, scope }.follow(width);
+            });
+        }
+    });
+    drop(sender);
     if watch.cancelled() {
         return Err(BackendError::Cancelled);
     }
     let mut verdicts: Vec<Option<Verdict>> = vec![None; jobs.len()];
-    for (index, verdict) in done.into_iter().flatten() {
+    for (index, verdict) in done {
         verdicts[index] = Some(verdict);
     }
     verdicts.into_iter().collect::<Option<Vec<Verdict>>>().ok_or(BackendError::Cancelled)
 }
 
 /// What one thread takes from the jobs.
-struct Line<'a, const N: usize> {
-    jobs: &'a [Job],
-    flights: &'a Flights<N>,
-    schedule: &'a Schedule,
-    watch: &'a dyn Watch,
+struct Line<'a, 'scope, const N: usize> {
+    jobs: &'scope [Job],
+    flights: &'scope Flights<N>,
+    schedule: &'scope Schedule,
+    watch: &'scope dyn Watch,
     /// Jobs that some thread has taken.
-    taken: &'a AtomicUsize,
+    taken: &'scope AtomicUsize,
     /// Contact normals of the cells that fit.
     normals: usize,
-    done: Vec<(usize, Verdict)>,
+    done: Sender<(usize, Verdict)>,
+    /// Where what would keep the other lanes waiting is left for any thread that has nothing else to do.
+    scope: &'a Scope<'scope>,
 }
 
-impl<const N: usize> Line<'_, N> {
+impl<const N: usize> Line<'_, '_, N> {
     fn follow(&mut self, width: Width) {
         match width {
             Width::One => {}
@@ -155,12 +159,17 @@ impl<const N: usize> Line<'_, N> {
     }
 
     fn follow_alone(&mut self, index: usize) {
-        self.done.push((index, super::follow::<f64>(&self.jobs[index], self.schedule)));
-        self.watch.finished(1);
+        tell(&self.done, self.watch, index, super::follow::<f64>(&self.jobs[index], self.schedule));
     }
 }
 
-impl<const N: usize> Queue<f64, N> for Line<'_, N> {
+/// Says what a job came to; nobody listens any more only where all was given up.
+fn tell(done: &Sender<(usize, Verdict)>, watch: &dyn Watch, index: usize, verdict: Verdict) {
+    let _ = done.send((index, verdict));
+    watch.finished(1);
+}
+
+impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
     type Ticket = usize;
 
     fn next(&mut self) -> Option<(usize, Flight<f64, N>, Observer<f64, N>)> {
@@ -177,16 +186,28 @@ impl<const N: usize> Queue<f64, N> for Line<'_, N> {
         }
     }
 
+    fn hand_over(&mut self, index: usize, flight: Flight<f64, N>, mut observer: Observer<f64, N>) {
+        let Line { jobs, schedule, watch, .. } = *self;
+        let done = self.done.clone();
+        self.scope.spawn(move |_| {
+            if !watch.cancelled() {
+                observer.follow(&flight, schedule);
+                let verdict = observer.verdict(&flight, jobs[index].system.label_order());
+                tell(&done, watch, index, verdict);
+            }
+        });
+    }
+
     fn done(&mut self, index: usize, flight: &Flight<f64, N>, observer: &Observer<f64, N>) {
-        self.done.push((index, observer.verdict(flight, self.jobs[index].system.label_order())));
-        self.watch.finished(1);
+        let verdict = observer.verdict(flight, self.jobs[index].system.label_order());
+        tell(&self.done, self.watch, index, verdict);
     }
 }
 
 /// The lanes of an instruction set at work.
-struct Following<'a, 'b, const N: usize>(&'b mut Line<'a, N>);
+struct Following<'a, 'scope, 'b, const N: usize>(&'b mut Line<'a, 'scope, N>);
 
-impl<const N: usize> WithSimd for Following<'_, '_, N> {
+impl<const N: usize> WithSimd for Following<'_, '_, '_, N> {
     type Output = ();
 
     #[inline(always)]

@@ -1,5 +1,6 @@
 //! Figs. 19 to 23: delayed feedback.
 
+use rayon::prelude::*;
 use serde_json::Value;
 
 use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
@@ -10,7 +11,6 @@ use crate::analysis::Reading;
 use crate::backend::Watch;
 use crate::control::{DelaySetting, Scheme, SectionValues, Sign};
 use crate::dynamics::Stop;
-use crate::plane::Start;
 
 const ITERATES: u32 = 4000;
 const LONG: u32 = 6000;
@@ -22,6 +22,7 @@ const EFFECTIVE: [f64; 3] = [0.3, 0.4, 0.5];
 const LARGE: f64 = 0.97;
 const LARGEST: &str = "0.9677";
 const SMALL: f64 = 0.1;
+const DOUBLED: &str = "2-4-2";
 
 const fn feedback(gain: f64, sign: Sign) -> Scheme {
     Scheme::Delay(DelaySetting { stop: Stop::A, gains: SectionValues::new([gain; 4]), delay: 1, sign })
@@ -35,9 +36,20 @@ fn is_captured(run: &Run) -> bool {
     run.outcome.verdict.label() == "1-2-1"
 }
 
-/// How many of the starts end like that.
-fn ends(gain: f64, like: impl Fn(&Run) -> bool) -> usize {
-    (0..STARTS).filter(|&number| like(&Run::new(stabilising(gain), LONG, start(number)))).count()
+/// How many of the starts end like that, of trajectories of so many iterates.
+fn ends(gain: f64, iterates: u32, like: impl Fn(&Run) -> bool + Sync) -> usize {
+    let run = |number| Run::new(stabilising(gain), iterates, start(number));
+    (0..STARTS).into_par_iter().filter(|&number| like(&run(number))).count()
+}
+
+/// The run that is shown of those with the gain of Figs. 19 and 20, where several motions are stable and which of them chaos
+/// ends on depends on the start.
+fn shown_run() -> Run {
+    Run::first(stabilising(HALF), ITERATES, STARTS, is_captured)
+}
+
+fn captured(gain: f64, iterates: u32) -> String {
+    format!("{} of {STARTS} starts are captured", ends(gain, iterates, is_captured))
 }
 
 fn shown(time: Option<u32>) -> String {
@@ -62,12 +74,16 @@ impl PaperFigure for Figure19 {
     }
 
     fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
-        let run = Run::new(stabilising(HALF), ITERATES, Start::Rest);
+        let run = shown_run();
         let point = is_captured(&run).then(|| run.point());
-        let mut claims = components(19, "fixed point X*", PRINTED, point, 5e-6);
+        let captured = captured(HALF, ITERATES);
+        let mut claims: Vec<Claim> = components(19, "fixed point X*", PRINTED, point, 5e-6)
+            .into_iter()
+            .map(|claim| claim.noted(&captured))
+            .collect();
         let printed_sign = feedback(HALF, Sign::Printed);
         let largest = point.and_then(|point| Run::largest_multiplier(&printed_sign, point));
-        let ended = Run::new(printed_sign, ITERATES, Start::Rest).label();
+        let ended = Run::new(printed_sign, ITERATES, run.start).label();
         claims.push(
             Claim::new(
                 19,
@@ -100,8 +116,9 @@ impl PaperFigure for Figure20 {
     }
 
     fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
-        let run = Run::new(stabilising(HALF), ITERATES, Start::Rest);
-        let claims = vec![motion(20, "phase portrait under control", "1-2-1", &run)];
+        let run = shown_run();
+        let claim = motion(20, "phase portrait under control", "1-2-1", &run);
+        let claims = vec![claim.noted(captured(HALF, ITERATES))];
         let picture = draw(&[(&run, PORTRAIT), (&run, TIME)], None, &config_of(self))?;
         Ok(Produced { pictures: vec![("", picture)], claims })
     }
@@ -135,9 +152,9 @@ impl PaperFigure for Figure21 {
             .map(|(&gain, run)| {
                 let claim = motion(21, &format!("motion with g = {gain}"), "1-2-1", run);
                 claim.noted(format!(
-                    "converged after {} iterates; {} of {STARTS} starts are captured",
+                    "converged after {} iterates; {}",
                     shown(run.time()),
-                    ends(gain, is_captured)
+                    captured(gain, LONG)
                 ))
             })
             .collect();
@@ -180,7 +197,7 @@ impl PaperFigure for Figure22 {
 
     fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
         let run = Run::first(stabilising(LARGE), LONG, STARTS, is_captured);
-        let fixed = Run::new(stabilising(HALF), ITERATES, Start::Rest).point();
+        let fixed = shown_run().point();
         let modulus = |gain: f64| Run::largest_multiplier(&stabilising(gain), fixed).unwrap_or(f64::NAN);
         let largest: f64 = LARGEST.parse().expect("a printed number is a number");
         let stable = modulus(largest + 1e-3) < 1.0;
@@ -197,8 +214,8 @@ impl PaperFigure for Figure22 {
                 .noted(format!(
                     "{} of {STARTS} starts are captured, {} run away; the run shown converged after {} iterates: cut \
                      short, its slow spiral looks like a circle",
-                    ends(LARGE, is_captured),
-                    ends(LARGE, |run| run.outcome.runaway),
+                    ends(LARGE, LONG, is_captured),
+                    ends(LARGE, LONG, |run| run.outcome.runaway),
                     shown(run.time())
                 )),
         ];
@@ -229,8 +246,13 @@ impl PaperFigure for Figure23 {
     }
 
     fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
-        let run = Run::new(stabilising(SMALL), ITERATES, Start::Rest);
-        let claims = vec![motion(23, "motion with g = 0.1", "2-4-2", &run)];
+        let is_printed = |run: &Run| run.label() == DOUBLED;
+        let run = Run::first(stabilising(SMALL), ITERATES, STARTS, is_printed);
+        let number = ends(SMALL, ITERATES, is_printed);
+        let claims = vec![
+            motion(23, "motion with g = 0.1", DOUBLED, &run)
+                .noted(format!("{number} of {STARTS} starts end on it")),
+        ];
         let picture = draw(&[(&run, TAU), (&run, PORTRAIT)], None, &config_of(self))?;
         Ok(Produced { pictures: vec![("", picture)], claims })
     }

@@ -55,6 +55,7 @@ pub fn source(shape: &Shape) -> String {
         ("TURNS", analysis::TURNS),
         ("CLEAR_STEPS", analysis::CLEAR_STEPS),
         ("MOST_MOVES", analysis::MOST_MOVES),
+        ("FAIR_MOVES", analysis::FAIR_MOVES),
         ("DEPTH", LONGEST_ON_DEVICE.max(LONGEST_DELAY) as u32 + 1),
         ("DELAYS", DELAYS as u32),
         ("LONGEST_DELAY", LONGEST_DELAY as u32),
