@@ -21,7 +21,7 @@ fn exponent_at_strobe() -> f32 {
     var growth = 0.0;
     if length > 0.0 && is_finite(length) {
         tangent = state_scaled(1.0 / length, tangent);
-        growth = log(length);
+        growth = logarithm(length);
     } else {
         tangent = tangent_seed();
     }

@@ -201,7 +201,7 @@ fn controlled_observe(turns: f32) {
     controlled.observed_turns = controlled.observed_turns + turns;
     let factor = deviations_growth();
     if factor > 0.0 {
-        exponent_add(log(factor));
+        exponent_add(logarithm(factor));
     } else {
         controlled.erased = 1u;
     }

@@ -50,7 +50,7 @@ impl<T: Real> Exponent<T> {
         let length = tangent.length();
         let growth = if length > T::zero() && length.is_finite() {
             *tangent = tangent.scaled(T::one() / length);
-            length.ln()
+            length.logarithm()
         } else {
             *tangent = Tangent::seed();
             T::zero()

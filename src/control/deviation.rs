@@ -108,7 +108,7 @@ impl<T: Real, const N: usize> Deviations<T, N> {
         }
         let factor = T::one() / length;
         self.points = self.points.map(|point| point.map(|value| value * factor));
-        Some(length.ln())
+        Some(length.logarithm())
     }
 }
 

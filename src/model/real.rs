@@ -40,6 +40,9 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
 
     /// The value as f64, exact.
     fn widen(self) -> f64;
+
+    /// ln of a positive, finite value.
+    fn logarithm(self) -> Self;
 }
 
 impl Real for f64 {
@@ -64,6 +67,10 @@ impl Real for f64 {
     fn widen(self) -> f64 {
         self
     }
+
+    fn logarithm(self) -> Self {
+        self.ln()
+    }
 }
 
 impl Real for f32 {
@@ -87,5 +94,9 @@ impl Real for f32 {
     #[inline(always)]
     fn widen(self) -> f64 {
         f64::from(self)
+    }
+
+    fn logarithm(self) -> Self {
+        super::logarithm(self)
     }
 }

@@ -16,6 +16,7 @@ use crate::control::{ControlSchedule, Controller, Convention, LONGEST_ON_DEVICE,
 pub use adapters::{AdapterReport, adapters};
 
 use kernel::Kernel;
+use shader::Arithmetic;
 
 /// Follows trajectories on an adapter.
 pub struct Gpu {
@@ -36,8 +37,15 @@ impl Gpu {
     /// [`BackendError::NoAdapter`] where none matches, listing what there is; [`BackendError::Device`] where the
     /// adapter refuses a device or the shader.
     pub fn open(text: Option<&str>) -> Result<Self, BackendError> {
-        let found = adapters::find(text)?;
-        Self::on(found)
+        Self::on(adapters::find(text)?, Arithmetic::Native)
+    }
+
+    /// The same with arithmetic that no driver changes: the same bits on every adapter, those of the processor's f32.
+    ///
+    /// # Errors
+    /// As [`Gpu::open`].
+    pub fn open_exact(text: Option<&str>) -> Result<Self, BackendError> {
+        Self::on(adapters::find(text)?, Arithmetic::Exact)
     }
 
     /// Opens the best hardware adapter, if there is one.
@@ -45,11 +53,11 @@ impl Gpu {
     /// # Errors
     /// [`BackendError::Device`] where the adapter refuses a device or the shader.
     pub fn open_hardware() -> Result<Option<Self>, BackendError> {
-        adapters::find_hardware().map(Self::on).transpose()
+        adapters::find_hardware().map(|found| Self::on(found, Arithmetic::Native)).transpose()
     }
 
-    fn on(found: adapters::Found) -> Result<Self, BackendError> {
-        let kernel = Kernel::new(&found)?;
+    fn on(found: adapters::Found, arithmetic: Arithmetic) -> Result<Self, BackendError> {
+        let kernel = Kernel::new(&found, arithmetic)?;
         Ok(Gpu { report: found.report, kernel })
     }
 

@@ -1,11 +1,14 @@
 //! Kernels compiled for a shape, once each.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use wgpu::ShaderSource;
+
 use super::device::compiled;
 use crate::backend::BackendError;
-use crate::backend::gpu::shader::{self, Residence, Shape};
+use crate::backend::gpu::shader::{self, Arithmetic, Residence, Shape};
 
 /// A compiled kernel, and the size of what it keeps of a trajectory.
 pub struct Compiled {
@@ -17,13 +20,14 @@ pub struct Compiled {
 /// Every kernel that was compiled so far.
 pub struct Library {
     residence: Residence,
+    arithmetic: Arithmetic,
     compiled: Mutex<HashMap<(shader::Kernel, Shape), Arc<Compiled>>>,
 }
 
 impl Library {
-    /// An empty library of kernels that keep the constants of a cell there.
-    pub fn new(residence: Residence) -> Self {
-        Library { residence, compiled: Mutex::default() }
+    /// An empty library of kernels that keep the constants of a cell there, and compute so.
+    pub fn new(residence: Residence, arithmetic: Arithmetic) -> Self {
+        Library { residence, arithmetic, compiled: Mutex::default() }
     }
 
     /// The kernel for a shape, compiled if it is needed for the first time.
@@ -37,8 +41,14 @@ impl Library {
         if let Some(compiled) = library.get(&(kernel, shape)) {
             return Ok(compiled.clone());
         }
-        let source = shader::source(kernel, &shape, self.residence);
+        let source = shader::source(kernel, &shape, self.residence, self.arithmetic);
         let state = size_of_state(&source, kernel.state());
+        let source = match self.arithmetic {
+            Arithmetic::Native => ShaderSource::Wgsl(source.into()),
+            Arithmetic::Exact => {
+                ShaderSource::Naga(Cow::Owned(shader::exact(&source).map_err(BackendError::Device)?))
+            }
+        };
         let pipeline = compiled(device, kernel.entry(), source)?;
         let compiled = Arc::new(Compiled { pipeline, state });
         library.insert((kernel, shape), compiled.clone());

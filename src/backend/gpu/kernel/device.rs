@@ -44,13 +44,10 @@ impl Kernel {
 pub fn compiled(
     device: &wgpu::Device,
     name: &str,
-    source: String,
+    source: wgpu::ShaderSource<'_>,
 ) -> Result<wgpu::ComputePipeline, BackendError> {
     guarded(device, || {
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some(name),
-            source: wgpu::ShaderSource::Wgsl(source.into()),
-        });
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(name), source });
         device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some(name),
             layout: None,

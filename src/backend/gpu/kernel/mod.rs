@@ -11,7 +11,7 @@ mod trace;
 
 use super::adapters::Found;
 use crate::backend::BackendError;
-use crate::backend::gpu::shader::Residence;
+use crate::backend::gpu::shader::{Arithmetic, Residence};
 
 use compiled::Library;
 
@@ -29,7 +29,7 @@ pub struct Kernel {
 
 impl Kernel {
     /// Opens a device on the adapter.
-    pub fn new(found: &Found) -> Result<Self, BackendError> {
+    pub fn new(found: &Found, arithmetic: Arithmetic) -> Result<Self, BackendError> {
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("impact-atlas"),
             required_limits: wgpu::Limits::default(),
@@ -39,7 +39,7 @@ impl Kernel {
             .map_err(|error| BackendError::Device(error.to_string()))?;
         let software = found.report.is_software();
         let residence = if software { Residence::Private } else { Residence::Buffer };
-        Ok(Kernel { device, queue, library: Library::new(residence), software })
+        Ok(Kernel { device, queue, library: Library::new(residence, arithmetic), software })
     }
 
     /// Trajectories that one call of [`Kernel::run`] takes at most.

@@ -2,7 +2,7 @@
 
 use std::mem::{offset_of, size_of};
 
-use super::super::shader::{Kernel, Residence, Shape, source};
+use super::super::shader::{Arithmetic, Kernel, Residence, Shape, source};
 use super::trace::Rebounds;
 use super::*;
 use crate::control::Controller;
@@ -20,7 +20,7 @@ fn declared(name: &str) -> (Vec<(String, u32)>, u32) {
     let shape = Shape { coordinates: 2, normals: 1, stops: 2 };
     let module = Kernel::ALL
         .into_iter()
-        .find_map(|kernel| declares(source(kernel, &shape, Residence::Buffer)))
+        .find_map(|kernel| declares(source(kernel, &shape, Residence::Buffer, Arithmetic::Native)))
         .unwrap();
     let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name)).unwrap();
     let naga::TypeInner::Struct { members, span } = &ty.inner else { panic!("{name} is no struct") };
@@ -73,8 +73,13 @@ fn the_constants_of_a_cell_fill_what_the_shader_declares() {
     fn check<const N: usize>() {
         for normals in 1..=4 {
             let shape = Shape { coordinates: N, normals, stops: normals };
-            let module =
-                naga::front::wgsl::parse_str(&source(Kernel::Follow, &shape, Residence::Buffer)).unwrap();
+            let module = naga::front::wgsl::parse_str(&source(
+                Kernel::Follow,
+                &shape,
+                Residence::Buffer,
+                Arithmetic::Native,
+            ))
+            .unwrap();
             let size = |name: &str| {
                 let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name)).unwrap();
                 ty.inner.size(module.to_ctx()) as usize
@@ -100,7 +105,7 @@ fn the_words_of_a_controller_fill_what_the_shader_declares() {
         let system = model::System::new(Setting::defaults(Family::builtin(name))).unwrap();
         let plant = system.plant();
         let shape = Shape { coordinates: plant.n, normals: system.normals(), stops: plant.stops.len() };
-        let source = source(Kernel::Control, &shape, Residence::Buffer);
+        let source = source(Kernel::Control, &shape, Residence::Buffer, Arithmetic::Native);
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Control")).unwrap();
         for stop in 0..plant.stops.len() {

@@ -12,8 +12,8 @@ use crate::backend::gpu::layout::{
 use crate::control::constants as control;
 use crate::control::{Convention, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, NEVER, Progress};
 use crate::dynamics::constants as dynamics;
-use crate::model::Real;
 use crate::model::vector::MOST;
+use crate::model::{INVERSE_ODD, Real};
 
 /// Their declarations in WGSL.
 pub fn source(shape: &Shape) -> String {
@@ -99,6 +99,8 @@ pub fn source(shape: &Shape) -> String {
         ("RUNAWAY", control::RUNAWAY),
         ("ROUNDINGS", dynamics::ROUNDINGS),
         ("TANGENT_SEED", 1.0 / (2.0 * shape.coordinates as f64).sqrt()),
+        ("LN_2", std::f64::consts::LN_2),
+        ("SQRT_2", std::f64::consts::SQRT_2),
         ("THIRD", 1.0 / 3.0),
         ("TWELFTH", 1.0 / 12.0),
         ("TWO_THIRDS", 2.0 / 3.0),
@@ -121,17 +123,15 @@ pub fn source(shape: &Shape) -> String {
     for (name, value) in numbers {
         writeln!(source, "const {name}: f32 = {}f;", exact(value)).expect("a string takes anything");
     }
-    let factorials: Vec<String> = dynamics::INVERSE_FACTORIALS[..KICK_TERMS + 1]
-        .iter()
-        .map(|&value| format!("{}f", exact(value)))
-        .collect();
-    writeln!(
-        source,
-        "const INVERSE_FACTORIALS = array<f32, {}>({});",
-        factorials.len(),
-        factorials.join(", ")
-    )
-    .expect("a string takes anything");
+    let arrays = [
+        ("INVERSE_FACTORIALS", &dynamics::INVERSE_FACTORIALS[..KICK_TERMS + 1]),
+        ("INVERSE_ODD", &INVERSE_ODD[..]),
+    ];
+    for (name, values) in arrays {
+        let values: Vec<String> = values.iter().map(|&value| format!("{}f", exact(value))).collect();
+        writeln!(source, "const {name} = array<f32, {}>({});", values.len(), values.join(", "))
+            .expect("a string takes anything");
+    }
     source
 }
 

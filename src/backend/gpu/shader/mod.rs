@@ -1,11 +1,13 @@
 //! The shader: fragments in their order, unrolled for a shape, after declarations generated from this crate's own.
 
 mod constants;
+mod exact;
 mod residence;
 mod sections;
 mod template;
 mod vectors;
 
+pub use exact::{Arithmetic, exact};
 pub use residence::Residence;
 pub use template::Shape;
 
@@ -84,8 +86,9 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 23] = [
+const COMMON: [&str; 24] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
+    include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
     include_str!("../../../../shaders/dynamics/stop.wgsl"),
     include_str!("../../../../shaders/dynamics/series.wgsl"),
@@ -115,7 +118,7 @@ const BOUND: &str = "var bound = flight.normals[normal].bound_forcing;";
 const DRIVEN_BOUND: &str = "var bound = flight.normals[normal].bound_forcing + driven.bound[normal];";
 
 /// The source of a kernel for a shape.
-pub fn source(kernel: Kernel, shape: &Shape, residence: Residence) -> String {
+pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: Arithmetic) -> String {
     let fragments: String =
         COMMON.iter().chain(kernel.fragments()).map(|fragment| shape.unrolled(fragment) + "\n").collect();
     // A force in phase with the forcing is added to what it changes.
@@ -130,6 +133,7 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence) -> String {
     };
     let sections = if kernel == Kernel::Control { sections::source(shape) } else { String::new() };
     [
+        arithmetic.source(),
         constants::source(shape).as_str(),
         vectors::source(shape).as_str(),
         &layout::declarations_for(shape),
@@ -167,12 +171,26 @@ mod tests {
     }
 
     #[test]
+    fn every_shader_can_be_computed_exactly() {
+        for kernel in Kernel::ALL {
+            for shape in shapes() {
+                let source = source(kernel, &shape, Residence::Private, Arithmetic::Exact);
+                let module = exact(&source).unwrap_or_else(|error| panic!("{shape:?} {error}"));
+                let all = naga::valid::ValidationFlags::all();
+                naga::valid::Validator::new(all, naga::valid::Capabilities::empty())
+                    .validate(&module)
+                    .unwrap_or_else(|error| panic!("{shape:?} {error:?}"));
+            }
+        }
+    }
+
+    #[test]
     fn the_shaders_are_valid_and_need_no_feature() {
         for kernel in Kernel::ALL {
             for (shape, residence) in
                 shapes().into_iter().flat_map(|shape| Residence::ALL.map(|residence| (shape, residence)))
             {
-                let source = source(kernel, &shape, residence);
+                let source = source(kernel, &shape, residence, Arithmetic::Native);
                 let module = naga::front::wgsl::parse_str(&source)
                     .unwrap_or_else(|error| panic!("{shape:?} {}", error.emit_to_string(&source)));
                 let all = naga::valid::ValidationFlags::all();
