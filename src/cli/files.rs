@@ -86,6 +86,11 @@ pub fn prepare<const N: usize>(
     Ok(outputs)
 }
 
+/// Whether a path names a store.
+pub fn is_store(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zarr"))
+}
+
 /// Where the data go: where they are asked for, otherwise beside the picture with its name, if it has one.
 pub fn data_beside(picture: &Path, data: Option<&Path>) -> Option<PathBuf> {
     match data {

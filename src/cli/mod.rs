@@ -5,6 +5,7 @@
 mod adapters;
 mod bifurcation;
 mod cell;
+mod census;
 mod classify;
 mod compared;
 mod control;
@@ -24,6 +25,7 @@ mod interrupt;
 mod lyapunov;
 mod machine;
 mod map;
+mod map_args;
 mod method;
 mod motion;
 mod multipliers;
@@ -88,7 +90,7 @@ Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Map(Box<map::MapArgs>),
+    Map(Box<map_args::MapArgs>),
     Explore(Box<explore::ExploreArgs>),
     Render(render::RenderArgs),
     Status(status::StatusArgs),

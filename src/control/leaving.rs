@@ -1,9 +1,9 @@
 //! How a trajectory leaves σ: from where, with which contacts, under which force.
 
+use super::action::Action;
 use super::actuated::Actuated;
 use super::components::Components;
 use super::controlled::Controlled;
-use super::method::Action;
 use super::progress::Progress;
 use super::section::Section;
 use crate::dynamics::{Contact, Point, Trajectory, holds};

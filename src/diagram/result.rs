@@ -1,6 +1,7 @@
 //! A computed diagram.
 
-use super::spec::{DiagramSpec, Direction};
+use super::spec::DiagramSpec;
+use super::sweep::Direction;
 use crate::analysis::Trace;
 use crate::plane::Provenance;
 

@@ -177,7 +177,7 @@ impl Shared {
                 Batch { scene: &scene, tiles: &self.tiles, keys: &keys, layer, cancelled: &cancelled };
             let computed = batch::compute(&batch);
             if let (Ok(_), Some(stored)) = (&computed, scene.stored())
-                && let Err(error) = stored.keep(&scene, &self.tiles, &keys)
+                && let Err(error) = stored.keep((scene.id, scene.computing.backend), &self.tiles, &keys)
             {
                 let message = format!("{error}; what is computed here is no longer kept in the store");
                 let _ = page.send(Outgoing::failed(scene.id, &message));

@@ -2,7 +2,7 @@
 //!
 //! Loops and no closures: a closure that is not inlined loses the instructions that its caller was compiled for.
 
-use super::lanes::Lanes;
+use super::real::Lanes;
 use super::real::Real;
 
 /// Coordinates or normals of a plant, at most.

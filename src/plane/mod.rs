@@ -2,10 +2,12 @@
 
 mod axis;
 mod axis_error;
+mod component;
 mod connected;
 mod controlled;
 pub mod fields;
 mod part;
+mod quantity;
 mod region_map;
 mod spacing;
 mod spec;
@@ -13,11 +15,13 @@ mod start;
 mod window;
 pub mod written;
 
-pub use axis::{Axis, Component, Quantity};
+pub use axis::Axis;
 pub use axis_error::AxisError;
+pub use component::Component;
 pub use connected::{Cell, connected};
 pub use controlled::{ControlMap, ControlPlane, ControlPlaneError};
 pub use part::{Part, PartError, cost};
+pub use quantity::Quantity;
 pub use region_map::{Made, Multipliers, Provenance, RegionMap};
 pub use spacing::Spacing;
 pub use spec::{Plane, PlaneError};

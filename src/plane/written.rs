@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::axis::{Axis, Quantity};
+use super::axis::Axis;
+use super::quantity::Quantity;
 use super::spacing::Spacing;
 use crate::model::{Parameter, Setting};
 use crate::system::Family;

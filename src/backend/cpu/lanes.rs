@@ -5,8 +5,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
+use super::each::each;
+use super::follow::follow;
 use crate::analysis::{Observer, Queue, Schedule, Verdict, follow_abreast};
-use crate::backend::{BackendError, Job, Watch};
+use crate::backend::error::BackendError;
+use crate::backend::job::Job;
+use crate::backend::watch::Watch;
 use crate::model::{Flight, Flights, Pack, System, Twin};
 
 /// How many trajectories one core follows at once; the bits of each are the same at every width.
@@ -74,7 +78,7 @@ pub fn follow_all(
     match n {
         1 if alike && width != Width::One => spread::<1>(jobs, schedule, watch, width),
         2 if alike && width != Width::One => spread::<2>(jobs, schedule, watch, width),
-        _ => super::each(jobs, watch, |job| super::follow::<f64>(job, schedule)),
+        _ => each(jobs, watch, |job| follow::<f64>(job, schedule)),
     }
 }
 
@@ -155,7 +159,7 @@ impl<const N: usize> Line<'_, N> {
     }
 
     fn follow_alone(&mut self, index: usize) {
-        self.done.push((index, super::follow::<f64>(&self.jobs[index], self.schedule)));
+        self.done.push((index, follow::<f64>(&self.jobs[index], self.schedule)));
         self.watch.finished(1);
     }
 }
