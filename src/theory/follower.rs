@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::admissible::wrapped;
+use super::section::wrapped;
 use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory, Variation};
 use crate::model::vector::axpy;
 use crate::model::{Flight, State, System};

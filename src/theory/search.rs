@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 use thiserror::Error;
 
-use super::flow::{Flow, phase};
+use super::flow::Flow;
 use super::follower::follower;
 use super::label::Label;
 use super::motion::PeriodicMotion;
+use super::section::phase;
 use super::seeding::{Search, among_returns, settled_motion};
 use super::symmetric::{stable_branch, symmetric_start};
 use crate::model::{Parameter, Setting, System};

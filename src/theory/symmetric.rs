@@ -5,12 +5,13 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use super::admissible::{Inadmissible, NamedStop, fly, wrapped};
+use super::admissible::{Inadmissible, NamedStop, fly};
 use super::face::Face;
-use super::flow::{Flow, Section, phase};
+use super::flow::Flow;
 use super::motion::PeriodicMotion;
 use super::newton;
 use super::pattern::{Pattern, StopSet};
+use super::section::{Section, phase, wrapped};
 use crate::dynamics::Stop;
 use crate::model::System;
 
@@ -203,7 +204,7 @@ fn solution(system: &System, flow: &Flow, stop: Stop, section: Section) -> Symme
     let at_phase_zero = if rests {
         Err(Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity })
     } else {
-        fly(system, &motion)
+        fly(system, &motion.pattern, &motion.sections)
             .and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, image))))
     };
     SymmetricMotion { motion, at_phase_zero }

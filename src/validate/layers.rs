@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::compare::same_label;
+use super::alike::same_label;
 use super::spread::{Share, Spread};
 use crate::plane::fields::{Cells, Layer, Spread as Scale};
 use crate::plane::{RegionMap, Window};

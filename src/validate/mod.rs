@@ -27,6 +27,7 @@
 //! boundaries of the regions that a map shows.
 
 mod agreement;
+mod alike;
 mod boundaries;
 mod compare;
 mod continuation;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::agreement::{Agreement, Tipped};
-use super::compare::{is_inside, same_label};
+use super::alike::{is_inside, same_label};
 use crate::analysis::Regime;
 use crate::backend::{Backend, Job, Watch, decide};
 use crate::model::System;
