@@ -13,6 +13,7 @@
 //!
 //! | room | what it holds |
 //! |---|---|
+//! | [`figure`] | canvas, text, scales and ticks, frames, keys, colour bars: figures that know no oscillator |
 //! | [`system`] | any linear oscillator with rigid stops: its file, its parameters, the numbers of one cell |
 //! | [`model`] | parameters and their ranges, the equations of motion, the constants of linear flight |
 //! | [`dynamics`] | flight, contact, impact, chatter, sticking: a [`Trajectory`](dynamics::Trajectory) moves from event to event |
@@ -23,7 +24,7 @@
 //! | [`curves`] | bifurcation curves of a plane, by continuation |
 //! | [`diagram`] | bifurcation diagrams: axis, sweep, section; branches and where they coexist |
 //! | [`backend`] | one trait; the CPU in f64 on every core, the GPU in f32; only its folder `gpu` names wgpu |
-//! | [`store`], [`render`] | files and pictures; they know planes, never back ends |
+//! | [`store`], [`render`] | files, and pictures of planes, diagrams and orbits; they know results, never back ends |
 //! | [`sweep`], [`validate`] | a plane or a diagram on a back end; two back ends against each other |
 //! | [`reproduce`] | the figures of the paper and what it prints, computed again |
 //! | [`explore`] | a page in the browser that shows a plane, served on this machine |
@@ -141,6 +142,7 @@ pub mod curves;
 pub mod diagram;
 pub mod dynamics;
 pub mod explore;
+pub mod figure;
 pub mod model;
 pub mod plane;
 pub mod render;

@@ -10,10 +10,11 @@ use impact_atlas::control::{
     ControlSchedule, Controller, History, LONGEST, Outcome, Scheme, SectionValues, control, converged_at,
     multipliers, section_names,
 };
+use impact_atlas::figure::Size;
 use impact_atlas::model::{Setting, StateVector, System};
 use impact_atlas::plane::Start;
 use impact_atlas::plane::written::WrittenSystem;
-use impact_atlas::render::{ControlPicture, Size};
+use impact_atlas::render::ControlPicture;
 use impact_atlas::store;
 use serde::Serialize;
 

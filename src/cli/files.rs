@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
-use impact_atlas::render::Picture;
+use impact_atlas::figure::Picture;
 use impact_atlas::store::{Filled, Output};
 use serde::Serialize;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use impact_atlas::render::Picture;
+use impact_atlas::figure::Picture;
 
 use super::{CliError, note};
 

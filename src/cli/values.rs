@@ -4,9 +4,9 @@ use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 
+use impact_atlas::figure::Size;
 use impact_atlas::model::{Number, Parameter, ParameterError, whole};
 use impact_atlas::plane::Quantity;
-use impact_atlas::render::Size;
 use impact_atlas::system::Family;
 use thiserror::Error;
 

@@ -31,12 +31,12 @@ const FONTS: [Part; 2] = [
     Part {
         name: "font/Inter-Regular.otf",
         media: "font/otf",
-        content: include_bytes!("../render/fonts/Inter-Regular.otf"),
+        content: include_bytes!("../figure/fonts/Inter-Regular.otf"),
     },
     Part {
         name: "font/Inter-Italic.otf",
         media: "font/otf",
-        content: include_bytes!("../render/fonts/Inter-Italic.otf"),
+        content: include_bytes!("../figure/fonts/Inter-Italic.otf"),
     },
 ];
 

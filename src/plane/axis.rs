@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use super::axis_error::{AxisError, MOST_VALUES};
 use super::quantity::Quantity;
-use super::spacing::Spacing;
 use crate::control::ControlQuantity;
+use crate::figure::{Spacing, Steps};
 use crate::model::{Number, whole};
 use crate::system::Family;
 
@@ -80,32 +80,34 @@ impl Axis {
         Ok(axis)
     }
 
+    /// Its values.
+    pub fn steps(&self) -> Steps {
+        Steps { first: self.first, last: self.last, count: self.count, spacing: self.spacing }
+    }
+
     /// The value at index `i`; the ends are exact.
     pub fn value(&self, i: u32) -> f64 {
-        if i + 1 == self.count {
-            return self.last;
-        }
-        match self.spacing {
-            Spacing::Linear => {
-                self.first + (self.last - self.first) * f64::from(i) / f64::from(self.count - 1)
-            }
-            Spacing::Log => self.at(f64::from(i)),
-        }
+        self.steps().value(i)
     }
 
     /// The value at a place counted in values from the first one; it may lie between two of them, or beyond the ends.
     pub fn at(&self, place: f64) -> f64 {
-        self.spacing.at(self.first, self.last, place / f64::from(self.count.max(2) - 1))
+        self.steps().at(place)
     }
 
     /// Where a value stands, counted in values from the first one.
     pub fn place(&self, value: f64) -> f64 {
-        self.share(value) * f64::from(self.count.saturating_sub(1))
+        self.steps().place(value)
     }
 
     /// The share of the way from the first to the last value at which a value stands.
     pub fn share(&self, value: f64) -> f64 {
-        self.spacing.share(self.first, self.last, value)
+        self.steps().share(value)
+    }
+
+    /// All values, in order.
+    pub fn values(&self) -> Vec<f64> {
+        self.steps().values()
     }
 
     /// The values that lie between two, both included: the index of the first, and how many; none if there are none.
@@ -140,11 +142,6 @@ impl Axis {
             Quantity::Control(setting) => Some(setting),
             Quantity::Parameter(_) | Quantity::Start(_) => None,
         }
-    }
-
-    /// All values, in order.
-    pub fn values(&self) -> Vec<f64> {
-        (0..self.count).map(|i| self.value(i)).collect()
     }
 }
 

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::axis::Axis;
 use super::quantity::Quantity;
-use super::spacing::Spacing;
+use crate::figure::Spacing;
 use crate::model::{Parameter, Setting};
 use crate::system::Family;
 

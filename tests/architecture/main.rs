@@ -1,4 +1,7 @@
-//! The architecture, held to: rooms use each other one way only, wgpu stays in its folder, shaders have their twins.
+//! The architecture, held to: rooms and files use each other one way only, wgpu stays in its folder, shaders have their twins.
+
+mod cycles;
+mod modules;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -7,7 +10,8 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The rooms of src/, lowest first; a room may use those of the rows above its own.
-const ORDER: [&[&str]; 16] = [
+const ORDER: [&[&str]; 17] = [
+    &["figure"],
     &["system"],
     &["model"],
     &["dynamics"],

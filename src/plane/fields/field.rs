@@ -2,6 +2,7 @@
 
 use super::cell::CellResult;
 use super::values::{Kind, Values};
+use crate::figure::Spread;
 use crate::system::Family;
 
 /// What a field has of every cell.
@@ -35,17 +36,6 @@ impl Inner {
     pub fn len(self, family: &Family) -> usize {
         self.dimensions(family).iter().map(|(_, size)| size).product()
     }
-}
-
-/// How a colour bar spreads the values of a field.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spread {
-    /// By equal differences.
-    Even,
-    /// By equal ratios; what is not above zero has no place on it.
-    Ratios,
-    /// By equal differences to either side of zero.
-    AboutZero,
 }
 
 /// How a field is drawn as a layer. A cell of a picture that covers many cells of the plane shows their mean, over those

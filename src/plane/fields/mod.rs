@@ -12,7 +12,7 @@ mod values;
 pub use assemble::{Assembled, assembled};
 pub use cell::CellResult;
 pub use cells::{Cells, CellsError};
-pub use field::{CellField, Drawn, Extras, Inner, Spread};
+pub use field::{CellField, Drawn, Extras, Inner};
 pub use layer::{Layer, LayerError};
 pub use table::{CELL_FIELDS, NOT_COMPUTED};
 pub use thinned::thinned;

@@ -1,6 +1,7 @@
 //! The table itself.
 
-use super::field::{CellField, Drawn, Extras, Inner, Source, Spread};
+use super::field::{CellField, Drawn, Extras, Inner, Source};
+use crate::figure::Spread;
 
 /// The code of the regime of a cell that was not computed yet: no regime has it.
 pub const NOT_COMPUTED: u8 = u8::MAX;

@@ -1,6 +1,6 @@
 //! Lines and boxes in pixels.
 
-use crate::render::canvas::{Point, Rect};
+use crate::figure::{Point, Rect};
 
 /// A rectangle about its middle.
 pub(super) fn about(middle: Point, width: f64, height: f64) -> Rect {

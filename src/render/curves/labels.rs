@@ -1,7 +1,7 @@
 //! Names along curves, where there is room for them.
 
 use super::geometry::{about, crosses, length, meet, overlap, stations, within};
-use crate::render::canvas::{Point, Rect};
+use crate::figure::{Point, Rect};
 
 /// The height of a name's box, from ascenders to descenders, in text sizes.
 pub(super) const HEIGHT: f64 = 1.22;

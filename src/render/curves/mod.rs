@@ -14,12 +14,8 @@ use self::geometry::{about, crosses, length, overlap, within};
 use self::labels::Wanted;
 use self::major::major;
 use self::style::{CASING, Line};
-use super::canvas::{Anchor, Canvas, Point, Rect};
-use super::colours::INK;
-use super::figure::clip;
-use super::frame::Frame;
-use super::text::Text;
 use crate::curves::{Criticality, Curve, CurvePoint, Kind, Named, named};
+use crate::figure::{Anchor, Canvas, Frame, INK, Point, Rect, Text, clip};
 use crate::plane::RegionMap;
 
 /// The sizes of names: the paper's, other curves' and regions', in em.

@@ -1,11 +1,9 @@
 //! The words of the picture: title, legend and notes.
 
 use super::census::{Census, Region};
+use crate::figure::{Entry, Paint, Text};
 use crate::plane::{Plane, Quantity, Start};
-use crate::render::legend::Entry;
 use crate::render::motion::Motion;
-use crate::render::paint::Paint;
-use crate::render::text::Text;
 use crate::render::{places, symbols};
 
 /// How many of a group's paints its sample shows.

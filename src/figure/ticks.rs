@@ -1,6 +1,6 @@
 //! Ticks at round values.
 
-use super::symbols;
+use super::number::number;
 
 /// Scales of equal ratios over less than so many decades have the ticks of equal differences.
 const LINEAR_BELOW: f64 = 0.7;
@@ -111,7 +111,7 @@ impl Ticks {
 
     /// Ticks at some values that need not be round.
     pub fn at(values: impl IntoIterator<Item = f64>) -> Self {
-        let labelled = values.into_iter().map(|value| (value, symbols::number(value))).collect();
+        let labelled = values.into_iter().map(|value| (value, number(value))).collect();
         Ticks { labelled, minor: Vec::new(), exponent: 0 }
     }
 }

@@ -33,18 +33,20 @@ fn of_svg(text: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::canvas::Canvas;
+    use super::super::picture::Picture;
+    use super::super::size::Size;
     use super::*;
-    use crate::render::example;
-    use crate::render::{Size, region_map};
 
     #[test]
     fn a_picture_hands_its_configuration_back() {
-        let map = example::map(6, 4);
-        let picture = region_map(&map, Size::new(400, 300).unwrap());
+        let config = r#"{"version":"<&>"}"#.to_owned();
+        let size = Size::new(40, 30).unwrap();
+        let picture = Picture::new(size, config.clone(), Canvas::new(size, &config).finish());
         let mut png = Vec::new();
         picture.write_png(&mut png).unwrap();
-        assert_eq!(carried_configuration(&png), Some(map.config()));
-        assert_eq!(carried_configuration(picture.svg().as_bytes()), Some(map.config()));
+        assert_eq!(carried_configuration(&png), Some(config.clone()));
+        assert_eq!(carried_configuration(picture.svg().as_bytes()), Some(config));
     }
 
     #[test]

@@ -5,7 +5,7 @@ use palette::color_difference::Ciede2000;
 use palette::white_point::D65;
 use palette::{Clamp, IntoColor, Lab, LinSrgb, Srgb};
 
-use super::canvas::Colour;
+use super::shapes::Colour;
 
 /// What an eye sees of linear sRGB: that of most people, and the red-, green- and blue-blind one (Machado, Oliveira and
 /// Fernandes 2009).
@@ -17,11 +17,11 @@ const EYES: [[[f64; 3]; 3]; 4] = [
 ];
 
 /// Two colours that differ by so much are told apart in a legend (CIEDE2000; a difference of 2 is just seen side by side).
-pub(super) const DISTINCT: f64 = 6.0;
+pub(crate) const DISTINCT: f64 = 6.0;
 
 /// A colour as each of the eyes sees it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen([Lab<D65, f64>; 4]);
+pub(crate) struct Seen([Lab<D65, f64>; 4]);
 
 impl Seen {
     /// How the eyes see a colour.

@@ -1,9 +1,10 @@
 //! The key of a figure: what its lines, dots and fills stand for, in rows below the plots.
 
-use crate::render::canvas::{Anchor, Canvas, Colour, Point, Rect};
-use crate::render::colours::INK;
-use crate::render::paint::Paint;
-use crate::render::text::Text;
+use crate::figure::canvas::Canvas;
+use crate::figure::ink::INK;
+use crate::figure::paint::Paint;
+use crate::figure::shapes::{Anchor, Colour, Point, Rect};
+use crate::figure::text::Text;
 
 /// The lengths of a key, in em.
 const ROW: f64 = 1.5;
@@ -32,7 +33,7 @@ pub struct KeyEntry {
 }
 
 /// Cuts a key into rows that are no wider than `width`.
-pub(super) fn rows(entries: &[KeyEntry], width: f64, em: f64) -> Vec<Vec<&KeyEntry>> {
+pub(crate) fn rows(entries: &[KeyEntry], width: f64, em: f64) -> Vec<Vec<&KeyEntry>> {
     let mut rows: Vec<Vec<&KeyEntry>> = Vec::new();
     let mut used = f64::INFINITY;
     for entry in entries {
@@ -48,12 +49,12 @@ pub(super) fn rows(entries: &[KeyEntry], width: f64, em: f64) -> Vec<Vec<&KeyEnt
 }
 
 /// The width of the widest entry.
-pub(super) fn widest(entries: &[KeyEntry], em: f64) -> f64 {
+pub(crate) fn widest(entries: &[KeyEntry], em: f64) -> f64 {
     entries.iter().map(|entry| length(entry, em)).fold(0.0, f64::max)
 }
 
 /// The height of so many rows.
-pub(super) fn height(rows: usize, em: f64) -> f64 {
+pub(crate) fn height(rows: usize, em: f64) -> f64 {
     rows as f64 * ROW * em
 }
 
@@ -62,7 +63,7 @@ fn length(entry: &KeyEntry, em: f64) -> f64 {
 }
 
 /// Draws rows with their upper left corner at `at`.
-pub(super) fn draw(canvas: &mut Canvas, rows: &[Vec<&KeyEntry>], at: Point, em: f64) {
+pub(crate) fn draw(canvas: &mut Canvas, rows: &[Vec<&KeyEntry>], at: Point, em: f64) {
     for (row, entries) in rows.iter().enumerate() {
         let y = at.y + (row as f64 + 0.5) * ROW * em;
         let mut x = at.x;

@@ -1,9 +1,9 @@
 //! Lines cut off at the edge of a plot.
 
-use crate::render::canvas::{Point, Rect};
+use crate::figure::shapes::{Point, Rect};
 
 /// What of a straight line lies inside a rectangle (Liang and Barsky 1984).
-pub(in crate::render) fn segment(rect: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
+pub(crate) fn segment(rect: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
     let (dx, dy) = (b.x - a.x, b.y - a.y);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
     let edges =
@@ -25,11 +25,7 @@ pub(in crate::render) fn segment(rect: Rect, a: Point, b: Point) -> Option<(Poin
 
 /// The parts of a line through points that lie inside a rectangle, without points closer than `step` pixels to the
 /// one before; a point that is not a number interrupts the line.
-pub(in crate::render) fn polyline(
-    rect: Rect,
-    points: impl Iterator<Item = Point>,
-    step: f64,
-) -> Vec<Vec<Point>> {
+pub(crate) fn polyline(rect: Rect, points: impl Iterator<Item = Point>, step: f64) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     let mut last: Option<Point> = None;
     let mut open = false;
@@ -63,7 +59,7 @@ fn near(a: Point, b: Point, step: f64) -> bool {
 }
 
 /// Whether a point lies inside a rectangle.
-pub(super) fn contains(rect: Rect, point: Point) -> bool {
+pub(crate) fn contains(rect: Rect, point: Point) -> bool {
     (rect.x..=rect.right()).contains(&point.x) && (rect.y..=rect.bottom()).contains(&point.y)
 }
 

@@ -11,56 +11,9 @@ use quick_xml::events::{BytesEnd, BytesStart, BytesText, Event};
 
 use super::font::{CAPITALS, FAMILY};
 use super::paint::{Hatch, Paint};
+use super::shapes::{Anchor, Colour, Point, Rect};
 use super::size::Size;
 use super::text::{Span, Style, Text};
-
-/// An opaque colour, sRGB.
-pub type Colour = Rgb<u8>;
-
-/// A point in pixels, from the upper left corner.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
-    /// To the right.
-    pub x: f64,
-    /// Down.
-    pub y: f64,
-}
-
-/// An upright rectangle in pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rect {
-    /// Left edge.
-    pub x: f64,
-    /// Upper edge.
-    pub y: f64,
-    /// Width.
-    pub width: f64,
-    /// Height.
-    pub height: f64,
-}
-
-impl Rect {
-    /// The right edge.
-    pub fn right(&self) -> f64 {
-        self.x + self.width
-    }
-
-    /// The lower edge.
-    pub fn bottom(&self) -> f64 {
-        self.y + self.height
-    }
-}
-
-/// Which point of a text is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Anchor {
-    /// Its left end.
-    Start,
-    /// Its middle.
-    Middle,
-    /// Its right end.
-    End,
-}
 
 impl Anchor {
     fn name(self) -> &'static str {

@@ -10,14 +10,14 @@ pub struct Text {
 
 /// A part of a text in one style.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Span {
+pub(crate) struct Span {
     pub content: String,
     pub style: Style,
 }
 
 /// How a part of a text is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Style {
+pub(crate) enum Style {
     Upright,
     Italic,
     Subscript,
@@ -111,7 +111,7 @@ impl Text {
         lines
     }
 
-    pub(super) fn spans(&self) -> &[Span] {
+    pub(crate) fn spans(&self) -> &[Span] {
         &self.spans
     }
 

@@ -43,12 +43,12 @@ impl fmt::Display for LeftOut {
 
 impl Picture {
     /// A picture from its SVG document, and what it takes to make it again.
-    pub(super) fn new(size: Size, config: String, svg: String) -> Self {
+    pub(crate) fn new(size: Size, config: String, svg: String) -> Self {
         Picture { size, config, svg, left_out: None, command: None }
     }
 
     /// The same picture, of which something is left out.
-    pub(super) fn without(self, left_out: Option<LeftOut>) -> Self {
+    pub(crate) fn without(self, left_out: Option<LeftOut>) -> Self {
         Picture { left_out, ..self }
     }
 
@@ -123,7 +123,8 @@ impl Picture {
 mod tests {
     use image::Rgb;
 
-    use super::super::canvas::{Anchor, Canvas, Point, Rect};
+    use super::super::canvas::Canvas;
+    use super::super::shapes::{Anchor, Point, Rect};
     use super::super::text::Text;
     use super::*;
 

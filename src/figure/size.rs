@@ -43,7 +43,7 @@ impl Size {
     }
 
     /// The smallest larger size in about the same proportion that is enough for something, in steps of a tenth.
-    pub(super) fn enough(self, is_enough: impl Fn(Size) -> bool) -> Option<Size> {
+    pub(crate) fn enough(self, is_enough: impl Fn(Size) -> bool) -> Option<Size> {
         let scaled = |side: u32, factor: f64| (f64::from(side) * factor).ceil() as u32;
         let factors = (0..60).map(|step| 1.1_f64.powi(step));
         factors

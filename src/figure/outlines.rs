@@ -20,7 +20,7 @@ type Glyph = (ID, u32);
 ///
 /// Every glyph is defined once. The words stay in the file as labels: `aria-label` is what a screen reader says, and what
 /// a search finds.
-pub(super) fn outlined(svg: &str, tree: &Tree) -> String {
+pub(crate) fn outlined(svg: &str, tree: &Tree) -> String {
     let mut texts = Vec::new();
     collect(tree.root(), &mut texts);
     let mut texts = texts.into_iter();
@@ -132,8 +132,9 @@ mod tests {
     use resvg::tiny_skia::{Pixmap, Transform};
     use resvg::usvg::Options;
 
-    use super::super::canvas::{Anchor, Canvas, Point};
+    use super::super::canvas::Canvas;
     use super::super::picture::Picture;
+    use super::super::shapes::{Anchor, Point};
     use super::super::size::Size;
     use super::super::text::Text as Words;
 

@@ -1,8 +1,9 @@
 //! The frame of a plot: its edges, ticks, labels and titles.
 
-use super::canvas::{Anchor, Canvas, Point, Rect};
-use super::colours::INK;
+use super::canvas::Canvas;
+use super::ink::INK;
 use super::scale::Scale;
+use super::shapes::{Anchor, Point, Rect};
 use super::text::Text;
 use super::ticks::Ticks;
 
@@ -12,7 +13,7 @@ const MOST_LABELS: usize = 12;
 const TICK: f64 = 0.45;
 const MINOR_TICK: f64 = 0.25;
 const GAP: f64 = 0.35;
-pub(super) const TITLE: f64 = 1.1;
+pub(crate) const TITLE: f64 = 1.1;
 const TITLE_GAP: f64 = 0.6;
 /// What the outermost labels may stand out at the upper and the right end, in em.
 const OVERHANG: f64 = 0.7;
@@ -30,7 +31,7 @@ pub struct AxisTitle {
 
 impl AxisTitle {
     /// The fullest title that is no longer than `room`, in the unit that the labels leave out.
-    pub(super) fn fitting(&self, exponent: i32, size: f64, room: f64) -> Option<Text> {
+    pub(crate) fn fitting(&self, exponent: i32, size: f64, room: f64) -> Option<Text> {
         let unit = |title: &Text| match exponent {
             0 => title.clone(),
             power => title.clone().upright(" / 10").superscript(power.to_string().replace('-', "−")),
@@ -54,7 +55,7 @@ pub struct Frame {
 
 /// A frame that has found its place.
 #[derive(Clone, Debug)]
-pub(super) struct Placed {
+pub(crate) struct Placed {
     /// The plot inside the frame, on whole pixels.
     pub plot: Rect,
     x_ticks: Ticks,
@@ -66,13 +67,13 @@ impl Frame {
     /// Fits frame, labels and, if wanted, titles into `space`.
     ///
     /// `None` where a plot of any use would not be left over.
-    pub(super) fn place(&self, space: Rect, em: f64, titles: bool) -> Option<Placed> {
+    pub(crate) fn place(&self, space: Rect, em: f64, titles: bool) -> Option<Placed> {
         self.place_beside(0.0, space, em, titles)
     }
 
     /// Like [`Frame::place`], with a room of at least `left` pixels at the left of the plot, so that the plots of
     /// several frames can stand above each other.
-    pub(super) fn place_beside(&self, left: f64, space: Rect, em: f64, titles: bool) -> Option<Placed> {
+    pub(crate) fn place_beside(&self, left: f64, space: Rect, em: f64, titles: bool) -> Option<Placed> {
         let title = if titles { (TITLE_GAP + TITLE) * em } else { 0.0 };
         let top = (space.y + OVERHANG * em).round();
         let bottom = (space.bottom() - (TICK + GAP + 1.0) * em - title).round();
@@ -95,7 +96,7 @@ impl Frame {
     }
 
     /// Draws the frame around its plot.
-    pub(super) fn draw(&self, canvas: &mut Canvas, placed: &Placed, em: f64) {
+    pub(crate) fn draw(&self, canvas: &mut Canvas, placed: &Placed, em: f64) {
         let Placed { plot, x_ticks, y_ticks, .. } = placed;
         let line = line_width(em);
         let edge = Rect {
@@ -152,7 +153,7 @@ impl Frame {
 }
 
 /// The width of a frame's lines: whole pixels, so that they are sharp.
-pub(super) fn line_width(em: f64) -> f64 {
+pub(crate) fn line_width(em: f64) -> f64 {
     (0.07 * em).round().max(1.0)
 }
 
@@ -162,7 +163,7 @@ fn on_pixel(at: f64, line: f64) -> f64 {
 }
 
 /// The most ticks whose labels, each with the `room` that it needs, fit along `length`.
-pub(super) fn fitting_ticks(scale: Scale, length: f64, room: impl Fn(&Ticks) -> f64) -> Ticks {
+pub(crate) fn fitting_ticks(scale: Scale, length: f64, room: impl Fn(&Ticks) -> f64) -> Ticks {
     let fits = |ticks: &Ticks| {
         let apart = |pair: &[(f64, String)]| (scale.fraction(pair[1].0) - scale.fraction(pair[0].0)).abs();
         let nearest = ticks.labelled.windows(2).map(apart).fold(f64::INFINITY, f64::min);
@@ -182,6 +183,6 @@ fn overhang(scale: Scale, ticks: &Ticks, length: f64, em: f64) -> f64 {
 }
 
 /// The width of the widest label.
-pub(super) fn widest(ticks: &Ticks, em: f64) -> f64 {
+pub(crate) fn widest(ticks: &Ticks, em: f64) -> f64 {
     ticks.labelled.iter().map(|(_, label)| Text::from(&**label).width(em)).fold(0.0, f64::max)
 }

@@ -4,8 +4,10 @@ use image::Rgb;
 use resvg::usvg::{Group, Node, Options, Rect as Box, Tree};
 
 use super::*;
-use crate::render::paint::Paint;
-use crate::render::{AxisTitle, Scale, font};
+use crate::figure::font;
+use crate::figure::frame::AxisTitle;
+use crate::figure::paint::Paint;
+use crate::figure::scale::Scale;
 
 const BLUE: Rgb<u8> = Rgb([39, 109, 173]);
 
@@ -73,7 +75,7 @@ fn boxes(group: &Group, texts: &mut Vec<Box>, others: &mut Vec<Box>) {
 }
 
 /// What is wrong with a picture: words that are clipped or overlap, shapes beyond the canvas.
-pub(in crate::render) fn faults(picture: &Picture, size: Size) -> Vec<String> {
+pub(crate) fn faults(picture: &Picture, size: Size) -> Vec<String> {
     let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
     let tree = Tree::from_str(picture.svg(), &options).unwrap();
     let (mut texts, mut others) = (Vec::new(), Vec::new());

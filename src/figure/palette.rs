@@ -7,8 +7,8 @@ use colorous::Gradient;
 use image::Rgb;
 use thiserror::Error;
 
-use crate::plane::fields::Spread;
-use crate::render::canvas::Colour;
+use super::shapes::Colour;
+use super::spread::Spread;
 
 /// The palettes by name; those of two arms go from blue to red, or purple to green, by way of white.
 const PALETTES: [(&str, Gradient, bool); 9] = [
@@ -84,8 +84,8 @@ pub struct PaletteError(pub String);
 
 #[cfg(test)]
 mod tests {
+    use super::super::vision::Seen;
     use super::*;
-    use crate::render::vision::Seen;
 
     fn seen(palette: Palette, share: f64) -> Seen {
         Seen::of(palette.colour(share))

@@ -6,14 +6,14 @@ use image::RgbImage;
 use png::{BitDepth, ColorType, Compression, Encoder};
 
 /// The keyword of the text chunk that holds the configuration.
-pub(super) const KEYWORD: &str = "impact-atlas";
+pub(crate) const KEYWORD: &str = "impact-atlas";
 
 /// The keyword of the text chunk that holds the command.
-pub(super) const COMMAND: &str = "impact-atlas command";
+pub(crate) const COMMAND: &str = "impact-atlas command";
 
 /// Writes an image with `config`, and the command if there is one, in international text chunks; equal input gives equal
 /// bytes.
-pub(super) fn write(image: &RgbImage, config: &str, command: Option<&str>, to: impl Write) -> io::Result<()> {
+pub(crate) fn write(image: &RgbImage, config: &str, command: Option<&str>, to: impl Write) -> io::Result<()> {
     let mut encoder = Encoder::new(to, image.width(), image.height());
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);

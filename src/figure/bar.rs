@@ -2,12 +2,13 @@
 
 use image::RgbImage;
 
+use super::canvas::Canvas;
+use super::frame::{fitting_ticks, line_width};
+use super::ink::{INK, MUTED};
 use super::palette::Palette;
-use crate::plane::fields::Spread;
-use crate::render::canvas::{Anchor, Canvas, Colour, Point, Rect};
-use crate::render::colours::{INK, MUTED};
-use crate::render::frame::{fitting_ticks, line_width};
-use crate::render::scale::Scale;
+use super::scale::Scale;
+use super::shapes::{Anchor, Colour, Point, Rect};
+use super::spread::Spread;
 
 /// The width of a bar, and the height of a row of samples below it, in em.
 pub const WIDTH: f64 = 1.2;

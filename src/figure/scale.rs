@@ -1,9 +1,10 @@
 //! A scale: what an edge of a plot stands for, by equal differences or by equal ratios.
 
+use super::spacing::Spacing;
+use super::steps::Steps;
 use super::ticks::Ticks;
-use crate::plane::{Axis, Spacing};
 
-/// An axis of so few cells has a tick at every value.
+/// An edge of so few cells has a tick at every value.
 const FEW: u32 = 5;
 
 /// A scale between two values; it may run downwards.
@@ -12,8 +13,8 @@ pub struct Scale {
     first: f64,
     last: f64,
     spacing: Spacing,
-    /// The axis whose cells it shows, if it does.
-    cells: Option<Axis>,
+    /// The values in the middle of the cells that it shows, if it shows cells.
+    cells: Option<Steps>,
 }
 
 impl Scale {
@@ -68,16 +69,16 @@ impl Scale {
         (0.0..=1.0).contains(&self.fraction(value))
     }
 
-    /// The scale of an axis of cells: each value stands in the middle of its cell, so that the scale reaches
+    /// The scale of a row of cells: each value stands in the middle of its cell, so that the scale reaches
     /// half a cell beyond both ends. There are no ticks beyond the values: nothing was computed there.
-    pub fn of(axis: &Axis) -> Self {
-        let cells = Some(*axis);
-        if axis.count == 1 {
-            let half = if axis.first == 0.0 { 0.5 } else { 0.05 * axis.first.abs() };
-            return Scale { cells, ..Scale::new(axis.first - half, axis.first + half) };
+    pub fn of(values: &Steps) -> Self {
+        let cells = Some(*values);
+        if values.count == 1 {
+            let half = if values.first == 0.0 { 0.5 } else { 0.05 * values.first.abs() };
+            return Scale { cells, ..Scale::new(values.first - half, values.first + half) };
         }
-        let (first, last) = (axis.at(-0.5), axis.at(f64::from(axis.count) - 0.5));
-        Scale { first, last, spacing: axis.spacing, cells }
+        let (first, last) = (values.at(-0.5), values.at(f64::from(values.count) - 0.5));
+        Scale { first, last, spacing: values.spacing, cells }
     }
 
     /// How far along the scale a value stands: 0 at the first end, 1 at the last.
@@ -90,11 +91,11 @@ impl Scale {
     /// Ticks for the scale, with at most `most` labels (and never fewer than one).
     pub fn ticks(&self, most: usize) -> Ticks {
         let [first, last] = match self.cells {
-            Some(axis) if axis.count <= FEW => {
-                let apart = (axis.count as usize).div_ceil(most.max(1));
-                return Ticks::at(axis.values().into_iter().step_by(apart));
+            Some(values) if values.count <= FEW => {
+                let apart = (values.count as usize).div_ceil(most.max(1));
+                return Ticks::at(values.values().into_iter().step_by(apart));
             }
-            Some(axis) => [axis.first, axis.last],
+            Some(values) => [values.first, values.last],
             None => [self.first, self.last],
         };
         match self.spacing {
@@ -108,9 +109,17 @@ impl Scale {
 mod tests {
     use super::*;
 
+    fn even(first: f64, last: f64, count: u32) -> Steps {
+        Steps { first, last, count, spacing: Spacing::Linear }
+    }
+
+    fn ratios(first: f64, last: f64, count: u32) -> Steps {
+        Steps { spacing: Spacing::Log, ..even(first, last, count) }
+    }
+
     #[test]
     fn values_stand_in_the_middle_of_their_cells() {
-        let scale = Scale::of(&"omega=1:3:5".parse().unwrap());
+        let scale = Scale::of(&even(1.0, 3.0, 5));
         for (i, value) in [1.0, 1.5, 2.0, 2.5, 3.0].into_iter().enumerate() {
             assert!((scale.fraction(value) - (i as f64 + 0.5) / 5.0).abs() < 1e-12);
         }
@@ -118,12 +127,11 @@ mod tests {
 
     #[test]
     fn cells_of_equal_ratios_are_equally_wide() {
-        for axis in ["omega=0.1:10:5:log", "omega=10:0.1:5:log", "omega=5:1:9"] {
-            let axis: Axis = axis.parse().unwrap();
-            let scale = Scale::of(&axis);
-            let count = f64::from(axis.count);
-            for (i, value) in (0..axis.count).map(|i| (f64::from(i), axis.value(i))) {
-                assert!((scale.fraction(value) - (i + 0.5) / count).abs() < 1e-12, "{axis}: {value}");
+        for steps in [ratios(0.1, 10.0, 5), ratios(10.0, 0.1, 5), even(5.0, 1.0, 9)] {
+            let scale = Scale::of(&steps);
+            let count = f64::from(steps.count);
+            for (i, value) in (0..steps.count).map(|i| (f64::from(i), steps.value(i))) {
+                assert!((scale.fraction(value) - (i + 0.5) / count).abs() < 1e-12, "{steps:?}: {value}");
             }
         }
         assert!(!Scale::logarithmic(1.0, 10.0).shows(0.0) && !Scale::logarithmic(1.0, 10.0).shows(-1.0));
@@ -131,15 +139,16 @@ mod tests {
 
     #[test]
     fn ticks_stay_where_something_was_computed() {
-        for axis in ["omega=0.2:5:2", "omega=5:0.2:2", "omega=0.2:5:7", "r=0:1:3", "omega=0.1:10:6:log"] {
-            let axis: Axis = axis.parse().unwrap();
-            let ticks = Scale::of(&axis).ticks(6);
-            let (low, high) = (axis.least() - 1e-9, axis.first.max(axis.last) + 1e-9);
-            assert!(ticks.labelled.len() >= 2, "{axis}");
+        for steps in
+            [even(0.2, 5.0, 2), even(5.0, 0.2, 2), even(0.2, 5.0, 7), even(0.0, 1.0, 3), ratios(0.1, 10.0, 6)]
+        {
+            let ticks = Scale::of(&steps).ticks(6);
+            let (low, high) = (steps.first.min(steps.last) - 1e-9, steps.first.max(steps.last) + 1e-9);
+            assert!(ticks.labelled.len() >= 2, "{steps:?}");
             let values = ticks.labelled.iter().map(|(value, _)| *value).chain(ticks.minor);
-            assert!(values.into_iter().all(|value| (low..=high).contains(&value)), "{axis}");
+            assert!(values.into_iter().all(|value| (low..=high).contains(&value)), "{steps:?}");
         }
-        let labels = |most| Scale::of(&"omega=0.2:5:5".parse().unwrap()).ticks(most).labelled;
+        let labels = |most| Scale::of(&even(0.2, 5.0, 5)).ticks(most).labelled;
         assert_eq!(
             labels(8).iter().map(|(_, label)| &**label).collect::<Vec<_>>(),
             ["0.2", "1.4", "2.6", "3.8", "5"]
@@ -167,9 +176,8 @@ mod tests {
 
     #[test]
     fn a_single_value_has_a_single_tick_in_the_middle() {
-        for axis in ["delta=0.1:0.1:1", "x2=0:0:1", "x2=-3:-3:1"] {
-            let axis = axis.parse().unwrap();
-            let scale = Scale::of(&axis);
+        for value in [0.1, 0.0, -3.0] {
+            let scale = Scale::of(&even(value, value, 1));
             let ticks = scale.ticks(8);
             assert_eq!(ticks.labelled.len(), 1);
             assert!((scale.fraction(ticks.labelled[0].0) - 0.5).abs() < 1e-12);

@@ -11,17 +11,17 @@ use skrifa::outline::pen::SvgPen;
 use skrifa::{FontRef, GlyphId, MetadataProvider};
 
 /// The family of the embedded fonts.
-pub(super) const FAMILY: &str = "Inter";
+pub(crate) const FAMILY: &str = "Inter";
 
 /// The height of capitals, in parts of the text size.
-pub(super) const CAPITALS: f64 = 0.727;
+pub(crate) const CAPITALS: f64 = 0.727;
 
 static UPRIGHT: &[u8] = include_bytes!("fonts/Inter-Regular.otf");
 static ITALIC: &[u8] = include_bytes!("fonts/Inter-Italic.otf");
 
 /// One of the embedded fonts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Face {
+pub(crate) enum Face {
     Upright,
     Italic,
 }
@@ -35,7 +35,7 @@ impl Face {
 }
 
 /// The outline of a glyph of a font as the data of an SVG path, in font units, upwards; none where there is no such glyph.
-pub(super) fn outline(font: &[u8], glyph: u32) -> Option<String> {
+pub(crate) fn outline(font: &[u8], glyph: u32) -> Option<String> {
     let font = FontRef::new(font).ok()?;
     let mut pen = SvgPen::with_precision(0);
     let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
@@ -64,7 +64,7 @@ impl Metrics {
 }
 
 /// The embedded fonts, and none of the system, so that pictures are the same on every machine.
-pub(super) fn database() -> Arc<fontdb::Database> {
+pub(crate) fn database() -> Arc<fontdb::Database> {
     static DATABASE: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
         let mut database = fontdb::Database::new();
         database.load_font_data(UPRIGHT.to_vec());

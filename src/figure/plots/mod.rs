@@ -1,6 +1,6 @@
 //! Figures of one or several plots: lines, dots, bands, strips, and a key.
 
-pub(super) mod clip;
+pub(crate) mod clip;
 mod key;
 mod marks;
 mod strip;
@@ -12,10 +12,11 @@ pub use marks::Mark;
 pub use strip::{Stretch, Strip, StripLabel};
 
 use self::marks::Plot;
-use super::canvas::{Anchor, Canvas, Point, Rect};
-use super::colours::{INK, MUTED};
+use super::canvas::Canvas;
 use super::frame::{Frame, Placed};
+use super::ink::{INK, MUTED};
 use super::picture::Picture;
+use super::shapes::{Anchor, Point, Rect};
 use super::size::Size;
 use super::text::Text;
 
@@ -273,4 +274,4 @@ impl Panel {
 }
 
 #[cfg(test)]
-pub(super) mod tests;
+pub(crate) mod tests;

@@ -1,6 +1,6 @@
 //! What a region is filled with.
 
-use super::canvas::{Colour, Point, Rect};
+use super::shapes::{Colour, Point, Rect};
 
 /// A fill, plain or hatched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,14 +23,14 @@ impl Paint {
     }
 
     /// The colour at a pixel of an image.
-    pub(super) fn at(&self, x: u32, y: u32, hatch: Hatch) -> Colour {
+    pub(crate) fn at(&self, x: u32, y: u32, hatch: Hatch) -> Colour {
         self.hatch.filter(|_| hatch.covers(x, y)).unwrap_or(self.fill)
     }
 }
 
 /// The rising lines of a hatch: the points where x + y is a multiple of the spacing, and a little more.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hatch {
+pub(crate) struct Hatch {
     spacing: u32,
     thickness: u32,
 }

@@ -1,11 +1,12 @@
 //! Strips above a plot: what the motion is along the horizontal axis.
 
 use super::marks::Plot;
-use crate::render::canvas::{Anchor, Canvas, Point, Rect};
-use crate::render::colours::INK;
-use crate::render::frame::line_width;
-use crate::render::paint::Paint;
-use crate::render::text::Text;
+use crate::figure::canvas::Canvas;
+use crate::figure::frame::line_width;
+use crate::figure::ink::INK;
+use crate::figure::paint::Paint;
+use crate::figure::shapes::{Anchor, Point, Rect};
+use crate::figure::text::Text;
 
 /// The lengths of a strip, in em.
 const HEIGHT: f64 = 0.7;
@@ -43,12 +44,12 @@ pub struct Strip {
 }
 
 /// The height that strips take above a plot.
-pub(super) fn height(strips: &[Strip], em: f64) -> f64 {
+pub(crate) fn height(strips: &[Strip], em: f64) -> f64 {
     strips.len() as f64 * (HEIGHT + GAP + LABEL_ROW) * em
 }
 
 /// Draws strips above a plot, the last one next to it.
-pub(super) fn draw(canvas: &mut Canvas, plot: &Plot<'_>, strips: &[Strip], em: f64) {
+pub(crate) fn draw(canvas: &mut Canvas, plot: &Plot<'_>, strips: &[Strip], em: f64) {
     let line = line_width(em);
     for (i, strip) in strips.iter().rev().enumerate() {
         let bottom = plot.rect.y - line - (i as f64 * (HEIGHT + GAP + LABEL_ROW) + GAP) * em;

@@ -2,17 +2,14 @@
 
 use image::{Rgb, RgbImage};
 
-use super::bar::{Bar, WIDTH, draw_samples};
-use super::palette::Palette;
+use crate::figure::{
+    Anchor, Bar, Canvas, Colour, Frame, INK, LeftOut, Palette, Picture, Placed, Point, Rect, Size, Text,
+    WIDTH, draw_samples,
+};
 use crate::plane::fields::{CELL_FIELDS, CellsError, Drawn, Layer, NOT_COMPUTED};
-use crate::render::canvas::{Anchor, Canvas, Colour, Point, Rect};
-use crate::render::colours::INK;
+use crate::render::axes::frame_of;
 use crate::render::curves::Overlay;
-use crate::render::frame::{Frame, Placed};
-use crate::render::picture::{LeftOut, Picture};
-use crate::render::regions::{PlanePicture, frame_of, means, most};
-use crate::render::size::Size;
-use crate::render::text::Text;
+use crate::render::regions::{PlanePicture, means, most};
 
 /// The lengths of the picture, in em.
 const MARGIN: f64 = 1.0;

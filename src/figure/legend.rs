@@ -1,9 +1,10 @@
 //! A legend: what the paints of a figure stand for.
 
-use super::canvas::{Anchor, Canvas, Point, Rect};
-use super::colours::{INK, MUTED};
+use super::canvas::Canvas;
 use super::frame::line_width;
+use super::ink::{INK, MUTED};
 use super::paint::Paint;
+use super::shapes::{Anchor, Point, Rect};
 use super::text::Text;
 
 /// The lengths of a legend, in em.

@@ -2,9 +2,10 @@
 
 use image::{Rgba, RgbaImage};
 
-use super::clip;
-use crate::render::canvas::{Canvas, Colour, Point, Rect};
-use crate::render::frame::Frame;
+use crate::figure::canvas::Canvas;
+use crate::figure::frame::Frame;
+use crate::figure::plots::clip;
+use crate::figure::shapes::{Colour, Point, Rect};
 
 /// More dots than this are drawn as pixels, so that the file stays small.
 const MOST_DISCS: usize = 20_000;
@@ -77,7 +78,7 @@ impl Mark {
 }
 
 /// A plot that marks are drawn into.
-pub(super) struct Plot<'a> {
+pub(crate) struct Plot<'a> {
     pub frame: &'a Frame,
     pub rect: Rect,
     pub em: f64,
