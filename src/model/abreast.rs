@@ -1,6 +1,7 @@
 //! The constants of several cells side by side: those that free flight and impacts need.
 
-use super::flight::{ContactNormal, Flight};
+use super::contact_normal::ContactNormal;
+use super::flight::Flight;
 use super::real::Lanes;
 
 impl<L: Lanes, const N: usize> Flight<L, N> {

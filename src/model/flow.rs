@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::equations::Equations;
+use super::state::State;
 
 /// x, v, and what the forcing and the constant load multiply.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -191,4 +192,9 @@ pub fn second_derivative_bound<const N: usize>(
         }
     }
     sum
+}
+
+/// The displacements and velocities of an augmented state.
+pub(super) fn mechanical<const N: usize>(z: &Augmented<N>) -> State<f64, N> {
+    State { x: z.x.into(), v: z.v.into() }
 }
