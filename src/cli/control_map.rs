@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::census::{self, Census};
 use super::files::{self, Batch, Kind};
 use super::map_args::MapArgs;
-use super::method::MethodName;
+use super::method_name::MethodName;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::{CliError, defaults, estimate};

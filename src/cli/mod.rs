@@ -4,6 +4,7 @@
 
 mod adapters;
 mod bifurcation;
+mod bifurcation_summary;
 mod cell;
 mod census;
 mod classify;
@@ -11,6 +12,7 @@ mod compared;
 mod control;
 mod control_map;
 mod control_options;
+mod control_report;
 mod controlled;
 mod curve_list;
 mod curves;
@@ -27,6 +29,7 @@ mod machine;
 mod map;
 mod map_args;
 mod method;
+mod method_name;
 mod motion;
 mod multipliers;
 mod options;
