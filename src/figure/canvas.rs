@@ -1,6 +1,6 @@
 //! An SVG document under construction.
 
-use std::io::{self, Cursor, Write};
+use std::io::Cursor;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
@@ -9,29 +9,17 @@ use image::{Rgb, RgbImage, RgbaImage};
 use quick_xml::Writer;
 use quick_xml::events::{BytesEnd, BytesStart, BytesText, Event};
 
-use super::font::{CAPITALS, FAMILY};
 use super::paint::{Hatch, Paint};
-use super::shapes::{Anchor, Colour, Point, Rect};
+use super::shapes::{Colour, Point, Rect};
 use super::size::Size;
-use super::text::{Span, Style, Text};
-
-impl Anchor {
-    fn name(self) -> &'static str {
-        match self {
-            Anchor::Start => "start",
-            Anchor::Middle => "middle",
-            Anchor::End => "end",
-        }
-    }
-}
 
 /// An SVG document under construction: later things cover earlier ones.
 pub struct Canvas {
-    xml: Writer<Vec<u8>>,
+    pub(super) xml: Writer<Vec<u8>>,
 }
 
 /// Why nothing here returns an error.
-const IN_MEMORY: &str = "memory takes every byte";
+pub(super) const IN_MEMORY: &str = "memory takes every byte";
 
 impl Canvas {
     /// An empty white canvas; `config` says what it takes to make the picture again.
@@ -148,37 +136,6 @@ impl Canvas {
         self.line_break();
     }
 
-    /// Writes a line of text, its capitals centred on the height of `at`.
-    pub fn text(&mut self, text: &Text, at: Point, anchor: Anchor, size: f64, colour: Colour) {
-        self.write_text(text, at, anchor, size, colour, &[]);
-    }
-
-    /// Writes a line of text that runs upwards, its capitals centred on `at` from left to right.
-    pub fn rising_text(&mut self, text: &Text, at: Point, anchor: Anchor, size: f64, colour: Colour) {
-        let turn = format!("rotate(-90 {} {})", number(at.x), number(at.y));
-        self.write_text(text, at, anchor, size, colour, &[("transform", &turn)]);
-    }
-
-    /// Writes a line of text like [`Canvas::text`], with a rim of some width and colour around its letters.
-    pub fn haloed_text(
-        &mut self,
-        text: &Text,
-        at: Point,
-        anchor: Anchor,
-        size: f64,
-        colour: Colour,
-        (rim, around): (f64, Colour),
-    ) {
-        let (rim, around) = (number(rim), hex(around));
-        let halo = [
-            ("stroke", &*around),
-            ("stroke-width", &*rim),
-            ("stroke-linejoin", "round"),
-            ("paint-order", "stroke"),
-        ];
-        self.write_text(text, at, anchor, size, colour, &halo);
-    }
-
     /// Draws a line through points, with dashes and gaps of the given lengths unless there are none.
     pub fn stroke(&mut self, points: &[Point], width: f64, colour: Colour, dashes: &[f64]) {
         let [first, rest @ ..] = points else { return };
@@ -235,70 +192,18 @@ impl Canvas {
         self.line_break();
     }
 
-    fn write_text(
-        &mut self,
-        text: &Text,
-        at: Point,
-        anchor: Anchor,
-        size: f64,
-        colour: Colour,
-        more: &[(&str, &str)],
-    ) {
-        if text.is_blank() {
-            return;
-        }
-        let element = self
-            .xml
-            .create_element("text")
-            .with_attributes([
-                ("x", &*number(at.x)),
-                ("y", &number(at.y + CAPITALS / 2.0 * size)),
-                ("font-size", &number(size)),
-                ("fill", &hex(colour)),
-                ("text-anchor", anchor.name()),
-                ("font-family", FAMILY),
-                ("xml:space", "preserve"),
-            ])
-            .with_attributes(more.iter().copied());
-        let spans = |xml: &mut Writer<Vec<u8>>| {
-            let mut drop = 0.0;
-            for span in text.spans() {
-                write_span(xml, span, span.style.drop() - drop, size)?;
-                drop = span.style.drop();
-            }
-            Ok(())
-        };
-        element.write_inner_content(spans).expect(IN_MEMORY);
-        self.line_break();
-    }
-
     /// Keeps the file readable.
-    fn line_break(&mut self) {
+    pub(super) fn line_break(&mut self) {
         self.xml.get_mut().push(b'\n');
     }
 }
 
-fn write_span(xml: &mut Writer<impl Write>, span: &Span, drop: f64, size: f64) -> io::Result<()> {
-    let mut element = xml.create_element("tspan");
-    if span.style == Style::Italic {
-        element = element.with_attribute(("font-style", "italic"));
-    }
-    if span.style.size() != 1.0 {
-        element = element.with_attribute(("font-size", &*number(span.style.size() * size)));
-    }
-    if drop != 0.0 {
-        element = element.with_attribute(("dy", &*number(drop * size)));
-    }
-    element.write_text_content(BytesText::new(&span.content))?;
-    Ok(())
-}
-
-fn hex(Rgb([r, g, b]): Colour) -> String {
+pub(super) fn hex(Rgb([r, g, b]): Colour) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 /// A coordinate to a hundredth of a pixel.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     let rounded = (value * 100.0).round() / 100.0;
     (rounded + 0.0).to_string()
 }

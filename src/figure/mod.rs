@@ -29,6 +29,7 @@ mod steps;
 mod text;
 mod ticks;
 mod vision;
+mod writing;
 
 pub(crate) use bar::{Bar, WIDTH, draw_samples};
 pub use canvas::Canvas;

@@ -1,7 +1,8 @@
 //! Several plots of one orbit as a figure, and what their marks stand for.
 
 use super::Orbit;
-use super::panel::{OrbitPanel, Zoom};
+use super::panel::OrbitPanel;
+use super::zoom::Zoom;
 use crate::analysis::Section;
 use crate::figure::{Figure, KeyEntry, Mark, Paint, Panel, Row, Sample, Text};
 use crate::plane::Start;

@@ -3,10 +3,16 @@
 mod curve;
 mod figure;
 mod panel;
+mod panel_error;
 mod reader;
+mod variable;
+mod zoom;
 
 pub use figure::{orbit_figure, orbit_key};
-pub use panel::{OrbitPanel, PanelError, Variable, Zoom};
+pub use panel::OrbitPanel;
+pub use panel_error::PanelError;
+pub use variable::Variable;
+pub use zoom::Zoom;
 
 use self::curve::{Curve, Place};
 use self::reader::Reader;
