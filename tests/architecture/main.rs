@@ -1,7 +1,8 @@
-//! The architecture, held to: rooms and files use each other one way only, wgpu stays in its folder, shaders have their twins.
+//! The architecture, held to: rooms and files use each other one way only, wgpu stays in its folder, shaders have their twins, files are small.
 
 mod cycles;
 mod modules;
+mod sizes;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -43,23 +44,28 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Every file below a folder of the repository with its path from that folder, in order.
-fn files(folder: &str) -> Vec<(PathBuf, String)> {
-    fn collect(folder: &Path, base: &Path, files: &mut Vec<(PathBuf, String)>) {
+/// Every file below a folder of the repository whose name ends in one of some ways, with its path from that folder, in order.
+fn sources(folder: &str, ends: &[&str]) -> Vec<(PathBuf, String)> {
+    fn collect(folder: &Path, base: &Path, ends: &[&str], files: &mut Vec<(PathBuf, String)>) {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             if path.is_dir() {
-                collect(&path, base, files);
-            } else if path.extension().is_some_and(|extension| extension == "rs" || extension == "wgsl") {
+                collect(&path, base, ends, files);
+            } else if path.extension().is_some_and(|extension| ends.iter().any(|end| extension == *end)) {
                 files.push((path.strip_prefix(base).unwrap().to_owned(), fs::read_to_string(&path).unwrap()));
             }
         }
     }
     let base = root().join(folder);
     let mut found = Vec::new();
-    collect(&base, &base, &mut found);
+    collect(&base, &base, ends, &mut found);
     found.sort();
     found
+}
+
+/// Every file of Rust or WGSL below a folder of the repository.
+fn files(folder: &str) -> Vec<(PathBuf, String)> {
+    sources(folder, &["rs", "wgsl"])
 }
 
 /// The module that a file of src/ holds; the crate's root is the empty path.
