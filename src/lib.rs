@@ -65,7 +65,7 @@
 //!
 //! *No impact is missed.* Within a step d·x differs from its cubic Hermite interpolant by s²(h − s)²/24 times a bound on
 //! |(d·x)''''|: so it lies in the hull of five Bernstein coefficients. Where that hull clears the stops, the step is taken.
-//! Where the step ends beyond a stop, the contact is found in one go: the polynomial of fifth degree through both ends has
+//! Where the step ends beyond a stop, the contact is found directly: the polynomial of fifth degree through both ends has
 //! its root by three of Newton's steps, a Taylor polynomial of fixed order leads there from the nearer end, and the rest of
 //! the way is so short that its fourth power is lost in rounding. A certificate says that this contact is the first: by the same
 //! bound, d·x approaches the stop without turning, or is pressed towards it all the way. Where nothing is certified (grazing,

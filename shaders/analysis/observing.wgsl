@@ -107,7 +107,7 @@ fn observer_begin_observation(observe: u32) {
     observer.loss = loss_none(trajectory.contact);
     tangent = tangent_seed();
     if trajectory.contact != CONTACT_FREE {
-        // While a mass rests, nothing can deviate that it does not carry.
+        // While a mass rests on a stop, deviations along the contact are zero.
         tangent = tangent_caught(tangent, trajectory.contact);
     }
     observer.recurrence = recurrence_anchored(trajectory.point.state);
@@ -129,7 +129,7 @@ fn observer_observe(state: State) {
         return;
     }
     if observer.observe < schedule.observe && !recurrence_holds_for(observer_proof()) {
-        // It had not settled after all: go on as if nothing had been seen.
+        // It had not settled after all: the observation is discarded and the transient goes on.
         observer.recurrence = recurrence_anchored(state);
         observer.stage = STAGE_TRANSIENT;
         if observer.periods >= schedule.transient {

@@ -115,7 +115,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.peak = T::zero();
         self.stuck = false;
         self.loss = Loss::none(!self.trajectory.contact.is_free());
-        // While a mass rests, nothing can deviate that it does not carry.
+        // While a mass rests on a stop, deviations along the contact are zero.
         self.tangent = Tangent::seed().caught(flight, self.trajectory.contact);
         self.recurrence = Recurrence::anchored(point.state);
         self.exponent = Exponent::over(observe);
@@ -140,7 +140,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
         let early = self.observe < schedule.observe;
         if early && !self.recurrence.holds_for(self.proof()) {
-            // It had not settled after all: go on as if nothing had been seen.
+            // It had not settled after all: the observation is discarded and the transient goes on.
             self.recurrence = Recurrence::anchored(point.state);
             self.stage = Stage::Transient;
             if self.periods >= schedule.transient {

@@ -23,7 +23,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             Regime::NoImpact => flight.linear_exponent,
             Regime::Failed => T::nan(),
             _ if self.exponent.batches == 0 => T::nan(),
-            // What came before the motion was reached is no part of its exponent.
+            // Growth from before the motion was reached does not count towards its exponent.
             _ if regime.is_periodic() && self.is_late() => self.grown / T::of(f64::from(recurrence.since)),
             _ => self.exponent.per_period(),
         };

@@ -1,6 +1,6 @@
 //! What a run reports while it goes on.
 
-/// Hears how a run goes on, and may end it.
+/// Is told how a run goes on, and may end it.
 pub trait Watch: Sync {
     /// `cells` more trajectories are finished.
     fn finished(&self, cells: u64);
@@ -8,7 +8,7 @@ pub trait Watch: Sync {
     fn cancelled(&self) -> bool;
 }
 
-/// A watch that hears nothing and lets everything run.
+/// A watch that ignores what it is told and lets everything run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unwatched;
 

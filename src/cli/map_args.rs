@@ -47,7 +47,7 @@ pub struct MapArgs {
     #[arg(long, value_name = "FILE.npz|DATA.zarr")]
     pub data: Option<PathBuf>,
 
-    /// Computes the K-th of M parts of a store; the parts cost about the same, and need no word with each other
+    /// Computes the K-th of M parts of a store; the parts cost about the same, and are computed independently
     #[arg(long, value_name = "K/M", value_parser = parse::<Part>, requires = "data", conflicts_with = "control")]
     pub part: Option<Part>,
 

@@ -13,7 +13,7 @@ pub enum Format {
     Png,
     /// Vectors, text as outlines.
     Svg,
-    /// The same, for print.
+    /// The same, as it is printed.
     Pdf,
 }
 

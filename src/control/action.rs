@@ -1,4 +1,4 @@
-//! What every control method does: look at a return to σ, and answer with a correction or a force.
+//! What every control method does: at each return to σ it sets a correction or a force.
 
 use super::components::Components;
 use super::memory::Memory;

@@ -70,7 +70,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
         } else {
             let contact = self.kept(flight, section, &action.correction);
             self.trajectory = section.trajectory(flight, &self.surface, contact, drive);
-            // A phase that jumps back time and again never passes a strobe.
+            // A phase that is set back at every return never reaches a strobe.
             self.moves = 0;
         }
     }

@@ -75,7 +75,7 @@ pub fn bifurcation_curves_until(
         trace_all(&mut curves, births, spans, until);
         births = followed.births;
     }
-    // What was left halfway is no curve.
+    // A curve that was not followed to its end is left out.
     if until.is_over() {
         return Err(CurvesError::Cancelled);
     }

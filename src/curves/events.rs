@@ -1,4 +1,4 @@
-//! Everything that is watched at a point of a bifurcation curve.
+//! What is evaluated at every point of a bifurcation curve.
 
 use nalgebra::{Complex, DVector};
 

@@ -16,7 +16,7 @@ pub enum CurvesError {
     /// An axis has no extent.
     #[error("bifurcation curves need a range of {0}, not a single value")]
     SingleValue(&'static str),
-    /// Nobody wants them any more.
+    /// The request was cancelled.
     #[error("interrupted")]
     Cancelled,
 }

@@ -5,7 +5,7 @@ use super::sweep::Direction;
 use crate::analysis::Trace;
 use crate::plane::Provenance;
 
-/// The columns of a diagram that were computed in one go.
+/// The columns of a diagram that were computed in one sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     /// How they follow each other.

@@ -162,7 +162,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         }
     }
 
-    /// Free flight: the rest of the step where it provably clears the stops, else up to the contact in one go, else as far
+    /// Free flight: the rest of the step where it provably clears the stops, else up to the contact where that is found directly, else as far
     /// as is safe.
     #[inline(always)]
     fn fly<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {

@@ -29,7 +29,7 @@ pub struct Stored {
 
 #[derive(Debug)]
 struct Held {
-    /// Which tiles were there when somebody looked.
+    /// Which tiles were there when the store was last looked at.
     there: Vec<bool>,
     /// The cells of some tiles, and when they were last looked at.
     tiles: HashMap<u32, (Arc<Vec<Verdict>>, u64)>,

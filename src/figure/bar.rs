@@ -122,7 +122,7 @@ impl Bar {
                     power => format!("{label}e{power}").replace("e-", "e−"),
                 };
                 let at = Point { x: bar.right() + 0.7 * em, y: y(*value) };
-                // Zero is written once where the two parts meet.
+                // Where the two parts meet, zero is written only once.
                 if (at.y - shown).abs() > 0.8 * em {
                     canvas.text(&unit.as_str().into(), at, Anchor::Start, em, INK);
                     shown = at.y;

@@ -79,7 +79,7 @@ impl Canvas {
         if points.is_empty() {
             return;
         }
-        // A line that hardly moves, with round ends, is a disc in far fewer bytes than a circle.
+        // A line of almost no length with round ends is a disc, and takes far fewer bytes than a circle.
         let path: String =
             points.iter().map(|point| format!("M{} {}h.01", number(point.x), number(point.y))).collect();
         self.path(&path, diameter, colour, &[("stroke-linecap", "round")]);

@@ -84,7 +84,7 @@ impl Frame {
         let x_ticks_to =
             |right: f64| fitting_ticks(self.x, right - left, |ticks| widest(ticks, em) + 1.2 * em);
         let mut x_ticks = x_ticks_to(right);
-        // A long label at the right end takes what it needs from the plot.
+        // Where the label at the right end is long, the plot is made narrower.
         let excess = overhang(self.x, &x_ticks, right - left, em) - WIDEST_OVERHANG * em;
         if excess > 0.0 {
             right = (right - excess).round();

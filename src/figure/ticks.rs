@@ -76,7 +76,7 @@ impl Ticks {
             return Ticks { labelled: Vec::new(), minor: Vec::new(), exponent: 0 };
         }
         let mut step = Step::at_least((high - low) / most.max(1) as f64);
-        // One label alone gives no scale.
+        // With a single label the scale could not be read.
         while step.multiples(low, high).count() < 2 {
             step = step.smaller();
         }

@@ -113,7 +113,7 @@ impl Axis {
     /// The values that lie between two, both included: the index of the first, and how many; none if there are none.
     pub fn between(&self, a: f64, b: f64) -> Option<(u32, u32)> {
         let (low, high) = (a.min(b), a.max(b));
-        // What is written in a few digits means the value that rounds to it.
+        // A value that is written in a few digits stands for the nearest value of the axis.
         let slack = 1e-9 * (1.0 + low.abs().max(high.abs()));
         let inside = |i: &u32| (low - slack..=high + slack).contains(&self.value(*i));
         let first = (0..self.count).find(inside)?;

@@ -146,7 +146,7 @@ impl<'a> Passage<'a> {
         loop {
             let taken = follower.advance();
             elapsed += taken.time;
-            // A time is as uncertain as the place is over the speed.
+            // The uncertainty of the time is that of the place divided by the speed.
             let early = (time - elapsed) * self.arrival > TOLERANCE * self.scale;
             match taken.event {
                 Event::Impact(impact) => {

@@ -1,4 +1,4 @@
-//! A trajectory of any number of coordinates, behind one face.
+//! A trajectory of any number of coordinates, behind one trait.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -159,7 +159,7 @@ impl PeriodicMotion {
         let section = &self.sections[last];
         let start = flow.lifted(self.pattern.stops[last], section);
         let z = flow.over((strobe - phase(section)) / flow.omega) * start;
-        // Half a turn off, a symmetric motion's mirror image is met.
+        // At an odd number of half turns the state is on the mirror image of a symmetric motion.
         let turned = half_turns.rem_euclid(2.0) != 0.0;
         let values = [0, flow.n].map(|at| {
             let part = z.rows(at, flow.n).into_owned();

@@ -109,7 +109,7 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
         let mut section = values.rows(0, 2 * flow.n).into_owned();
         section[last] = wrapped(values[last].atan2(values[last + 1]));
         if face.restitution == 0.0 {
-            // Without restitution the stop is left from rest, whatever rounding says.
+            // Without restitution the speed after the impact is exactly zero; rounding may have left another value.
             section[0] = face.resting_speed(&section);
         }
         section

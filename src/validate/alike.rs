@@ -1,4 +1,4 @@
-//! When two verdicts say the same.
+//! When two verdicts are the same.
 
 use crate::analysis::Verdict;
 use crate::plane::RegionMap;

@@ -1,4 +1,4 @@
-//! Cells that a rounding error decides, by the reference's own account.
+//! Cells whose verdict on the reference itself changes within a rounding error.
 
 use std::collections::BTreeSet;
 

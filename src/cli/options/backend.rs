@@ -43,7 +43,7 @@ impl BackendArgs {
         BackendArgs { backend, adapter: None }
     }
 
-    /// Opens the back end anew, after it failed, without a word.
+    /// Opens the back end anew, after it failed, without a message.
     pub fn reopen(&self) -> Result<Box<dyn Backend>, BackendError> {
         backend::open(self.choice(), self.adapter.as_deref())
     }

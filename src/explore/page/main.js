@@ -62,7 +62,7 @@ function shown() {
   return state.scene.clip({ z, columns: [i0, i1], rows: [j0, j1] });
 }
 
-// ——— what the server says ———
+// ——— messages of the server ———
 
 function hear(type, message) {
   if (type === 'hello' || type === 'tile') first(type);
@@ -158,7 +158,7 @@ function tile(message) {
   count();
 }
 
-// ——— what is in sight ———
+// ——— the view ———
 
 /** Asks for what the view lacks, and for its ticks. */
 function look() {
@@ -249,7 +249,7 @@ const count = seldom(120, () => {
   }, () => {});
 });
 
-// ——— what somebody does ———
+// ——— input ———
 
 function click(x, y) {
   if (state.scene) panel.show(state.scene.scene, view.cellAt(x, y));

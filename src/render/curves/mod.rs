@@ -245,7 +245,7 @@ impl Names<'_> {
             for piece in &order {
                 let curve = std::ptr::from_ref(piece.curve);
                 let entry = (curve, piece.name.unwrap_or_default());
-                // The paper's names are worth a leader for each of theirs, others only for a curve without any.
+                // Every name of the paper's may have a leader, other names only where the curve has no name yet.
                 let known = said.iter().any(|&(other, name)| {
                     other == curve && (name == entry.1 || leader && piece.name.is_none())
                 });
