@@ -208,7 +208,7 @@ impl BifurcationArgs {
         Ok(spec)
     }
 
-    /// The back end; a carried sweep has no use for any but the CPU.
+    /// The back end; a carried sweep is computed on the CPU.
     fn open(&self) -> Result<Box<dyn Backend>, CliError> {
         if !self.sweep.is_carried() {
             return self.backend.open();

@@ -72,7 +72,7 @@ impl Which {
 /// Where curves come from.
 #[derive(Clone, Copy, Debug)]
 pub enum CurveSource<'a> {
-    /// They are computed.
+    /// The curves are computed.
     Computed(Which),
     /// They are read from a table.
     Table(&'a Path),

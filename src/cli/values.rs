@@ -24,7 +24,7 @@ where
 pub struct Assignment {
     /// What is set.
     pub quantity: Quantity,
-    /// To what; non-dimensional.
+    /// The value that it is set to; non-dimensional.
     pub value: f64,
 }
 

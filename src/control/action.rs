@@ -34,7 +34,7 @@ pub struct Action<T, const N: usize> {
 }
 
 impl<T: Real, const N: usize> Action<T, N> {
-    /// Nothing.
+    /// No correction and no force.
     pub fn none() -> Self {
         Action::correcting(Components::zero())
     }

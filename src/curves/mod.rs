@@ -1,4 +1,4 @@
-//! Bifurcation curves: where the motions of a map lose their stability or graze, from the mathematics alone.
+//! Bifurcation curves: where the motions of a map lose their stability or graze, computed by continuation.
 //!
 //! A motion's matching equations and the condition of its bifurcation are solved together in two parameters, and followed by
 //! pseudo-arclength continuation: around turning points, up to the border of the plane or to the point where the

@@ -1,4 +1,4 @@
-//! The rest of a step of free flight: does it stay off the stops?
+//! The rest of a step of free flight, and whether it stays off the stops.
 
 use super::drive::Drive;
 use super::point::Point;

@@ -19,7 +19,7 @@ pub const MOST_MOVES: u32 = 1 << 24;
 /// An impact: d·v+ = −r d·v− along its normal, v+ = v− + (d·v+ − d·v−) M⁻¹d/(dᵀM⁻¹d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact<T> {
-    /// Where.
+    /// The stop that is struck.
     pub stop: Stop,
     /// d·v−, d being the direction of the first stop on this normal.
     pub velocity_before: T,

@@ -27,7 +27,7 @@ pub struct Batch<'a> {
     pub scene: &'a Scene,
     /// Where tiles are kept.
     pub tiles: &'a Tiles,
-    /// Which.
+    /// The tiles to compute, by their keys.
     pub keys: &'a [TileKey],
     /// What is shown of them, if not their motions.
     pub layer: Option<Layer>,

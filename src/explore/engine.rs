@@ -20,7 +20,7 @@ const BATCH: Duration = Duration::from_millis(220);
 /// How long tiles wait for the answer to a click.
 const WAIT: Duration = Duration::from_millis(1500);
 
-/// The worker's door.
+/// A handle to the worker, by which pages ask for tiles.
 #[derive(Clone, Debug)]
 pub struct Engine {
     shared: Arc<Shared>,

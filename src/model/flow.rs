@@ -99,7 +99,7 @@ pub struct Functional<const N: usize> {
     pub sin: f64,
     /// Of cos φ.
     pub cos: f64,
-    /// Of 1.
+    /// The coefficient of the constant 1.
     pub one: f64,
 }
 

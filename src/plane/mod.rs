@@ -1,4 +1,4 @@
-//! The plane: what is asked (axes, fixed parameters, start, schedule) and what came out of every cell.
+//! The plane: what is to be computed (axes, fixed parameters, start, schedule) and what came out of every cell.
 
 mod axis;
 mod axis_error;

@@ -27,7 +27,7 @@ pub struct ControlPicture<'a> {
     pub start: Start,
     /// What controlled it.
     pub scheme: &'a Scheme,
-    /// When.
+    /// From which iterate it controls, and for how many.
     pub schedule: ControlSchedule,
     /// What was written down.
     pub history: &'a History,

@@ -126,9 +126,9 @@ pub enum PlantError {
         second + 1
     )]
     SameSide {
-        /// One stop.
+        /// One of the two stops.
         first: usize,
-        /// The other.
+        /// The other stop.
         second: usize,
     },
     /// Two opposed stops that overlap.
@@ -139,9 +139,9 @@ pub enum PlantError {
         second + 1
     )]
     NoRoom {
-        /// One stop.
+        /// One of the two stops.
         first: usize,
-        /// The other.
+        /// The other stop.
         second: usize,
         /// How far they overlap, along the unit direction.
         overlap: f64,

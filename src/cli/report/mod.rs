@@ -104,7 +104,7 @@ impl<'a> Report<'a> {
     }
 }
 
-/// A word for the shell.
+/// A text in quotes, as one argument on a command line.
 fn quoted(text: &str) -> String {
     format!("'{}'", text.replace('\'', r"'\''"))
 }

@@ -1,4 +1,4 @@
-//! The table itself.
+//! The table of fields: every number that a plane's cells have.
 
 use super::field::{CellField, Drawn, Extras, Inner, Source};
 use crate::figure::Spread;

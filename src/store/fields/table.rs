@@ -1,4 +1,4 @@
-//! The table itself.
+//! The table of result files: every file that commands write, with its arrays or columns.
 
 use super::field::{Field, FileContent};
 use crate::plane::fields::{CELL_FIELDS, CellField, Inner};
