@@ -1,4 +1,4 @@
-//! Strips above a plot: what the motion is along the horizontal axis.
+//! Strips above a plot: stretches of the horizontal axis, painted and named.
 
 use super::marks::Plot;
 use crate::figure::canvas::Canvas;

@@ -1,20 +1,18 @@
 //! Bifurcation curves over a plane: lines that tell kinds apart, their names, special points, and a key.
 
 mod drawn;
-mod geometry;
 mod key;
-mod labels;
 mod major;
 mod regions;
 mod style;
 
 pub(super) use self::key::Key;
 
-use self::geometry::{about, crosses, length, overlap, within};
-use self::labels::Wanted;
 use self::major::major;
 use self::style::{CASING, Line};
 use crate::curves::{Criticality, Curve, CurvePoint, Kind, Named, named};
+use crate::figure::geometry::{about, crosses, length, overlap, within};
+use crate::figure::labels::{self, Wanted};
 use crate::figure::{Anchor, Canvas, Frame, INK, Point, Rect, Text, clip};
 use crate::plane::RegionMap;
 

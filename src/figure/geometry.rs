@@ -1,19 +1,19 @@
 //! Lines and boxes in pixels.
 
-use crate::figure::{Point, Rect};
+use super::shapes::{Point, Rect};
 
 /// A rectangle about its middle.
-pub(super) fn about(middle: Point, width: f64, height: f64) -> Rect {
+pub(crate) fn about(middle: Point, width: f64, height: f64) -> Rect {
     Rect { x: middle.x - width / 2.0, y: middle.y - height / 2.0, width, height }
 }
 
 /// Whether two rectangles have more than an edge in common.
-pub(super) fn overlap(a: Rect, b: Rect) -> bool {
+pub(crate) fn overlap(a: Rect, b: Rect) -> bool {
     a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom()
 }
 
 /// Whether a rectangle lies inside another.
-pub(super) fn within(inner: Rect, outer: Rect) -> bool {
+pub(crate) fn within(inner: Rect, outer: Rect) -> bool {
     inner.x >= outer.x
         && inner.y >= outer.y
         && inner.right() <= outer.right()
@@ -21,7 +21,7 @@ pub(super) fn within(inner: Rect, outer: Rect) -> bool {
 }
 
 /// Whether a straight line passes through a rectangle.
-pub(super) fn crosses(rect: Rect, a: Point, b: Point) -> bool {
+pub(crate) fn crosses(rect: Rect, a: Point, b: Point) -> bool {
     let apart = a.x.max(b.x) < rect.x
         || a.x.min(b.x) > rect.right()
         || a.y.max(b.y) < rect.y
@@ -41,7 +41,7 @@ pub(super) fn crosses(rect: Rect, a: Point, b: Point) -> bool {
 }
 
 /// Whether two straight lines cross.
-pub(super) fn meet(a: Point, b: Point, c: Point, d: Point) -> bool {
+pub(crate) fn meet(a: Point, b: Point, c: Point, d: Point) -> bool {
     let side = |p: Point, q: Point, r: Point| (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
     side(a, b, c) * side(a, b, d) <= 0.0
         && side(c, d, a) * side(c, d, b) <= 0.0
@@ -49,12 +49,12 @@ pub(super) fn meet(a: Point, b: Point, c: Point, d: Point) -> bool {
 }
 
 /// The length of a line through points.
-pub(super) fn length(points: &[Point]) -> f64 {
+pub(crate) fn length(points: &[Point]) -> f64 {
     points.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
 }
 
 /// Places along a line, `step` apart, with the direction of the line there; the first half a step from its start.
-pub(super) fn stations(points: &[Point], step: f64) -> Vec<(Point, Point)> {
+pub(crate) fn stations(points: &[Point], step: f64) -> Vec<(Point, Point)> {
     let mut found = Vec::new();
     let mut ahead = step / 2.0;
     for pair in points.windows(2) {

@@ -1,10 +1,10 @@
 //! Names along curves, where there is room for them.
 
 use super::geometry::{about, crosses, length, meet, overlap, stations, within};
-use crate::figure::{Point, Rect};
+use super::shapes::{Point, Rect};
 
 /// The height of a name's box, from ascenders to descenders, in text sizes.
-pub(super) const HEIGHT: f64 = 1.22;
+pub(crate) const HEIGHT: f64 = 1.22;
 /// The room between a name and its line, in text sizes.
 const GAP: f64 = 0.18;
 /// A line shorter than this many times its name has none beside it; one shorter than so many text sizes has none at all.
@@ -18,7 +18,7 @@ const STEP: f64 = 0.4;
 
 /// A name that is wanted at a line.
 #[derive(Clone, Debug)]
-pub(super) struct Wanted<'a> {
+pub(crate) struct Wanted<'a> {
     pub line: &'a [Point],
     pub width: f64,
     pub size: f64,
@@ -26,14 +26,14 @@ pub(super) struct Wanted<'a> {
 
 /// Where a name stands, and the line that leads from there to what it names, if that is not near.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(crate) struct Place {
     pub rect: Rect,
     pub leader: Option<(Point, Point)>,
 }
 
 /// What is on a plot already.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plot<'a> {
+pub(crate) struct Plot<'a> {
     pub rect: Rect,
     pub lines: &'a [&'a [Point]],
     pub taken: &'a [Rect],
