@@ -10,9 +10,10 @@ use std::path::PathBuf;
 
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{Choice, Unwatched, open};
+use impact_atlas::figure::Size;
 use impact_atlas::model::Parameters;
 use impact_atlas::plane::{Plane, Start};
-use impact_atlas::render::{Size, region_map};
+use impact_atlas::render::region_map;
 use impact_atlas::store::Output;
 use impact_atlas::sweep::sweep;
 

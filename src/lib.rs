@@ -13,6 +13,7 @@
 //!
 //! | room | what it holds |
 //! |---|---|
+//! | [`figure`] | canvas, text, scales and ticks, frames, keys, colour bars: figures that know no oscillator |
 //! | [`system`] | any linear oscillator with rigid stops: its file, its parameters, the numbers of one cell |
 //! | [`model`] | parameters and their ranges, the equations of motion, the constants of linear flight |
 //! | [`dynamics`] | flight, contact, impact, chatter, sticking: a [`Trajectory`](dynamics::Trajectory) moves from event to event |
@@ -23,7 +24,7 @@
 //! | [`curves`] | bifurcation curves of a plane, by continuation |
 //! | [`diagram`] | bifurcation diagrams: axis, sweep, section; branches and where they coexist |
 //! | [`backend`] | one trait; the CPU in f64 on every core, the GPU in f32; only its folder `gpu` names wgpu |
-//! | [`store`], [`render`] | files and pictures; they know planes, never back ends |
+//! | [`store`], [`render`] | files, and pictures of planes, diagrams and orbits; they know results, never back ends |
 //! | [`sweep`], [`validate`] | a plane or a diagram on a back end; two back ends against each other |
 //! | [`reproduce`] | the figures of the paper and what it prints, computed again |
 //! | [`explore`] | a page in the browser that shows a plane, served on this machine |
@@ -64,7 +65,7 @@
 //!
 //! *No impact is missed.* Within a step d·x differs from its cubic Hermite interpolant by s²(h − s)²/24 times a bound on
 //! |(d·x)''''|: so it lies in the hull of five Bernstein coefficients. Where that hull clears the stops, the step is taken.
-//! Where the step ends beyond a stop, the contact is found in one go: the polynomial of fifth degree through both ends has
+//! Where the step ends beyond a stop, the contact is found directly: the polynomial of fifth degree through both ends has
 //! its root by three of Newton's steps, a Taylor polynomial of fixed order leads there from the nearer end, and the rest of
 //! the way is so short that its fourth power is lost in rounding. A certificate says that this contact is the first: by the same
 //! bound, d·x approaches the stop without turning, or is pressed towards it all the way. Where nothing is certified (grazing,
@@ -141,6 +142,7 @@ pub mod curves;
 pub mod diagram;
 pub mod dynamics;
 pub mod explore;
+pub mod figure;
 pub mod model;
 pub mod plane;
 pub mod render;

@@ -6,9 +6,10 @@ use impact_atlas::analysis::{CHATTER_RUN, Probe, Reading, Regime, Section};
 use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched};
 use impact_atlas::diagram::{Diagram, DiagramError, DiagramSpec, ExponentUnit, Sweep};
 use impact_atlas::dynamics::Stop;
+use impact_atlas::figure::Size;
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::Start;
-use impact_atlas::render::{Size, diagram_figure};
+use impact_atlas::render::diagram_figure;
 use impact_atlas::store::write_diagram;
 use impact_atlas::sweep::{SweepError, diagram};
 

@@ -1,4 +1,4 @@
-// Is the motion stationary? The spread of its strobe points, early against late.
+// Whether the motion is stationary: the spread of its strobe points early in the observation against that late in it.
 
 struct Moments {
     sum: State,

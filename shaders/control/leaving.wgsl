@@ -63,7 +63,7 @@ fn leaving_goes_on_from(section: Section, action: Action) {
             trajectory_from_point(trajectory.point, trajectory.contact, trajectory.step, trajectory.offset);
     } else {
         trajectory = section_trajectory(section, leaving_contact(section, action.correction));
-        // A phase that jumps back time and again never passes a strobe.
+        // A phase that is set back at every return never reaches a strobe.
         controlled.moves = controlled.moves - min(controlled.moves, FAIR_MOVES);
     }
 }

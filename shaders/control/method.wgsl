@@ -1,4 +1,4 @@
-// What every control method does: look at a return to the section, and answer with a correction or a force.
+// What every control method does: at each return to the section it sets a correction or a force.
 
 struct Control {
     method: u32,

@@ -1,4 +1,4 @@
-// Complete chatter: infinitely many rebounds in finite time, closed in one go.
+// Complete chatter: infinitely many rebounds in finite time, their sum in closed form.
 
 // The rebound with which a sequence begins.
 struct Rebound {

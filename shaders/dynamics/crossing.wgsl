@@ -1,4 +1,4 @@
-// Contact in one go: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
+// Contact found directly: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
 
 // A contact, and the point just after the impact.
 struct Crossing {

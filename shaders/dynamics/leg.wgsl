@@ -1,4 +1,4 @@
-// The rest of a step of free flight: does it stay off the stops?
+// The rest of a step of free flight, and whether it stays off the stops.
 
 // Whether a leg provably stays off the stops at the two ends of a normal.
 struct Clearance {

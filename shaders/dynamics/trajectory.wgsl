@@ -114,7 +114,7 @@ fn approach(carry: bool) -> Move {
     return strike(carry, reached);
 }
 
-// What is rare: an approach from the safe side, or sticking.
+// The rare cases: an approach from the safe side, or sticking.
 fn advance_warily(carry: bool) -> Move {
     if trajectory.contact == CONTACT_FREE {
         let window = flight.h - trajectory.offset;

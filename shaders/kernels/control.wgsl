@@ -54,7 +54,7 @@ fn control_trajectories(@builtin(global_invocation_id) id: vec3<u32>) {
         controlled_note(advance(controlled.progress == PROGRESS_OBSERVED));
         taken = taken + 1u;
     }
-    // Some drivers end every loop in silence after so many iterations; what they cut short must not pass for a result.
+    // Some drivers end every loop after a number of iterations without an error; such a trajectory must not count as finished.
     if taken < dispatch.budget && controlled.progress <= PROGRESS_OBSERVED {
         controlled.progress = PROGRESS_FAILED;
     }

@@ -41,7 +41,7 @@ fn measure_extents(@builtin(global_invocation_id) id: vec3<u32>) {
         code = extent_advance(periods[cell]);
         taken = taken + 1u;
     }
-    // Some drivers end every loop in silence after so many iterations; what they cut short must not pass for a result.
+    // Some drivers end every loop after a number of iterations without an error; such a trajectory must not count as finished.
     if taken < dispatch.budget && code == EXTENT_FOLLOWED {
         code = EXTENT_FAILED;
     }

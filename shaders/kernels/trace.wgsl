@@ -58,7 +58,7 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
         observer_note(ended);
         taken = taken + 1u;
     }
-    // Some drivers end every loop in silence after so many iterations; what they cut short must not pass for a result.
+    // Some drivers end every loop after a number of iterations without an error; such a trajectory must not count as finished.
     if taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
         observer.stage = STAGE_FAILED;
     }

@@ -1,7 +1,8 @@
 //! Observers side by side: each lane follows one to its verdict, then takes the next.
 
-use super::observer::{Observer, Stage};
+use super::observer::Observer;
 use super::schedule::Schedule;
+use super::stage::Stage;
 use crate::dynamics::{Abreast, Event};
 use crate::model::{Flight, Lanes};
 

@@ -5,6 +5,7 @@ mod exponent;
 mod extent;
 mod loss;
 mod observer;
+mod observing;
 mod probe;
 mod quiet;
 mod rebounds;
@@ -13,30 +14,30 @@ mod regime;
 mod schedule;
 mod section;
 mod spread;
+mod stage;
 mod trace;
 mod verdict;
 
 pub use abreast::{Queue, follow_abreast};
 pub(crate) use exponent::Exponent;
 pub use extent::{Extent, ExtentObserver};
-pub use observer::{Observer, Stage};
+pub use observer::Observer;
 pub use probe::Probe;
 pub use rebounds::{CHATTER_RUN, Rebounds};
 pub use regime::{Counts, INFINITELY_MANY, Measures, Regime, Verdict, motion_label};
 pub use schedule::{Schedule, ScheduleError};
 pub use section::{Reading, Section, SectionError};
 pub(crate) use spread::Spread;
+pub use stage::Stage;
 pub use trace::{Trace, Tracer};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::abreast::{CLEAR_STEPS, ROUNDS, TURNS};
     pub use super::exponent::{ALIGNING, BATCHES};
-    pub use super::observer::{
-        CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SETTLED_OBSERVATION, SETTLING, SETTLING_AT_REST,
-        SIGNIFICANCE,
-    };
+    pub use super::observing::{RETURNED, SETTLED_OBSERVATION, SETTLING, SETTLING_AT_REST};
     pub use super::recurrence::{DISTINCT, FARTHEST};
     pub use super::spread::STATIONARY;
+    pub use super::verdict::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, SIGNIFICANCE};
     pub use crate::dynamics::constants::{FAIR_MOVES, MOST_MOVES};
 }

@@ -11,9 +11,9 @@ use crate::system::Family;
 /// A quantity on a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Probe {
-    /// Where.
+    /// The section on which it is read.
     pub section: Section,
-    /// What.
+    /// The quantity that is read.
     pub reading: Reading,
 }
 

@@ -1,4 +1,4 @@
-//! Periodicity: does the strobe state come back, and keep coming back?
+//! Periodicity: whether the strobe state returns, and keeps returning.
 
 use super::regime::INFINITELY_MANY;
 use crate::dynamics::{Point, Stop};

@@ -1,4 +1,4 @@
-//! Is the motion stationary? The spread of its strobe points, early against late.
+//! Whether the motion is stationary: the spread of its strobe points early in the observation against that late in it.
 
 use crate::dynamics::Point;
 use crate::model::{Real, State};

@@ -1,9 +1,17 @@
 //! What an observed trajectory settled on.
 
 use super::loss::Loss;
-use super::observer::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, Observer, SIGNIFICANCE, Stage};
+use super::observer::Observer;
 use super::regime::{Counts, Measures, Regime, Verdict};
+use super::stage::Stage;
 use crate::model::{Flight, Real, State, StateVector};
+
+/// Total logarithmic growth below which a tangent vector neither grows nor shrinks: the exponent is zero.
+pub const NEUTRAL_GROWTH: f64 = 3.0;
+/// Total logarithmic growth above which the exponent can be positive.
+pub const CHAOTIC_GROWTH: f64 = 5.0;
+/// Standard errors by which a positive exponent must exceed zero.
+pub const SIGNIFICANCE: f64 = 3.0;
 
 impl<T: Real, const N: usize> Observer<T, N> {
     /// What the trajectory settled on; labels count the impacts at the plant's stops in `label_order`.
@@ -15,7 +23,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             Regime::NoImpact => flight.linear_exponent,
             Regime::Failed => T::nan(),
             _ if self.exponent.batches == 0 => T::nan(),
-            // What came before the motion was reached is no part of its exponent.
+            // Growth from before the motion was reached does not count towards its exponent.
             _ if regime.is_periodic() && self.is_late() => self.grown / T::of(f64::from(recurrence.since)),
             _ => self.exponent.per_period(),
         };

@@ -1,9 +1,7 @@
 //! How far the motions go that trajectories settled on.
 
-use super::cpu::each;
 use super::{Backend, BackendError, Job, Watch};
-use crate::analysis::{Extent, ExtentObserver, Regime, Schedule, Verdict};
-use crate::model::{Flight, Real};
+use crate::analysis::{Extent, Regime, Schedule, Verdict};
 
 /// A periodic motion is followed for at least about so many forcing periods, and whole periods of its own.
 const LEAST: u32 = 48;
@@ -41,29 +39,4 @@ fn followed(verdict: &Verdict, schedule: &Schedule) -> u32 {
         0 => schedule.observe,
         n => n * LEAST.min(schedule.observe).div_ceil(n),
     }
-}
-
-/// The same on the processor, one trajectory per task of rayon's current thread pool.
-pub(super) fn on_processor(
-    jobs: &[Job],
-    periods: &[u32],
-    watch: &dyn Watch,
-) -> Result<Vec<Extent>, BackendError> {
-    let followed: Vec<(&Job, u32)> = jobs.iter().zip(periods.iter().copied()).collect();
-    each(&followed, watch, |&(job, periods)| extent::<f64>(job, periods))
-}
-
-/// How far one trajectory goes in so many forcing periods, in the given precision; in f32 it does what the GPU does.
-pub fn extent<T: Real>(job: &Job, periods: u32) -> Extent {
-    match job.system.plant().n {
-        1 => with::<T, 1>(job, periods),
-        2 => with::<T, 2>(job, periods),
-        3 => with::<T, 3>(job, periods),
-        _ => with::<T, 4>(job, periods),
-    }
-}
-
-fn with<T: Real, const N: usize>(Job { system, start }: &Job, periods: u32) -> Extent {
-    let flight = Flight::<f64, N>::new(system).round::<T>();
-    ExtentObserver::new(&flight, start.state()).follow(&flight, periods)
 }

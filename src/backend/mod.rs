@@ -2,71 +2,26 @@
 
 mod cpu;
 mod decide;
+mod error;
 mod extents;
 mod gpu;
+mod job;
 mod select;
+mod watch;
 
-pub use cpu::{Cpu, Precision, Width, follow, follow_all, follow_controlled, trace};
+pub use cpu::{Cpu, Precision, Width, extent, follow, follow_all, follow_controlled, trace};
 pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
-pub use extents::{extent, extents};
+pub use error::BackendError;
+pub use extents::extents;
 pub use gpu::{AdapterReport, Gpu, adapters};
+pub use job::{ControlJob, Job};
 pub use select::{Choice, open};
+pub use watch::{Silent, Unwatched, Watch};
 
 use std::fmt::Debug;
 
-use thiserror::Error;
-
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
-use crate::control::{ControlSchedule, Controller, Outcome};
-use crate::model::{StateVector, System};
-
-/// One trajectory to follow: a system and its start at forcing phase 0.
-#[derive(Clone, Debug)]
-pub struct Job {
-    /// The system.
-    pub system: System,
-    /// (x1 … xn, v1 … vn) at forcing phase 0, within the stops; non-dimensional.
-    pub start: StateVector,
-}
-
-/// One trajectory to control.
-#[derive(Clone, Debug)]
-pub struct ControlJob {
-    /// The system and the start.
-    pub job: Job,
-    /// What controls it.
-    pub controller: Controller<f64>,
-}
-
-/// Hears how a run goes on, and may end it.
-pub trait Watch: Sync {
-    /// `cells` more trajectories are finished.
-    fn finished(&self, cells: u64);
-    /// Whether the run should stop at the next chance.
-    fn cancelled(&self) -> bool;
-}
-
-/// A watch that hears nothing and lets everything run.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Unwatched;
-
-impl Watch for Unwatched {
-    fn finished(&self, _cells: u64) {}
-    fn cancelled(&self) -> bool {
-        false
-    }
-}
-
-/// A watch that ends a run like another, and counts nothing there: for cells that are counted elsewhere.
-#[derive(Clone, Copy)]
-pub struct Silent<'a>(pub &'a dyn Watch);
-
-impl Watch for Silent<'_> {
-    fn finished(&self, _cells: u64) {}
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
-    }
-}
+use crate::control::{ControlSchedule, Outcome};
 
 /// Something that follows trajectories and classifies them.
 ///
@@ -124,23 +79,6 @@ pub trait Backend: Debug + Sync {
     /// # Errors
     /// Those of [`Backend::run`].
     fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>, BackendError> {
-        extents::on_processor(jobs, periods, watch)
+        cpu::extents(jobs, periods, watch)
     }
-}
-
-/// Why a back end gave no verdicts.
-#[derive(Debug, Error)]
-pub enum BackendError {
-    /// The watch asked to stop.
-    #[error("interrupted")]
-    Cancelled,
-    /// No adapter is there, or none that matches.
-    #[error("{0}")]
-    NoAdapter(String),
-    /// The back end does not have what is asked for.
-    #[error("{0}")]
-    Unsupported(String),
-    /// The device failed: lost, out of memory, or a refused shader.
-    #[error("the GPU could not finish: {0}")]
-    Device(String),
 }

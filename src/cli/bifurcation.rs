@@ -5,15 +5,16 @@ use std::time::Instant;
 
 use anyhow::anyhow;
 use clap::{Args, ValueEnum};
-use impact_atlas::analysis::{Probe, Reading, Regime, Section};
+use impact_atlas::analysis::{Probe, Reading, Section};
 use impact_atlas::backend::{self, Backend, Choice};
-use impact_atlas::diagram::{Coexistence, Diagram, DiagramSpec, ExponentUnit, Sweep, SweepAxis};
+use impact_atlas::diagram::{Diagram, DiagramSpec, ExponentUnit, Sweep, SweepAxis};
+use impact_atlas::figure::{Figure, Size};
 use impact_atlas::plane::Start;
-use impact_atlas::render::{Figure, Size, diagram_figure};
+use impact_atlas::render::diagram_figure;
 use impact_atlas::store::write_diagram;
 use impact_atlas::sweep::diagram;
-use serde::Serialize;
 
+use super::bifurcation_summary::Summary;
 use super::files::{self, Batch, Kind};
 use super::options::{BackendArgs, BackendName, OverwriteArgs, SystemArgs};
 use super::progress::Progress;
@@ -143,23 +144,6 @@ impl From<SpectrumUnit> for ExponentUnit {
     }
 }
 
-/// What is printed.
-#[derive(Debug, Serialize)]
-struct Summary<'a> {
-    columns: u32,
-    branches: Vec<&'static str>,
-    points: usize,
-    left_out: u64,
-    /// Columns whose trajectory was given up.
-    failed: usize,
-    seconds: f64,
-    /// The ranges in which the branches differ; only where there are two.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    coexistence: Option<Vec<Coexistence>>,
-    backend: &'a str,
-    adapter: &'a str,
-}
-
 /// Runs the command.
 pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
     let spec = args.spec()?;
@@ -224,7 +208,7 @@ impl BifurcationArgs {
         Ok(spec)
     }
 
-    /// The back end; a carried sweep has no use for any but the CPU.
+    /// The back end; a carried sweep is computed on the CPU.
     fn open(&self) -> Result<Box<dyn Backend>, CliError> {
         if !self.sweep.is_carried() {
             return self.backend.open();
@@ -244,60 +228,4 @@ impl BifurcationArgs {
         note(&format!("computing on {}: {}; a carried sweep is a sequence", cpu.name(), cpu.adapter()));
         Ok(cpu)
     }
-}
-
-impl<'a> Summary<'a> {
-    fn new(diagram: &'a Diagram, seconds: f64) -> Self {
-        let traces = || diagram.branches.iter().flat_map(|branch| &branch.traces);
-        Summary {
-            columns: diagram.spec.x.count(),
-            branches: diagram.branches.iter().map(|branch| branch.direction.name()).collect(),
-            points: traces().map(|trace| trace.readings.len()).sum(),
-            left_out: diagram.left_out(),
-            failed: traces().filter(|trace| trace.verdict.regime == Regime::Failed).count(),
-            seconds,
-            coexistence: (diagram.branches.len() == 2).then(|| diagram.coexistence()),
-            backend: &diagram.provenance.backend,
-            adapter: &diagram.provenance.adapter,
-        }
-    }
-
-    fn text(&self, diagram: &Diagram) -> String {
-        let mut lines = vec![format!(
-            "{} and {} points in {:.2} s",
-            columns(self.columns as usize),
-            self.points,
-            self.seconds
-        )];
-        if self.left_out > 0 {
-            lines.push(format!("{} points beyond --points were left out", self.left_out));
-        }
-        if self.failed > 0 {
-            lines.push(format!("{} given up: too many impacts in one forcing period", columns(self.failed)));
-        }
-        let name = diagram.spec.x.quantity().name();
-        for range in self.coexistence.iter().flatten() {
-            let pairs: Vec<String> = (range.pairs.iter().take(3))
-                .map(|pair| match pair.first == pair.second {
-                    true => format!("two different {} motions", pair.first),
-                    false => format!("{} (down) and {} (up)", pair.first, pair.second),
-                })
-                .collect();
-            lines.push(format!(
-                "coexistence for {name} from {:.6} to {:.6} ({}): {}",
-                range.from,
-                range.until,
-                columns(range.columns),
-                pairs.join("; ")
-            ));
-        }
-        if self.coexistence.as_ref().is_some_and(Vec::is_empty) {
-            lines.push("the two branches agree everywhere".to_owned());
-        }
-        lines.join("\n")
-    }
-}
-
-fn columns(count: usize) -> String {
-    if count == 1 { "1 column".to_owned() } else { format!("{count} columns") }
 }

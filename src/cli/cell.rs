@@ -6,9 +6,9 @@ use std::path::Path;
 use std::str::FromStr;
 
 use anyhow::{Context, anyhow};
+use impact_atlas::figure::carried_configuration;
 use impact_atlas::plane::fields::{Cells, Extras};
 use impact_atlas::plane::{Axis, Made, Plane};
-use impact_atlas::render::carried_configuration;
 use impact_atlas::store::{ZarrStore, read_config};
 use serde::Serialize;
 use thiserror::Error;

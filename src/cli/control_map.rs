@@ -1,10 +1,8 @@
 //! `impact-atlas map --control`: a plane whose cells are all controlled.
 
-use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::anyhow;
-use clap::Args;
 use impact_atlas::control::NEVER;
 use impact_atlas::plane::ControlMap;
 use impact_atlas::render;
@@ -12,25 +10,13 @@ use impact_atlas::store;
 use impact_atlas::sweep::sweep_control;
 use serde::Serialize;
 
-use super::controlled::ControlledArgs;
+use super::census::{self, Census};
 use super::files::{self, Batch, Kind};
-use super::map::{MapArgs, in_order};
-use super::method::MethodName;
+use super::map_args::MapArgs;
+use super::method_name::MethodName;
 use super::progress::Progress;
-use super::stored::is_store;
 use super::terminal::{print, print_json};
 use super::{CliError, defaults, estimate};
-
-/// Control of every cell of a map, and what is drawn of it.
-#[derive(Debug, Args)]
-pub struct ControlMapArgs {
-    #[command(flatten)]
-    pub cells: ControlledArgs,
-
-    /// Draws how many iterates control took, a PNG or SVG file
-    #[arg(long, value_name = "FILE", requires = "control", help_heading = "Control")]
-    times: Option<PathBuf>,
-}
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -45,8 +31,8 @@ struct Summary<'a> {
     runaway: u64,
     escapes: u64,
     seconds: f64,
-    #[serde(serialize_with = "in_order")]
-    regimes: [(&'static str, u64); 8],
+    #[serde(serialize_with = "census::in_order")]
+    regimes: Census,
     backend: &'a str,
     adapter: &'a str,
 }
@@ -54,7 +40,7 @@ struct Summary<'a> {
 /// Runs the command.
 pub fn run(method: MethodName, args: &MapArgs) -> Result<(), CliError> {
     let plane = args.control.cells.plane(method, &args.plane)?;
-    if let Some(store) = args.data.as_deref().filter(|path| is_store(path)) {
+    if let Some(store) = args.data.as_deref().filter(|path| files::is_store(path)) {
         return Err(CliError::Input(anyhow!(
             "a map under control has no store, which holds motions and not the outcomes of control: name `{}` with .npz, or \
              compute parts of its plane into files of their own",
@@ -113,10 +99,7 @@ impl<'a> Summary<'a> {
             self.converged,
             self.median_time.map(|n| format!(", half of them within {n} iterates")).unwrap_or_default()
         )];
-        for (name, cells) in self.regimes.into_iter().filter(|(_, cells)| *cells > 0) {
-            let share = 100.0 * cells as f64 / self.cells as f64;
-            lines.push(format!("  {name:<24} {cells:>10}  {share:>6.2} %"));
-        }
+        lines.extend(census::lines(self.regimes, self.cells));
         if self.runaway > 0 {
             lines.push(format!("control drove {} of the unresolved cells beyond all bounds", self.runaway));
         }

@@ -7,7 +7,8 @@ use clap::Args;
 use impact_atlas::control::ControlSchedule;
 use impact_atlas::plane::ControlPlane;
 
-use super::method::{MethodArgs, MethodName};
+use super::method::MethodArgs;
+use super::method_name::MethodName;
 use super::options::PlaneArgs;
 use super::values::count;
 use super::{CliError, defaults};

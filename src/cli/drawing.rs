@@ -6,9 +6,10 @@ use anyhow::anyhow;
 use clap::{Args, ValueEnum};
 use impact_atlas::analysis::Schedule;
 use impact_atlas::curves::Curve;
+use impact_atlas::figure::{Palette, Picture, Size, Spread};
 use impact_atlas::plane::fields::{Cells, Layer, thinned};
 use impact_atlas::plane::{Axis, RegionMap, Window};
-use impact_atlas::render::{DrawnCurves, Palette, Picture, PlanePicture, Shown, Size};
+use impact_atlas::render::{DrawnCurves, PlanePicture, Shown};
 
 use super::values::{counted, parse, parse_size, parse_span};
 use super::{CliError, curve_list, curves, defaults};
@@ -71,7 +72,7 @@ impl Which {
 /// Where curves come from.
 #[derive(Clone, Copy, Debug)]
 pub enum CurveSource<'a> {
-    /// They are computed.
+    /// The curves are computed.
     Computed(Which),
     /// They are read from a table.
     Table(&'a Path),
@@ -101,7 +102,7 @@ impl DrawingArgs {
         }
         if let Layer::Number { drawn, .. } = layer
             && let Some([low, _]) = self.range
-            && drawn.spread == impact_atlas::plane::fields::Spread::Ratios
+            && drawn.spread == Spread::Ratios
             && low <= 0.0
         {
             return Err(CliError::Input(anyhow!(

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
-use impact_atlas::render::Picture;
+use impact_atlas::figure::Picture;
 use impact_atlas::store::{Filled, Output};
 use serde::Serialize;
 
@@ -84,6 +84,11 @@ pub fn prepare<const N: usize>(
         *output = Some(prepared);
     }
     Ok(outputs)
+}
+
+/// Whether a path names a store.
+pub fn is_store(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zarr"))
 }
 
 /// Where the data go: where they are asked for, otherwise beside the picture with its name, if it has one.

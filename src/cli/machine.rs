@@ -1,4 +1,4 @@
-//! What the program asks of the machine before it begins: threads, signals, and drivers that hold their tongues.
+//! What the program asks of the machine before it begins: threads, signals, and drivers without messages of their own.
 
 use std::env;
 use std::sync::Arc;

@@ -1,106 +1,23 @@
 //! `impact-atlas map`: a plane, computed, stored and drawn.
 
-use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::anyhow;
-use clap::Args;
 use impact_atlas::backend::Backend;
 use impact_atlas::plane::fields::Extras;
-use impact_atlas::plane::{Part, Plane, RegionMap, Tiling, Window};
+use impact_atlas::plane::{Plane, RegionMap, Window};
 use impact_atlas::store;
 use impact_atlas::sweep::{Certification, certify, measure_extents, sweep};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
-use super::control_map::{self, ControlMapArgs};
-use super::drawing::{CurveSource, DrawingArgs, Which};
+use super::census::{self, Census};
+use super::drawing::CurveSource;
 use super::files::{self, Batch, Kind};
-use super::options::{BackendArgs, OverwriteArgs, PlaneArgs};
+use super::map_args::MapArgs;
+use super::options::BackendArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::{counted, parse};
-use super::{CliError, cell, curve_list, defaults, estimate, stored};
-
-/// Computes what every cell of a parameter plane settles on, as a picture and as data
-///
-/// The data (NumPy's npz) hold every cell's regime, label, Lyapunov exponent and end state.
-#[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  impact-atlas map
-  impact-atlas map --x omega=2.4:3.8:400 --y r=0.5:0.95:300 --set delta=0.1 --out r.png
-  impact-atlas map --curves --curves-out curves.csv
-  impact-atlas map --certify
-  impact-atlas map --x omega=0.2:5:4000 --y delta=0.02:0.8:3000 --data plane.zarr --part 17/64
-  impact-atlas map --layer settling --out settling.png
-  impact-atlas map --from map.png --set r=0.7 --out softer.png
-  impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --out basins.png
-  impact-atlas map --control delay --x omega=2.6:3:200 --y gain=0:1:150 --out delay.png --times times.png
-  impact-atlas map --control pulse --x target_v1=-0.5:-0.1:200 --y target_tau=1:3:150 --set omega=2.83")]
-pub struct MapArgs {
-    #[command(flatten)]
-    pub plane: PlaneArgs,
-
-    #[command(flatten)]
-    pub backend: BackendArgs,
-
-    #[command(flatten)]
-    pub control: ControlMapArgs,
-
-    /// The picture, a PNG, SVG or PDF file [default: map.png; none where the data are a store]
-    #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
-
-    /// The data, an npz file or a Zarr store [default: beside the picture, with its name and .npz]
-    ///
-    /// A store (DATA.zarr) is written tile by tile: the same command again computes what is missing and nothing else, and
-    /// memory does not grow with the plane.
-    #[arg(long, value_name = "FILE.npz|DATA.zarr")]
-    pub data: Option<PathBuf>,
-
-    /// Computes the K-th of M parts of a store; the parts cost about the same, and need no word with each other
-    #[arg(long, value_name = "K/M", value_parser = parse::<Part>, requires = "data", conflicts_with = "control")]
-    pub part: Option<Part>,
-
-    /// Cells along a side of a store's tiles, the unit of its files [default: 16 to 128, by the plane's size]
-    #[arg(long, value_name = "N", requires = "data", value_parser = counted(1, Tiling::LARGEST), conflicts_with = "control")]
-    pub tile: Option<u32>,
-
-    #[command(flatten)]
-    pub drawing: DrawingArgs,
-
-    /// Certifies every periodic cell: its motion is solved by Newton's method
-    ///
-    /// Label, symmetry, exponent, state and multipliers are then those of the exact orbit, which must be stable and must be
-    /// what the trajectory approaches. What is not confirmed is looked at for longer, and is unresolved if that does not
-    /// help. The data then hold the Floquet multipliers too.
-    #[arg(long, conflicts_with = "control")]
-    pub certify: bool,
-
-    /// Also measures how far every coordinate goes: its root mean square and its peak, the fields `rms` and `peak` and the layers
-    /// rms.x1, peak.x1 and so on
-    ///
-    /// Every trajectory is followed on for whole periods of its motion. A --layer that is one of these asks for it too.
-    #[arg(long, conflicts_with = "control")]
-    pub extents: bool,
-
-    /// Draws bifurcation curves over the map, and names them: those that bound what can be observed, or all of them
-    #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
-        default_missing_value = "bounding")]
-    pub curves: Option<Which>,
-
-    /// Writes every point of every curve, as `curves` does
-    #[arg(long, value_name = "FILE.csv", requires = "curves")]
-    pub curves_out: Option<PathBuf>,
-
-    #[command(flatten)]
-    pub overwrite: OverwriteArgs,
-
-    /// Prints JSON: cells, impacts, seconds, impacts_per_second, regimes, certified, backend, adapter; of a store part,
-    /// tiles_there, tiles_computed, tiles_failed, tiles_missing in place of regimes and certified
-    #[arg(long)]
-    pub json: bool,
-}
+use super::{CliError, cell, control_map, curve_list, defaults, estimate, stored};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -109,8 +26,8 @@ struct Summary<'a> {
     impacts: u64,
     seconds: f64,
     impacts_per_second: f64,
-    #[serde(serialize_with = "in_order")]
-    regimes: [(&'static str, u64); 8],
+    #[serde(serialize_with = "census::in_order")]
+    regimes: Census,
     /// With --certify: how that went.
     certified: Option<Certified>,
     backend: &'a str,
@@ -148,10 +65,6 @@ fn certified(map: &mut RegionMap, backend: &dyn Backend) -> Result<Certified, Cl
     Ok(Certified { periodic, confirmed, relabelled, reexamined, unresolved, seconds })
 }
 
-pub fn in_order<S: Serializer>(regimes: &[(&str, u64); 8], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(regimes.iter().copied())
-}
-
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), CliError> {
     if let Some(method) = args.control.cells.control {
@@ -175,7 +88,7 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
     let without = Extras { certified, extents };
     // A layer asks for what it shows.
     let extras = if layer.is_with(without) { without } else { Extras { extents: true, ..without } };
-    match args.data.as_deref().filter(|path| stored::is_store(path)) {
+    match args.data.as_deref().filter(|path| files::is_store(path)) {
         Some(path) => stored::run(args, &plane, path, &options, extras),
         None => in_memory(args, &plane, &options, extras),
     }
@@ -247,10 +160,7 @@ impl<'a> Summary<'a> {
             "{} cells and {} impacts in {:.2} s, {:.3e} impacts/s",
             self.cells, self.impacts, self.seconds, self.impacts_per_second
         )];
-        for (name, cells) in self.regimes.into_iter().filter(|(_, cells)| *cells > 0) {
-            let share = 100.0 * cells as f64 / self.cells as f64;
-            lines.push(format!("  {name:<24} {cells:>10}  {share:>6.2} %"));
-        }
+        lines.extend(census::lines(self.regimes, self.cells));
         lines.extend(self.certified.as_ref().map(Certified::text));
         lines.join("\n")
     }

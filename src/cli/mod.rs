@@ -4,12 +4,15 @@
 
 mod adapters;
 mod bifurcation;
+mod bifurcation_summary;
 mod cell;
+mod census;
 mod classify;
 mod compared;
 mod control;
 mod control_map;
 mod control_options;
+mod control_report;
 mod controlled;
 mod curve_list;
 mod curves;
@@ -24,7 +27,9 @@ mod interrupt;
 mod lyapunov;
 mod machine;
 mod map;
+mod map_args;
 mod method;
+mod method_name;
 mod motion;
 mod multipliers;
 mod options;
@@ -88,7 +93,7 @@ Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Map(Box<map::MapArgs>),
+    Map(Box<map_args::MapArgs>),
     Explore(Box<explore::ExploreArgs>),
     Render(render::RenderArgs),
     Status(status::StatusArgs),

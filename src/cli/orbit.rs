@@ -6,10 +6,11 @@ use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::dynamics::{self, Recording};
+use impact_atlas::figure::{Picture, Size};
 use impact_atlas::model::{Number, Setting};
 use impact_atlas::plane::Start;
 use impact_atlas::plane::written::WrittenSystem;
-use impact_atlas::render::{Orbit, OrbitPanel, Picture, Size, Zoom, orbit_figure};
+use impact_atlas::render::{Orbit, OrbitPanel, Zoom, orbit_figure};
 use impact_atlas::system::Family;
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! Panics become an error with a request to report it; users never see a raw one.
+//! A panic is reported as an error, with a request to report it.
 
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::sync::Mutex;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use impact_atlas::render::Picture;
+use impact_atlas::figure::Picture;
 
 use super::{CliError, note};
 
@@ -13,7 +13,7 @@ pub enum Format {
     Png,
     /// Vectors, text as outlines.
     Svg,
-    /// The same, for print.
+    /// The same, as it is printed.
     Pdf,
 }
 

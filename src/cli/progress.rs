@@ -40,7 +40,7 @@ impl Progress {
 
     /// A sign of life while one trajectory is followed.
     pub fn of_trajectory() -> Self {
-        // It may settle at any time, so that nobody knows how long it takes.
+        // It may settle at any time, so that its length is not known beforehand.
         Progress::new(None, UNKNOWN, "following the trajectory")
     }
 
@@ -51,7 +51,7 @@ impl Progress {
 
     /// A sign of life while bifurcation curves are followed.
     pub fn of_curves() -> Self {
-        // Nobody knows how long they are.
+        // Their length is not known beforehand.
         Progress::new(None, UNKNOWN, "following the bifurcation curves")
     }
 
@@ -125,7 +125,7 @@ impl Reveal {
     }
 }
 
-/// How far something is, in a line: of so many cells, or of nobody knows how much.
+/// How far something is, in a line: of so many cells, or of an unknown amount.
 fn line(message: &str, cells: Option<u64>, finished: u64, elapsed: Duration) -> String {
     let elapsed_words = spans::words(elapsed);
     match cells {

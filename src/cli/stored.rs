@@ -12,16 +12,11 @@ use serde::Serialize;
 
 use super::drawing::CurveSource;
 use super::files::{self, Batch, Kind};
-use super::map::MapArgs;
+use super::map_args::MapArgs;
 use super::options::BackendArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::{CliError, curve_list, estimate, note};
-
-/// Whether a path names a store.
-pub fn is_store(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zarr"))
-}
 
 /// What is printed.
 #[derive(Debug, Serialize)]

@@ -1,4 +1,4 @@
-//! The two output streams; neither a closed pipe nor a closed terminal is a reason to panic.
+//! The two output streams; writing to a closed pipe or terminal is no error.
 
 use std::io::{self, ErrorKind, Write};
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -13,7 +13,7 @@ use impact_atlas::validate::{
 use super::compared::Compared;
 use super::controlled::ControlledArgs;
 use super::interrupt::{Interruptible, abandonable};
-use super::method::MethodName;
+use super::method_name::MethodName;
 use super::options::{BackendArgs, BackendName, PlaneArgs};
 use super::progress::Progress;
 use super::report::Report;

@@ -4,9 +4,9 @@ use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 
+use impact_atlas::figure::Size;
 use impact_atlas::model::{Number, Parameter, ParameterError, whole};
 use impact_atlas::plane::Quantity;
-use impact_atlas::render::Size;
 use impact_atlas::system::Family;
 use thiserror::Error;
 
@@ -24,7 +24,7 @@ where
 pub struct Assignment {
     /// What is set.
     pub quantity: Quantity,
-    /// To what; non-dimensional.
+    /// The value that it is set to; non-dimensional.
     pub value: f64,
 }
 

@@ -35,13 +35,13 @@ impl<T: Real, const N: usize> Components<T, N> {
         Components::from_fn(|i| values[i])
     }
 
-    /// In order.
+    /// The components in their order.
     #[inline(always)]
     pub fn values(&self) -> impl Iterator<Item = T> + '_ {
         self.0.iter().flatten().copied()
     }
 
-    /// Each by itself.
+    /// Every component changed by a function.
     #[inline(always)]
     #[must_use]
     pub fn map(&self, f: impl Fn(T) -> T) -> Self {

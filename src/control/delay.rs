@@ -2,9 +2,9 @@
 //!
 //! After K. Pyragas, Phys. Lett. A 170 (1992) 421–428, doi:10.1016/0375-9601(92)90745-8.
 
+use super::action::{Action, Method, Seen};
 use super::components::Components;
 use super::memory::Memory;
-use super::method::{Action, Method, Seen};
 use super::section::Section;
 use super::values::SectionValues;
 use crate::dynamics::Stop;

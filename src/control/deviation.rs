@@ -1,9 +1,10 @@
 //! A small deviation of the points on σ, carried through flight and control: whether neighbours part.
 
+use super::action::Seen;
 use super::actuated::Actuated;
 use super::components::Components;
 use super::memory::LONGEST_DELAY;
-use super::method::{Controller, Seen};
+use super::method::Controller;
 use super::surface::Surface;
 use crate::dynamics::{Drive, Tangent, Trajectory};
 use crate::model::vector::dot;

@@ -1,9 +1,9 @@
 //! How a trajectory leaves σ: from where, with which contacts, under which force.
 
+use super::action::Action;
 use super::actuated::Actuated;
 use super::components::Components;
 use super::controlled::Controlled;
-use super::method::Action;
 use super::progress::Progress;
 use super::section::Section;
 use crate::dynamics::{Contact, Point, Trajectory, holds};
@@ -70,7 +70,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
         } else {
             let contact = self.kept(flight, section, &action.correction);
             self.trajectory = section.trajectory(flight, &self.surface, contact, drive);
-            // A phase that jumps back time and again never passes a strobe.
+            // A phase that is set back at every return never reaches a strobe.
             self.moves.pass_period();
         }
     }

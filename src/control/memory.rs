@@ -31,7 +31,7 @@ pub struct Memory<T, const N: usize> {
     pub impacts: [Counts; DEPTH],
     /// The largest number of iterates in one period that is looked for.
     pub reach: u32,
-    /// Points ever seen.
+    /// How many points have been taken in.
     pub seen: u32,
     /// For each period m − 1: the first iterate from which on every point lay within 1e-4 of the one m before.
     pub returning: [u32; LONGEST],
@@ -53,7 +53,7 @@ impl<T: Real, const N: usize> Memory<T, N> {
         }
     }
 
-    /// Takes in the present point.
+    /// Takes in the point of the present return.
     pub fn push(&mut self, point: Section<T, N>, turns: T, impacts: Counts) {
         let kept = (self.reach as usize).max(LONGEST_DELAY);
         for i in (1..=kept).rev() {

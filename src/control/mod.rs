@@ -8,6 +8,7 @@
 //! A point X has 2n components for n coordinates: a [`Section`] in flight, and [`SectionValues`] where the number of
 //! coordinates is known at run time only.
 
+mod action;
 mod actuated;
 mod components;
 mod controlled;
@@ -31,6 +32,7 @@ mod surface;
 mod values;
 mod witness;
 
+pub use action::{Action, Method, Seen};
 pub use actuated::{Actuated, Lagging};
 pub use components::Components;
 pub use controlled::Controlled;
@@ -38,7 +40,7 @@ pub use delay::Delay;
 pub use deviation::DELAYS;
 pub use history::{History, converged_at};
 pub use memory::{Counts, LONGEST, LONGEST_DELAY, LONGEST_ON_DEVICE, Memory};
-pub use method::{Action, Controller, Method, Seen};
+pub use method::Controller;
 pub use multipliers::multipliers;
 pub use outcome::{NEVER, Outcome};
 pub use progress::Progress;

@@ -1,7 +1,7 @@
 //! Period pulses that bring every P-th point back to the target: Eqs. (26) to (29).
 
+use super::action::{Action, Method, Seen};
 use super::components::Components;
-use super::method::{Action, Method, Seen};
 use super::section::Section;
 use super::values::SectionValues;
 use crate::dynamics::Stop;

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use super::action::{Action, Method, Seen};
 use super::components::Components;
-use super::method::{Action, Method, Seen};
 use super::section::{Section, short_way, sine_and_cosine};
 use crate::dynamics::Stop;
 use crate::model::Real;

@@ -23,7 +23,7 @@ pub struct SectionValues<V> {
 }
 
 impl<V: Copy> SectionValues<V> {
-    /// These values.
+    /// The values given, one for each component.
     ///
     /// # Panics
     /// If there is none, or more than [`MOST_COMPONENTS`] of them.
@@ -46,7 +46,7 @@ impl<V: Copy> SectionValues<V> {
         Some(SectionValues { values, count: given.len() })
     }
 
-    /// Each by itself.
+    /// Every value changed by a function.
     #[must_use]
     pub fn map<U: Copy>(&self, f: impl Fn(V) -> U) -> SectionValues<U> {
         SectionValues { values: self.values.map(f), count: self.count }

@@ -1,4 +1,4 @@
-//! What is heard of a controlled trajectory: its moves, and its returns to σ.
+//! What is told of a controlled trajectory: its moves, and its returns to σ.
 
 use super::memory::Counts;
 use super::values::SectionValues;
@@ -29,7 +29,7 @@ pub struct Return<T> {
     pub turns: T,
 }
 
-/// Hears how a controlled trajectory goes on, of however many coordinates.
+/// Is told of a controlled trajectory's moves and returns, whatever its number of coordinates.
 pub trait Witness<T: Real> {
     /// A move went from `before` to `after`; where it met σ, control has yet to act.
     #[inline(always)]

@@ -3,7 +3,6 @@
 use std::collections::{HashMap, HashSet};
 
 use rayon::prelude::*;
-use thiserror::Error;
 
 use super::branch::{Event, Followed, followed};
 use super::condition::Kind;
@@ -12,33 +11,18 @@ use super::left_out::{LeftOut, Why, left_out};
 use super::no_impact::no_impact_curves;
 use super::regions::{Shown, shown};
 use super::seeds::{Seed, fewest, seeds};
+use super::spans::{CurvesError, spans};
 use super::symmetry::stops_of;
 use super::trace::{Traced, trace};
 use super::unknowns::Span;
 use super::until::Until;
-use crate::plane::{Axis, Plane, Quantity, RegionMap};
+use crate::plane::RegionMap;
 use crate::theory::{Pattern, StopSet};
 
 /// A motion that is followed is followed again, across, from one place in each of so many parts of either axis.
 const PARTS: f64 = 5.0;
 /// An event this near to a curve of its kind and motion lies on it; in sides of the plane.
 const SAME: f64 = 2e-3;
-
-/// Why there are no curves.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum CurvesError {
-    /// An axis varies the start.
-    #[error(
-        "bifurcation curves depend on parameters, not on the start: let both axes be parameters instead of {0}"
-    )]
-    NotAParameter(&'static str),
-    /// An axis has no extent.
-    #[error("bifurcation curves need a range of {0}, not a single value")]
-    SingleValue(&'static str),
-    /// Nobody wants them any more.
-    #[error("interrupted")]
-    Cancelled,
-}
 
 /// The bifurcation curves of a plane, and the motions that have none.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,7 +75,7 @@ pub fn bifurcation_curves_until(
         trace_all(&mut curves, births, spans, until);
         births = followed.births;
     }
-    // What was left halfway is no curve.
+    // A curve that was not followed to its end is left out.
     if until.is_over() {
         return Err(CurvesError::Cancelled);
     }
@@ -163,19 +147,6 @@ fn sought(
     Ok(Followed::all(met.into_iter().chain(again)))
 }
 
-/// The two parameters of a plane.
-pub(super) fn spans(plane: &Plane) -> Result<[Span; 2], CurvesError> {
-    Ok([span(&plane.x)?, span(&plane.y)?])
-}
-
-/// Whether a plane can have curves: whether both of its axes are ranges of parameters.
-///
-/// # Errors
-/// [`CurvesError`] with the axis that is not.
-pub fn check(plane: &Plane) -> Result<(), CurvesError> {
-    spans(plane).map(drop)
-}
-
 /// Events of one kind and motion together, in the order of their first.
 fn grouped(events: Vec<Event>) -> Vec<Vec<Event>> {
     let mut groups: Vec<Vec<Event>> = Vec::new();
@@ -188,18 +159,6 @@ fn grouped(events: Vec<Event>) -> Vec<Vec<Event>> {
         groups[group].push(event);
     }
     groups
-}
-
-fn span(axis: &Axis) -> Result<Span, CurvesError> {
-    let name = axis.quantity.name();
-    match axis.quantity {
-        Quantity::Parameter(_) if axis.first == axis.last => Err(CurvesError::SingleValue(name)),
-        Quantity::Parameter(parameter) => {
-            let Axis { first, last, spacing, .. } = *axis;
-            Ok(Span { parameter, first, last, spacing })
-        }
-        Quantity::Start(_) | Quantity::Control(_) => Err(CurvesError::NotAParameter(name)),
-    }
 }
 
 /// The curves of one kind and motion that are not known yet, each once.

@@ -2,8 +2,8 @@
 
 use serde::{Serialize, Serializer};
 
-use super::atlas::spans;
 use super::condition::Kind;
+use super::spans::spans;
 use super::symmetry::stops_of;
 use crate::analysis::{Regime, Verdict, motion_label};
 use crate::dynamics::Stop;

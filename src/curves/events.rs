@@ -1,4 +1,4 @@
-//! Everything that is watched at a point of a bifurcation curve.
+//! What is evaluated at every point of a bifurcation curve.
 
 use nalgebra::{Complex, DVector};
 
@@ -124,6 +124,6 @@ fn beyond(
     let crossed = touches(system, pattern, &motion.sections)
         .iter()
         .any(|touch| touch.gap < -CROSSED && !own(touch.arc, touch.phase));
-    let certified = locus.kind == Kind::Grazing || fly(system, motion).is_ok();
+    let certified = locus.kind == Kind::Grazing || fly(system, &motion.pattern, &motion.sections).is_ok();
     (crossed || !certified).then_some((End::Grazes, Some(Special::Grazing)))
 }

@@ -1,4 +1,4 @@
-//! Bifurcation curves: where the motions of a map lose their stability or graze, from the mathematics alone.
+//! Bifurcation curves: where the motions of a map lose their stability or graze, computed by continuation.
 //!
 //! A motion's matching equations and the condition of its bifurcation are solved together in two parameters, and followed by
 //! pseudo-arclength continuation: around turning points, up to the border of the plane or to the point where the
@@ -20,6 +20,7 @@ mod path;
 mod regions;
 mod response;
 mod seeds;
+mod spans;
 mod special;
 mod symmetry;
 mod touch;
@@ -27,9 +28,10 @@ mod trace;
 mod unknowns;
 mod until;
 
-pub use atlas::{CurvesError, PlaneCurves, bifurcation_curves, bifurcation_curves_until, check};
+pub use atlas::{PlaneCurves, bifurcation_curves, bifurcation_curves_until};
 pub use condition::Kind;
 pub use curve::{Criticality, Curve, CurveMotion, CurvePoint, End, Special};
 pub use left_out::{LeftOut, Why};
 pub use naming::{Named, named};
 pub use paper::{is_plane_of_paper, paper_region};
+pub use spans::{CurvesError, check};

@@ -109,7 +109,7 @@ impl Path {
         let mut is_motion: Vec<bool> = self.shares.iter().map(|&share| reach.is_motion(share)).collect();
         let Some(first) = is_motion.iter().position(|is| !is) else { return vec![self] };
         if self.ends[0] == End::Closes {
-            // The last point is the first.
+            // The curve is closed: its last point is its first.
             self.shares.pop();
             is_motion.pop();
             self.shares.rotate_left(first);

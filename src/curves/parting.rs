@@ -1,4 +1,4 @@
-//! How far a motion is from a simpler one: the one it was born from in a pitchfork or a period doubling.
+//! How far a motion is from a simpler one: the one from which it bifurcates in a pitchfork or a period doubling.
 
 use crate::model::System;
 use crate::theory::{Flow, Pattern, PeriodicMotion, Section};

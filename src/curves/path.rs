@@ -127,7 +127,7 @@ impl PathPoint {
             }
             y -= right;
             if step < CONVERGED && size < CONVERGED {
-                // Farther off lies another path.
+                // A solution farther off belongs to another branch.
                 if (&y - &guess).norm() > reach {
                     return None;
                 }

@@ -200,7 +200,7 @@ fn specials(locus: &Locus, here: &PathPoint, seen: &Seen, ds: f64, next: &Seen) 
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (low + high);
             let Some((point, value)) = value_at(middle) else { break };
-            // A sign that changes through infinity, or with the side that a vector is seen from, is no zero.
+            // A sign that changes through infinity, or because a null vector changes its sign, is no zero.
             place = (value.abs() < ZERO * a.abs().max(b.abs())).then_some((middle, point));
             if value * a > 0.0 {
                 low = middle;

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::path::differences;
+use crate::figure::Spacing;
 use crate::model::{Parameter, Setting, System};
-use crate::plane::Spacing;
 use crate::theory::newton::{arcs, derivative, is_ordered, residual};
 use crate::theory::{Flow, Pattern, Section, StopSet};
 

@@ -1,6 +1,6 @@
-//! Curves take their time, and nobody may want them any more.
+//! Whether the computation of curves was cancelled.
 
-/// Says when nobody wants the curves any more; asked at every step of every path.
+/// Says whether the curves were cancelled; asked at every step of every path.
 #[derive(Clone, Copy)]
 pub(super) struct Until<'a>(pub &'a (dyn Fn() -> bool + Sync));
 

@@ -2,13 +2,17 @@
 
 mod axis;
 mod coexistence;
+mod error;
 mod result;
 mod spec;
+mod sweep;
 mod unit;
 mod written;
 
 pub use axis::SweepAxis;
 pub use coexistence::{Coexistence, Pair};
+pub use error::DiagramError;
 pub use result::{Branch, Diagram};
-pub use spec::{DiagramError, DiagramSpec, Direction, Sweep};
+pub use spec::DiagramSpec;
+pub use sweep::{Direction, Sweep};
 pub use unit::ExponentUnit;

@@ -1,10 +1,11 @@
 //! A computed diagram.
 
-use super::spec::{DiagramSpec, Direction};
+use super::spec::DiagramSpec;
+use super::sweep::Direction;
 use crate::analysis::Trace;
 use crate::plane::Provenance;
 
-/// The columns of a diagram that were computed in one go.
+/// The columns of a diagram that were computed in one sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     /// How they follow each other.

@@ -1,9 +1,10 @@
 //! Diagrams as files carry them: names in place of stops and components, and the whole family.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::axis::SweepAxis;
-use super::spec::{DiagramSpec, Sweep};
+use super::spec::DiagramSpec;
+use super::sweep::Sweep;
 use super::unit::ExponentUnit;
 use crate::analysis::Schedule;
 use crate::plane::Start;
@@ -11,7 +12,7 @@ use crate::plane::written::{WrittenParameters, WrittenSystem, parameters};
 
 /// A diagram as files carry it.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct WrittenDiagram {
+struct WrittenDiagram {
     x: SweepAxis,
     system: WrittenSystem,
     parameters: WrittenParameters,
@@ -47,5 +48,11 @@ impl From<DiagramSpec> for WrittenDiagram {
             capacity: spec.capacity,
             spectrum: spec.spectrum,
         }
+    }
+}
+
+impl Serialize for DiagramSpec {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        WrittenDiagram::from(self.clone()).serialize(serializer)
     }
 }

@@ -81,7 +81,7 @@ pub const ROUNDINGS: f64 = 64.0;
 /// A stop that is reached in one straight line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reached<T> {
-    /// Where.
+    /// The end of a contact normal that is met.
     pub end: End,
     /// The time left; 0 if the stop is touched.
     pub left: T,

@@ -1,4 +1,4 @@
-//! Contact in one go: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
+//! Contact found directly: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
 
 use super::chatter::{SLOW, STEADY};
 use super::contact::ROUNDINGS;

@@ -1,4 +1,4 @@
-//! The rest of a step of free flight: does it stay off the stops?
+//! The rest of a step of free flight, and whether it stays off the stops.
 
 use super::drive::Drive;
 use super::point::Point;
@@ -63,7 +63,7 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Leg<'_, L, N, D> {
         let middle = (begins + ends).times_plus(window.all(0.5), turn);
         let highest = second.larger(fourth).larger(ends).larger(middle + margin);
         let lowest = second.smaller(fourth).smaller(ends).smaller(middle - margin);
-        // Not a number anywhere makes `middle` none, and no comparison holds.
+        // A NaN anywhere makes `middle` a NaN, and no comparison holds.
         let sound = (middle - margin).below(normal.gap[0]);
         Clearance { upper: sound.and(highest.below(normal.gap[0])), lower: (-normal.gap[1]).below(lowest) }
     }

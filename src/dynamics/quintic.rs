@@ -41,7 +41,7 @@ impl<L: Lanes> Quintic<L> {
         let sum = approach.magnitude() + discriminant.larger(zero).root();
         let double = gaps[0] + gaps[0];
         let approaching = zero.below(approach);
-        // Without cancellation, whichever way it sets out.
+        // The form of the quadratic formula without cancellation, for either sign of the speed.
         let above = L::select(approaching, double, sum);
         let below = L::select(approaching, sum, -(bend + bend));
         let mut u = above / below;
@@ -75,7 +75,7 @@ mod tests {
         let quintic = Quintic::through([gap(0.0), gap(w)], [speed(0.0), speed(w)], [pull(0.0), pull(w)], w);
         let u = quintic.root([gap(0.0), gap(w)], speed(0.0) * w);
         assert!(gap(u * w).abs() < 1e-14 && u > 0.0 && u < 1.0, "{u}");
-        // Off the stop and back onto it: not the root at 0.
+        // The motion leaves the stop and returns: the root sought is not the one at 0.
         let hop = |s: f64| 0.2 * s - 0.6 * s * s;
         let quintic = Quintic::through([0.0, hop(w)], [-0.2, -0.2 + 1.2 * w], [1.2, 1.2], w);
         let u = quintic.root([0.0, hop(w)], -0.2 * w);

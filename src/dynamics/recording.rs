@@ -12,7 +12,7 @@ use crate::model::{Flight, State, StateVector, System};
 pub struct ImpactEvent {
     /// Time since the start of the trajectory.
     pub time: f64,
-    /// Where.
+    /// The stop that is struck.
     pub stop: Stop,
     /// d·v−, with d the direction of the first stop on the same line.
     pub velocity_before: f64,
@@ -36,7 +36,7 @@ pub struct Sample {
 /// A stretch of time during which a stop holds; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stick {
-    /// Where.
+    /// The stop that masses rest on.
     pub stop: Stop,
     /// When masses come to rest on it.
     pub from: f64,

@@ -16,7 +16,7 @@ pub const MOST_KICKS: u32 = 4;
 /// An impact: d·v+ = −r d·v− along its normal, v+ = v− + (d·v+ − d·v−) M⁻¹d/(dᵀM⁻¹d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact<T> {
-    /// Where.
+    /// The stop that is struck.
     pub stop: Stop,
     /// d·v−, d being the direction of the first stop on this normal.
     pub velocity_before: T,
@@ -159,7 +159,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         }
     }
 
-    /// Free flight: the rest of the step where it provably clears the stops, else up to the contact in one go, else as far
+    /// Free flight: the rest of the step where it provably clears the stops, else up to the contact where that is found directly, else as far
     /// as is safe.
     #[inline(always)]
     fn fly<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {

@@ -27,11 +27,11 @@ pub struct Batch<'a> {
     pub scene: &'a Scene,
     /// Where tiles are kept.
     pub tiles: &'a Tiles,
-    /// Which.
+    /// The tiles to compute, by their keys.
     pub keys: &'a [TileKey],
     /// What is shown of them, if not their motions.
     pub layer: Option<Layer>,
-    /// Whether nobody wants them any more.
+    /// Whether the request was cancelled.
     pub cancelled: &'a AtomicBool,
 }
 
@@ -54,7 +54,7 @@ struct Tile {
 /// Why there are no tiles.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Stopped {
-    /// Nobody wants them any more.
+    /// The request was cancelled.
     Cancelled,
     /// The back end, or the program, could not.
     Failed(String),

@@ -28,7 +28,7 @@ fn slider(parameter: Parameter, value: f64) -> [f64; 2] {
     let range = parameter.range();
     let reach = if value == 0.0 { 1.0 } else { 2.0 * value.abs() };
     let shy = |end: f64, included: bool, inwards: f64| if included { end } else { end + inwards };
-    // A bound far away, such as a largest frequency, is none to slide to.
+    // A bound far away, such as the largest frequency, is no use as the end of a slider.
     let near = |end: f64| end.abs() <= 20.0 * reach;
     let low = range.lower.filter(|bound| near(bound.value));
     let high = range.upper.filter(|bound| near(bound.value));

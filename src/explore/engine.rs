@@ -1,4 +1,4 @@
-//! The one worker that computes tiles: those that are wanted most, a batch at a time, and none that nobody sees any more.
+//! The one worker that computes tiles: those that are wanted most, a batch at a time, and none that is out of sight on every page.
 
 use std::collections::{HashMap, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -17,10 +17,10 @@ use crate::plane::fields::Layer;
 
 /// How long a batch should take.
 const BATCH: Duration = Duration::from_millis(220);
-/// How long tiles wait for something that somebody clicked on.
+/// How long tiles wait for the answer to a click.
 const WAIT: Duration = Duration::from_millis(1500);
 
-/// The worker's door.
+/// A handle to the worker, by which pages ask for tiles.
 #[derive(Clone, Debug)]
 pub struct Engine {
     shared: Arc<Shared>,
@@ -31,7 +31,7 @@ struct Shared {
     state: Mutex<State>,
     changed: Condvar,
     tiles: Arc<Tiles>,
-    /// Things under way that somebody waits for.
+    /// Answers to clicks that are being computed.
     urgent: AtomicUsize,
     ended: AtomicBool,
 }
@@ -136,7 +136,7 @@ impl Engine {
         }
     }
 
-    /// Tiles give way to something that somebody waits for, until the guard is dropped.
+    /// Tiles wait while the answer to a click is computed, until the guard is dropped.
     pub fn urgent(&self) -> Urgent {
         self.shared.urgent.fetch_add(1, Ordering::Relaxed);
         Urgent(self.shared.clone())
@@ -177,7 +177,7 @@ impl Shared {
                 Batch { scene: &scene, tiles: &self.tiles, keys: &keys, layer, cancelled: &cancelled };
             let computed = batch::compute(&batch);
             if let (Ok(_), Some(stored)) = (&computed, scene.stored())
-                && let Err(error) = stored.keep(&scene, &self.tiles, &keys)
+                && let Err(error) = stored.keep((scene.id, scene.computing.backend), &self.tiles, &keys)
             {
                 let message = format!("{error}; what is computed here is no longer kept in the store");
                 let _ = page.send(Outgoing::failed(scene.id, &message));

@@ -16,9 +16,10 @@ use super::store::Tiles;
 use super::task::{Ended, Task};
 use crate::backend::{BackendError, Watch};
 use crate::curves::{Curve, CurvesError, bifurcation_curves_until, check};
+use crate::figure::{Picture, Size};
 use crate::plane::RegionMap;
 use crate::plane::fields::Layer;
-use crate::render::{DrawnCurves, Picture, PlanePicture, Shown, Size, live_lines};
+use crate::render::{DrawnCurves, PlanePicture, Shown, live_lines};
 use crate::store::write_map;
 use crate::sweep::{SweepError, measure_extents};
 

@@ -18,7 +18,7 @@ impl Guard {
     /// A new token; `hosts` are names besides those of the machine itself, as behind a proxy.
     ///
     /// # Errors
-    /// A machine without chance.
+    /// The operating system gave no random numbers.
     pub fn new(hosts: &[String]) -> Result<Self, getrandom::Error> {
         let mut chance = [0; CHANCE];
         getrandom::fill(&mut chance)?;

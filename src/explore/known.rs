@@ -1,6 +1,7 @@
 //! Cells that were computed before: those of a file, or of a store.
 
 use super::lattice::Cell;
+use super::limits::HELD_CELLS;
 use super::stored::Stored;
 use crate::analysis::Verdict;
 use crate::plane::{Plane, RegionMap};
@@ -23,7 +24,7 @@ enum Cells {
 
 impl Known {
     /// The most cells that are held in memory.
-    pub const MOST: u64 = 8_000_000;
+    pub const MOST: u64 = HELD_CELLS;
 
     /// The cells of a store, which are read as they are looked at.
     ///

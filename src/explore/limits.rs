@@ -64,3 +64,6 @@ pub const STARTS: u32 = 64;
 
 /// Bytes that wait for a page to read them.
 pub const WAITING: usize = 256 << 20;
+
+/// Cells that were computed before and are held in memory.
+pub const HELD_CELLS: u64 = 8_000_000;

@@ -60,7 +60,7 @@ impl Page {
 }
 
 impl Outbox {
-    /// The next message; none once nobody can send any more.
+    /// The next message; none once all senders are gone.
     pub async fn next(&mut self) -> Option<Outgoing> {
         let message = self.from.recv().await?;
         self.waiting.fetch_sub(bytes(&message), Ordering::Relaxed);

@@ -17,7 +17,7 @@ use crate::render::Motion;
 /// A plane that is looked at.
 #[derive(Debug)]
 pub struct Scene {
-    /// By what pages call it.
+    /// The number by which pages name it.
     pub id: u32,
     /// The plane that was asked for: the cells of level 0 are its own.
     pub plane: Plane,

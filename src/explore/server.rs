@@ -26,7 +26,7 @@ use super::session::Session;
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; \
                       font-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'";
 
-/// A server that listens, and serves nobody yet.
+/// A server that listens, and has no page yet.
 #[derive(Debug)]
 pub struct Server {
     listener: std::net::TcpListener,
@@ -91,7 +91,7 @@ fn router(shared: Shared) -> Router {
         .with_state(shared)
 }
 
-/// Lets nobody in without the token, and gives every answer its rules.
+/// Refuses requests without the token, and gives every answer its security headers.
 async fn guarded(State(shared): State<Shared>, request: Request, next: Next) -> Response {
     let token = request.uri().path().trim_start_matches('/').split('/').next().unwrap_or_default();
     let mut response = if !shared.guard.admits(request.headers()) {
@@ -154,7 +154,7 @@ async fn socket(State(shared): State<Shared>, upgrade: WebSocketUpgrade) -> Resp
     )
 }
 
-/// Hears a page and sends it what there is, until either end is gone.
+/// Receives the messages of a page and sends it the answers, until the connection is closed.
 async fn converse(socket: WebSocket, session: Session, mut from: Outbox) {
     let (mut to_page, mut from_page) = socket.split();
     let session = Arc::new(session);

@@ -111,7 +111,7 @@ pub fn slice(
     let diagram = line.diagram(scene, task)?;
     let mut figure = slice_figure(&diagram, line.other.0, line.other.1);
     let width = width.clamp(360, 2400);
-    // Letters of the page's own size.
+    // The text size of the page.
     figure.width = (f64::from(width) / EM).max(30.0);
     let config = diagram.config();
     let drawn = figure.draw(figure_size([width, (width * 3 / 8).clamp(340, 460)])?, &config);

@@ -11,7 +11,7 @@ use crate::analysis::{Extent, Verdict};
 /// One tile of one plane.
 type Key = (u32, TileKey);
 
-/// The tiles that were computed; those that nobody asked for in a long time make room.
+/// The tiles that were computed; those that were not asked for in a long time make room.
 #[derive(Debug, Default)]
 pub struct Tiles {
     kept: Mutex<Kept>,

@@ -4,11 +4,11 @@ use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::known::Known;
 use super::lattice::{Cell, SIDE, TileKey};
-use super::scene::Scene;
+use super::limits::HELD_CELLS;
 use super::store::Tiles;
 use crate::analysis::Verdict;
+use crate::backend::Backend;
 use crate::plane::Window;
 use crate::plane::fields::{Assembled, Cells, Extras};
 use crate::store::{StoreError, ZarrStore};
@@ -29,7 +29,7 @@ pub struct Stored {
 
 #[derive(Debug)]
 struct Held {
-    /// Which tiles were there when somebody looked.
+    /// Which tiles were there when the store was last looked at.
     there: Vec<bool>,
     /// The cells of some tiles, and when they were last looked at.
     tiles: HashMap<u32, (Arc<Vec<Verdict>>, u64)>,
@@ -44,7 +44,7 @@ impl Held {
         if let Some((before, _)) = self.tiles.insert(tile, (Arc::new(verdicts), self.looked)) {
             self.cells -= before.len() as u64;
         }
-        while self.cells > Known::MOST && self.tiles.len() > 1 {
+        while self.cells > HELD_CELLS && self.tiles.len() > 1 {
             let Some(oldest) = self.tiles.iter().min_by_key(|(_, (_, at))| *at).map(|(tile, _)| *tile) else {
                 return;
             };
@@ -95,7 +95,7 @@ impl Stored {
         for (column, row) in cells {
             *wanted.entry(self.tile(column, row)).or_default() += 1;
         }
-        let small = self.store.plane().cells() <= Known::MOST;
+        let small = self.store.plane().cells() <= HELD_CELLS;
         let mut wanted: Vec<(u32, usize)> = wanted.into_iter().collect();
         wanted.sort_unstable();
         for (tile, count) in wanted {
@@ -121,19 +121,24 @@ impl Stored {
         Some(cells[self.store.tiling().window(tile).index((column, row))])
     }
 
-    /// Whether tiles that a scene computes belong into the store: what computes them is what the store is of.
-    pub fn keeps(&self, scene: &Scene) -> bool {
+    /// Whether tiles that a back end computes belong into the store: what the store holds was computed by the same.
+    pub fn keeps(&self, backend: &dyn Backend) -> bool {
         self.keeps.load(Ordering::Relaxed)
             && self.store.extras() == Extras::NONE
-            && *self.store.provenance() == provenance(scene.computing.backend)
+            && *self.store.provenance() == provenance(backend)
     }
 
-    /// Writes those tiles of the store that some tiles just computed complete; how many.
+    /// Writes those tiles of the store that some tiles of a scene, just computed by a back end, complete; how many.
     ///
     /// # Errors
     /// What the file system reports; nothing more is kept then.
-    pub fn keep(&self, scene: &Scene, tiles: &Tiles, computed: &[TileKey]) -> Result<usize, StoreError> {
-        if !self.keeps(scene) {
+    pub fn keep(
+        &self,
+        (scene, backend): (u32, &dyn Backend),
+        tiles: &Tiles,
+        computed: &[TileKey],
+    ) -> Result<usize, StoreError> {
+        if !self.keeps(backend) {
             return Ok(0);
         }
         let mut touched: Vec<u32> = computed.iter().flat_map(|key| self.touched(*key)).collect();
@@ -179,13 +184,13 @@ impl Stored {
 }
 
 /// The cells of a window, row by row, if all tiles of the plane's own cells that it lies on were computed.
-fn whole(scene: &Scene, tiles: &Tiles, window: Window) -> Option<Vec<Verdict>> {
+fn whole(scene: u32, tiles: &Tiles, window: Window) -> Option<Vec<Verdict>> {
     let mut own = HashMap::new();
     let last = |first: u32, count: u32| i64::from((first + count - 1) / SIDE);
     for j in i64::from(window.row / SIDE)..=last(window.row, window.rows) {
         for i in i64::from(window.column / SIDE)..=last(window.column, window.columns) {
             let key = TileKey { z: 0, i, j };
-            own.insert(key, tiles.get(scene.id, key)?);
+            own.insert(key, tiles.get(scene, key)?);
         }
     }
     let cell = |(column, row): (u32, u32)| {

@@ -18,7 +18,7 @@ const EVERY: Duration = Duration::from_millis(200);
 /// Why a task came to nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Ended {
-    /// Nobody wants it any more.
+    /// The request was cancelled.
     Cancelled,
     /// It cannot be done, and why.
     Refused(Refused),
@@ -90,7 +90,7 @@ impl Task {
         let _ = self.page.send(last);
     }
 
-    /// Ends here if nobody wants it any more.
+    /// Ends here if the request was cancelled.
     ///
     /// # Errors
     /// [`Ended::Cancelled`].

@@ -1,7 +1,8 @@
 //! The constants of several cells side by side: those that free flight and impacts need.
 
-use super::flight::{ContactNormal, Flight};
-use super::lanes::Lanes;
+use super::contact_normal::ContactNormal;
+use super::flight::Flight;
+use super::real::Lanes;
 
 impl<L: Lanes, const N: usize> Flight<L, N> {
     /// Puts the constants of a cell into one lane. What sticking, symmetry and the end of a trajectory need stays out.

@@ -2,8 +2,10 @@
 
 use nalgebra::SVector;
 
+use super::contact_normal::bound;
 use super::equations::Equations;
-use super::flight::{Flight, driven_bounds, driven_steps};
+use super::flight::Flight;
+use super::flow::{self, Augmented, mechanical};
 use super::real::Real;
 use super::state::State;
 use super::system::System;
@@ -68,4 +70,22 @@ impl<const N: usize> Drive<f64, N> {
             bound: self.bound.map(T::of),
         }
     }
+}
+
+/// What one step adds per unit of the sine and of the cosine of a drive's phase at its beginning.
+fn driven_steps<const N: usize>(driven: &Equations<N>, h: f64) -> [State<f64, N>; 2] {
+    let zero = Augmented::zeros();
+    [Augmented { sin: 1.0, ..zero }, Augmented { cos: 1.0, ..zero }]
+        .map(|z| mechanical(&flow::over(driven, h, z)))
+}
+
+/// What a drive of unit amplitude adds to the bounds on the fourth derivative of d·x, by normal.
+fn driven_bounds<const N: usize>(driven: &Equations<N>, h: f64) -> [f64; MOST] {
+    std::array::from_fn(|k| {
+        if k >= driven.count {
+            return 0.0;
+        }
+        let bound = bound(driven, k, h);
+        bound.sin.hypot(bound.cos)
+    })
 }

@@ -175,7 +175,7 @@ impl<const N: usize> Equations<N> {
         let g2 = &g * &g;
         let g4 = &g2 * &g2;
         let fastest = scale * (&g4 * &g4).norm().powf(0.125);
-        // Not `max`, which would pass over a number that is none.
+        // Not `max`, which ignores NaN.
         if fastest < self.omega { self.omega } else { fastest }
     }
 }

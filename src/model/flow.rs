@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::equations::Equations;
+use super::state::State;
 
 /// x, v, and what the forcing and the constant load multiply.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +99,7 @@ pub struct Functional<const N: usize> {
     pub sin: f64,
     /// Of cos φ.
     pub cos: f64,
-    /// Of 1.
+    /// The coefficient of the constant 1.
     pub one: f64,
 }
 
@@ -191,4 +192,9 @@ pub fn second_derivative_bound<const N: usize>(
         }
     }
     sum
+}
+
+/// The displacements and velocities of an augmented state.
+pub(super) fn mechanical<const N: usize>(z: &Augmented<N>) -> State<f64, N> {
+    State { x: z.x.into(), v: z.v.into() }
 }

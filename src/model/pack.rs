@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::Simd;
 
-use super::lanes::{Lanes, Mask};
+use super::real::{Lanes, Mask};
 
 /// As many f64 as a register of the instruction set `S` holds.
 #[derive(Clone, Copy, Debug)]

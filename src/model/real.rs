@@ -1,10 +1,10 @@
-//! The two precisions: f64 for the reference, f32 for the GPU's twin.
+//! The numbers that trajectories are computed in: two precisions, f64 for the reference and f32 for the GPU's twin, and several
+//! such numbers side by side.
 
 use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::Float;
-
-use super::lanes::Lanes;
 
 /// A floating-point type that trajectories are computed in.
 ///
@@ -43,6 +43,94 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
 
     /// ln of a positive, finite value.
     fn logarithm(self) -> Self;
+}
+
+/// Numbers side by side, one in each lane, that one operation works on together.
+///
+/// What is written for lanes gives the same bits in every lane at every width: each operation is exact or rounded once, and
+/// nothing is summed across lanes. A [`Real`] is one lane.
+pub trait Lanes:
+    Copy
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The precision of each lane.
+    type Real: Real;
+    /// A truth value for each lane.
+    type Mask: Mask;
+    /// How many lanes there are.
+    const WIDTH: usize;
+
+    /// The number nearest to `value` in every lane.
+    #[must_use]
+    fn all(self, value: f64) -> Self;
+
+    /// self · factor + term, rounded twice: so the bits do not depend on whether a processor multiplies and adds at once.
+    #[inline(always)]
+    #[must_use]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+
+    /// |self|.
+    #[must_use]
+    fn magnitude(self) -> Self;
+
+    /// √self.
+    #[must_use]
+    fn root(self) -> Self;
+
+    /// self < other; false where either is not a number.
+    fn below(self, other: Self) -> Self::Mask;
+
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[must_use]
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// The number in one lane.
+    fn lane(&self, lane: usize) -> Self::Real;
+
+    /// Puts a number into one lane.
+    fn set_lane(&mut self, lane: usize, value: Self::Real);
+
+    /// The larger of two numbers; `other` where self is not a number.
+    #[inline(always)]
+    #[must_use]
+    fn larger(self, other: Self) -> Self {
+        Self::select(other.below(self), self, other)
+    }
+
+    /// The smaller of two numbers; `other` where self is not a number.
+    #[inline(always)]
+    #[must_use]
+    fn smaller(self, other: Self) -> Self {
+        Self::select(self.below(other), self, other)
+    }
+}
+
+/// A truth value for each lane.
+pub trait Mask: Copy + Debug {
+    /// Where both hold.
+    #[must_use]
+    fn and(self, other: Self) -> Self;
+
+    /// Where either holds.
+    #[must_use]
+    fn or(self, other: Self) -> Self;
+
+    /// Where it does not hold.
+    #[must_use]
+    fn not(self) -> Self;
+
+    /// Bit k for lane k.
+    fn bits(self) -> u32;
 }
 
 impl Real for f64 {

@@ -56,7 +56,7 @@ impl<const N: usize> Flight<f64, N> {
             let ends = [0, 1].map(|side| {
                 (self.normals[k].gap[side] < super::FAR).then(|| usize::from(self.normals[k].stop[side]))
             });
-            // The first stop on a line gave it its direction.
+            // The direction of a line is that of the first stop on it.
             let Some(first) = ends.into_iter().flatten().min() else { continue };
             for (side, stop) in ends.into_iter().enumerate() {
                 let Some(stop) = stop else { continue };
@@ -113,7 +113,7 @@ mod tests {
         assert_eq!(flights.distinct(), 2);
         for (i, system) in systems.iter().enumerate() {
             assert_eq!(flights.get(i, system), Flight::new(system), "{system:?}");
-            // The control: another cell's constants are others.
+            // The test can fail: the constants of another cell differ.
             let other = &systems[(i + 1) % systems.len()];
             assert_ne!(flights.get(i, system), Flight::new(other));
         }

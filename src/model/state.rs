@@ -1,6 +1,6 @@
 //! Displacements and velocities.
 
-use super::lanes::Lanes;
+use super::real::Lanes;
 use super::real::Real;
 use super::vector::{MOST, added, axpy, scaled, select};
 

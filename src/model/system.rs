@@ -1,11 +1,10 @@
 //! A system: a plant at one place of its parameters, with the steps in which it is followed.
 
 use nalgebra::{DMatrix, DVector};
-use thiserror::Error;
 
 use super::parameters::Parameters;
-use crate::system::Number;
-use crate::system::{CellError, Plant, PlantError, Setting};
+use super::system_error::{MOST_STEPS, Stiff, SystemError};
+use crate::system::{Plant, Setting};
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
@@ -25,7 +24,7 @@ impl System {
     /// rate·h is kept below this: large enough for few steps, small enough for low orders.
     const STEP: f64 = 0.7;
     /// The most steps of one forcing period that are accepted.
-    pub const MOST_STEPS: u32 = 1 << 16;
+    pub const MOST_STEPS: u32 = MOST_STEPS;
 
     /// A system with checked parameters.
     ///
@@ -256,61 +255,5 @@ fn rate(plant: &Plant) -> f64 {
         2 => super::Equations::<2>::new(plant).rate(),
         3 => super::Equations::<3>::new(plant).rate(),
         _ => super::Equations::<4>::new(plant).rate(),
-    }
-}
-
-/// Why a system was refused.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum SystemError {
-    /// A parameter is outside its range, or the family cannot make a plant of the values.
-    #[error(transparent)]
-    Cell(#[from] CellError),
-    /// The time scales are too far apart.
-    #[error(
-        "{} needs more than {most} steps per forcing period, since the fastest motion has a rate of {rate:.3e}: {remedy}",
-        .0.place(),
-        most = System::MOST_STEPS,
-        rate = .0.rate,
-        remedy = .0.remedy()
-    )]
-    TooStiff(Box<Stiff>),
-    /// The plant cannot be followed.
-    #[error(transparent)]
-    Plant(#[from] PlantError),
-}
-
-/// A system whose time scales are too far apart.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Stiff {
-    setting: Option<Setting>,
-    omega: f64,
-    rate: f64,
-}
-
-impl Stiff {
-    /// The parameters with their values, or the frequency alone.
-    fn place(&self) -> String {
-        let Some(setting) = &self.setting else {
-            return format!("a forcing frequency of {}", Number(self.omega));
-        };
-        let named = setting.entries().map(|(parameter, value)| format!("{parameter} = {}", Number(value)));
-        named.collect::<Vec<_>>().join(", ")
-    }
-
-    /// Of the paper's oscillator the parameter that is furthest from its default, in powers of e, and where to move it.
-    fn remedy(&self) -> &'static str {
-        let Some(parameters) = self.setting.as_ref().and_then(Parameters::of) else {
-            return "raise the forcing frequency, lower stiffness and damping, or raise the lightest mass";
-        };
-        let odds = |ratio: f64| (ratio / (1.0 - ratio)).ln();
-        let least = f64::MIN_POSITIVE;
-        let far = [
-            (-parameters.omega.max(least).ln(), "raise omega"),
-            (parameters.zeta.max(least).ln() + 2.0, "lower zeta"),
-            (-odds(parameters.mu_m.max(least)), "raise mu_m"),
-            (odds(parameters.mu_k), "lower mu_k"),
-            (odds(parameters.mu_c), "lower mu_c"),
-        ];
-        far.into_iter().fold((0.0, "raise omega"), |a, b| if b.0 > a.0 { b } else { a }).1
     }
 }

@@ -2,7 +2,9 @@
 //!
 //! Loops and no closures: a closure that is not inlined loses the instructions that its caller was compiled for.
 
-use super::lanes::Lanes;
+use nalgebra::SMatrix;
+
+use super::real::Lanes;
 use super::real::Real;
 
 /// Coordinates or normals of a plant, at most.
@@ -110,4 +112,9 @@ pub fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: &[L; N], no: &[L; N]
         chosen[i] = L::select(mask, yes[i], no[i]);
     }
     chosen
+}
+
+/// The entries of a matrix, column by column.
+pub(super) fn columns<const N: usize>(matrix: &SMatrix<f64, N, N>) -> [[f64; N]; N] {
+    std::array::from_fn(|j| std::array::from_fn(|i| matrix[(i, j)]))
 }

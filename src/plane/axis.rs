@@ -1,107 +1,16 @@
-//! Axes: a parameter, or a component of the start, in equal steps or at equal ratios.
+//! Axes: a quantity in equal steps or at equal ratios.
 
 use std::fmt;
 use std::str::FromStr;
 
 use serde::Serialize;
 
-use super::axis_error::AxisError;
-use super::spacing::Spacing;
+use super::axis_error::{AxisError, MOST_VALUES};
+use super::quantity::Quantity;
 use crate::control::ControlQuantity;
-use crate::model::vector::MOST;
-use crate::model::{Number, Parameter, whole};
+use crate::figure::{Spacing, Steps};
+use crate::model::{Number, whole};
 use crate::system::Family;
-
-/// A component of the start state, at forcing phase 0; non-dimensional.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Component {
-    coordinates: usize,
-    index: usize,
-}
-
-/// The names of displacements and of velocities.
-const NAMES: [[&str; MOST]; 2] = [["x1", "x2", "x3", "x4"], ["v1", "v2", "v3", "v4"]];
-
-impl Component {
-    /// Every component, in the order of a state (x1 … xn, v1 … vn).
-    pub fn all(coordinates: usize) -> impl Iterator<Item = Component> {
-        (0..2 * coordinates).map(move |index| Component { coordinates, index })
-    }
-
-    /// The component of a name, if there is one.
-    pub fn named(name: &str, coordinates: usize) -> Option<Component> {
-        Component::all(coordinates).find(|component| component.name() == name)
-    }
-
-    /// The name used on the command line and in files: x1 … xn, v1 … vn.
-    pub fn name(self) -> &'static str {
-        NAMES[usize::from(self.is_velocity())][self.coordinate()]
-    }
-
-    /// Whether it is a velocity.
-    pub fn is_velocity(self) -> bool {
-        self.index >= self.coordinates
-    }
-
-    /// Which coordinate it belongs to, counted from 0.
-    pub fn coordinate(self) -> usize {
-        self.index % self.coordinates
-    }
-
-    /// Where the component stands in a state.
-    pub fn index(self) -> usize {
-        self.index
-    }
-}
-
-/// What an axis varies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Quantity {
-    /// A parameter of the system.
-    Parameter(Parameter),
-    /// A component of the start.
-    Start(Component),
-    /// A setting of a control method.
-    Control(ControlQuantity),
-}
-
-impl Quantity {
-    /// The name used on the command line and in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Quantity::Parameter(parameter) => parameter.name(),
-            Quantity::Start(component) => component.name(),
-            Quantity::Control(setting) => setting.name(),
-        }
-    }
-
-    /// The quantity of a name: a component of the start, a parameter of the family, a setting of a control method, in this
-    /// order.
-    ///
-    /// # Errors
-    /// [`AxisError::UnknownName`] with the names that there are.
-    pub fn named(name: &str, family: &'static Family) -> Result<Self, AxisError> {
-        if let Some(component) = Component::named(name, family.n()) {
-            return Ok(Quantity::Start(component));
-        }
-        if let Ok(parameter) = Parameter::of(family, name) {
-            return Ok(Quantity::Parameter(parameter));
-        }
-        let setting = ControlQuantity::ALL.into_iter().find(|setting| setting.name() == name);
-        setting.map(Quantity::Control).ok_or_else(|| {
-            let known: Vec<&str> = (Parameter::all(family).map(Parameter::name))
-                .chain(Component::all(family.n()).map(Component::name))
-                .collect();
-            AxisError::UnknownName { name: name.to_owned(), known: known.join(", ") }
-        })
-    }
-}
-
-impl Serialize for Quantity {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
-    }
-}
 
 /// An axis of a plane: `count` values from `first` to `last`, both included; they may rise or fall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -121,7 +30,7 @@ pub struct Axis {
 
 impl Axis {
     /// The most values an axis may have.
-    pub const LARGEST: u32 = 65_536;
+    pub const LARGEST: u32 = MOST_VALUES;
 
     /// A checked axis of equal steps; see [`Axis::spaced`].
     ///
@@ -171,38 +80,40 @@ impl Axis {
         Ok(axis)
     }
 
+    /// Its values.
+    pub fn steps(&self) -> Steps {
+        Steps { first: self.first, last: self.last, count: self.count, spacing: self.spacing }
+    }
+
     /// The value at index `i`; the ends are exact.
     pub fn value(&self, i: u32) -> f64 {
-        if i + 1 == self.count {
-            return self.last;
-        }
-        match self.spacing {
-            Spacing::Linear => {
-                self.first + (self.last - self.first) * f64::from(i) / f64::from(self.count - 1)
-            }
-            Spacing::Log => self.at(f64::from(i)),
-        }
+        self.steps().value(i)
     }
 
     /// The value at a place counted in values from the first one; it may lie between two of them, or beyond the ends.
     pub fn at(&self, place: f64) -> f64 {
-        self.spacing.at(self.first, self.last, place / f64::from(self.count.max(2) - 1))
+        self.steps().at(place)
     }
 
     /// Where a value stands, counted in values from the first one.
     pub fn place(&self, value: f64) -> f64 {
-        self.share(value) * f64::from(self.count.saturating_sub(1))
+        self.steps().place(value)
     }
 
     /// The share of the way from the first to the last value at which a value stands.
     pub fn share(&self, value: f64) -> f64 {
-        self.spacing.share(self.first, self.last, value)
+        self.steps().share(value)
+    }
+
+    /// All values, in order.
+    pub fn values(&self) -> Vec<f64> {
+        self.steps().values()
     }
 
     /// The values that lie between two, both included: the index of the first, and how many; none if there are none.
     pub fn between(&self, a: f64, b: f64) -> Option<(u32, u32)> {
         let (low, high) = (a.min(b), a.max(b));
-        // What is written in a few digits means the value that rounds to it.
+        // A value that is written in a few digits stands for the nearest value of the axis.
         let slack = 1e-9 * (1.0 + low.abs().max(high.abs()));
         let inside = |i: &u32| (low - slack..=high + slack).contains(&self.value(*i));
         let first = (0..self.count).find(inside)?;
@@ -231,11 +142,6 @@ impl Axis {
             Quantity::Control(setting) => Some(setting),
             Quantity::Parameter(_) | Quantity::Start(_) => None,
         }
-    }
-
-    /// All values, in order.
-    pub fn values(&self) -> Vec<f64> {
-        (0..self.count).map(|i| self.value(i)).collect()
     }
 }
 

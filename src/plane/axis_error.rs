@@ -2,8 +2,10 @@
 
 use thiserror::Error;
 
-use super::axis::Axis;
 use crate::model::{Number, ParameterError};
+
+/// The most values an axis may have.
+pub(super) const MOST_VALUES: u32 = 65_536;
 
 /// Why an axis was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -57,7 +59,7 @@ pub enum AxisError {
         last: f64,
     },
     /// Too few or too many values.
-    #[error("axis {name} has a COUNT of {count}: give 1 to {}", Axis::LARGEST)]
+    #[error("axis {name} has a COUNT of {count}: give 1 to {}", MOST_VALUES)]
     Count {
         /// The axis.
         name: &'static str,

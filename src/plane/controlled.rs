@@ -3,7 +3,8 @@
 use serde::Serialize;
 use thiserror::Error;
 
-use super::axis::{Axis, Quantity};
+use super::axis::Axis;
+use super::quantity::Quantity;
 use super::region_map::{Provenance, RegionMap};
 use super::spec::{Plane, PlaneError};
 use super::start::Start;

@@ -1,25 +1,27 @@
-//! The plane: what is asked (axes, fixed parameters, start, schedule) and what came out of every cell.
+//! The plane: what is to be computed (axes, fixed parameters, start, schedule) and what came out of every cell.
 
 mod axis;
 mod axis_error;
+mod component;
 mod connected;
 mod controlled;
 pub mod fields;
 mod part;
+mod quantity;
 mod region_map;
-mod spacing;
 mod spec;
 mod start;
 mod window;
 pub mod written;
 
-pub use axis::{Axis, Component, Quantity};
+pub use axis::Axis;
 pub use axis_error::AxisError;
+pub use component::Component;
 pub use connected::{Cell, connected};
 pub use controlled::{ControlMap, ControlPlane, ControlPlaneError};
 pub use part::{Part, PartError, cost};
+pub use quantity::Quantity;
 pub use region_map::{Made, Multipliers, Provenance, RegionMap};
-pub use spacing::Spacing;
 pub use spec::{Plane, PlaneError};
 pub use start::{Start, StartError};
 pub use window::{Tiling, Window};

@@ -1,4 +1,4 @@
-//! A plane shared out among processes that need no word with each other.
+//! A plane divided into parts that independent processes compute.
 
 use std::cmp::Reverse;
 use std::fmt;

@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::axis::{Axis, Quantity};
+use super::axis::Axis;
+use super::quantity::Quantity;
 use super::start::{Start, StartError};
 use super::written::{WrittenAxis, WrittenParameters, WrittenSystem, parameters, setting};
 use crate::analysis::{Schedule, ScheduleError};

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::axis::{Axis, Quantity};
-use super::spacing::Spacing;
+use super::axis::Axis;
+use super::quantity::Quantity;
+use crate::figure::Spacing;
 use crate::model::{Parameter, Setting};
 use crate::system::Family;
 

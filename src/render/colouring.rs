@@ -2,12 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::canvas::Colour;
 use super::colours::{SHARED, SPARE, paint_of};
 use super::motion::Motion;
-use super::paint::Paint;
-use super::vision::{DISTINCT, Seen};
 use crate::analysis::Regime;
+use crate::figure::{Colour, DISTINCT, Paint, Seen};
 
 /// The paints of the motions of one picture.
 #[derive(Clone, Debug)]

@@ -6,17 +6,9 @@
 //! N-q-p. Motions with sticking are hatched. Where two motions of one picture would look alike, the rarer one takes a
 //! spare colour (see [`Colouring`](super::colouring::Colouring)).
 
-use image::Rgb;
-
-use super::canvas::Colour;
 use super::motion::Motion;
-use super::paint::Paint;
 use crate::analysis::{INFINITELY_MANY, Regime};
-
-/// The colour of text and lines.
-pub(super) const INK: Colour = hex(0x1a1a1a);
-/// The colour of text of less importance.
-pub(super) const MUTED: Colour = hex(0x5a5a5a);
+use crate::figure::{Colour, INK, Paint, hex};
 
 /// The points of sections and diagrams.
 pub(super) const STEADY_BLUE: Colour = hex(0x1d4f87);
@@ -139,19 +131,14 @@ fn scattered(label: [u16; 3]) -> usize {
     ((hash ^ (hash >> 32)).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as usize
 }
 
-const fn hex(rgb: u32) -> Colour {
-    let [_, r, g, b] = rgb.to_be_bytes();
-    Rgb([r, g, b])
-}
-
 const fn tones(first: u32, second: u32) -> Tones {
     [hex(first), hex(second)]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::vision::{DISTINCT, Seen};
     use super::*;
+    use crate::figure::{DISTINCT, Seen};
 
     /// The differences that eyes see (CIEDE2000): that of most people, the red-, the green- and the blue-blind one.
     fn differences(a: Colour, b: Colour) -> [f64; 4] {

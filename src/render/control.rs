@@ -1,16 +1,14 @@
 //! A control run: time responses of the section point and of the control signal, and the motion that is reached.
 
-use super::colours::{INK, STEADY_BLUE, STRIKING};
-use super::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample};
-use super::frame::{AxisTitle, Frame};
+use super::colours::{STEADY_BLUE, STRIKING};
 use super::orbit::{Orbit, OrbitPanel, orbit_key};
 use super::places::stop_place;
-use super::scale::Scale;
+use super::symbol::control_symbol;
 use super::symbols;
-use super::text::Text;
 use crate::analysis::{Reading, Section};
 use crate::control::{ControlQuantity, ControlSchedule, Convention, History, Scheme, Sign, own_coordinate};
 use crate::dynamics::Stop;
+use crate::figure::{AxisTitle, Figure, Frame, INK, KeyEntry, Mark, Panel, Row, Sample, Scale, Text, number};
 use crate::model::{Setting, System};
 use crate::plane::Start;
 use crate::system::Family;
@@ -29,7 +27,7 @@ pub struct ControlPicture<'a> {
     pub start: Start,
     /// What controlled it.
     pub scheme: &'a Scheme,
-    /// When.
+    /// From which iterate it controls, and for how many.
     pub schedule: ControlSchedule,
     /// What was written down.
     pub history: &'a History,
@@ -243,9 +241,8 @@ pub(super) fn describe(
     varied: impl Fn(ControlQuantity) -> bool,
 ) -> Vec<Text> {
     use ControlQuantity as Q;
-    let number = symbols::number;
     let setting = |quantity, value: f64| {
-        let text = symbols::control_symbol(quantity).upright(format!(" = {}", number(value)));
+        let text = control_symbol(quantity).upright(format!(" = {}", number(value)));
         (!varied(quantity)).then_some(text)
     };
     let (method, settings): (&str, Vec<Option<Text>>) = match scheme {

@@ -2,17 +2,16 @@
 
 use image::{Rgb, RgbImage};
 
-use super::canvas::{Anchor, Canvas, Colour, Point, Rect};
-use super::colours::{INK, MUTED, paint_of};
-use super::frame::{fitting_ticks, line_width};
+use super::axes::frame_of;
+use super::colours::paint_of;
 use super::motion::Motion;
-use super::picture::{LeftOut, Picture};
-use super::regions::{control_title, frame_of};
-use super::scale::Scale;
-use super::size::Size;
-use super::text::Text;
+use super::regions::control_title;
 use crate::analysis::Regime;
 use crate::control::NEVER;
+use crate::figure::{
+    Anchor, Canvas, Colour, INK, LeftOut, MUTED, Picture, Point, Rect, Scale, Size, Text, fitting_ticks,
+    line_width,
+};
 use crate::plane::ControlMap;
 
 /// The lengths of the picture, in em.
@@ -196,7 +195,7 @@ fn draw_bar(canvas: &mut Canvas, bar: Rect, scale: Scale, em: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::figure::tests::faults;
+    use crate::figure::faults;
 
     fn times(times: &[u32]) -> Times {
         Times::of(times.iter().copied())

@@ -1,8 +1,8 @@
 //! Where stops stand, and what labels count there, in symbols.
 
-use super::symbols::{number, symbol};
-use super::text::Text;
+use super::symbol::symbol;
 use crate::dynamics::Stop;
+use crate::figure::{Text, number};
 use crate::model::vector::MOST;
 use crate::model::{Parameter, Setting, are_parallel};
 use crate::plane::Quantity;

@@ -1,35 +1,13 @@
-//! How quantities are printed: symbols with their subscripts, and numbers.
+//! Titles of axes, and settings as equations.
 
-use super::frame::AxisTitle;
 use super::places;
-use super::text::Text;
+use super::symbol::symbol;
 use crate::analysis::{Reading, Section};
-use crate::control::ControlQuantity;
 use crate::dynamics::Stop;
+use crate::figure::{AxisTitle, Text, number};
 use crate::model::{Setting, StateVector};
 use crate::plane::{Component, Quantity, Start};
 use crate::system::Family;
-
-/// The symbol of a quantity.
-pub(super) fn symbol(quantity: Quantity) -> Text {
-    match quantity {
-        Quantity::Parameter(parameter) => {
-            let (letter, subscript) = split_symbol(parameter.symbol());
-            Text::new().italic(letter).subscript(subscript)
-        }
-        Quantity::Start(component) => {
-            let (letter, subscript) = component.name().split_at(1);
-            Text::new().italic(letter).subscript(subscript)
-        }
-        Quantity::Control(setting) => control_symbol(setting),
-    }
-}
-
-/// A symbol as its letter and its subscript: everything after the first letter.
-fn split_symbol(symbol: &str) -> (&str, &str) {
-    let end = symbol.chars().next().map_or(0, char::len_utf8);
-    symbol.split_at(end)
-}
 
 const START_DISPLACEMENT: [&str; 4] = [
     "start displacement of the first mass",
@@ -44,31 +22,6 @@ const START_VELOCITY: [&str; 4] = [
     "start velocity of the third mass",
     "start velocity of the fourth mass",
 ];
-
-/// The symbol of a setting of a control method.
-pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
-    let letter = |letter: &str| Text::new().italic(letter);
-    match setting {
-        ControlQuantity::Gain => letter("g"),
-        ControlQuantity::Delay => letter("p"),
-        ControlQuantity::Amplitude => letter("B"),
-        ControlQuantity::Alpha => letter("α"),
-        ControlQuantity::DeadBand => letter("Δ"),
-        ControlQuantity::Gamma => letter("γ"),
-        ControlQuantity::Phase => letter("φ"),
-        ControlQuantity::Period => letter("P"),
-        ControlQuantity::Noise => letter("E"),
-        ControlQuantity::TargetV1 => letter("v").subscript("1").superscript("+"),
-        ControlQuantity::TargetV2 => letter("v").subscript("2"),
-        ControlQuantity::TargetV3 => letter("v").subscript("3"),
-        ControlQuantity::TargetV4 => letter("v").subscript("4"),
-        ControlQuantity::TargetX1 => letter("x").subscript("1"),
-        ControlQuantity::TargetX2 => letter("x").subscript("2"),
-        ControlQuantity::TargetX3 => letter("x").subscript("3"),
-        ControlQuantity::TargetX4 => letter("x").subscript("4"),
-        ControlQuantity::TargetTau => letter("τ").subscript("0"),
-    }
-}
 
 /// The title of an axis over a quantity.
 pub(super) fn axis_title(quantity: Quantity) -> AxisTitle {
@@ -191,40 +144,4 @@ pub(super) fn start(
         Text::from(before).then(symbol).upright(format!(" = {value}{after}"))
     };
     fixed.into_iter().enumerate().map(piece).collect()
-}
-
-/// A number as it is printed: at most six significant digits, a real minus sign.
-pub(super) fn number(value: f64) -> String {
-    let shortest = value.to_string();
-    let text = if shortest.len() <= 8 {
-        shortest
-    } else {
-        let rounded: f64 = format!("{value:.5e}").parse().expect("a printed number is a number");
-        if rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) {
-            rounded.to_string()
-        } else {
-            format!("{rounded:e}")
-        }
-    };
-    text.replace('-', "−")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_short() {
-        for (value, text) in [
-            (0.5, "0.5"),
-            (-0.05, "−0.05"),
-            (1.0 / 3.0, "0.333333"),
-            (-2.0 / 3.0, "−0.666667"),
-            (0.1 + 0.2, "0.3"),
-            (1e-12 / 3.0, "3.33333e−13"),
-            (12_345_678.9, "1.23457e7"),
-        ] {
-            assert_eq!(number(value), text);
-        }
-    }
 }

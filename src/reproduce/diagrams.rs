@@ -9,9 +9,10 @@ use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
 use crate::analysis::{Probe, Reading, Section};
 use crate::backend::{Cpu, Watch};
 use crate::diagram::{DiagramSpec, ExponentUnit, Sweep};
+use crate::figure::Size;
 use crate::model::Parameters;
 use crate::plane::Start;
-use crate::render::{Size, diagram_figure};
+use crate::render::diagram_figure;
 use crate::sweep::diagram;
 
 /// Bifurcation diagrams of the velocity before impact at A.

@@ -20,7 +20,7 @@ use serde_json::Value;
 use thiserror::Error;
 
 use crate::backend::Watch;
-use crate::render::{Picture, TooSmall};
+use crate::figure::{Picture, TooSmall};
 use crate::sweep::SweepError;
 
 pub use claim::{Claim, Outcome};

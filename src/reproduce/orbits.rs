@@ -44,7 +44,7 @@ fn pictures(
     figure: &dyn PaperFigure,
     plots: &[Plot],
     beside: usize,
-) -> Result<Vec<(&'static str, crate::render::Picture)>, ReproduceError> {
+) -> Result<Vec<(&'static str, crate::figure::Picture)>, ReproduceError> {
     Ok(vec![("", draw(plots, beside, &config_of(figure).to_string())?)])
 }
 

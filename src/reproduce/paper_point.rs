@@ -5,9 +5,10 @@ use serde::Serialize;
 use crate::analysis::{Schedule, Verdict};
 use crate::backend::{Cpu, Job, Unwatched, decide};
 use crate::dynamics::{Recording, record};
+use crate::figure::{Figure, Panel, Picture, Row, Size, Text, TooSmall};
 use crate::model::{Parameters, System};
 use crate::plane::Start;
-use crate::render::{Figure, Orbit, OrbitPanel, Panel, Picture, Row, Size, Text, TooSmall, Zoom, orbit_key};
+use crate::render::{Orbit, OrbitPanel, Zoom, orbit_key};
 use crate::system::Family;
 
 /// Forcing periods for which a point is observed.

@@ -9,9 +9,10 @@ use super::{Claim, PaperFigure, Produced, ReproduceError};
 use crate::analysis::{Schedule, Verdict};
 use crate::backend::{Cpu, Watch};
 use crate::curves::bifurcation_curves;
+use crate::figure::Size;
 use crate::model::Parameters;
 use crate::plane::{Plane, Start};
-use crate::render::{Shown, Size, region_map_with_curves};
+use crate::render::{Shown, region_map_with_curves};
 use crate::sweep::sweep;
 
 /// The parameter plane.

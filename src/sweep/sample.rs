@@ -1,4 +1,4 @@
-//! Some cells spread over a plane, computed alone: what the whole will cost.
+//! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
 use super::control;
 use super::map;

@@ -2,8 +2,7 @@
 
 use super::error::{CellFault, CellProblem, FamilyError, Place, Problem};
 use super::expression::Expression;
-use super::family::Family;
-use super::parameter::{ParameterId, Values};
+use super::parameter::{Parameter, ParameterId, Values, named};
 use super::reader::Item;
 
 /// The expressions of a matrix row by row, of a vector, or of one number, each with its place.
@@ -65,14 +64,14 @@ impl Block {
         self.entries.iter().map(|(_, expression)| expression.text())
     }
 
-    /// The numbers, in the order of the file.
+    /// The numbers, in the order of the file, where a family's parameters have some values.
     ///
     /// # Errors
     /// The first expression that has no value, with its place and the values that it names.
-    pub fn evaluate(&self, family: &Family, values: &Values) -> Result<Vec<f64>, Box<CellFault>> {
+    pub fn evaluate(&self, parameters: &[Parameter], values: &Values) -> Result<Vec<f64>, Box<CellFault>> {
         let number = |(place, expression): &(Place, Expression)| {
             expression.evaluate(values.as_slice()).map_err(|fault| {
-                let named = family.named(expression.uses(), values);
+                let named = named(parameters, expression.uses(), values);
                 let problem = CellProblem::Expression(fault);
                 Box::new(CellFault { place: place.clone(), problem, values: named })
             })

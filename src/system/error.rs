@@ -31,7 +31,7 @@ impl fmt::Display for Place {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{place}: {problem}")]
 pub struct FamilyError {
-    /// Where.
+    /// The place in the file.
     pub place: Place,
     /// What, and the remedy.
     pub problem: Box<Problem>,
@@ -68,7 +68,7 @@ pub enum Problem {
     Name {
         /// The name.
         name: String,
-        /// Why not.
+        /// Why it is refused.
         reason: &'static str,
     },
     /// A parameter that no expression names.
@@ -85,7 +85,7 @@ pub enum Problem {
     TooMany {
         /// How many there are.
         count: usize,
-        /// Of what.
+        /// What there are too many of.
         what: &'static str,
         /// The most that are possible.
         most: usize,
@@ -110,7 +110,7 @@ pub enum Problem {
     StopName {
         /// The name.
         name: String,
-        /// Why not.
+        /// Why it is refused.
         reason: &'static str,
     },
     /// `label_order` is not an order of the stops.
@@ -151,7 +151,7 @@ pub enum CellError {
 pub struct CellFault {
     /// Where in the family's file.
     pub place: Place,
-    /// What.
+    /// What is wrong there.
     pub problem: CellProblem,
     /// The parameters that the expressions at fault name, with their values.
     pub values: Vec<(String, f64)>,

@@ -70,7 +70,7 @@ pub enum ExpressionError {
     Arguments {
         /// The text.
         text: String,
-        /// The call.
+        /// The call as it is written.
         call: String,
     },
     /// A comparison, a condition or a factorial.

@@ -3,12 +3,12 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::block::Block;
-use super::error::{CellError, CellFault, CellProblem, FamilyError};
-use super::file;
-use super::parameter::{Parameter, ParameterError, ParameterId, Values};
-use super::plant::{Plant, PlantStop};
+use super::error::{CellError, CellFault, CellProblem};
+use super::parameter::{Parameter, ParameterError, ParameterId, Values, named};
+use super::plant::Plant;
 use super::plant_error::{Part, PlantError};
 use super::stop_place::StopPlace;
+use super::stops::PlantStop;
 
 /// A linear oscillator with rigid stops whose numbers are expressions in named parameters, as its file gives it.
 #[derive(Clone, Debug)]
@@ -67,14 +67,6 @@ impl FamilyStop {
 }
 
 impl Family {
-    /// Reads a family from the text of its file; `origin` names the file in messages.
-    ///
-    /// # Errors
-    /// The first thing that is wrong, with file, line, key and remedy. The default values must make a plant.
-    pub fn parse(text: &str, origin: &str) -> Result<Self, FamilyError> {
-        file::read(text, origin)
-    }
-
     /// What the family is called in titles.
     pub fn name(&self) -> &str {
         &self.name
@@ -206,7 +198,7 @@ impl Family {
     /// The plant of one cell whose values are within their ranges.
     pub(super) fn assemble(&self, values: &Values) -> Result<Plant, Box<CellFault>> {
         let n = self.n();
-        let numbers = |block: &Block| block.evaluate(self, values);
+        let numbers = |block: &Block| block.evaluate(&self.parameters, values);
         let scalar = |block: &Block| numbers(block).map(|entries| entries[0]);
         let vector = |block: &Block| numbers(block).map(DVector::from_vec);
         let matrix = |block: &Block| numbers(block).map(|entries| DMatrix::from_row_slice(n, n, &entries));
@@ -265,23 +257,11 @@ impl Family {
         parts.into_iter().chain(stops).map(|part| self.block(part))
     }
 
-    /// Names and values of some parameters, each once, in the family's order.
-    pub(super) fn named(
-        &self,
-        ids: impl Iterator<Item = ParameterId>,
-        values: &Values,
-    ) -> Vec<(String, f64)> {
-        let mut ids: Vec<ParameterId> = ids.collect();
-        ids.sort();
-        ids.dedup();
-        ids.into_iter().map(|id| (self.about(id).name.clone(), values.get(id))).collect()
-    }
-
     /// Finds a refused plant's expressions in the file.
     fn blame(&self, error: PlantError, values: &Values) -> Box<CellFault> {
         let parts = error.parts();
         let first = parts.first().copied().unwrap_or(Part::Mass);
-        let values = self.named(parts.iter().flat_map(|&part| self.block(part).uses()), values);
+        let values = named(&self.parameters, parts.iter().flat_map(|&part| self.block(part).uses()), values);
         let place = self.block(first).place.clone();
         Box::new(CellFault { place, problem: CellProblem::Plant(error), values })
     }

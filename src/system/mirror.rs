@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::plant::{Plant, PlantStop};
+use super::plant::Plant;
+use super::stops::PlantStop;
 
 /// Two numbers are the same within this, relative to the largest that they are compared with.
 const SAME: f64 = 8.0 * f64::EPSILON;

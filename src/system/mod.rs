@@ -6,6 +6,7 @@ mod error;
 mod expression;
 mod family;
 mod file;
+mod limits;
 mod mirror;
 mod number;
 mod parameter;
@@ -15,6 +16,7 @@ mod reader;
 mod setting;
 mod stop_place;
 mod stops;
+mod struck;
 
 pub use builtin::{BUILTIN, Builtin, builtin};
 pub use error::{CellError, CellFault, CellProblem, FamilyError, Place, Problem};
@@ -23,10 +25,11 @@ pub use family::{DefaultPlane, Family, FamilyStop};
 pub use mirror::Mirror;
 pub use number::{Number, joined, whole};
 pub use parameter::{Bound, Parameter as ParameterRecord, ParameterError, ParameterId, Range, Values};
-pub use plant::{Plant, PlantStop};
+pub use plant::Plant;
 pub use plant_error::{Part, PlantError};
 pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting};
 pub use stop_place::{Gap, StopPlace, Term};
+pub use stops::PlantStop;
 
 #[cfg(test)]
 mod tests;

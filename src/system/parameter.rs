@@ -153,3 +153,15 @@ impl Values {
         &self.0
     }
 }
+
+/// Names and values of some of a family's parameters, each once, in the family's order.
+pub(super) fn named(
+    parameters: &[Parameter],
+    ids: impl Iterator<Item = ParameterId>,
+    values: &Values,
+) -> Vec<(String, f64)> {
+    let mut ids: Vec<ParameterId> = ids.collect();
+    ids.sort();
+    ids.dedup();
+    ids.into_iter().map(|id| (parameters[id.0].name.clone(), values.get(id))).collect()
+}

@@ -2,8 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::limits;
 use super::plant_error::{Part, PlantError};
-use super::stops;
+use super::stops::{self, PlantStop};
 
 /// A linear oscillator with rigid stops, in numbers; non-dimensional unless the family says otherwise.
 ///
@@ -31,24 +32,13 @@ pub struct Plant {
     pub stops: Vec<PlantStop>,
 }
 
-/// A rigid stop: the motion keeps direction · x ≤ gap, and touches the stop where they are equal.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlantStop {
-    /// d, the direction, n; of any length but 0.
-    pub direction: DVector<f64>,
-    /// The value of direction · x at contact, of any sign.
-    pub gap: f64,
-    /// The coefficient of restitution, 0 to 1: v⁺ = v⁻ − (1 + r)(d·v⁻) M⁻¹d / (dᵀM⁻¹d).
-    pub restitution: f64,
-}
-
 impl Plant {
     /// The most coordinates.
-    pub const MOST_COORDINATES: usize = 4;
+    pub const MOST_COORDINATES: usize = limits::MOST_COORDINATES;
     /// The most stops.
-    pub const MOST_STOPS: usize = 4;
+    pub const MOST_STOPS: usize = limits::MOST_STOPS;
     /// The mass matrix, its rows and columns brought to the same size, has at least this reciprocal condition.
-    pub const LEAST_CONDITION: f64 = 1e-10;
+    pub const LEAST_CONDITION: f64 = limits::LEAST_CONDITION;
 
     /// Holds the plant to what can be computed.
     ///

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::plant::Plant;
+use super::limits::{LEAST_CONDITION, MOST_COORDINATES, MOST_STOPS};
 
 /// A part of a plant, as the file names it; stops count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -51,10 +51,10 @@ impl Part {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PlantError {
     /// None, or too many, coordinates.
-    #[error("{0} coordinates: a system has 1 to {most}", most = Plant::MOST_COORDINATES)]
+    #[error("{0} coordinates: a system has 1 to {most}", most = MOST_COORDINATES)]
     Coordinates(usize),
     /// None, or too many, stops.
-    #[error("{0} stops: a system has 1 to {most}", most = Plant::MOST_STOPS)]
+    #[error("{0} stops: a system has 1 to {most}", most = MOST_STOPS)]
     Stops(usize),
     /// A matrix or a vector of the wrong shape.
     #[error("{key} is {rows} × {columns}, it must be {} × {}", wanted.0, wanted.1, key = part.key())]
@@ -83,7 +83,7 @@ pub enum PlantError {
     #[error(
         "the mass matrix is singular (reciprocal condition {condition:.1e}, at least {least:.0e} is needed): every \
          coordinate needs a mass of its own, so give it one or leave the coordinate out",
-        least = Plant::LEAST_CONDITION
+        least = LEAST_CONDITION
     )]
     SingularMass {
         /// The reciprocal condition of M with rows and columns brought to the same size.
@@ -126,9 +126,9 @@ pub enum PlantError {
         second + 1
     )]
     SameSide {
-        /// One stop.
+        /// One of the two stops.
         first: usize,
-        /// The other.
+        /// The other stop.
         second: usize,
     },
     /// Two opposed stops that overlap.
@@ -139,9 +139,9 @@ pub enum PlantError {
         second + 1
     )]
     NoRoom {
-        /// One stop.
+        /// One of the two stops.
         first: usize,
-        /// The other.
+        /// The other stop.
         second: usize,
         /// How far they overlap, along the unit direction.
         overlap: f64,

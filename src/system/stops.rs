@@ -1,9 +1,19 @@
-//! How the stops of a plant stand to each other.
+//! The stops of a plant, and how they stand to each other.
 
 use nalgebra::{DMatrix, DVector};
 
-use super::plant::PlantStop;
 use super::plant_error::PlantError;
+
+/// A rigid stop: the motion keeps direction · x ≤ gap, and touches the stop where they are equal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlantStop {
+    /// d, the direction, n; of any length but 0.
+    pub direction: DVector<f64>,
+    /// The value of direction · x at contact, of any sign.
+    pub gap: f64,
+    /// The coefficient of restitution, 0 to 1: v⁺ = v⁻ − (1 + r)(d·v⁻) M⁻¹d / (dᵀM⁻¹d).
+    pub restitution: f64,
+}
 
 /// Unit directions that differ by less than this are the same; expressions round by some ulps.
 const SAME: f64 = 1e-12;

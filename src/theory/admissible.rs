@@ -1,15 +1,14 @@
 //! Whether the system really moves like a solution of the matching equations.
 
-use std::f64::consts::TAU;
 use std::fmt;
 
 use thiserror::Error;
 
-use super::flow::{Flow, phase};
+use super::flow::Flow;
 use super::follower::{Follower, follower};
-use super::matching::Node;
-use super::motion::PeriodicMotion;
 use super::newton::next;
+use super::pattern::Pattern;
+use super::section::{Node, Section, phase, wrapped};
 use crate::dynamics::{Event, Impact, Stop};
 use crate::model::System;
 
@@ -86,17 +85,18 @@ pub(crate) struct Flown {
     pub at_phase_zero: Option<Vec<f64>>,
 }
 
-/// Follows every arc of a motion with the certified flight of the simulation.
+/// Follows every arc of a motion, a pattern and the section after each of its impacts, with the certified flight of the
+/// simulation.
 ///
 /// Each arc begins anew at its impact, so that unstable motions are followed as well as stable ones.
-pub(crate) fn fly(system: &System, motion: &PeriodicMotion) -> Result<Flown, Inadmissible> {
+pub(crate) fn fly(system: &System, pattern: &Pattern, sections: &[Section]) -> Result<Flown, Inadmissible> {
     let flow = Flow::new(system);
     let mut follower = follower(system);
     let mut flown = Flown { at_phase_zero: None };
-    for i in 0..motion.sections.len() {
-        let from = Node { stop: motion.pattern.stops[i], section: motion.sections[i].clone() };
-        let due = next(&flow, &motion.pattern, &motion.sections, i);
-        let mirrored = motion.pattern.mirrored;
+    for i in 0..sections.len() {
+        let from = Node { stop: pattern.stops[i], section: sections[i].clone() };
+        let due = next(&flow, pattern, sections, i);
+        let mirrored = pattern.mirrored;
         Passage::new(system, &flow, &from, due)?.follow(follower.as_mut(), &from, mirrored, &mut flown)?;
     }
     Ok(flown)
@@ -146,7 +146,7 @@ impl<'a> Passage<'a> {
         loop {
             let taken = follower.advance();
             elapsed += taken.time;
-            // A time is as uncertain as the place is over the speed.
+            // The uncertainty of the time is that of the place divided by the speed.
             let early = (time - elapsed) * self.arrival > TOLERANCE * self.scale;
             match taken.event {
                 Event::Impact(impact) => {
@@ -195,10 +195,4 @@ impl<'a> Passage<'a> {
         }
         Ok(())
     }
-}
-
-/// A phase in [0, 2π).
-pub(crate) fn wrapped(phase: f64) -> f64 {
-    let phase = phase.rem_euclid(TAU);
-    if phase < TAU { phase } else { 0.0 }
 }

@@ -63,8 +63,9 @@ mod tests {
     use crate::dynamics::Stop;
     use crate::model::{Parameters, System};
     use crate::theory::example::chain;
-    use crate::theory::flow::{Flow, Section};
+    use crate::theory::flow::Flow;
     use crate::theory::newton::{arcs, derivative, residual};
+    use crate::theory::section::Section;
 
     /// A sequence that is no motion, so that no block of the equations is special.
     fn sequence(system: &System, count: usize, mirrored: bool) -> (Pattern, Vec<Section>) {

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::flow::Section;
+use super::section::Section;
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::system::PlantStop;

@@ -3,20 +3,10 @@
 use nalgebra::{DMatrix, DVector, SMatrix};
 
 use super::face::{Face, slots};
-use super::matching::Node;
+use super::section::{Node, Section, phase};
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::system::Mirror;
-
-/// A state just after an impact, on the section at its stop: (v_c+, the other x, the other v, φ), 2n numbers, where c is
-/// the contact's own coordinate and φ the forcing phase, not reduced. Non-dimensional; on the section at A of the paper's
-/// oscillator it is the paper's X = (x1'+, x2, x2', τ). See [`section_names`](super::section_names).
-pub type Section = DVector<f64>;
-
-/// The forcing phase of a section.
-pub(crate) fn phase(section: &Section) -> f64 {
-    section[section.len() - 1]
-}
 
 /// The flow z' = G z between impacts, z = (x, v, sin φ, cos φ, 1), and the stops.
 #[derive(Clone, Debug)]

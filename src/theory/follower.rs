@@ -1,8 +1,8 @@
-//! A trajectory of any number of coordinates, behind one face.
+//! A trajectory of any number of coordinates, behind one trait.
 
 use nalgebra::{DMatrix, DVector};
 
-use super::admissible::wrapped;
+use super::section::wrapped;
 use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory, Variation};
 use crate::model::vector::axpy;
 use crate::model::{Flight, State, System};

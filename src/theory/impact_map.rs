@@ -3,10 +3,10 @@
 use nalgebra::DMatrix;
 use thiserror::Error;
 
-use super::admissible::wrapped;
-use super::flow::{Flow, Section, phase};
+use super::flow::Flow;
 use super::follower::follower;
-use super::matching::{Arc, Node};
+use super::matching::Arc;
+use super::section::{Node, Section, phase, wrapped};
 use crate::dynamics::{Event, Stop};
 use crate::model::System;
 

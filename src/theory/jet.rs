@@ -4,10 +4,10 @@ use std::ops::{Add, Mul};
 
 use nalgebra::DVector;
 
-use super::flow::{Flow, Section, phase};
-use super::matching::Node;
+use super::flow::Flow;
 use super::newton::next;
 use super::pattern::Pattern;
+use super::section::{Node, Section, phase};
 use crate::dynamics::Stop;
 
 /// The order that is kept, and the number of coefficients.

@@ -2,22 +2,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::flow::{Flow, Section, phase};
-use crate::dynamics::Stop;
-
-/// An impact on a motion: where, and the state just after it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Node {
-    /// The stop.
-    pub stop: Stop,
-    /// The state just after the impact.
-    pub section: Section,
-}
+use super::flow::Flow;
+use super::section::{Node, phase};
 
 /// The equations that join two impacts, linearised.
 ///
 /// Flight from u for a time (φ′ − φ)/ω must arrive at the next stop, and the law of impact must turn its arrival
-/// into u′: 2n equations R(u, u′) = 0 in the order of [`Section`], the last one being d·x = gap.
+/// into u′: 2n equations R(u, u′) = 0 in the order of [`Section`](super::Section), the last one being d·x = gap.
 #[derive(Clone, Debug)]
 pub(crate) struct Arc {
     /// R.

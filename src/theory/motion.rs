@@ -6,11 +6,11 @@ use nalgebra::{Complex, DMatrix};
 use thiserror::Error;
 
 use super::admissible::{Inadmissible, fly};
-use super::flow::{Flow, Section, phase};
-use super::matching::Node;
+use super::flow::Flow;
 use super::multipliers::{STABLE, eigenvalues, ordered, turn};
 use super::newton;
 use super::pattern::Pattern;
+use super::section::{Node, Section, phase};
 use crate::model::System;
 
 /// A periodic motion with finitely many impacts, stable or not: a solution of the matching equations of its pattern.
@@ -46,7 +46,7 @@ impl PeriodicMotion {
         let flow = Flow::new(system);
         let (sections, residual) = newton::solve(&flow, pattern, guess).ok_or(NoMotion::NotConverged)?;
         let motion = PeriodicMotion { pattern: pattern.clone(), sections, residual }.normalised(&flow);
-        fly(system, &motion)?;
+        fly(system, &motion.pattern, &motion.sections)?;
         Ok(motion.reduced(&flow))
     }
 
@@ -159,7 +159,7 @@ impl PeriodicMotion {
         let section = &self.sections[last];
         let start = flow.lifted(self.pattern.stops[last], section);
         let z = flow.over((strobe - phase(section)) / flow.omega) * start;
-        // Half a turn off, a symmetric motion's mirror image is met.
+        // At an odd number of half turns the state is on the mirror image of a symmetric motion.
         let turned = half_turns.rem_euclid(2.0) != 0.0;
         let values = [0, flow.n].map(|at| {
             let part = z.rows(at, flow.n).into_owned();

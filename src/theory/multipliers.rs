@@ -2,9 +2,10 @@
 
 use nalgebra::{Complex, DMatrix, Schur};
 
-use super::flow::{Flow, Section};
+use super::flow::Flow;
 use super::newton::arcs;
 use super::pattern::Pattern;
+use super::section::Section;
 
 /// The most sweeps of the eigenvalue iteration.
 const MOST_SWEEPS: usize = 10_000;

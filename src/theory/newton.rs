@@ -3,9 +3,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::cyclic;
-use super::flow::{Flow, Section, phase};
-use super::matching::{Arc, Node};
+use super::flow::Flow;
+use super::matching::Arc;
 use super::pattern::Pattern;
+use super::section::{Node, Section, phase};
 
 /// The most Newton steps.
 const MOST_STEPS: usize = 60;

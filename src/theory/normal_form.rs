@@ -5,10 +5,11 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::flow::{Flow, Section};
+use super::flow::Flow;
 use super::jet;
 use super::motion::PeriodicMotion;
 use super::multipliers::turn;
+use super::section::Section;
 use crate::model::System;
 
 type ComplexSection = DVector<Complex<f64>>;

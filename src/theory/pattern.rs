@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use nalgebra::DMatrix;
 
-use super::flow::{Flow, Section, phase};
+use super::flow::Flow;
 use super::label::spelled;
-use super::matching::Node;
+use super::section::{Node, Section, phase};
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::system::Family;

@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 use thiserror::Error;
 
-use super::flow::{Flow, phase};
+use super::flow::Flow;
 use super::follower::follower;
 use super::label::Label;
 use super::motion::PeriodicMotion;
+use super::section::phase;
 use super::seeding::{Search, among_returns, settled_motion};
 use super::symmetric::{stable_branch, symmetric_start};
 use crate::model::{Parameter, Setting, System};
@@ -137,7 +138,7 @@ fn scattered(system: &System, index: u32) -> Vec<f64> {
     let fraction = |k: usize| (0.5 + f64::from(index + 1) / ratio.powi(k as i32 + 1)).fract() * 2.0 - 1.0;
     let mut start: Vec<f64> = (0..size).map(fraction).collect();
     let flow = Flow::new(system);
-    // The first stop on a line has the last word.
+    // In reverse, so that of several stops on a line the first determines where it begins.
     for (stop, face) in flow.faces().collect::<Vec<_>>().into_iter().rev() {
         let c = face.coordinate;
         start[n + c] = 2.0 * fraction(n + c);

@@ -1,10 +1,11 @@
 //! Periodic motions out of simulated orbits: the one a trajectory settled on, or one whose label it comes close to.
 
-use super::flow::{Flow, Section, phase};
+use super::flow::Flow;
 use super::follower::follower;
 use super::label::Label;
 use super::motion::{NoMotion, PeriodicMotion};
 use super::pattern::{Pattern, StopSet};
+use super::section::{Section, phase};
 use crate::dynamics::{Event, Stop};
 use crate::model::System;
 

@@ -5,12 +5,13 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use super::admissible::{Inadmissible, NamedStop, fly, wrapped};
+use super::admissible::{Inadmissible, NamedStop, fly};
 use super::face::Face;
-use super::flow::{Flow, Section, phase};
+use super::flow::Flow;
 use super::motion::PeriodicMotion;
 use super::newton;
 use super::pattern::{Pattern, StopSet};
+use super::section::{Section, phase, wrapped};
 use crate::dynamics::Stop;
 use crate::model::System;
 
@@ -108,7 +109,7 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
         let mut section = values.rows(0, 2 * flow.n).into_owned();
         section[last] = wrapped(values[last].atan2(values[last + 1]));
         if face.restitution == 0.0 {
-            // Without restitution the stop is left from rest, whatever rounding says.
+            // Without restitution the speed after the impact is exactly zero; rounding may have left another value.
             section[0] = face.resting_speed(&section);
         }
         section
@@ -203,7 +204,7 @@ fn solution(system: &System, flow: &Flow, stop: Stop, section: Section) -> Symme
     let at_phase_zero = if rests {
         Err(Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity })
     } else {
-        fly(system, &motion)
+        fly(system, &motion.pattern, &motion.sections)
             .and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, image))))
     };
     SymmetricMotion { motion, at_phase_zero }

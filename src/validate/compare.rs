@@ -1,6 +1,7 @@
 //! The comparison itself: a pure function of two maps.
 
 use super::agreement::{Agreement, FailedCells, Fault, RegimeAgreement, Tipped, WorstCell};
+use super::alike::{is_inside, same_label, same_motion, state_difference};
 use super::continuation::Continued;
 use super::layers::layers;
 use super::spread::{Share, Spread};
@@ -50,22 +51,6 @@ pub fn compare_continued(reference: &RegionMap, candidate: &RegionMap, continued
         },
         worst: worst(&cells, reference.plane.x.count),
     }
-}
-
-/// Whether regime and label are equal.
-pub(super) fn same_label(a: &Verdict, b: &Verdict) -> bool {
-    (a.regime, a.n, a.counts) == (b.regime, b.n, b.counts)
-}
-
-/// Whether both are the same periodic motion by label.
-pub(super) fn same_motion(a: &Verdict, b: &Verdict) -> bool {
-    a.regime.is_periodic() && same_label(a, b)
-}
-
-/// The largest absolute difference of the strobe states; infinite where one is not a number.
-pub(super) fn state_difference(a: &[f64], b: &[f64]) -> f64 {
-    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-    differences.fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { d.max(largest) })
 }
 
 /// A cell in both maps.
@@ -120,14 +105,6 @@ impl<'a> Cell<'a> {
             None => f64::from(self.reference.lyapunov).abs(),
         }
     }
-}
-
-/// Whether every neighbour that the cell has agrees with it.
-pub(super) fn is_inside(map: &RegionMap, index: usize) -> bool {
-    let (columns, rows) = (map.plane.x.count, map.plane.y.count);
-    let (column, row) = (index as u32 % columns, index as u32 / columns);
-    let around = |i: u32, count: u32| i.saturating_sub(1)..=(i + 1).min(count - 1);
-    around(row, rows).all(|r| around(column, columns).all(|c| same_label(map.at(c, r), &map.verdicts[index])))
 }
 
 fn share<'a>(cells: impl Iterator<Item = &'a Cell<'a>>) -> Share {

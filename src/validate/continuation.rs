@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::compare::{same_motion, state_difference};
+use super::alike::{same_motion, state_difference};
 use crate::analysis::{Schedule, Verdict};
 use crate::backend::{Backend, Job, Watch};
 use crate::model::System;

@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 
-use super::compare::same_label;
+use super::alike::same_label;
 use super::spread::{Share, Spread};
-use crate::plane::fields::{Cells, Layer, Spread as Scale};
+use crate::figure::Spread as Scale;
+use crate::plane::fields::{Cells, Layer};
 use crate::plane::{RegionMap, Window};
 
 /// How well a layer of a candidate's map agrees with the reference's, in cells whose regime and label agree.

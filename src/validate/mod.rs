@@ -1,4 +1,4 @@
-//! Two maps of the same plane, compared: does a back end find what the reference finds?
+//! Two maps of the same plane, compared: whether a back end finds what the reference finds.
 //!
 //! Two cells *agree* when regime and N-p-q are equal. Agreement is counted apart *inside regions* (cells whose eight
 //! neighbours have the cell's regime and label in the reference) and *on boundaries* (the rest), where a rounding
@@ -27,6 +27,7 @@
 //! boundaries of the regions that a map shows.
 
 mod agreement;
+mod alike;
 mod boundaries;
 mod compare;
 mod continuation;

@@ -1,4 +1,4 @@
-//! The figures that a comparison is told in.
+//! The statistics of a comparison: shares, and quantiles of differences.
 
 use serde::Serialize;
 

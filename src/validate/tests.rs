@@ -1,4 +1,4 @@
-//! Maps made by hand, good ones and ones that must not pass.
+//! Comparisons of maps made by hand, some of which must fail.
 
 use super::*;
 use crate::analysis::{Regime, Schedule, Verdict};

@@ -1,9 +1,9 @@
-//! Cells that a rounding error decides, by the reference's own account.
+//! Cells whose verdict on the reference itself changes within a rounding error.
 
 use std::collections::BTreeSet;
 
 use super::agreement::{Agreement, Tipped};
-use super::compare::{is_inside, same_label};
+use super::alike::{is_inside, same_label};
 use crate::analysis::Regime;
 use crate::backend::{Backend, Job, Watch, decide};
 use crate::model::System;

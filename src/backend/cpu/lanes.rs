@@ -6,8 +6,12 @@ use std::sync::mpsc::{self, Sender};
 use pulp::{Simd, WithSimd};
 use rayon::Scope;
 
+use super::each::each;
+use super::follow::follow;
 use crate::analysis::{Observer, Queue, Schedule, Verdict, follow_abreast};
-use crate::backend::{BackendError, Job, Watch};
+use crate::backend::error::BackendError;
+use crate::backend::job::Job;
+use crate::backend::watch::Watch;
 use crate::model::{Flight, Flights, Pack, System, Twin};
 
 /// How many trajectories one core follows at once; the bits of each are the same at every width.
@@ -75,7 +79,7 @@ pub fn follow_all(
     match n {
         1 if alike && width != Width::One => spread::<1>(jobs, schedule, watch, width),
         2 if alike && width != Width::One => spread::<2>(jobs, schedule, watch, width),
-        _ => super::each(jobs, watch, |job| super::follow::<f64>(job, schedule)),
+        _ => each(jobs, watch, |job| follow::<f64>(job, schedule)),
     }
 }
 
@@ -159,7 +163,7 @@ impl<const N: usize> Line<'_, '_, N> {
     }
 
     fn follow_alone(&mut self, index: usize) {
-        tell(&self.done, self.watch, index, super::follow::<f64>(&self.jobs[index], self.schedule));
+        tell(&self.done, self.watch, index, follow::<f64>(&self.jobs[index], self.schedule));
     }
 }
 

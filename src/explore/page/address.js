@@ -1,4 +1,4 @@
-// The address holds the whole view: plane, window, clicked cell, curves. Going back goes back.
+// The address holds the whole view: plane, window, clicked cell, curves; the browser's history goes through the views.
 
 import { afterwards } from './dom.js';
 

@@ -12,17 +12,18 @@ import { Link } from './link.js';
 import { Marks } from './marks.js';
 import { Paint } from './paint.js';
 import { Panel } from './panel.js';
+import { fitted, MARGINS } from './place.js';
 import { Pointer } from './pointer.js';
 import { Save } from './save.js';
 import { Slice } from './slice.js';
 import { Status } from './status.js';
 import * as theme from './theme.js';
+import { first } from './timing.js';
 import { Tiles } from './tiles.js';
 import { Toolbar } from './toolbar.js';
 import { clipped, View } from './view.js';
 import { asHtml } from './words.js';
 
-const MARGINS = { left: innerWidth < 760 ? 60 : 78, right: 14, top: 10, bottom: 56 };
 const EM = 13;
 
 performance.mark('script');
@@ -61,12 +62,7 @@ function shown() {
   return state.scene.clip({ z, columns: [i0, i1], rows: [j0, j1] });
 }
 
-// ——— what the server says ———
-
-/** Notes when something comes for the first time: `performance.getEntriesByType('mark')` tells where time goes. */
-function first(name) {
-  if (performance.getEntriesByName(name, 'mark').length === 0) performance.mark(name);
-}
+// ——— messages of the server ———
 
 function hear(type, message) {
   if (type === 'hello' || type === 'tile') first(type);
@@ -162,7 +158,7 @@ function tile(message) {
   count();
 }
 
-// ——— what is in sight ———
+// ——— the view ———
 
 /** Asks for what the view lacks, and for its ticks. */
 function look() {
@@ -253,7 +249,7 @@ const count = seldom(120, () => {
   }, () => {});
 });
 
-// ——— what somebody does ———
+// ——— input ———
 
 function click(x, y) {
   if (state.scene) panel.show(state.scene.scene, view.cellAt(x, y));
@@ -296,14 +292,7 @@ plane.addEventListener('blur', () => { state.cursor = null; redraw(); });
 addEventListener('keydown', (event) => { if (event.key === 'Escape') slice.close(); });
 
 new ResizeObserver(() => {
-  const width = Math.max(60, plane.clientWidth - MARGINS.left - MARGINS.right);
-  const height = Math.max(60, plane.clientHeight - MARGINS.top - MARGINS.bottom);
-  view.size = [width, height];
-  canvas.style.left = `${MARGINS.left}px`;
-  canvas.style.top = `${MARGINS.top}px`;
-  canvas.style.width = `${width}px`;
-  canvas.style.height = `${height}px`;
-  clip.firstChild.replaceWith(shape('rect', { x: MARGINS.left, y: MARGINS.top, width, height }));
+  view.size = fitted(plane, canvas, clip);
   paint.resize(view.size);
   look();
 }).observe(plane);

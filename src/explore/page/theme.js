@@ -1,4 +1,4 @@
-// Light and dark: as the machine has it, until somebody chooses.
+// Light and dark: as the machine has it, until the reader chooses.
 
 const KEY = 'impact-atlas-theme';
 

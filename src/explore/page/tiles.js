@@ -69,7 +69,7 @@ export class Tiles {
         this.all += 1;
         const kept = this.get(...key);
         if (kept) {
-          // What is looked at is kept longest.
+          // Tiles that were looked at last are kept longest.
           this.kept.delete(key.join());
           this.kept.set(key.join(), kept);
           continue;

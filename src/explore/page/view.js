@@ -29,7 +29,7 @@ export class View {
   /** The level whose cells are shown. */
   get level() {
     const [across, up] = this.scale;
-    // Of the whole plane its own cells are shown; closer up, about as many.
+    // Of the whole plane its own cells are shown; of a part of it, about as many.
     const [x0, x1, y0, y1] = this.window, [a0, a1, b0, b1] = this.whole;
     const closer = Math.log2(Math.max((a1 - a0) / (x1 - x0), (b1 - b0) / (y1 - y0)));
     let z = Math.floor(Math.min(Math.log2(Math.min(across, up) / LEAST_PIXELS), closer + 1e-6));

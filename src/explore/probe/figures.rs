@@ -5,9 +5,10 @@ use serde_json::json;
 use crate::analysis::{Reading, Regime, Section, Verdict};
 use crate::dynamics::{self, Recording};
 use crate::explore::task::Task;
+use crate::figure::Size;
 use crate::model::{Setting, System};
 use crate::plane::Start;
-use crate::render::{Orbit, OrbitPanel, Size, orbit_figure};
+use crate::render::{Orbit, OrbitPanel, orbit_figure};
 
 /// Samples of a curve in each forcing period.
 const SAMPLES: u32 = 200;

@@ -117,7 +117,7 @@ fn exponents(system: &System, verdict: &Verdict) -> Value {
             let values: Vec<Value> = (spectrum.per_period.iter().zip(&spectrum.standard_error))
                 .map(|(&value, &error)| json!([finite(value), finite(error)]))
                 .collect();
-            let name = words(&crate::render::Text::new().italic("λ"));
+            let name = words(&crate::figure::Text::new().italic("λ"));
             json!({ "values": values, "periods": spectrum.periods, "symbol": name })
         }
         Err(error) => json!({ "none": error.to_string() }),

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::{CELL_FIELDS, CellField, CellResult, Cells, CellsError, Drawn, Extras, Inner};
-use crate::plane::axis::Component;
+use crate::plane::component::Component;
 use crate::plane::window::Window;
 use crate::system::Family;
 

@@ -1,6 +1,7 @@
-//! The table itself.
+//! The table of fields: every number that a plane's cells have.
 
-use super::{CellField, Drawn, Extras, Inner, Source, Spread};
+use super::field::{CellField, Drawn, Extras, Inner, Source};
+use crate::figure::Spread;
 
 /// The code of the regime of a cell that was not computed yet: no regime has it.
 pub const NOT_COMPUTED: u8 = u8::MAX;
@@ -208,3 +209,30 @@ pub const CELL_FIELDS: &[CellField] = &[
         )
     },
 ];
+
+impl CellField {
+    /// The field of a name.
+    pub fn named(name: &str) -> Option<&'static CellField> {
+        CELL_FIELDS.iter().find(|field| field.name == name)
+    }
+
+    /// The fields that a plane has.
+    pub fn of_plane(extras: Extras) -> impl Iterator<Item = &'static CellField> {
+        CELL_FIELDS.iter().filter(move |field| field.is_with(extras))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_field_comes_twice() {
+        for (i, field) in CELL_FIELDS.iter().enumerate() {
+            assert!(CELL_FIELDS[..i].iter().all(|other| other.name != field.name), "{}", field.name);
+            assert!(field.meaning.len() > 10 && !field.title.is_empty());
+            // Which cells are there is told by the regime, which is the last field of a tile to appear.
+            assert_eq!(field.name == "regime", i == 0);
+        }
+    }
+}

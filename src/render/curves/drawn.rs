@@ -2,7 +2,7 @@
 
 use super::style::{self, Line};
 use super::{Overlay, Piece, name};
-use crate::render::canvas::Point;
+use crate::figure::Point;
 
 /// A line as it is drawn, in the plane's quantities.
 pub(in crate::render) struct Drawn {

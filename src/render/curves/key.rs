@@ -3,9 +3,7 @@
 use super::major::DRAWN_IN_A_THOUSAND;
 use super::style::{CASING, KINDS, Line, names};
 use crate::curves::Kind;
-use crate::render::canvas::{Anchor, Canvas, Point};
-use crate::render::colours::{INK, MUTED};
-use crate::render::text::Text;
+use crate::figure::{Anchor, Canvas, INK, MUTED, Point, Text};
 
 /// The lengths of the key, in em.
 const ROW: f64 = 1.4;

@@ -1,25 +1,19 @@
 //! Bifurcation curves over a plane: lines that tell kinds apart, their names, special points, and a key.
 
 mod drawn;
-mod geometry;
 mod key;
-mod labels;
 mod major;
 mod regions;
 mod style;
 
 pub(super) use self::key::Key;
 
-use self::geometry::{about, crosses, length, overlap, within};
-use self::labels::Wanted;
 use self::major::major;
 use self::style::{CASING, Line};
-use super::canvas::{Anchor, Canvas, Point, Rect};
-use super::colours::INK;
-use super::figure::clip;
-use super::frame::Frame;
-use super::text::Text;
 use crate::curves::{Criticality, Curve, CurvePoint, Kind, Named, named};
+use crate::figure::geometry::{about, crosses, length, overlap, within};
+use crate::figure::labels::{self, Wanted};
+use crate::figure::{Anchor, Canvas, Frame, INK, Point, Rect, Text, clip};
 use crate::plane::RegionMap;
 
 /// The sizes of names: the paper's, other curves' and regions', in em.
@@ -249,7 +243,7 @@ impl Names<'_> {
             for piece in &order {
                 let curve = std::ptr::from_ref(piece.curve);
                 let entry = (curve, piece.name.unwrap_or_default());
-                // The paper's names are worth a leader for each of theirs, others only for a curve without any.
+                // Every name of the paper's may have a leader, other names only where the curve has no name yet.
                 let known = said.iter().any(|&(other, name)| {
                     other == curve && (name == entry.1 || leader && piece.name.is_none())
                 });

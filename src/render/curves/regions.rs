@@ -2,8 +2,8 @@
 
 use crate::analysis::{Regime, Verdict};
 use crate::curves::{Curve, Named, is_plane_of_paper, paper_region};
+use crate::figure::{Point, Rect};
 use crate::plane::{Axis, RegionMap};
-use crate::render::canvas::{Point, Rect};
 
 /// A cell so near to a curve, in cells, lies along it.
 const NEAR: i64 = 2;

@@ -3,7 +3,7 @@
 use image::Rgb;
 
 use crate::curves::{Criticality, Curve, Kind};
-use crate::render::canvas::Colour;
+use crate::figure::Colour;
 
 /// The ground under a line, so that it is seen on any region.
 pub(super) const CASING: Colour = Rgb([255; 3]);

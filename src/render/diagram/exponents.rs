@@ -2,13 +2,8 @@
 
 use super::windows::Columns;
 use crate::diagram::{Branch, Diagram, DiagramSpec, ExponentUnit};
+use crate::figure::{AxisTitle, Colour, Frame, INK, MUTED, Mark, Panel, Scale, Text};
 use crate::model::vector::MOST;
-use crate::render::canvas::Colour;
-use crate::render::colours::{INK, MUTED};
-use crate::render::figure::{Mark, Panel};
-use crate::render::frame::{AxisTitle, Frame};
-use crate::render::scale::Scale;
-use crate::render::text::Text;
 use crate::render::{places, symbols};
 
 /// Lengths in em.

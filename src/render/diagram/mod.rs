@@ -8,16 +8,11 @@ mod windows;
 use self::exponents::{Exponents, exponent_panels};
 use self::motions::Motions;
 use self::windows::Columns;
-use super::canvas::Colour;
 use super::colours::{CHATTERING, OTHER_BRANCH, STEADY_BLUE, STICKING};
-use super::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample, Strip};
-use super::frame::Frame;
-use super::paint::Paint;
-use super::scale::Scale;
-use super::text::Text;
 use super::{places, symbols};
 use crate::analysis::{CHATTER_RUN, Section};
 use crate::diagram::{Branch, Diagram, Direction};
+use crate::figure::{Colour, Figure, Frame, KeyEntry, Mark, Paint, Panel, Row, Sample, Scale, Strip, Text};
 use crate::plane::{Quantity, Start};
 use crate::system::Family;
 
@@ -173,10 +168,10 @@ pub(super) mod tests {
     use crate::analysis::Verdict;
     use crate::analysis::{Probe, Reading, Regime, Trace};
     use crate::diagram::{DiagramSpec, ExponentUnit, Sweep};
+    use crate::figure::Size;
+    use crate::figure::faults;
     use crate::model::Parameters;
     use crate::plane::Provenance;
-    use crate::render::figure::tests::faults;
-    use crate::render::size::Size;
 
     /// A diagram with every kind of column; readings of `spread` about `level`.
     pub(super) fn diagram(x: &str, sweep: Sweep, level: f64, spread: f64) -> Diagram {

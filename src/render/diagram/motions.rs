@@ -5,9 +5,9 @@ use std::collections::HashMap;
 
 use crate::analysis::Verdict;
 use crate::diagram::Diagram;
+use crate::figure::{KeyEntry, Sample};
 use crate::render::colouring::Colouring;
 use crate::render::colours::SHARED;
-use crate::render::figure::{KeyEntry, Sample};
 use crate::render::motion::Motion;
 
 /// Periodic motions that get an entry of their own: so many at most, each in at least this share of the columns unless

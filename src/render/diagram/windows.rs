@@ -2,11 +2,10 @@
 
 use crate::analysis::{CHATTER_RUN, Trace};
 use crate::diagram::SweepAxis;
+use crate::figure::{Scale, Stretch, StripLabel};
 use crate::plane::Axis;
 use crate::render::colouring::Colouring;
-use crate::render::figure::{Stretch, StripLabel};
 use crate::render::motion::Motion;
-use crate::render::scale::Scale;
 
 /// Interruptions of a window that are shorter than this share of the axis do not end it.
 const INTERRUPTION: f64 = 0.004;
@@ -43,7 +42,7 @@ impl Columns {
 
     /// The scale that shows them all.
     pub fn scale(&self) -> Scale {
-        Scale::of(&self.axis)
+        Scale::of(&self.axis.steps())
     }
 
     fn span(&self, first: usize, last: usize) -> [f64; 2] {

@@ -3,10 +3,9 @@
 use serde::Serialize;
 
 use super::words::{Word, words};
-use crate::plane::{Plane, Quantity, Spacing};
-use crate::render::frame::{TITLE, fitting_ticks, widest};
+use crate::figure::{Scale, Spacing, TITLE, fitting_ticks, widest};
+use crate::plane::{Plane, Quantity};
 use crate::render::regions;
-use crate::render::scale::Scale;
 use crate::render::symbols;
 
 /// One side of a live plane.

@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use super::css;
+use crate::figure::{Bar, Palette, fitting_ticks, widest};
 use crate::plane::fields::Layer;
-use crate::render::colour_bar::{Bar, LOST, Palette, UNDEFINED};
-use crate::render::frame::{fitting_ticks, widest};
+use crate::render::numbers::{LOST, UNDEFINED};
 
 /// The colours of a bar.
 const COLOURS: u32 = 128;

@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::css;
 use super::words::{Word, words};
+use crate::figure::Paint;
 use crate::render::colours::paint_of;
 use crate::render::motion::Motion;
-use crate::render::paint::Paint;
 use crate::render::regions::{Census, definition_of, entries_of};
 use crate::system::Family;
 

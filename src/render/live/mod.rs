@@ -16,8 +16,7 @@ pub use lines::{LiveLine, live_lines};
 pub use slice::slice_figure;
 pub use words::{Word, words};
 
-use super::canvas::Colour;
-use super::paint::Hatch;
+use crate::figure::{Colour, Hatch};
 
 /// The spacing and the thickness of a hatch for a text size, all in pixels: a pixel is hatched where
 /// (x + y) mod spacing < thickness.

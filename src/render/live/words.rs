@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::render::text::{Style, Text};
+use crate::figure::{Style, Text};
 
 /// A part of a text in one style.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

@@ -1,13 +1,12 @@
 //! Several plots of one orbit as a figure, and what their marks stand for.
 
 use super::Orbit;
-use super::panel::{OrbitPanel, Zoom};
+use super::panel::OrbitPanel;
+use super::zoom::Zoom;
 use crate::analysis::Section;
+use crate::figure::{Figure, KeyEntry, Mark, Paint, Panel, Row, Sample, Text};
 use crate::plane::Start;
 use crate::render::colours::{STICKING, STOP, STRIKING};
-use crate::render::figure::{Figure, KeyEntry, Mark, Panel, Row, Sample};
-use crate::render::paint::Paint;
-use crate::render::text::Text;
 use crate::render::{places, symbols};
 use crate::system::Family;
 

@@ -3,21 +3,24 @@
 mod curve;
 mod figure;
 mod panel;
+mod panel_error;
 mod reader;
+mod variable;
+mod zoom;
 
 pub use figure::{orbit_figure, orbit_key};
-pub use panel::{OrbitPanel, PanelError, Variable, Zoom};
+pub use panel::OrbitPanel;
+pub use panel_error::PanelError;
+pub use variable::Variable;
+pub use zoom::Zoom;
 
 use self::curve::{Curve, Place};
 use self::reader::Reader;
-use super::colours::{INK, STEADY_BLUE, STICKING, STOP, STRIKING};
-use super::figure::{Mark, Panel};
-use super::frame::{AxisTitle, Frame};
-use super::scale::Scale;
+use super::colours::{STEADY_BLUE, STICKING, STOP, STRIKING};
 use super::symbols;
-use super::text::Text;
 use crate::analysis::{Reading, Section};
 use crate::dynamics::{ImpactEvent, Recording};
+use crate::figure::{AxisTitle, Frame, INK, Mark, Panel, Scale, Text};
 use crate::model::{Setting, System};
 
 /// The widths of lines and dots, in em.
@@ -208,9 +211,9 @@ fn distinct(points: &[[f64; 2]], frame: &Frame) -> usize {
 mod tests {
     use super::*;
     use crate::dynamics::record;
+    use crate::figure::faults;
     use crate::model::Parameters;
     use crate::plane::Start;
-    use crate::render::figure::tests::faults;
 
     #[test]
     fn orbits_of_every_kind_are_drawn_whole() {

@@ -3,46 +3,11 @@
 use std::fmt;
 use std::str::FromStr;
 
-use thiserror::Error;
-
+use super::panel_error::PanelError;
+use super::variable::Variable;
 use crate::analysis::{Reading, Section, SectionError};
 use crate::dynamics::Stop;
-use crate::model::Number;
 use crate::system::Family;
-
-/// A quantity on an axis of an orbit's plot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Variable {
-    /// The time since the recording began, in forcing periods.
-    Time,
-    /// Anything else.
-    Reading(Reading),
-}
-
-impl Variable {
-    /// The quantity of a name in a family.
-    ///
-    /// # Errors
-    /// [`PanelError::Variable`] with the quantities that there are.
-    pub fn named(name: &str, family: &Family) -> Result<Self, PanelError> {
-        match name {
-            "t" => Ok(Variable::Time),
-            name => Reading::named(name, family).map(Variable::Reading).map_err(|_| {
-                let known: Vec<String> =
-                    Reading::all(family).iter().map(|reading| reading.name(family)).collect();
-                PanelError::Variable { name: name.to_owned(), known: known.join(", ") }
-            }),
-        }
-    }
-
-    /// The name in a family.
-    pub fn name(self, family: &Family) -> String {
-        match self {
-            Variable::Time => "t".to_owned(),
-            Variable::Reading(reading) => reading.name(family),
-        }
-    }
-}
 
 /// A plot of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -202,91 +167,9 @@ impl FromStr for OrbitPanel {
     }
 }
 
-/// The range that every axis over a quantity shows.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Zoom {
-    /// The quantity.
-    pub variable: Variable,
-    /// The least value shown.
-    pub low: f64,
-    /// The largest value shown.
-    pub high: f64,
-}
-
-impl Zoom {
-    /// Reads `NAME=LOW:HIGH` with the names of a family.
-    ///
-    /// # Errors
-    /// [`PanelError`] with what is wrong.
-    pub fn of_family(text: &str, family: &Family) -> Result<Self, PanelError> {
-        let malformed = || PanelError::Zoom(text.to_owned());
-        let (name, range) = text.split_once('=').ok_or_else(malformed)?;
-        let variable = Variable::named(name.trim(), family)?;
-        let (low, high) = range.split_once(':').ok_or_else(malformed)?;
-        let low: f64 = low.trim().parse().map_err(|_| malformed())?;
-        let high: f64 = high.trim().parse().map_err(|_| malformed())?;
-        if !low.is_finite() || !high.is_finite() || low >= high {
-            return Err(PanelError::EmptyZoom(text.to_owned()));
-        }
-        Ok(Zoom { variable, low, high })
-    }
-
-    /// The text that [`Zoom::of_family`] reads.
-    pub fn name(&self, family: &Family) -> String {
-        format!("{}={}:{}", self.variable.name(family), Number(self.low), Number(self.high))
-    }
-}
-
-/// As [`Zoom::of_family`] for the paper's family.
-impl FromStr for Zoom {
-    type Err = PanelError;
-
-    fn from_str(text: &str) -> Result<Self, PanelError> {
-        Zoom::of_family(text, Family::paper())
-    }
-}
-
-/// Why a plot of an orbit was refused.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum PanelError {
-    /// No plot has that name.
-    #[error(
-        "unknown panel `{0}`; the panels are portrait, portrait2, time, section, section-b, strobe (a number names \
-         the coordinate, what stands behind section- the stop)"
-    )]
-    Panel(String),
-    /// Two quantities are missing.
-    #[error("`{0}` names no two quantities: write them after a colon, for example section:x2,v2")]
-    Axes(String),
-    /// The same quantity twice.
-    #[error("`{0}` has the same quantity on both axes: choose two")]
-    SameAxes(String),
-    /// A phase portrait and a time series show the state.
-    #[error(
-        "{0} in `{1}` is no component of the state, which phase portraits and time series show: choose from x1 … xn, v1 … vn"
-    )]
-    NotAComponent(String, String),
-    /// A section does not have the quantity.
-    #[error(transparent)]
-    Section(#[from] SectionError),
-    /// No axis has that name.
-    #[error("unknown quantity `{name}`; axes are t (in forcing periods), {known}")]
-    Variable {
-        /// The name.
-        name: String,
-        /// The quantities that there are.
-        known: String,
-    },
-    /// Not of the form NAME=LOW:HIGH.
-    #[error("`{0}` is not a range: write NAME=LOW:HIGH, for example t=2.1:2.4")]
-    Zoom(String),
-    /// Nothing between the ends.
-    #[error("the range `{0}` is empty: the first number must be less than the second, both finite")]
-    EmptyZoom(String),
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::zoom::Zoom;
     use super::*;
 
     #[test]

@@ -7,13 +7,13 @@ use rayon::prelude::*;
 
 use super::bands::bands;
 use crate::analysis::Regime;
+use crate::figure::Paint;
 use crate::model::vector::MOST as MOST_STOPS;
 use crate::plane::Window;
 use crate::plane::fields::{CellField, Cells, CellsError};
 use crate::render::colouring::Colouring;
 use crate::render::colours::{NOT_THERE, SHARED};
 use crate::render::motion::Motion;
-use crate::render::paint::Paint;
 use crate::system::Family;
 
 /// So many periodic motions have colours of their own at most, those with a smaller share of the plane only where there

@@ -2,12 +2,8 @@
 
 use super::census::Census;
 use super::names;
-use crate::render::canvas::{Point, Rect};
+use crate::figure::{Frame, Legend, Placed, Point, Rect, Size, Text};
 use crate::render::curves::Key;
-use crate::render::frame::{Frame, Placed};
-use crate::render::legend::Legend;
-use crate::render::size::Size;
-use crate::render::text::Text;
 
 /// The height of a line of the title, in em.
 pub(super) const TITLE_ROW: f64 = 1.4;

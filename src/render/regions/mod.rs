@@ -6,25 +6,21 @@ mod layout;
 mod names;
 mod picture;
 mod raster;
+mod sampling;
 
 pub(super) use self::census::Census;
 use self::layout::Layout;
-use super::canvas::{Anchor, Canvas, Point};
-use super::colours::INK;
+use super::axes::frame_of;
 use super::control::describe;
 use super::curves::{Overlay, Shown};
-use super::frame::Frame;
-use super::legend::Entry;
-use super::picture::{LeftOut, Picture};
-use super::scale::Scale;
-use super::size::Size;
-use super::symbols;
-use super::text::Text;
+use super::numbers::draw_numbers;
 use crate::curves::Curve;
-use crate::plane::fields::{CellField, Cells, CellsError, Layer};
+use crate::figure::{Anchor, Canvas, Entry, INK, LeftOut, Picture, Point, Size, Text};
+use crate::plane::fields::{Cells, CellsError, Layer};
 use crate::plane::{ControlMap, Plane, Quantity, RegionMap, Window};
 
 pub use self::picture::{DrawnCurves, PlanePicture};
+pub(super) use self::sampling::{means, most};
 
 /// Draws a computed plane.
 ///
@@ -77,6 +73,24 @@ pub fn region_map_with_curves(
 ) -> Picture {
     let curves = Some(DrawnCurves { map, curves, shown, max_period: Some(max_period) });
     PlanePicture { curves, ..PlanePicture::of(map) }.draw(size).expect(IN_MEMORY)
+}
+
+impl PlanePicture<'_> {
+    /// Draws it.
+    ///
+    /// # Errors
+    /// What could not be read.
+    ///
+    /// # Panics
+    /// If the window holds no cells.
+    pub fn draw(&self, size: Size) -> Result<Picture, CellsError> {
+        assert!(self.window.cells() > 0, "a picture shows at least one cell");
+        let overlay = self.curves.map(|drawn| Overlay::new(drawn.map, drawn.curves, drawn.shown));
+        match self.layer {
+            Layer::Motion => draw(self, overlay.as_ref(), size),
+            Layer::Number { .. } => draw_numbers(self, overlay.as_ref(), size),
+        }
+    }
 }
 
 /// Why drawing a map does not fail.
@@ -148,63 +162,6 @@ pub(super) fn definition_of(census: &Census) -> Vec<Text> {
 /// The rows of the legend of a census, `rows` of them, or one more than is not periodic.
 pub(super) fn entries_of(census: &Census, rows: usize) -> Vec<Entry> {
     names::entries(census, rows.max(census.indispensable() + 1), true)
-}
-
-/// The axes of a plane.
-pub(super) fn frame_of(plane: &Plane) -> Frame {
-    Frame {
-        x: Scale::of(&plane.x),
-        y: Scale::of(&plane.y),
-        x_title: symbols::axis_title(plane.x.quantity),
-        y_title: symbols::axis_title(plane.y.quantity),
-    }
-}
-
-/// Numbers of a window's cells in pixels, the first row at the bottom: means of the cells that a pixel covers, over those
-/// that have one; NaN where most have none, minus infinity where most have that.
-pub(super) fn means(
-    cells: &dyn Cells,
-    window: Window,
-    layer: &Layer,
-    size: [usize; 2],
-) -> Result<Vec<f32>, CellsError> {
-    bands::sampled(cells, window, size, |band| layer.values(cells, band), mean)
-}
-
-/// Whether most of the cells that a pixel covers have a value of a field.
-pub(super) fn most(
-    cells: &dyn Cells,
-    window: Window,
-    field: &'static CellField,
-    value: u32,
-    size: [usize; 2],
-) -> Result<Vec<bool>, CellsError> {
-    let read = |band: Window| {
-        let values = cells.read(field, band)?;
-        Ok((0..band.cells()).map(|i| values.whole(i) == value).collect())
-    };
-    bands::sampled(cells, window, size, read, |block| {
-        let (all, own) = block.fold((0, 0), |(all, own), is| (all + 1, own + u32::from(is)));
-        2 * own > all
-    })
-}
-
-fn mean(block: &mut dyn Iterator<Item = f32>) -> f32 {
-    let (mut sum, mut there, mut lost, mut all) = (0.0_f64, 0_u32, 0_u32, 0_u32);
-    for value in block {
-        all += 1;
-        if value.is_finite() {
-            sum += f64::from(value);
-            there += 1;
-        } else if value == f32::NEG_INFINITY {
-            lost += 1;
-        }
-    }
-    match () {
-        () if 2 * there >= all && there > 0 => (sum / f64::from(there)) as f32,
-        () if 2 * lost >= all => f32::NEG_INFINITY,
-        () => f32::NAN,
-    }
 }
 
 #[cfg(test)]

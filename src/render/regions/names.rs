@@ -1,11 +1,9 @@
 //! The words of the picture: title, legend and notes.
 
 use super::census::{Census, Region};
+use crate::figure::{Entry, Paint, Text};
 use crate::plane::{Plane, Quantity, Start};
-use crate::render::legend::Entry;
 use crate::render::motion::Motion;
-use crate::render::paint::Paint;
-use crate::render::text::Text;
 use crate::render::{places, symbols};
 
 /// How many of a group's paints its sample shows.
@@ -79,7 +77,7 @@ fn names(periodic: &[&Region], census: &Census, rows: usize) -> Vec<Motion> {
 pub(super) fn definition(census: &Census) -> Vec<Text> {
     let mut pieces = places::label_definition(census.family);
     if census.regions.iter().any(|region| region.name.starts_with("0-")) {
-        // Only control, which may jump in phase, gets there.
+        // Only control, which may shift the phase, has motions of less than half a forcing period.
         pieces.extend([
             Text::new().italic("N").upright(" = 0: flights under control"),
             Text::from("of less than half a forcing period,"),

@@ -2,14 +2,11 @@
 
 use serde_json::{Value, json};
 
-use super::super::colour_bar::{Palette, draw_numbers};
-use super::super::curves::{Overlay, Shown};
-use super::super::picture::Picture;
-use super::super::size::Size;
-use super::super::text::Text;
+use super::super::curves::Shown;
 use super::names;
 use crate::curves::Curve;
-use crate::plane::fields::{Cells, CellsError, Layer};
+use crate::figure::{Palette, Text};
+use crate::plane::fields::{Cells, Layer};
 use crate::plane::{Plane, RegionMap, Window};
 
 /// Curves that are drawn over a plane.
@@ -58,22 +55,6 @@ impl<'a> PlanePicture<'a> {
             palette: None,
             range: None,
             legend: true,
-        }
-    }
-
-    /// Draws it.
-    ///
-    /// # Errors
-    /// What could not be read.
-    ///
-    /// # Panics
-    /// If the window holds no cells.
-    pub fn draw(&self, size: Size) -> Result<Picture, CellsError> {
-        assert!(self.window.cells() > 0, "a picture shows at least one cell");
-        let overlay = self.curves.map(|drawn| Overlay::new(drawn.map, drawn.curves, drawn.shown));
-        match self.layer {
-            Layer::Motion => super::draw(self, overlay.as_ref(), size),
-            Layer::Number { .. } => draw_numbers(self, overlay.as_ref(), size),
         }
     }
 

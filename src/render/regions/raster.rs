@@ -5,12 +5,9 @@ use rayon::prelude::*;
 
 use super::bands::sampled;
 use super::census::Census;
+use crate::figure::{Colour, Hatch, INK, line_width};
 use crate::plane::Window;
 use crate::plane::fields::{Cells, CellsError};
-use crate::render::canvas::Colour;
-use crate::render::colours::INK;
-use crate::render::frame::line_width;
-use crate::render::paint::Hatch;
 
 /// How dark the line between two regions is.
 const LINE_OPACITY: f64 = 0.8;

@@ -5,9 +5,10 @@ use resvg::usvg::{Group, Node, Options, Tree};
 
 use super::*;
 use crate::analysis::{Regime, Verdict};
+use crate::figure::{carried_configuration, database};
 use crate::plane::Start;
 use crate::render::curves::Key;
-use crate::render::{carried_configuration, example, font};
+use crate::render::example;
 
 const SIZES: [(u32, u32); 12] = [
     (16, 16),
@@ -67,7 +68,7 @@ fn words_are_inside_the_picture_and_apart() {
 }
 
 fn assert_apart(map: &RegionMap, picture: &Picture, size: Size) {
-    let options = Options { fontdb: font::database(), font_family: "Inter".into(), ..Options::default() };
+    let options = Options { fontdb: database(), font_family: "Inter".into(), ..Options::default() };
     let (width, height) = (size.width(), size.height());
     let tree = Tree::from_str(picture.svg(), &options).unwrap();
     let mut words = Vec::new();

@@ -17,11 +17,10 @@ use crate::control::{
     ControlQuantity, ControlSchedule, History, Outcome, Scheme, SectionValues, Target, control, converged_at,
     multipliers,
 };
+use crate::figure::{Figure, KeyEntry, Panel, Picture, Row, Text, TooSmall};
 use crate::model::{Parameters, System};
 use crate::plane::Start;
-use crate::render::{
-    ControlPicture, Figure, KeyEntry, OrbitPanel, Panel, Picture, Response, Row, Text, TooSmall, orbit_key,
-};
+use crate::render::{ControlPicture, OrbitPanel, Response, orbit_key};
 use crate::system::Family;
 
 /// Where the paper suppresses chaos.

@@ -1,6 +1,6 @@
-//! The table itself.
+//! The table of result files: every file that commands write, with its arrays or columns.
 
-use super::{Field, FileContent};
+use super::field::{Field, FileContent};
 use crate::plane::fields::{CELL_FIELDS, CellField, Inner};
 
 const fn field(

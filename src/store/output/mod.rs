@@ -193,7 +193,7 @@ impl Filled<'_> {
 fn complete(file: &File, content: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>) -> io::Result<()> {
     let mut writer = BufWriter::new(file);
     let filled = content(&mut writer).and_then(|()| writer.flush());
-    // What is left after an error is not wanted any more.
+    // Taken apart, the writer does not flush its buffer once more.
     drop(writer.into_parts());
     filled
 }

@@ -14,7 +14,7 @@ use super::{HIDDEN, StoreError, ZarrStore};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", tag = "event")]
 pub enum Event {
-    /// It is there.
+    /// The tile was written.
     Done {
         /// The tile.
         tile: u32,

@@ -2,7 +2,7 @@
 //!
 //! A store is made whole, empty, and renamed into place; shards are written out of sight and renamed into place, the
 //! regime last. So a tile that is there is there altogether, whatever was interrupted, and processes that write into one
-//! store need no word with each other: where two write the same tile they write the same bytes. What every process did is
+//! store work independently: where two write the same tile they write the same bytes. What every process did is
 //! noted in the folder `.impact-atlas` of the store, which readers of Zarr do not see.
 
 mod difference;

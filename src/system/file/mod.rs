@@ -15,11 +15,17 @@ use super::reader::{Section, Source};
 const SECTIONS: [&str; 7] = ["name", "source", "label_order", "parameters", "system", "stop", "plane"];
 const SYSTEM: [&str; 7] = ["frequency", "mass", "damping", "stiffness", "force_sin", "force_cos", "load"];
 
-/// Reads a family from the text of its file; `origin` names the file in messages.
-///
-/// # Errors
-/// See [`Family::parse`].
-pub(super) fn read(text: &str, origin: &str) -> Result<Family, FamilyError> {
+impl Family {
+    /// Reads a family from the text of its file; `origin` names the file in messages.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, with file, line, key and remedy. The default values must make a plant.
+    pub fn parse(text: &str, origin: &str) -> Result<Self, FamilyError> {
+        read(text, origin)
+    }
+}
+
+fn read(text: &str, origin: &str) -> Result<Family, FamilyError> {
     let source = Source { file: origin, text };
     let document = source.parse()?;
     let root = Section::root(&source, document.get_ref());

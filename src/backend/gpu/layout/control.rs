@@ -149,7 +149,7 @@ impl Control {
     }
 }
 
-/// `Outcome` in shaders/control/controlled.wgsl.
+/// `Outcome` in shaders/control/outcome.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Outcome {

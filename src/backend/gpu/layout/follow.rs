@@ -43,7 +43,7 @@ pub struct Dispatch {
 /// What the shaders write for an exponent that was not measured: a NaN need not survive a driver.
 pub const NOT_MEASURED: f32 = -3e38;
 
-/// `Verdict` in shaders/analysis/observer.wgsl.
+/// `Verdict` in shaders/analysis/verdict.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Verdict {

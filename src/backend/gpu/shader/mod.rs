@@ -75,6 +75,7 @@ impl Kernel {
                 include_str!("../../../../shaders/control/deviation.wgsl"),
                 include_str!("../../../../shaders/control/leaving.wgsl"),
                 include_str!("../../../../shaders/control/controlled.wgsl"),
+                include_str!("../../../../shaders/control/outcome.wgsl"),
                 include_str!("../../../../shaders/kernels/control.wgsl"),
             ],
             Kernel::Extent => &[
@@ -86,7 +87,7 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 24] = [
+const COMMON: [&str; 26] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -111,6 +112,8 @@ const COMMON: [&str; 24] = [
     include_str!("../../../../shaders/analysis/quiet.wgsl"),
     include_str!("../../../../shaders/analysis/loss.wgsl"),
     include_str!("../../../../shaders/analysis/observer.wgsl"),
+    include_str!("../../../../shaders/analysis/observing.wgsl"),
+    include_str!("../../../../shaders/analysis/verdict.wgsl"),
 ];
 
 /// How the bound on a normal is read, and how where a force comes on top.

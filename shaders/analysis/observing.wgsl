@@ -1,0 +1,145 @@
+// What is noted of a trajectory: its impacts, and at every strobe whether the transient or the observation ends.
+
+fn observer_note(taken: Move) {
+    if observer.stage == STAGE_OBSERVATION && taken.event != EVENT_STEP_END {
+        loss_note(taken);
+    }
+    if trajectory.contact != CONTACT_FREE {
+        observer.stuck = 1u;
+    }
+    if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER && taken.velocity != 0.0 {
+        observer_impact(taken.stop, taken.velocity, taken.event == EVENT_COMPLETE_CHATTER);
+        observer_count_beside(taken.beside);
+    } else if taken.event == EVENT_HALF_PERIOD {
+        observer_half_period();
+    } else {
+        observer.moves = observer.moves + 1u;
+        if taken.event == EVENT_STROBE {
+            observer_strobe();
+        }
+    }
+    observer_give_up();
+}
+
+fn observer_impact(stop: u32, velocity: f32, complete_chatter: bool) {
+    observer.moves = observer.moves + 1u;
+    recurrence_count(stop, complete_chatter);
+    observer.impacts = observer.impacts + 1u;
+    observer.impacts_total = observer.impacts_total + 1u;
+    observer.peak = max(observer.peak, abs(velocity));
+}
+
+fn observer_half_period() {
+    observer.moves = observer.moves + 1u;
+    if observer.stage == STAGE_OBSERVATION {
+        recurrence_at_half_period(trajectory.point.state, RETURNED);
+    }
+}
+
+// Gives up a trajectory that makes no headway.
+fn observer_give_up() {
+    if observer.moves > MOST_MOVES {
+        observer.stage = STAGE_FAILED;
+    }
+}
+
+// Infinitely many impacts at every stop that shares the rebounds of another.
+fn observer_count_beside(beside: u32) {
+    if beside == CONTACT_FREE {
+        return;
+    }
+    //: each normal
+    if contact_includes(beside, End($ku, 0u)) {
+        recurrence_count(flight.normals[$k].stop[0], true);
+    }
+    if contact_includes(beside, End($ku, 1u)) {
+        recurrence_count(flight.normals[$k].stop[1], true);
+    }
+    //: end
+}
+
+fn observer_strobe() {
+    let state = trajectory.point.state;
+    observer.moves = observer.moves - min(observer.moves, FAIR_MOVES);
+    observer.periods = observer.periods + 1u;
+    if !state_is_finite(state) {
+        observer.stage = STAGE_FAILED;
+        return;
+    }
+    //: each normal
+    if contact_is_clamped_along(trajectory.contact, $ku) {
+        recurrence_count(flight.normals[$k].stop[0], true);
+        recurrence_count(flight.normals[$k].stop[1], true);
+    }
+    //: end
+    if observer.stage == STAGE_TRANSIENT {
+        observer_settle(state);
+    } else {
+        observer_observe(state);
+    }
+}
+
+fn observer_settle(state: State) {
+    if schedule.fixed_periods == 0u {
+        if trajectory.contact == CONTACT_FREE && is_quiet(trajectory.point) {
+            observer.stage = STAGE_QUIET;
+            return;
+        }
+        recurrence_at_strobe(state, SETTLED, false);
+        if recurrence_holds_for(select(SETTLING, SETTLING_AT_REST, observer.recurrence.worst <= AT_REST)) {
+            let needed = max(SETTLED_OBSERVATION, 4u * observer.recurrence.n);
+            observer_begin_observation(min(needed, schedule.observe));
+            return;
+        }
+    }
+    if observer.periods >= schedule.transient {
+        observer_begin_observation(schedule.observe);
+    }
+}
+
+fn observer_begin_observation(observe: u32) {
+    observer.stage = STAGE_OBSERVATION;
+    observer.observe = observe;
+    observer.observed = 0u;
+    observer.impacts = 0u;
+    observer.peak = 0.0;
+    observer.stuck = 0u;
+    observer.loss = loss_none(trajectory.contact);
+    tangent = tangent_seed();
+    if trajectory.contact != CONTACT_FREE {
+        // While a mass rests on a stop, deviations along the contact are zero.
+        tangent = tangent_caught(tangent, trajectory.contact);
+    }
+    observer.recurrence = recurrence_anchored(trajectory.point.state);
+    observer.exponent = exponent_over(observe);
+    observer.spread = spread_about(trajectory.point);
+    observer.grown = 0.0;
+}
+
+fn observer_observe(state: State) {
+    observer.observed = observer.observed + 1u;
+    let half = observer.observe / 2u;
+    let growth = exponent_at_strobe();
+    recurrence_at_strobe(state, RETURNED, observer.observed >= half);
+    observer.grown = select(observer.grown + growth, 0.0, observer.recurrence.since == 0u);
+    if observer.observed <= 2u * half {
+        spread_at_strobe(trajectory.point, observer.observed > half);
+    }
+    if observer.observed < observer.observe {
+        return;
+    }
+    if observer.observe < schedule.observe && !recurrence_holds_for(observer_proof()) {
+        // It had not settled after all: the observation is discarded and the transient goes on.
+        observer.recurrence = recurrence_anchored(state);
+        observer.stage = STAGE_TRANSIENT;
+        if observer.periods >= schedule.transient {
+            observer_begin_observation(schedule.observe);
+        }
+    } else {
+        observer.stage = STAGE_OBSERVED;
+    }
+}
+
+fn observer_proof() -> u32 {
+    return min(observer.observe / 4u, SETTLING);
+}

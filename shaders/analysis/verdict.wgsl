@@ -1,0 +1,122 @@
+// What an observed trajectory settled on.
+
+struct Verdict {
+    regime: u32,
+    n: u32,
+    symmetric: u32,
+    lyapunov: f32,
+    impacts_per_stop: array<u32, MOST>,
+    state: array<f32, 8>,
+    impacts: u32,
+    impacts_total: u32,
+    peak_impact_velocity: f32,
+    periods: u32,
+    returning: u32,
+    observed: u32,
+    power: f32,
+    contact: f32,
+}
+
+// Whether what returns is a motion that was reached: nearby trajectories do not leave it.
+fn observer_is_settled() -> bool {
+    return recurrence_is_settled() && observer.grown <= NEUTRAL_GROWTH;
+}
+
+// Whether the state began to return only within the observation.
+fn observer_is_late() -> bool {
+    return observer.recurrence.since < observer.observed;
+}
+
+fn observer_regime() -> u32 {
+    if observer.stage == STAGE_FAILED {
+        return REGIME_FAILED;
+    }
+    if observer.stage == STAGE_QUIET || (observer.impacts == 0u && observer.stuck == 0u) {
+        return REGIME_NO_IMPACT;
+    }
+    let returns = recurrence_holds_for(observer_proof());
+    var impacts = 0u;
+    //: each stop
+    impacts = max(impacts, observer.recurrence.impacts[$k]);
+    //: end
+    if returns && impacts == 0u && observer.stuck == 0u {
+        return REGIME_NO_IMPACT;
+    }
+    if returns && observer_is_settled() {
+        return select(REGIME_PERIODIC, REGIME_PERIODIC_STICKING, observer.stuck == 1u);
+    }
+    if observer.stuck == 1u && !returns {
+        return REGIME_APERIODIC_STICKING;
+    }
+    if observer.exponent.batches == 0u {
+        return REGIME_UNRESOLVED;
+    }
+    let growth = observer.exponent.sum;
+    let significant = exponent_per_period() > SIGNIFICANCE * exponent_standard_error();
+    if growth > CHAOTIC_GROWTH && significant && observer.stuck == 0u {
+        return REGIME_CHAOTIC;
+    }
+    if returns {
+        return REGIME_UNRESOLVED;
+    }
+    if abs(growth) < NEUTRAL_GROWTH && spread_is_stationary(observer.observe / 2u) {
+        return REGIME_QUASI_PERIODIC;
+    }
+    return REGIME_UNRESOLVED;
+}
+
+// The state that is reported: where the trajectory ends, or the forced response that motion decays onto.
+fn observer_state(regime: u32) -> State {
+    if regime == REGIME_NO_IMPACT && observer.stage == STAGE_QUIET && flight.quiet_decays == 1u {
+        return flight.quiet_forced;
+    }
+    return trajectory.point.state;
+}
+
+fn observer_verdict() -> Verdict {
+    let regime = observer_regime();
+    let periodic = regime == REGIME_PERIODIC || regime == REGIME_PERIODIC_STICKING;
+    var lyapunov = NOT_MEASURED;
+    if regime == REGIME_NO_IMPACT {
+        lyapunov = flight.linear_exponent;
+    } else if regime != REGIME_FAILED && observer.exponent.batches > 0u {
+        lyapunov = exponent_per_period();
+        if periodic && observer_is_late() {
+            lyapunov = observer.grown / f32(observer.recurrence.since);
+        }
+    }
+    let may_return = regime != REGIME_NO_IMPACT && regime != REGIME_FAILED;
+    let in_question = !periodic || observer_is_late();
+    let returning = may_return && in_question && recurrence_holds_for(0u);
+    let symmetric = periodic && observer.recurrence.n % 2u == 1u && observer.recurrence.symmetric == 1u;
+    var impacts_per_stop = array<u32, MOST>();
+    //: each stop
+    impacts_per_stop[$k] = select(0u, observer.recurrence.impacts[$k], periodic);
+    //: end
+    var power = 0.0;
+    var contact = 0.0;
+    if observer.stage == STAGE_FAILED {
+        power = NOT_MEASURED;
+        contact = NOT_MEASURED;
+    } else if observer.stage == STAGE_OBSERVED {
+        let time = f32(observer.observed) * (f32(flight.steps) * flight.h);
+        power = observer.loss.energy / time;
+        contact = observer.loss.rested / time;
+    }
+    return Verdict(
+        regime,
+        select(0u, observer.recurrence.n, periodic),
+        select(0u, 1u, symmetric),
+        lyapunov,
+        impacts_per_stop,
+        state_values(observer_state(regime)),
+        observer.impacts,
+        observer.impacts_total,
+        observer.peak,
+        observer.periods,
+        select(0u, observer.recurrence.n, returning),
+        select(0u, observer.observed, observer.stage == STAGE_OBSERVED),
+        power,
+        contact,
+    );
+}

@@ -1,0 +1,116 @@
+// What became of a controlled trajectory.
+
+struct Outcome {
+    verdict: Verdict,
+    period: u32,
+    iterates: u32,
+    converged_at: u32,
+    signal: f32,
+    runaway: u32,
+    escapes: u32,
+    effort: f32,
+}
+
+fn controlled_outcome() -> Outcome {
+    var iterates = 0u;
+    if controlled.iterates > control_schedule.start {
+        iterates = controlled.iterates - control_schedule.start;
+    }
+    var period = 0u;
+    if controlled.progress == PROGRESS_DONE {
+        period = memory_period(min(iterates / 4u, CONTROL_SETTLING));
+    }
+    var n = 0u;
+    var impacts = vec4(0u);
+    var point = memory.points[0];
+    var converged_at = NEVER;
+    if period > 0u {
+        n = memory_periods(period);
+        impacts = memory_impacts(period);
+        point = memory_hardest(period);
+        let since = memory.returning[period - 1u];
+        converged_at = select(0u, since - control_schedule.start, since > control_schedule.start);
+    }
+    let symmetric = period > 0u && n % 2u == 1u && controlled_is_symmetric(period, impacts);
+    var lyapunov = NOT_MEASURED;
+    let measured =
+        observer.exponent.batches > 0u && controlled.erased == 0u && controlled.observed_turns > 0.0;
+    if measured {
+        let periods = controlled.observed_turns / f32(controlled.observed);
+        lyapunov = exponent_per_period() / periods;
+    }
+    var effort = 0.0;
+    if iterates > 0u {
+        effort = controlled.effort / f32(iterates);
+    }
+    return Outcome(
+        Verdict(
+            controlled_regime(period),
+            n,
+            select(0u, 1u, symmetric),
+            lyapunov,
+            array<u32, MOST>(impacts.x, impacts.y, impacts.z, impacts.w),
+            section_values(point),
+            controlled.impacts,
+            controlled.impacts_total,
+            controlled.peak,
+            controlled.periods,
+            0u,
+            0u,
+            0.0,
+            0.0,
+        ),
+        period,
+        controlled.iterates,
+        converged_at,
+        controlled.signal,
+        select(0u, 1u, controlled.progress == PROGRESS_RUNAWAY),
+        controlled.escapes,
+        effort,
+    );
+}
+
+fn controlled_is_symmetric(period: u32, impacts: vec4<u32>) -> bool {
+    var symmetric = false;
+    for (var i = 0u; i < period; i++) {
+        symmetric = symmetric || section_distance(memory.points[i], controlled.mirrored) <= RETURNED;
+    }
+    //: each stop
+    symmetric = symmetric && control.mirror[$k] < MOST && impacts[$k] == impacts[control.mirror[$k]];
+    //: end
+    return symmetric;
+}
+
+// Whether a mass rested on a stop in the last so many iterates.
+fn controlled_has_stuck_for(iterates: u32) -> bool {
+    return controlled.stuck > 0u && controlled.stuck + iterates > controlled.iterates;
+}
+
+fn controlled_regime(period: u32) -> u32 {
+    if controlled.progress == PROGRESS_FAILED {
+        return REGIME_FAILED;
+    }
+    if controlled.progress == PROGRESS_LOST && all(controlled.at_stops == vec4(0u)) {
+        return REGIME_NO_IMPACT;
+    }
+    if controlled.progress != PROGRESS_DONE {
+        return REGIME_UNRESOLVED;
+    }
+    if period > 0u {
+        return select(REGIME_PERIODIC, REGIME_PERIODIC_STICKING, controlled_has_stuck_for(period));
+    }
+    if controlled_has_stuck_for(controlled.observed) {
+        return REGIME_APERIODIC_STICKING;
+    }
+    if observer.exponent.batches == 0u || controlled.erased == 1u {
+        return REGIME_UNRESOLVED;
+    }
+    let growth = observer.exponent.sum;
+    if growth > CHAOTIC_GROWTH && exponent_per_period() > SIGNIFICANCE * exponent_standard_error() {
+        return REGIME_CHAOTIC;
+    }
+    if abs(growth) < NEUTRAL_GROWTH && spread_is_stationary(controlled.observed / 2u) {
+        return REGIME_QUASI_PERIODIC;
+    }
+    return REGIME_UNRESOLVED;
+}

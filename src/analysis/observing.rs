@@ -1,0 +1,157 @@
+//! What is noted of a trajectory: its impacts, and at every strobe whether the transient or the observation ends.
+
+use super::exponent::Exponent;
+use super::loss::Loss;
+use super::observer::Observer;
+use super::quiet::is_quiet;
+use super::recurrence::Recurrence;
+use super::schedule::Schedule;
+use super::spread::Spread;
+use super::stage::Stage;
+use crate::dynamics::{Event, Move, Stop, Tangent, Variation};
+use crate::model::{Flight, Real};
+
+/// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
+/// one that is called symmetric; absolute for states of order one and less, relative above. Both back ends use it.
+pub const RETURNED: f64 = 1e-4;
+/// Periods for which a trajectory must have returned, in the transient, before it finishes early.
+pub const SETTLING: u32 = 64;
+/// The same for a trajectory that returns far closer still, to [`Real::AT_REST`].
+pub const SETTLING_AT_REST: u32 = 16;
+/// Periods for which a settled trajectory is still observed.
+pub const SETTLED_OBSERVATION: u32 = 48;
+
+impl<T: Real, const N: usize> Observer<T, N> {
+    #[inline(always)]
+    pub(super) fn note(&mut self, flight: &Flight<T, N>, schedule: &Schedule, taken: &Move<T>) {
+        self.moves.add();
+        if !taken.contact.is_free() {
+            self.stuck = true;
+        }
+        match taken.event {
+            Event::Flight | Event::StepEnd | Event::Released(_) => {}
+            Event::Impact(impact) => self.impact(impact.stop, impact.velocity_before, false),
+            Event::Caught { impact, complete_chatter, beside } => {
+                self.stuck = true;
+                if impact.velocity_before != T::zero() {
+                    self.impact(impact.stop, impact.velocity_before, complete_chatter);
+                }
+                for stop in beside.stops(flight) {
+                    self.recurrence.count(stop, true);
+                }
+            }
+            Event::HalfPeriod => {
+                if self.stage == Stage::Observation {
+                    self.recurrence.at_half_period(flight, &self.trajectory.point, T::of(RETURNED));
+                }
+            }
+            Event::Strobe => self.strobe(flight, schedule),
+        }
+        if self.moves.are_too_many() {
+            self.stage = Stage::Failed;
+        }
+    }
+
+    #[inline(always)]
+    fn impact(&mut self, stop: Stop, velocity: T, complete_chatter: bool) {
+        self.recurrence.count(stop, complete_chatter);
+        self.impacts += 1;
+        self.impacts_total = self.impacts_total.saturating_add(1);
+        let speed = velocity.abs();
+        self.peak = if speed > self.peak { speed } else { self.peak };
+    }
+
+    #[inline(always)]
+    fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
+        let point = self.trajectory.point;
+        self.moves.pass_period();
+        self.periods += 1;
+        if !point.state.is_finite() {
+            self.stage = Stage::Failed;
+            return;
+        }
+        for (k, normal) in flight.normals().iter().enumerate() {
+            if self.trajectory.contact.is_clamped_along(k) {
+                self.recurrence.count(Stop(normal.stop[0]), true);
+                self.recurrence.count(Stop(normal.stop[1]), true);
+            }
+        }
+        if self.stage == Stage::Transient {
+            self.settle(flight, schedule);
+        } else {
+            self.observe(flight, schedule);
+        }
+    }
+
+    /// A strobe of the transient: may it end here?
+    #[inline(always)]
+    fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
+        let point = self.trajectory.point;
+        if !schedule.fixed_periods {
+            if self.trajectory.contact.is_free() && is_quiet(flight, &point) {
+                self.stage = Stage::Quiet;
+                return;
+            }
+            self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period, false);
+            let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
+            if self.recurrence.holds_for(if at_rest { SETTLING_AT_REST } else { SETTLING }) {
+                let needed = SETTLED_OBSERVATION.max(4 * self.recurrence.n);
+                self.begin_observation(flight, needed.min(schedule.observe));
+                return;
+            }
+        }
+        if self.periods >= schedule.transient {
+            self.begin_observation(flight, schedule.observe);
+        }
+    }
+
+    pub(super) fn begin_observation(&mut self, flight: &Flight<T, N>, observe: u32) {
+        let point = self.trajectory.point;
+        self.stage = Stage::Observation;
+        self.observe = observe;
+        self.observed = 0;
+        self.impacts = 0;
+        self.peak = T::zero();
+        self.stuck = false;
+        self.loss = Loss::none(!self.trajectory.contact.is_free());
+        // While a mass rests on a stop, deviations along the contact are zero.
+        self.tangent = Tangent::seed().caught(flight, self.trajectory.contact);
+        self.recurrence = Recurrence::anchored(point.state);
+        self.exponent = Exponent::over(observe);
+        self.spread = Spread::about(&point);
+        self.grown = T::zero();
+    }
+
+    /// A strobe of the observation.
+    #[inline(always)]
+    fn observe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
+        let point = self.trajectory.point;
+        self.observed += 1;
+        let half = self.observe / 2;
+        let growth = self.exponent.at_strobe(&mut self.tangent);
+        self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period, self.observed >= half);
+        self.grown = if self.recurrence.since == 0 { T::zero() } else { self.grown + growth };
+        if self.observed <= 2 * half {
+            self.spread.at_strobe(&point, self.observed > half);
+        }
+        if self.observed < self.observe {
+            return;
+        }
+        let early = self.observe < schedule.observe;
+        if early && !self.recurrence.holds_for(self.proof()) {
+            // It had not settled after all: the observation is discarded and the transient goes on.
+            self.recurrence = Recurrence::anchored(point.state);
+            self.stage = Stage::Transient;
+            if self.periods >= schedule.transient {
+                self.begin_observation(flight, schedule.observe);
+            }
+        } else {
+            self.stage = Stage::Observed;
+        }
+    }
+
+    /// Periods for which the state must have kept returning when the observation ends.
+    pub(super) fn proof(&self) -> u32 {
+        (self.observe / 4).min(SETTLING)
+    }
+}

@@ -1,0 +1,20 @@
+//! Why a back end gave no results.
+
+use thiserror::Error;
+
+/// Why a back end gave no verdicts.
+#[derive(Debug, Error)]
+pub enum BackendError {
+    /// The watch asked to stop.
+    #[error("interrupted")]
+    Cancelled,
+    /// No adapter is there, or none that matches.
+    #[error("{0}")]
+    NoAdapter(String),
+    /// The back end does not have what is asked for.
+    #[error("{0}")]
+    Unsupported(String),
+    /// The device failed: lost, out of memory, or a refused shader.
+    #[error("the GPU could not finish: {0}")]
+    Device(String),
+}

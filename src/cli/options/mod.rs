@@ -1,0 +1,13 @@
+//! Options that several subcommands share, and what becomes of them once they are checked.
+
+mod axes;
+mod backend;
+mod overwrite;
+mod plane;
+mod system;
+
+pub use axes::AxesArgs;
+pub use backend::{BackendArgs, BackendName};
+pub use overwrite::OverwriteArgs;
+pub use plane::PlaneArgs;
+pub use system::{SystemArgs, start_state};

@@ -1,0 +1,114 @@
+//! A plane, and how long its cells run.
+
+use clap::Args;
+use impact_atlas::analysis::Schedule;
+use impact_atlas::control::ControlSchedule;
+use impact_atlas::plane::{ControlPlane, Plane, Quantity};
+
+use super::axes::{AxesArgs, default_start, with_cells};
+use crate::cli::method::MethodArgs;
+use crate::cli::method_name::MethodName;
+use crate::cli::values::count;
+use crate::cli::{CliError, defaults};
+
+/// A plane and how long its cells run.
+#[derive(Debug, Args)]
+pub struct PlaneArgs {
+    #[command(flatten)]
+    axes: AxesArgs,
+
+    /// Forcing periods before the observation
+    ///
+    /// Where the verdict is in doubt a cell goes on. Chaos may be transient: it runs up to 320 periods more. What is still
+    /// undecided or neutral runs eight times as long and is observed four times as long: beside a Neimark-Sacker curve
+    /// spirals are slow. What returns without having settled is held against the exact motion beside it.
+    /// [default: 300]
+    #[arg(long, value_parser = count, value_name = "P")]
+    transient: Option<u32>,
+
+    /// Forcing periods of the observation [default: 150]
+    #[arg(long, value_parser = count, value_name = "P")]
+    observe: Option<u32>,
+
+    /// Largest N looked for in N-p-q [default: 32]; under control, most iterates in one period [default: 8]
+    ///
+    /// A motion with a longer period has none: it is quasi-periodic, chaotic or unresolved. Under control at most 32, on the GPU 8.
+    #[arg(long, value_parser = count, value_name = "N")]
+    pub max_period: Option<u32>,
+
+    /// Every cell runs transient + observe periods, settled or not
+    #[arg(long)]
+    fixed_periods: bool,
+}
+
+impl PlaneArgs {
+    /// The checked plane.
+    pub fn plane(&self) -> Result<Plane, CliError> {
+        self.axes.plane(self.schedule())
+    }
+
+    /// A plane that was computed before, with what is given in place of its own.
+    pub fn again(&self, plane: &Plane) -> Result<Plane, CliError> {
+        let own = plane.schedule;
+        let schedule = Schedule {
+            transient: self.transient.unwrap_or(own.transient),
+            observe: self.observe.unwrap_or(own.observe),
+            max_period: self.max_period.unwrap_or(own.max_period),
+            fixed_periods: self.fixed_periods || own.fixed_periods,
+        };
+        self.axes.again(plane, schedule)
+    }
+
+    /// The checked plane under control.
+    pub fn control_plane(
+        &self,
+        method: MethodName,
+        settings: &MethodArgs,
+        iterates: ControlSchedule,
+    ) -> Result<ControlPlane, CliError> {
+        let [x, y] = self.axes.axes()?;
+        let axes = [("--x", x), ("--y", y)];
+        let varied = axes.map(|(option, axis)| (format!("{option} {axis} varies"), axis.quantity));
+        settings.refuse_replaced(method, &varied)?;
+        for (option, axis) in axes {
+            self.axes.system.check_beside(option, &axis.to_string(), axis.quantity)?;
+        }
+        let (system, set) = self.axes.system.split()?;
+        let parameters = system.parameters(&axes)?;
+        let first = [x, y].iter().fold(parameters, |setting, axis| match axis.quantity {
+            Quantity::Parameter(parameter) => setting.with(parameter, axis.first),
+            Quantity::Start(_) | Quantity::Control(_) => setting,
+        });
+        let plane = ControlPlane {
+            x,
+            y,
+            parameters,
+            start: self.axes.start.unwrap_or_else(|| default_start(&[x, y])),
+            control: settings.scheme(method, &set, &first)?,
+            iterates,
+        };
+        plane.check().map_err(CliError::input)?;
+        Ok(plane)
+    }
+
+    /// The plane under control with as many cells as [`AxesArgs::plane_of`] gives it.
+    pub fn resized(&self, plane: ControlPlane, cells: Option<u32>, default: u32) -> ControlPlane {
+        let Some(cells) = self.axes.cells(cells, default) else { return plane };
+        let [x, y] = with_cells([plane.x, plane.y], cells);
+        ControlPlane { x, y, ..plane }
+    }
+
+    /// See [`AxesArgs::plane_of`].
+    pub fn plane_of(&self, cells: Option<u32>, default: u32) -> Result<Plane, CliError> {
+        self.axes.plane_of(self.schedule(), cells, default)
+    }
+
+    fn schedule(&self) -> Schedule {
+        Schedule {
+            transient: self.transient.unwrap_or(defaults::TRANSIENT),
+            observe: self.observe.unwrap_or(defaults::OBSERVE),
+            max_period: self.max_period.unwrap_or(defaults::MAX_PERIOD),
+            fixed_periods: self.fixed_periods,
+        }
+    }
+}

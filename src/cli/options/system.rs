@@ -1,0 +1,165 @@
+//! The system and its fixed parameters.
+
+use anyhow::anyhow;
+use clap::Args;
+use impact_atlas::model::{Parameter, Setting, StateVector, System};
+use impact_atlas::plane::{Axis, Plane, Quantity, Start};
+use impact_atlas::system::Family;
+use impact_atlas::theory::symmetric_start;
+
+use crate::cli::system::{Chosen, parse_system};
+use crate::cli::values::Assignment;
+use crate::cli::{CliError, defaults, note};
+
+/// The system and its fixed parameters.
+#[derive(Clone, Debug, Args)]
+pub struct SystemArgs {
+    /// The system: one that comes with the program (see `impact-atlas systems`), or a file that describes one
+    ///
+    /// With --help beside it, its parameters, stops and labels are listed below.
+    /// [default: luo-ma-lv]
+    #[arg(long = "system", value_name = "NAME|FILE", value_parser = parse_system)]
+    family: Option<Chosen>,
+
+    /// Sets a parameter of the system; may be given for each of them
+    ///
+    /// Those not given have the system's defaults; the paper's are omega=3.7, delta=0.1, zeta=0.1, r=0.8,
+    /// mu_m=mu_k=mu_c=0.5, f20=0. Under control it sets what the method has, too: gain, delay; amplitude, alpha, dead_band,
+    /// gamma, phase; period, noise; target_v1 … target_vn, target_x1 … target_xn, target_tau.
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    assignments: Vec<String>,
+}
+
+impl SystemArgs {
+    /// The family of the system.
+    pub fn family(&self) -> &'static Family {
+        self.family.map_or_else(|| Family::builtin(defaults::SYSTEM), |chosen| chosen.0)
+    }
+
+    /// The same options for the system of a plane that was computed before.
+    pub(super) fn of_family_of(&self, plane: &Plane) -> Result<SystemArgs, CliError> {
+        let family = plane.parameters.family();
+        if self.family.is_some_and(|chosen| chosen.0.hash() != family.hash()) {
+            return Err(CliError::Input(anyhow!(
+                "the plane of --from is of the system {}: drop --system, or --from",
+                family.origin()
+            )));
+        }
+        Ok(SystemArgs { family: Some(Chosen(family)), assignments: self.assignments.clone() })
+    }
+
+    /// An axis of the system, given as `option`.
+    pub fn axis(&self, option: &str, text: &str) -> Result<Axis, CliError> {
+        Axis::of_family(text, self.family()).map_err(|error| invalid(text, option, error))
+    }
+
+    /// What an option names by the words of the system: a section, a quantity, a panel, a label.
+    pub fn named<T, E>(
+        &self,
+        option: &str,
+        text: &str,
+        read: impl Fn(&str, &'static Family) -> Result<T, E>,
+    ) -> Result<T, CliError>
+    where
+        E: std::error::Error + Send + Sync + 'static,
+    {
+        read(text, self.family()).map_err(|error| invalid(text, option, error))
+    }
+
+    /// The parameters as set; those of `axes` are left to the axes.
+    pub fn parameters(&self, axes: &[(&str, Axis)]) -> Result<Setting, CliError> {
+        for (option, axis) in axes {
+            self.check_beside(option, &axis.to_string(), axis.quantity)?;
+        }
+        self.assigned()
+    }
+
+    /// The parameters as set; the quantity that `axis`, given as `option`, varies is left to it.
+    pub fn parameters_beside(
+        &self,
+        option: &str,
+        axis: &str,
+        quantity: Quantity,
+    ) -> Result<Setting, CliError> {
+        self.check_beside(option, axis, quantity)?;
+        self.assigned()
+    }
+
+    fn assignments(&self) -> Result<Vec<Assignment>, CliError> {
+        let read = |text: &String| {
+            Assignment::of_family(text, self.family())
+                .map_err(|error| invalid(text, "--set <NAME=VALUE>", error))
+        };
+        self.assignments.iter().map(read).collect()
+    }
+
+    pub(super) fn check_beside(&self, option: &str, axis: &str, quantity: Quantity) -> Result<(), CliError> {
+        match self.assignments()?.iter().find(|set| set.quantity == quantity) {
+            Some(set) => Err(CliError::Input(anyhow!(
+                "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
+                quantity.name()
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// The parameters of the system alone, and the settings of a control method that were set beside them.
+    pub fn split(&self) -> Result<(SystemArgs, Vec<Assignment>), CliError> {
+        let of_method = |set: &Assignment| matches!(set.quantity, Quantity::Control(_));
+        let all = self.assignments()?;
+        let texts = self.assignments.iter().zip(&all).filter(|(_, set)| !of_method(set));
+        let assignments = texts.map(|(text, _)| text.clone()).collect();
+        let settings = all.iter().copied().filter(of_method).collect();
+        Ok((SystemArgs { family: self.family, assignments }, settings))
+    }
+
+    fn assigned(&self) -> Result<Setting, CliError> {
+        self.assigned_to(Setting::defaults(self.family()))
+    }
+
+    /// A setting with what is assigned in place of its own values.
+    pub(super) fn assigned_to(&self, mut setting: Setting) -> Result<Setting, CliError> {
+        let assignments = self.assignments()?;
+        for (i, set) in assignments.iter().enumerate() {
+            if let Some(other) = assignments[..i].iter().find(|other| other.quantity == set.quantity) {
+                return Err(CliError::Input(anyhow!(
+                    "{} is set twice, by --set {other} and --set {set}: drop one of the two",
+                    set.quantity.name()
+                )));
+            }
+            let Quantity::Parameter(parameter) = set.quantity else {
+                let known: Vec<&str> = Parameter::all(self.family()).map(Parameter::name).collect();
+                return Err(CliError::Input(anyhow!(
+                    "--set {set} has no effect without control: {} is a setting of a control method (see `control` \
+                     and `map --control`); the parameters are {}",
+                    set.quantity.name(),
+                    known.join(", ")
+                )));
+            };
+            setting = setting.with(parameter, set.value);
+        }
+        Ok(setting)
+    }
+
+    /// The system, with a start that lies between its stops.
+    pub fn system_and_start(&self, start: Start) -> Result<(System, StateVector), CliError> {
+        let system = System::new(self.parameters(&[])?).map_err(CliError::input)?;
+        start.check(system.plant(), self.family()).map_err(CliError::input)?;
+        let state = start_state(&system, start);
+        Ok((system, state))
+    }
+}
+
+/// An option whose value cannot be used.
+fn invalid(text: &str, option: &str, error: impl std::error::Error + Send + Sync + 'static) -> CliError {
+    CliError::Input(anyhow!("invalid value '{text}' for '{option}': {:#}", anyhow::Error::new(error)))
+}
+
+/// The state that a start means for a system, which is told where it is not the one named.
+pub fn start_state(system: &System, start: Start) -> StateVector {
+    let is_sought = system.mirror().is_some() && system.plant().stops.len() == 2;
+    if start == Start::Symmetric && is_sought && symmetric_start(system).is_none() {
+        note("there is no physical symmetric 1-1-1 motion here: starting from rest");
+    }
+    start.state(system)
+}

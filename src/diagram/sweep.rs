@@ -1,0 +1,105 @@
+//! How the columns of a diagram begin.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use super::error::DiagramError;
+use crate::plane::{Start, StartError};
+
+/// How the columns of a diagram begin.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(into = "String", try_from = "String")]
+pub enum Sweep {
+    /// Every column by itself, from the same kind of start.
+    Each(Start),
+    /// With falling values, each column where the one before it ended.
+    Down,
+    /// With rising values, each column where the one before it ended.
+    Up,
+    /// Once down and once up.
+    Both,
+}
+
+impl Sweep {
+    /// The branches that the sweep gives.
+    pub fn branches(self) -> &'static [Direction] {
+        match self {
+            Sweep::Each(_) => &[Direction::Each],
+            Sweep::Down => &[Direction::Down],
+            Sweep::Up => &[Direction::Up],
+            Sweep::Both => &[Direction::Down, Direction::Up],
+        }
+    }
+
+    /// Whether the state is carried from column to column.
+    pub fn is_carried(self) -> bool {
+        !matches!(self, Sweep::Each(_))
+    }
+}
+
+impl fmt::Display for Sweep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Sweep::Each(start) => start.fmt(f),
+            Sweep::Down => f.write_str("down"),
+            Sweep::Up => f.write_str("up"),
+            Sweep::Both => f.write_str("both"),
+        }
+    }
+}
+
+impl FromStr for Sweep {
+    type Err = DiagramError;
+
+    fn from_str(text: &str) -> Result<Self, DiagramError> {
+        match text {
+            "down" => Ok(Sweep::Down),
+            "up" => Ok(Sweep::Up),
+            "both" => Ok(Sweep::Both),
+            text => match text.parse() {
+                Ok(start) => Ok(Sweep::Each(start)),
+                Err(StartError::Malformed(_)) => Err(DiagramError::Sweep(text.to_owned())),
+                Err(error) => Err(error.into()),
+            },
+        }
+    }
+}
+
+impl From<Sweep> for String {
+    fn from(sweep: Sweep) -> String {
+        sweep.to_string()
+    }
+}
+
+impl TryFrom<String> for Sweep {
+    type Error = DiagramError;
+
+    fn try_from(text: String) -> Result<Self, DiagramError> {
+        text.parse()
+    }
+}
+
+/// How the columns of a branch follow each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Direction {
+    /// They do not: each begins by itself.
+    Each,
+    /// With falling values of the axis.
+    Down,
+    /// With rising values of the axis.
+    Up,
+}
+
+impl Direction {
+    /// The name used in files, in keys and on the terminal.
+    pub fn name(self) -> &'static str {
+        match self {
+            Direction::Each => "each",
+            Direction::Down => "down",
+            Direction::Up => "up",
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! A line along which one stop, or two that face each other, are met.
+
+use nalgebra::SVector;
+
+use super::equations::{Equations, Normal};
+use super::flow::{self, Augmented, Functional, mechanical};
+use super::forced::{ForcedResponse, Trap};
+use super::real::Real;
+use super::state::State;
+
+/// What a contact normal is to a trajectory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactNormal<T, const N: usize> {
+    /// d.
+    pub direction: [T; N],
+    /// M⁻¹d/(dᵀM⁻¹d): an impact that changes d·v by 1 changes v by this.
+    pub response: [T; N],
+    /// 1/(dᵀM⁻¹d), the mass that an impact moves.
+    pub mass: T,
+    /// The gaps at the upper and the lower end: stops where d·x and where −d·x meets them. [`FAR`] where there is none.
+    pub gap: [T; 2],
+    /// Coefficients of restitution at the ends.
+    pub restitution: [T; 2],
+    /// Which of the plant's stops are at the ends.
+    pub stop: [u8; 2],
+    /// |(d·x)''''| ≤ bound_x·|x| + bound_v·|v| + bound_forcing within one step, in free flight and in any contact; the
+    /// same bounds the second derivative of what presses on this contact.
+    pub bound_x: [T; N],
+    /// See `bound_x`.
+    pub bound_v: [T; N],
+    /// See `bound_x`.
+    pub bound_forcing: T,
+    /// What a change of d·v by 1 has become a time s later: Σ kickₖ (s/h)ᵏ, 0 ≤ s ≤ h.
+    pub kick: [State<T, N>; KICK_TERMS],
+    /// How fast damping alone takes speed along the normal: −d·(−M⁻¹C)·response.
+    pub drag: T,
+    /// A bound on what ∫ gap dt of skipped rebounds does to the masses, per unit of it.
+    pub coupling: T,
+    /// The farthest that the forced response goes towards either end; [`FAR`] where there is none.
+    pub reach: [T; 2],
+    /// The farthest |d·x| of a deviation from it, per square root of the trap's form.
+    pub stretch: T,
+}
+
+/// Terms of the polynomial [`ContactNormal::kick`].
+pub const KICK_TERMS: usize = 18;
+
+/// What stands for a stop where a normal has none.
+pub const NO_STOP: u8 = u8::MAX;
+
+/// A length, a time or an amplitude beyond all others, and finite in either precision.
+pub const FAR: f64 = 1e30;
+
+impl<T: Copy, const N: usize> ContactNormal<T, N> {
+    pub(super) fn blank(zero: T) -> Self {
+        let vector = [zero; N];
+        ContactNormal {
+            direction: vector,
+            response: vector,
+            mass: zero,
+            gap: [zero; 2],
+            restitution: [zero; 2],
+            stop: [0; 2],
+            bound_x: vector,
+            bound_v: vector,
+            bound_forcing: zero,
+            kick: [State { x: vector, v: vector }; KICK_TERMS],
+            drag: zero,
+            coupling: zero,
+            reach: [zero; 2],
+            stretch: zero,
+        }
+    }
+}
+
+impl<const N: usize> ContactNormal<f64, N> {
+    pub(super) fn none() -> Self {
+        ContactNormal { gap: [FAR; 2], reach: [FAR; 2], ..ContactNormal::blank(0.0) }
+    }
+
+    pub(super) fn round<T: Real>(&self) -> ContactNormal<T, N> {
+        ContactNormal {
+            direction: self.direction.map(T::of),
+            response: self.response.map(T::of),
+            mass: T::of(self.mass),
+            gap: self.gap.map(T::of),
+            restitution: self.restitution.map(T::of),
+            stop: self.stop,
+            bound_x: self.bound_x.map(T::of),
+            bound_v: self.bound_v.map(T::of),
+            bound_forcing: T::of(self.bound_forcing),
+            kick: self.kick.map(|term| term.map(T::of)),
+            drag: T::of(self.drag),
+            coupling: T::of(self.coupling),
+            reach: self.reach.map(|reach| T::of(reach.min(FAR))),
+            stretch: T::of(self.stretch),
+        }
+    }
+}
+
+pub(super) fn contact_normal<const N: usize>(
+    equations: &Equations<N>,
+    normal: &Normal<N>,
+    k: usize,
+    h: f64,
+    response: Option<&ForcedResponse<N>>,
+    trap: Option<&Trap<N>>,
+) -> ContactNormal<f64, N> {
+    let unit = Augmented { v: normal.response, ..Augmented::zeros() };
+    let mut terms = flow::series(equations, h, unit);
+    let bound = bound(equations, k, h);
+    let damped = equations.damping * normal.response;
+    let rest = |v: SVector<f64, N>| v - normal.response * normal.direction.dot(&v);
+    // What ∫ gap dt does: damper and spring act on the masses that the contact leaves free.
+    let push = rest(damped);
+    let pull = rest(equations.stiffness * normal.response + equations.damping * push);
+    let end = |side: usize| normal.ends[side];
+    ContactNormal {
+        direction: normal.direction.into(),
+        response: normal.response.into(),
+        mass: normal.mass,
+        gap: [0, 1].map(|side| end(side).map_or(FAR, |end| end.gap)),
+        restitution: [0, 1].map(|side| end(side).map_or(0.0, |end| end.restitution)),
+        stop: [0, 1].map(|side| end(side).map_or(NO_STOP, |end| end.stop as u8)),
+        bound_x: bound.x.into(),
+        bound_v: bound.v.into(),
+        bound_forcing: bound.sin.hypot(bound.cos) + bound.one,
+        kick: std::array::from_fn(|_| terms.next().map_or(State::zero(), |term| mechanical(&term))),
+        drag: -normal.direction.dot(&damped),
+        coupling: push.norm() + pull.norm(),
+        reach: [normal.direction, -normal.direction]
+            .map(|row| response.map_or(FAR, |response| response.largest(&row))),
+        stretch: trap.map_or(0.0, |trap| trap.stretch(&normal.direction)),
+    }
+}
+
+/// See [`ContactNormal::bound_x`]: the larger of what free flight and every set of contacts need.
+pub(super) fn bound<const N: usize>(equations: &Equations<N>, k: usize, h: f64) -> Functional<N> {
+    let mut largest: Option<Functional<N>> = None;
+    for held in 0..1u32 << equations.count {
+        let Some(pressing) = equations.pressing(held) else { continue };
+        let projector = equations.projector(&pressing);
+        let row = if held >> k & 1 == 1 {
+            // What presses on this contact.
+            (0..equations.count)
+                .fold(SVector::zeros(), |row, t| row + equations.normals[t].direction * pressing[(k, t)])
+        } else {
+            projector.tr_mul(&equations.normals[k].direction)
+        };
+        let acceleration = Functional::of_acceleration(equations, &row);
+        let bound = flow::second_derivative_bound(equations, &projector, &acceleration, h);
+        largest = Some(largest.map_or(bound, |largest| largest.sup(&bound)));
+    }
+    largest.expect("free flight has a bound")
+}

@@ -1,0 +1,149 @@
+//! The picture of a layer of numbers.
+
+use image::{Rgb, RgbImage};
+
+use crate::figure::{
+    Anchor, Bar, Canvas, Colour, Frame, INK, LeftOut, Palette, Picture, Placed, Point, Rect, Size, Text,
+    WIDTH, draw_samples,
+};
+use crate::plane::fields::{CELL_FIELDS, CellsError, Drawn, Layer, NOT_COMPUTED};
+use crate::render::axes::frame_of;
+use crate::render::curves::Overlay;
+use crate::render::regions::{PlanePicture, means, most};
+
+/// The lengths of the picture, in em.
+const MARGIN: f64 = 1.0;
+const TITLE_ROW: f64 = 1.4;
+const GAP: f64 = 1.3;
+/// What the bar, its labels and its words take at the right.
+const RIGHT: f64 = 9.5;
+/// The most lines of a title.
+const MOST_TITLE_LINES: usize = 3;
+
+/// Cells without a number, those whose number is minus infinity, and those that were not computed.
+pub const UNDEFINED: Colour = Rgb([0xd9, 0xd9, 0xd9]);
+pub const LOST: Colour = Rgb([0x8c, 0x8c, 0x8c]);
+const NOT_THERE: Colour = Rgb([0xff; 3]);
+
+/// Draws a layer of numbers, and curves over it.
+///
+/// # Errors
+/// What could not be read.
+///
+/// # Panics
+/// For the layer of motions.
+pub fn draw_numbers(of: &PlanePicture, overlay: Option<&Overlay>, size: Size) -> Result<Picture, CellsError> {
+    let Layer::Number { field, drawn, coordinate, .. } = of.layer else { panic!("motions have no numbers") };
+    let em = size.em();
+    let config = of.configuration().to_string();
+    let frame = frame_of(&of.plane());
+    let layout = Layout { of, frame: &frame };
+    let placed = layout.place(size);
+    let whole = Rect { x: 0.0, y: 0.0, width: f64::from(size.width()), height: f64::from(size.height()) };
+    let plot = placed.as_ref().map_or(whole, |(placed, _)| placed.plot);
+    let extent = [plot.width as u32, plot.height as u32];
+    let shown = Shown::of(of, drawn, extent)?;
+
+    let mut canvas = Canvas::new(size, &config);
+    canvas.image(plot, &shown.image(extent));
+    if let Some(overlay) = overlay {
+        overlay.draw(&mut canvas, plot, &frame, em);
+    }
+    let Some((placed, title)) = placed else {
+        let enough = size.enough(|size| layout.place(size).is_some());
+        let parts = if of.legend { vec!["the axes", "the colour bar"] } else { vec!["the axes"] };
+        return Ok(Picture::new(size, config, canvas.finish()).without(Some(LeftOut { parts, enough })));
+    };
+    frame.draw(&mut canvas, &placed, em);
+    for (row, line) in title.iter().enumerate() {
+        let at = Point { x: plot.x, y: (MARGIN + (row as f64 + 0.5) * TITLE_ROW) * em };
+        canvas.text(line, at, Anchor::Start, em, INK);
+    }
+    if of.legend {
+        let about = coordinate.map(|x| format!(" {}", x.name())).unwrap_or_default();
+        shown.draw_key(&mut canvas, plot, &format!("{}{about}", field.title), em);
+    }
+    Ok(Picture::new(size, config, canvas.finish()))
+}
+
+/// Where the axes go.
+struct Layout<'a> {
+    of: &'a PlanePicture<'a>,
+    frame: &'a Frame,
+}
+
+impl Layout<'_> {
+    /// The axes and the lines of the title; none where there is no room for axes.
+    fn place(&self, size: Size) -> Option<(Placed, Vec<Text>)> {
+        let em = size.em();
+        let (width, height) = (f64::from(size.width()), f64::from(size.height()));
+        let room = width - (2.0 * MARGIN + 7.0) * em;
+        let mut title = Text::wrap(self.of.title(), em, room);
+        if title.len() > MOST_TITLE_LINES || title.iter().any(|line| line.width(em) > room) {
+            title.clear();
+        }
+        let top = (MARGIN + title.len() as f64 * TITLE_ROW) * em;
+        let right = if self.of.legend { RIGHT } else { 0.0 };
+        let space = Rect {
+            x: MARGIN * em,
+            y: top,
+            width: width - (2.0 * MARGIN + right) * em,
+            height: height - top - MARGIN * em,
+        };
+        Some((self.frame.place(space, em, true)?, title))
+    }
+}
+
+/// The numbers of the pixels, and how they are shown.
+struct Shown {
+    values: Vec<f32>,
+    /// Which pixels show cells that were not computed, where some were not.
+    not_there: Vec<bool>,
+    bar: Option<Bar>,
+    drawn: Drawn,
+}
+
+impl Shown {
+    fn of(of: &PlanePicture, drawn: Drawn, [width, height]: [u32; 2]) -> Result<Self, CellsError> {
+        let size = [width as usize, height as usize];
+        let values = means(of.cells, of.window, &of.layer, size)?;
+        let not_there = most(of.cells, of.window, &CELL_FIELDS[0], NOT_COMPUTED.into(), size)?;
+        let palette = of.palette.unwrap_or_else(|| Palette::suiting(drawn.spread));
+        let bar = Bar::of(&values, drawn.spread, of.range, palette);
+        Ok(Shown { values, not_there, bar, drawn })
+    }
+
+    fn image(&self, [width, height]: [u32; 2]) -> RgbImage {
+        RgbImage::from_fn(width, height, |x, y| {
+            let i = y as usize * width as usize + x as usize;
+            let value = f64::from(self.values[i]);
+            match &self.bar {
+                _ if self.not_there[i] => NOT_THERE,
+                _ if value == f64::NEG_INFINITY => LOST,
+                Some(bar) if value.is_finite() => bar.colour(value),
+                _ => UNDEFINED,
+            }
+        })
+    }
+
+    /// The bar over samples of what is not on it.
+    fn draw_key(&self, canvas: &mut Canvas, plot: Rect, title: &str, em: f64) {
+        let any = |wanted: fn(f32) -> bool| {
+            self.values.iter().zip(&self.not_there).any(|(&value, &not)| !not && wanted(value))
+        };
+        let mut samples: Vec<(Colour, &str)> = Vec::new();
+        let [below, above] = self.bar.as_ref().map_or([false; 2], |bar| bar.beyond(&self.values));
+        samples.extend(above.then_some((Palette::beyond(true), "above the bar")));
+        samples.extend(below.then_some((Palette::beyond(false), "below the bar")));
+        samples.extend(any(|value| value == f32::NEG_INFINITY).then_some((LOST, self.drawn.lost)));
+        samples.extend(any(f32::is_nan).then_some((UNDEFINED, self.drawn.undefined)));
+        samples.extend(self.not_there.contains(&true).then_some((NOT_THERE, "not computed")));
+        let left = (plot.right() + GAP * em).round();
+        let taken = draw_samples(canvas, Point { x: left, y: plot.bottom() }, &samples, em);
+        let height = (plot.height - taken - 0.6 * em).round();
+        if let Some(bar) = self.bar.as_ref().filter(|_| height > 4.0 * em) {
+            let rect = Rect { x: left, y: plot.y, width: (WIDTH * em).round(), height };
+            bar.draw(canvas, rect, title, em);
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! When two verdicts are the same.
+
+use crate::analysis::Verdict;
+use crate::plane::RegionMap;
+
+/// Whether regime and label are equal.
+pub fn same_label(a: &Verdict, b: &Verdict) -> bool {
+    (a.regime, a.n, a.counts) == (b.regime, b.n, b.counts)
+}
+
+/// Whether both are the same periodic motion by label.
+pub fn same_motion(a: &Verdict, b: &Verdict) -> bool {
+    a.regime.is_periodic() && same_label(a, b)
+}
+
+/// The largest absolute difference of the strobe states; infinite where one is not a number.
+pub fn state_difference(a: &[f64], b: &[f64]) -> f64 {
+    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+    differences.fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { d.max(largest) })
+}
+
+/// Whether every neighbour that the cell has agrees with it.
+pub fn is_inside(map: &RegionMap, index: usize) -> bool {
+    let (columns, rows) = (map.plane.x.count, map.plane.y.count);
+    let (column, row) = (index as u32 % columns, index as u32 / columns);
+    let around = |i: u32, count: u32| i.saturating_sub(1)..=(i + 1).min(count - 1);
+    around(row, rows).all(|r| around(column, columns).all(|c| same_label(map.at(c, r), &map.verdicts[index])))
+}
