@@ -1,64 +1,16 @@
 //! Trajectories side by side have the bits that they have one by one, at every width and number of threads.
 
+#[path = "common/drawn.rs"]
+mod drawn;
+
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Job, Unwatched, Width, follow, follow_all};
-use impact_atlas::model::{Parameters, StateVector, System};
-use impact_atlas::system::{BUILTIN, Family, Plant};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use impact_atlas::model::{Parameters, System};
+
+use drawn::{families, paper};
 
 const SETTLING: Schedule = Schedule { transient: 60, observe: 40, max_period: 16, fixed_periods: false };
 const FIXED: Schedule = Schedule { transient: 3, observe: 30, max_period: 8, fixed_periods: true };
-
-/// Cells of the paper's oscillator with every regime among them: chaos, chatter, sticking, no impact.
-fn paper() -> Vec<Job> {
-    let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0040);
-    (0..300)
-        .map(|_| {
-            let parameters = Parameters {
-                omega: rng.random_range(0.3..4.5),
-                delta: rng.random_range(0.002..0.6),
-                r: rng.random_range(0.3..1.0),
-                zeta: rng.random_range(0.005..0.2),
-                ..Parameters::default()
-            };
-            Job { system: System::new(parameters).unwrap(), start: [0.0; 4].into() }
-        })
-        .collect()
-}
-
-/// Cells of every built-in family, of one to three coordinates and one to four stops.
-fn families() -> Vec<Vec<Job>> {
-    BUILTIN.iter().map(|builtin| family(&Family::parse(builtin.text, builtin.name).unwrap())).collect()
-}
-
-fn family(family: &Family) -> Vec<Job> {
-    let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0041);
-    let plane = family.plane().expect("built-in families have a plane");
-    let axis = |text: &str| {
-        let (name, range) = text.split_once('=').unwrap();
-        let numbers: Vec<f64> = range.split(':').map(|number| number.parse().unwrap()).collect();
-        (family.parameter(name).unwrap(), numbers[0], numbers[1])
-    };
-    let axes = [axis(&plane.x), axis(&plane.y)];
-    let cell = |_| {
-        let mut values = family.defaults();
-        for (id, first, last) in axes {
-            values.set(id, rng.random_range(first..last));
-        }
-        family.plant(&values).ok().and_then(|plant| job(&plant))
-    };
-    (0..60).filter_map(cell).collect()
-}
-
-/// From rest, with a push.
-fn job(plant: &Plant) -> Option<Job> {
-    let system = System::of_plant(plant.clone()).ok()?;
-    let n = plant.n;
-    let values: Vec<f64> = (0..2 * n).map(|i| if i < n { 0.0 } else { 0.1 - 0.15 * i as f64 }).collect();
-    let inside = plant.stops.iter().all(|stop| stop.gap >= 0.0);
-    inside.then(|| Job { system, start: StateVector::from_slice(&values).unwrap() })
-}
 
 /// Everything that a verdict says, with the bits of its numbers.
 fn bits(verdict: &Verdict) -> (String, Vec<u64>, u32, u32) {
@@ -85,7 +37,7 @@ fn differ(jobs: &[Job], schedule: &Schedule, altered: fn(&Job) -> Job) -> usize 
 
 #[test]
 fn the_papers_oscillator_has_the_same_bits_at_every_width() {
-    let jobs = paper();
+    let jobs = paper(300);
     for schedule in [SETTLING, FIXED] {
         assert_eq!(differ(&jobs, &schedule, Job::clone), 0, "{schedule:?}");
     }
@@ -93,7 +45,7 @@ fn the_papers_oscillator_has_the_same_bits_at_every_width() {
 
 #[test]
 fn every_family_has_the_same_bits_at_every_width() {
-    let families = families();
+    let families = families(60);
     let cells: usize = families.iter().map(Vec::len).sum();
     assert!(families.len() >= 8 && cells > 300, "{cells} cells of {} families", families.len());
     for jobs in &families {
@@ -118,7 +70,7 @@ fn rebounds_by_the_thousand_have_the_same_bits_at_every_width() {
 /// The negative control: a start moved a little is seen wherever the motion remembers it.
 #[test]
 fn a_start_moved_a_little_is_noticed() {
-    let jobs = paper();
+    let jobs = paper(300);
     let moved = |job: &Job| {
         let mut start = job.start;
         start[2] = 1e-6;

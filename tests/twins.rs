@@ -1,50 +1,104 @@
-//! The GPU and its f32 twin, bit for bit.
+//! The GPU with exact arithmetic and its twin on the CPU, bit for bit: labels, exponents, states, layers, sections, control.
 
-use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Backend, Gpu, Job, Unwatched, follow};
-use impact_atlas::model::{Parameters, System};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+#[path = "common/drawn.rs"]
+mod drawn;
 
-fn cells(count: usize) -> Vec<Job> {
-    let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0050);
-    (0..count)
-        .map(|_| {
-            let parameters = Parameters {
-                omega: rng.random_range(0.3..4.5),
-                delta: rng.random_range(0.002..0.6),
-                r: rng.random_range(0.3..1.0),
-                zeta: rng.random_range(0.005..0.2),
-                ..Parameters::default()
-            };
-            Job { system: System::new(parameters).unwrap(), start: [0.0; 4].into() }
-        })
-        .collect()
+use std::sync::LazyLock;
+
+use impact_atlas::analysis::{Probe, Reading, Regime, Schedule, Section};
+use impact_atlas::backend::{Backend, CpuSingle, Gpu, Job, Unwatched, extents};
+use impact_atlas::validate::are_same;
+
+use drawn::{families, paper};
+
+const SHORT: Schedule = Schedule { transient: 1, observe: 4, max_period: 2, fixed_periods: true };
+const LOOK: Schedule = Schedule { transient: 100, observe: 48, max_period: 16, fixed_periods: false };
+
+/// The adapter with exact arithmetic, opened once.
+fn exact() -> &'static Gpu {
+    static GPU: LazyLock<Gpu> = LazyLock::new(|| {
+        let gpu = Gpu::open_exact(None).expect("an adapter is there; a software one will do");
+        println!("adapter: {}", gpu.adapter());
+        gpu
+    });
+    &GPU
 }
 
-fn bits(verdict: &Verdict) -> (String, Vec<u64>, u32, u32) {
-    let state = verdict.state.iter().map(|value| value.to_bits()).collect();
-    let said = format!("{} {:?} {}", verdict.label(), verdict.regime, verdict.periods);
-    (said, state, verdict.lyapunov.to_bits(), verdict.peak_impact_velocity.to_bits())
+/// How many verdicts of a back end are not those of the twin, bit for bit.
+fn differ(backend: &dyn Backend, jobs: &[Job], schedule: &Schedule) -> usize {
+    let there = backend.run(jobs, schedule, &Unwatched).unwrap();
+    let here = CpuSingle.run(jobs, schedule, &Unwatched).unwrap();
+    assert_eq!(there.len(), jobs.len());
+    there.iter().zip(&here).filter(|(there, here)| !are_same(there, here)).count()
 }
 
 #[test]
-fn probe() {
-    let gpu = Gpu::open_exact(None).unwrap();
-    println!("{}", gpu.adapter());
-    let jobs = cells(2000);
-    for periods in [1, 2, 5, 20, 100] {
-        let schedule = Schedule { transient: periods, observe: 4, max_period: 2, fixed_periods: true };
-        let there = gpu.run(&jobs, &schedule, &Unwatched).unwrap();
-        let here: Vec<Verdict> = jobs.iter().map(|job| follow::<f32>(job, &schedule)).collect();
-        let same = there.iter().zip(&here).filter(|(a, b)| a.state == b.state).count();
-        let all = there.iter().zip(&here).filter(|(a, b)| bits(a) == bits(b)).count();
-        let quiet = here.iter().filter(|v| v.impacts_total == 0).count();
-        let same_hit =
-            there.iter().zip(&here).filter(|(a, b)| b.impacts_total > 0 && a.state == b.state).count();
-        println!(
-            "{periods}: {same} states, {all} verdicts of {}, {quiet} without impact; {same_hit} with",
-            jobs.len()
-        );
+fn verdicts_have_the_bits_of_the_twin_in_every_regime() {
+    let jobs = paper(2000);
+    for schedule in [SHORT, LOOK] {
+        assert_eq!(differ(exact(), &jobs, &schedule), 0, "{schedule:?}");
+    }
+    let met = CpuSingle.run(&jobs, &LOOK, &Unwatched).unwrap();
+    let met = |regime| met.iter().filter(|verdict| verdict.regime == regime).count();
+    for regime in [
+        Regime::Periodic,
+        Regime::PeriodicSticking,
+        Regime::QuasiPeriodic,
+        Regime::Chaotic,
+        Regime::NoImpact,
+        Regime::AperiodicSticking,
+        Regime::Unresolved,
+    ] {
+        println!("{regime:?}: {}", met(regime));
+    }
+    for regime in [Regime::Periodic, Regime::PeriodicSticking, Regime::Chaotic, Regime::NoImpact] {
+        assert!(met(regime) > 20, "{regime:?}: {}", met(regime));
+    }
+}
+
+/// The negative controls: the arithmetic of the driver has other bits, and so has a start that is moved by one rounding.
+#[test]
+fn other_arithmetic_and_another_start_are_noticed() {
+    let jobs = paper(500);
+    let native = Gpu::open(None).expect("an adapter is there; a software one will do");
+    assert!(differ(&native, &jobs, &SHORT) > 100);
+    let moved: Vec<Job> = jobs
+        .iter()
+        .map(|job| {
+            let mut start = job.start;
+            start[2] = f64::from(f32::EPSILON);
+            Job { system: job.system.clone(), start }
+        })
+        .collect();
+    let there = exact().run(&moved, &SHORT, &Unwatched).unwrap();
+    let here = CpuSingle.run(&jobs, &SHORT, &Unwatched).unwrap();
+    assert!(there.iter().zip(&here).filter(|(there, here)| !are_same(there, here)).count() > 250);
+}
+
+#[test]
+fn extents_and_sections_have_the_bits_of_the_twin() {
+    let jobs = paper(200);
+    let verdicts = CpuSingle.run(&jobs, &LOOK, &Unwatched).unwrap();
+    let there = extents(exact(), &jobs, &verdicts, &LOOK, &Unwatched).unwrap();
+    let here = extents(&CpuSingle, &jobs, &verdicts, &LOOK, &Unwatched).unwrap();
+    assert_eq!(format!("{there:?}"), format!("{here:?}"));
+    for reading in [Reading::VBefore, Reading::Tau] {
+        let probe = Probe::new(Section::A, reading).unwrap();
+        let there = exact().trace(&jobs, &SHORT, probe, 64, &Unwatched).unwrap();
+        let here = CpuSingle.trace(&jobs, &SHORT, probe, 64, &Unwatched).unwrap();
+        let differing = there.iter().zip(&here).filter(|(a, b)| a.readings != b.readings).count();
+        assert_eq!(differing, 0, "{reading:?}");
+        assert!(here.iter().map(|trace| trace.readings.len()).sum::<usize>() > 400);
+    }
+}
+
+#[test]
+fn systems_of_one_to_three_coordinates_have_the_bits_of_the_twin() {
+    let families = families(60);
+    assert!(families.len() >= 8);
+    for jobs in &families {
+        let started = std::time::Instant::now();
+        assert_eq!(differ(exact(), jobs, &SHORT), 0, "{:?}", jobs[0].system.plant());
+        println!("{} cells of {} normals in {:?}", jobs.len(), jobs[0].system.normals(), started.elapsed());
     }
 }

@@ -9,13 +9,13 @@ mod job;
 mod select;
 mod watch;
 
-pub use cpu::{Cpu, Precision, Width, extent, follow, follow_all, follow_controlled, trace};
+pub use cpu::{Cpu, CpuSingle, Precision, Width, extent, follow, follow_all, follow_controlled, trace};
 pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
 pub use error::BackendError;
 pub use extents::extents;
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use job::{ControlJob, Job};
-pub use select::{Choice, open};
+pub use select::{Choice, REPRODUCIBLE, open, open_reproducible};
 pub use watch::{Silent, Unwatched, Watch};
 
 use std::fmt::Debug;

@@ -1,6 +1,9 @@
 //! Which back end runs.
 
-use super::{Backend, BackendError, Cpu, Gpu};
+use super::{Backend, BackendError, Cpu, CpuSingle, Gpu};
+
+/// What the description of a back end ends with that gives the same bits everywhere.
+pub const REPRODUCIBLE: &str = ", reproducible";
 
 /// Which back end is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +31,22 @@ pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, B
         (Choice::Auto, None) => match Gpu::open_hardware()? {
             Some(gpu) => Ok(Box::new(gpu)),
             None => Ok(Box::new(Cpu)),
+        },
+    }
+}
+
+/// The same with results that have the same bits on every adapter and on the CPU: in f32, every operation rounded correctly
+/// and in the order of the source. It takes longer; see [`Gpu::open_exact`] and [`CpuSingle`].
+///
+/// # Errors
+/// As [`open`].
+pub fn open_reproducible(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, BackendError> {
+    match (choice, adapter) {
+        (Choice::Cpu, _) => Ok(Box::new(CpuSingle)),
+        (Choice::Gpu, text) | (Choice::Auto, text @ Some(_)) => Ok(Box::new(Gpu::open_exact(text)?)),
+        (Choice::Auto, None) => match Gpu::open_hardware_exact()? {
+            Some(gpu) => Ok(Box::new(gpu)),
+            None => Ok(Box::new(CpuSingle)),
         },
     }
 }

@@ -112,6 +112,12 @@ fn server(
 
 /// The back end that is asked for.
 fn computing(args: &BackendArgs) -> Result<Computing, CliError> {
+    if args.reproducible {
+        return Err(CliError::Input(anyhow!(
+            "--reproducible is for results in files, and the explorer's back end can be changed in the page: use map \
+             --reproducible"
+        )));
+    }
     let asked = match (args.backend, &args.adapter) {
         (BackendName::Cpu, Some(adapter)) => {
             return Err(CliError::Input(anyhow!(

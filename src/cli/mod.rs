@@ -5,6 +5,7 @@
 mod adapters;
 mod bifurcation;
 mod bifurcation_summary;
+mod bits;
 mod cell;
 mod census;
 mod classify;

@@ -19,7 +19,7 @@ use super::progress::Progress;
 use super::report::Report;
 use super::terminal::{print, print_json};
 use super::values::counted;
-use super::{CliError, defaults, estimate, note};
+use super::{CliError, bits, defaults, estimate, note};
 
 /// Computes the same cells on the CPU's reference and on another back end, and says how well they agree
 ///
@@ -34,6 +34,7 @@ use super::{CliError, defaults, estimate, note};
 Examples:
   impact-atlas validate
   impact-atlas validate --cells 2000 --adapter llvmpipe --json
+  impact-atlas validate --reproducible --cells 2000
   impact-atlas validate --curves --cells 480000
   impact-atlas validate --x omega=0.2:0.5:60 --y r=0.5:0.8:40 --set delta=0.2
   impact-atlas validate --control pulse --x target_v1=-0.45:-0.25:40 --y target_tau=1.4:2.2:30 --set omega=2.83")]
@@ -81,6 +82,9 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
         curves::check(&plane).map_err(CliError::input)?;
     }
     let candidate = args.candidate.open()?;
+    if args.candidate.reproducible {
+        return bits::hold(&plane, &*candidate, args.json);
+    }
     let reference = backend::open(Choice::Cpu, None)?;
     note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
 
@@ -152,6 +156,12 @@ struct CandidateArgs {
     /// Uses the adapter whose name contains TEXT (see `impact-atlas adapters`)
     #[arg(long, value_name = "TEXT")]
     adapter: Option<String>,
+
+    /// Computes with exact arithmetic, and holds every bit against the CPU's f32 instead
+    ///
+    /// Exit code 1 if any cell has another bit anywhere: label, exponent, state, impacts, layers.
+    #[arg(long, conflicts_with_all = ["curves", "control"])]
+    reproducible: bool,
 }
 
 impl CandidateArgs {
@@ -165,7 +175,8 @@ impl CandidateArgs {
     }
 
     fn open(&self) -> Result<Box<dyn Backend>, CliError> {
-        BackendArgs { backend: BackendName::Gpu, adapter: self.adapter.clone() }.open()
+        let (adapter, reproducible) = (self.adapter.clone(), self.reproducible);
+        BackendArgs { backend: BackendName::Gpu, adapter, reproducible }.open()
     }
 }
 

@@ -25,7 +25,7 @@ impl<T: Real, const N: usize> Deviations<T, N> {
     /// The deviation every observation begins with: all components of the present point alike.
     pub fn seed() -> Self {
         let mut points = [Components::zero(); DELAYS];
-        let each = T::one() / T::of(2.0 * N as f64).sqrt();
+        let each = T::of(1.0 / (2.0 * N as f64).sqrt());
         points[0] = Components::from_fn(|_| each);
         Deviations { points }
     }

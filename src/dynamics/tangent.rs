@@ -218,8 +218,7 @@ impl<T: Real, const N: usize> Tangent<T, N> {
 
     /// The deviation every measurement begins with: all components alike, of unit length.
     pub fn seed() -> Self {
-        let one = T::one();
-        let each = one / T::of(2.0 * N as f64).sqrt();
+        let each = T::of(1.0 / (2.0 * N as f64).sqrt());
         Tangent(State { x: [each; N], v: [each; N] })
     }
 

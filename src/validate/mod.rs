@@ -19,6 +19,9 @@
 //! otherwise once start and parameters are changed by about a rounding error of single precision, the cell is left out
 //! of what the thresholds are held to. A candidate that is wrong differs in cells that the reference is sure of.
 //!
+//! # Bit for bit
+//! Maps computed with exact arithmetic are to be the same altogether: [`differing`] lists the cells in which they are not.
+//!
 //! # Under control
 //! [`compare_controlled`] holds two maps under control to the same: the motions reached, and their points on σ.
 //!
@@ -28,6 +31,7 @@
 
 mod agreement;
 mod alike;
+mod bits;
 mod boundaries;
 mod compare;
 mod continuation;
@@ -38,6 +42,7 @@ mod thresholds;
 mod tipped;
 
 pub use agreement::{Agreement, FailedCells, Fault, RegimeAgreement, Tipped, WorstCell};
+pub use bits::{are_same, differing};
 pub use boundaries::{Boundaries, BoundaryAgreement, boundaries};
 pub use compare::{compare, compare_continued};
 pub use continuation::{Continued, continue_strays, strays};

@@ -2,7 +2,7 @@
 
 use impact_atlas::analysis::{Schedule, Trace, Verdict};
 use impact_atlas::backend::{
-    Backend, BackendError, ControlJob, Cpu, Gpu, Job, Unwatched, Watch, follow_controlled,
+    Backend, BackendError, ControlJob, Cpu, CpuSingle, Gpu, Job, Unwatched, Watch, follow_controlled,
 };
 use impact_atlas::control::{
     ControlSchedule, Controller, Convention, NEVER, Outcome, PulseSetting, Scheme, Section, Sign, Surface,
@@ -57,6 +57,30 @@ fn map(plane: &ControlPlane, backend: &dyn Backend) -> ControlMap {
 
 fn agreement(plane: &ControlPlane, candidate: &dyn Backend) -> Agreement {
     compare_controlled(&map(plane, &Cpu), &map(plane, candidate))
+}
+
+/// With exact arithmetic an adapter and its twin on the CPU have the same bits, whatever the method.
+#[test]
+fn exact_control_has_the_bits_of_the_twin() {
+    let exact = Gpu::open_exact(None).expect("an adapter is there, if only a software one");
+    println!("adapter: {}", exact.adapter());
+    let pulses =
+        Scheme::Pulse(PulseSetting { stop: Stop::A, period: 1, target: TARGET, noise: 1e-4, seed: 1 });
+    let planes = [
+        feedback(),
+        plane(delay(0.5, Sign::Stabilising), "omega=2.6:3:12", "gain=0:1:8"),
+        plane(sine(Convention::Kick, 0.3, 0.001, 0.01), "omega=2.6:3:12", "delta=0.08:0.12:8"),
+        plane(pulses, "target_v1=-0.45:-0.25:12", "target_tau=1.4:2.2:8"),
+    ];
+    for plane in planes {
+        let [there, here] = [&exact as &dyn Backend, &CpuSingle].map(|backend| map(&plane, backend));
+        let told = |map: &ControlMap| map.outcomes.iter().map(|told| format!("{told:?}")).collect::<Vec<_>>();
+        let (there, here) = (told(&there), told(&here));
+        let differing = there.iter().zip(&here).filter(|(there, here)| there != here).count();
+        assert_eq!(differing, 0, "{:?}", plane.control);
+        let distinct: std::collections::HashSet<&String> = here.iter().collect();
+        assert!(distinct.len() > here.len() / 2, "{} distinct outcomes", distinct.len());
+    }
 }
 
 fn gpu() -> Gpu {

@@ -4,11 +4,13 @@ mod each;
 mod extent;
 mod follow;
 mod lanes;
+mod single;
 
 pub use extent::extent;
 pub(super) use extent::extents;
 pub use follow::{Precision, follow, follow_controlled, trace};
 pub use lanes::{Width, follow_all};
+pub use single::CpuSingle;
 
 use crate::analysis::{Probe, Schedule, Trace, Verdict};
 use crate::backend::{Backend, BackendError, ControlJob, Job, Watch};

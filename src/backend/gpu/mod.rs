@@ -9,7 +9,7 @@ mod shader;
 
 use std::fmt;
 
-use super::{Backend, BackendError, ControlJob, Job, Watch};
+use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Watch};
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, Controller, Convention, LONGEST_ON_DEVICE, Outcome};
 
@@ -21,6 +21,7 @@ use shader::Arithmetic;
 /// Follows trajectories on an adapter.
 pub struct Gpu {
     report: AdapterReport,
+    arithmetic: Arithmetic,
     kernel: Kernel,
 }
 
@@ -56,9 +57,17 @@ impl Gpu {
         adapters::find_hardware().map(|found| Self::on(found, Arithmetic::Native)).transpose()
     }
 
+    /// The same with the arithmetic of [`Gpu::open_exact`].
+    ///
+    /// # Errors
+    /// As [`Gpu::open_hardware`].
+    pub fn open_hardware_exact() -> Result<Option<Self>, BackendError> {
+        adapters::find_hardware().map(|found| Self::on(found, Arithmetic::Exact)).transpose()
+    }
+
     fn on(found: adapters::Found, arithmetic: Arithmetic) -> Result<Self, BackendError> {
         let kernel = Kernel::new(&found, arithmetic)?;
-        Ok(Gpu { report: found.report, kernel })
+        Ok(Gpu { report: found.report, arithmetic, kernel })
     }
 
     /// Whether the adapter is a software one.
@@ -73,7 +82,10 @@ impl Backend for Gpu {
     }
 
     fn adapter(&self) -> String {
-        self.report.to_string()
+        match self.arithmetic {
+            Arithmetic::Native => self.report.to_string(),
+            Arithmetic::Exact => format!("{}{REPRODUCIBLE}", self.report),
+        }
     }
 
     fn tile(&self) -> usize {

@@ -2,6 +2,8 @@
 
 mod compiled;
 mod control;
+#[cfg(test)]
+mod corrections;
 mod device;
 mod drive;
 mod extent;

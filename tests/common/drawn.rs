@@ -1,0 +1,57 @@
+//! Cells drawn at random.
+
+use impact_atlas::backend::Job;
+use impact_atlas::model::{Parameters, StateVector, System};
+use impact_atlas::system::{BUILTIN, Family, Plant};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// Cells of the paper's oscillator with every regime among them: chaos, chatter, sticking, no impact.
+pub fn paper(count: usize) -> Vec<Job> {
+    let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0040);
+    (0..count)
+        .map(|_| {
+            let parameters = Parameters {
+                omega: rng.random_range(0.3..4.5),
+                delta: rng.random_range(0.002..0.6),
+                r: rng.random_range(0.3..1.0),
+                zeta: rng.random_range(0.005..0.2),
+                ..Parameters::default()
+            };
+            Job { system: System::new(parameters).unwrap(), start: [0.0; 4].into() }
+        })
+        .collect()
+}
+
+/// Cells of every built-in family, of one to three coordinates and one to four stops.
+pub fn families(count: usize) -> Vec<Vec<Job>> {
+    BUILTIN.iter().map(|builtin| family(&Family::parse(builtin.text, builtin.name).unwrap(), count)).collect()
+}
+
+fn family(family: &Family, count: usize) -> Vec<Job> {
+    let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0041);
+    let plane = family.plane().expect("built-in families have a plane");
+    let axis = |text: &str| {
+        let (name, range) = text.split_once('=').unwrap();
+        let numbers: Vec<f64> = range.split(':').map(|number| number.parse().unwrap()).collect();
+        (family.parameter(name).unwrap(), numbers[0], numbers[1])
+    };
+    let axes = [axis(&plane.x), axis(&plane.y)];
+    let cell = |_| {
+        let mut values = family.defaults();
+        for (id, first, last) in axes {
+            values.set(id, rng.random_range(first..last));
+        }
+        family.plant(&values).ok().and_then(|plant| job(&plant))
+    };
+    (0..count).filter_map(cell).collect()
+}
+
+/// From rest, with a push.
+fn job(plant: &Plant) -> Option<Job> {
+    let system = System::of_plant(plant.clone()).ok()?;
+    let n = plant.n;
+    let values: Vec<f64> = (0..2 * n).map(|i| if i < n { 0.0 } else { 0.1 - 0.15 * i as f64 }).collect();
+    let inside = plant.stops.iter().all(|stop| stop.gap >= 0.0);
+    inside.then(|| Job { system, start: StateVector::from_slice(&values).unwrap() })
+}
