@@ -11,13 +11,13 @@
 //! largest Lyapunov exponent is below zero); the f64 path itself is held to an independent oracle by the tests.
 //!
 //! ```text
-//! cargo run --release --example throughput -- [cpu|one|gpu|f32] [SIDE] [REPEATS] [--json]
+//! cargo run --release --example throughput -- [cpu|one|gpu|exact|f32] [SIDE] [REPEATS] [--json]
 //! ```
 //!
 //! SIDE is the cells along either axis (32 by default; 1024 for a million-cell plane). `cpu` follows as many trajectories
 //! side by side as the processor has room for, `one` does so one by one. The number of threads is RAYON_NUM_THREADS, all
-//! cores by default. `f32` is the CPU in the GPU's precision. Preparing the cells' constants is part of the time, and is
-//! measured by itself too.
+//! cores by default. `exact` is the GPU with arithmetic that no driver changes, `f32` the CPU in the GPU's precision: their
+//! end states have the same bits. Preparing the cells' constants is part of the time, and is measured by itself too.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -111,8 +111,8 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
             let what = format!("{}, {}", Cpu.adapter(), width.instructions());
             (what, Box::new(move |jobs, schedule| follow_all(jobs, schedule, &Unwatched, width)))
         }
-        "gpu" => {
-            let gpu = Gpu::open(None)?;
+        "gpu" | "exact" => {
+            let gpu = if path == "gpu" { Gpu::open(None)? } else { Gpu::open_exact(None)? };
             (gpu.adapter(), Box::new(move |jobs, schedule| gpu.run(jobs, schedule, &Unwatched)))
         }
         "f32" => {
@@ -122,7 +122,7 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
             };
             (what, Box::new(run))
         }
-        other => return Err(format!("`{other}` is no path: choose cpu, one, gpu or f32").into()),
+        other => return Err(format!("`{other}` is no path: choose cpu, one, gpu, exact or f32").into()),
     })
 }
 

@@ -1,6 +1,7 @@
 //! What people rely on without asking: files that stay, streams, limits of the machine, help that tells the truth.
 
 mod asked;
+mod bits;
 mod files;
 mod machine;
 #[allow(dead_code, reason = "every suite runs the program, and no suite needs all that others do")]

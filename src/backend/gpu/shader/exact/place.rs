@@ -1,0 +1,37 @@
+//! What becomes of an expression.
+
+use naga::{Expression, Function, Handle, Statement};
+
+/// What became of an expression.
+pub(super) enum Place {
+    /// It is evaluated by these, the last of which is its value.
+    Evaluated(Handle<Expression>, Handle<Expression>),
+    /// It is what a function gives.
+    Called(Call),
+    /// It is a vector of what a function gives for the components of others: those, the calls, and the vector.
+    Composed([Handle<Expression>; 2], Vec<Call>, Handle<Expression>),
+}
+
+/// A call of a function, and what it gives.
+#[derive(Clone)]
+pub(super) struct Call {
+    pub function: Handle<Function>,
+    pub arguments: Vec<Handle<Expression>>,
+    pub result: Handle<Expression>,
+}
+
+impl Call {
+    pub fn statement(&self) -> Statement {
+        let Call { function, arguments, result } = self.clone();
+        Statement::Call { function, arguments, result: Some(result) }
+    }
+}
+
+impl Place {
+    pub fn value(&self) -> Handle<Expression> {
+        match self {
+            Place::Evaluated(_, value) | Place::Composed(_, _, value) => *value,
+            Place::Called(call) => call.result,
+        }
+    }
+}
