@@ -3,10 +3,13 @@
 #[path = "common/drawn.rs"]
 mod drawn;
 
+use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use impact_atlas::analysis::{Probe, Reading, Regime, Schedule, Section};
 use impact_atlas::backend::{Backend, CpuSingle, Gpu, Job, Unwatched, extents};
+use impact_atlas::dynamics::{Event, Trajectory};
+use impact_atlas::model::{Flight, State};
 use impact_atlas::validate::are_same;
 
 use drawn::{families, paper};
@@ -53,6 +56,47 @@ fn verdicts_have_the_bits_of_the_twin_in_every_regime() {
     }
     for regime in [Regime::Periodic, Regime::PeriodicSticking, Regime::Chaotic, Regime::NoImpact] {
         assert!(met(regime) > 20, "{regime:?}: {}", met(regime));
+    }
+}
+
+/// What is rare is among what was compared: every event, and every kind of contact that a move begins in.
+#[test]
+fn the_cells_that_are_compared_meet_every_event() {
+    let mut met = HashMap::new();
+    for job in paper(2000) {
+        let flight = Flight::<f64, 2>::new(&job.system).round::<f32>();
+        let start: Vec<f32> = job.start.iter().map(|&value| value as f32).collect();
+        let mut trajectory = Trajectory::new(&flight, State::from_slice(&start));
+        let mut periods = 0;
+        while periods < SHORT.transient + SHORT.observe {
+            let free = trajectory.contact.is_free();
+            let name = match trajectory.advance(&flight, &mut ()).event {
+                Event::Flight => "an approach",
+                Event::StepEnd => "the end of a step",
+                Event::Impact(impact) if impact.velocity_before.abs() < 1e-3 => {
+                    "an impact that hardly touches"
+                }
+                Event::Impact(_) => "an impact",
+                Event::Caught { complete_chatter: true, .. } => "complete chatter",
+                Event::Caught { .. } => "a mass caught",
+                Event::Released(_) => "a release",
+                Event::HalfPeriod => "phase pi",
+                Event::Strobe => {
+                    periods += 1;
+                    "phase 0"
+                }
+            };
+            *met.entry((name, free)).or_insert(0) += 1;
+        }
+    }
+    println!("{met:#?}");
+    for name in
+        ["an approach", "the end of a step", "an impact", "an impact that hardly touches", "complete chatter"]
+    {
+        assert!(met.get(&(name, true)).is_some_and(|&times| times > 50), "{name}: {met:?}");
+    }
+    for name in ["a release", "phase pi", "phase 0", "the end of a step"] {
+        assert!(met.get(&(name, false)).is_some_and(|&times| times > 50), "{name} in contact: {met:?}");
     }
 }
 

@@ -67,10 +67,9 @@ fn exact_control_has_the_bits_of_the_twin() {
     let pulses =
         Scheme::Pulse(PulseSetting { stop: Stop::A, period: 1, target: TARGET, noise: 1e-4, seed: 1 });
     let planes = [
-        feedback(),
-        plane(delay(0.5, Sign::Stabilising), "omega=2.6:3:12", "gain=0:1:8"),
-        plane(sine(Convention::Kick, 0.3, 0.001, 0.01), "omega=2.6:3:12", "delta=0.08:0.12:8"),
-        plane(pulses, "target_v1=-0.45:-0.25:12", "target_tau=1.4:2.2:8"),
+        plane(delay(0.5, Sign::Stabilising), "omega=2.6:3:6", "gain=0:1:4"),
+        plane(sine(Convention::Kick, 0.3, 0.001, 0.01), "omega=2.6:3:6", "delta=0.08:0.12:4"),
+        plane(pulses, "target_v1=-0.45:-0.25:6", "target_tau=1.4:2.2:4"),
     ];
     for plane in planes {
         let [there, here] = [&exact as &dyn Backend, &CpuSingle].map(|backend| map(&plane, backend));
