@@ -284,3 +284,6 @@ pub fn pressed_time<T: Real>(force: T, slope: T, bound: T, window: T) -> T {
     let time = closing_time(force, -slope, bound);
     if time < window { time } else { window }
 }
+
+#[cfg(test)]
+mod tests;

@@ -235,3 +235,6 @@ impl<T: Real, const N: usize> Tangent<T, N> {
         Tangent(self.0.scaled(factor))
     }
 }
+
+#[cfg(test)]
+mod tests;
