@@ -66,7 +66,7 @@ impl Kernel {
                 include_str!("../../../../shaders/kernels/trace.wgsl"),
             ],
             Kernel::Control => &[
-                include_str!("../../../../shaders/control/section.wgsl"),
+                include_str!("../../../../shaders/control/section_point.wgsl"),
                 include_str!("../../../../shaders/control/memory.wgsl"),
                 include_str!("../../../../shaders/control/method.wgsl"),
                 include_str!("../../../../shaders/control/sine.wgsl"),
