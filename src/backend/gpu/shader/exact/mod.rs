@@ -6,11 +6,21 @@
 //! and read as a number again: what lies on the two sides cannot be merged. Quotients and square roots become calls of
 //! functions that correct what the driver gives (`shaders/shared/exact.wgsl`).
 
+mod body;
+mod moved;
+mod place;
+
 use naga::valid::{Capabilities, FunctionInfo, ValidationFlags, Validator};
 use naga::{
     Arena, BinaryOperator, Block, Expression, Function, GlobalVariable, Handle, Literal, MathFunction,
-    Module, Range, ScalarKind, Span, Statement, SwitchCase, Type, TypeInner, UniqueArena, VectorSize,
+    Module, Range, ScalarKind, Span, Statement, Type, TypeInner, UniqueArena, VectorSize,
 };
+
+use body::Body;
+use moved::moved;
+use place::{Call, Place, called};
+
+pub use place::Refused;
 
 /// How a kernel computes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -27,7 +37,7 @@ impl Arithmetic {
     pub fn source(self) -> &'static str {
         match self {
             Arithmetic::Native => "",
-            Arithmetic::Exact => include_str!("../../../../shaders/shared/exact.wgsl"),
+            Arithmetic::Exact => include_str!("../../../../../shaders/shared/exact.wgsl"),
         }
     }
 }
@@ -38,9 +48,6 @@ const ROOT: &str = "exact_root";
 
 /// The uniform, and its member of type u32 that is 0 or 1, from which the zero is made.
 const UNIFORM: (&str, &str) = ("dispatch", "begin");
-
-/// Why a kernel cannot be computed exactly.
-pub type Refused = String;
 
 /// Makes the arithmetic of a kernel exact.
 ///
@@ -103,40 +110,6 @@ struct Pass<'a> {
     zero: (Handle<GlobalVariable>, u32),
     /// Nothing where quotients and roots stay what they are.
     calls: Option<Calls>,
-}
-
-/// What became of an expression.
-enum Place {
-    /// It is evaluated by these, the last of which is its value.
-    Evaluated(Handle<Expression>, Handle<Expression>),
-    /// It is what a function gives.
-    Called(Call),
-    /// It is a vector of what a function gives for the components of others: those, the calls, and the vector.
-    Composed([Handle<Expression>; 2], Vec<Call>, Handle<Expression>),
-}
-
-/// A call of a function, and what it gives.
-#[derive(Clone)]
-struct Call {
-    function: Handle<Function>,
-    arguments: Vec<Handle<Expression>>,
-    result: Handle<Expression>,
-}
-
-impl Call {
-    fn statement(&self) -> Statement {
-        let Call { function, arguments, result } = self.clone();
-        Statement::Call { function, arguments, result: Some(result) }
-    }
-}
-
-impl Place {
-    fn value(&self) -> Handle<Expression> {
-        match self {
-            Place::Evaluated(_, value) | Place::Composed(_, _, value) => *value,
-            Place::Called(call) => call.result,
-        }
-    }
 }
 
 /// A zero that the compiler does not know: a number, and vectors of two to four.
@@ -254,15 +227,6 @@ impl Pass<'_> {
     }
 }
 
-/// A call of a function with so many arguments.
-fn called(
-    function: Handle<Function>,
-    arguments: Vec<Handle<Expression>>,
-    add: &mut impl FnMut(Expression) -> Handle<Expression>,
-) -> Call {
-    Call { function, arguments, result: add(Expression::CallResult(function)) }
-}
-
 /// Whether a function of WGSL gives the same number everywhere; inside the corrections, the root to correct is let through.
 fn is_exact(fun: MathFunction, correcting: bool) -> bool {
     use MathFunction::{Abs, Ceil, Clamp, Floor, Max, Min, Round, Sign, Sqrt, Trunc};
@@ -279,164 +243,5 @@ fn float(inner: &TypeInner) -> Option<Option<VectorSize>> {
     }
 }
 
-/// An expression whose operands have moved.
-fn moved(
-    expression: &Expression,
-    at: impl Fn(Handle<Expression>) -> Handle<Expression>,
-) -> Result<Expression, Refused> {
-    use Expression as E;
-    Ok(match *expression {
-        E::Literal(_) | E::Constant(_) | E::ZeroValue(_) | E::FunctionArgument(_) => expression.clone(),
-        E::GlobalVariable(_) | E::LocalVariable(_) | E::CallResult(_) => expression.clone(),
-        E::Compose { ty, ref components } => {
-            E::Compose { ty, components: components.iter().map(|&part| at(part)).collect() }
-        }
-        E::Access { base, index } => E::Access { base: at(base), index: at(index) },
-        E::AccessIndex { base, index } => E::AccessIndex { base: at(base), index },
-        E::Splat { size, value } => E::Splat { size, value: at(value) },
-        E::Swizzle { size, vector, pattern } => E::Swizzle { size, vector: at(vector), pattern },
-        E::Load { pointer } => E::Load { pointer: at(pointer) },
-        E::Unary { op, expr } => E::Unary { op, expr: at(expr) },
-        E::Binary { op, left, right } => E::Binary { op, left: at(left), right: at(right) },
-        E::Select { condition, accept, reject } => {
-            E::Select { condition: at(condition), accept: at(accept), reject: at(reject) }
-        }
-        E::Relational { fun, argument } => E::Relational { fun, argument: at(argument) },
-        E::Math { fun, arg, arg1, arg2, arg3 } => {
-            E::Math { fun, arg: at(arg), arg1: arg1.map(&at), arg2: arg2.map(&at), arg3: arg3.map(&at) }
-        }
-        E::As { expr, kind, convert } => E::As { expr: at(expr), kind, convert },
-        ref other => return Err(format!("{other:?} has no exact form")),
-    })
-}
-
-/// The statements of a function over the expressions' places.
-struct Body<'a>(&'a [Place]);
-
-impl Body<'_> {
-    fn at(&self, handle: Handle<Expression>) -> Handle<Expression> {
-        self.0[handle.index()].value()
-    }
-
-    fn block(&self, old: &Block) -> Result<Block, Refused> {
-        let mut block = Block::new();
-        for (statement, &span) in old.span_iter() {
-            if let Statement::Emit(range) = statement {
-                self.emit(range.clone(), span, &mut block);
-            } else {
-                block.push(self.statement(statement)?, span);
-            }
-        }
-        Ok(block)
-    }
-
-    /// Evaluates what was evaluated together, with the calls where they are due.
-    fn emit(&self, range: Range<Expression>, span: Span, block: &mut Block) {
-        let mut open: Option<(Handle<Expression>, Handle<Expression>)> = None;
-        let close = |open: &mut Option<_>, block: &mut Block| {
-            if let Some((first, last)) = open.take() {
-                block.push(Statement::Emit(Range::new_from_bounds(first, last)), span);
-            }
-        };
-        for handle in range {
-            match &self.0[handle.index()] {
-                Place::Evaluated(first, last) => {
-                    open = Some((open.map_or(*first, |(first, _)| first), *last));
-                }
-                Place::Called(call) => {
-                    close(&mut open, block);
-                    block.push(call.statement(), span);
-                }
-                Place::Composed([first, last], calls, value) => {
-                    open = Some((open.map_or(*first, |(first, _)| first), *last));
-                    close(&mut open, block);
-                    for call in calls {
-                        block.push(call.statement(), span);
-                    }
-                    open = Some((*value, *value));
-                }
-            }
-        }
-        close(&mut open, block);
-    }
-
-    fn statement(&self, statement: &Statement) -> Result<Statement, Refused> {
-        use Statement as S;
-        Ok(match statement {
-            S::Break | S::Continue => statement.clone(),
-            S::Block(block) => S::Block(self.block(block)?),
-            S::If { condition, accept, reject } => S::If {
-                condition: self.at(*condition),
-                accept: self.block(accept)?,
-                reject: self.block(reject)?,
-            },
-            S::Switch { selector, cases } => {
-                let case = |case: &SwitchCase| {
-                    let SwitchCase { value, fall_through, .. } = *case;
-                    Ok(SwitchCase { value, body: self.block(&case.body)?, fall_through })
-                };
-                let cases = cases.iter().map(case).collect::<Result<_, Refused>>()?;
-                S::Switch { selector: self.at(*selector), cases }
-            }
-            S::Loop { body, continuing, break_if } => S::Loop {
-                body: self.block(body)?,
-                continuing: self.block(continuing)?,
-                break_if: break_if.map(|handle| self.at(handle)),
-            },
-            S::Return { value } => S::Return { value: value.map(|handle| self.at(handle)) },
-            S::Store { pointer, value } => S::Store { pointer: self.at(*pointer), value: self.at(*value) },
-            S::Call { function, arguments, result } => S::Call {
-                function: *function,
-                arguments: arguments.iter().map(|&argument| self.at(argument)).collect(),
-                result: result.map(|handle| self.at(handle)),
-            },
-            other => return Err(format!("{other:?} has no exact form")),
-        })
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A kernel that computes something from two numbers.
-    fn kernel(what: &str) -> String {
-        let begin =
-            "struct Dispatch { begin: u32 }\n@group(0) @binding(0) var<uniform> dispatch: Dispatch;\n";
-        let out = "@group(0) @binding(1) var<storage, read_write> out: array<f32>;\n";
-        let main =
-            format!("@compute @workgroup_size(1) fn main() {{ let a = out[0]; let b = out[1]; {what} }}");
-        [Arithmetic::Exact.source(), begin, out, &main].concat()
-    }
-
-    /// How many expressions of an entry point are combined with the zero, and how many functions it calls.
-    fn counts(what: &str) -> (usize, usize) {
-        let module = exact(&kernel(what)).unwrap();
-        let function = &module.entry_points[0].function;
-        let is_guard = |expression: &&Expression| {
-            matches!(expression, Expression::Binary { op: BinaryOperator::ExclusiveOr, .. })
-        };
-        let guards = function.expressions.iter().map(|(_, expression)| expression).filter(is_guard).count();
-        let calls =
-            function.body.iter().filter(|statement| matches!(statement, Statement::Call { .. })).count();
-        (guards, calls)
-    }
-
-    #[test]
-    fn every_operation_is_guarded_or_called() {
-        assert_eq!(counts("out[0] = a * b + a;"), (2, 0));
-        assert_eq!(counts("out[0] = a / b - sqrt(a);"), (1, 2));
-        assert_eq!(counts("out[0] = max(abs(a), -b);"), (0, 0));
-        assert_eq!(counts("let v = vec3<f32>(a, b, a) * 2.0; out[0] = v.x;"), (1, 0));
-        assert_eq!(counts("let v = vec3<f32>(a, b, a) / vec3<f32>(b); out[0] = v.x;"), (0, 3));
-        assert_eq!(counts("out[u32(a) + 1u] = b;"), (0, 0));
-    }
-
-    #[test]
-    fn what_has_no_exact_form_is_refused() {
-        for what in ["sin(a)", "fma(a, b, a)", "dot(vec2<f32>(a, b), vec2<f32>(b, a))", "a % b", "log(a)"] {
-            let refused = exact(&kernel(&format!("out[0] = {what};"))).unwrap_err();
-            assert!(refused.contains("has no exact form"), "{what}: {refused}");
-        }
-    }
-}
+mod tests;
