@@ -134,6 +134,7 @@
 //! directions are linearly dependent without being parallel are refused. A forcing period of more than 65,536 steps of the
 //! fastest motion is refused, and so is ω above 10⁶. r = 1 with strong damping at low frequency makes ever more
 //! rebounds in finite time; more than 2²⁴ moves in one forcing period are given up as failed.
+#![doc = include_str!("parameter.md")]
 
 pub mod analysis;
 pub mod backend;

@@ -12,7 +12,7 @@ struct Controlled {
     tangent: State,
     adapted: Adapted,
     memory: Memory,
-    deviations: array<Section, DELAYS>,
+    deviations: array<SectionPoint, DELAYS>,
     exponent: Exponent,
     spread: Spread,
     // The force of the present iterate.
@@ -25,7 +25,7 @@ struct Controlled {
     passage: u32,
     moves: u32,
     at_stops: vec4<u32>,
-    mirrored: Section,
+    mirrored: SectionPoint,
     impacts: u32,
     impacts_total: u32,
     peak: f32,

@@ -8,7 +8,7 @@ fn delay_act() -> Action {
 }
 
 // G times a difference.
-fn delay_feedback(difference: Section) -> Section {
+fn delay_feedback(difference: SectionPoint) -> SectionPoint {
     let gains = section_of_values(control.gains);
-    return Section(gains.head * difference.head, gains.tail * difference.tail);
+    return SectionPoint(gains.head * difference.head, gains.tail * difference.tail);
 }

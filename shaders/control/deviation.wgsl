@@ -1,6 +1,6 @@
 // A small deviation of the points on the section, carried through flight and control.
 
-var<private> deviations: array<Section, DELAYS>;
+var<private> deviations: array<SectionPoint, DELAYS>;
 
 fn deviations_seed() {
     for (var i = 1u; i < DELAYS; i++) {
@@ -27,7 +27,7 @@ fn deviations_leaving() -> State {
 }
 
 // The deviation of the point at which the trajectory arrives.
-fn deviations_arrived() -> Section {
+fn deviations_arrived() -> SectionPoint {
     let rate = deviation_rates();
     let direction = flight.normals[control.normal].direction;
     let speed = along(direction, rate.x);
@@ -39,7 +39,7 @@ fn deviations_arrived() -> Section {
 }
 
 // What control makes of the deviation of an arriving point.
-fn deviations_passed(seen: Seen, arrived: Section) -> Section {
+fn deviations_passed(seen: Seen, arrived: SectionPoint) -> SectionPoint {
     if control.method == METHOD_SINE {
         return sine_deviated(seen, deviations[0], arrived);
     }
@@ -53,7 +53,7 @@ fn deviations_passed(seen: Seen, arrived: Section) -> Section {
     return arrived;
 }
 
-fn deviations_push(deviation: Section) {
+fn deviations_push(deviation: SectionPoint) {
     for (var i = DELAYS - 1u; i > 0u; i--) {
         deviations[i] = deviations[i - 1u];
     }

@@ -1,7 +1,7 @@
 // How a trajectory leaves the section: from where, with which contacts.
 
 // Whether a corrected point is on the section: the masses do not move into its stop, and are beyond no other.
-fn leaving_is_admitted(section: Section) -> bool {
+fn leaving_is_admitted(section: SectionPoint) -> bool {
     let state = section_state(section);
     return section_approach(state) <= 0.0 && leaving_holds(state);
 }
@@ -30,7 +30,7 @@ fn leaving_holds(state: State) -> bool {
 
 // The contacts that still hold at a corrected point: that with the section's stop where the masses rest on it, and those
 // from which the correction moves nothing.
-fn leaving_contact(section: Section, correction: Section) -> u32 {
+fn leaving_contact(section: SectionPoint, correction: SectionPoint) -> u32 {
     let state = section_state(section);
     let moved = surface_unpacked(correction, 0.0);
     var kept = trajectory.contact;
@@ -48,7 +48,7 @@ fn leaving_contact(section: Section, correction: Section) -> u32 {
 }
 
 // Leaves the section from a corrected point, under a force.
-fn leaving_goes_on_from(section: Section, action: Action) {
+fn leaving_goes_on_from(section: SectionPoint, action: Action) {
     if section_distance(section, section_zero()) > RUNAWAY {
         controlled.progress = PROGRESS_RUNAWAY;
         return;

@@ -1,7 +1,7 @@
 // The last points on the section, and whether they repeat.
 
 struct Memory {
-    points: array<Section, DEPTH>,
+    points: array<SectionPoint, DEPTH>,
     turns: array<f32, DEPTH>,
     // At each stop, in the plant's order.
     impacts: array<vec4<u32>, DEPTH>,
@@ -14,7 +14,7 @@ var<private> memory: Memory;
 // The largest number of iterates in one period that is looked for.
 var<private> reach: u32;
 
-fn memory_push(point: Section, turns: f32, impacts: vec4<u32>) {
+fn memory_push(point: SectionPoint, turns: f32, impacts: vec4<u32>) {
     for (var i = max(reach, LONGEST_DELAY); i > 0u; i--) {
         memory.points[i] = memory.points[i - 1u];
         memory.turns[i] = memory.turns[i - 1u];
@@ -88,7 +88,7 @@ fn memory_impacts(period: u32) -> vec4<u32> {
 }
 
 // The point of one period that is the hardest impact.
-fn memory_hardest(period: u32) -> Section {
+fn memory_hardest(period: u32) -> SectionPoint {
     var hardest = memory.points[0];
     for (var i = 1u; i < period; i++) {
         let point = memory.points[i];

@@ -32,14 +32,14 @@ struct Control {
 
 // What a method sees.
 struct Seen {
-    section: Section,
+    section: SectionPoint,
     turns: f32,
     controlled: u32,
 }
 
 // What it does.
 struct Action {
-    correction: Section,
+    correction: SectionPoint,
     force: f32,
     signal: f32,
 }
@@ -58,11 +58,11 @@ fn action_none() -> Action {
     return Action(section_zero(), 0.0, 0.0);
 }
 
-fn action_correcting(correction: Section) -> Action {
+fn action_correcting(correction: SectionPoint) -> Action {
     return Action(correction, 0.0, correction_length(correction));
 }
 
-fn correction_length(correction: Section) -> f32 {
+fn correction_length(correction: SectionPoint) -> f32 {
     return sqrt(section_square(correction));
 }
 

@@ -11,7 +11,7 @@ fn pulse_act(seen: Seen) -> Action {
     errors.tail$c = pulse_uniform(seen.controlled, COORDINATES + $iu);
     //: end
     return action_correcting(
-        Section(away.head - control.noise * errors.head, away.tail - control.noise * errors.tail),
+        SectionPoint(away.head - control.noise * errors.head, away.tail - control.noise * errors.tail),
     );
 }
 

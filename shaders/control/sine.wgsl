@@ -16,7 +16,7 @@ fn sine_act(seen: Seen) -> Action {
     return Action(section_zero(), adapted.amplitude, adapted.amplitude);
 }
 
-fn sine_error(section: Section) -> f32 {
+fn sine_error(section: SectionPoint) -> f32 {
     let error = section_component(section, control.component) - control.wanted;
     if control.component == COMPONENTS - 1u {
         return abs(short_way(error));
@@ -35,7 +35,7 @@ fn sine_is_at_rest() -> bool {
 }
 
 // How a deviation passes the kick.
-fn sine_deviated(seen: Seen, before: Section, arrived: Section) -> Section {
+fn sine_deviated(seen: Seen, before: SectionPoint, arrived: SectionPoint) -> SectionPoint {
     if control.convention != CONVENTION_KICK {
         return arrived;
     }

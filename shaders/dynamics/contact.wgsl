@@ -179,6 +179,10 @@ fn pulled_off_time(acceleration: f32, jerk: f32, bound: f32) -> f32 {
     if jerk > 0.0 {
         return -(2.0 * acceleration) / (jerk + root);
     }
+    if root == jerk {
+        // Nothing ever changes the acceleration.
+        return FAR;
+    }
     return (root - jerk) / (2.0 * bound);
 }
 

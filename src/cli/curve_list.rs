@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::anyhow;
+use impact_atlas::analysis::Regime;
 use impact_atlas::curves::{
     Criticality, Curve, CurveMotion, CurvePoint, End, Kind, LeftOut, Named, Special, Why, named,
 };
@@ -108,7 +109,8 @@ impl CurveSummary {
 
     fn text(&self) -> String {
         let symmetric = match (self.motion.as_str(), self.mirror, self.symmetric) {
-            ("no impact", ..) | (_, false, _) => "",
+            (motion, ..) if motion == Regime::NoImpact.name() => "",
+            (_, false, _) => "",
             (_, true, true) => " symmetric",
             (_, true, false) => " unsymmetric",
         };

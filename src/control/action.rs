@@ -2,14 +2,14 @@
 
 use super::components::Components;
 use super::memory::Memory;
-use super::section::Section;
+use super::section_point::SectionPoint;
 use crate::model::Real;
 
 /// What a method sees at a return to σ.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<'a, T, const N: usize> {
     /// F(X(n)), the point as it arrives.
-    pub section: Section<T, N>,
+    pub section: SectionPoint<T, N>,
     /// Forcing periods since the last return, as a real number.
     pub turns: T,
     /// Whole forcing periods since the start of the trajectory.

@@ -8,7 +8,7 @@ use super::memory::{Counts, Memory, added};
 use super::method::Controller;
 use super::progress::Progress;
 use super::schedule::ControlSchedule;
-use super::section::Section;
+use super::section_point::SectionPoint;
 use super::surface::Surface;
 use super::values::SectionValues;
 use super::witness::{Return, Witness};
@@ -53,7 +53,7 @@ pub struct Controlled<T: Real, const N: usize, D: Actuated<T, N> = ()> {
     /// Impacts at each stop since the last return.
     pub(super) at_stops: Counts,
     /// The mirror image of the last impact at the twin of the section's stop.
-    pub(super) mirrored: Section<T, N>,
+    pub(super) mirrored: SectionPoint<T, N>,
     pub(super) impacts: u32,
     pub(super) impacts_total: u32,
     pub(super) peak: T,
@@ -91,7 +91,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
             passage: 0,
             moves: Moves::default(),
             at_stops: [0; MOST],
-            mirrored: Section::zero(),
+            mirrored: SectionPoint::zero(),
             impacts: 0,
             impacts_total: 0,
             peak: T::zero(),
@@ -105,7 +105,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
 
     /// Applies the force that the controller sets at the present point, and nothing else.
     pub fn force(&mut self, flight: &Flight<T, N>) {
-        let section = Section::of(flight, &self.surface, &self.trajectory);
+        let section = SectionPoint::of(flight, &self.surface, &self.trajectory);
         let turns = T::zero();
         let seen = Seen { section, turns, periods: 0, controlled: 0, memory: &self.memory };
         let Action { force, phase, .. } = self.controller.act(&seen);
@@ -160,7 +160,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
         let here = &mut self.at_stops[impact.stop.index()];
         *here = added(*here, count);
         if self.surface.twin() == Some(impact.stop)
-            && let Some(mirrored) = Section::mirrored(flight, &self.surface, &self.trajectory)
+            && let Some(mirrored) = SectionPoint::mirrored(flight, &self.surface, &self.trajectory)
         {
             self.mirrored = mirrored;
         }
@@ -188,7 +188,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     /// A return to σ.
     #[inline(always)]
     fn arrive(&mut self, flight: &Flight<T, N>, schedule: &ControlSchedule, witness: &mut impl Witness<T>) {
-        let arrived = Section::of(flight, &self.surface, &self.trajectory);
+        let arrived = SectionPoint::of(flight, &self.surface, &self.trajectory);
         if !arrived.is_finite() {
             self.progress = Progress::Failed;
             return;
@@ -253,7 +253,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     }
 
     /// Forcing periods since the last return.
-    fn turns_to(&self, arrived: &Section<T, N>) -> T {
+    fn turns_to(&self, arrived: &SectionPoint<T, N>) -> T {
         if self.memory.seen == 0 {
             return T::zero();
         }

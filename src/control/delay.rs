@@ -5,7 +5,7 @@
 use super::action::{Action, Method, Seen};
 use super::components::Components;
 use super::memory::Memory;
-use super::section::Section;
+use super::section_point::SectionPoint;
 use super::values::SectionValues;
 use crate::dynamics::Stop;
 use crate::model::Real;
@@ -34,7 +34,7 @@ impl<T: Real, const N: usize> Method<T, N> for Delay<T> {
 }
 
 impl<T: Real> Delay<T> {
-    fn past<const N: usize>(&self, memory: &Memory<T, N>) -> Section<T, N> {
+    fn past<const N: usize>(&self, memory: &Memory<T, N>) -> SectionPoint<T, N> {
         memory.points[self.delay as usize]
     }
 

@@ -46,7 +46,7 @@ impl History {
                 velocity_before: impact.velocity_before,
                 velocity_after: impact.velocity_after,
                 state: StateVector::of(&after.point.state),
-                phase: super::section::phase_of(flight, after.step, after.offset),
+                phase: super::section_point::phase_of(flight, after.step, after.offset),
             });
         }
     }

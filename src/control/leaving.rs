@@ -5,7 +5,7 @@ use super::actuated::Actuated;
 use super::components::Components;
 use super::controlled::Controlled;
 use super::progress::Progress;
-use super::section::Section;
+use super::section_point::SectionPoint;
 use crate::dynamics::{Contact, Point, Trajectory, holds};
 use crate::model::vector::dot;
 use crate::model::{Flight, Real};
@@ -15,7 +15,7 @@ pub const RUNAWAY: f64 = 1e3;
 
 impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     /// Whether a corrected point is on the section: the masses do not move into its stop, and are beyond no other.
-    pub(super) fn admits(&self, flight: &Flight<T, N>, section: &Section<T, N>) -> bool {
+    pub(super) fn admits(&self, flight: &Flight<T, N>, section: &SectionPoint<T, N>) -> bool {
         let state = self.surface.state(flight, &section.components);
         let zero = T::zero();
         self.surface.approach(flight, &state) <= zero
@@ -23,14 +23,19 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     }
 
     /// d·v+ at a point on the section, d being the direction of the first stop on its normal.
-    pub(super) fn velocity_along(&self, flight: &Flight<T, N>, section: &Section<T, N>) -> T {
+    pub(super) fn velocity_along(&self, flight: &Flight<T, N>, section: &SectionPoint<T, N>) -> T {
         let state = self.surface.state(flight, &section.components);
         dot(&flight.normals[self.surface.end.normal].direction, &state.v)
     }
 
     /// The contacts that still hold at a corrected point: that with the section's stop where the masses rest on it, and
     /// those from which the correction moves nothing.
-    fn kept(&self, flight: &Flight<T, N>, section: &Section<T, N>, correction: &Components<T, N>) -> Contact {
+    fn kept(
+        &self,
+        flight: &Flight<T, N>,
+        section: &SectionPoint<T, N>,
+        correction: &Components<T, N>,
+    ) -> Contact {
         let state = self.surface.state(flight, &section.components);
         let moved = self.surface.deviation(flight, correction);
         let mut kept = self.trajectory.contact;
@@ -51,11 +56,11 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     pub(super) fn go_on_from(
         &mut self,
         flight: &Flight<T, N>,
-        section: &Section<T, N>,
+        section: &SectionPoint<T, N>,
         action: &Action<T, N>,
     ) {
         let drive = self.trajectory.point.drive.actuated(action.force, action.phase);
-        if section.distance(&Section::zero()) > T::of(RUNAWAY) {
+        if section.distance(&SectionPoint::zero()) > T::of(RUNAWAY) {
             self.progress = Progress::Runaway;
             return;
         }

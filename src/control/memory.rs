@@ -1,6 +1,6 @@
 //! The last points on σ, and whether they repeat.
 
-use super::section::Section;
+use super::section_point::SectionPoint;
 use crate::analysis::{INFINITELY_MANY, constants::RETURNED};
 use crate::model::{Real, vector::MOST};
 
@@ -24,7 +24,7 @@ pub type Counts = [u32; MOST];
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Memory<T, const N: usize> {
     /// The points, as corrected.
-    pub points: [Section<T, N>; DEPTH],
+    pub points: [SectionPoint<T, N>; DEPTH],
     /// The forcing periods from the point before.
     pub turns: [T; DEPTH],
     /// Impacts at each stop since the point before, its own with them; [`INFINITELY_MANY`] with complete chatter.
@@ -44,7 +44,7 @@ impl<T: Real, const N: usize> Memory<T, N> {
     pub fn new(reach: u32) -> Self {
         Memory {
             reach: reach.clamp(1, LONGEST as u32),
-            points: [Section::zero(); DEPTH],
+            points: [SectionPoint::zero(); DEPTH],
             turns: [T::zero(); DEPTH],
             impacts: [[0; MOST]; DEPTH],
             seen: 0,
@@ -54,7 +54,7 @@ impl<T: Real, const N: usize> Memory<T, N> {
     }
 
     /// Takes in the point of the present return.
-    pub fn push(&mut self, point: Section<T, N>, turns: T, impacts: Counts) {
+    pub fn push(&mut self, point: SectionPoint<T, N>, turns: T, impacts: Counts) {
         let kept = (self.reach as usize).max(LONGEST_DELAY);
         for i in (1..=kept).rev() {
             self.points[i] = self.points[i - 1];
@@ -116,7 +116,7 @@ impl<T: Real, const N: usize> Memory<T, N> {
 
     /// The point of one period that is the hardest impact, by the velocity into the stop that it has afterwards: which of
     /// them is met last says nothing.
-    pub fn hardest(&self, period: u32, approach: impl Fn(&Section<T, N>) -> T) -> Section<T, N> {
+    pub fn hardest(&self, period: u32, approach: impl Fn(&SectionPoint<T, N>) -> T) -> SectionPoint<T, N> {
         let mut hardest = self.points[0];
         for i in 1..period as usize {
             if approach(&self.points[i]) < approach(&hardest) {

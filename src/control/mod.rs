@@ -5,7 +5,7 @@
 //! answers with a correction of it, or with a force on one coordinate until the next. A correction that would lead off the
 //! section (into its stop, or beyond another) is left out altogether, and counted as an escape.
 //!
-//! A point X has 2n components for n coordinates: a [`Section`] in flight, and [`SectionValues`] where the number of
+//! A point X has 2n components for n coordinates: a [`SectionPoint`] in flight, and [`SectionValues`] where the number of
 //! coordinates is known at run time only.
 
 mod action;
@@ -26,7 +26,7 @@ mod pulse;
 mod run;
 mod schedule;
 mod scheme;
-mod section;
+mod section_point;
 mod sine;
 mod surface;
 mod values;
@@ -50,7 +50,7 @@ pub use schedule::{ControlSchedule, ControlScheduleError};
 pub use scheme::{
     ControlError, ControlQuantity, DelaySetting, PulseSetting, Scheme, Sign, SineSetting, Target,
 };
-pub use section::Section;
+pub use section_point::SectionPoint;
 pub use sine::{Convention, Sine};
 pub use surface::{Surface, own_coordinate, section_names};
 pub use values::{MOST_COMPONENTS, SectionValues};

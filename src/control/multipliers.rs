@@ -9,7 +9,7 @@ use super::memory::LONGEST_DELAY;
 use super::method::Controller;
 use super::run::force_of;
 use super::schedule::ControlSchedule;
-use super::section::Section;
+use super::section_point::SectionPoint;
 use super::surface::Surface;
 use super::witness::{Return, Witness};
 use crate::dynamics::{Contact, Phasor, Point, Trajectory};
@@ -36,17 +36,17 @@ pub fn multipliers(
     fixed_point: &[f64],
 ) -> Result<Option<Vec<Complex<f64>>>, SystemError> {
     match system.plant().n {
-        1 => multipliers_of(system, controller, Section::<f64, 1>::new(fixed_point)),
-        2 => multipliers_of(system, controller, Section::<f64, 2>::new(fixed_point)),
-        3 => multipliers_of(system, controller, Section::<f64, 3>::new(fixed_point)),
-        _ => multipliers_of(system, controller, Section::<f64, 4>::new(fixed_point)),
+        1 => multipliers_of(system, controller, SectionPoint::<f64, 1>::new(fixed_point)),
+        2 => multipliers_of(system, controller, SectionPoint::<f64, 2>::new(fixed_point)),
+        3 => multipliers_of(system, controller, SectionPoint::<f64, 3>::new(fixed_point)),
+        _ => multipliers_of(system, controller, SectionPoint::<f64, 4>::new(fixed_point)),
     }
 }
 
 fn multipliers_of<const N: usize>(
     system: &System,
     controller: &Controller<f64>,
-    fixed_point: Section<f64, N>,
+    fixed_point: SectionPoint<f64, N>,
 ) -> Result<Option<Vec<Complex<f64>>>, SystemError> {
     let held = held(controller);
     let force = force_of(&held);
@@ -70,8 +70,8 @@ fn multipliers_of<const N: usize>(
 
 /// The Jacobian of a map that makes the next point of those remembered, the present one first, and moves them on.
 fn differences<const N: usize>(
-    map: impl Fn(&[Section<f64, N>]) -> Option<Section<f64, N>>,
-    at: &[Section<f64, N>],
+    map: impl Fn(&[SectionPoint<f64, N>]) -> Option<SectionPoint<f64, N>>,
+    at: &[SectionPoint<f64, N>],
 ) -> Option<DMatrix<f64>> {
     let components = 2 * N;
     let size = components * at.len();
@@ -115,9 +115,9 @@ fn iterate<const N: usize, D: Actuated<f64, N>>(
     flight: &Flight<f64, N>,
     surface: Surface,
     controller: Controller<f64>,
-    points: &[Section<f64, N>],
+    points: &[SectionPoint<f64, N>],
     drive: D,
-) -> Option<Section<f64, N>> {
+) -> Option<SectionPoint<f64, N>> {
     let schedule = ControlSchedule {
         from: 0,
         iterates: LONGEST_DELAY as u32 + ControlSchedule::SHORTEST,
@@ -135,7 +135,7 @@ fn iterate<const N: usize, D: Actuated<f64, N>>(
     controlled.force(flight);
     let mut last = Last(None);
     let returned = controlled.iterate(flight, &schedule, 1, &mut last);
-    returned.then_some(Section::new(&last.0?.section))
+    returned.then_some(SectionPoint::new(&last.0?.section))
 }
 
 /// Keeps the last return.

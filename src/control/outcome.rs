@@ -7,7 +7,7 @@ use super::controlled::{Controlled, SETTLING};
 use super::memory::{Counts, LONGEST};
 use super::progress::Progress;
 use super::schedule::ControlSchedule;
-use super::section::Section;
+use super::section_point::SectionPoint;
 use super::values::SectionValues;
 use crate::analysis::constants::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SIGNIFICANCE};
 use crate::analysis::{self, Regime, Verdict};
@@ -52,7 +52,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
         let regime = self.regime(period);
         let (n, impacts) = if period > 0 { self.memory.counts(period) } else { (0, [0; MOST]) };
         let symmetric = period > 0 && n % 2 == 1 && self.is_symmetric(period, &impacts);
-        let approach = |point: &Section<T, N>| {
+        let approach = |point: &SectionPoint<T, N>| {
             self.surface.approach(flight, &self.surface.state(flight, &point.components))
         };
         let point = if period > 0 { self.memory.hardest(period, approach) } else { self.memory.points[0] };

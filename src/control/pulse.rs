@@ -2,7 +2,7 @@
 
 use super::action::{Action, Method, Seen};
 use super::components::Components;
-use super::section::Section;
+use super::section_point::SectionPoint;
 use super::values::SectionValues;
 use crate::dynamics::Stop;
 use crate::model::Real;
@@ -29,7 +29,7 @@ impl<T: Real, const N: usize> Method<T, N> for Pulse<T> {
         if !self.is_due(seen) {
             return Action::none();
         }
-        let away = Section::new(&self.target).minus(&seen.section);
+        let away = SectionPoint::new(&self.target).minus(&seen.section);
         let error = |i: usize| self.noise * uniform(self.seed, seen.controlled, i as u32);
         Action::correcting(Components::from_fn(|i| away[i] - error(i)))
     }

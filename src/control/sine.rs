@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::action::{Action, Method, Seen};
 use super::components::Components;
-use super::section::{Section, short_way, sine_and_cosine};
+use super::section_point::{SectionPoint, short_way, sine_and_cosine};
 use crate::dynamics::Stop;
 use crate::model::Real;
 
@@ -82,7 +82,7 @@ impl<T: Real, const N: usize> Method<T, N> for Sine<T> {
 
 impl<T: Real> Sine<T> {
     /// |e|.
-    fn error_of<const N: usize>(&self, section: &Section<T, N>) -> T {
+    fn error_of<const N: usize>(&self, section: &SectionPoint<T, N>) -> T {
         let error = section.components[self.component] - self.target;
         if self.component == Components::<T, N>::TAU { short_way(error).abs() } else { error.abs() }
     }

@@ -6,7 +6,7 @@ use std::ops::{Deref, DerefMut};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::components::Components;
-use super::section::short_way;
+use super::section_point::short_way;
 use crate::model::Real;
 use crate::system::Plant;
 

@@ -70,7 +70,7 @@ impl CurveMotion {
     /// impacts.
     pub fn labelled(label: &str, symmetric: bool, plane: &Plane) -> Option<Self> {
         let stops = stops_of(plane, spans(plane).ok()?);
-        if label == "no impact" {
+        if label == Regime::NoImpact.name() {
             return Some(CurveMotion { symmetric, ..CurveMotion::without_impact(&stops) });
         }
         let counts: Option<Vec<u32>> = label.split('-').map(|count| count.parse().ok()).collect();
@@ -119,7 +119,7 @@ impl CurveMotion {
     /// N and the impacts at each stop, or what it is called without impacts.
     pub fn label(&self) -> String {
         if self.count() == 0 {
-            "no impact".to_owned()
+            Regime::NoImpact.name().to_owned()
         } else {
             let impacts: Vec<u16> = self.impacts.iter().map(|&count| count as u16).collect();
             motion_label(self.n, &impacts)

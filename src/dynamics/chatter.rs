@@ -111,3 +111,6 @@ fn drag<T: Real, const N: usize>(
         None
     }
 }
+
+#[cfg(test)]
+mod tests;

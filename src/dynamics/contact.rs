@@ -273,7 +273,14 @@ fn pulled_off_time<T: Real>(acceleration: T, jerk: T, bound: T) -> T {
     }
     let two = T::of(2.0);
     let root = (jerk * jerk - (two + two) * acceleration * bound).sqrt();
-    if jerk > T::zero() { -(two * acceleration) / (jerk + root) } else { (root - jerk) / (two * bound) }
+    if jerk > T::zero() {
+        return -(two * acceleration) / (jerk + root);
+    }
+    if root == jerk {
+        // Nothing ever changes the acceleration.
+        return T::of(FAR);
+    }
+    (root - jerk) / (two * bound)
 }
 
 /// A time for which what presses a mass on its stop provably lasts, at most `window`: `force`
@@ -284,3 +291,6 @@ pub fn pressed_time<T: Real>(force: T, slope: T, bound: T, window: T) -> T {
     let time = closing_time(force, -slope, bound);
     if time < window { time } else { window }
 }
+
+#[cfg(test)]
+mod tests;

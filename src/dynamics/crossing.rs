@@ -234,3 +234,6 @@ fn parts_for_good<L: Lanes, const N: usize>(
 
 /// What rounding may add to a bound.
 pub const WIDER: f64 = 1.001;
+
+#[cfg(test)]
+mod tests;

@@ -12,6 +12,8 @@ mod contact;
 mod corner;
 mod crossing;
 mod drive;
+#[cfg(test)]
+mod example;
 mod leg;
 mod moves;
 mod near;

@@ -62,23 +62,4 @@ impl<L: Lanes> Quintic<L> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_root_of_a_fall_and_of_a_hop() {
-        // A polynomial of fifth degree is its own interpolant.
-        let gap = |s: f64| 0.3 - 0.5 * s - 0.7 * s * s + 0.1 * s.powi(3) - 0.04 * s.powi(5);
-        let speed = |s: f64| 0.5 + 1.4 * s - 0.3 * s * s + 0.2 * s.powi(4);
-        let pull = |s: f64| 1.4 - 0.6 * s + 0.8 * s.powi(3);
-        let w = 0.9;
-        let quintic = Quintic::through([gap(0.0), gap(w)], [speed(0.0), speed(w)], [pull(0.0), pull(w)], w);
-        let u = quintic.root([gap(0.0), gap(w)], speed(0.0) * w);
-        assert!(gap(u * w).abs() < 1e-14 && u > 0.0 && u < 1.0, "{u}");
-        // The motion leaves the stop and returns: the root sought is not the one at 0.
-        let hop = |s: f64| 0.2 * s - 0.6 * s * s;
-        let quintic = Quintic::through([0.0, hop(w)], [-0.2, -0.2 + 1.2 * w], [1.2, 1.2], w);
-        let u = quintic.root([0.0, hop(w)], -0.2 * w);
-        assert!((u * w - 1.0 / 3.0).abs() < 1e-14, "{u}");
-    }
-}
+mod tests;

@@ -75,3 +75,6 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         Move { time: pulled, contact, event: Event::Released(stop) }
     }
 }
+
+#[cfg(test)]
+mod tests;

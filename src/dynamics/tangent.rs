@@ -234,3 +234,6 @@ impl<T: Real, const N: usize> Tangent<T, N> {
         Tangent(self.0.scaled(factor))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,7 +3,7 @@
 use super::error::{CellFault, CellProblem, FamilyError, Place, Problem};
 use super::expression::Expression;
 use super::parameter::{Parameter, ParameterId, Values, named};
-use super::reader::Item;
+use super::table::Item;
 
 /// The expressions of a matrix row by row, of a vector, or of one number, each with its place.
 #[derive(Clone, Debug)]

@@ -12,11 +12,11 @@ mod number;
 mod parameter;
 mod plant;
 mod plant_error;
-mod reader;
 mod setting;
 mod stop_place;
 mod stops;
 mod struck;
+mod table;
 
 pub use builtin::{BUILTIN, Builtin, builtin};
 pub use error::{CellError, CellFault, CellProblem, FamilyError, Place, Problem};

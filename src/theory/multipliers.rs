@@ -38,3 +38,47 @@ pub(super) fn ordered(mut values: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
     values
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Stop;
+    use crate::theory::example::Ball;
+
+    #[test]
+    fn the_jacobian_of_a_turn_of_the_bouncing_ball_is_that_of_its_closed_form() {
+        for restitution in [0.5, 0.8, 1.0] {
+            let ball = Ball { restitution, force: 0.5, ..Ball::STABLE };
+            let system = ball.system();
+            let pattern = Pattern::new(&system, vec![Stop::A], 2, false);
+            for other in [false, true] {
+                let section = ball.section(other).unwrap();
+                let sections = [Section::from_row_slice(&section)];
+                let jacobian = turn(&Flow::new(&system), &pattern, &sections).unwrap();
+                let expected = ball.jacobian(section);
+                let away = (0..4).map(|k| (jacobian[(k / 2, k % 2)] - expected[(k / 2, k % 2)]).abs());
+                let size = expected.amax();
+                assert!(away.fold(0.0, f64::max) < 1e-12 * size, "{restitution}: {jacobian} for {expected}");
+                // Volumes shrink by r² in an impact; without damping, flight leaves them.
+                assert!((jacobian.determinant() - restitution * restitution).abs() < 1e-12 * size * size);
+                let twin = ball.jacobian(ball.section(!other).unwrap());
+                assert!((jacobian.trace() - twin.trace()).abs() > 0.1, "the check can fail");
+            }
+        }
+    }
+
+    #[test]
+    fn eigenvalues_come_by_modulus_and_of_a_pair_the_upper_one_first() {
+        // Blocks with the eigenvalues ½ ± 2i, −3, 0.1 and 0, in another basis.
+        let mut blocks = DMatrix::zeros(5, 5);
+        blocks.view_mut((0, 0), (2, 2)).copy_from_slice(&[0.5, 2.0, -2.0, 0.5]);
+        (blocks[(2, 2)], blocks[(3, 3)]) = (-3.0, 0.1);
+        let basis = DMatrix::from_fn(5, 5, |i, j| if i == j { 2.0 } else { ((3 * i + j) as f64).sin() });
+        let matrix = &basis * blocks * basis.clone().try_inverse().unwrap();
+        let found = eigenvalues(&matrix).unwrap();
+        let expected = [(-3.0, 0.0), (0.5, 2.0), (0.5, -2.0), (0.1, 0.0), (0.0, 0.0)];
+        for (value, (re, im)) in found.iter().zip(expected) {
+            assert!((value - Complex::new(re, im)).norm() < 1e-12, "{found:?}");
+        }
+    }
+}

@@ -106,3 +106,77 @@ fn moved(sections: &[Section], step: &DVector<f64>, share: f64) -> Vec<Section> 
 pub(crate) fn is_ordered(pattern: &Pattern, sections: &[Section]) -> bool {
     (0..sections.len()).all(|i| next_phase(pattern, sections, i) > phase(&sections[i]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Stop;
+    use crate::theory::example::{Ball, chain};
+
+    fn found(ball: Ball, guess: [f64; 2]) -> Option<(Vec<Section>, f64)> {
+        let system = ball.system();
+        let pattern = Pattern::new(&system, vec![Stop::A], 2, false);
+        solve(&Flow::new(&system), &pattern, &[Section::from_row_slice(&guess)])
+    }
+
+    #[test]
+    fn the_bouncing_ball_has_the_motions_of_its_closed_form() {
+        let ball = Ball::STABLE;
+        for other in [false, true] {
+            let [speed, phase] = ball.section(other).unwrap();
+            for guess in [[speed, phase], [speed + 0.05, phase - 0.1], [speed - 0.1, phase + 0.05]] {
+                let (sections, residual) = found(ball, guess).unwrap();
+                let away = (sections[0][0] - speed).abs().max((sections[0][1] - phase).abs());
+                assert!(away < 1e-10 && residual < SOLVED, "{guess:?}: {sections:?} for {speed} {phase}");
+                assert!(
+                    (sections[0][1] - ball.section(!other).unwrap()[1]).abs() > 0.5,
+                    "the check can fail"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_force_too_small_to_throw_the_ball_back_leads_nowhere() {
+        let weak = Ball { force: 0.1, ..Ball::STABLE };
+        assert_eq!(weak.section(false), None);
+        assert!(found(weak, [-0.8, 4.0]).is_none() && found(weak, [-0.8, 3.1]).is_none());
+        assert!(found(Ball::STABLE, [f64::NAN, 4.0]).is_none());
+    }
+
+    #[test]
+    fn the_derivative_is_that_of_finite_differences() {
+        let system = chain();
+        let flow = Flow::new(&system);
+        let pattern = Pattern::new(&system, vec![Stop::A, Stop::B, Stop::B], 3, true);
+        let component =
+            |i: usize, j: usize| if j == 5 { 2.0 * i as f64 } else { 0.3 * ((7 * i + j) as f64).sin() };
+        let sections: Vec<Section> = (0..3).map(|i| Section::from_fn(6, |j, _| component(i, j))).collect();
+        let matrix = derivative(&flow, &arcs(&flow, &pattern, &sections), &pattern);
+        let step = 1e-5;
+        for column in 0..18 {
+            let of = |sign: f64| {
+                let mut moved = sections.clone();
+                moved[column / 6][column % 6] += sign * step;
+                residual(&arcs(&flow, &pattern, &moved))
+            };
+            let difference = (of(1.0) - of(-1.0)) / (2.0 * step);
+            let away = (matrix.column(column) - &difference).amax();
+            assert!(away < 1e-8 * (1.0 + difference.amax()), "{column}: {away}");
+        }
+        assert!(matrix.amax() > 0.1, "the check can fail");
+    }
+
+    #[test]
+    fn impacts_are_in_order_where_each_comes_later() {
+        let system = chain();
+        let pattern = Pattern::new(&system, vec![Stop::A, Stop::B], 2, false);
+        let at = |phases: [f64; 2]| {
+            let sections = phases.map(|phase| Section::from_row_slice(&[-0.3, 0.0, 0.0, 0.0, 0.0, phase]));
+            is_ordered(&pattern, &sections)
+        };
+        let turn = pattern.turn();
+        assert!(at([0.0, 1.0]) && at([1.0, 0.999 * turn]) && at([-1.0, 0.0]));
+        assert!(!at([1.0, 1.0]) && !at([1.0, 0.5]) && !at([0.0, turn]) && !at([0.0, 1.1 * turn]));
+    }
+}

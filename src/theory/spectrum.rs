@@ -8,8 +8,7 @@ use thiserror::Error;
 use super::follower::{Follower, follower};
 use super::frame::Frame;
 use crate::analysis::constants::{ALIGNING, BATCHES};
-use crate::dynamics::constants::MOST_MOVES;
-use crate::dynamics::{Event, Stop};
+use crate::dynamics::{Event, Moves, Stop};
 use crate::model::System;
 
 /// The 2n Lyapunov exponents of a trajectory, largest first, natural logarithm; everything is non-dimensional.
@@ -69,9 +68,9 @@ impl Spectrum {
         let mut follower = follower(system);
         follower.begin(start.as_ref());
         for period in 0..transient {
-            let mut moves = Headway { period, left: MOST_MOVES };
+            let mut headway = Headway { period, moves: Moves::default() };
             while follower.advance().event != Event::Strobe {
-                moves.count(follower.as_ref())?;
+                headway.note(follower.as_ref())?;
             }
         }
         let stops = system.plant().stops.len();
@@ -85,10 +84,10 @@ impl Spectrum {
             if period >= aligning && (period - aligning).is_multiple_of(batch_periods) {
                 batches.push(vec![0.0; 2 * system.plant().n]);
             }
-            let mut moves = Headway { period: transient + period, left: MOST_MOVES };
+            let mut headway = Headway { period: transient + period, moves: Moves::default() };
             loop {
                 let taken = follower.advance();
-                moves.count(follower.as_ref())?;
+                headway.note(follower.as_ref())?;
                 if period >= aligning {
                     tally.note(&taken.event);
                 }
@@ -137,17 +136,17 @@ impl Spectrum {
     }
 }
 
-/// Guards against trajectories without end.
+/// Guards against trajectories without end, within one forcing period.
 struct Headway {
     period: u32,
-    left: u32,
+    moves: Moves,
 }
 
 impl Headway {
-    fn count(&mut self, follower: &dyn Follower) -> Result<(), SpectrumFailed> {
+    fn note(&mut self, follower: &dyn Follower) -> Result<(), SpectrumFailed> {
         let periods = self.period;
-        self.left -= 1;
-        if self.left == 0 {
+        self.moves.add();
+        if self.moves.are_too_many() {
             return Err(SpectrumFailed { periods, reason: "too many impacts in one forcing period" });
         }
         if !follower.is_finite() {
@@ -202,3 +201,6 @@ impl Tally {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -109,3 +109,102 @@ impl Turn {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::System;
+    use crate::theory::example::{Ball, chain};
+    use crate::theory::follower::follower;
+
+    fn turned(system: &System, start: &DVector<f64>, n: u32) -> Turn {
+        Turn::from(follower(system).as_mut(), &Flow::new(system), start, n).unwrap()
+    }
+
+    #[test]
+    fn a_turn_of_the_bouncing_ball_closes_on_itself() {
+        let ball = Ball::STABLE;
+        let section = ball.section(false).unwrap();
+        let state = ball.state(section);
+        let start = DVector::from_row_slice(&state);
+        let system = ball.system();
+        let turn = turned(&system, &start, 1);
+        assert!((&turn.end - &start).amax() < 1e-12, "{} for {start}", turn.end);
+        assert_eq!((&turn.impacts[..], turn.sticking), (&[1][..], false));
+        // v− = g T/(1 + r).
+        let arrives = ball.load * std::f64::consts::TAU / (1.0 + ball.restitution);
+        assert!((turn.peak - arrives).abs() < 1e-12, "{}", turn.peak);
+        let hardest = turn.hardest.as_ref().unwrap();
+        let away = hardest.section.iter().zip(section).map(|(found, expected)| (found - expected).abs());
+        assert!(hardest.stop == Stop::A && away.fold(0.0, f64::max) < 1e-12, "{:?}", hardest.section);
+        // The strobe map and the impact map have the same multipliers.
+        let jacobian = ball.jacobian(section);
+        assert!((turn.jacobian.trace() - jacobian.trace()).abs() < 1e-10);
+        assert!((turn.jacobian.determinant() - jacobian.determinant()).abs() < 1e-10);
+        // Three periods of it are thrice one.
+        let turn = turned(&system, &start, 3);
+        assert_eq!((&turn.impacts[..], turn.shorter(3, 1e-9)), (&[3][..], Some(1)));
+        let astray = turned(&system, &DVector::from_row_slice(&[state[0] - 0.1, state[1]]), 3);
+        assert_eq!(astray.shorter(3, 1e-9), None, "a trajectory that does not close has no period");
+    }
+
+    #[test]
+    fn the_jacobian_of_a_turn_is_that_of_finite_differences() {
+        let system = chain();
+        let start = DVector::from_row_slice(&[0.05, -0.02, 0.03, 0.4, 0.6, -0.3]);
+        let turn = turned(&system, &start, 1);
+        assert!(turn.impacts.iter().sum::<u16>() > 0 && !turn.sticking, "{:?}", turn.impacts);
+        let step = 1e-6;
+        for column in 0..6 {
+            let of = |sign: f64| {
+                let mut moved = start.clone();
+                moved[column] += sign * step;
+                turned(&system, &moved, 1).end
+            };
+            let difference = (of(1.0) - of(-1.0)) / (2.0 * step);
+            let away = (turn.jacobian.column(column) - &difference).amax();
+            assert!(away < 1e-6 * (1.0 + difference.amax()), "{column}: {away}");
+        }
+        // Volumes shrink by exp(−T tr M⁻¹C) in flight and by r² in each impact.
+        let impacts = i32::from(turn.impacts.iter().sum::<u16>());
+        let volume = (-system.period() * system.contraction()).exp() * 0.7f64.powi(2 * impacts);
+        assert!((turn.jacobian.determinant() / volume - 1.0).abs() < 1e-9, "{impacts}");
+        assert!((turn.jacobian.determinant() / (0.49 * volume) - 1.0).abs() > 0.5, "the check can fail");
+    }
+
+    /// A turn of which only the strobe states matter.
+    fn striding(strobes: &[f64]) -> Turn {
+        Turn {
+            end: DVector::zeros(1),
+            strobes: strobes.iter().map(|&value| DVector::from_element(1, value)).collect(),
+            jacobian: DMatrix::zeros(1, 1),
+            half: None,
+            impacts: Vec::new(),
+            sticking: false,
+            peak: 0.0,
+            hardest: None,
+        }
+    }
+
+    #[test]
+    fn the_shorter_period_is_the_smallest_divisor_that_returns() {
+        let shorter = |strobes: &[f64]| striding(strobes).shorter(strobes.len() as u32, 0.125);
+        assert_eq!(shorter(&[1.0]), None);
+        assert_eq!(shorter(&[1.0, 1.0, 1.0, 1.0, 1.0, 1.0]), Some(1));
+        assert_eq!(shorter(&[1.0, 2.0, 1.0, 2.0, 1.0, 2.0]), Some(2));
+        assert_eq!(shorter(&[1.0, 2.0, 3.0, 1.0, 2.0, 3.0]), Some(3));
+        // A return after a number that is no divisor is none, and so is one that is too far away.
+        assert_eq!(shorter(&[1.0, 2.0, 3.0, 4.0, 1.0, 2.0]), None);
+        assert_eq!(shorter(&[1.0, 2.0, 1.125, 2.0]), Some(2));
+        assert_eq!(shorter(&[1.0, 2.0, 1.126, 2.0]), None);
+    }
+
+    #[test]
+    fn a_trajectory_that_is_not_finite_makes_no_turn() {
+        let system = Ball::STABLE.system();
+        for wrong in [f64::NAN, f64::INFINITY] {
+            let start = DVector::from_row_slice(&[-0.1, wrong]);
+            assert!(Turn::from(follower(&system).as_mut(), &Flow::new(&system), &start, 1).is_none());
+        }
+    }
+}

@@ -6,18 +6,6 @@ use std::path::PathBuf;
 use super::files;
 use super::modules::Modules;
 
-/// Uses that close a circle and are left: the file that uses, and what it uses, a file or a folder.
-const LEFT: [(&str, &str); 4] = [
-    // The device's operations are methods of the kernel, and the kernel's shaders are compiled by one of them.
-    ("backend/gpu/kernel/device.rs", "backend/gpu/kernel/mod.rs"),
-    // A tile is dispatched in rows whose length stands with the loop that drives the tile.
-    ("backend/gpu/kernel/tile.rs", "backend/gpu/kernel/drive.rs"),
-    // The constants that are generated for a shader hold the size of its workgroups, which is declared with its fragments.
-    ("backend/gpu/shader/constants.rs", "backend/gpu/shader/mod.rs"),
-    // The list of the paper's figures stands beside the trait that each of them has.
-    ("reproduce/mod.rs", "reproduce"),
-];
-
 type Uses = BTreeMap<PathBuf, BTreeMap<PathBuf, String>>;
 
 /// The way back from a file to itself, the shortest: each file with the path by which it uses the next.
@@ -48,10 +36,7 @@ fn way_back(uses: &Uses, from: &PathBuf) -> Option<Vec<(PathBuf, String)>> {
 
 /// The cycles between files, each once: the shortest through each file.
 fn cycles(sources: &[(PathBuf, String)]) -> Vec<String> {
-    let mut uses = Modules::of(sources).uses();
-    for (file, used) in LEFT {
-        uses.entry(file.into()).or_default().retain(|path, _| !path.starts_with(used));
-    }
+    let uses = Modules::of(sources).uses();
     let mut seen = BTreeSet::new();
     let mut found = Vec::new();
     for file in uses.keys() {

@@ -1,8 +1,9 @@
-//! The architecture, held to: rooms and files use each other one way only, wgpu stays in its folder, shaders have their twins, files are small.
+//! The architecture, held to: rooms and files use each other one way only, wgpu stays in its folder, shaders have their twins, files are small, and the page that shows a way through them leads somewhere.
 
 mod cycles;
 mod modules;
 mod sizes;
+mod way;
 
 use std::collections::BTreeSet;
 use std::fs;

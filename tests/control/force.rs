@@ -1,7 +1,7 @@
 //! The sine force as a real force between impacts: exact flight, and what it reaches.
 
 use impact_atlas::control::{
-    ControlSchedule, Controlled, Controller, Convention, Scheme, Section, Surface, control, multipliers,
+    ControlSchedule, Controlled, Controller, Convention, Scheme, SectionPoint, Surface, control, multipliers,
 };
 use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Stop, Trajectory};
 use impact_atlas::model::{Drive, Flight, Parameters, State, System};
@@ -15,7 +15,7 @@ fn a_force_in_phase_is_a_change_of_the_forcing() {
     let flight = Flight::<f64, 2>::new(&stronger);
     let schedule =
         ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
-    let start = Section::new(&[-0.3, 0.01, 0.02, 1.9]);
+    let start = SectionPoint::new(&[-0.3, 0.01, 0.02, 1.9]);
     let surface = Surface::new(&stronger, &flight, Stop::A);
     let follow = |flight: &Flight<f64, 2>| {
         let begun = start.trajectory(flight, &surface, Contact::FREE, ());

@@ -5,7 +5,8 @@ use impact_atlas::backend::{
     Backend, BackendError, ControlJob, Cpu, CpuSingle, Gpu, Job, Unwatched, Watch, follow_controlled,
 };
 use impact_atlas::control::{
-    ControlSchedule, Controller, Convention, NEVER, Outcome, PulseSetting, Scheme, Section, Sign, Surface,
+    ControlSchedule, Controller, Convention, NEVER, Outcome, PulseSetting, Scheme, SectionPoint, Sign,
+    Surface,
 };
 use impact_atlas::dynamics::{Contact, Event, Stop};
 use impact_atlas::model::{Flight, Parameters, State, System};
@@ -35,7 +36,7 @@ fn plane(control: Scheme, x: &str, y: &str) -> ControlPlane {
 fn beside_the_motion() -> [f64; 4] {
     let flight = Flight::<f64, 2>::new(&system());
     let surface = Surface::new(&system(), &flight, Stop::A);
-    let mut trajectory = Section::new(&FIXED_POINT).trajectory(&flight, &surface, Contact::FREE, ());
+    let mut trajectory = SectionPoint::new(&FIXED_POINT).trajectory(&flight, &surface, Contact::FREE, ());
     while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
     let State { x: [x1, x2], v: [v1, v2] } = trajectory.point.state;
     [x1, x2 + 1e-3, v1, v2]

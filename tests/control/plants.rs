@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use impact_atlas::backend::{Backend, ControlJob, Gpu, Job, Unwatched, follow_controlled};
 use impact_atlas::control::{
     ControlSchedule, Controlled, Controller, Convention, DelaySetting, Outcome, PulseSetting, Return, Scheme,
-    Section, SectionValues, Sign, SineSetting, Surface, Target, control, multipliers,
+    SectionPoint, SectionValues, Sign, SineSetting, Surface, Target, control, multipliers,
 };
 use impact_atlas::dynamics::{Contact, Event, Phasor, Stop, Trajectory};
 use impact_atlas::model::{Drive, Flight, State, StateVector, System};
@@ -200,7 +200,7 @@ fn masses_that_hit_each_other_are_put_back_in_touch() {
     assert!(returns[300..].iter().all(|met| away(met.section, &target) < 1e-14), "{outcome:?}");
     let flight = Flight::<f64, 2>::new(&system);
     let surface = Surface::new(&system, &flight, stop);
-    let placed = Section::new(&target).trajectory(&flight, &surface, Contact::FREE, ()).point.state;
+    let placed = SectionPoint::new(&target).trajectory(&flight, &surface, Contact::FREE, ()).point.state;
     let along: f64 = plant.stops[0].direction.iter().zip(&placed.x).map(|(d, x)| d * x).sum();
     assert!((along - plant.stops[0].gap).abs() < 1e-15, "{along}");
     assert!(away(free.last().unwrap().section, &target) > 1e-2);
@@ -243,7 +243,7 @@ fn a_force_on_the_second_mass_is_a_change_of_its_forcing() {
     let changed = system.clone().loaded(&[1.0, -0.3]);
     let schedule =
         ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
-    let start = Section::new(&[-0.4, 0.1, 0.1, 1.0]);
+    let start = SectionPoint::new(&[-0.4, 0.1, 0.1, 1.0]);
     let sine = |coordinate| {
         Scheme::Sine(SineSetting {
             stop: Stop::A,

@@ -1,6 +1,6 @@
 //! The sine kick, Eqs. (21) to (23): a kick at each return to the section.
 
-use impact_atlas::control::{ControlSchedule, Controlled, Convention, Section, Surface, multipliers};
+use impact_atlas::control::{ControlSchedule, Controlled, Convention, SectionPoint, Surface, multipliers};
 use impact_atlas::dynamics::{Contact, Stop};
 use impact_atlas::model::Flight;
 
@@ -45,7 +45,7 @@ fn from_nearby(amplitude: f64) -> f64 {
         ControlSchedule { from: 0, iterates: 3000, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let [v1, x2, v2, tau] = FIXED_POINT;
     let surface = Surface::new(&system(), &flight, Stop::A);
-    let begun = Section::new(&[v1 + 1e-4, x2, v2, tau]).trajectory(&flight, &surface, Contact::FREE, ());
+    let begun = SectionPoint::new(&[v1 + 1e-4, x2, v2, tau]).trajectory(&flight, &surface, Contact::FREE, ());
     let mut controlled = Controlled::new(begun, surface, controller, &schedule);
     let mut returns = Returns::default();
     controlled.follow(&flight, &schedule, &mut returns);

@@ -1,6 +1,7 @@
 //! The table of fields: every number that a plane's cells have.
 
 use super::field::{CellField, Drawn, Extras, Inner, Source};
+use crate::analysis::regime_codes;
 use crate::figure::Spread;
 
 /// The code of the regime of a cell that was not computed yet: no regime has it.
@@ -34,8 +35,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "regime",
         (Inner::One, ""),
         Source::U8(|cell| cell.verdict.regime.code()),
-        "code: 0 unresolved, 1 no impact, 2 periodic, 3 periodic with sticking, 4 quasi-periodic, 5 chaotic, \
-         6 aperiodic with sticking, 7 failed; in a store 255 where not computed yet",
+        concat!(regime_codes!(), "; in a store 255 where not computed yet"),
         None,
     ),
     field(

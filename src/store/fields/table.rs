@@ -1,6 +1,7 @@
 //! The table of result files: every file that commands write, with its arrays or columns.
 
 use super::field::{Field, FileContent};
+use crate::analysis::regime_codes;
 use crate::plane::fields::{CELL_FIELDS, CellField, Inner};
 
 const fn field(
@@ -16,8 +17,7 @@ const fn column(name: &'static str, kind: &'static str, unit: &'static str, mean
     Field { name, kind, shape: "", unit, meaning }
 }
 
-const REGIME: &str = "code: 0 unresolved, 1 no impact, 2 periodic, 3 periodic with sticking, 4 quasi-periodic, \
-                      5 chaotic, 6 aperiodic with sticking, 7 failed";
+const REGIME: &str = regime_codes!();
 const N: &str =
     "N of N-p-q; 0 where not periodic, and in motions under control of less than half a forcing period";
 const P: &str = "the first count of the label: impacts at x1 = −δ in one period of the paper's oscillator; 0 where not periodic, 65535 for infinitely many (complete chatter)";

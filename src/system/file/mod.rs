@@ -10,7 +10,7 @@ use super::block::Block;
 use super::error::{FamilyError, Problem};
 use super::family::{Equations, Family};
 use super::plant::Plant;
-use super::reader::{Section, Source};
+use super::table::{Source, Table};
 
 const SECTIONS: [&str; 7] = ["name", "source", "label_order", "parameters", "system", "stop", "plane"];
 const SYSTEM: [&str; 7] = ["frequency", "mass", "damping", "stiffness", "force_sin", "force_cos", "load"];
@@ -28,16 +28,16 @@ impl Family {
 fn read(text: &str, origin: &str) -> Result<Family, FamilyError> {
     let source = Source { file: origin, text };
     let document = source.parse()?;
-    let root = Section::root(&source, document.get_ref());
+    let root = Table::root(&source, document.get_ref());
     root.only(&SECTIONS)?;
     let name = root.required("name", r#"name = "…" before the first section"#)?.text("a name in quotes")?;
     let from = root.optional("source").map(|item| item.text("a reference in quotes")).transpose()?;
     let parameters = root.required("parameters", "the section [parameters]; it may be empty")?;
-    let (parameters, places) = parameters::read(&parameters.section("the section [parameters]")?)?;
+    let (parameters, places) = parameters::read(&parameters.table("the section [parameters]")?)?;
     let names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
     let system =
         root.required("system", "the section [system] with frequency, mass, damping and stiffness")?;
-    let equations = equations(&system.section("the section [system]")?, &names)?;
+    let equations = equations(&system.table("the section [system]")?, &names)?;
     let stops = stops::read(&root, equations.n, &names)?;
     let label_order = stops::label_order(&root, &stops)?;
     let plane = plane::read(&root, &parameters, equations.n)?;
@@ -65,22 +65,22 @@ fn read(text: &str, origin: &str) -> Result<Family, FamilyError> {
     }
 }
 
-fn equations(section: &Section, names: &[String]) -> Result<Equations, FamilyError> {
-    section.only(&SYSTEM)?;
-    let mass = section.required("mass", r#"mass = [["1"]]"#)?;
+fn equations(table: &Table, names: &[String]) -> Result<Equations, FamilyError> {
+    table.only(&SYSTEM)?;
+    let mass = table.required("mass", r#"mass = [["1"]]"#)?;
     let n = Block::rows(&mass)?;
     if n > Plant::MOST_COORDINATES {
         let most = Plant::MOST_COORDINATES;
         return Err(mass.error(Problem::TooMany { count: n, what: "coordinates", most }));
     }
-    let load = |key: &str| match section.optional(key) {
+    let load = |key: &str| match table.optional(key) {
         Some(item) => Block::vector(&item, n, names),
         None => Ok(Block::zeros(mass.place(), n)),
     };
-    let matrix = |key, example| Block::matrix(&section.required(key, example)?, n, names);
+    let matrix = |key, example| Block::matrix(&table.required(key, example)?, n, names);
     Ok(Equations {
         n,
-        frequency: Block::scalar(&section.required("frequency", r#"frequency = "omega""#)?, names)?,
+        frequency: Block::scalar(&table.required("frequency", r#"frequency = "omega""#)?, names)?,
         mass: Block::matrix(&mass, n, names)?,
         damping: matrix("damping", r#"damping = [["0"]], with zeros where nothing is damped"#)?,
         stiffness: matrix("stiffness", r#"stiffness = [["0"]], with zeros where there is no spring"#)?,

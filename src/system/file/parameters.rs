@@ -3,13 +3,13 @@
 use super::super::error::{FamilyError, Place, Problem};
 use super::super::expression;
 use super::super::parameter::{Bound, Parameter, Range};
-use super::super::reader::{Item, Section};
+use super::super::table::{Item, Table};
 
 const KEYS: [&str; 7] = ["default", "symbol", "about", "at_least", "at_most", "above", "below"];
 
 /// The parameters in the order of the file, with their places.
-pub(super) fn read(section: &Section) -> Result<(Vec<Parameter>, Vec<Place>), FamilyError> {
-    let items = section.items();
+pub(super) fn read(table: &Table) -> Result<(Vec<Parameter>, Vec<Place>), FamilyError> {
+    let items = table.items();
     let parameters = items.iter().map(|(name, item)| parameter(name, item)).collect::<Result<_, _>>()?;
     Ok((parameters, items.iter().map(|(_, item)| item.place()).collect()))
 }
@@ -44,24 +44,24 @@ fn parameter(name: &str, item: &Item) -> Result<Parameter, FamilyError> {
         about: String::new(),
         range: Range::default(),
     };
-    if !item.is_section() {
+    if !item.is_table() {
         return item.number().map(plain);
     }
-    let section = item.section("a number, or { default = … }")?;
-    section.only(&KEYS)?;
-    let text = |key| section.optional(key).map(|item| item.text("a text in quotes")).transpose();
-    let default = section.required("default", "default = and a number")?;
+    let table = item.table("a number, or { default = … }")?;
+    table.only(&KEYS)?;
+    let text = |key| table.optional(key).map(|item| item.text("a text in quotes")).transpose();
+    let default = table.required("default", "default = and a number")?;
     let mut parameter = plain(default.number()?);
     parameter.symbol = text("symbol")?.unwrap_or(name).to_owned();
     parameter.about = text("about")?.unwrap_or_default().to_owned();
-    parameter.range = range(item, &section)?;
+    parameter.range = range(item, &table)?;
     parameter.check(parameter.default).map_err(|error| default.error(Problem::Default(error)))?;
     Ok(parameter)
 }
 
-fn range(item: &Item, section: &Section) -> Result<Range, FamilyError> {
+fn range(item: &Item, table: &Table) -> Result<Range, FamilyError> {
     let bound = |key, included| -> Result<Option<Bound>, FamilyError> {
-        let Some(item) = section.optional(key) else { return Ok(None) };
+        let Some(item) = table.optional(key) else { return Ok(None) };
         Ok(Some(Bound { value: item.number()?, included }))
     };
     let one = |including: Option<Bound>, excluding: Option<Bound>, both: &'static str| {

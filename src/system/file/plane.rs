@@ -3,7 +3,7 @@
 use super::super::error::{FamilyError, Problem};
 use super::super::family::DefaultPlane;
 use super::super::parameter::Parameter;
-use super::super::reader::Section;
+use super::super::table::Table;
 
 const WANTED: &str = r#"an axis in quotes: "NAME=FIRST:LAST:COUNT""#;
 const MALFORMED: &str = "is not an axis: write NAME=FIRST:LAST:COUNT with two numbers and a whole one";
@@ -12,15 +12,15 @@ const MALFORMED: &str = "is not an axis: write NAME=FIRST:LAST:COUNT with two nu
 const MOST: u32 = 65_536;
 
 pub(super) fn read(
-    root: &Section,
+    root: &Table,
     parameters: &[Parameter],
     n: usize,
 ) -> Result<Option<DefaultPlane>, FamilyError> {
     let Some(item) = root.optional("plane") else { return Ok(None) };
-    let section = item.section("the section [plane]")?;
-    section.only(&["x", "y"])?;
+    let table = item.table("the section [plane]")?;
+    table.only(&["x", "y"])?;
     let axis = |key, example| -> Result<(String, String), FamilyError> {
-        let item = section.required(key, example)?;
+        let item = table.required(key, example)?;
         let text = item.text(WANTED)?;
         let wrong = |reason| item.error(Problem::Axis { text: text.to_owned(), reason });
         Ok((axis_name(text, parameters, n).map_err(wrong)?, text.to_owned()))
@@ -29,7 +29,7 @@ pub(super) fn read(
     let (up, y) = axis("y", r#"y = "NAME=FIRST:LAST:COUNT""#)?;
     if across == up {
         let reason = format!("varies {up} as the other axis does: choose another quantity");
-        return Err(section.required("y", WANTED)?.error(Problem::Axis { text: y, reason }));
+        return Err(table.required("y", WANTED)?.error(Problem::Axis { text: y, reason }));
     }
     Ok(Some(DefaultPlane { x, y }))
 }

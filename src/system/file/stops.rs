@@ -4,12 +4,12 @@ use super::super::block::Block;
 use super::super::error::{FamilyError, Problem};
 use super::super::family::FamilyStop;
 use super::super::plant::Plant;
-use super::super::reader::{Item, Section};
+use super::super::table::{Item, Table};
 
 const KEYS: [&str; 5] = ["name", "alias", "direction", "gap", "restitution"];
 const SECTION: &str = "a section [[stop]] with name, direction, gap and restitution for every stop";
 
-pub(super) fn read(root: &Section, n: usize, names: &[String]) -> Result<Vec<FamilyStop>, FamilyError> {
+pub(super) fn read(root: &Table, n: usize, names: &[String]) -> Result<Vec<FamilyStop>, FamilyError> {
     let item = root.required("stop", SECTION)?;
     let items = item.list(SECTION)?;
     if items.len() > Plant::MOST_STOPS {
@@ -18,22 +18,17 @@ pub(super) fn read(root: &Section, n: usize, names: &[String]) -> Result<Vec<Fam
     }
     let mut stops: Vec<FamilyStop> = Vec::with_capacity(items.len());
     for item in items {
-        let next = stop(&item.section(SECTION)?, n, names, &stops)?;
+        let next = stop(&item.table(SECTION)?, n, names, &stops)?;
         stops.push(next);
     }
     Ok(stops)
 }
 
-fn stop(
-    section: &Section,
-    n: usize,
-    names: &[String],
-    before: &[FamilyStop],
-) -> Result<FamilyStop, FamilyError> {
-    section.only(&KEYS)?;
-    let item = section.required("name", r#"name = "A""#)?;
+fn stop(table: &Table, n: usize, names: &[String], before: &[FamilyStop]) -> Result<FamilyStop, FamilyError> {
+    table.only(&KEYS)?;
+    let item = table.required("name", r#"name = "A""#)?;
     let name = own_name(&item, before)?;
-    let alias = match section.optional("alias") {
+    let alias = match table.optional("alias") {
         Some(item) => Some(own_name(&item, before)?),
         None => None,
     };
@@ -41,9 +36,9 @@ fn stop(
     Ok(FamilyStop {
         name,
         alias,
-        direction: Block::vector(&section.required("direction", example)?, n, names)?,
-        gap: Block::scalar(&section.required("gap", r#"gap = "delta""#)?, names)?,
-        restitution: Block::scalar(&section.required("restitution", r#"restitution = "r""#)?, names)?,
+        direction: Block::vector(&table.required("direction", example)?, n, names)?,
+        gap: Block::scalar(&table.required("gap", r#"gap = "delta""#)?, names)?,
+        restitution: Block::scalar(&table.required("restitution", r#"restitution = "r""#)?, names)?,
     })
 }
 
@@ -61,7 +56,7 @@ fn own_name(item: &Item, before: &[FamilyStop]) -> Result<String, FamilyError> {
 }
 
 /// Where each stop that labels count first, second, … stands in the order of the file.
-pub(super) fn label_order(root: &Section, stops: &[FamilyStop]) -> Result<Vec<usize>, FamilyError> {
+pub(super) fn label_order(root: &Table, stops: &[FamilyStop]) -> Result<Vec<usize>, FamilyError> {
     let Some(item) = root.optional("label_order") else { return Ok((0..stops.len()).collect()) };
     let wanted = r#"a list of stops: ["A"]"#;
     let error = |item: &Item, reason: String| {

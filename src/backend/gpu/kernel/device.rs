@@ -4,40 +4,40 @@ use std::sync::mpsc;
 
 use bytemuck::Pod;
 
-use super::Kernel;
 use crate::backend::BackendError;
 
-impl Kernel {
-    /// Reads a buffer of the device.
-    pub(super) fn fetch<T: Pod>(&self, buffer: &wgpu::Buffer) -> Result<Vec<T>, BackendError> {
-        let readback =
-            empty(&self.device, buffer.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
-        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, buffer.size());
-        self.queue.submit([encoder.finish()]);
-        self.mapped(&readback)
-    }
+/// Reads a buffer of the device.
+pub fn fetch<T: Pod>(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    buffer: &wgpu::Buffer,
+) -> Result<Vec<T>, BackendError> {
+    let readback = empty(device, buffer.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, buffer.size());
+    queue.submit([encoder.finish()]);
+    mapped(device, &readback)
+}
 
-    /// What is in a buffer that can be mapped, once everything submitted is done.
-    pub(super) fn mapped<T: Pod>(&self, readback: &wgpu::Buffer) -> Result<Vec<T>, BackendError> {
-        let (sender, receiver) = mpsc::channel();
-        readback.map_async(wgpu::MapMode::Read, .., move |result| {
-            // The receiver is gone only if waiting failed, which is reported by itself.
-            let _ = sender.send(result);
-        });
-        let device_error = |error: &dyn std::fmt::Display| BackendError::Device(error.to_string());
-        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| device_error(&error))?;
-        receiver
-            .recv()
-            .map_err(|_| BackendError::Device("the device was lost".to_owned()))?
-            .map_err(|error| device_error(&error))?;
-        let values = {
-            let mapped = readback.get_mapped_range(..).map_err(|error| device_error(&error))?;
-            bytemuck::pod_collect_to_vec(&mapped)
-        };
-        readback.unmap();
-        Ok(values)
-    }
+/// What is in a buffer that can be mapped, once everything submitted is done.
+pub fn mapped<T: Pod>(device: &wgpu::Device, readback: &wgpu::Buffer) -> Result<Vec<T>, BackendError> {
+    let (sender, receiver) = mpsc::channel();
+    readback.map_async(wgpu::MapMode::Read, .., move |result| {
+        // The receiver is gone only if waiting failed, which is reported by itself.
+        let _ = sender.send(result);
+    });
+    let device_error = |error: &dyn std::fmt::Display| BackendError::Device(error.to_string());
+    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| device_error(&error))?;
+    receiver
+        .recv()
+        .map_err(|_| BackendError::Device("the device was lost".to_owned()))?
+        .map_err(|error| device_error(&error))?;
+    let values = {
+        let mapped = readback.get_mapped_range(..).map_err(|error| device_error(&error))?;
+        bytemuck::pod_collect_to_vec(&mapped)
+    };
+    readback.unmap();
+    Ok(values)
 }
 
 /// Compiles a kernel.

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use bytemuck::Pod;
 
 use super::Kernel;
-use super::compiled::Compiled;
 use super::device::guarded;
+use super::program::{Portion, Program};
 use super::tile::Tile;
 use crate::backend::gpu::layout::{KICK_TERMS, Record};
 use crate::backend::{BackendError, Job, Watch};
@@ -26,31 +26,6 @@ pub const MOVE: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
 /// loop in silence after 65,535 iterations of all the loops in an invocation. (The kernel counts a trajectory that was cut
 /// short as failed.)
 const SOFTWARE_ITERATIONS: u32 = 65_535 - (MOST * KICK_TERMS) as u32;
-/// Workgroups in one row of a dispatch; every adapter takes at least 65,535.
-pub const ROW: u32 = 1 << 15;
-
-/// What a tile of trajectories is followed with.
-pub struct Program<'a, D> {
-    pub pipeline: &'a Compiled,
-    /// Loop iterations in one move.
-    pub iterations: u32,
-    /// Buffers beyond those that every kernel has, in the order of their bindings.
-    pub more: &'a [&'a wgpu::Buffer],
-    /// The uniforms of one dispatch: of so many trajectories, so many moves, the first or a later one.
-    pub dispatch: &'a dyn Fn(Portion) -> D,
-}
-
-/// One dispatch of a tile.
-#[derive(Clone, Copy)]
-pub struct Portion {
-    /// Trajectories.
-    pub count: u32,
-    /// Moves of each.
-    pub budget: u32,
-    /// 1 in the first dispatch, 0 in those that resume it.
-    pub begin: u32,
-}
-
 impl Kernel {
     /// Follows one tile of trajectories with a kernel, in portions of bounded time.
     pub(super) fn drive<D: Pod, R: Record>(

@@ -4,8 +4,9 @@ use wgpu::util::DeviceExt;
 
 use super::Kernel;
 use super::device::guarded;
-use super::drive::{MOVE, Portion, Program, ROW};
+use super::drive::MOVE;
 use super::follow::shape_of;
+use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::backend::gpu::layout::{Extent, ExtentDispatch};
 use crate::backend::gpu::shader::{self, WORKGROUP};

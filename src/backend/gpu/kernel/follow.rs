@@ -2,7 +2,8 @@
 
 use super::Kernel;
 use super::compiled::Compiled;
-use super::drive::{MOVE, Portion, Program, ROW};
+use super::drive::MOVE;
+use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::analysis::constants::{CLEAR_STEPS, ROUNDS, TURNS};
 use crate::backend::gpu::layout::{Dispatch, Schedule, Verdict};

@@ -8,6 +8,7 @@ mod device;
 mod drive;
 mod extent;
 mod follow;
+mod program;
 mod tile;
 mod trace;
 

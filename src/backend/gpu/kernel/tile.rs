@@ -6,8 +6,8 @@ use bytemuck::Pod;
 use wgpu::util::DeviceExt;
 
 use super::Kernel;
-use super::device::empty;
-use super::drive::{Portion, Program, ROW};
+use super::device::{empty, mapped};
+use super::program::{Portion, Program, ROW};
 use crate::backend::gpu::layout::{Cells, Record};
 use crate::backend::gpu::shader::WORKGROUP;
 use crate::backend::{BackendError, Job};
@@ -75,6 +75,6 @@ impl<R: Record> Tile<R> {
         }
         encoder.copy_buffer_to_buffer(&self.verdicts, 0, &self.readback, 0, self.verdicts.size());
         kernel.queue.submit([encoder.finish()]);
-        kernel.mapped(&self.readback)
+        mapped(&kernel.device, &self.readback)
     }
 }

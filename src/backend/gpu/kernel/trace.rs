@@ -1,9 +1,10 @@
 //! The kernel `trace`: trajectories to their verdicts and what was read on a section.
 
 use super::Kernel;
-use super::device::{empty, guarded};
-use super::drive::{MOVE, Portion, ROW};
+use super::device::{empty, fetch, guarded};
+use super::drive::MOVE;
 use super::follow::shape_of;
+use super::program::{Portion, ROW};
 use crate::analysis;
 use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
 use crate::backend::gpu::shader::{self, WORKGROUP};
@@ -48,8 +49,8 @@ impl Kernel {
         let more = [&traces, &readings];
         let program = self.observing(&pipeline, MOVE, &more, &dispatch);
         let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
-        let traces: Vec<Trace> = guarded(&self.device, || self.fetch(&traces))??;
-        let readings: Vec<f32> = guarded(&self.device, || self.fetch(&readings))??;
+        let traces: Vec<Trace> = guarded(&self.device, || fetch(&self.device, &self.queue, &traces))??;
+        let readings: Vec<f32> = guarded(&self.device, || fetch(&self.device, &self.queue, &readings))??;
         let of_cell = |(((verdict, trace), readings), job): (((Verdict, &Trace), &[f32]), &Job)| {
             let kept = trace.passages.min(capacity);
             analysis::Trace {

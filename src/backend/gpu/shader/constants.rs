@@ -2,8 +2,8 @@
 
 use std::fmt::{Debug, Write};
 
-use super::WORKGROUP;
 use super::template::Shape;
+use super::workgroup::WORKGROUP;
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Regime, Section, Stage};
 use crate::backend::gpu::layout::{

@@ -6,15 +6,14 @@ mod residence;
 mod sections;
 mod template;
 mod vectors;
+mod workgroup;
 
 pub use exact::{Arithmetic, exact};
 pub use residence::Residence;
 pub use template::Shape;
+pub use workgroup::WORKGROUP;
 
 use super::layout;
-
-/// Invocations in one workgroup.
-pub const WORKGROUP: u32 = 64;
 
 /// A kernel and the fragments that it has beyond those that all kernels have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -66,7 +65,7 @@ impl Kernel {
                 include_str!("../../../../shaders/kernels/trace.wgsl"),
             ],
             Kernel::Control => &[
-                include_str!("../../../../shaders/control/section.wgsl"),
+                include_str!("../../../../shaders/control/section_point.wgsl"),
                 include_str!("../../../../shaders/control/memory.wgsl"),
                 include_str!("../../../../shaders/control/method.wgsl"),
                 include_str!("../../../../shaders/control/sine.wgsl"),

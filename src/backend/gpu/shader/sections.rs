@@ -13,7 +13,7 @@ pub fn source(shape: &Shape) -> String {
         |values: Vec<String>| if n == 1 { values.concat() } else { format!("X({})", values.join(", ")) };
     let halves = |values: Vec<String>| {
         let (head, tail) = values.split_at(n);
-        format!("Section({}, {})", listed(head.to_vec()), listed(tail.to_vec()))
+        format!("SectionPoint({}, {})", listed(head.to_vec()), listed(tail.to_vec()))
     };
     let tau = component(2 * n - 1);
     let values: String = (0..2 * n).map(|i| format!("    values[{i}] = {};\n", component(i))).collect();
@@ -21,27 +21,27 @@ pub fn source(shape: &Shape) -> String {
         (1..2 * n).map(|i| format!("    if i == {i}u {{ return {}; }}\n", component(i))).collect();
     format!(
         "// τ.
-fn section_tau(section: Section) -> f32 {{
+fn section_tau(section: SectionPoint) -> f32 {{
     return {tau};
 }}
 
-fn section_with_tau(given: Section, tau: f32) -> Section {{
+fn section_with_tau(given: SectionPoint, tau: f32) -> SectionPoint {{
     var section = given;
     {tau} = tau;
     return section;
 }}
 
-fn section_component(section: Section, i: u32) -> f32 {{
+fn section_component(section: SectionPoint, i: u32) -> f32 {{
 {picked}    return {first};
 }}
 
 // The components in order; the rest of the eight is 0.
-fn section_values(section: Section) -> array<f32, 8> {{
+fn section_values(section: SectionPoint) -> array<f32, 8> {{
     var values = array<f32, 8>();
 {values}    return values;
 }}
 
-fn section_of_values(values: array<f32, COMPONENTS>) -> Section {{
+fn section_of_values(values: array<f32, COMPONENTS>) -> SectionPoint {{
     return {of_values};
 }}
 
@@ -54,23 +54,23 @@ fn x_of_values(values: array<f32, COORDINATES>) -> X {{
 }}
 
 // A point whose first component is this, and all others 0.
-fn section_of_first(first: f32) -> Section {{
-    return Section({only_first}, X());
+fn section_of_first(first: f32) -> SectionPoint {{
+    return SectionPoint({only_first}, X());
 }}
 
 // The components of a state on the surface at phase τ.
-fn surface_components(state: State, tau: f32) -> Section {{
+fn surface_components(state: State, tau: f32) -> SectionPoint {{
 {components}}}
 
 // The displacements and velocities of components with d·x = `along`.
-fn surface_unpacked(section: Section, along: f32) -> State {{
+fn surface_unpacked(section: SectionPoint, along: f32) -> State {{
     let direction = flights[cell].normals[control.normal].direction;
 {unpacked}}}
 ",
         first = component(0),
         of_values = halves((0..2 * n).map(|i| format!("values[{i}]")).collect()),
         state_of_values =
-            halves((0..2 * n).map(|i| format!("values[{i}]")).collect()).replace("Section(", "State("),
+            halves((0..2 * n).map(|i| format!("values[{i}]")).collect()).replace("SectionPoint(", "State("),
         x_of_values = listed((0..n).map(|i| format!("values[{i}]")).collect()),
         only_first = listed((0..n).map(|i| if i == 0 { "first" } else { "0.0" }.to_owned()).collect()),
         components = cases(n, |own| {
@@ -92,7 +92,7 @@ fn surface_unpacked(section: Section, along: f32) -> State {{
             }
             values[own] = format!("{rest} / {}", direction(own));
             values[n + own] = component(0);
-            halves(values).replace("Section(", "State(")
+            halves(values).replace("SectionPoint(", "State(")
         }),
     )
 }

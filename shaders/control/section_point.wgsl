@@ -1,28 +1,28 @@
 // A point of the impact Poincaré section of a stop: the velocity of the section's own coordinate just after an impact,
 // the other displacements, the other velocities, τ. The 2n components lie in two halves.
 
-struct Section {
+struct SectionPoint {
     head: X,
     tail: X,
 }
 
-fn section_zero() -> Section {
-    return Section(X(), X());
+fn section_zero() -> SectionPoint {
+    return SectionPoint(X(), X());
 }
 
-fn section_of_trajectory() -> Section {
+fn section_of_trajectory() -> SectionPoint {
     return surface_components(trajectory.point.state, phase_of(trajectory.step, trajectory.offset));
 }
 
 // The mirror image of where the trajectory is, just after an impact at the stop's twin.
-fn section_mirrored() -> Section {
+fn section_mirrored() -> SectionPoint {
     let state = trajectory.point.state;
     let image = State(applied(flight.mirror, state.x), applied(flight.mirror, state.v));
     return surface_components(image, into_turn(phase_of(trajectory.step, trajectory.offset) + PI));
 }
 
 // The state of a point on the section.
-fn section_state(section: Section) -> State {
+fn section_state(section: SectionPoint) -> State {
     let end = section_end();
     return surface_unpacked(section, end_sign(end) * flight.normals[end.normal].gap[end.side]);
 }
@@ -38,7 +38,7 @@ fn section_approach(state: State) -> f32 {
 }
 
 // The trajectory that begins at this point with the given contacts.
-fn section_trajectory(section: Section, contact: u32) -> Trajectory {
+fn section_trajectory(section: SectionPoint, contact: u32) -> Trajectory {
     let tau = section_tau(section);
     let phasor = sine_and_cosine(tau);
     let point = Point(section_state(section), phasor.x, phasor.y);
@@ -52,40 +52,40 @@ fn section_trajectory(section: Section, contact: u32) -> Trajectory {
 }
 
 // One point minus another; τ the short way round.
-fn section_minus(a: Section, b: Section) -> Section {
-    let difference = Section(a.head - b.head, a.tail - b.tail);
+fn section_minus(a: SectionPoint, b: SectionPoint) -> SectionPoint {
+    let difference = SectionPoint(a.head - b.head, a.tail - b.tail);
     return section_with_tau(difference, short_way(section_tau(difference)));
 }
 
-fn section_added(a: Section, b: Section) -> Section {
-    return Section(a.head + b.head, a.tail + b.tail);
+fn section_added(a: SectionPoint, b: SectionPoint) -> SectionPoint {
+    return SectionPoint(a.head + b.head, a.tail + b.tail);
 }
 
-fn section_scaled(a: f32, section: Section) -> Section {
-    return Section(a * section.head, a * section.tail);
+fn section_scaled(a: f32, section: SectionPoint) -> SectionPoint {
+    return SectionPoint(a * section.head, a * section.tail);
 }
 
 // A point moved by a correction.
-fn section_plus(section: Section, correction: Section) -> Section {
+fn section_plus(section: SectionPoint, correction: SectionPoint) -> SectionPoint {
     let sum = section_added(section, correction);
     return section_with_tau(sum, into_turn(section_tau(sum)));
 }
 
-fn section_distance(a: Section, b: Section) -> f32 {
+fn section_distance(a: SectionPoint, b: SectionPoint) -> f32 {
     let difference = section_minus(a, b);
     return max(largest(difference.head), largest(difference.tail));
 }
 
 // The square of the Euclidean length.
-fn section_square(section: Section) -> f32 {
+fn section_square(section: SectionPoint) -> f32 {
     return along(section.head, section.head) + along(section.tail, section.tail);
 }
 
-fn section_is_zero(section: Section) -> bool {
+fn section_is_zero(section: SectionPoint) -> bool {
     return max(largest(section.head), largest(section.tail)) == 0.0;
 }
 
-fn section_is_finite(section: Section) -> bool {
+fn section_is_finite(section: SectionPoint) -> bool {
     return are_finite(section.head) && are_finite(section.tail);
 }
 

@@ -1,4 +1,4 @@
-//! Reads TOML with the place of everything that is read.
+//! A table of a TOML file, its entries, and the place of everything that is read.
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -19,7 +19,7 @@ impl Source<'_> {
         Place { file: self.file.to_owned(), line, key: key.to_owned() }
     }
 
-    /// The whole file as a section.
+    /// The whole file as a table.
     ///
     /// # Errors
     /// [`Problem::NotToml`] with the line.
@@ -103,29 +103,29 @@ impl<'a> Item<'a> {
         Ok(array.iter().enumerate().map(entry).collect())
     }
 
-    /// Whether this is a section, or braces.
-    pub fn is_section(&self) -> bool {
+    /// Whether this is a table: a section of the file, or braces.
+    pub fn is_table(&self) -> bool {
         self.value.is_table()
     }
 
-    /// The section that this is.
-    pub fn section(&self, wanted: &'static str) -> Result<Section<'a>, FamilyError> {
+    /// The table that this is.
+    pub fn table(&self, wanted: &'static str) -> Result<Table<'a>, FamilyError> {
         let table = self.value.as_table().ok_or_else(|| self.wrong_kind(wanted))?;
-        Ok(Section { source: self.source, key: self.key.clone(), at: self.at, table })
+        Ok(Table { source: self.source, key: self.key.clone(), at: self.at, table })
     }
 }
 
 /// A table with its place.
-pub(super) struct Section<'a> {
+pub(super) struct Table<'a> {
     source: &'a Source<'a>,
     key: String,
     at: usize,
     table: &'a DeTable<'a>,
 }
 
-impl<'a> Section<'a> {
+impl<'a> Table<'a> {
     pub fn root(source: &'a Source<'a>, table: &'a DeTable<'a>) -> Self {
-        Section { source, key: String::new(), at: 0, table }
+        Table { source, key: String::new(), at: 0, table }
     }
 
     fn key(&self, name: &str) -> String {

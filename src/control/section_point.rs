@@ -12,23 +12,23 @@ use crate::model::{Flight, Real, State};
 /// X = (v_c+, the other x, the other v, τ): just after an impact at the stop of a [`Surface`]; non-dimensional,
 /// 0 ≤ τ < 2π. On the paper's, at stop A, it is (v1+, x2, v2, τ).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Section<T, const N: usize> {
+pub struct SectionPoint<T, const N: usize> {
     /// The components, in the order of [`section_names`](super::section_names).
     pub components: Components<T, N>,
 }
 
-impl<T: Real, const N: usize> Section<T, N> {
+impl<T: Real, const N: usize> SectionPoint<T, N> {
     /// The section point with these components.
     ///
     /// # Panics
     /// If there are not 2N of them.
     pub fn new(components: &[T]) -> Self {
-        Section { components: Components::from_slice(components) }
+        SectionPoint { components: Components::from_slice(components) }
     }
 
     /// All zeros.
     pub fn zero() -> Self {
-        Section { components: Components::zero() }
+        SectionPoint { components: Components::zero() }
     }
 
     /// τ.
@@ -41,7 +41,7 @@ impl<T: Real, const N: usize> Section<T, N> {
     #[inline(always)]
     pub fn of<D>(flight: &Flight<T, N>, surface: &Surface, trajectory: &Trajectory<T, N, D>) -> Self {
         let Trajectory { point, step, offset, .. } = trajectory;
-        Section { components: surface.components(&point.state, phase_of(flight, *step, *offset)) }
+        SectionPoint { components: surface.components(&point.state, phase_of(flight, *step, *offset)) }
     }
 
     /// The mirror image of where a trajectory is that has just met the stop's twin: a symmetric motion is there half its
@@ -56,7 +56,7 @@ impl<T: Real, const N: usize> Section<T, N> {
         let Trajectory { point, step, offset, .. } = trajectory;
         let image = State { x: applied(mirror, &point.state.x), v: applied(mirror, &point.state.v) };
         let tau = into_turn(phase_of(flight, *step, *offset) + T::of(PI));
-        Some(Section { components: surface.components(&image, tau) })
+        Some(SectionPoint { components: surface.components(&image, tau) })
     }
 
     /// The trajectory that begins at this point with the given contacts.
@@ -96,7 +96,7 @@ impl<T: Real, const N: usize> Section<T, N> {
         let mut components = self.components.added(correction);
         let tau = &mut components[Components::<T, N>::TAU];
         *tau = into_turn(*tau);
-        Section { components }
+        SectionPoint { components }
     }
 
     /// The largest difference of a component.
@@ -187,15 +187,15 @@ mod tests {
         for (stop, sign) in [(Stop::A, 1.0), (Stop::B, -1.0)] {
             let surface = Surface::new(&system, &flight, stop);
             for tau in [0.0, 1e-9, 1.8, PI, TAU - 1e-7] {
-                let point = Section::new(&[-0.3 * sign, 0.01, 0.02, tau]);
+                let point = SectionPoint::new(&[-0.3 * sign, 0.01, 0.02, tau]);
                 let trajectory = point.trajectory(&flight, &surface, Contact::FREE, ());
                 assert_eq!(trajectory.point.state.x[0], 0.1 * sign);
-                let found = Section::of(&flight, &surface, &trajectory);
+                let found = SectionPoint::of(&flight, &surface, &trajectory);
                 assert!(found.distance(&point) < 1e-14, "{tau}: {found:?}");
             }
         }
-        let nearly_round = Section::<f64, 2>::new(&[-0.3, 0.01, 0.02, TAU - 1e-8]);
-        let begun = Section::new(&[-0.3, 0.01, 0.02, 1e-8]);
+        let nearly_round = SectionPoint::<f64, 2>::new(&[-0.3, 0.01, 0.02, TAU - 1e-8]);
+        let begun = SectionPoint::new(&[-0.3, 0.01, 0.02, 1e-8]);
         assert!(nearly_round.distance(&begun) < 1e-7);
     }
 
@@ -205,9 +205,9 @@ mod tests {
         let flight = Flight::<f64, 2>::new(&system);
         let [at_a, at_b] = [Stop::A, Stop::B].map(|stop| Surface::new(&system, &flight, stop));
         assert_eq!((at_a.twin(), at_b.twin()), (Some(Stop::B), Some(Stop::A)));
-        let point = Section::new(&[0.3, 0.01, 0.02, 4.0]);
+        let point = SectionPoint::new(&[0.3, 0.01, 0.02, 4.0]);
         let trajectory = point.trajectory(&flight, &at_b, Contact::FREE, ());
-        let image = Section::mirrored(&flight, &at_a, &trajectory).unwrap();
-        assert!(image.distance(&Section::new(&[-0.3, -0.01, -0.02, 4.0 - PI])) < 1e-14, "{image:?}");
+        let image = SectionPoint::mirrored(&flight, &at_a, &trajectory).unwrap();
+        assert!(image.distance(&SectionPoint::new(&[-0.3, -0.01, -0.02, 4.0 - PI])) < 1e-14, "{image:?}");
     }
 }

@@ -1,0 +1,2 @@
+mod approach;
+mod states;

@@ -1,0 +1,94 @@
+use super::*;
+use crate::dynamics::example::first_below;
+use crate::model::Real;
+
+/// A gap by its coefficients in s, up to the fifth degree; approached with −gap′ and −gap″.
+struct Gap([f64; 6]);
+
+impl Gap {
+    fn at(&self, s: f64) -> f64 {
+        self.0.iter().rev().fold(0.0, |sum, c| sum * s + c)
+    }
+
+    fn speed(&self, s: f64) -> f64 {
+        -(1..6).rev().fold(0.0, |sum, k| sum * s + k as f64 * self.0[k])
+    }
+
+    fn pull(&self, s: f64) -> f64 {
+        -(2..6).rev().fold(0.0, |sum, k| sum * s + (k * (k - 1)) as f64 * self.0[k])
+    }
+
+    /// The root in a window, as a time, at a precision.
+    fn root<T: Real>(&self, window: f64) -> f64 {
+        let ends = |function: &dyn Fn(f64) -> f64| [T::of(function(0.0)), T::of(function(window))];
+        let gaps = ends(&|s| self.at(s));
+        let speeds = ends(&|s| self.speed(s));
+        let pulls = ends(&|s| self.pull(s));
+        let w = T::of(window);
+        Quintic::through(gaps, speeds, pulls, w).root(gaps, speeds[0] * w).widen() * window
+    }
+}
+
+#[test]
+fn the_root_of_a_fall_and_of_a_hop() {
+    // A polynomial of fifth degree is its own interpolant.
+    let fall = Gap([0.3, -0.5, -0.7, 0.1, 0.0, -0.04]);
+    let w = 0.9;
+    let root = fall.root::<f64>(w);
+    assert!(fall.at(root).abs() < 1e-14 && root > 0.0 && root < w, "{root}");
+    // The motion leaves the stop and returns: the root sought is not the one at 0.
+    let hop = Gap([0.0, 0.2, -0.6, 0.0, 0.0, 0.0]);
+    let root = hop.root::<f64>(w);
+    assert!((root - 1.0 / 3.0).abs() < 1e-14, "{root}");
+}
+
+fn edges<T: Real>() {
+    let near = |found: f64, expected: f64| (found - expected).abs() < 32.0 * T::EPSILON;
+    // A straight way, without acceleration.
+    assert!(near(Gap([0.25, -0.5, 0.0, 0.0, 0.0, 0.0]).root::<T>(1.0), 0.5));
+    // From rest, by the acceleration alone.
+    assert!(near(Gap([0.125, 0.0, -0.5, 0.0, 0.0, 0.0]).root::<T>(1.0), 0.5));
+    // Met exactly at the end of the window.
+    assert!(near(Gap([0.5, -0.25, -0.25, 0.0, 0.0, 0.0]).root::<T>(1.0), 1.0));
+    // No gap: a hop off the stop that returns at its end.
+    assert!(near(Gap([0.0, 1.0, -2.0, 0.0, 0.0, 0.0]).root::<T>(1.0), 0.5));
+    // No gap, and on the way into the stop.
+    assert!(near(Gap([0.0, -1.0, -0.5, 0.0, 0.0, 0.0]).root::<T>(1.0), 0.0));
+    assert!(!near(Gap([0.01, -1.0, -0.5, 0.0, 0.0, 0.0]).root::<T>(1.0), 0.0), "the check can fail");
+}
+
+#[test]
+fn the_root_at_the_edges_is_that_of_the_closed_form() {
+    edges::<f64>();
+    edges::<f32>();
+}
+
+/// Ways that end beyond the stop and cross it once: within a twentieth of the window of the contact, three of Newton's steps
+/// end in rounding.
+fn crossed<T: Real>() {
+    let mut met = 0;
+    for gap in [0.01, 0.2, 0.45] {
+        for speed in [0.2, 0.6, 1.0] {
+            for bend in [-0.2, 0.0, 0.2] {
+                for jerk in [-0.05, 0.0, 0.05] {
+                    let way = Gap([gap, -speed, -bend, -jerk, 0.01, -0.005]);
+                    let Some(contact) = first_below(|s| way.at(s), 1.0) else { continue };
+                    if way.at(1.0) >= 0.0 || way.speed(contact) < 0.1 {
+                        continue;
+                    }
+                    let root = way.root::<T>(1.0);
+                    let allowed = 32.0 * T::EPSILON / way.speed(contact);
+                    assert!((root - contact).abs() < allowed.max(1e-9), "{:?}: {root} for {contact}", way.0);
+                    met += 1;
+                }
+            }
+        }
+    }
+    assert!(met > 40, "contacts are met: {met}");
+}
+
+#[test]
+fn three_steps_of_newton_find_the_contact_of_a_step() {
+    crossed::<f64>();
+    crossed::<f32>();
+}

@@ -1,0 +1,134 @@
+use std::f64::consts::{PI, TAU};
+
+use super::*;
+use crate::dynamics::example::single;
+use crate::dynamics::{Contact, Impact};
+use crate::model::{State, System};
+
+/// A free mass on the upper stop, pressed on it by load + cos(ωt − φ), ω = 1.
+fn pressed(load: f64, phase: f64) -> System {
+    single(|plant| {
+        plant.stiffness[(0, 0)] = 0.0;
+        plant.load[0] = load;
+        plant.force_sin[0] = phase.sin();
+        plant.force_cos[0] = phase.cos();
+        plant.stops.truncate(1);
+    })
+}
+
+/// The trajectory that begins at rest on the stop at forcing phase 0, to a time: where it is, and the times of releases and of
+/// contacts that begin to hold.
+struct Rested {
+    state: State<f64, 1>,
+    contact: Contact,
+    released: Vec<f64>,
+    caught: Vec<f64>,
+}
+
+fn rested<T: Real>(system: &System, until: f64) -> Rested {
+    let flight = Flight::<f64, 1>::new(system).round::<T>();
+    let start = State { x: [T::of(0.5)], v: [T::zero()] };
+    let mut trajectory = Trajectory::new(&flight, start);
+    let (mut at, mut released, mut caught) = (0.0, Vec::new(), Vec::new());
+    while at < until {
+        let begins = at;
+        let taken = trajectory.advance(&flight, &mut ());
+        at += taken.time.widen();
+        match taken.event {
+            Event::Released(_) => released.push(begins),
+            Event::Caught { impact: Impact { velocity_before, .. }, .. } => {
+                assert_eq!(velocity_before.widen(), 0.0, "it rests there already");
+                caught.push(at);
+            }
+            Event::Impact(impact) => panic!("no impact: {impact:?} at {at}"),
+            _ => {}
+        }
+    }
+    Rested { state: trajectory.point.state.map(Real::widen), contact: trajectory.contact, released, caught }
+}
+
+fn releases<T: Real>() {
+    let steps = pressed(0.0, 0.0).steps();
+    let h = TAU / f64::from(steps);
+    // The force cos(t − φ) changes its sign at t = φ + π/2: at the end of a step, just before and after it, in the middle.
+    for place in [3.0, 3.0 - 1e-6, 3.0 + 1e-6, 3.5, f64::from(steps / 4)] {
+        let expected = place * h;
+        let phase = expected - 0.5 * PI;
+        let until = expected + 1.5 * h;
+        let found = rested::<T>(&pressed(0.0, phase), until);
+        assert_eq!((found.released.len(), found.caught.len()), (1, 1), "{place}");
+        // A force of the size of rounding, and flights of √ε h at least.
+        let allowed = 8.0 * T::EPSILON.sqrt() * h;
+        let near = |expected: f64| (found.released[0] - expected).abs() < allowed;
+        assert!(near(expected), "{place}: {} for {expected}", found.released[0]);
+        assert!(!near(expected + 0.01 * h), "the check can fail");
+        assert!(found.contact.is_free());
+        // From there x″ = −sin s, s being the time since.
+        let s = (until / h).ceil() * h - expected;
+        let [x, v] = [0.5 + s.sin() - s, s.cos() - 1.0];
+        let away = (found.state.x[0] - x).abs().max((found.state.v[0] - v).abs());
+        assert!(away < 64.0 * T::EPSILON, "{place}: {:?} for {x} {v}", found.state);
+    }
+}
+
+#[test]
+fn a_contact_opens_where_the_pressing_force_changes_its_sign() {
+    releases::<f64>();
+    releases::<f32>();
+}
+
+fn holds<T: Real>() {
+    // A force that is always above 0 holds the mass for ever, exactly where it is.
+    for (load, phase) in [(1.0, 0.0), (1.0, 1.0), (1.01, 0.0)] {
+        let found = rested::<T>(&pressed(load + 0.01, phase), 2.0 * TAU);
+        assert_eq!(found.released, Vec::<f64>::new(), "{load} {phase}");
+        assert_eq!((found.state.x[0], found.state.v[0]), (0.5, 0.0));
+        assert!(!found.contact.is_free());
+    }
+    // One that falls below 0 for a while does not.
+    let found = rested::<T>(&pressed(0.9, 0.0), 0.9 * PI);
+    assert_eq!(found.released.len(), 1);
+}
+
+#[test]
+fn a_contact_holds_while_a_force_presses() {
+    holds::<f64>();
+    holds::<f32>();
+}
+
+/// A force that comes to 0 without changing its sign, at phase π.
+fn touches_zero<T: Real>() {
+    let found = rested::<T>(&pressed(1.0, 0.0), TAU);
+    assert!((found.state.x[0] - 0.5).abs() < 4.0 * T::EPSILON && found.state.v[0].abs() < 4.0 * T::EPSILON);
+    assert!(!found.contact.is_free(), "it rests again, if it was let go at all");
+    assert!(found.released.iter().all(|at| (at - PI).abs() < 4.0 * T::EPSILON.powf(0.25)));
+}
+
+#[test]
+fn a_force_that_only_touches_zero_leaves_the_mass_on_its_stop() {
+    touches_zero::<f64>();
+    touches_zero::<f32>();
+}
+
+/// A mass at rest on its stop that nothing presses on: pulled off at once, whether by the force or by its rate alone.
+fn is_let_go<T: Real>() {
+    for phase in [PI, 0.75 * PI, -0.5 * PI] {
+        let system = pressed(0.0, phase);
+        let h = system.period() / f64::from(system.steps());
+        let found = rested::<T>(&system, 1.5 * h);
+        assert!(found.contact.is_free() && found.state.x[0] < 0.5, "{phase}: {:?}", found.state);
+        assert!(found.released.iter().all(|&at| at < 8.0 * T::EPSILON.sqrt() * h), "{:?}", found.released);
+        // x″ = cos(t − φ), from rest.
+        let t = 2.0 * h;
+        let v = (t - phase).sin() + phase.sin();
+        let x = 0.5 - (t - phase).cos() + phase.cos() + t * phase.sin();
+        let away = (found.state.x[0] - x).abs().max((found.state.v[0] - v).abs());
+        assert!(away < 64.0 * T::EPSILON, "{phase}: {:?} for {x} {v}", found.state);
+    }
+}
+
+#[test]
+fn a_mass_that_nothing_presses_leaves_its_stop_at_once() {
+    is_let_go::<f64>();
+    is_let_go::<f32>();
+}
