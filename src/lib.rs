@@ -133,7 +133,8 @@
 //! Two opposed stops without a gap clamp what is between them: the limit of a closing gap (δ = 0 in the paper's). Stops whose
 //! directions are linearly dependent without being parallel are refused. A forcing period of more than 65,536 steps of the
 //! fastest motion is refused, and so is ω above 10⁶. r = 1 with strong damping at low frequency makes ever more
-//! rebounds in finite time; more than 2²⁴ moves in one forcing period are given up as failed.
+//! rebounds in finite time; a trajectory that makes 2²⁴ moves more than 2¹⁶ in each forcing period
+//! is given up as failed.
 #![doc = include_str!("parameter.md")]
 
 pub mod analysis;

@@ -111,6 +111,13 @@ impl Backend for Gpu {
         schedule: &ControlSchedule,
         watch: &dyn Watch,
     ) -> Result<Vec<Outcome>, BackendError> {
+        if self.arithmetic == Arithmetic::Exact && self.is_software() {
+            return Err(BackendError::Unsupported(
+                "a software adapter's compiler does not always come to an end with the kernel of control in exact \
+                 arithmetic: use --backend cpu, which gives the same bits"
+                    .to_owned(),
+            ));
+        }
         if jobs.iter().any(|job| !has_kernel_for(&job.controller)) {
             return Err(BackendError::Unsupported(
                 "on the GPU a sine force is in phase with the forcing, gamma = 1 and phase = 0: use --backend cpu \
