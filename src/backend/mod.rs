@@ -6,6 +6,7 @@ mod error;
 mod extents;
 mod gpu;
 mod job;
+mod reproducible;
 mod select;
 mod watch;
 
@@ -15,7 +16,8 @@ pub use error::BackendError;
 pub use extents::extents;
 pub use gpu::{AdapterReport, Gpu, adapters};
 pub use job::{ControlJob, Job};
-pub use select::{Choice, REPRODUCIBLE, open, open_reproducible};
+pub use reproducible::REPRODUCIBLE;
+pub use select::{Choice, open, open_reproducible};
 pub use watch::{Silent, Unwatched, Watch};
 
 use std::fmt::Debug;

@@ -2,9 +2,6 @@
 
 use super::{Backend, BackendError, Cpu, CpuSingle, Gpu};
 
-/// What the description of a back end ends with that gives the same bits everywhere.
-pub const REPRODUCIBLE: &str = ", reproducible";
-
 /// Which back end is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
@@ -39,7 +36,7 @@ pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, B
 /// and in the order of the source. It takes longer; see [`Gpu::open_exact`] and [`CpuSingle`].
 ///
 /// # Errors
-/// As [`open`].
+/// As [`open()`].
 pub fn open_reproducible(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, BackendError> {
     match (choice, adapter) {
         (Choice::Cpu, _) => Ok(Box::new(CpuSingle)),
