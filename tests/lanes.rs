@@ -6,22 +6,16 @@ mod drawn;
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Job, Unwatched, Width, follow, follow_all};
 use impact_atlas::model::{Parameters, System};
+use impact_atlas::validate::are_same;
 
 use drawn::{families, paper};
 
 const SETTLING: Schedule = Schedule { transient: 60, observe: 40, max_period: 16, fixed_periods: false };
 const FIXED: Schedule = Schedule { transient: 3, observe: 30, max_period: 8, fixed_periods: true };
 
-/// Everything that a verdict says, with the bits of its numbers.
-fn bits(verdict: &Verdict) -> (String, Vec<u64>, u32, u32) {
-    let state = verdict.state.iter().map(|value| value.to_bits()).collect();
-    let said = format!("{} {:?} {}", verdict.label(), verdict.regime, verdict.periods);
-    (said, state, verdict.lyapunov.to_bits(), verdict.peak_impact_velocity.to_bits())
-}
-
 /// The verdicts that are not bit for bit the same at every width.
 fn differ(jobs: &[Job], schedule: &Schedule, altered: fn(&Job) -> Job) -> usize {
-    let alone: Vec<_> = jobs.iter().map(|job| bits(&follow::<f64>(job, schedule))).collect();
+    let alone: Vec<Verdict> = jobs.iter().map(|job| follow::<f64>(job, schedule)).collect();
     let given: Vec<Job> = jobs.iter().map(altered).collect();
     let mut wrong = 0;
     for width in Width::available() {
@@ -29,7 +23,7 @@ fn differ(jobs: &[Job], schedule: &Schedule, altered: fn(&Job) -> Job) -> usize 
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let abreast = pool.install(|| follow_all(&given, schedule, &Unwatched, width)).unwrap();
             assert_eq!(abreast.len(), alone.len());
-            wrong += alone.iter().zip(&abreast).filter(|(alone, abreast)| **alone != bits(abreast)).count();
+            wrong += alone.iter().zip(&abreast).filter(|(alone, abreast)| !are_same(alone, abreast)).count();
         }
     }
     wrong

@@ -81,6 +81,6 @@ pub trait Backend: Debug + Sync {
     /// # Errors
     /// Those of [`Backend::run`].
     fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>, BackendError> {
-        cpu::extents(jobs, periods, watch)
+        cpu::extents::<f64>(jobs, periods, watch)
     }
 }

@@ -22,14 +22,7 @@ pub enum Choice {
 /// [`BackendError::NoAdapter`] where an adapter is asked for and none matches, [`BackendError::Device`] where it
 /// refuses a device or the shader.
 pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, BackendError> {
-    match (choice, adapter) {
-        (Choice::Cpu, _) => Ok(Box::new(Cpu)),
-        (Choice::Gpu, text) | (Choice::Auto, text @ Some(_)) => Ok(Box::new(Gpu::open(text)?)),
-        (Choice::Auto, None) => match Gpu::open_hardware()? {
-            Some(gpu) => Ok(Box::new(gpu)),
-            None => Ok(Box::new(Cpu)),
-        },
-    }
+    opened(choice, adapter, Box::new(Cpu), Gpu::open, Gpu::open_hardware)
 }
 
 /// The same with results that have the same bits on every adapter and on the CPU: in f32, every operation rounded correctly
@@ -38,12 +31,23 @@ pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, B
 /// # Errors
 /// As [`open()`].
 pub fn open_reproducible(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, BackendError> {
+    opened(choice, adapter, Box::new(CpuSingle), Gpu::open_exact, Gpu::open_hardware_exact)
+}
+
+/// What is chosen of the CPU, of any adapter and of hardware.
+fn opened(
+    choice: Choice,
+    adapter: Option<&str>,
+    cpu: Box<dyn Backend>,
+    any: fn(Option<&str>) -> Result<Gpu, BackendError>,
+    hardware: fn() -> Result<Option<Gpu>, BackendError>,
+) -> Result<Box<dyn Backend>, BackendError> {
     match (choice, adapter) {
-        (Choice::Cpu, _) => Ok(Box::new(CpuSingle)),
-        (Choice::Gpu, text) | (Choice::Auto, text @ Some(_)) => Ok(Box::new(Gpu::open_exact(text)?)),
-        (Choice::Auto, None) => match Gpu::open_hardware_exact()? {
+        (Choice::Cpu, _) => Ok(cpu),
+        (Choice::Gpu, text) | (Choice::Auto, text @ Some(_)) => Ok(Box::new(any(text)?)),
+        (Choice::Auto, None) => match hardware()? {
             Some(gpu) => Ok(Box::new(gpu)),
-            None => Ok(Box::new(CpuSingle)),
+            None => Ok(cpu),
         },
     }
 }

@@ -7,14 +7,15 @@ use crate::backend::job::Job;
 use crate::backend::watch::Watch;
 use crate::model::{Flight, Real};
 
-/// How far each job goes in so many forcing periods, one trajectory per task of rayon's current thread pool.
-pub(in crate::backend) fn extents(
+/// How far each job goes in so many forcing periods, in the given precision, one trajectory per task of rayon's current
+/// thread pool.
+pub(in crate::backend) fn extents<T: Real>(
     jobs: &[Job],
     periods: &[u32],
     watch: &dyn Watch,
 ) -> Result<Vec<Extent>, BackendError> {
     let followed: Vec<(&Job, u32)> = jobs.iter().zip(periods.iter().copied()).collect();
-    each(&followed, watch, |&(job, periods)| extent::<f64>(job, periods))
+    each(&followed, watch, |&(job, periods)| extent::<T>(job, periods))
 }
 
 /// How far one trajectory goes in so many forcing periods, in the given precision; in f32 it does what the GPU does.

@@ -1,7 +1,7 @@
 //! The CPU path in f32: the GPU's twin, which computes what an exact kernel computes, bit for bit.
 
 use super::each::each;
-use super::{extent, follow, follow_controlled, trace};
+use super::{extents, follow, follow_controlled, trace};
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::backend::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Watch};
 use crate::control::{ControlSchedule, Outcome};
@@ -55,7 +55,6 @@ impl Backend for CpuSingle {
     }
 
     fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>, BackendError> {
-        let followed: Vec<(&Job, u32)> = jobs.iter().zip(periods.iter().copied()).collect();
-        each(&followed, watch, |&(job, periods)| extent::<f32>(job, periods))
+        extents::<f32>(jobs, periods, watch)
     }
 }
