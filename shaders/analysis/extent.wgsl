@@ -3,8 +3,8 @@
 struct Extent {
     // EXTENT_DONE or EXTENT_FAILED; anything else while it is not written.
     code: u32,
-    mean_squares: array<f32, 4>,
-    peaks: array<f32, 4>,
+    mean_squares: array<f32, MOST>,
+    peaks: array<f32, MOST>,
 }
 
 struct ExtentObserver {
@@ -16,10 +16,6 @@ struct ExtentObserver {
     periods: u32,
     moves: u32,
 }
-
-const EXTENT_DONE = 0u;
-const EXTENT_FAILED = 1u;
-const EXTENT_FOLLOWED = 2u;
 
 var<private> extent: ExtentObserver;
 
@@ -50,8 +46,7 @@ fn extent_advance(periods: u32) -> u32 {
     let offset = trajectory.offset;
     let held_before = trajectory.contact;
     let event = advance(false).event;
-    let at_end = event == EVENT_STEP_END || event == EVENT_HALF_PERIOD || event == EVENT_STROBE;
-    let until = select(trajectory.offset, flight.h, at_end);
+    let until = select(trajectory.offset, flight.h, event_ends_step(event));
     let contact = select(held_before, trajectory.contact, event == EVENT_RELEASED);
     extent_note(before, until - offset, contact);
     extent.moves = extent.moves + 1u;
@@ -95,7 +90,7 @@ fn extent_turned(peak: X, time: f32, a: State, b: State) -> X {
 fn extent_written(code: u32, periods: u32) -> Extent {
     let time = f32(periods) * (f32(flight.steps) * flight.h);
     let means = extent.squares / time;
-    var written = Extent(code, array<f32, 4>(), array<f32, 4>());
+    var written = Extent(code, array<f32, MOST>(), array<f32, MOST>());
     //: each coordinate
     written.mean_squares[$i] = means$c;
     written.peaks[$i] = extent.peak$c;

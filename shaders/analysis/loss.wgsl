@@ -20,7 +20,7 @@ fn loss_note(taken: Move) {
     }
     observer.loss.since = select(now, 0.0, strobe);
     observer.loss.held = select(0u, 1u, trajectory.contact != CONTACT_FREE);
-    if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER {
+    if event_is_impact(taken.event) {
         let after = select(0.0, taken.rebound, taken.event == EVENT_IMPACT);
         loss_take(taken.stop, taken.velocity, after);
     }

@@ -7,12 +7,12 @@ fn observer_note(taken: Move) {
     if trajectory.contact != CONTACT_FREE {
         observer.stuck = 1u;
     }
-    if taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER && taken.velocity != 0.0 {
+    if is_impact(taken) {
         observer_impact(taken.stop, taken.velocity, taken.event == EVENT_COMPLETE_CHATTER);
         observer_count_beside(taken.beside);
     } else if taken.event == EVENT_HALF_PERIOD {
         observer_half_period();
-    } else {
+    } else if taken.event != EVENT_STEP_END {
         observer.moves = observer.moves + 1u;
         if taken.event == EVENT_STROBE {
             observer_strobe();
@@ -87,7 +87,7 @@ fn observer_settle(state: State) {
         }
         recurrence_at_strobe(state, SETTLED, false);
         if recurrence_holds_for(select(SETTLING, SETTLING_AT_REST, observer.recurrence.worst <= AT_REST)) {
-            let needed = max(SETTLED_OBSERVATION, 4u * observer.recurrence.n);
+            let needed = max(SETTLED_OBSERVATION, SETTLED_TURNS * observer.recurrence.n);
             observer_begin_observation(min(needed, schedule.observe));
             return;
         }
@@ -141,5 +141,5 @@ fn observer_observe(state: State) {
 }
 
 fn observer_proof() -> u32 {
-    return min(observer.observe / 4u, SETTLING);
+    return min(observer.observe / PROOF_SHARE, SETTLING);
 }

@@ -9,10 +9,6 @@ struct Rebounds {
 
 var<private> rebounds: Rebounds;
 
-fn is_impact(taken: Move) -> bool {
-    return taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER && taken.velocity != 0.0;
-}
-
 fn rebounds_see(taken: Move) {
     if !is_impact(taken) {
         return;

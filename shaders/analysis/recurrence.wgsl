@@ -96,7 +96,7 @@ fn recurrence_returned(away: f32) {
 
 fn recurrence_holds_for(periods: u32) -> bool {
     let n = observer.recurrence.n;
-    return n > 0u && observer.recurrence.since >= periods && observer.recurrence.since >= 3u * n;
+    return n > 0u && observer.recurrence.since >= periods && observer.recurrence.since >= LEAST_RETURNS * n;
 }
 
 // Whether N is the period of a motion that was reached.

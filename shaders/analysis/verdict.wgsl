@@ -6,7 +6,7 @@ struct Verdict {
     symmetric: u32,
     lyapunov: f32,
     impacts_per_stop: array<u32, MOST>,
-    state: array<f32, 8>,
+    state: array<f32, MOST_COMPONENTS>,
     impacts: u32,
     impacts_total: u32,
     peak_impact_velocity: f32,

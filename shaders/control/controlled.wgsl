@@ -95,8 +95,7 @@ fn controlled_note(taken: Move) {
     if trajectory.contact != CONTACT_FREE && !contact_is_clamped_only(trajectory.contact) {
         controlled.stuck = controlled.iterates + 1u;
     }
-    let meets = taken.event >= EVENT_IMPACT && taken.event <= EVENT_COMPLETE_CHATTER;
-    if meets && taken.velocity != 0.0 {
+    if is_impact(taken) {
         let count = select(1u, INFINITELY_MANY, taken.event == EVENT_COMPLETE_CHATTER);
         controlled.impacts = controlled.impacts + 1u;
         controlled.impacts_total = controlled.impacts_total + 1u;

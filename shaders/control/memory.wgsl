@@ -47,7 +47,7 @@ fn memory_start_over() {
 
 fn memory_holds(since: u32, m: u32, proof: u32) -> bool {
     let kept = memory.seen - since;
-    return kept >= proof && kept >= 3u * m;
+    return kept >= proof && kept >= LEAST_RETURNS * m;
 }
 
 // The least period whose points have kept returning, 0 if none.

@@ -18,7 +18,7 @@ fn controlled_outcome() -> Outcome {
     }
     var period = 0u;
     if controlled.progress == PROGRESS_DONE {
-        period = memory_period(min(iterates / 4u, CONTROL_SETTLING));
+        period = memory_period(min(iterates / PROOF_SHARE, CONTROL_SETTLING));
     }
     var n = 0u;
     var impacts = vec4(0u);

@@ -21,12 +21,12 @@ fn pulse_is_due(seen: Seen) -> bool {
 
 // A number between -1 and 1 that depends on nothing but seed, iterate and component.
 fn pulse_uniform(iterate: u32, component: u32) -> f32 {
-    let mixed = pulse_hash(pulse_hash(control.seed ^ (iterate * 4u + component)) + iterate);
-    return f32(mixed >> 8u) * (1.0 / 8388608.0) - 1.0;
+    let mixed = pulse_hash(pulse_hash(control.seed ^ (iterate * ERRORS_APART + component)) + iterate);
+    return f32(mixed >> HASH_DROPPED) * HASH_UNIT - 1.0;
 }
 
 fn pulse_hash(value: u32) -> u32 {
-    let state = value * 747796405u + 2891336453u;
-    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
+    let state = value * HASH_MULTIPLIER + HASH_INCREMENT;
+    let word = ((state >> ((state >> HASH_CHOICE) + HASH_LEAST)) ^ state) * HASH_FACTOR;
+    return (word >> HASH_LAST) ^ word;
 }

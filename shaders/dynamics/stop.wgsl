@@ -1,7 +1,5 @@
 // Stops, and which of them are in contact: bit k for the upper end of normal k, bit k + MOST for its lower end.
 
-const CONTACT_FREE = 0u;
-
 // An end of a contact normal: side 0 is met where d·x grows, side 1 where it falls.
 struct End {
     normal: u32,

@@ -115,7 +115,7 @@ fn keep_pressed(struck: u32, kick: f32) {
     if (contact_held(trajectory.contact) >> $ku & 1u) == 1u {
         let end = contact_end_along(trajectory.contact, $ku);
         let change = kick * along(flight.normals[$k].direction, response);
-        let lost = unresolved(end, trajectory.point.state) + 4.0 * EPSILON * abs(kick);
+        let lost = unresolved(end, trajectory.point.state) + KICK_ROUNDINGS * EPSILON * abs(kick);
         if !contact_is_clamped_along(trajectory.contact, $ku) && abs(change) > lost {
             trajectory.contact = contact_without(trajectory.contact, $ku);
         }

@@ -1,15 +1,5 @@
 // One trajectory: steps of flight, impacts, chatter, sticking.
 
-// What ended a move.
-const EVENT_FLIGHT = 0u;
-const EVENT_STEP_END = 1u;
-const EVENT_HALF_PERIOD = 2u;
-const EVENT_STROBE = 3u;
-const EVENT_IMPACT = 4u;
-const EVENT_CAUGHT = 5u;
-const EVENT_COMPLETE_CHATTER = 6u;
-const EVENT_RELEASED = 7u;
-
 struct Trajectory {
     point: Point,
     ahead: Point,
@@ -27,6 +17,11 @@ struct Move {
     rebound: f32,
     // The stops beside this one that share the rebounds of a complete chatter sequence, as contacts; seldom any.
     beside: u32,
+}
+
+// Whether a move ended with an impact; a mass that comes to rest on a stop without one is caught at velocity 0.
+fn is_impact(taken: Move) -> bool {
+    return event_is_impact(taken.event) && taken.velocity != 0.0;
 }
 
 var<private> trajectory: Trajectory;

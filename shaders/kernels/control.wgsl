@@ -50,12 +50,12 @@ fn control_trajectories(@builtin(global_invocation_id) id: vec3<u32>) {
         controlled_force(controlled.force);
     }
     var taken = 0u;
-    while taken < dispatch.budget && controlled.progress <= PROGRESS_OBSERVED {
+    while taken < dispatch.budget && !progress_is_over(controlled.progress) {
         controlled_note(advance(controlled.progress == PROGRESS_OBSERVED));
         taken = taken + 1u;
     }
     // Some drivers end every loop after a number of iterations without an error; such a trajectory must not count as finished.
-    if taken < dispatch.budget && controlled.progress <= PROGRESS_OBSERVED {
+    if taken < dispatch.budget && !progress_is_over(controlled.progress) {
         controlled.progress = PROGRESS_FAILED;
     }
     controlled.trajectory = trajectory;
@@ -66,7 +66,7 @@ fn control_trajectories(@builtin(global_invocation_id) id: vec3<u32>) {
     controlled.exponent = observer.exponent;
     controlled.spread = observer.spread;
     states[cell] = controlled;
-    if controlled.progress > PROGRESS_OBSERVED {
+    if progress_is_over(controlled.progress) {
         outcomes[cell] = controlled_outcome();
     }
 }

@@ -61,16 +61,16 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
         observer_resume(observers[cell]);
     }
     var taken = 0u;
-    while taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
+    while taken < dispatch.budget && !stage_is_over(observer.stage) {
         follow_turn();
         taken = taken + 1u;
     }
     // Some drivers end every loop after a number of iterations without an error; such a trajectory must not count as finished.
-    if taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
+    if taken < dispatch.budget && !stage_is_over(observer.stage) {
         observer.stage = STAGE_FAILED;
     }
     observers[cell] = observer_saved();
-    if observer.stage > STAGE_OBSERVATION {
+    if stage_is_over(observer.stage) {
         verdicts[cell] = observer_verdict();
     }
 }

@@ -49,7 +49,7 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
         passages = traces[cell].passages;
     }
     var taken = 0u;
-    while taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
+    while taken < dispatch.budget && !stage_is_over(observer.stage) {
         let observed = observer.stage == STAGE_OBSERVATION;
         let ended = advance(observed);
         if observed {
@@ -59,12 +59,12 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
         taken = taken + 1u;
     }
     // Some drivers end every loop after a number of iterations without an error; such a trajectory must not count as finished.
-    if taken < dispatch.budget && observer.stage <= STAGE_OBSERVATION {
+    if taken < dispatch.budget && !stage_is_over(observer.stage) {
         observer.stage = STAGE_FAILED;
     }
     observers[cell] = observer_saved();
     traces[cell] = Trace(rebounds, passages);
-    if observer.stage > STAGE_OBSERVATION {
+    if stage_is_over(observer.stage) {
         verdicts[cell] = observer_verdict();
     }
 }

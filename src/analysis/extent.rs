@@ -70,8 +70,7 @@ impl<T: Real, const N: usize> ExtentObserver<T, N> {
             let (before, offset, held) =
                 (self.trajectory.point, self.trajectory.offset, self.trajectory.contact);
             let event = self.trajectory.advance(flight, &mut ()).event;
-            let at_end = matches!(event, Event::StepEnd | Event::HalfPeriod | Event::Strobe);
-            let until = if at_end { flight.h } else { self.trajectory.offset };
+            let until = if event.code().ends_step() { flight.h } else { self.trajectory.offset };
             let contact = if matches!(event, Event::Released(_)) { self.trajectory.contact } else { held };
             self.note(flight, &before, until - offset, contact);
             moves.add();

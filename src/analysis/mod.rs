@@ -37,8 +37,10 @@ pub use trace::{Trace, Tracer};
 pub(crate) mod constants {
     pub use super::abreast::{CLEAR_STEPS, ROUNDS, TURNS};
     pub use super::exponent::{ALIGNING, BATCHES};
-    pub use super::observing::{RETURNED, SETTLED_OBSERVATION, SETTLING, SETTLING_AT_REST};
-    pub use super::recurrence::{DISTINCT, FARTHEST};
+    pub use super::observing::{
+        PROOF_SHARE, RETURNED, SETTLED_OBSERVATION, SETTLED_TURNS, SETTLING, SETTLING_AT_REST,
+    };
+    pub use super::recurrence::{DISTINCT, FARTHEST, LEAST_RETURNS};
     pub use super::spread::STATIONARY;
     pub use super::verdict::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, SIGNIFICANCE};
     pub use crate::dynamics::constants::{FAIR_MOVES, MOST_MOVES};

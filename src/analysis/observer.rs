@@ -132,7 +132,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// Whether it is at its end.
     #[inline(always)]
     pub(super) fn is_done(&self) -> bool {
-        matches!(self.stage, Stage::Observed | Stage::Quiet | Stage::Failed)
+        self.stage.is_over()
     }
 
     /// Whether it makes so many moves in a forcing period that others beside it would wait.

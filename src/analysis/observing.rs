@@ -20,6 +20,11 @@ pub const SETTLING: u32 = 64;
 pub const SETTLING_AT_REST: u32 = 16;
 /// Periods for which a settled trajectory is still observed.
 pub const SETTLED_OBSERVATION: u32 = 48;
+/// Turns of its own period for which it is observed at least.
+pub const SETTLED_TURNS: u32 = 4;
+/// The share of the observation, one in so many, for which the state must have kept returning when it ends; no more than
+/// [`SETTLING`].
+pub const PROOF_SHARE: u32 = 4;
 
 impl<T: Real, const N: usize> Observer<T, N> {
     #[inline(always)]
@@ -95,7 +100,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period, false);
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
             if self.recurrence.holds_for(if at_rest { SETTLING_AT_REST } else { SETTLING }) {
-                let needed = SETTLED_OBSERVATION.max(4 * self.recurrence.n);
+                let needed = SETTLED_OBSERVATION.max(SETTLED_TURNS * self.recurrence.n);
                 self.begin_observation(flight, needed.min(schedule.observe));
                 return;
             }
@@ -152,6 +157,6 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     /// Periods for which the state must have kept returning when the observation ends.
     pub(super) fn proof(&self) -> u32 {
-        (self.observe / 4).min(SETTLING)
+        (self.observe / PROOF_SHARE).min(SETTLING)
     }
 }

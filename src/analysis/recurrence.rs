@@ -9,6 +9,9 @@ use crate::model::{Flight, Real, State};
 /// returns within 1 − μᵏ of its size over k periods.
 pub const DISTINCT: f64 = 1e3;
 
+/// How many times a state must have returned before it counts as periodic.
+pub const LEAST_RETURNS: u32 = 3;
+
 /// A distance beyond all distances, in either precision.
 pub const FARTHEST: f64 = 3e38;
 
@@ -31,7 +34,6 @@ pub struct Recurrence<T, const N: usize> {
     pub impacts: [u32; MOST],
     /// Impacts at each stop in the present cycle.
     running: [u32; MOST],
-    /// The largest distance of a return from the anchor.
     /// The largest distance of a return from the anchor, where that is now.
     worst: T,
     /// The same before the anchor moved along with the motion.
@@ -131,10 +133,10 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         self.worst = if away > self.worst { away } else { self.worst };
     }
 
-    /// Whether the state has kept returning for at least `periods`, and at least three times.
+    /// Whether the state has kept returning for at least `periods`, and at least [`LEAST_RETURNS`] times.
     #[inline(always)]
     pub fn holds_for(&self, periods: u32) -> bool {
-        self.n > 0 && self.since >= periods && self.since >= 3 * self.n
+        self.n > 0 && self.since >= periods && self.since >= LEAST_RETURNS * self.n
     }
 
     /// Whether no return was farther from the anchor than this.

@@ -17,6 +17,11 @@ pub enum Stage {
 }
 
 impl Stage {
+    /// Whether the trajectory is at its end.
+    pub fn is_over(self) -> bool {
+        matches!(self, Stage::Observed | Stage::Quiet | Stage::Failed)
+    }
+
     /// Every stage, in the order of the codes that the GPU gets generated from here.
     pub const ALL: [Stage; 5] =
         [Stage::Transient, Stage::Observation, Stage::Observed, Stage::Quiet, Stage::Failed];

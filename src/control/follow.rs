@@ -40,7 +40,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
         witness: &mut impl Witness<T>,
     ) -> bool {
         let end = self.iterates + returns;
-        while self.iterates < end && self.progress <= Progress::Observed {
+        while self.iterates < end && !self.progress.is_over() {
             self.advance(flight, schedule, (), |_, ()| (), witness);
         }
         self.iterates == end

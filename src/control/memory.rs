@@ -1,7 +1,10 @@
 //! The last points on σ, and whether they repeat.
 
 use super::section_point::SectionPoint;
-use crate::analysis::{INFINITELY_MANY, constants::RETURNED};
+use crate::analysis::{
+    INFINITELY_MANY,
+    constants::{LEAST_RETURNS, RETURNED},
+};
 use crate::model::{Real, vector::MOST};
 
 /// The largest number of iterates in one period of a controlled motion that can be looked for.
@@ -82,7 +85,7 @@ impl<T: Real, const N: usize> Memory<T, N> {
         self.settled = [self.seen; LONGEST];
     }
 
-    /// The least period m whose points have kept returning for `proof` iterates, and at least three times; 0 if none.
+    /// The least period m whose points have kept returning for `proof` iterates, and at least [`LEAST_RETURNS`] times; 0 if none.
     pub fn period(&self, proof: u32) -> u32 {
         self.least(&self.returning, proof)
     }
@@ -95,7 +98,7 @@ impl<T: Real, const N: usize> Memory<T, N> {
     fn least(&self, since: &[u32; LONGEST], proof: u32) -> u32 {
         for m in 1..=self.reach {
             let kept = self.seen - since[m as usize - 1];
-            if kept >= proof && kept >= 3 * m {
+            if kept >= proof && kept >= LEAST_RETURNS * m {
                 return m;
             }
         }

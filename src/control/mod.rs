@@ -60,4 +60,8 @@ pub use witness::{Return, Witness};
 pub(crate) mod constants {
     pub use super::controlled::{LONGEST_PASSAGE, SETTLING};
     pub use super::leaving::RUNAWAY;
+    pub use super::pulse::{
+        ERRORS_APART, HASH_CHOICE, HASH_DROPPED, HASH_FACTOR, HASH_INCREMENT, HASH_LAST, HASH_LEAST,
+        HASH_MULTIPLIER, HASH_UNIT,
+    };
 }

@@ -9,7 +9,7 @@ use super::progress::Progress;
 use super::schedule::ControlSchedule;
 use super::section_point::SectionPoint;
 use super::values::SectionValues;
-use crate::analysis::constants::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, RETURNED, SIGNIFICANCE};
+use crate::analysis::constants::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, PROOF_SHARE, RETURNED, SIGNIFICANCE};
 use crate::analysis::{self, Regime, Verdict};
 use crate::model::vector::MOST;
 use crate::model::{Flight, Real, StateVector};
@@ -99,7 +99,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
         if self.progress != Progress::Done {
             return 0;
         }
-        self.memory.period((controlled / 4).min(SETTLING))
+        self.memory.period((controlled / PROOF_SHARE).min(SETTLING))
     }
 
     /// Whether the mirror image of the motion half its period later is the motion, as far as its points on σ tell and the

@@ -1,7 +1,7 @@
 //! Where a controlled trajectory is in its schedule.
 
 /// Where a controlled trajectory is in its schedule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum Progress {
     /// Not observed: before control, and while the controlled motion settles.
@@ -19,6 +19,11 @@ pub enum Progress {
 }
 
 impl Progress {
+    /// Whether the trajectory is at its end.
+    pub fn is_over(self) -> bool {
+        !matches!(self, Progress::Settling | Progress::Observed)
+    }
+
     /// Every value, in the order of the codes that the GPU gets generated from here.
     pub const ALL: [Progress; 6] = [
         Progress::Settling,

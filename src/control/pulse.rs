@@ -42,16 +42,33 @@ impl<T: Real> Pulse<T> {
     }
 }
 
+/// Errors are drawn with numbers that lie so far apart from one iterate to the next.
+pub const ERRORS_APART: u32 = 4;
+/// Low bits of a hash that are left out, so that what is left is exact in single precision …
+pub const HASH_DROPPED: u32 = 8;
+/// … and what the lowest bit that is left stands for, between −1 and 1.
+pub const HASH_UNIT: f64 = 1.0 / 8_388_608.0;
+
+// The 32-bit PCG hash RXS-M-XS: M. Jarzynski, M. Olano, Journal of Computer Graphics Techniques 9(3) (2020) 20-38.
+pub const HASH_MULTIPLIER: u32 = 747_796_405;
+pub const HASH_INCREMENT: u32 = 2_891_336_453;
+pub const HASH_FACTOR: u32 = 277_803_737;
+/// The highest bits, above this one, choose by how many more than [`HASH_LEAST`] a word is shifted.
+pub const HASH_CHOICE: u32 = 28;
+pub const HASH_LEAST: u32 = 4;
+pub const HASH_LAST: u32 = 22;
+
 /// A number between −1 and 1 that depends on nothing but these three: two rounds of the PCG hash.
 fn uniform<T: Real>(seed: u32, iterate: u32, component: u32) -> T {
-    let mixed = hash(hash(seed ^ iterate.wrapping_mul(4).wrapping_add(component)).wrapping_add(iterate));
-    T::of(f64::from(mixed >> 8)) * T::of(1.0 / 8_388_608.0) - T::one()
+    let mixed =
+        hash(hash(seed ^ iterate.wrapping_mul(ERRORS_APART).wrapping_add(component)).wrapping_add(iterate));
+    T::of(f64::from(mixed >> HASH_DROPPED)) * T::of(HASH_UNIT) - T::one()
 }
 
 fn hash(value: u32) -> u32 {
-    let state = value.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
-    (word >> 22) ^ word
+    let state = value.wrapping_mul(HASH_MULTIPLIER).wrapping_add(HASH_INCREMENT);
+    let word = ((state >> ((state >> HASH_CHOICE) + HASH_LEAST)) ^ state).wrapping_mul(HASH_FACTOR);
+    (word >> HASH_LAST) ^ word
 }
 
 #[cfg(test)]

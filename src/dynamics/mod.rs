@@ -12,6 +12,7 @@ mod contact;
 mod corner;
 mod crossing;
 mod drive;
+mod event_code;
 #[cfg(test)]
 mod example;
 mod leg;
@@ -31,6 +32,7 @@ mod trajectory;
 pub use abreast::Abreast;
 pub use contact::holds;
 pub use drive::{Drive, DriveSeries, Phasor};
+pub(crate) use event_code::EventCode;
 pub(crate) use moves::Moves;
 pub use point::{Motion, Point};
 pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record, resting_on};
@@ -47,6 +49,7 @@ pub(crate) mod constants {
     pub use super::moves::{FAIR_MOVES, MOST_MOVES};
     pub use super::quintic::STEPS as NEWTON_STEPS;
     pub use super::series::INVERSE_FACTORIALS;
+    pub use super::striking::KICK_ROUNDINGS;
     pub use super::trajectory::MOST_KICKS;
     pub use crate::model::FAR;
 }

@@ -12,6 +12,9 @@ use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
 use crate::model::vector::{added, applied, axpy, dot};
 use crate::model::{Flight, Real, State};
 
+/// Roundings of a kick by which a speed that it does not change may seem changed.
+pub const KICK_ROUNDINGS: f64 = 4.0;
+
 impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     /// An impact, a time `left` ahead: restitution, and sticking where the rebounds that follow can be closed.
     #[inline(always)]
@@ -143,7 +146,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
             let Some(end) = self.contact.end_along(k) else { continue };
             let change = kick * dot(&normal.direction, response);
             let lost = contact::unresolved(normal, end.side, &self.point.state)
-                + T::of(4.0) * T::epsilon() * kick.abs();
+                + T::of(KICK_ROUNDINGS) * T::epsilon() * kick.abs();
             if !self.contact.is_clamped_along(k) && change.abs() > lost {
                 self.contact = self.contact.without(k);
             }

@@ -1,6 +1,7 @@
 //! What the kernel of extents reads and writes.
 
 use bytemuck::{Pod, Zeroable};
+use strum::VariantArray;
 
 use super::record::Record;
 use crate::analysis;
@@ -25,13 +26,19 @@ pub struct Extent {
     pub peaks: [f32; MOST],
 }
 
-/// `EXTENT_DONE` in shaders/analysis/extent.wgsl.
-const DONE: u32 = 0;
+/// How far a shader has come with an extent; the codes in shaders/analysis/extent.wgsl are generated from here.
+#[derive(Clone, Copy, Debug, VariantArray)]
+#[repr(u32)]
+pub enum ExtentCode {
+    Done,
+    Failed,
+    Followed,
+}
 
 impl Extent {
     /// The extent of a motion in so many coordinates.
     pub fn widen(&self, coordinates: usize) -> analysis::Extent {
-        if self.code != DONE {
+        if self.code != ExtentCode::Done as u32 {
             return analysis::Extent::NONE;
         }
         let of =

@@ -12,7 +12,7 @@ mod trace;
 pub use control::{
     Control, ControlDispatch, ControlSchedule, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE, Outcome,
 };
-pub use extent::{Extent, ExtentDispatch};
+pub use extent::{Extent, ExtentCode, ExtentDispatch};
 pub use flight::{KICK_TERMS, write_flight, write_kicks};
 pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};
 pub use record::Record;

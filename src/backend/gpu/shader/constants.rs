@@ -1,40 +1,24 @@
-//! Every number and code that the shaders share with the Rust side.
+//! Every number that the shaders share with the Rust side; their codes are in [`super::codes`].
 
-use std::fmt::{Debug, Write};
+use std::fmt::Write;
 
 use super::template::Shape;
 use super::workgroup::WORKGROUP;
 use crate::analysis::constants as analysis;
-use crate::analysis::{INFINITELY_MANY, Reading, Regime, Section, Stage};
+use crate::analysis::{INFINITELY_MANY, Reading, Section};
 use crate::backend::gpu::layout::{
     KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE, NOT_MEASURED,
 };
 use crate::control::constants as control;
-use crate::control::{Convention, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, NEVER, Progress};
+use crate::control::{Convention, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, NEVER};
+use crate::dynamics::Contact;
 use crate::dynamics::constants as dynamics;
 use crate::model::vector::MOST;
 use crate::model::{INVERSE_ODD, Real};
 
 /// Their declarations in WGSL.
 pub fn source(shape: &Shape) -> String {
-    let mut source = String::from("// Generated.\n");
-    for regime in Regime::ALL {
-        let name = constant("REGIME", regime);
-        writeln!(source, "const {name} = {}u;", regime.code()).expect("a string takes anything");
-    }
-    for progress in Progress::ALL {
-        let name = constant("PROGRESS", progress);
-        writeln!(source, "const {name} = {}u;", progress as u32).expect("a string takes anything");
-    }
-    for reading in [Reading::VBefore, Reading::VAfter, Reading::Tau] {
-        let name = constant("READING", reading);
-        writeln!(source, "const {name} = {}u;", reading.code(shape.coordinates))
-            .expect("a string takes anything");
-    }
-    for stage in Stage::ALL {
-        let name = format!("{stage:?}").to_uppercase();
-        writeln!(source, "const STAGE_{name} = {}u;", stage as u32).expect("a string takes anything");
-    }
+    let mut source = String::new();
     let integers = [
         ("WORKGROUP", WORKGROUP),
         ("COORDINATES", shape.coordinates as u32),
@@ -42,6 +26,8 @@ pub fn source(shape: &Shape) -> String {
         ("NORMALS", shape.normals as u32),
         ("STOPS", shape.stops as u32),
         ("MOST", MOST as u32),
+        ("MOST_COMPONENTS", 2 * MOST as u32),
+        ("CONTACT_FREE", Contact::FREE.code()),
         ("KICK_TERMS", KICK_TERMS as u32),
         ("ORDER", <f32 as Real>::ORDER as u32),
         ("INFINITELY_MANY", u32::from(INFINITELY_MANY)),
@@ -50,6 +36,9 @@ pub fn source(shape: &Shape) -> String {
         ("SETTLING", analysis::SETTLING),
         ("SETTLING_AT_REST", analysis::SETTLING_AT_REST),
         ("SETTLED_OBSERVATION", analysis::SETTLED_OBSERVATION),
+        ("SETTLED_TURNS", analysis::SETTLED_TURNS),
+        ("PROOF_SHARE", analysis::PROOF_SHARE),
+        ("LEAST_RETURNS", analysis::LEAST_RETURNS),
         ("MOST_KICKS", dynamics::MOST_KICKS),
         ("ROUNDS", analysis::ROUNDS),
         ("TURNS", analysis::TURNS),
@@ -63,6 +52,14 @@ pub fn source(shape: &Shape) -> String {
         ("LONGEST_PASSAGE", control::LONGEST_PASSAGE),
         ("CONTROL_SETTLING", control::SETTLING),
         ("NEVER", NEVER),
+        ("ERRORS_APART", control::ERRORS_APART),
+        ("HASH_DROPPED", control::HASH_DROPPED),
+        ("HASH_MULTIPLIER", control::HASH_MULTIPLIER),
+        ("HASH_INCREMENT", control::HASH_INCREMENT),
+        ("HASH_FACTOR", control::HASH_FACTOR),
+        ("HASH_CHOICE", control::HASH_CHOICE),
+        ("HASH_LEAST", control::HASH_LEAST),
+        ("HASH_LAST", control::HASH_LAST),
         ("SECTION_STROBE", Section::STROBE_CODE),
         ("READING_COMPONENT", Reading::COMPONENT_CODE),
         ("READING_GAP", Reading::GAP_CODE),
@@ -97,6 +94,8 @@ pub fn source(shape: &Shape) -> String {
         ("INVERSE_TAU", 1.0 / std::f64::consts::TAU),
         ("TWO_OVER_PI", std::f64::consts::FRAC_2_PI),
         ("RUNAWAY", control::RUNAWAY),
+        ("HASH_UNIT", control::HASH_UNIT),
+        ("KICK_ROUNDINGS", dynamics::KICK_ROUNDINGS),
         ("ROUNDINGS", dynamics::ROUNDINGS),
         ("TANGENT_SEED", 1.0 / (2.0 * shape.coordinates as f64).sqrt()),
         ("LN_2", std::f64::consts::LN_2),
@@ -140,18 +139,6 @@ fn exact(value: f64) -> String {
     format!("{:e}", value as f32)
 }
 
-/// `NoImpact` of a regime becomes REGIME_NO_IMPACT.
-fn constant(kind: &str, code: impl Debug) -> String {
-    let words: String = format!("{code:?}")
-        .char_indices()
-        .flat_map(|(i, c)| {
-            let gap = (i > 0 && c.is_uppercase()).then_some('_');
-            gap.into_iter().chain(c.to_uppercase())
-        })
-        .collect();
-    format!("{kind}_{words}")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -161,7 +148,5 @@ mod tests {
         for value in [1.0 / 3.0, 4e-9, 1e30, f64::from(f32::EPSILON)] {
             assert_eq!(exact(value).parse::<f32>().unwrap(), value as f32);
         }
-        assert_eq!(constant("REGIME", Regime::PeriodicSticking), "REGIME_PERIODIC_STICKING");
-        assert_eq!(constant("READING", Reading::VBefore), "READING_V_BEFORE");
     }
 }

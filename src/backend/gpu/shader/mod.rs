@@ -1,5 +1,6 @@
 //! The shader: fragments in their order, unrolled for a shape, after declarations generated from this crate's own.
 
+mod codes;
 mod constants;
 mod exact;
 mod residence;
@@ -136,6 +137,7 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: A
     let sections = if kernel == Kernel::Control { sections::source(shape) } else { String::new() };
     [
         arithmetic.source(),
+        codes::source(shape).as_str(),
         constants::source(shape).as_str(),
         vectors::source(shape).as_str(),
         &layout::declarations_for(shape),

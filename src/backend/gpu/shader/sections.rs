@@ -35,9 +35,9 @@ fn section_component(section: SectionPoint, i: u32) -> f32 {{
 {picked}    return {first};
 }}
 
-// The components in order; the rest of the eight is 0.
-fn section_values(section: SectionPoint) -> array<f32, 8> {{
-    var values = array<f32, 8>();
+// The components in order; the rest is 0.
+fn section_values(section: SectionPoint) -> array<f32, MOST_COMPONENTS> {{
+    var values = array<f32, MOST_COMPONENTS>();
 {values}    return values;
 }}
 

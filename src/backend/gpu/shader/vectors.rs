@@ -66,9 +66,9 @@ fn are_finite(a: X) -> bool {{
     return {are_finite};
 }}
 
-// x1 … xn, v1 … vn; the rest of the eight is 0.
-fn state_values(state: State) -> array<f32, 8> {{
-    var values = array<f32, 8>();
+// x1 … xn, v1 … vn; the rest is 0.
+fn state_values(state: State) -> array<f32, MOST_COMPONENTS> {{
+    var values = array<f32, MOST_COMPONENTS>();
 {values}    return values;
 }}
 
