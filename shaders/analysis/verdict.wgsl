@@ -42,27 +42,8 @@ fn observer_regime() -> u32 {
     if returns && impacts == 0u && observer.stuck == 0u {
         return REGIME_NO_IMPACT;
     }
-    if returns && observer_is_settled() {
-        return select(REGIME_PERIODIC, REGIME_PERIODIC_STICKING, observer.stuck == 1u);
-    }
-    if observer.stuck == 1u && !returns {
-        return REGIME_APERIODIC_STICKING;
-    }
-    if observer.exponent.batches == 0u {
-        return REGIME_UNRESOLVED;
-    }
-    let growth = observer.exponent.sum;
-    let significant = exponent_per_period() > SIGNIFICANCE * exponent_standard_error();
-    if growth > CHAOTIC_GROWTH && significant && observer.stuck == 0u {
-        return REGIME_CHAOTIC;
-    }
-    if returns {
-        return REGIME_UNRESOLVED;
-    }
-    if abs(growth) < NEUTRAL_GROWTH && spread_is_stationary(observer.observe / 2u) {
-        return REGIME_QUASI_PERIODIC;
-    }
-    return REGIME_UNRESOLVED;
+    let sticks = observer.stuck == 1u;
+    return evidence_regime(Evidence(returns, observer_is_settled(), sticks, true, observer.observe / 2u));
 }
 
 // The state that is reported: where the trajectory ends, or the forced response that motion decays onto.

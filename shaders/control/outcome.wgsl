@@ -96,21 +96,8 @@ fn controlled_regime(period: u32) -> u32 {
     if controlled.progress != PROGRESS_DONE {
         return REGIME_UNRESOLVED;
     }
-    if period > 0u {
-        return select(REGIME_PERIODIC, REGIME_PERIODIC_STICKING, controlled_has_stuck_for(period));
-    }
-    if controlled_has_stuck_for(controlled.observed) {
-        return REGIME_APERIODIC_STICKING;
-    }
-    if observer.exponent.batches == 0u || controlled.erased == 1u {
-        return REGIME_UNRESOLVED;
-    }
-    let growth = observer.exponent.sum;
-    if growth > CHAOTIC_GROWTH && exponent_per_period() > SIGNIFICANCE * exponent_standard_error() {
-        return REGIME_CHAOTIC;
-    }
-    if abs(growth) < NEUTRAL_GROWTH && spread_is_stationary(controlled.observed / 2u) {
-        return REGIME_QUASI_PERIODIC;
-    }
-    return REGIME_UNRESOLVED;
+    let returns = period > 0u;
+    let sticks = controlled_has_stuck_for(select(controlled.observed, period, returns));
+    let measured = controlled.erased == 0u;
+    return evidence_regime(Evidence(returns, returns, sticks, measured, controlled.observed / 2u));
 }

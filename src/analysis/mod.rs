@@ -1,6 +1,7 @@
 //! What a trajectory is: regimes and labels, settling, Lyapunov exponents.
 
 mod abreast;
+mod deciding;
 mod exponent;
 mod extent;
 mod loss;
@@ -20,6 +21,7 @@ mod trace;
 mod verdict;
 
 pub use abreast::{Queue, follow_abreast};
+pub(crate) use deciding::Evidence;
 pub(crate) use exponent::Exponent;
 pub use extent::{Extent, ExtentObserver};
 pub use observer::Observer;
@@ -36,12 +38,12 @@ pub use trace::{Trace, Tracer};
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::abreast::{CLEAR_STEPS, ROUNDS, TURNS};
+    pub use super::deciding::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, SIGNIFICANCE};
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::observing::{
         PROOF_SHARE, RETURNED, SETTLED_OBSERVATION, SETTLED_TURNS, SETTLING, SETTLING_AT_REST,
     };
     pub use super::recurrence::{DISTINCT, FARTHEST, LEAST_RETURNS};
     pub use super::spread::STATIONARY;
-    pub use super::verdict::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, SIGNIFICANCE};
     pub use crate::dynamics::constants::{FAIR_MOVES, MOST_MOVES};
 }

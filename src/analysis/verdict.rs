@@ -1,17 +1,11 @@
 //! What an observed trajectory settled on.
 
+use super::deciding::{Evidence, NEUTRAL_GROWTH};
 use super::loss::Loss;
 use super::observer::Observer;
 use super::regime::{Counts, Measures, Regime, Verdict};
 use super::stage::Stage;
 use crate::model::{Flight, Real, State, StateVector};
-
-/// Total logarithmic growth below which a tangent vector neither grows nor shrinks: the exponent is zero.
-pub const NEUTRAL_GROWTH: f64 = 3.0;
-/// Total logarithmic growth above which the exponent can be positive.
-pub const CHAOTIC_GROWTH: f64 = 5.0;
-/// Standard errors by which a positive exponent must exceed zero.
-pub const SIGNIFICANCE: f64 = 3.0;
 
 impl<T: Real, const N: usize> Observer<T, N> {
     /// What the trajectory settled on; labels count the impacts at the plant's stops in `label_order`.
@@ -79,15 +73,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             _ if self.returns() && self.recurrence.impacts.iter().all(|&count| count == 0) && !self.stuck => {
                 Regime::NoImpact
             }
-            _ if self.returns() && self.is_settled() => {
-                if self.stuck {
-                    Regime::PeriodicSticking
-                } else {
-                    Regime::Periodic
-                }
-            }
-            _ if self.stuck && !self.returns() => Regime::AperiodicSticking,
-            _ => self.irregular(),
+            _ => self.evidence().regime(),
         }
     }
 
@@ -101,21 +87,14 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.recurrence.is_settled() && self.grown <= T::of(NEUTRAL_GROWTH)
     }
 
-    /// The regime of a motion that impacts and has no period that could be established.
-    fn irregular(&self) -> Regime {
-        let exponent = &self.exponent;
-        let growth = exponent.total_growth();
-        let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
-        if exponent.batches == 0 {
-            Regime::Unresolved
-        } else if growth > T::of(CHAOTIC_GROWTH) && significant && !self.stuck {
-            Regime::Chaotic
-        } else if self.returns() {
-            Regime::Unresolved
-        } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observe / 2) {
-            Regime::QuasiPeriodic
-        } else {
-            Regime::Unresolved
+    fn evidence(&self) -> Evidence<'_, T, N> {
+        Evidence {
+            returns: self.returns(),
+            settled: self.is_settled(),
+            sticks: self.stuck,
+            exponent: Some(&self.exponent),
+            spread: &self.spread,
+            half: self.observe / 2,
         }
     }
 }

@@ -9,8 +9,8 @@ use super::progress::Progress;
 use super::schedule::ControlSchedule;
 use super::section_point::SectionPoint;
 use super::values::SectionValues;
-use crate::analysis::constants::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, PROOF_SHARE, RETURNED, SIGNIFICANCE};
-use crate::analysis::{self, Regime, Verdict};
+use crate::analysis::constants::{PROOF_SHARE, RETURNED};
+use crate::analysis::{self, Evidence, Regime, Verdict};
 use crate::model::vector::MOST;
 use crate::model::{Flight, Real, StateVector};
 
@@ -116,32 +116,24 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
             Progress::Failed => Regime::Failed,
             Progress::Lost if self.at_stops == [0; MOST] => Regime::NoImpact,
             Progress::Lost | Progress::Settling | Progress::Runaway => Regime::Unresolved,
-            _ if period > 0 && self.has_stuck_for(period) => Regime::PeriodicSticking,
-            _ if period > 0 => Regime::Periodic,
-            _ if self.has_stuck_for(self.observed) => Regime::AperiodicSticking,
-            _ => self.irregular(),
+            Progress::Observed | Progress::Done => self.evidence(period).regime(),
+        }
+    }
+
+    fn evidence(&self, period: u32) -> Evidence<'_, T, N> {
+        let returns = period > 0;
+        Evidence {
+            returns,
+            settled: returns,
+            sticks: self.has_stuck_for(if returns { period } else { self.observed }),
+            exponent: (!self.erased).then_some(&self.exponent),
+            spread: &self.spread,
+            half: self.observed / 2,
         }
     }
 
     /// Whether a mass rested on a stop in the last so many iterates.
     fn has_stuck_for(&self, iterates: u32) -> bool {
         self.stuck > 0 && self.stuck + iterates > self.iterates
-    }
-
-    /// The regime of a motion that does not return; see [`Observer`](crate::analysis::Observer).
-    fn irregular(&self) -> Regime {
-        let exponent = &self.exponent;
-        if exponent.batches == 0 || self.erased {
-            return Regime::Unresolved;
-        }
-        let growth = exponent.total_growth();
-        let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
-        if growth > T::of(CHAOTIC_GROWTH) && significant {
-            Regime::Chaotic
-        } else if growth.abs() < T::of(NEUTRAL_GROWTH) && self.spread.is_stationary(self.observed / 2) {
-            Regime::QuasiPeriodic
-        } else {
-            Regime::Unresolved
-        }
     }
 }

@@ -87,7 +87,7 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 26] = [
+const COMMON: [&str; 27] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -113,6 +113,7 @@ const COMMON: [&str; 26] = [
     include_str!("../../../../shaders/analysis/loss.wgsl"),
     include_str!("../../../../shaders/analysis/observer.wgsl"),
     include_str!("../../../../shaders/analysis/observing.wgsl"),
+    include_str!("../../../../shaders/analysis/deciding.wgsl"),
     include_str!("../../../../shaders/analysis/verdict.wgsl"),
 ];
 
