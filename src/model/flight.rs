@@ -115,7 +115,7 @@ impl<const N: usize> Flight<f64, N> {
             count: equations.count,
             pressing,
             quiet: quiet(response.as_ref(), trap.as_ref(), decay),
-            mirror: system.mirror().map(|mirror| columns(&SMatrix::from_fn(|i, j| mirror[(i, j)]))),
+            mirror: system.mirror().map(|mirror| columns(&SMatrix::from_fn(|i, j| mirror.matrix[(i, j)]))),
             linear_exponent: decay * system.period(),
         }
     }

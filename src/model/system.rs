@@ -1,10 +1,12 @@
 //! A system: a plant at one place of its parameters, with the steps in which it is followed.
 
-use nalgebra::{DMatrix, DVector};
+use std::sync::{Arc, OnceLock};
+
+use nalgebra::DVector;
 
 use super::parameters::Parameters;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
-use crate::system::{Plant, Setting};
+use crate::system::{Mirror, Plant, Setting};
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
@@ -18,6 +20,23 @@ pub struct System {
     label_order: Vec<usize>,
     rate: f64,
     steps: u32,
+    mirror: Kept<Option<Arc<Mirror>>>,
+}
+
+/// What follows from a plant, found when it is first asked for: equal plants have equal ones.
+#[derive(Clone, Debug)]
+struct Kept<T>(OnceLock<T>);
+
+impl<T> Default for Kept<T> {
+    fn default() -> Self {
+        Kept(OnceLock::new())
+    }
+}
+
+impl<T> PartialEq for Kept<T> {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 impl System {
@@ -37,7 +56,8 @@ impl System {
         let plant = setting.plant()?;
         let rate = rate(&plant);
         let label_order = setting.family().label_order().to_vec();
-        let mut system = System { setting: Some(setting), plant, label_order, rate, steps: 0 };
+        let mut system =
+            System { setting: Some(setting), plant, label_order, rate, steps: 0, mirror: Kept::default() };
         system.divide()?;
         Ok(system)
     }
@@ -51,7 +71,8 @@ impl System {
         plant.check()?;
         let rate = rate(&plant);
         let label_order = (0..plant.stops.len()).collect();
-        let mut system = System { setting: None, plant, label_order, rate, steps: 0 };
+        let mut system =
+            System { setting: None, plant, label_order, rate, steps: 0, mirror: Kept::default() };
         system.divide()?;
         Ok(system)
     }
@@ -119,6 +140,7 @@ impl System {
     /// The same system without forcing; ω stays as the clock that counts periods.
     #[must_use]
     pub fn unforced(mut self) -> Self {
+        self.mirror = Kept::default();
         self.plant.force_sin.fill(0.0);
         self.plant.force_cos.fill(0.0);
         self
@@ -127,6 +149,7 @@ impl System {
     /// The same system with other loads of sin φ on its coordinates.
     #[must_use]
     pub fn loaded(mut self, force_sin: &[f64]) -> Self {
+        self.mirror = Kept::default();
         self.plant.force_sin.copy_from_slice(force_sin);
         self
     }
@@ -207,8 +230,8 @@ impl System {
     }
 
     /// The mirror P, P² = 1, under which the system half a forcing period later is itself, if there is one.
-    pub fn mirror(&self) -> Option<DMatrix<f64>> {
-        self.plant.mirror().map(|mirror| mirror.matrix)
+    pub fn mirror(&self) -> Option<&Mirror> {
+        self.mirror.0.get_or_init(|| self.plant.mirror().map(Arc::new)).as_deref()
     }
 
     /// Which stops have the same gap, per length of their direction, and the same restitution, within a few ulps: one value

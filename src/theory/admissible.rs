@@ -90,14 +90,23 @@ pub(crate) struct Flown {
 ///
 /// Each arc begins anew at its impact, so that unstable motions are followed as well as stable ones.
 pub(crate) fn fly(system: &System, pattern: &Pattern, sections: &[Section]) -> Result<Flown, Inadmissible> {
-    let flow = Flow::new(system);
-    let mut follower = follower(system);
+    fly_by(system, &Flow::new(system), follower(system).as_mut(), pattern, sections)
+}
+
+/// The same, with the flow of the system and a follower of it.
+pub(super) fn fly_by(
+    system: &System,
+    flow: &Flow,
+    follower: &mut dyn Follower,
+    pattern: &Pattern,
+    sections: &[Section],
+) -> Result<Flown, Inadmissible> {
     let mut flown = Flown { at_phase_zero: None };
     for i in 0..sections.len() {
         let from = Node { stop: pattern.stops[i], section: sections[i].clone() };
-        let due = next(&flow, pattern, sections, i);
+        let due = next(flow, pattern, sections, i);
         let mirrored = pattern.mirrored;
-        Passage::new(system, &flow, &from, due)?.follow(follower.as_mut(), &from, mirrored, &mut flown)?;
+        Passage::new(system, flow, &from, due)?.follow(follower, &from, mirrored, &mut flown)?;
     }
     Ok(flown)
 }

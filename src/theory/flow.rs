@@ -38,7 +38,7 @@ impl Flow {
         g[(2 * n, 2 * n + 1)] = plant.omega;
         g[(2 * n + 1, 2 * n)] = -plant.omega;
         let faces = plant.stops.iter().map(|stop| Face::new(stop, &inverse)).collect();
-        Flow { n, generator: g, omega: plant.omega, faces, mirror: plant.mirror() }
+        Flow { n, generator: g, omega: plant.omega, faces, mirror: system.mirror().cloned() }
     }
 
     /// A stop.

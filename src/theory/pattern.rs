@@ -41,7 +41,7 @@ impl StopSet {
     pub fn of(system: &System) -> Self {
         StopSet {
             label_order: system.label_order().to_vec(),
-            images: system.plant().mirror().map(|mirror| mirror.stops),
+            images: system.mirror().map(|mirror| mirror.stops.clone()),
         }
     }
 

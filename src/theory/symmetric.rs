@@ -5,9 +5,10 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use super::admissible::{Inadmissible, NamedStop, fly};
+use super::admissible::{Inadmissible, NamedStop, fly_by};
 use super::face::Face;
 use super::flow::Flow;
+use super::follower::{Follower, follower};
 use super::motion::PeriodicMotion;
 use super::newton;
 use super::pattern::{Pattern, StopSet};
@@ -115,7 +116,8 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
         section
     });
     sections.sort_by(|a, b| phase(a).total_cmp(&phase(b)));
-    let solutions = sections.map(|section| solution(system, &flow, stop, section));
+    let mut follower = follower(system);
+    let solutions = sections.map(|section| solution(system, &flow, follower.as_mut(), stop, section));
     let scale = |section: &Section| 1.0 + section.amax();
     let solved = |solution: &SymmetricMotion| {
         solution.motion.residual <= ACCEPTED * scale(&solution.motion.sections[0])
@@ -131,7 +133,7 @@ fn met_by(face: &Face) -> String {
 
 /// The first stop that the mirror maps onto another.
 fn exchanged_stop(system: &System) -> Option<Stop> {
-    let mirror = system.plant().mirror()?;
+    let mirror = system.mirror()?;
     let first = mirror.stops.iter().enumerate().position(|(stop, &image)| stop != image)?;
     Some(Stop(first as u8))
 }
@@ -192,7 +194,13 @@ impl Line {
 }
 
 /// One solution, and whether the system follows it.
-fn solution(system: &System, flow: &Flow, stop: Stop, section: Section) -> SymmetricMotion {
+fn solution(
+    system: &System,
+    flow: &Flow,
+    follower: &mut dyn Follower,
+    stop: Stop,
+    section: Section,
+) -> SymmetricMotion {
     let pattern = Pattern::new(system, vec![stop], 1, true);
     let image = pattern.closing_stop();
     let face = flow.face(stop);
@@ -204,7 +212,7 @@ fn solution(system: &System, flow: &Flow, stop: Stop, section: Section) -> Symme
     let at_phase_zero = if rests {
         Err(Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity })
     } else {
-        fly(system, &motion.pattern, &motion.sections)
+        fly_by(system, flow, follower, &motion.pattern, &motion.sections)
             .and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, image))))
     };
     SymmetricMotion { motion, at_phase_zero }
