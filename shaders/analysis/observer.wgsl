@@ -12,6 +12,7 @@ struct Observer {
     tangent: State,
     recurrence: Recurrence,
     exponent: Exponent,
+    turn: Turn,
     spread: Spread,
     grown: f32,
     stage: u32,
@@ -50,6 +51,7 @@ fn observer_begin(start: State) {
     tangent = tangent_seed();
     observer.recurrence = recurrence_anchored(trajectory.point.state);
     observer.exponent = exponent_over(schedule.observe);
+    observer.turn = turn_over(0u);
     observer.spread = spread_about(trajectory.point);
     observer.grown = 0.0;
     observer.stage = STAGE_TRANSIENT;

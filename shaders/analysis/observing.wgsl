@@ -86,14 +86,39 @@ fn observer_settle(state: State) {
             return;
         }
         recurrence_at_strobe(state, SETTLED, false);
-        if recurrence_holds_for(select(SETTLING, SETTLING_AT_REST, observer.recurrence.worst <= AT_REST)) {
-            let needed = max(SETTLED_OBSERVATION, SETTLED_TURNS * observer.recurrence.n);
-            observer_begin_observation(min(needed, schedule.observe));
+        let at_rest = observer.recurrence.worst <= AT_REST;
+        let still = at_rest && recurrence_holds_for(SETTLING_AT_REST);
+        if still || (!at_rest && recurrence_kept_for(SETTLING)) {
+            observer_begin_settled(at_rest);
             return;
         }
+        recurrence_follow_along(state, SETTLING_AT_REST);
     }
     if observer.periods >= schedule.transient {
         observer_begin_observation(schedule.observe);
+    }
+}
+
+// Observes what returns: turn by turn where it no longer moves at all and its turns are short, else for longer.
+fn observer_begin_settled(at_rest: bool) {
+    let n = observer.recurrence.n;
+    let brief = n * max(SETTLED_TURNS, COMPONENTS);
+    if at_rest && brief <= BRIEF && brief <= schedule.observe {
+        observer_begin_observation(brief);
+        observer.turn = turn_over(n);
+        observer_begin_turn(0u);
+    } else {
+        let needed = max(SETTLED_OBSERVATION, SETTLED_TURNS * n);
+        observer_begin_observation(min(needed, schedule.observe));
+    }
+}
+
+// Begins a turn with the deviation that is to be carried through it.
+fn observer_begin_turn(turns: u32) {
+    tangent = state_unit(turns);
+    if trajectory.contact != CONTACT_FREE {
+        // While a mass rests on a stop, deviations along the contact are zero.
+        tangent = tangent_caught(tangent, trajectory.contact);
     }
 }
 
@@ -112,6 +137,7 @@ fn observer_begin_observation(observe: u32) {
     }
     observer.recurrence = recurrence_anchored(trajectory.point.state);
     observer.exponent = exponent_over(observe);
+    observer.turn = turn_over(0u);
     observer.spread = spread_about(trajectory.point);
     observer.grown = 0.0;
 }
@@ -119,7 +145,7 @@ fn observer_begin_observation(observe: u32) {
 fn observer_observe(state: State) {
     observer.observed = observer.observed + 1u;
     let half = observer.observe / 2u;
-    let growth = exponent_at_strobe();
+    let growth = observer_measure_growth();
     recurrence_at_strobe(state, RETURNED, observer.observed >= half);
     observer.grown = select(observer.grown + growth, 0.0, observer.recurrence.since == 0u);
     if observer.observed <= 2u * half {
@@ -128,7 +154,8 @@ fn observer_observe(state: State) {
     if observer.observed < observer.observe {
         return;
     }
-    if observer.observe < schedule.observe && !recurrence_holds_for(observer_proof()) {
+    let settled = observer.turn.n == 0u || observer_is_settled();
+    if observer.observe < schedule.observe && !(settled && recurrence_holds_for(observer_proof())) {
         // It had not settled after all: the observation is discarded and the transient goes on.
         observer.recurrence = recurrence_anchored(state);
         observer.stage = STAGE_TRANSIENT;
@@ -138,6 +165,19 @@ fn observer_observe(state: State) {
     } else {
         observer.stage = STAGE_OBSERVED;
     }
+}
+
+// How the tangent vector grew in the last period, as far as that is measured period by period.
+fn observer_measure_growth() -> f32 {
+    if observer.turn.n == 0u {
+        return exponent_at_strobe();
+    }
+    if observer.observed % observer.turn.n == 0u {
+        let turns = observer.observed / observer.turn.n;
+        turn_complete(turns);
+        observer_begin_turn(turns);
+    }
+    return 0.0;
 }
 
 fn observer_proof() -> u32 {

@@ -3,6 +3,7 @@
 struct Recurrence {
     anchor: State,
     since: u32,
+    kept: u32,
     n: u32,
     // Impacts at each stop in the first cycle after the anchor, and in the present one.
     impacts: array<u32, STOPS>,
@@ -16,7 +17,7 @@ struct Recurrence {
 
 fn recurrence_anchored(state: State) -> Recurrence {
     let none = array<u32, STOPS>();
-    return Recurrence(state, 0u, 0u, none, none, 0.0, 0.0, 0u, FARTHEST, 0u);
+    return Recurrence(state, 0u, 0u, 0u, none, none, 0.0, 0.0, 0u, FARTHEST, 0u);
 }
 
 fn counted(running: u32, complete_chatter: bool) -> u32 {
@@ -74,6 +75,21 @@ fn recurrence_at_strobe(state: State, tolerance: f32, late: bool) {
     } else if observer.recurrence.n % turned == 0u {
         observer.recurrence.apart = min(observer.recurrence.apart, away);
     }
+}
+
+// In the transient: the motion is compared with its present self after so many periods of returns.
+fn recurrence_follow_along(state: State, periods: u32) {
+    if recurrence_holds_for(periods) && observer.recurrence.since % observer.recurrence.n == 0u {
+        let nearer = observer.recurrence.early == 0.0 || observer.recurrence.worst <= observer.recurrence.early;
+        observer.recurrence.kept = select(0u, observer.recurrence.kept + observer.recurrence.since, nearer);
+        observer.recurrence.since = 0u;
+        recurrence_move_along(state);
+    }
+}
+
+// Whether the state has kept returning for so long, whatever it was compared with.
+fn recurrence_kept_for(periods: u32) -> bool {
+    return recurrence_holds_for(0u) && observer.recurrence.kept + observer.recurrence.since >= periods;
 }
 
 fn recurrence_start_over(state: State, late: bool) {

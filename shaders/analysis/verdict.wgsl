@@ -19,7 +19,9 @@ struct Verdict {
 
 // Whether what returns is a motion that was reached: nearby trajectories do not leave it.
 fn observer_is_settled() -> bool {
-    return recurrence_is_settled() && observer.grown <= NEUTRAL_GROWTH;
+    let measured = observer.turn.n > 0u;
+    let stays = select(observer.grown <= NEUTRAL_GROWTH, observer.turn.exponent <= NEUTRAL_RATE, measured);
+    return recurrence_is_settled() && stays;
 }
 
 // Whether the state began to return only within the observation.
@@ -60,6 +62,8 @@ fn observer_verdict() -> Verdict {
     var lyapunov = NOT_MEASURED;
     if regime == REGIME_NO_IMPACT {
         lyapunov = flight.linear_exponent;
+    } else if observer.turn.n > 0u && periodic {
+        lyapunov = observer.turn.exponent;
     } else if regime != REGIME_FAILED && observer.exponent.batches > 0u {
         lyapunov = exponent_per_period();
         if periodic && observer_is_late() {

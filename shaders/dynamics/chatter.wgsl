@@ -27,7 +27,7 @@ fn chatter_close(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
     }
     let r = rebound.restitution;
     if r >= 1.0 {
-        return chatter_drag(normal, speed, towards);
+        return chatter_drag(normal, rebound, towards);
     }
     let time = (speed + speed) / (force * (1.0 - r));
     let change = time * (abs(towards.jerk) + 0.5 * towards.bound * time) / force + flight.rate * time;
@@ -48,13 +48,19 @@ fn stays_low(normal: u32, speed: f32, force: f32) -> bool {
 }
 
 // Rebounds without loss, dragged down by the damping along the normal.
-fn chatter_drag(normal: u32, speed: f32, towards: Approach) -> Closure {
+fn chatter_drag(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
+    let speed = rebound.speed;
     let damping = flight.normals[normal].drag;
     let force = towards.acceleration;
-    if damping <= 0.0 {
+    let lasts = damping * force >= DRAGGED * abs(towards.jerk);
+    if !(damping > 0.0 && lasts && speed <= FADING && stays_low(normal, speed, force)) {
         return Closure(false, 0.0, 0.0, 0.0);
     }
-    let lasts = damping * force >= DRAGGED * abs(towards.jerk);
-    let closes = lasts && speed <= SLOW && stays_low(normal, speed, force);
-    return Closure(closes, speed * speed / ((force + force) * damping), 0.0, 0.0);
+    let gap_integral = speed * speed / ((force + force) * damping);
+    let slow = speed * INVERSE_SLOW;
+    var fades = slow <= 1.0;
+    if !fades {
+        fades = damping * rebound.room >= 3.0 * logarithm(slow);
+    }
+    return Closure(fades && gap_integral * flight.normals[normal].coupling <= ROUNDING, gap_integral, 0.0, 0.0);
 }

@@ -124,7 +124,7 @@ fn crossing_is_first(
 // Whether the rebounds that follow an impact can surely not be closed, so that it ends in flight.
 fn crossing_parts(end: End, restitution: f32, rebound: f32, state: State, force: f32) -> bool {
     let speed = abs(rebound);
-    let slow = max(unresolved(end, state), SLOW);
+    let slow = max(unresolved(end, state), FADING);
     let loss = 1.0 - restitution;
     let cubic_loss = 1.0 - restitution * restitution * restitution;
     let drift = (flight.rate + flight.rate) * speed;

@@ -145,18 +145,17 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         let Some(seat) = &mut self.seats[lane] else { return };
         let half = seat.flight.steps / 2;
         let event = if seat.phase == 0 { Event::HalfPeriod } else { Event::Strobe };
-        self.abreast.pass_phase(lane, &seat.flight, event);
         seat.phase = half - seat.phase;
         let observing = seat.observer.stage == Stage::Observation;
         if event == Event::HalfPeriod && !observing {
             seat.observer.pass_half_period();
             if seat.observer.keeps_others_waiting() {
-                seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight, seat.phase);
+                seat.observer.trajectory = self.abreast.trajectory_at_phase(lane, seat.phase);
                 self.hand_over(lane, schedule, queue);
             }
             return;
         }
-        seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight, seat.phase);
+        seat.observer.trajectory = self.abreast.trajectory_at_phase(lane, seat.phase);
         if observing {
             seat.observer.tangent = self.abreast.tangent(lane);
         }

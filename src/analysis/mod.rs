@@ -18,6 +18,7 @@ mod section;
 mod spread;
 mod stage;
 mod trace;
+mod turn;
 mod verdict;
 
 pub use abreast::{Queue, follow_abreast};
@@ -34,6 +35,7 @@ pub use section::{Reading, Section, SectionError};
 pub(crate) use spread::Spread;
 pub use stage::Stage;
 pub use trace::{Trace, Tracer};
+pub(crate) use turn::reported;
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
@@ -41,9 +43,11 @@ pub(crate) mod constants {
     pub use super::deciding::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, SIGNIFICANCE};
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::observing::{
-        PROOF_SHARE, RETURNED, SETTLED_OBSERVATION, SETTLED_TURNS, SETTLING, SETTLING_AT_REST,
+        BRIEF, NEUTRAL_RATE, PROOF_SHARE, RETURNED, SETTLED_OBSERVATION, SETTLED_TURNS, SETTLING,
+        SETTLING_AT_REST,
     };
     pub use super::recurrence::{DISTINCT, FARTHEST, LEAST_RETURNS};
     pub use super::spread::STATIONARY;
+    pub use super::turn::{EXPLODES, FORGETS, SQUARINGS};
     pub use crate::dynamics::constants::{FAIR_MOVES, MOST_MOVES};
 }

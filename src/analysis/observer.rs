@@ -6,6 +6,7 @@ use super::recurrence::Recurrence;
 use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
+use super::turn::Turn;
 use crate::dynamics::{Contact, Event, Impact, Move, Moves, Tangent, Trajectory, Variation};
 use crate::model::{Flight, Real, State};
 
@@ -16,6 +17,8 @@ pub struct Observer<T, const N: usize> {
     pub(super) tangent: Tangent<T, N>,
     pub(super) recurrence: Recurrence<T, N>,
     pub(super) exponent: Exponent<T>,
+    /// The linear map of a settled motion.
+    pub(super) turn: Turn<T, N>,
     pub(super) spread: Spread<T, N>,
     /// Logarithmic growth of the tangent vector since the recurrence's anchor was set.
     pub(super) grown: T,
@@ -49,6 +52,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             tangent: Tangent::seed(),
             recurrence: Recurrence::anchored(trajectory.point.state),
             exponent: Exponent::over(schedule.observe),
+            turn: Turn::none(),
             spread: Spread::about(&trajectory.point),
             grown: T::zero(),
             stage: Stage::Transient,

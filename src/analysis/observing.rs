@@ -1,5 +1,6 @@
 //! What is noted of a trajectory: its impacts, and at every strobe whether the transient or the observation ends.
 
+use super::deciding::NEUTRAL_GROWTH;
 use super::exponent::Exponent;
 use super::loss::Loss;
 use super::observer::Observer;
@@ -8,6 +9,7 @@ use super::recurrence::Recurrence;
 use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
+use super::turn::Turn;
 use crate::dynamics::{Event, Move, Stop, Tangent, Variation};
 use crate::model::{Flight, Real};
 
@@ -20,6 +22,11 @@ pub const SETTLING: u32 = 64;
 pub const SETTLING_AT_REST: u32 = 16;
 /// Periods for which a settled trajectory is still observed.
 pub const SETTLED_OBSERVATION: u32 = 48;
+/// The exponent per forcing period below which a motion that is observed turn by turn neither attracts nor repels: over
+/// [`SETTLED_OBSERVATION`] it makes a growth of [`NEUTRAL_GROWTH`].
+pub const NEUTRAL_RATE: f64 = NEUTRAL_GROWTH / SETTLED_OBSERVATION as f64;
+/// The longest observation turn by turn.
+pub const BRIEF: u32 = 24;
 /// Turns of its own period for which it is observed at least.
 pub const SETTLED_TURNS: u32 = 4;
 /// The share of the observation, one in so many, for which the state must have kept returning when it ends; no more than
@@ -99,15 +106,42 @@ impl<T: Real, const N: usize> Observer<T, N> {
             }
             self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period, false);
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
-            if self.recurrence.holds_for(if at_rest { SETTLING_AT_REST } else { SETTLING }) {
-                let needed = SETTLED_OBSERVATION.max(SETTLED_TURNS * self.recurrence.n);
-                self.begin_observation(flight, needed.min(schedule.observe));
+            let settled = if at_rest {
+                self.recurrence.holds_for(SETTLING_AT_REST)
+            } else {
+                self.recurrence.kept_for(SETTLING)
+            };
+            if settled {
+                self.begin_settled(flight, schedule, at_rest);
                 return;
             }
+            self.recurrence.follow_along(&point, SETTLING_AT_REST);
         }
         if self.periods >= schedule.transient {
             self.begin_observation(flight, schedule.observe);
         }
+    }
+
+    /// Observes what returns: turn by turn where it no longer moves at all and its turns are short, else for longer.
+    fn begin_settled(&mut self, flight: &Flight<T, N>, schedule: &Schedule, at_rest: bool) {
+        let n = self.recurrence.n;
+        let brief = n * SETTLED_TURNS.max(Turn::<T, N>::COLUMNS);
+        if at_rest && brief <= BRIEF && brief <= schedule.observe {
+            self.begin_observation(flight, brief);
+            self.turn = Turn::over(n);
+            self.begin_turn(flight, 0);
+        } else {
+            let needed = SETTLED_OBSERVATION.max(SETTLED_TURNS * n);
+            self.begin_observation(flight, needed.min(schedule.observe));
+        }
+    }
+
+    /// Begins a turn with the deviation that is to be carried through it.
+    fn begin_turn(&mut self, flight: &Flight<T, N>, turns: u32) {
+        let deviation = Turn::begins_with(turns);
+        let contact = self.trajectory.contact;
+        // While a mass rests on a stop, deviations along the contact are zero.
+        self.tangent = if contact.is_free() { deviation } else { deviation.caught(flight, contact) };
     }
 
     pub(super) fn begin_observation(&mut self, flight: &Flight<T, N>, observe: u32) {
@@ -123,6 +157,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.tangent = Tangent::seed().caught(flight, self.trajectory.contact);
         self.recurrence = Recurrence::anchored(point.state);
         self.exponent = Exponent::over(observe);
+        self.turn = Turn::none();
         self.spread = Spread::about(&point);
         self.grown = T::zero();
     }
@@ -133,7 +168,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         let point = self.trajectory.point;
         self.observed += 1;
         let half = self.observe / 2;
-        let growth = self.exponent.at_strobe(&mut self.tangent);
+        let growth = self.measure_growth(flight);
         self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period, self.observed >= half);
         self.grown = if self.recurrence.since == 0 { T::zero() } else { self.grown + growth };
         if self.observed <= 2 * half {
@@ -143,7 +178,8 @@ impl<T: Real, const N: usize> Observer<T, N> {
             return;
         }
         let early = self.observe < schedule.observe;
-        if early && !self.recurrence.holds_for(self.proof()) {
+        let settled = !self.turn.is_measured() || self.is_settled();
+        if early && !(settled && self.recurrence.holds_for(self.proof())) {
             // It had not settled after all: the observation is discarded and the transient goes on.
             self.recurrence = Recurrence::anchored(point.state);
             self.stage = Stage::Transient;
@@ -153,6 +189,20 @@ impl<T: Real, const N: usize> Observer<T, N> {
         } else {
             self.stage = Stage::Observed;
         }
+    }
+
+    /// How the tangent vector grew in the last period, as far as that is measured period by period.
+    #[inline(always)]
+    fn measure_growth(&mut self, flight: &Flight<T, N>) -> T {
+        if !self.turn.is_measured() {
+            return self.exponent.at_strobe(&mut self.tangent);
+        }
+        if self.observed.is_multiple_of(self.turn.n) {
+            let turns = self.observed / self.turn.n;
+            self.turn.complete(turns, &self.tangent);
+            self.begin_turn(flight, turns);
+        }
+        T::zero()
     }
 
     /// Periods for which the state must have kept returning when the observation ends.

@@ -28,6 +28,8 @@ pub struct Recurrence<T, const N: usize> {
     anchor: State<T, N>,
     /// Periods since the anchor.
     pub since: u32,
+    /// Periods of returns before it, with an anchor that has moved along since.
+    kept: u32,
     /// N, or 0 while there was no return.
     pub n: u32,
     /// Impacts at each stop in the first cycle after the anchor.
@@ -52,6 +54,7 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         Recurrence {
             anchor: state,
             since: 0,
+            kept: 0,
             n: 0,
             impacts: [0; MOST],
             running: [0; MOST],
@@ -111,6 +114,25 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         } else if self.n.is_multiple_of(self.since % self.n) {
             self.apart = if away < self.apart { away } else { self.apart };
         }
+    }
+
+    /// In the transient: after `periods` of returns the motion is compared with its present self, so that one that comes closer
+    /// is seen to come to rest. Returns that go farther than before do not count.
+    #[inline(always)]
+    pub fn follow_along(&mut self, point: &Point<T, N>, periods: u32) {
+        if self.holds_for(periods) && self.since.is_multiple_of(self.n) {
+            let nearer = self.early == T::zero() || self.worst <= self.early;
+            self.kept = if nearer { self.kept + self.since } else { 0 };
+            self.since = 0;
+            self.move_along(point);
+        }
+    }
+
+    /// Whether the state has kept returning for at least `periods`, whatever it was compared with, and often enough since the
+    /// anchor.
+    #[inline(always)]
+    pub fn kept_for(&self, periods: u32) -> bool {
+        self.holds_for(0) && self.kept + self.since >= periods
     }
 
     #[inline(always)]

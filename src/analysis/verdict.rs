@@ -3,8 +3,10 @@
 use super::deciding::{Evidence, NEUTRAL_GROWTH};
 use super::loss::Loss;
 use super::observer::Observer;
+use super::observing::NEUTRAL_RATE;
 use super::regime::{Counts, Measures, Regime, Verdict};
 use super::stage::Stage;
+use super::turn::reported;
 use crate::model::{Flight, Real, State, StateVector};
 
 impl<T: Real, const N: usize> Observer<T, N> {
@@ -16,6 +18,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         let lyapunov = match regime {
             Regime::NoImpact => flight.linear_exponent,
             Regime::Failed => T::nan(),
+            _ if self.turn.is_measured() && regime.is_periodic() => self.turn.exponent,
             _ if self.exponent.batches == 0 => T::nan(),
             // Growth from before the motion was reached does not count towards its exponent.
             _ if regime.is_periodic() && self.is_late() => self.grown / T::of(f64::from(recurrence.since)),
@@ -29,7 +32,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             n: count(recurrence.n),
             counts: Counts::in_order(&recurrence.impacts.map(count), label_order),
             symmetric: regime.is_periodic() && recurrence.n % 2 == 1 && recurrence.symmetric,
-            lyapunov: lyapunov.widen() as f32,
+            lyapunov: reported(lyapunov.widen() as f32),
             state: StateVector::of(&self.state(flight, regime)),
             impacts: self.impacts,
             impacts_total: self.impacts_total,
@@ -83,8 +86,13 @@ impl<T: Real, const N: usize> Observer<T, N> {
     }
 
     /// Whether what returns is a motion that was reached: nearby trajectories do not leave it.
-    fn is_settled(&self) -> bool {
-        self.recurrence.is_settled() && self.grown <= T::of(NEUTRAL_GROWTH)
+    pub(super) fn is_settled(&self) -> bool {
+        let stays = if self.turn.is_measured() {
+            self.turn.exponent <= T::of(NEUTRAL_RATE)
+        } else {
+            self.grown <= T::of(NEUTRAL_GROWTH)
+        };
+        self.recurrence.is_settled() && stays
     }
 
     fn evidence(&self) -> Evidence<'_, T, N> {

@@ -23,6 +23,10 @@ pub struct Abreast<L: Lanes, const N: usize> {
     kicks: L,
     /// Steps to the next phase 0 or π.
     left: L,
+    /// Steps from one of them to the other.
+    half: L,
+    /// Cosine of the last of them: 1 or −1.
+    phase: L,
     /// 1 where a trajectory is at the beginning of a step, else 0.
     steps: L,
     /// 1 where the rest of the step does not clear the stops, else 0.
@@ -68,6 +72,8 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             offset: zero,
             kicks: zero,
             left: zero,
+            half: zero,
+            phase: zero,
             steps: zero,
             waits: zero,
             carries: zero,
@@ -78,6 +84,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     /// Puts the constants of a cell into a lane.
     pub fn prepare(&mut self, lane: usize, flight: &Flight<L::Real, N>) {
         self.flight.set_lane(lane, flight);
+        self.half.set_lane(lane, L::Real::of(f64::from(flight.steps / 2)));
     }
 
     /// Puts a trajectory at the beginning of a step of free flight into a lane, with its tangent where that is carried along.
@@ -95,6 +102,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let half = flight.steps / 2;
         let left = half - trajectory.step % half;
         self.left.set_lane(lane, number(f64::from(left)));
+        self.phase.set_lane(lane, number(if trajectory.step < half { 1.0 } else { -1.0 }));
         self.steps.set_lane(lane, number(1.0));
         self.waits.set_lane(lane, number(0.0));
         self.set_tangent(lane, tangent);
@@ -131,6 +139,12 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             before + half - left,
             self.offset.lane(lane),
         )
+    }
+
+    /// The trajectory in a lane that has come to phase 0 or π: at the beginning of that step.
+    pub fn trajectory_at_phase(&self, lane: usize, step: u32) -> Trajectory<L::Real, N> {
+        let point = self.point.lane(lane);
+        Trajectory::resumed(point, point, 0, step, L::Real::of(0.0))
     }
 
     /// The tangent in a lane.
@@ -206,20 +220,20 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         }
     }
 
-    /// Ends the step of some lanes; those that come to phase 0 or π.
+    /// Ends the step of some lanes; those that come to phase 0 or π, where the forcing phasor is exact.
     #[inline(always)]
     fn complete(&mut self, moves: L::Mask) -> u32 {
         self.point = Point::select(moves, &self.ahead, &self.point);
         self.left = L::select(moves, self.left - self.left.all(1.0), self.left);
-        moves.and(self.left.below(self.left.all(0.5))).bits()
-    }
-
-    /// Goes on from phase 0 or π, where the forcing phasor is exact.
-    pub fn pass_phase(&mut self, lane: usize, flight: &Flight<L::Real, N>, event: Event<L::Real>) {
-        let cos = if event == Event::Strobe { 1.0 } else { -1.0 };
-        self.point.sin.set_lane(lane, L::Real::of(0.0));
-        self.point.cos.set_lane(lane, L::Real::of(cos));
-        self.left.set_lane(lane, L::Real::of(f64::from(flight.steps / 2)));
+        let arrived = moves.and(self.left.below(self.left.all(0.5)));
+        let phases = arrived.bits();
+        if phases != 0 {
+            self.phase = L::select(arrived, -self.phase, self.phase);
+            self.point.sin = L::select(arrived, self.left.all(0.0), self.point.sin);
+            self.point.cos = L::select(arrived, self.phase, self.point.cos);
+            self.left = L::select(arrived, self.half, self.left);
+        }
+        phases
     }
 
     /// The impact of a lane in the last round of contacts.

@@ -40,8 +40,10 @@ pub struct Rebound<T> {
 pub const STEADY: f64 = 0.25;
 
 /// Rebounds without loss may be closed below this speed …
+pub const FADING: f64 = 1e-4;
+/// … if at the next strobe, whose state would still show them, they are as slow as this …
 pub const SLOW: f64 = 1e-6;
-/// … if the force lasts for so many times 1/c: a third of it in exponents of e.
+/// … and if the force lasts for so many times 1/c: a third of it in exponents of e.
 pub const DRAGGED: f64 = 21.0;
 
 /// Closes the sequence of rebounds off a stop, if that is as good as following them.
@@ -71,7 +73,7 @@ pub fn close<T: Real, const N: usize>(
         return None;
     }
     if r >= one {
-        return drag(normal, speed, towards);
+        return drag(normal, rebound, towards);
     }
     let time = (speed + speed) / (force * (one - r));
     let change = time * (towards.jerk.abs() + T::of(0.5) * towards.bound * time) / force + flight.rate * time;
@@ -95,21 +97,25 @@ fn stays_low<T: Real, const N: usize>(normal: &ContactNormal<T, N>, speed: T, fo
 
 /// Rebounds without loss (r = 1) do not end in finite time, but the damping c along the normal drags them down: their
 /// speed u decays like exp(−ct/3), ever more of them in a given time. Once they are slow, and the force lasts until they
-/// are gone, the mass is as good as at rest; ∫ gap dt is u²/(2ac) then.
+/// are gone, the mass is as good as at rest; ∫ gap dt is u²/(2ac) then. It acts on the other masses over a time of 3/(2c)
+/// rather than at once, so that its whole effect must be below [`Real::ROUNDING`].
 #[inline(always)]
 fn drag<T: Real, const N: usize>(
     normal: &ContactNormal<T, N>,
-    speed: T,
+    rebound: &Rebound<T>,
     towards: &Approach<T>,
 ) -> Option<Closure<T>> {
+    let Rebound { speed, room, .. } = *rebound;
     let damping = normal.drag;
     let force = towards.acceleration;
     let lasts = damping * force >= T::of(DRAGGED) * towards.jerk.abs();
-    if damping > T::zero() && lasts && speed <= T::of(SLOW) && stays_low(normal, speed, force) {
-        Some(Closure::at_once(speed * speed / ((force + force) * damping)))
-    } else {
-        None
+    if !(damping > T::zero() && lasts && speed <= T::of(FADING) && stays_low(normal, speed, force)) {
+        return None;
     }
+    let gap_integral = speed * speed / ((force + force) * damping);
+    let slow = speed * T::of(1.0 / SLOW);
+    let fades = slow <= T::one() || damping * room >= T::of(3.0) * slow.logarithm();
+    (fades && gap_integral * normal.coupling <= T::of(T::ROUNDING)).then(|| Closure::at_once(gap_integral))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Contact found directly: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
 
-use super::chatter::{SLOW, STEADY};
+use super::chatter::{FADING, STEADY};
 use super::contact::ROUNDINGS;
 use super::drive::Drive;
 use super::leg::Leg;
@@ -217,7 +217,7 @@ fn parts_for_good<L: Lanes, const N: usize>(
     for (direction, speed) in face.direction.iter().zip(v) {
         size = size + (*direction * *speed).magnitude();
     }
-    let slow = (size * speed.all(L::Real::EPSILON)).larger(speed.all(SLOW));
+    let slow = (size * speed.all(L::Real::EPSILON)).larger(speed.all(FADING));
     let one = speed.all(1.0);
     let loss = one - face.restitution;
     let cubic_loss = one - face.restitution * face.restitution * face.restitution;

@@ -42,7 +42,7 @@ pub use trajectory::{Event, Impact, Move, Trajectory};
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
-    pub use super::chatter::{DRAGGED, SLOW, STEADY};
+    pub use super::chatter::{DRAGGED, FADING, SLOW, STEADY};
     pub use super::contact::{ROUNDINGS, WIDENING};
     pub use super::crossing::WIDER;
     pub use super::leg::SWELLING;

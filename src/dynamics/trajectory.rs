@@ -11,7 +11,7 @@ use super::tangent::{Saltation, Struck, Variation};
 use crate::model::{Flight, Real, State};
 
 /// The most kicks that are added to the end of one step; after more, the step is flown to its end instead.
-pub const MOST_KICKS: u32 = 4;
+pub const MOST_KICKS: u32 = 24;
 
 /// An impact: d·v+ = −r d·v− along its normal, v+ = v− + (d·v+ − d·v−) M⁻¹d/(dᵀM⁻¹d).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -141,7 +141,7 @@ impl Real for f64 {
     const STRAIGHT: f64 = 1e-5;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
-    const CHATTER: f64 = 1e-13;
+    const CHATTER: f64 = 1e-12;
     const SETTLED: f64 = 1e-6;
     const AT_REST: f64 = 1e-10;
     const ROUNDING: f64 = 1e-9;
@@ -169,7 +169,7 @@ impl Real for f32 {
     const STRAIGHT: f64 = 3e-3;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
     const IMMINENT: f64 = 1e-4;
-    const CHATTER: f64 = 3e-9;
+    const CHATTER: f64 = 1e-8;
     const SETTLED: f64 = 2e-5;
     const AT_REST: f64 = 1e-6;
     const ROUNDING: f64 = 4e-6;

@@ -151,6 +151,26 @@ fn a_sequence_that_moves_the_other_mass_is_followed() {
     neglected::<f32>();
 }
 
+/// What they do to a second mass must be lost in what closing may leave.
+fn dragged_beside<T: Real>() {
+    let flight = Flight::<f64, 2>::new(&pair(1.0)).round::<T>();
+    let normal = &flight.normals[0];
+    let closes = |speed: f64, force: f64| {
+        let hop = Rebound { room: T::of(1e6), ..rebound(speed, 1.0) };
+        close(&flight, normal, &hop, &steady::<T>(force)).is_some()
+    };
+    // u²/(2ac) times the coupling, for a.
+    let speed = 0.9 * FADING;
+    let least = speed * speed * normal.coupling.widen() / (2.0 * normal.drag.widen() * T::ROUNDING);
+    assert!(closes(speed, 1.001 * least) && !closes(speed, 0.999 * least), "{least}");
+}
+
+#[test]
+fn rebounds_without_loss_that_move_the_other_mass_are_followed() {
+    dragged_beside::<f64>();
+    dragged_beside::<f32>();
+}
+
 /// Rebounds without loss, that a damper drags down: u falls by ⅔ c u²/a in a hop, since a hop takes c ∫ v² dt.
 fn dragged<T: Real>() {
     let (damping, force, speed) = (0.1, 1e-4, SLOW);
@@ -166,7 +186,13 @@ fn dragged<T: Real>() {
     // Without damping, faster, or with a force that does not last, they are followed.
     let elastic = Cell::<T>::new(&single(|_| {}));
     assert!(elastic.close(&rebound(speed, 1.0), &steady(force)).is_none());
-    assert!(cell.close(&rebound(1.01 * SLOW, 1.0), &steady(force)).is_none());
+    // Faster ones are closed where they are slow by the next strobe: u falls like exp(−ct/3).
+    let by_the_strobe = |speed: f64, room: f64| {
+        cell.close(&Rebound { room: T::of(room), ..rebound(speed, 1.0) }, &steady(1.0)).is_some()
+    };
+    let fades = 3.0 * 50f64.ln() / damping;
+    assert!(by_the_strobe(50.0 * SLOW, 1.001 * fades) && !by_the_strobe(50.0 * SLOW, 0.999 * fades));
+    assert!(by_the_strobe(0.99 * FADING, 1e4) && !by_the_strobe(1.01 * FADING, 1e4));
     let falling = |share: f64| Approach { jerk: T::of(-share * damping * force / DRAGGED), ..steady(force) };
     assert!(cell.close(&rebound(speed, 1.0), &falling(0.99)).is_some());
     assert!(cell.close(&rebound(speed, 1.0), &falling(1.01)).is_none());

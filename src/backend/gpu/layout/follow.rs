@@ -65,7 +65,7 @@ pub struct Verdict {
 
 /// A number that a shader wrote; NaN for one that was not measured.
 fn measured(value: f32) -> f32 {
-    if value == NOT_MEASURED { f32::NAN } else { value }
+    if value == NOT_MEASURED { f32::NAN } else { analysis::reported(value) }
 }
 
 impl Verdict {

@@ -87,7 +87,7 @@ impl Kernel {
 }
 
 /// What every kernel begins with.
-const COMMON: [&str; 27] = [
+const COMMON: [&str; 28] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -108,6 +108,7 @@ const COMMON: [&str; 27] = [
     include_str!("../../../../shaders/dynamics/sticking.wgsl"),
     include_str!("../../../../shaders/analysis/recurrence.wgsl"),
     include_str!("../../../../shaders/analysis/exponent.wgsl"),
+    include_str!("../../../../shaders/analysis/turn.wgsl"),
     include_str!("../../../../shaders/analysis/spread.wgsl"),
     include_str!("../../../../shaders/analysis/quiet.wgsl"),
     include_str!("../../../../shaders/analysis/loss.wgsl"),

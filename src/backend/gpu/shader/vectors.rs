@@ -25,6 +25,11 @@ pub fn source(shape: &Shape) -> String {
             (0..n).map(|i| format!("starts[cell * {}u + {}u]", 2 * n, part * n + i)).collect();
         if n == 1 { parts.concat() } else { format!("X({})", parts.join(", ")) }
     };
+    let unit = |part: usize| {
+        let parts: Vec<String> =
+            (0..n).map(|i| format!("select(0.0, 1.0, k == {}u)", part * n + i)).collect();
+        if n == 1 { parts.concat() } else { format!("X({})", parts.join(", ")) }
+    };
     format!(
         "alias X = {alias};
 
@@ -41,6 +46,11 @@ fn largest(a: X) -> f32 {{
 // The largest |aᵢ bᵢ|.
 fn largest_part(a: X, b: X) -> f32 {{
     return {largest_part};
+}}
+
+// The largest |aᵢ| or |bᵢ|.
+fn largest_of(a: X, b: X) -> f32 {{
+    return max(largest(a), largest(b));
 }}
 
 // Σ (aᵢ² + bᵢ²).
@@ -72,6 +82,11 @@ fn state_values(state: State) -> array<f32, MOST_COMPONENTS> {{
 {values}    return values;
 }}
 
+// Component k is 1, all others 0.
+fn state_unit(k: u32) -> State {{
+    return State({unit_x}, {unit_v});
+}}
+
 // The start of this invocation's cell.
 fn start_of_cell() -> State {{
     return State({start_x}, {start_v});
@@ -87,6 +102,8 @@ fn start_of_cell() -> State {{
         }),
         columns_scaled = each(&|_, i| format!("a * columns[{i}]"), ", "),
         are_finite = each(&|c, _| format!("is_finite(a{c})"), " && "),
+        unit_x = unit(0),
+        unit_v = unit(1),
         start_x = start(0),
         start_v = start(1),
     )
