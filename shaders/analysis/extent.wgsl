@@ -1,12 +1,5 @@
 // How far a motion goes: the integral of the square and the peak of every coordinate.
 
-struct Extent {
-    // EXTENT_DONE or EXTENT_FAILED; anything else while it is not written.
-    code: u32,
-    mean_squares: array<f32, MOST>,
-    peaks: array<f32, MOST>,
-}
-
 struct ExtentObserver {
     trajectory: Trajectory,
     // Over the forcing periods that are over, and over the present one.

@@ -1,12 +1,5 @@
 // One trajectory followed to its verdict: transient, settling, observation.
 
-struct Schedule {
-    transient: u32,
-    observe: u32,
-    max_period: u32,
-    fixed_periods: u32,
-}
-
 struct Observer {
     trajectory: Trajectory,
     tangent: State,

@@ -1,12 +1,5 @@
 // Whether impacts chatter: rows of them at one stop, each slower than the one before.
 
-struct Rebounds {
-    last: f32,
-    stop: u32,
-    run: u32,
-    longest: u32,
-}
-
 var<private> rebounds: Rebounds;
 
 fn rebounds_see(taken: Move) {

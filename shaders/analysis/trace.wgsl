@@ -1,11 +1,5 @@
 // What a trajectory leaves on a section while it is observed.
 
-struct Trace {
-    rebounds: Rebounds,
-    // Passages through the section.
-    passages: u32,
-}
-
 // How many passages of this cell were seen.
 var<private> passages: u32;
 

@@ -1,22 +1,5 @@
 // What an observed trajectory settled on.
 
-struct Verdict {
-    regime: u32,
-    n: u32,
-    symmetric: u32,
-    lyapunov: f32,
-    impacts_per_stop: array<u32, MOST>,
-    state: array<f32, MOST_COMPONENTS>,
-    impacts: u32,
-    impacts_total: u32,
-    peak_impact_velocity: f32,
-    periods: u32,
-    returning: u32,
-    observed: u32,
-    power: f32,
-    contact: f32,
-}
-
 // Whether what returns is a motion that was reached: nearby trajectories do not leave it.
 fn observer_is_settled() -> bool {
     let measured = observer.turn.n > 0u;

@@ -1,12 +1,5 @@
 // A trajectory under control, followed from return to return on the section to its outcome.
 
-struct ControlSchedule {
-    start: u32,
-    iterates: u32,
-    observed: u32,
-    fixed_iterates: u32,
-}
-
 struct Controlled {
     trajectory: Trajectory,
     tangent: State,

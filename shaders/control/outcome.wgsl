@@ -1,16 +1,5 @@
 // What became of a controlled trajectory.
 
-struct Outcome {
-    verdict: Verdict,
-    period: u32,
-    iterates: u32,
-    converged_at: u32,
-    signal: f32,
-    runaway: u32,
-    escapes: u32,
-    effort: f32,
-}
-
 fn controlled_outcome() -> Outcome {
     var iterates = 0u;
     if controlled.iterates > control_schedule.start {

@@ -1,16 +1,5 @@
 // Follows trajectories for whole forcing periods and measures how far they go, a bounded number of moves per dispatch.
 
-struct ExtentDispatch {
-    // Trajectories in this dispatch.
-    count: u32,
-    // Moves that each of them may make.
-    budget: u32,
-    // 1 in the first dispatch of a tile, which begins the trajectories; 0 in those that resume them.
-    begin: u32,
-    // Invocations in one row of workgroups.
-    row: u32,
-}
-
 @group(0) @binding(0) var<uniform> dispatch: ExtentDispatch;
 @group(0) @binding(1) var<storage, read> flights: array<Flight>;
 @group(0) @binding(2) var<storage, read> kicks: array<State>;

@@ -1,23 +1,5 @@
 // Follows trajectories like the kernel `follow`, and reads a section while they are observed.
 
-struct TraceDispatch {
-    schedule: Schedule,
-    // Trajectories in this dispatch.
-    count: u32,
-    // Moves that each of them may make.
-    budget: u32,
-    // 1 in the first dispatch of a tile, which begins the trajectories; 0 in those that resume them.
-    begin: u32,
-    // Invocations in one row of workgroups.
-    row: u32,
-    // The codes of the section and of what is read there.
-    section: u32,
-    reading: u32,
-    // Readings that are kept of each trajectory.
-    capacity: u32,
-    unused: u32,
-}
-
 @group(0) @binding(0) var<uniform> dispatch: TraceDispatch;
 @group(0) @binding(1) var<storage, read> flights: array<Flight>;
 @group(0) @binding(2) var<storage, read> kicks: array<State>;

@@ -1,21 +1,19 @@
 //! What the kernel `control_trajectories` reads and writes.
 
-use bytemuck::{Pod, Zeroable};
-
 use super::follow::Verdict;
 use super::record::Record;
 use crate::control::{self, Controller, Sine, Surface};
 use crate::model::vector::MOST;
 use crate::model::{self, System};
 
-/// `ControlSchedule` in shaders/control/controlled.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct ControlSchedule {
-    pub start: u32,
-    pub iterates: u32,
-    pub observed: u32,
-    pub fixed_iterates: u32,
+shared_struct! {
+    /// When control is switched on, and how long a trajectory is followed; lengths in iterates.
+    pub struct ControlSchedule {
+        pub start: u32,
+        pub iterates: u32,
+        pub observed: u32,
+        pub fixed_iterates: u32,
+    }
 }
 
 impl ControlSchedule {
@@ -30,16 +28,21 @@ impl ControlSchedule {
     }
 }
 
-/// `ControlDispatch` in shaders/kernels/control.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct ControlDispatch {
-    pub schedule: ControlSchedule,
-    pub count: u32,
-    pub budget: u32,
-    pub begin: u32,
-    pub row: u32,
-    pub max_period: u32,
+shared_struct! {
+    /// What the kernel `control_trajectories` is told.
+    pub struct ControlDispatch {
+        pub schedule: ControlSchedule,
+        /// Trajectories in this dispatch.
+        pub count: u32,
+        /// Moves that each of them may make.
+        pub budget: u32,
+        /// 1 in the first dispatch of a tile, which begins the trajectories; 0 in those that resume them.
+        pub begin: u32,
+        /// Invocations in one row of workgroups.
+        pub row: u32,
+        /// The largest number of iterates in one period that is looked for.
+        pub max_period: u32,
+    }
 }
 
 /// Codes of the methods.
@@ -149,18 +152,18 @@ impl Control {
     }
 }
 
-/// `Outcome` in shaders/control/outcome.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct Outcome {
-    pub verdict: Verdict,
-    pub period: u32,
-    pub iterates: u32,
-    pub converged_at: u32,
-    pub signal: f32,
-    pub runaway: u32,
-    pub escapes: u32,
-    pub effort: f32,
+shared_struct! {
+    /// What became of a controlled trajectory.
+    pub struct Outcome {
+        pub verdict: Verdict,
+        pub period: u32,
+        pub iterates: u32,
+        pub converged_at: u32,
+        pub signal: f32,
+        pub runaway: u32,
+        pub escapes: u32,
+        pub effort: f32,
+    }
 }
 
 impl Record for Outcome {

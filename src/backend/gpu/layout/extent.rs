@@ -1,29 +1,33 @@
 //! What the kernel of extents reads and writes.
 
-use bytemuck::{Pod, Zeroable};
 use strum::VariantArray;
 
 use super::record::Record;
 use crate::analysis;
 use crate::model::vector::MOST;
 
-/// `ExtentDispatch` in shaders/kernels/extent.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct ExtentDispatch {
-    pub count: u32,
-    pub budget: u32,
-    pub begin: u32,
-    pub row: u32,
+shared_struct! {
+    /// What the kernel of extents is told.
+    pub struct ExtentDispatch {
+        /// Trajectories in this dispatch.
+        pub count: u32,
+        /// Moves that each of them may make.
+        pub budget: u32,
+        /// 1 in the first dispatch of a tile, which begins the trajectories; 0 in those that resume them.
+        pub begin: u32,
+        /// Invocations in one row of workgroups.
+        pub row: u32,
+    }
 }
 
-/// `Extent` in shaders/analysis/extent.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct Extent {
-    pub code: u32,
-    pub mean_squares: [f32; MOST],
-    pub peaks: [f32; MOST],
+shared_struct! {
+    /// How far a motion goes.
+    pub struct Extent {
+        /// An [`ExtentCode`]; anything else while it is not written.
+        pub code: u32,
+        pub mean_squares: [f32; MOST],
+        pub peaks: [f32; MOST],
+    }
 }
 
 /// How far a shader has come with an extent; the codes in shaders/analysis/extent.wgsl are generated from here.

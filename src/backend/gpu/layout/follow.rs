@@ -1,20 +1,19 @@
 //! What the kernel `follow` reads and writes.
 
-use bytemuck::{Pod, Zeroable};
-
 use super::record::Record;
 use crate::analysis::{self, Counts, Measures, Regime};
+use crate::control::MOST_COMPONENTS;
 use crate::model::vector::MOST;
 use crate::model::{StateVector, System};
 
-/// `Schedule` in shaders/analysis/observer.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct Schedule {
-    pub transient: u32,
-    pub observe: u32,
-    pub max_period: u32,
-    pub fixed_periods: u32,
+shared_struct! {
+    /// How long a trajectory is followed; lengths in forcing periods.
+    pub struct Schedule {
+        pub transient: u32,
+        pub observe: u32,
+        pub max_period: u32,
+        pub fixed_periods: u32,
+    }
 }
 
 impl Schedule {
@@ -29,38 +28,42 @@ impl Schedule {
     }
 }
 
-/// `Dispatch` in shaders/kernels/follow.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct Dispatch {
-    pub schedule: Schedule,
-    pub count: u32,
-    pub budget: u32,
-    pub begin: u32,
-    pub row: u32,
+shared_struct! {
+    /// What the kernel `follow` is told.
+    pub struct Dispatch {
+        pub schedule: Schedule,
+        /// Trajectories in this dispatch.
+        pub count: u32,
+        /// Moves that each of them may make.
+        pub budget: u32,
+        /// 1 in the first dispatch of a tile, which begins the trajectories; 0 in those that resume them.
+        pub begin: u32,
+        /// Invocations in one row of workgroups.
+        pub row: u32,
+    }
 }
 
 /// What the shaders write for an exponent that was not measured: a NaN need not survive a driver.
 pub const NOT_MEASURED: f32 = -3e38;
 
-/// `Verdict` in shaders/analysis/verdict.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct Verdict {
-    pub regime: u32,
-    pub n: u32,
-    pub symmetric: u32,
-    pub lyapunov: f32,
-    pub impacts_per_stop: [u32; MOST],
-    pub state: [f32; 2 * MOST],
-    pub impacts: u32,
-    pub impacts_total: u32,
-    pub peak_impact_velocity: f32,
-    pub periods: u32,
-    pub returning: u32,
-    pub observed: u32,
-    pub power: f32,
-    pub contact: f32,
+shared_struct! {
+    /// What a trajectory settled on.
+    pub struct Verdict {
+        pub regime: u32,
+        pub n: u32,
+        pub symmetric: u32,
+        pub lyapunov: f32,
+        pub impacts_per_stop: [u32; MOST],
+        pub state: [f32; MOST_COMPONENTS],
+        pub impacts: u32,
+        pub impacts_total: u32,
+        pub peak_impact_velocity: f32,
+        pub periods: u32,
+        pub returning: u32,
+        pub observed: u32,
+        pub power: f32,
+        pub contact: f32,
+    }
 }
 
 /// A number that a shader wrote; NaN for one that was not measured.
@@ -76,7 +79,7 @@ impl Verdict {
         symmetric: 0,
         lyapunov: 0.0,
         impacts_per_stop: [0; MOST],
-        state: [0.0; 2 * MOST],
+        state: [0.0; MOST_COMPONENTS],
         impacts: 0,
         impacts_total: 0,
         peak_impact_velocity: 0.0,

@@ -1,5 +1,10 @@
-//! What lies in the GPU's buffers, byte for byte as the shaders declare it.
+//! What lies in the GPU's buffers: the shaders' declarations are written from what is declared here.
+//!
+//! Constants of a cell and of a controller are as long as its system has coordinates, normals and stops: those of flight are
+//! written by one list of members, for either side, and the words of a controller are held to their declaration by a test.
 
+#[macro_use]
+mod declared;
 mod control;
 mod extent;
 mod flight;
@@ -16,13 +21,28 @@ pub use extent::{Extent, ExtentCode, ExtentDispatch};
 pub use flight::{KICK_TERMS, write_flight, write_kicks};
 pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};
 pub use record::Record;
-pub use trace::{Trace, TraceDispatch};
+pub use trace::{Rebounds, Trace, TraceDispatch};
 
 use rayon::prelude::*;
 
 use super::shader::Shape;
 use crate::backend::Job;
 use crate::model;
+
+/// The structs of one size that the shaders share, as they declare them.
+pub const STRUCTS: [&str; 11] = [
+    Schedule::WGSL,
+    Dispatch::WGSL,
+    Verdict::WGSL,
+    Rebounds::WGSL,
+    Trace::WGSL,
+    TraceDispatch::WGSL,
+    Extent::WGSL,
+    ExtentDispatch::WGSL,
+    ControlSchedule::WGSL,
+    ControlDispatch::WGSL,
+    Outcome::WGSL,
+];
 
 /// The structs `ContactNormal` and `Flight` as a shader of this shape declares them.
 pub fn declarations_for(shape: &Shape) -> String {

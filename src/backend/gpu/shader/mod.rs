@@ -143,6 +143,7 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: A
         constants::source(shape).as_str(),
         vectors::source(shape).as_str(),
         &layout::declarations_for(shape),
+        &layout::STRUCTS.join("\n"),
         &pressing_share(shape),
         &sections,
         residence.source(),
