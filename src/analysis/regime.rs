@@ -1,6 +1,7 @@
 //! What a trajectory settles on, and the record that says so.
 
 use serde::{Deserialize, Serialize};
+use strum::{EnumCount, FromRepr, IntoStaticStr, VariantArray};
 
 use crate::model::StateVector;
 use crate::model::vector::MOST;
@@ -8,23 +9,42 @@ use crate::model::vector::MOST;
 /// What a cell's trajectory settles on.
 ///
 /// The discriminants are the codes of the data files and of the GPU, which gets them generated from here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    Hash,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    EnumCount,
+    FromRepr,
+    IntoStaticStr,
+    VariantArray,
+)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 #[repr(u8)]
 pub enum Regime {
     /// None of the others could be established in the periods given.
     Unresolved = 0,
     /// No contact in the observed window, or none any more once the motion had settled, or provably never again.
+    #[strum(serialize = "no impact")]
     NoImpact = 1,
     /// N-p-q periodic motion, free of sticking.
     Periodic = 2,
     /// Periodic motion with sticking (after complete chatter, or at once where r = 0).
+    #[strum(serialize = "periodic with sticking")]
     PeriodicSticking = 3,
     /// No period, largest Lyapunov exponent statistically zero.
     QuasiPeriodic = 4,
     /// Largest Lyapunov exponent significantly above zero.
     Chaotic = 5,
     /// No period up to the largest looked for, with sticking.
+    #[strum(serialize = "aperiodic with sticking")]
     AperiodicSticking = 6,
     /// Non-finite state or an iteration cap: must not happen, and is counted.
     Failed = 7,
@@ -32,39 +52,17 @@ pub enum Regime {
 
 impl Regime {
     /// Every regime, in the order of the codes.
-    pub const ALL: [Regime; 8] = [
-        Regime::Unresolved,
-        Regime::NoImpact,
-        Regime::Periodic,
-        Regime::PeriodicSticking,
-        Regime::QuasiPeriodic,
-        Regime::Chaotic,
-        Regime::AperiodicSticking,
-        Regime::Failed,
-    ];
+    pub const ALL: [Regime; Regime::COUNT] =
+        *Self::VARIANTS.first_chunk().expect("there are as many as are counted");
 
     /// The code written to data files.
     pub fn code(self) -> u8 {
         self as u8
     }
 
-    /// The regime of a code, if it is one.
-    pub fn from_code(code: u8) -> Option<Self> {
-        Regime::ALL.get(usize::from(code)).copied()
-    }
-
     /// The name used in JSON, in legends and on the terminal.
     pub fn name(self) -> &'static str {
-        match self {
-            Regime::Unresolved => "unresolved",
-            Regime::NoImpact => "no impact",
-            Regime::Periodic => "periodic",
-            Regime::PeriodicSticking => "periodic with sticking",
-            Regime::QuasiPeriodic => "quasi-periodic",
-            Regime::Chaotic => "chaotic",
-            Regime::AperiodicSticking => "aperiodic with sticking",
-            Regime::Failed => "failed",
-        }
+        self.into()
     }
 
     /// Whether a periodic motion may yet come out of a trajectory of this regime.
@@ -275,8 +273,8 @@ mod tests {
     fn codes_follow_the_order_and_round_trip() {
         for (i, regime) in Regime::ALL.into_iter().enumerate() {
             assert_eq!(usize::from(regime.code()), i);
-            assert_eq!(Regime::from_code(regime.code()), Some(regime));
+            assert_eq!(Regime::from_repr(regime.code()), Some(regime));
         }
-        assert_eq!(Regime::from_code(8), None);
+        assert_eq!(Regime::from_repr(8), None);
     }
 }

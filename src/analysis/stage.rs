@@ -1,7 +1,9 @@
 //! The stages of a schedule.
 
-/// Where in its schedule a trajectory is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+use strum::VariantArray;
+
+/// Where in its schedule a trajectory is; the codes of the GPU are generated from here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, VariantArray)]
 #[repr(u32)]
 pub enum Stage {
     /// Before the observation.
@@ -21,8 +23,4 @@ impl Stage {
     pub fn is_over(self) -> bool {
         matches!(self, Stage::Observed | Stage::Quiet | Stage::Failed)
     }
-
-    /// Every stage, in the order of the codes that the GPU gets generated from here.
-    pub const ALL: [Stage; 5] =
-        [Stage::Transient, Stage::Observation, Stage::Observed, Stage::Quiet, Stage::Failed];
 }

@@ -4,12 +4,13 @@ use super::{Backend, BackendError, Cpu, CpuSingle, Gpu};
 
 /// Which back end is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Choice {
-    /// A hardware GPU where there is one, the CPU path elsewhere.
+    /// A hardware GPU, otherwise the CPU.
     Auto,
-    /// A hardware GPU, else a software adapter.
+    /// A hardware GPU, otherwise a software adapter.
     Gpu,
-    /// The CPU path.
+    /// Double precision on all cores; the reference.
     Cpu,
 }
 

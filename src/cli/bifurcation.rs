@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::anyhow;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use impact_atlas::analysis::{Probe, Reading, Section};
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::diagram::{Diagram, DiagramSpec, ExponentUnit, Sweep, SweepAxis};
@@ -16,7 +16,7 @@ use impact_atlas::sweep::diagram;
 
 use super::bifurcation_summary::Summary;
 use super::files::{self, Batch, Kind};
-use super::options::{BackendArgs, BackendName, OverwriteArgs, SystemArgs};
+use super::options::{BackendArgs, OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse, parse_size};
@@ -98,7 +98,7 @@ pub struct BifurcationArgs {
     /// iterate of the impact map (returns to the stop of --section, to the first on the strobe section; at A the paper's unit) or per unit of time
     #[arg(long, value_enum, value_name = "UNIT", num_args = 0..=1, default_missing_value = "period",
         require_equals = true)]
-    spectrum: Option<SpectrumUnit>,
+    spectrum: Option<ExponentUnit>,
 
     #[command(flatten)]
     backend: BackendArgs,
@@ -121,27 +121,6 @@ pub struct BifurcationArgs {
     /// Prints JSON: columns, branches, points, left_out, failed, seconds, coexistence, backend, adapter
     #[arg(long)]
     json: bool,
-}
-
-/// A unit of Lyapunov exponents by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum SpectrumUnit {
-    /// Per forcing period
-    Period,
-    /// Per iterate of the impact map
-    Iterate,
-    /// Per unit of non-dimensional time
-    Time,
-}
-
-impl From<SpectrumUnit> for ExponentUnit {
-    fn from(unit: SpectrumUnit) -> Self {
-        match unit {
-            SpectrumUnit::Period => ExponentUnit::Period,
-            SpectrumUnit::Iterate => ExponentUnit::Iterate,
-            SpectrumUnit::Time => ExponentUnit::Time,
-        }
-    }
 }
 
 /// Runs the command.
@@ -202,7 +181,7 @@ impl BifurcationArgs {
             probe,
             schedule: DiagramSpec::schedule(self.transient, self.observe, self.max_period),
             capacity: self.points.unwrap_or_else(|| self.observe.saturating_mul(defaults::POINTS_PER_PERIOD)),
-            spectrum: self.spectrum.map(ExponentUnit::from),
+            spectrum: self.spectrum,
         };
         spec.check().map_err(CliError::input)?;
         Ok(spec)
@@ -215,8 +194,8 @@ impl BifurcationArgs {
         }
         let asked = match (&self.backend.adapter, self.backend.backend) {
             (Some(adapter), _) => Some(format!("--adapter {adapter}")),
-            (None, BackendName::Gpu) => Some("--backend gpu".to_owned()),
-            (None, BackendName::Auto | BackendName::Cpu) => None,
+            (None, Choice::Gpu) => Some("--backend gpu".to_owned()),
+            (None, Choice::Auto | Choice::Cpu) => None,
         };
         if let Some(asked) = asked {
             return Err(CliError::Input(anyhow!(

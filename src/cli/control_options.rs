@@ -1,6 +1,6 @@
 //! A control method's settings as the options that make them again.
 
-use impact_atlas::control::{ControlQuantity, Convention, Scheme, Sign, Target};
+use impact_atlas::control::{ControlQuantity, Scheme, Target};
 use impact_atlas::dynamics::Stop;
 use impact_atlas::model::{Number, joined};
 use impact_atlas::system::Family;
@@ -28,11 +28,7 @@ pub fn control_options(scheme: &Scheme, family: &Family, varied: impl Fn(Control
     };
     match scheme {
         Scheme::Sine(sine) => {
-            let convention = match sine.convention {
-                Convention::Kick => "kick",
-                Convention::Force => "force",
-                Convention::ForceLocal => "force-local",
-            };
+            let convention: &str = sine.convention.into();
             let own = sine.target.own;
             let aimed = Q::of_component(sine.component, family.n(), own);
             let component = match sine.component {
@@ -71,10 +67,7 @@ pub fn control_options(scheme: &Scheme, family: &Family, varied: impl Fn(Control
                 true => String::new(),
                 false => format!(" --gains={}", joined(&delay.gains, ",")),
             };
-            let sign = match delay.sign {
-                Sign::Stabilising => "stabilising",
-                Sign::Printed => "printed",
-            };
+            let sign: &str = delay.sign.into();
             format!("{stop}{gains}{} --sign {sign}", number(Q::Delay, f64::from(delay.delay)))
         }
     }

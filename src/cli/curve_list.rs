@@ -5,11 +5,12 @@ use std::path::Path;
 use anyhow::anyhow;
 use impact_atlas::analysis::Regime;
 use impact_atlas::curves::{
-    Criticality, Curve, CurveMotion, CurvePoint, End, Kind, LeftOut, Named, Special, Why, named,
+    Criticality, Curve, CurveMotion, CurvePoint, End, Kind, LeftOut, Named, Why, named,
 };
 use impact_atlas::plane::Plane;
 use impact_atlas::store::Output;
 use serde::Serialize;
+use strum::VariantArray;
 
 use super::files::Batch;
 use super::{CliError, note};
@@ -165,7 +166,7 @@ pub fn left_out(motions: &[LeftOut]) -> Option<String> {
         }
         (!of.is_empty()).then(|| format!("no curve, {}: {}", why.words(), parts.join(", ")))
     };
-    let lines: Vec<String> = Why::ALL.into_iter().filter_map(line).collect();
+    let lines: Vec<String> = Why::VARIANTS.iter().copied().filter_map(line).collect();
     (!lines.is_empty()).then(|| lines.join("\n"))
 }
 
@@ -228,11 +229,11 @@ pub fn read(path: &Path, plane: &Plane) -> Result<Vec<Curve>, CliError> {
         let point = CurvePoint {
             x: number(3).ok_or_else(|| wrong("no number x"))?,
             y: number(4).ok_or_else(|| wrong("no number y"))?,
-            criticality: Criticality::named(&record[5]),
+            criticality: record[5].parse().ok(),
             bounding: &record[8] == "true",
-            special: Special::named(&record[6]),
+            special: record[6].parse().ok(),
         };
-        let kind = Kind::named(&record[1]).ok_or_else(|| wrong("an unknown kind"))?;
+        let kind = record[1].parse::<Kind>().map_err(|_| wrong("an unknown kind"))?;
         let motion = CurveMotion::labelled(&record[2], &record[7] == "true", plane)
             .ok_or_else(|| wrong("no motion of this system"))?;
         match curves.last_mut() {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::anyhow;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::curves::Curve;
 use impact_atlas::figure::{Palette, Picture, Size, Spread};
@@ -51,29 +51,11 @@ pub struct DrawingArgs {
     pub curves_max_period: u32,
 }
 
-/// Which parts of the curves are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Which {
-    /// Those of motions that fill 0.3 % of the plane, and the paper's, where the motion is stable on one side of the curve
-    Bounding,
-    /// All of every curve
-    All,
-}
-
-impl Which {
-    fn shown(self) -> Shown {
-        match self {
-            Which::Bounding => Shown::Bounding,
-            Which::All => Shown::All,
-        }
-    }
-}
-
 /// Where curves come from.
 #[derive(Clone, Copy, Debug)]
 pub enum CurveSource<'a> {
     /// The curves are computed.
-    Computed(Which),
+    Computed(Shown),
     /// They are read from a table.
     Table(&'a Path),
 }
@@ -84,7 +66,7 @@ pub struct Curves {
     map: RegionMap,
     /// All of them.
     pub curves: Vec<Curve>,
-    which: Which,
+    which: Shown,
     max_period: Option<u32>,
 }
 
@@ -138,7 +120,7 @@ impl DrawingArgs {
             CurveSource::Table(path) => Curves {
                 curves: curve_list::read(path, &map.plane)?,
                 map,
-                which: Which::All,
+                which: Shown::All,
                 max_period: None,
             },
             CurveSource::Computed(which) => {
@@ -162,7 +144,7 @@ impl DrawingArgs {
         let curves = curves.map(|found| DrawnCurves {
             map: &found.map,
             curves: &found.curves,
-            shown: found.which.shown(),
+            shown: found.which,
             max_period: found.max_period,
         });
         let picture = PlanePicture {

@@ -6,11 +6,12 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use clap::Args;
+use impact_atlas::backend::Choice;
 use impact_atlas::explore::{self, Asked, Computing, Guard, Known, Served, Server, choosable};
 use impact_atlas::plane::Plane;
 use impact_atlas::store::{ZarrStore, read_map};
 
-use super::options::{BackendArgs, BackendName, PlaneArgs};
+use super::options::{BackendArgs, PlaneArgs};
 use super::terminal::print;
 use super::{CliError, interrupt, note};
 
@@ -119,15 +120,15 @@ fn computing(args: &BackendArgs) -> Result<Computing, CliError> {
         )));
     }
     let asked = match (args.backend, &args.adapter) {
-        (BackendName::Cpu, Some(adapter)) => {
+        (Choice::Cpu, Some(adapter)) => {
             return Err(CliError::Input(anyhow!(
                 "--adapter {adapter} chooses an adapter of the GPU back end: drop it or --backend cpu"
             )));
         }
         (_, Some(adapter)) => Asked::adapter(adapter)?,
-        (BackendName::Auto, None) => Asked::Auto,
-        (BackendName::Gpu, None) => Asked::Gpu,
-        (BackendName::Cpu, None) => Asked::Cpu,
+        (Choice::Auto, None) => Asked::Auto,
+        (Choice::Gpu, None) => Asked::Gpu,
+        (Choice::Cpu, None) => Asked::Cpu,
     };
     Ok(explore::open(asked)?)
 }

@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use impact_atlas::plane::{Part, Tiling};
+use impact_atlas::render::Shown;
 
 use super::controlled::ControlledArgs;
-use super::drawing::{DrawingArgs, Which};
+use super::drawing::DrawingArgs;
 use super::options::{BackendArgs, OverwriteArgs, PlaneArgs};
 use super::values::{counted, parse};
 
@@ -76,7 +77,7 @@ pub struct MapArgs {
     /// Draws bifurcation curves over the map, and names them: those that bound what can be observed, or all of them
     #[arg(long, value_name = "WHICH", value_enum, num_args = 0..=1, require_equals = true,
         default_missing_value = "bounding")]
-    pub curves: Option<Which>,
+    pub curves: Option<Shown>,
 
     /// Writes every point of every curve, as `curves` does
     #[arg(long, value_name = "FILE.csv", requires = "curves")]

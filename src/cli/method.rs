@@ -10,7 +10,7 @@ use impact_atlas::control::{
 use impact_atlas::model::Setting;
 use impact_atlas::plane::Quantity;
 
-use super::method_name::{ConventionName, MethodName, SignName};
+use super::method_name::MethodName;
 use super::site::{Site, words};
 use super::values::{Assignment, count};
 use super::{CliError, defaults};
@@ -28,7 +28,7 @@ pub struct MethodArgs {
 
     /// sine: what u = B sin(γωt + φ) is [default: kick]
     #[arg(long, value_enum, help_heading = "Sine")]
-    convention: Option<ConventionName>,
+    convention: Option<Convention>,
 
     /// sine: the amplitude B before the first adaptation [default: 0]
     #[arg(long, value_name = "B", help_heading = "Sine", allow_negative_numbers = true)]
@@ -96,7 +96,7 @@ pub struct MethodArgs {
 
     /// delay: the sign of the feedback [default: stabilising]
     #[arg(long, value_enum, help_heading = "Delay")]
-    sign: Option<SignName>,
+    sign: Option<Sign>,
 
     /// sine, pulse: the forcing frequency at which the symmetric 1-1-1 motion is the target [default: 3.7 for the paper's
     /// oscillator, the system's own frequency for others]
@@ -161,10 +161,7 @@ impl MethodArgs {
                 stop: site.stop,
                 gains: self.gains(site)?,
                 delay: self.delay.unwrap_or(1),
-                sign: match self.sign {
-                    Some(SignName::Printed) => Sign::Printed,
-                    Some(SignName::Stabilising) | None => Sign::Stabilising,
-                },
+                sign: self.sign.unwrap_or(Sign::Stabilising),
             }),
         })
     }
@@ -223,11 +220,7 @@ impl MethodArgs {
 
     fn sine(&self, site: &Site) -> Result<SineSetting, CliError> {
         let component = site.component(self.component.as_deref())?;
-        let convention = match self.convention.unwrap_or(ConventionName::Kick) {
-            ConventionName::Kick => Convention::Kick,
-            ConventionName::Force => Convention::Force,
-            ConventionName::ForceLocal => Convention::ForceLocal,
-        };
+        let convention = self.convention.unwrap_or(Convention::Kick);
         if let (Some(coordinate), Convention::Kick) = (&self.coordinate, convention) {
             return Err(CliError::Input(anyhow!(
                 "--coordinate {coordinate} has no effect on a kick, which changes {}: drop it, or give --convention force",

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::plane::fields::Cells;
+use impact_atlas::render::Shown;
 use impact_atlas::store::{ReadError, ZarrStore, read_map};
 
 use super::CliError;
-use super::drawing::{CurveSource, DrawingArgs, Which, window};
+use super::drawing::{CurveSource, DrawingArgs, window};
 use super::files::{self, Batch, Kind};
 use super::options::OverwriteArgs;
 use super::values::parse_span;
@@ -60,7 +61,7 @@ pub fn run(args: &RenderArgs) -> Result<(), CliError> {
     let window = window(cells, args.x, args.y)?;
     let [picture] = files::prepare(args.overwrite, [Kind::Picture.at(Some(&args.out))])?;
     let source = args.curves.as_deref().map(|curves| match curves.to_str() {
-        Some("compute") => CurveSource::Computed(Which::Bounding),
+        Some("compute") => CurveSource::Computed(Shown::Bounding),
         _ => CurveSource::Table(curves),
     });
     let curves = args.drawing.curves(cells, window, source)?;

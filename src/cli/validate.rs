@@ -14,7 +14,7 @@ use super::compared::Compared;
 use super::controlled::ControlledArgs;
 use super::interrupt::{Interruptible, abandonable};
 use super::method_name::MethodName;
-use super::options::{BackendArgs, BackendName, PlaneArgs};
+use super::options::{BackendArgs, PlaneArgs};
 use super::progress::Progress;
 use super::report::Report;
 use super::terminal::{print, print_json};
@@ -150,8 +150,8 @@ struct CandidateArgs {
     /// What is held against the CPU's reference: a GPU, or a software adapter where there is none
     ///
     /// `auto` is the same here; the CPU would be compared with itself, and is refused.
-    #[arg(long, value_enum, default_value_t = BackendName::Gpu)]
-    backend: BackendName,
+    #[arg(long, value_enum, default_value_t = Choice::Gpu)]
+    backend: Choice,
 
     /// Uses the adapter whose name contains TEXT (see `impact-atlas adapters`)
     #[arg(long, value_name = "TEXT")]
@@ -167,8 +167,8 @@ struct CandidateArgs {
 impl CandidateArgs {
     fn check(&self) -> Result<(), CliError> {
         match self.backend {
-            BackendName::Auto | BackendName::Gpu => Ok(()),
-            BackendName::Cpu => Err(CliError::Input(anyhow!(
+            Choice::Auto | Choice::Gpu => Ok(()),
+            Choice::Cpu => Err(CliError::Input(anyhow!(
                 "--backend cpu would hold the CPU's reference against itself: drop it, or choose --backend gpu"
             ))),
         }
@@ -176,7 +176,7 @@ impl CandidateArgs {
 
     fn open(&self) -> Result<Box<dyn Backend>, CliError> {
         let (adapter, reproducible) = (self.adapter.clone(), self.reproducible);
-        BackendArgs { backend: BackendName::Gpu, adapter, reproducible }.open()
+        BackendArgs { backend: Choice::Gpu, adapter, reproducible }.open()
     }
 }
 

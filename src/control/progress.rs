@@ -1,7 +1,9 @@
 //! Where a controlled trajectory is in its schedule.
 
-/// Where a controlled trajectory is in its schedule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+use strum::VariantArray;
+
+/// Where a controlled trajectory is in its schedule; the codes of the GPU are generated from here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, VariantArray)]
 #[repr(u32)]
 pub enum Progress {
     /// Not observed: before control, and while the controlled motion settles.
@@ -23,14 +25,4 @@ impl Progress {
     pub fn is_over(self) -> bool {
         !matches!(self, Progress::Settling | Progress::Observed)
     }
-
-    /// Every value, in the order of the codes that the GPU gets generated from here.
-    pub const ALL: [Progress; 6] = [
-        Progress::Settling,
-        Progress::Observed,
-        Progress::Done,
-        Progress::Lost,
-        Progress::Failed,
-        Progress::Runaway,
-    ];
 }

@@ -9,15 +9,28 @@ use crate::dynamics::Stop;
 use crate::model::Real;
 
 /// What u = B sin(γωt + φ) is; print leaves it open.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, strum::IntoStaticStr)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 #[repr(u32)]
 pub enum Convention {
-    /// A kick: at each return to σ, a time t after the last one, v_c+ (v1+ on the paper's) is changed by u.
+    /// At each return to the section its first component, v1+, is changed by B sin(γωt + φ), t the time since the last
+    /// return.
     Kick = 0,
-    /// A force on one coordinate between impacts; γωt is γ times the phase of the forcing.
+    /// A force B sin(γθ + φ) on one coordinate between impacts, θ the phase of the forcing.
+    #[cfg_attr(
+        feature = "cli",
+        value(help = "A force B sin(γθ + φ) on --coordinate between impacts, θ the phase of the forcing")
+    )]
     Force = 1,
-    /// A force on one coordinate between impacts; t counts from each impact at the section's stop.
+    /// A force B sin(γωt + φ) on one coordinate between impacts, t counted from each impact at the section's stop.
+    #[cfg_attr(
+        feature = "cli",
+        value(
+            help = "A force B sin(γωt + φ) on --coordinate between impacts, t counted from each impact at --stop"
+        )
+    )]
     ForceLocal = 2,
 }
 

@@ -1,20 +1,25 @@
 //! What defines a bifurcation: a function of a motion that vanishes there.
 
 use nalgebra::{Complex, DMatrix};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
+use strum::{EnumString, IntoStaticStr};
 
 use crate::theory::{Flow, Pattern, Section, turn};
 
 /// The kind of a bifurcation; of a symmetric motion in terms of its half map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, EnumString, IntoStaticStr)]
+#[serde(into = "&'static str")]
+#[strum(serialize_all = "lowercase")]
 pub enum Kind {
     /// A multiplier +1: the motion ends, in a saddle-node.
     Fold,
     /// A multiplier −1.
+    #[strum(serialize = "period doubling")]
     PeriodDoubling,
     /// A multiplier −1 of the half map: a symmetric motion gives rise to two mirrored ones.
     Pitchfork,
     /// A complex pair of multipliers of modulus 1.
+    #[strum(serialize = "Neimark-Sacker")]
     NeimarkSacker,
     /// The orbit just touches a stop.
     Grazing,
@@ -23,31 +28,13 @@ pub enum Kind {
 impl Kind {
     /// The name in files and legends.
     pub fn name(self) -> &'static str {
-        match self {
-            Kind::Fold => "fold",
-            Kind::PeriodDoubling => "period doubling",
-            Kind::Pitchfork => "pitchfork",
-            Kind::NeimarkSacker => "Neimark-Sacker",
-            Kind::Grazing => "grazing",
-        }
-    }
-
-    /// The kind of a name.
-    pub fn named(name: &str) -> Option<Kind> {
-        let all = [Kind::Fold, Kind::PeriodDoubling, Kind::Pitchfork, Kind::NeimarkSacker, Kind::Grazing];
-        all.into_iter().find(|kind| kind.name() == name)
+        self.into()
     }
 
     /// The smooth bifurcations of a motion.
     pub fn smooth(pattern: &Pattern) -> [Kind; 3] {
         let flip = if pattern.mirrored { Kind::Pitchfork } else { Kind::PeriodDoubling };
         [Kind::Fold, flip, Kind::NeimarkSacker]
-    }
-}
-
-impl Serialize for Kind {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
     }
 }
 

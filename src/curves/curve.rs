@@ -1,6 +1,7 @@
 //! A bifurcation curve, point by point.
 
-use serde::{Serialize, Serializer};
+use serde::Serialize;
+use strum::{EnumString, IntoStaticStr};
 
 use super::condition::Kind;
 use super::spans::spans;
@@ -143,8 +144,9 @@ pub struct CurvePoint {
 }
 
 /// Super- or subcritical, from the sign of the normal-form coefficient.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, EnumString, IntoStaticStr)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Criticality {
     /// Something stable takes over: the loss is soft.
     Supercritical,
@@ -153,44 +155,46 @@ pub enum Criticality {
 }
 
 impl Criticality {
-    /// The criticality of a name.
-    pub fn named(name: &str) -> Option<Criticality> {
-        [Criticality::Supercritical, Criticality::Subcritical].into_iter().find(|own| own.name() == name)
-    }
-
     /// The name in files.
     pub fn name(self) -> &'static str {
-        match self {
-            Criticality::Supercritical => "supercritical",
-            Criticality::Subcritical => "subcritical",
-        }
+        self.into()
     }
 }
 
 /// A point of codimension two on a curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, EnumString, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Special {
     /// Two folds meet.
     Cusp,
     /// Two multipliers +1.
+    #[strum(serialize = "1:1 resonance")]
     Resonance11,
     /// Two multipliers −1.
+    #[strum(serialize = "1:2 resonance")]
     Resonance12,
     /// Multipliers e^(±2πi/3).
+    #[strum(serialize = "1:3 resonance")]
     Resonance13,
     /// Multipliers ±i.
+    #[strum(serialize = "1:4 resonance")]
     Resonance14,
     /// Multipliers +1 and −1.
     FoldFlip,
     /// A multiplier +1 beside a pair on the unit circle.
+    #[strum(serialize = "fold-Neimark-Sacker")]
     FoldNeimarkSacker,
     /// A multiplier −1 beside a pair on the unit circle.
+    #[strum(serialize = "flip-Neimark-Sacker")]
     FlipNeimarkSacker,
     /// Two pairs on the unit circle.
+    #[strum(serialize = "double Neimark-Sacker")]
     DoubleNeimarkSacker,
     /// A Neimark–Sacker bifurcation turns from super- to subcritical.
+    #[strum(serialize = "Chenciner")]
     Chenciner,
     /// A period doubling, or pitchfork, turns from super- to subcritical.
+    #[strum(serialize = "generalised flip")]
     GeneralisedFlip,
     /// The motion touches a stop: a smooth curve ends, and a grazing curve passes.
     Grazing,
@@ -199,98 +203,53 @@ pub enum Special {
     /// On a grazing curve, a multiplier is −1.
     GrazingFlip,
     /// On a grazing curve, a pair lies on the unit circle.
+    #[strum(serialize = "grazing-Neimark-Sacker")]
     GrazingNeimarkSacker,
 }
 
 impl Special {
-    /// Every kind of special point.
-    pub const ALL: [Special; 15] = [
-        Special::Cusp,
-        Special::Resonance11,
-        Special::Resonance12,
-        Special::Resonance13,
-        Special::Resonance14,
-        Special::FoldFlip,
-        Special::FoldNeimarkSacker,
-        Special::FlipNeimarkSacker,
-        Special::DoubleNeimarkSacker,
-        Special::Chenciner,
-        Special::GeneralisedFlip,
-        Special::Grazing,
-        Special::GrazingFold,
-        Special::GrazingFlip,
-        Special::GrazingNeimarkSacker,
-    ];
-
-    /// The special point of a name.
-    pub fn named(name: &str) -> Option<Special> {
-        Special::ALL.into_iter().find(|special| special.name() == name)
-    }
-
     /// The name in files and legends.
     pub fn name(self) -> &'static str {
-        match self {
-            Special::Cusp => "cusp",
-            Special::Resonance11 => "1:1 resonance",
-            Special::Resonance12 => "1:2 resonance",
-            Special::Resonance13 => "1:3 resonance",
-            Special::Resonance14 => "1:4 resonance",
-            Special::FoldFlip => "fold-flip",
-            Special::FoldNeimarkSacker => "fold-Neimark-Sacker",
-            Special::FlipNeimarkSacker => "flip-Neimark-Sacker",
-            Special::DoubleNeimarkSacker => "double Neimark-Sacker",
-            Special::Chenciner => "Chenciner",
-            Special::GeneralisedFlip => "generalised flip",
-            Special::Grazing => "grazing",
-            Special::GrazingFold => "grazing-fold",
-            Special::GrazingFlip => "grazing-flip",
-            Special::GrazingNeimarkSacker => "grazing-Neimark-Sacker",
-        }
+        self.into()
     }
 }
 
 /// Why a curve ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, IntoStaticStr)]
+#[serde(into = "&'static str")]
 pub enum End {
     /// It leaves the plane.
+    #[strum(serialize = "leaves the plane")]
     LeavesPlane,
     /// It comes back to where it began.
+    #[strum(serialize = "closes on itself")]
     Closes,
     /// A Neimark–Sacker pair meets at +1.
+    #[strum(serialize = "1:1 resonance: the pair of multipliers meets at +1")]
     Resonance11,
     /// A Neimark–Sacker pair meets at −1.
+    #[strum(serialize = "1:2 resonance: the pair of multipliers meets at -1")]
     Resonance12,
     /// Its motion touches a stop on the way.
+    #[strum(serialize = "the motion grazes a stop in flight")]
     Grazes,
     /// One of its impacts comes to nothing.
+    #[strum(serialize = "an impact of the motion comes to nothing")]
     ImpactVanishes,
     /// Its motion goes over into the simpler one that it was born from, and the path into its twin's.
+    #[strum(serialize = "the motion becomes a simpler one")]
     Simplifies,
     /// Newton's method does not converge however short the step.
+    #[strum(serialize = "cannot be followed further")]
     Stalled,
     /// It has more points than are computed.
+    #[strum(serialize = "longer than is computed")]
     TooLong,
 }
 
 impl End {
     /// Why, in words.
     pub fn name(self) -> &'static str {
-        match self {
-            End::LeavesPlane => "leaves the plane",
-            End::Closes => "closes on itself",
-            End::Resonance11 => "1:1 resonance: the pair of multipliers meets at +1",
-            End::Resonance12 => "1:2 resonance: the pair of multipliers meets at -1",
-            End::Grazes => "the motion grazes a stop in flight",
-            End::ImpactVanishes => "an impact of the motion comes to nothing",
-            End::Simplifies => "the motion becomes a simpler one",
-            End::Stalled => "cannot be followed further",
-            End::TooLong => "longer than is computed",
-        }
-    }
-}
-
-impl Serialize for End {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
+        self.into()
     }
 }

@@ -1,5 +1,7 @@
 //! The motions that a map shows and that have no curve.
 
+use strum::VariantArray;
+
 use super::branch::{Event, Followed};
 use super::curve::CurveMotion;
 use super::regions::Shown;
@@ -16,8 +18,8 @@ pub struct LeftOut {
     pub why: Why,
 }
 
-/// Why a motion has no curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+/// Why a motion has no curve, in the order in which it is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, VariantArray)]
 pub enum Why {
     /// Nothing that ends it was met within the plane.
     Unbounded,
@@ -34,10 +36,6 @@ pub enum Why {
 }
 
 impl Why {
-    /// Every reason, in the order in which they are told.
-    pub const ALL: [Why; 6] =
-        [Why::Unbounded, Why::Unsolved, Why::Few, Why::ManyImpacts, Why::Sticks, Why::LongPeriod];
-
     /// Why, in words.
     pub fn words(self) -> String {
         match self {

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 use super::error::DiagramError;
 use crate::plane::{Start, StartError};
@@ -82,8 +83,9 @@ impl TryFrom<String> for Sweep {
 }
 
 /// How the columns of a branch follow each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Direction {
     /// They do not: each begins by itself.
     Each,
@@ -96,10 +98,6 @@ pub enum Direction {
 impl Direction {
     /// The name used in files, in keys and on the terminal.
     pub fn name(self) -> &'static str {
-        match self {
-            Direction::Each => "each",
-            Direction::Down => "down",
-            Direction::Up => "up",
-        }
+        self.into()
     }
 }

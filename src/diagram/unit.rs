@@ -1,21 +1,28 @@
 //! What exponents are counted by.
 
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 use crate::analysis::Section;
 use crate::dynamics::Stop;
 use crate::theory::Spectrum;
 
 /// What Lyapunov exponents are counted by; natural logarithm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+///
+/// The impact map is σ→σ of the section's stop, at A the paper's, and of the first stop on the strobe section; there is none
+/// without impacts there, or with infinitely many.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum ExponentUnit {
-    /// The forcing period.
+    /// Per forcing period.
+    #[strum(serialize = "forcing period")]
     Period,
-    /// An iterate of the impact map σ→σ of the section's stop, at A the paper's unit, and of the first stop on the strobe
-    /// section; there is none without impacts there, or with infinitely many.
+    /// Per iterate of the impact map.
+    #[strum(serialize = "iterate")]
     Iterate,
-    /// The unit of (non-dimensional) time.
+    /// Per unit of non-dimensional time.
+    #[strum(serialize = "unit of time")]
     Time,
 }
 
@@ -42,10 +49,6 @@ impl ExponentUnit {
 
     /// The unit in words.
     pub fn name(self) -> &'static str {
-        match self {
-            ExponentUnit::Period => "forcing period",
-            ExponentUnit::Iterate => "iterate",
-            ExponentUnit::Time => "unit of time",
-        }
+        self.into()
     }
 }

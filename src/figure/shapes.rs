@@ -39,8 +39,9 @@ impl Rect {
     }
 }
 
-/// Which point of a text is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Which point of a text is given; by its name in SVG.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "lowercase")]
 pub enum Anchor {
     /// Its left end.
     Start,

@@ -10,16 +10,6 @@ use super::font::{CAPITALS, FAMILY};
 use super::shapes::{Anchor, Colour, Point};
 use super::text::{Span, Style, Text};
 
-impl Anchor {
-    fn name(self) -> &'static str {
-        match self {
-            Anchor::Start => "start",
-            Anchor::Middle => "middle",
-            Anchor::End => "end",
-        }
-    }
-}
-
 impl Canvas {
     /// Writes a line of text, its capitals centred on the height of `at`.
     pub fn text(&mut self, text: &Text, at: Point, anchor: Anchor, size: f64, colour: Colour) {
@@ -72,7 +62,7 @@ impl Canvas {
                 ("y", &number(at.y + CAPITALS / 2.0 * size)),
                 ("font-size", &number(size)),
                 ("fill", &hex(colour)),
-                ("text-anchor", anchor.name()),
+                ("text-anchor", anchor.into()),
                 ("font-family", FAMILY),
                 ("xml:space", "preserve"),
             ])

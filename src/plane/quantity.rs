@@ -41,8 +41,7 @@ impl Quantity {
         if let Ok(parameter) = Parameter::of(family, name) {
             return Ok(Quantity::Parameter(parameter));
         }
-        let setting = ControlQuantity::ALL.into_iter().find(|setting| setting.name() == name);
-        setting.map(Quantity::Control).ok_or_else(|| {
+        name.parse::<ControlQuantity>().map(Quantity::Control).map_err(|_| {
             let known: Vec<&str> = (Parameter::all(family).map(Parameter::name))
                 .chain(Component::all(family.n()).map(Component::name))
                 .collect();

@@ -3,27 +3,26 @@
 use serde::{Deserialize, Serialize};
 
 /// Whether a claim of the paper holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::IntoStaticStr)]
 pub enum Outcome {
     /// It does.
     #[serde(rename = "agrees")]
+    #[strum(serialize = "agrees")]
     Agrees,
     /// It does not.
     #[serde(rename = "differs")]
+    #[strum(serialize = "differs")]
     Differs,
     /// It cannot be checked.
     #[serde(rename = "not checked")]
+    #[strum(serialize = "not checked")]
     NotChecked,
 }
 
 impl Outcome {
     /// The name in reports.
     pub fn name(self) -> &'static str {
-        match self {
-            Outcome::Agrees => "agrees",
-            Outcome::Differs => "differs",
-            Outcome::NotChecked => "not checked",
-        }
+        self.into()
     }
 
     fn of(holds: bool) -> Self {

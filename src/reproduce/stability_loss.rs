@@ -10,29 +10,28 @@ use crate::theory::{
 };
 
 /// What the motion is like.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, strum::IntoStaticStr)]
 pub(super) enum State {
     /// No physical motion.
+    #[strum(serialize = "none")]
     None,
     /// Every multiplier of the half map within the unit circle.
+    #[strum(serialize = "stable")]
     Stable,
     /// A real one beyond −1: the pitchfork was passed.
+    #[strum(serialize = "unstable, multiplier beyond −1")]
     BeyondMinusOne,
     /// A real one beyond +1.
+    #[strum(serialize = "unstable, multiplier beyond +1")]
     BeyondOne,
     /// A complex pair outside: the Neimark–Sacker bifurcation was passed.
+    #[strum(serialize = "unstable, complex pair outside")]
     PairOutside,
 }
 
 impl State {
     pub fn name(self) -> &'static str {
-        match self {
-            State::None => "none",
-            State::Stable => "stable",
-            State::BeyondMinusOne => "unstable, multiplier beyond −1",
-            State::BeyondOne => "unstable, multiplier beyond +1",
-            State::PairOutside => "unstable, complex pair outside",
-        }
+        self.into()
     }
 }
 

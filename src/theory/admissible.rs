@@ -38,10 +38,11 @@ impl fmt::Display for NamedStop {
 }
 
 /// Why no trajectory follows a solution of the matching equations.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error, strum::IntoStaticStr)]
 pub enum Inadmissible {
     /// It would leave its stop outwards.
     #[error("wrong velocity sign: it would leave stop {stop} outwards, with v{} = {velocity}", coordinate + 1)]
+    #[strum(serialize = "wrong velocity sign")]
     WrongVelocity {
         /// The stop.
         stop: NamedStop,
@@ -52,6 +53,7 @@ pub enum Inadmissible {
     },
     /// It would pass through a stop before its next impact.
     #[error("crosses a stop: it would pass through stop {stop} at phase {phase} on the way")]
+    #[strum(serialize = "crosses a stop")]
     CrossesStop {
         /// The stop.
         stop: NamedStop,
@@ -60,21 +62,18 @@ pub enum Inadmissible {
     },
     /// A mass would come to rest on a stop.
     #[error("sticks: a mass would come to rest on stop {0}")]
+    #[strum(serialize = "sticks")]
     Sticks(NamedStop),
     /// The next impact is not met where it should be.
     #[error("misses stop {0}: the impact that should follow does not happen")]
+    #[strum(serialize = "misses a stop")]
     Misses(NamedStop),
 }
 
 impl Inadmissible {
     /// The name of the reason.
     pub fn name(&self) -> &'static str {
-        match self {
-            Inadmissible::WrongVelocity { .. } => "wrong velocity sign",
-            Inadmissible::CrossesStop { .. } => "crosses a stop",
-            Inadmissible::Sticks(_) => "sticks",
-            Inadmissible::Misses(_) => "misses a stop",
-        }
+        self.into()
     }
 }
 

@@ -74,31 +74,27 @@ pub struct FailedCells {
     pub candidate: u64,
 }
 
-/// What is wrong with a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What is wrong with a cell, the gravest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, strum::IntoStaticStr, strum::VariantArray)]
 pub enum Fault {
     /// A back end failed on it.
+    #[strum(serialize = "failed")]
     Failed,
     /// Another regime or label, inside a region.
+    #[strum(serialize = "another label inside a region")]
     LabelInside,
     /// The same periodic motion, but far apart.
+    #[strum(serialize = "another end state")]
     EndState,
     /// Another regime or label, on a boundary.
+    #[strum(serialize = "another label on a boundary")]
     LabelOnBoundary,
 }
 
 impl Fault {
-    /// Every fault, the gravest first.
-    pub const ALL: [Fault; 4] = [Fault::Failed, Fault::LabelInside, Fault::EndState, Fault::LabelOnBoundary];
-
     /// The fault in words.
     pub fn name(self) -> &'static str {
-        match self {
-            Fault::Failed => "failed",
-            Fault::LabelInside => "another label inside a region",
-            Fault::EndState => "another end state",
-            Fault::LabelOnBoundary => "another label on a boundary",
-        }
+        self.into()
     }
 }
 

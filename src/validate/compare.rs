@@ -1,5 +1,7 @@
 //! The comparison itself: a pure function of two maps.
 
+use strum::VariantArray;
+
 use super::agreement::{Agreement, FailedCells, Fault, RegimeAgreement, Tipped, WorstCell};
 use super::alike::{is_inside, same_label, same_motion, state_difference};
 use super::continuation::Continued;
@@ -169,5 +171,5 @@ fn worst(cells: &[Cell], columns: u32) -> Vec<WorstCell> {
             difference: cell.difference,
         })
     };
-    Fault::ALL.into_iter().flat_map(of_a_kind).collect()
+    Fault::VARIANTS.iter().copied().flat_map(of_a_kind).collect()
 }

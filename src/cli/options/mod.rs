@@ -7,7 +7,7 @@ mod plane;
 mod system;
 
 pub use axes::AxesArgs;
-pub use backend::{BackendArgs, BackendName};
+pub use backend::BackendArgs;
 pub use overwrite::OverwriteArgs;
 pub use plane::PlaneArgs;
 pub use system::{SystemArgs, start_state};

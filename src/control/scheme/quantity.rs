@@ -1,10 +1,13 @@
 //! The settings that an axis can vary.
 
 use serde::{Deserialize, Serialize};
+use strum::{EnumString, IntoStaticStr};
 
 /// A setting of a control method that an axis can vary.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, EnumString, IntoStaticStr)]
+#[cfg_attr(test, derive(strum::VariantArray))]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum ControlQuantity {
     /// g, all gains of delayed feedback alike.
     Gain,
@@ -67,50 +70,9 @@ const DISPLACEMENTS: [ControlQuantity; 4] = [
 ];
 
 impl ControlQuantity {
-    /// Every setting.
-    pub const ALL: [ControlQuantity; 18] = [
-        ControlQuantity::Gain,
-        ControlQuantity::Delay,
-        ControlQuantity::Amplitude,
-        ControlQuantity::Alpha,
-        ControlQuantity::DeadBand,
-        ControlQuantity::Gamma,
-        ControlQuantity::Phase,
-        ControlQuantity::Period,
-        ControlQuantity::Noise,
-        ControlQuantity::TargetV1,
-        ControlQuantity::TargetV2,
-        ControlQuantity::TargetV3,
-        ControlQuantity::TargetV4,
-        ControlQuantity::TargetX1,
-        ControlQuantity::TargetX2,
-        ControlQuantity::TargetX3,
-        ControlQuantity::TargetX4,
-        ControlQuantity::TargetTau,
-    ];
-
     /// The name used on the command line and in files.
     pub fn name(self) -> &'static str {
-        match self {
-            ControlQuantity::Gain => "gain",
-            ControlQuantity::Delay => "delay",
-            ControlQuantity::Amplitude => "amplitude",
-            ControlQuantity::Alpha => "alpha",
-            ControlQuantity::DeadBand => "dead_band",
-            ControlQuantity::Gamma => "gamma",
-            ControlQuantity::Phase => "phase",
-            ControlQuantity::Period => "period",
-            ControlQuantity::Noise => "noise",
-            ControlQuantity::TargetV1 => "target_v1",
-            ControlQuantity::TargetV2 => "target_v2",
-            ControlQuantity::TargetV3 => "target_v3",
-            ControlQuantity::TargetV4 => "target_v4",
-            ControlQuantity::TargetX1 => "target_x1",
-            ControlQuantity::TargetX2 => "target_x2",
-            ControlQuantity::TargetX3 => "target_x3",
-            ControlQuantity::TargetX4 => "target_x4",
-            ControlQuantity::TargetTau => "target_tau",
-        }
+        self.into()
     }
 
     /// What the setting is, for axis titles.
@@ -178,6 +140,8 @@ impl ControlQuantity {
 
 #[cfg(test)]
 mod tests {
+    use strum::VariantArray;
+
     use super::*;
     use crate::control::section_names;
     use crate::dynamics::Stop;
@@ -196,7 +160,7 @@ mod tests {
                 assert_eq!(setting.name(), format!("target_{}", name.trim_end_matches('+')), "{family}");
                 assert_eq!(setting.component(plant.n, own), Some(i), "{family}");
             }
-            let there = ControlQuantity::ALL.into_iter().filter(|s| s.component(plant.n, own).is_some());
+            let there = ControlQuantity::VARIANTS.iter().filter(|s| s.component(plant.n, own).is_some());
             assert_eq!(there.count(), 2 * plant.n, "{family}");
         }
     }

@@ -69,10 +69,12 @@ pub struct DelaySetting {
 }
 
 /// The sign of delayed feedback.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::IntoStaticStr)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Sign {
-    /// X(n+1) = F(X(n)) + G (X(n) − X(n−p)).
+    /// X(n+1) = F(X(n)) + G (X(n) − X(n−p)), which stabilises.
     Stabilising,
     /// X(n+1) = F(X(n)) + G (X(n−p) − X(n)), as Eq. (30) is printed.
     Printed,

@@ -43,7 +43,7 @@ pub fn assembled<E: From<CellsError>>(
     let (stops, components) = (family.stops().len(), 2 * family.n());
     let verdict = |i: usize| {
         let code = regime.whole(i);
-        let of_code = u8::try_from(code).ok().and_then(Regime::from_code);
+        let of_code = u8::try_from(code).ok().and_then(Regime::from_repr);
         let per_stop: Vec<u16> = (0..stops).map(|k| counts.whole(stops * i + k) as u16).collect();
         let place: Vec<f64> = (0..components).map(|k| state.real(components * i + k)).collect();
         Ok(Verdict {

@@ -1,7 +1,10 @@
 //! The values of a field, with their type.
 
+use strum::IntoStaticStr;
+
 /// The type of a field's values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "lowercase")]
 pub enum Kind {
     /// Whole numbers from 0 to 255.
     U8,
@@ -18,13 +21,7 @@ pub enum Kind {
 impl Kind {
     /// The name in the documentation.
     pub fn name(self) -> &'static str {
-        match self {
-            Kind::U8 => "u8",
-            Kind::U16 => "u16",
-            Kind::U32 => "u32",
-            Kind::F32 => "f32",
-            Kind::F64 => "f64",
-        }
+        self.into()
     }
 }
 

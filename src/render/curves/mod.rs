@@ -37,10 +37,11 @@ const LEADER: [f64; 2] = [0.06, 0.2];
 const END_OF_LEADER: f64 = 0.13;
 
 /// Which parts of the curves are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, strum::IntoStaticStr)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[strum(serialize_all = "lowercase")]
 pub enum Shown {
-    /// Of the motions that fill at least three thousandths of the plane, where they are stable on one side: the borders
-    /// of what can be observed.
+    /// Those of motions that fill 0.3 % of the plane, and the paper's, where the motion is stable on one side of the curve.
     Bounding,
     /// All of every curve.
     All,
@@ -49,10 +50,7 @@ pub enum Shown {
 impl Shown {
     /// The name in configurations, and on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Shown::Bounding => "bounding",
-            Shown::All => "all",
-        }
+        self.into()
     }
 }
 

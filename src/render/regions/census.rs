@@ -141,7 +141,7 @@ fn motions(cells: &dyn Cells, window: Window) -> Result<Vec<Option<Motion>>, Cel
     let (regime, n, counts, symmetric) = (read("regime")?, read("n")?, read("counts")?, read("symmetric")?);
     let stops = cells.plane().parameters.family().stops().len();
     let motion = |i: usize| {
-        let regime = u8::try_from(regime.whole(i)).ok().and_then(Regime::from_code)?;
+        let regime = u8::try_from(regime.whole(i)).ok().and_then(Regime::from_repr)?;
         if !regime.is_periodic() {
             return Some(Motion { regime, counts: [0; 1 + MOST_STOPS], symmetric: false });
         }

@@ -106,7 +106,7 @@ impl Verdict {
 
     /// The verdict on a trajectory of a system with its values widened; a code that no regime has counts as failed.
     pub fn widen(&self, system: &System) -> analysis::Verdict {
-        let regime = u8::try_from(self.regime).ok().and_then(Regime::from_code).unwrap_or(Regime::Failed);
+        let regime = u8::try_from(self.regime).ok().and_then(Regime::from_repr).unwrap_or(Regime::Failed);
         analysis::Verdict {
             regime,
             n: self.n as u16,

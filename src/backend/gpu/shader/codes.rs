@@ -14,14 +14,14 @@ use crate::dynamics::EventCode;
 pub fn source(shape: &Shape) -> String {
     let mut source = String::from("// Generated.\n");
     codes(&mut source, "REGIME", &Regime::ALL, |regime| u32::from(regime.code()));
-    codes(&mut source, "STAGE", &Stage::ALL, |stage| stage as u32);
-    codes(&mut source, "PROGRESS", &Progress::ALL, |progress| progress as u32);
+    codes(&mut source, "STAGE", Stage::VARIANTS, |stage| stage as u32);
+    codes(&mut source, "PROGRESS", Progress::VARIANTS, |progress| progress as u32);
     codes(&mut source, "EVENT", EventCode::VARIANTS, |event| event as u32);
     codes(&mut source, "EXTENT", ExtentCode::VARIANTS, |code| code as u32);
     let readings = [Reading::VBefore, Reading::VAfter, Reading::Tau];
     codes(&mut source, "READING", &readings, |reading| reading.code(shape.coordinates));
-    predicate(&mut source, "STAGE", "stage_is_over", &Stage::ALL, Stage::is_over);
-    predicate(&mut source, "PROGRESS", "progress_is_over", &Progress::ALL, Progress::is_over);
+    predicate(&mut source, "STAGE", "stage_is_over", Stage::VARIANTS, Stage::is_over);
+    predicate(&mut source, "PROGRESS", "progress_is_over", Progress::VARIANTS, Progress::is_over);
     predicate(&mut source, "EVENT", "event_is_impact", EventCode::VARIANTS, EventCode::is_impact);
     predicate(&mut source, "EVENT", "event_ends_step", EventCode::VARIANTS, EventCode::ends_step);
     source
@@ -73,7 +73,9 @@ mod tests {
     #[test]
     fn a_predicate_lists_the_codes_of_which_it_holds() {
         let mut source = String::new();
-        predicate(&mut source, "STAGE", "is", &Stage::ALL, |stage| stage != Stage::Quiet && stage.is_over());
+        predicate(&mut source, "STAGE", "is", Stage::VARIANTS, |stage| {
+            stage != Stage::Quiet && stage.is_over()
+        });
         assert_eq!(
             source,
             "fn is(code: u32) -> bool {\n    return (code == STAGE_OBSERVED) | (code == STAGE_FAILED);\n}\n"

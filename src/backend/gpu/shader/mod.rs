@@ -18,6 +18,7 @@ use super::layout;
 
 /// A kernel and the fragments that it has beyond those that all kernels have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(test, derive(strum::VariantArray))]
 pub enum Kernel {
     /// Trajectories to their verdicts.
     Follow,
@@ -30,10 +31,6 @@ pub enum Kernel {
 }
 
 impl Kernel {
-    /// Every kernel.
-    #[cfg(test)]
-    pub const ALL: [Kernel; 4] = [Kernel::Follow, Kernel::Trace, Kernel::Control, Kernel::Extent];
-
     /// The name of its entry point.
     pub fn entry(self) -> &'static str {
         match self {
@@ -166,6 +163,8 @@ fn pressing_share(shape: &Shape) -> String {
 
 #[cfg(test)]
 mod tests {
+    use strum::VariantArray;
+
     use super::*;
 
     /// Every shape that there is.
@@ -179,7 +178,7 @@ mod tests {
 
     #[test]
     fn every_shader_can_be_computed_exactly() {
-        for kernel in Kernel::ALL {
+        for &kernel in Kernel::VARIANTS {
             for shape in shapes() {
                 let source = source(kernel, &shape, Residence::Private, Arithmetic::Exact);
                 let module = exact(&source).unwrap_or_else(|error| panic!("{shape:?} {error}"));
@@ -193,9 +192,10 @@ mod tests {
 
     #[test]
     fn the_shaders_are_valid_and_need_no_feature() {
-        for kernel in Kernel::ALL {
-            for (shape, residence) in
-                shapes().into_iter().flat_map(|shape| Residence::ALL.map(|residence| (shape, residence)))
+        for &kernel in Kernel::VARIANTS {
+            for (shape, residence) in shapes()
+                .into_iter()
+                .flat_map(|shape| Residence::VARIANTS.iter().map(move |&residence| (shape, residence)))
             {
                 let source = source(kernel, &shape, residence, Arithmetic::Native);
                 let module = naga::front::wgsl::parse_str(&source)

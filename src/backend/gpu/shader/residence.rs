@@ -2,6 +2,7 @@
 
 /// Where the constants of a cell are while its trajectory is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(test, derive(strum::VariantArray))]
 pub enum Residence {
     /// Where they lie: hardware has few registers, and caches for the rest.
     Buffer,
@@ -10,10 +11,6 @@ pub enum Residence {
 }
 
 impl Residence {
-    /// Every residence.
-    #[cfg(test)]
-    pub const ALL: [Residence; 2] = [Residence::Buffer, Residence::Private];
-
     /// What `flight` stands for in a shader.
     pub fn flight(self) -> &'static str {
         match self {
