@@ -11,7 +11,7 @@ use super::touch::{Touch, arrival_speeds, nearest, touches};
 use super::unknowns::{Span, Unknowns};
 use super::until::Until;
 use crate::model::{Setting, System};
-use crate::theory::{Flow, Pattern, PeriodicMotion, Section, eigenvalues, phase, turn};
+use crate::theory::{Flow, Pattern, PeriodicMotion, SectionVector, eigenvalues, phase, turn};
 
 /// The longest step, in lengths of the parameter's range.
 const LONGEST: f64 = 0.02;
@@ -36,7 +36,7 @@ const STABLE: f64 = 1.0 + 1e-7;
 pub(super) struct Event {
     pub kind: Kind,
     pub pattern: Pattern,
-    pub sections: Vec<Section>,
+    pub sections: Vec<SectionVector>,
     pub parameters: Setting,
     /// For grazing: the arc, the stop and the phase.
     pub touch: Option<Touch>,
@@ -247,7 +247,8 @@ impl Event {
             PeriodicMotion { pattern: self.pattern.clone(), sections: self.sections.clone(), residual: 0.0 };
         let Some((pattern, differences)) = parting(system, &motion) else { return self };
         let count = pattern.stops.len();
-        let near = |(a, difference): (&Section, &Section)| difference.amax() < 1e-3 * (1.0 + a.amax());
+        let near =
+            |(a, difference): (&SectionVector, &SectionVector)| difference.amax() < 1e-3 * (1.0 + a.amax());
         let repeats = self.sections.iter().zip(&differences).all(near);
         if !repeats {
             return self;
@@ -265,7 +266,7 @@ fn grazing_event(branch: &Branch, y: &DVector<f64>, watched: &Watched) -> Option
     let parameters = unknowns.parameters(y);
     let sections = unknowns.sections(y);
     let pattern = &unknowns.pattern;
-    let event = |pattern: Pattern, sections: Vec<Section>, touch: Touch| Event {
+    let event = |pattern: Pattern, sections: Vec<SectionVector>, touch: Touch| Event {
         kind: Kind::Grazing,
         pattern,
         sections,

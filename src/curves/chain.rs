@@ -3,13 +3,13 @@
 use nalgebra::DMatrix;
 
 use crate::theory::newton::{arc, arcs};
-use crate::theory::{Flow, Pattern, Section};
+use crate::theory::{Flow, Pattern, SectionVector};
 
 /// The Jacobian of one turn as a product over its arcs, kept in parts: moving one impact changes two arcs alone.
 pub(super) struct Chain<'a> {
     flow: &'a Flow,
     pattern: &'a Pattern,
-    sections: Vec<Section>,
+    sections: Vec<SectionVector>,
     /// The product of the arcs before each one.
     before: Vec<DMatrix<f64>>,
     /// The product of each arc and those after it, with the mirror.
@@ -20,7 +20,7 @@ pub(super) struct Chain<'a> {
 
 impl<'a> Chain<'a> {
     /// The parts of a motion's turn; none where an impact grazes.
-    pub fn new(flow: &'a Flow, pattern: &'a Pattern, sections: Vec<Section>) -> Option<Self> {
+    pub fn new(flow: &'a Flow, pattern: &'a Pattern, sections: Vec<SectionVector>) -> Option<Self> {
         let jacobians: Vec<DMatrix<f64>> =
             arcs(flow, pattern, &sections).iter().map(|arc| arc.jacobian()).collect::<Option<_>>()?;
         let count = jacobians.len();
@@ -39,7 +39,7 @@ impl<'a> Chain<'a> {
     }
 
     /// The Jacobian of the turn with the `i`-th impact somewhere else; none where an impact grazes then.
-    pub fn turn_with(&mut self, i: usize, section: Section) -> Option<DMatrix<f64>> {
+    pub fn turn_with(&mut self, i: usize, section: SectionVector) -> Option<DMatrix<f64>> {
         let own = std::mem::replace(&mut self.sections[i], section);
         let turned = self.turned(i);
         self.sections[i] = own;
@@ -77,7 +77,7 @@ mod tests {
             let flow = Flow::new(&system);
             let mut chain = Chain::new(&flow, &motion.pattern, motion.sections.clone()).unwrap();
             for i in 0..motion.sections.len() {
-                let moved = &motion.sections[i] + Section::from_row_slice(&[1e-3, -2e-3, 1e-3, 3e-3]);
+                let moved = &motion.sections[i] + SectionVector::from_row_slice(&[1e-3, -2e-3, 1e-3, 3e-3]);
                 let mut sections = motion.sections.clone();
                 sections[i] = moved.clone();
                 let whole = turn(&flow, &motion.pattern, &sections).unwrap();

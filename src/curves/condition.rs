@@ -4,7 +4,7 @@ use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
 use strum::{EnumString, IntoStaticStr};
 
-use crate::theory::{Flow, Pattern, Section, turn};
+use crate::theory::{Flow, Pattern, SectionVector, turn};
 
 /// The kind of a bifurcation; of a symmetric motion in terms of its half map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, EnumString, IntoStaticStr)]
@@ -61,7 +61,7 @@ pub(super) fn test_of_motion(
     kind: Kind,
     flow: &Flow,
     pattern: &Pattern,
-    sections: &[Section],
+    sections: &[SectionVector],
 ) -> Option<f64> {
     Some(test_function(kind, &turn(flow, pattern, sections)?))
 }

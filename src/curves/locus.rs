@@ -9,7 +9,7 @@ use super::seeds::Seed;
 use super::touch::grazing;
 use super::unknowns::Unknowns;
 use crate::dynamics::Stop;
-use crate::theory::{Flow, PeriodicMotion, Section};
+use crate::theory::{Flow, PeriodicMotion, SectionVector};
 
 /// A motion in one parameter: the matching equations alone.
 pub(super) struct Branch(pub Unknowns);
@@ -62,7 +62,7 @@ impl Locus {
         let mut chain = Chain::new(&flow, &self.unknowns.pattern, self.unknowns.sections(y))?;
         let size = self.unknowns.size();
         differences_of_each(y, 0..self.unknowns.sections_end(), |j, value| {
-            let mut section: Section = y.rows(j / size * size, size).into_owned();
+            let mut section: SectionVector = y.rows(j / size * size, size).into_owned();
             section[j % size] = value;
             let test = test_function(self.kind, &chain.turn_with(j / size, section)?);
             test.is_finite().then(|| DVector::from_element(1, test))

@@ -1,13 +1,13 @@
 //! How far a motion is from a simpler one: the one from which it bifurcates in a pitchfork or a period doubling.
 
 use crate::model::System;
-use crate::theory::{Flow, Pattern, PeriodicMotion, Section};
+use crate::theory::{Flow, Pattern, PeriodicMotion, SectionVector};
 
 /// The simpler motion's pattern, and the first impact's difference from being repeated (or mirrored) half-way.
 ///
 /// The difference passes through zero, with a change of sign, where a path of motions goes over into its own twin. None
 /// for a motion whose impacts do not come twice over.
-pub(super) fn parting(system: &System, motion: &PeriodicMotion) -> Option<(Pattern, Vec<Section>)> {
+pub(super) fn parting(system: &System, motion: &PeriodicMotion) -> Option<(Pattern, Vec<SectionVector>)> {
     let pattern = motion.part(2)?;
     let flow = Flow::new(system);
     let count = pattern.stops.len();

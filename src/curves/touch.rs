@@ -6,7 +6,7 @@
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::theory::newton::{arcs, next};
-use crate::theory::{Flow, Pattern, Section, phase};
+use crate::theory::{Flow, Pattern, SectionVector, phase};
 
 /// A turning point in flight, along a stop's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub(super) struct Touch {
 ///
 /// They are looked for at steps short against the fastest motion and placed by cubic interpolation: near enough to
 /// begin with, not a certificate.
-pub(super) fn touches(system: &System, pattern: &Pattern, sections: &[Section]) -> Vec<Touch> {
+pub(super) fn touches(system: &System, pattern: &Pattern, sections: &[SectionVector]) -> Vec<Touch> {
     let flow = Flow::new(system);
     let mut found = Vec::new();
     for (arc, section) in sections.iter().enumerate() {
@@ -69,7 +69,7 @@ pub(super) fn nearest(touches: &[Touch]) -> Option<Touch> {
 
 /// The speed of every impact of the pattern on arrival, negative where the stop would be reached from the wrong side;
 /// the first belongs to the second impact.
-pub(super) fn arrival_speeds(system: &System, pattern: &Pattern, sections: &[Section]) -> Vec<f64> {
+pub(super) fn arrival_speeds(system: &System, pattern: &Pattern, sections: &[SectionVector]) -> Vec<f64> {
     let flow = Flow::new(system);
     arcs(&flow, pattern, sections).iter().map(|arc| arc.approach() * flow.omega).collect()
 }
@@ -79,7 +79,7 @@ pub(super) fn arrival_speeds(system: &System, pattern: &Pattern, sections: &[Sec
 pub(super) fn grazing(
     flow: &Flow,
     pattern: &Pattern,
-    sections: &[Section],
+    sections: &[SectionVector],
     touch: (usize, Stop),
     at: f64,
 ) -> [f64; 2] {

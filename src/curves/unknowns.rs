@@ -6,7 +6,7 @@ use super::path::differences;
 use crate::figure::Spacing;
 use crate::model::{Parameter, Setting, System};
 use crate::theory::newton::{arcs, derivative, is_ordered, residual};
-use crate::theory::{Flow, Pattern, Section, StopSet};
+use crate::theory::{Flow, Pattern, SectionVector, StopSet};
 
 /// A parameter and the range of it that counts as length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +55,7 @@ impl Unknowns {
     }
 
     /// The vector of a motion.
-    pub fn pack(&self, sections: &[Section], extra: &[f64], parameters: &Setting) -> DVector<f64> {
+    pub fn pack(&self, sections: &[SectionVector], extra: &[f64], parameters: &Setting) -> DVector<f64> {
         let shares = self.shares(parameters);
         let values = sections.iter().flat_map(|section| section.iter().copied().collect::<Vec<_>>());
         DVector::from_iterator(
@@ -85,7 +85,7 @@ impl Unknowns {
     }
 
     /// The sections.
-    pub fn sections(&self, y: &DVector<f64>) -> Vec<Section> {
+    pub fn sections(&self, y: &DVector<f64>) -> Vec<SectionVector> {
         let size = self.size();
         (0..self.pattern.stops.len()).map(|i| y.rows(size * i, size).into_owned()).collect()
     }

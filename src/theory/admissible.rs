@@ -8,7 +8,7 @@ use super::flow::Flow;
 use super::follower::{Follower, follower};
 use super::newton::next;
 use super::pattern::Pattern;
-use super::section::{Node, Section, phase, wrapped};
+use super::section_vector::{Node, SectionVector, phase, wrapped};
 use crate::dynamics::{Event, Impact, Stop};
 use crate::model::System;
 
@@ -88,7 +88,11 @@ pub(crate) struct Flown {
 /// simulation.
 ///
 /// Each arc begins anew at its impact, so that unstable motions are followed as well as stable ones.
-pub(crate) fn fly(system: &System, pattern: &Pattern, sections: &[Section]) -> Result<Flown, Inadmissible> {
+pub(crate) fn fly(
+    system: &System,
+    pattern: &Pattern,
+    sections: &[SectionVector],
+) -> Result<Flown, Inadmissible> {
     fly_by(system, &Flow::new(system), follower(system).as_mut(), pattern, sections)
 }
 
@@ -98,7 +102,7 @@ pub(super) fn fly_by(
     flow: &Flow,
     follower: &mut dyn Follower,
     pattern: &Pattern,
-    sections: &[Section],
+    sections: &[SectionVector],
 ) -> Result<Flown, Inadmissible> {
     let mut flown = Flown { at_phase_zero: None };
     for i in 0..sections.len() {

@@ -65,10 +65,10 @@ mod tests {
     use crate::theory::example::chain;
     use crate::theory::flow::Flow;
     use crate::theory::newton::{arcs, derivative, residual};
-    use crate::theory::section::Section;
+    use crate::theory::section_vector::SectionVector;
 
     /// A sequence that is no motion, so that no block of the equations is special.
-    fn sequence(system: &System, count: usize, mirrored: bool) -> (Pattern, Vec<Section>) {
+    fn sequence(system: &System, count: usize, mirrored: bool) -> (Pattern, Vec<SectionVector>) {
         let stops = (0..count).map(|i| if i % 3 == 0 { Stop::A } else { Stop::B }).collect();
         let pattern = Pattern::new(system, stops, if mirrored { 3 } else { 4 }, mirrored);
         let last = 2 * system.plant().n - 1;
@@ -76,7 +76,7 @@ mod tests {
             let k = i as f64;
             let value = |j: usize| 0.1 / (1.0 + j as f64) * ((j + 1) as f64 * k + j as f64).sin();
             let phase = pattern.turn() * k / count as f64;
-            Section::from_fn(last + 1, |j, _| match j {
+            SectionVector::from_fn(last + 1, |j, _| match j {
                 0 => -0.3 + value(0),
                 j if j == last => phase,
                 j => value(j),

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::section::Section;
+use super::section_vector::SectionVector;
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::system::PlantStop;
@@ -65,20 +65,20 @@ impl Face {
     }
 
     /// The section of a state on the stop, just after an impact.
-    pub fn section(&self, x: &[f64], v: &[f64], phase: f64) -> Section {
+    pub fn section(&self, x: &[f64], v: &[f64], phase: f64) -> SectionVector {
         let n = x.len();
         let values = slots(n, self.coordinate).into_iter().map(|k| if k < n { x[k] } else { v[k - n] });
         DVector::from_iterator(2 * n, values.chain(std::iter::once(phase)))
     }
 
     /// d·v of a section, per unit of |d|: the speed into the stop.
-    pub fn speed(&self, section: &Section) -> f64 {
+    pub fn speed(&self, section: &SectionVector) -> f64 {
         let n = self.direction.len();
         self.speed_of(&(&self.lift * section).as_slice()[n..2 * n])
     }
 
     /// The speed along the contact's own coordinate with which a section has d·v = 0.
-    pub fn resting_speed(&self, section: &Section) -> f64 {
+    pub fn resting_speed(&self, section: &SectionVector) -> f64 {
         let n = self.direction.len();
         let v = &self.lift * section;
         let others: f64 =
@@ -88,7 +88,7 @@ impl Face {
     }
 
     /// Whether a section leaves the stop outwards, by more than rounding.
-    pub fn is_left_outwards(&self, section: &Section) -> bool {
+    pub fn is_left_outwards(&self, section: &SectionVector) -> bool {
         let n = self.direction.len();
         let z = &self.lift * section;
         let terms = self.direction.iter().zip(&z.as_slice()[n..2 * n]).map(|(d, v)| d * v);

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, SMatrix};
 
 use super::face::{Face, slots};
-use super::section::{Node, Section, phase};
+use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::system::Mirror;
@@ -57,7 +57,7 @@ impl Flow {
     }
 
     /// The whole state z just after an impact.
-    pub fn lifted(&self, stop: Stop, section: &Section) -> DVector<f64> {
+    pub fn lifted(&self, stop: Stop, section: &SectionVector) -> DVector<f64> {
         let face = self.face(stop);
         let mut z = &face.origin + &face.lift * section;
         let (sin, cos) = phase(section).sin_cos();

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::section::wrapped;
+use super::section_vector::wrapped;
 use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory, Variation};
 use crate::model::vector::axpy;
 use crate::model::{Flight, State, System};

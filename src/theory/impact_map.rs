@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::flow::Flow;
 use super::follower::follower;
 use super::matching::Arc;
-use super::section::{Node, Section, phase, wrapped};
+use super::section_vector::{Node, SectionVector, phase, wrapped};
 use crate::dynamics::{Event, Stop};
 use crate::model::System;
 
@@ -62,7 +62,7 @@ pub fn impact_map(system: &System, section: impl AsRef<[f64]>) -> Result<Return,
 pub fn impact_map_at(system: &System, stop: Stop, section: impl AsRef<[f64]>) -> Result<Return, NoReturn> {
     let flow = Flow::new(system);
     let n = flow.n;
-    let start = Section::from_column_slice(section.as_ref());
+    let start = SectionVector::from_column_slice(section.as_ref());
     if start.len() != 2 * n || !start.iter().all(|value| value.is_finite()) {
         return Err(NoReturn::NotOnSection);
     }

@@ -7,7 +7,7 @@ use nalgebra::DVector;
 use super::flow::Flow;
 use super::newton::next;
 use super::pattern::Pattern;
-use super::section::{Node, Section, phase};
+use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
 
 /// The order that is kept, and the number of coefficients.
@@ -59,10 +59,10 @@ type Jets = [DVector<f64>; TERMS];
 pub(super) fn turn(
     flow: &Flow,
     pattern: &Pattern,
-    sections: &[Section],
-    direction: &Section,
-) -> Option<[Section; TERMS]> {
-    let zero = || Section::zeros(direction.len());
+    sections: &[SectionVector],
+    direction: &SectionVector,
+) -> Option<[SectionVector; TERMS]> {
+    let zero = || SectionVector::zeros(direction.len());
     let mut jets: Jets = [sections[0].clone(), direction.clone(), zero(), zero()];
     for i in 0..sections.len() {
         let due = next(flow, pattern, sections, i);
@@ -155,17 +155,18 @@ mod tests {
     fn the_series_is_that_of_the_simulated_map() {
         let (system, motion) = (chain(), motion());
         let flow = Flow::new(&system);
-        let direction = Section::from_row_slice(&[0.5, -0.3, 0.2, 0.4, -0.6, 0.3]);
+        let direction = SectionVector::from_row_slice(&[0.5, -0.3, 0.2, 0.4, -0.6, 0.3]);
         let series = turn(&flow, &motion.pattern, &motion.sections, &direction).unwrap();
         let at = |h: f64| {
             let section = &motion.sections[0] + &direction * h;
-            Section::from_vec(impact_map(&system, section.as_slice()).unwrap().section)
+            SectionVector::from_vec(impact_map(&system, section.as_slice()).unwrap().section)
         };
         let h = 1e-3;
         let first = ((at(h) - at(-h)) * 8.0 - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
         let second = (at(h) + at(-h) - at(0.0) * 2.0) / (h * h);
         let third = (at(2.0 * h) - at(-2.0 * h) - (at(h) - at(-h)) * 2.0) / (2.0 * h * h * h);
-        let off = |found: &Section, simulated: &Section| (found - simulated).amax() / simulated.amax();
+        let off =
+            |found: &SectionVector, simulated: &SectionVector| (found - simulated).amax() / simulated.amax();
         assert!(off(&series[1], &first) < 1e-7, "{}{first}", series[1]);
         assert!(off(&(&series[2] * 2.0), &second) < 1e-3, "{}{second}", &series[2] * 2.0);
         assert!(off(&(&series[3] * 6.0), &third) < 1e-2, "{}{third}", &series[3] * 6.0);

@@ -3,12 +3,12 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::flow::Flow;
-use super::section::{Node, phase};
+use super::section_vector::{Node, phase};
 
 /// The equations that join two impacts, linearised.
 ///
 /// Flight from u for a time (φ′ − φ)/ω must arrive at the next stop, and the law of impact must turn its arrival
-/// into u′: 2n equations R(u, u′) = 0 in the order of [`Section`](super::Section), the last one being d·x = gap.
+/// into u′: 2n equations R(u, u′) = 0 in the order of [`SectionVector`](super::SectionVector), the last one being d·x = gap.
 #[derive(Clone, Debug)]
 pub(crate) struct Arc {
     /// R.

@@ -10,7 +10,7 @@ use super::flow::Flow;
 use super::multipliers::{STABLE, eigenvalues, ordered, turn};
 use super::newton;
 use super::pattern::Pattern;
-use super::section::{Node, Section, phase};
+use super::section_vector::{Node, SectionVector, phase};
 use crate::model::System;
 
 /// A periodic motion with finitely many impacts, stable or not: a solution of the matching equations of its pattern.
@@ -21,7 +21,7 @@ pub struct PeriodicMotion {
     /// The order of its impacts.
     pub pattern: Pattern,
     /// The state just after each impact of the pattern, in order.
-    pub sections: Vec<Section>,
+    pub sections: Vec<SectionVector>,
     /// The largest residual of the matching equations.
     pub residual: f64,
 }
@@ -42,7 +42,7 @@ impl PeriodicMotion {
     ///
     /// # Errors
     /// [`NoMotion`]: no solution near by, or one that no trajectory follows.
-    pub fn refine(system: &System, pattern: &Pattern, guess: &[Section]) -> Result<Self, NoMotion> {
+    pub fn refine(system: &System, pattern: &Pattern, guess: &[SectionVector]) -> Result<Self, NoMotion> {
         let flow = Flow::new(system);
         let (sections, residual) = newton::solve(&flow, pattern, guess).ok_or(NoMotion::NotConverged)?;
         let motion = PeriodicMotion { pattern: pattern.clone(), sections, residual }.normalised(&flow);
@@ -100,7 +100,7 @@ impl PeriodicMotion {
             let Some(pattern) = self.part(parts) else { continue };
             let near = newton::solve(flow, &pattern, &self.sections[..count / parts]);
             let Some((sections, residual)) = near else { continue };
-            let same = |(a, b): (&Section, &Section)| (a - b).amax() < 1e-6 * (1.0 + a.amax());
+            let same = |(a, b): (&SectionVector, &SectionVector)| (a - b).amax() < 1e-6 * (1.0 + a.amax());
             if sections.iter().zip(&self.sections).all(same) {
                 return PeriodicMotion { pattern, sections, residual };
             }
@@ -200,7 +200,7 @@ impl PeriodicMotion {
 }
 
 /// The forcing phase of a section, to be changed.
-fn later(section: &mut Section) -> &mut f64 {
+fn later(section: &mut SectionVector) -> &mut f64 {
     let last = section.len() - 1;
     &mut section[last]
 }

@@ -5,7 +5,7 @@ use nalgebra::{Complex, DMatrix, Schur};
 use super::flow::Flow;
 use super::newton::arcs;
 use super::pattern::Pattern;
-use super::section::Section;
+use super::section_vector::SectionVector;
 
 /// The most sweeps of the eigenvalue iteration.
 const MOST_SWEEPS: usize = 10_000;
@@ -18,7 +18,7 @@ pub(super) const STABLE: f64 = 1.0 - 1e-9;
 /// followed by the mirror where the pattern is mirrored.
 ///
 /// It is the product of the Jacobians of its impacts. None where an impact grazes, since the map has no derivative there.
-pub(crate) fn turn(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Option<DMatrix<f64>> {
+pub(crate) fn turn(flow: &Flow, pattern: &Pattern, sections: &[SectionVector]) -> Option<DMatrix<f64>> {
     let mut product = DMatrix::identity(2 * flow.n, 2 * flow.n);
     for arc in arcs(flow, pattern, sections) {
         product = arc.jacobian()? * product;
@@ -53,7 +53,7 @@ mod tests {
             let pattern = Pattern::new(&system, vec![Stop::A], 2, false);
             for other in [false, true] {
                 let section = ball.section(other).unwrap();
-                let sections = [Section::from_row_slice(&section)];
+                let sections = [SectionVector::from_row_slice(&section)];
                 let jacobian = turn(&Flow::new(&system), &pattern, &sections).unwrap();
                 let expected = ball.jacobian(section);
                 let away = (0..4).map(|k| (jacobian[(k / 2, k % 2)] - expected[(k / 2, k % 2)]).abs());

@@ -6,7 +6,7 @@ use super::cyclic;
 use super::flow::Flow;
 use super::matching::Arc;
 use super::pattern::Pattern;
-use super::section::{Node, Section, phase};
+use super::section_vector::{Node, SectionVector, phase};
 
 /// The most Newton steps.
 const MOST_STEPS: usize = 60;
@@ -16,18 +16,18 @@ const MOST_HALVINGS: usize = 12;
 pub const SOLVED: f64 = 1e-11;
 
 /// The arcs of a motion, one after each impact.
-pub(crate) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[Section]) -> Vec<Arc> {
+pub(crate) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[SectionVector]) -> Vec<Arc> {
     (0..sections.len()).map(|i| arc(flow, pattern, sections, i)).collect()
 }
 
 /// The arc after the `i`-th impact.
-pub(crate) fn arc(flow: &Flow, pattern: &Pattern, sections: &[Section], i: usize) -> Arc {
+pub(crate) fn arc(flow: &Flow, pattern: &Pattern, sections: &[SectionVector], i: usize) -> Arc {
     let from = Node { stop: pattern.stops[i], section: sections[i].clone() };
     Arc::between(flow, &from, &next(flow, pattern, sections, i))
 }
 
 /// The impact that follows the `i`-th.
-pub(crate) fn next(flow: &Flow, pattern: &Pattern, sections: &[Section], i: usize) -> Node {
+pub(crate) fn next(flow: &Flow, pattern: &Pattern, sections: &[SectionVector], i: usize) -> Node {
     match sections.get(i + 1) {
         Some(section) => Node { stop: pattern.stops[i + 1], section: section.clone() },
         None => pattern.closing(flow, &sections[0]),
@@ -35,7 +35,7 @@ pub(crate) fn next(flow: &Flow, pattern: &Pattern, sections: &[Section], i: usiz
 }
 
 /// The phase of the impact that follows the `i`-th.
-pub(crate) fn next_phase(pattern: &Pattern, sections: &[Section], i: usize) -> f64 {
+pub(crate) fn next_phase(pattern: &Pattern, sections: &[SectionVector], i: usize) -> f64 {
     sections.get(i + 1).map_or_else(|| pattern.closing_phase(&sections[0]), phase)
 }
 
@@ -63,7 +63,11 @@ pub(crate) fn derivative(flow: &Flow, arcs: &[Arc], pattern: &Pattern) -> DMatri
 ///
 /// Returns the sections and the largest residual left. The phases of the solution are in order; whether it is
 /// admissible (crosses no stop in flight) is another question.
-pub(crate) fn solve(flow: &Flow, pattern: &Pattern, guess: &[Section]) -> Option<(Vec<Section>, f64)> {
+pub(crate) fn solve(
+    flow: &Flow,
+    pattern: &Pattern,
+    guess: &[SectionVector],
+) -> Option<(Vec<SectionVector>, f64)> {
     let mut sections = guess.to_vec();
     let mut joined = arcs(flow, pattern, &sections);
     let mut residuals = residual(&joined);
@@ -97,13 +101,13 @@ pub(crate) fn solve(flow: &Flow, pattern: &Pattern, guess: &[Section]) -> Option
     None
 }
 
-fn moved(sections: &[Section], step: &DVector<f64>, share: f64) -> Vec<Section> {
+fn moved(sections: &[SectionVector], step: &DVector<f64>, share: f64) -> Vec<SectionVector> {
     let size = sections[0].len();
     sections.iter().enumerate().map(|(i, section)| section + share * step.rows(size * i, size)).collect()
 }
 
 /// Whether every impact comes after the one before it.
-pub(crate) fn is_ordered(pattern: &Pattern, sections: &[Section]) -> bool {
+pub(crate) fn is_ordered(pattern: &Pattern, sections: &[SectionVector]) -> bool {
     (0..sections.len()).all(|i| next_phase(pattern, sections, i) > phase(&sections[i]))
 }
 
@@ -113,10 +117,10 @@ mod tests {
     use crate::dynamics::Stop;
     use crate::theory::example::{Ball, chain};
 
-    fn found(ball: Ball, guess: [f64; 2]) -> Option<(Vec<Section>, f64)> {
+    fn found(ball: Ball, guess: [f64; 2]) -> Option<(Vec<SectionVector>, f64)> {
         let system = ball.system();
         let pattern = Pattern::new(&system, vec![Stop::A], 2, false);
-        solve(&Flow::new(&system), &pattern, &[Section::from_row_slice(&guess)])
+        solve(&Flow::new(&system), &pattern, &[SectionVector::from_row_slice(&guess)])
     }
 
     #[test]
@@ -151,7 +155,8 @@ mod tests {
         let pattern = Pattern::new(&system, vec![Stop::A, Stop::B, Stop::B], 3, true);
         let component =
             |i: usize, j: usize| if j == 5 { 2.0 * i as f64 } else { 0.3 * ((7 * i + j) as f64).sin() };
-        let sections: Vec<Section> = (0..3).map(|i| Section::from_fn(6, |j, _| component(i, j))).collect();
+        let sections: Vec<SectionVector> =
+            (0..3).map(|i| SectionVector::from_fn(6, |j, _| component(i, j))).collect();
         let matrix = derivative(&flow, &arcs(&flow, &pattern, &sections), &pattern);
         let step = 1e-5;
         for column in 0..18 {
@@ -172,7 +177,8 @@ mod tests {
         let system = chain();
         let pattern = Pattern::new(&system, vec![Stop::A, Stop::B], 2, false);
         let at = |phases: [f64; 2]| {
-            let sections = phases.map(|phase| Section::from_row_slice(&[-0.3, 0.0, 0.0, 0.0, 0.0, phase]));
+            let sections =
+                phases.map(|phase| SectionVector::from_row_slice(&[-0.3, 0.0, 0.0, 0.0, 0.0, phase]));
             is_ordered(&pattern, &sections)
         };
         let turn = pattern.turn();

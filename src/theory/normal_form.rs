@@ -9,7 +9,7 @@ use super::flow::Flow;
 use super::jet;
 use super::motion::PeriodicMotion;
 use super::multipliers::turn;
-use super::section::Section;
+use super::section_vector::SectionVector;
 use crate::model::System;
 
 type ComplexSection = DVector<Complex<f64>>;
@@ -21,22 +21,22 @@ struct Forms<'a> {
 }
 
 impl Forms<'_> {
-    fn series(&self, direction: &Section) -> Option<[Section; 4]> {
+    fn series(&self, direction: &SectionVector) -> Option<[SectionVector; 4]> {
         jet::turn(self.flow, &self.motion.pattern, &self.motion.sections, direction)
     }
 
     /// B(a, b) of real vectors.
-    fn bilinear(&self, a: &Section, b: &Section) -> Option<Section> {
+    fn bilinear(&self, a: &SectionVector, b: &SectionVector) -> Option<SectionVector> {
         Some(&self.series(&(a + b))?[2] - &self.series(a)?[2] - &self.series(b)?[2])
     }
 
     /// C(a, a, a) of a real vector.
-    fn cube(&self, a: &Section) -> Option<Section> {
+    fn cube(&self, a: &SectionVector) -> Option<SectionVector> {
         Some(&self.series(a)?[3] * 6.0)
     }
 
     /// C(a, a, b) of real vectors.
-    fn trilinear(&self, a: &Section, b: &Section) -> Option<Section> {
+    fn trilinear(&self, a: &SectionVector, b: &SectionVector) -> Option<SectionVector> {
         Some((self.cube(&(a + b))? - self.cube(&(a - b))? - self.cube(b)? * 2.0) / 6.0)
     }
 
@@ -58,11 +58,11 @@ impl Forms<'_> {
     }
 }
 
-fn parts(vector: &ComplexSection) -> (Section, Section) {
+fn parts(vector: &ComplexSection) -> (SectionVector, SectionVector) {
     (vector.map(|z| z.re), vector.map(|z| z.im))
 }
 
-fn joined(real: &Section, imaginary: &Section) -> ComplexSection {
+fn joined(real: &SectionVector, imaginary: &SectionVector) -> ComplexSection {
     real.zip_map(imaginary, Complex::new)
 }
 
@@ -86,7 +86,7 @@ pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64>
 /// [`flip_coefficient`].
 ///
 /// The direction of ξ is that of the two null vectors on whose side `along` lies; the sign of a depends on it.
-pub fn fold_coefficient(system: &System, motion: &PeriodicMotion, along: &Section) -> Option<f64> {
+pub fn fold_coefficient(system: &System, motion: &PeriodicMotion, along: &SectionVector) -> Option<f64> {
     let flow = Flow::new(system);
     let forms = Forms { flow: &flow, motion };
     let map = turn(&flow, &motion.pattern, &motion.sections)?;
@@ -125,7 +125,7 @@ pub fn neimark_sacker_coefficient(system: &System, motion: &PeriodicMotion, thet
 }
 
 /// Right and left eigenvectors q and p of a real multiplier, |q| = 1 and p·q = 1.
-fn real_eigenvectors(map: &DMatrix<f64>, multiplier: f64) -> Option<(Section, Section)> {
+fn real_eigenvectors(map: &DMatrix<f64>, multiplier: f64) -> Option<(SectionVector, SectionVector)> {
     let complex = map.map(|value| Complex::new(value, 0.0));
     let value = Complex::new(multiplier, 0.0);
     let real = |v: ComplexSection| {

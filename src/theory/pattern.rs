@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 
 use super::flow::Flow;
 use super::label::spelled;
-use super::section::{Node, Section, phase};
+use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::system::Family;
@@ -130,7 +130,7 @@ impl Pattern {
     }
 
     /// The first impact, as it is met again at the end.
-    pub(crate) fn closing(&self, flow: &Flow, first: &Section) -> Node {
+    pub(crate) fn closing(&self, flow: &Flow, first: &SectionVector) -> Node {
         let node = Node { stop: self.stops[0], section: first.clone() };
         let mut node = if self.mirrored { flow.mirror_image(&node) } else { node };
         let last = first.len() - 1;
@@ -139,7 +139,7 @@ impl Pattern {
     }
 
     /// The phase at which the first impact is met again.
-    pub(crate) fn closing_phase(&self, first: &Section) -> f64 {
+    pub(crate) fn closing_phase(&self, first: &SectionVector) -> f64 {
         phase(first) + self.turn()
     }
 

@@ -9,7 +9,7 @@ use super::flow::Flow;
 use super::follower::follower;
 use super::label::Label;
 use super::motion::PeriodicMotion;
-use super::section::phase;
+use super::section_vector::phase;
 use super::seeding::{Search, among_returns, settled_motion};
 use super::symmetric::{stable_branch, symmetric_start};
 use crate::model::{Parameter, Setting, System};

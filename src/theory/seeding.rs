@@ -5,7 +5,7 @@ use super::follower::follower;
 use super::label::Label;
 use super::motion::{NoMotion, PeriodicMotion};
 use super::pattern::{Pattern, StopSet};
-use super::section::{Section, phase};
+use super::section_vector::{SectionVector, phase};
 use crate::dynamics::{Event, Stop};
 use crate::model::System;
 
@@ -47,7 +47,7 @@ pub fn settled_motion(system: &System, state: impl AsRef<[f64]>, n: u32) -> Resu
 struct Met {
     time: f64,
     stop: Stop,
-    section: Section,
+    section: SectionVector,
 }
 
 /// The impacts of an orbit in the window that is searched.
@@ -88,7 +88,7 @@ fn solved_among(
     impacts: &[Met],
     tries: usize,
 ) -> (Option<PeriodicMotion>, usize) {
-    let mut tried: Vec<Section> = Vec::new();
+    let mut tried: Vec<SectionVector> = Vec::new();
     for first in close_returns(system, impacts, label) {
         let count = label.count() as usize;
         let (pattern, guess) = sequence(system, &impacts[first..first + count], label.n);
@@ -181,7 +181,7 @@ fn close_returns(system: &System, impacts: &[Met], label: &Label) -> Vec<usize> 
 }
 
 /// Impacts of an orbit as a guess of a motion that closes after `n` forcing periods.
-fn sequence(system: &System, impacts: &[Met], n: u32) -> (Pattern, Vec<Section>) {
+fn sequence(system: &System, impacts: &[Met], n: u32) -> (Pattern, Vec<SectionVector>) {
     let stops = impacts.iter().map(|met| met.stop).collect();
     let pattern = Pattern::new(system, stops, 2 * n, false);
     let omega = system.plant().omega;

@@ -12,7 +12,7 @@ use super::follower::{Follower, follower};
 use super::motion::PeriodicMotion;
 use super::newton;
 use super::pattern::{Pattern, StopSet};
-use super::section::{Section, phase, wrapped};
+use super::section_vector::{SectionVector, phase, wrapped};
 use crate::dynamics::Stop;
 use crate::model::System;
 
@@ -118,7 +118,7 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
     sections.sort_by(|a, b| phase(a).total_cmp(&phase(b)));
     let mut follower = follower(system);
     let solutions = sections.map(|section| solution(system, &flow, follower.as_mut(), stop, section));
-    let scale = |section: &Section| 1.0 + section.amax();
+    let scale = |section: &SectionVector| 1.0 + section.amax();
     let solved = |solution: &SymmetricMotion| {
         solution.motion.residual <= ACCEPTED * scale(&solution.motion.sections[0])
     };
@@ -199,7 +199,7 @@ fn solution(
     flow: &Flow,
     follower: &mut dyn Follower,
     stop: Stop,
-    section: Section,
+    section: SectionVector,
 ) -> SymmetricMotion {
     let pattern = Pattern::new(system, vec![stop], 1, true);
     let image = pattern.closing_stop();

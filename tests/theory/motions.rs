@@ -2,8 +2,8 @@
 
 use impact_atlas::dynamics::{Stop, record};
 use impact_atlas::theory::{
-    Label, PeriodicMotion, Search, Section, flip_coefficient, labelled_motion, neimark_sacker_coefficient,
-    symmetric_motions,
+    Label, PeriodicMotion, Search, SectionVector, flip_coefficient, labelled_motion,
+    neimark_sacker_coefficient, symmetric_motions,
 };
 
 use super::{assert_close, at};
@@ -84,7 +84,7 @@ fn a_motion_that_no_orbit_comes_near_is_followed_from_its_neighbours() {
         // The start itself is enough, without a transient.
         let own = Search { start: start.to_vec(), transient: 0, observe: 1 };
         let again = labelled_motion(&system, label, &own).unwrap().sections[0].clone();
-        let met = |section: &Section| (section - &again).rows(0, 3).amax() < 1e-9;
+        let met = |section: &SectionVector| (section - &again).rows(0, 3).amax() < 1e-9;
         assert_eq!(motion.sections.iter().filter(|&section| met(section)).count(), 1, "{again}");
     }
 }

@@ -6,7 +6,7 @@ use impact_atlas::dynamics::{Event, Stop, Trajectory};
 use impact_atlas::model::{Flight, State, System};
 use impact_atlas::system::{Family, Plant, PlantStop, builtin};
 use impact_atlas::theory::{
-    Label, NoReturn, Pattern, PeriodicMotion, Search, Section, SettledMotion, Spectrum, StrobeMotion,
+    Label, NoReturn, Pattern, PeriodicMotion, Search, SectionVector, SettledMotion, Spectrum, StrobeMotion,
     impact_map, impact_map_at, labelled_motion, section_names, settled_motion, symmetric_motions,
 };
 use nalgebra::{DMatrix, DVector};
@@ -92,7 +92,7 @@ fn the_ball_on_the_table_bounces_and_doubles_its_period_where_it_should() {
             let system = ball(e, gamma);
             let pattern = Pattern::new(&system, vec![Stop(0)], 2, false);
             let motion =
-                PeriodicMotion::refine(&system, &pattern, &[Section::from_row_slice(&guess)]).ok()?;
+                PeriodicMotion::refine(&system, &pattern, &[SectionVector::from_row_slice(&guess)]).ok()?;
             Some((motion.is_stable(&system).unwrap(), motion))
         };
         // A guess somewhat off, so that Newton's method has something to do.

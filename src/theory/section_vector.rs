@@ -9,10 +9,10 @@ use crate::dynamics::Stop;
 /// A state just after an impact, on the section at its stop: (v_c+, the other x, the other v, φ), 2n numbers, where c is
 /// the contact's own coordinate and φ the forcing phase, not reduced. Non-dimensional; on the section at A of the paper's
 /// oscillator it is the paper's X = (x1'+, x2, x2', τ). See [`section_names`](super::section_names).
-pub type Section = DVector<f64>;
+pub type SectionVector = DVector<f64>;
 
 /// The forcing phase of a section.
-pub(crate) fn phase(section: &Section) -> f64 {
+pub(crate) fn phase(section: &SectionVector) -> f64 {
     section[section.len() - 1]
 }
 
@@ -22,7 +22,7 @@ pub struct Node {
     /// The stop.
     pub stop: Stop,
     /// The state just after the impact.
-    pub section: Section,
+    pub section: SectionVector,
 }
 
 /// A phase in [0, 2π).
