@@ -22,6 +22,7 @@
 //! | [`control`] | suppressing chaos: sine force, period pulse, delayed feedback, at each return to the section σ |
 //! | [`plane`] | axes, starts, planes, region maps |
 //! | [`curves`] | bifurcation curves of a plane, by continuation |
+//! | [`paper`] | what the paper calls the curves and regions of its plane |
 //! | [`diagram`] | bifurcation diagrams: axis, sweep, section; branches and where they coexist |
 //! | [`backend`] | one trait; the CPU in f64 on every core, the GPU in f32; only its folder `gpu` names wgpu |
 //! | [`store`], [`render`] | files, and pictures of planes, diagrams and orbits; they know results, never back ends |
@@ -146,6 +147,7 @@ pub mod dynamics;
 pub mod explore;
 pub mod figure;
 pub mod model;
+pub mod paper;
 pub mod plane;
 pub mod render;
 pub mod reproduce;

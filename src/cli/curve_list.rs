@@ -4,9 +4,8 @@ use std::path::Path;
 
 use anyhow::anyhow;
 use impact_atlas::analysis::Regime;
-use impact_atlas::curves::{
-    Criticality, Curve, CurveMotion, CurvePoint, End, Kind, LeftOut, Named, Why, named,
-};
+use impact_atlas::curves::{Criticality, Curve, CurveMotion, CurvePoint, End, Kind, LeftOut, Why};
+use impact_atlas::paper::{Named, named};
 use impact_atlas::plane::Plane;
 use impact_atlas::store::Output;
 use serde::Serialize;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::curve::CurveMotion;
 use crate::analysis::{Regime, Verdict};
-use crate::plane::{Cell, RegionMap, connected};
+use crate::plane::{Adjacency, Cell, RegionMap, connected};
 use crate::theory::StopSet;
 
 /// A periodic motion that a map shows, with all of its cells.
@@ -30,7 +30,7 @@ pub(super) fn shown(map: &RegionMap, stops: &StopSet) -> Vec<Shown> {
     let keys: Vec<Option<Key>> = map.verdicts.iter().map(|verdict| key(verdict, stops)).collect();
     let mut found: Vec<(Key, Vec<Vec<Cell>>)> = Vec::new();
     let mut index: HashMap<Key, usize> = HashMap::new();
-    for region in connected(&keys, map.plane.x.count, map.plane.y.count) {
+    for region in connected(&keys, map.plane.x.count, map.plane.y.count, Adjacency::Corners) {
         let (column, row) = region[0];
         let Some(key) = &keys[(row * map.plane.x.count + column) as usize] else { continue };
         let at = *index.entry(key.clone()).or_insert_with(|| {

@@ -17,7 +17,7 @@ pub mod written;
 pub use axis::Axis;
 pub use axis_error::AxisError;
 pub use component::Component;
-pub use connected::{Cell, connected};
+pub use connected::{Adjacency, Cell, beside, connected};
 pub use controlled::{ControlMap, ControlPlane, ControlPlaneError};
 pub use part::{Part, PartError, cost};
 pub use quantity::Quantity;

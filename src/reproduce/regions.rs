@@ -3,8 +3,8 @@
 use super::Claim;
 use super::paper_point::{PaperPoint, words};
 use crate::analysis::{Regime, Verdict};
-use crate::curves::paper_region;
-use crate::plane::{Cell, RegionMap, connected};
+use crate::paper::region_name;
+use crate::plane::{Adjacency, Cell, RegionMap, connected};
 
 /// How near to a point of the paper a region begins that it lies in, in cells: the point is beside the cells' middles.
 const NEAR: u32 = 2;
@@ -26,13 +26,13 @@ impl Region {
     /// Whether a cell, or a point, can be one of the region.
     pub fn has(self, verdict: &Verdict) -> bool {
         match self {
-            Region::Of(name) => paper_region(verdict) == Some(name),
+            Region::Of(name) => region_name(verdict) == Some(name),
             Region::Cascade => Region::Of("R6").has(verdict) || Region::Irregular.has(verdict),
             Region::Irregular => {
                 let long = verdict.regime == Regime::Periodic && verdict.n >= LONG;
                 let irregular =
                     matches!(verdict.regime, Regime::QuasiPeriodic | Regime::Chaotic | Regime::Unresolved);
-                (irregular || long) && paper_region(verdict).is_none()
+                (irregular || long) && region_name(verdict).is_none()
             }
         }
     }
@@ -123,7 +123,8 @@ fn around(map: &RegionMap, region: Region, points: &[PaperPoint]) -> Option<Vec<
             && (f64::from(cell.1) - row).abs() <= f64::from(NEAR)
     };
     let has_all = |cells: &Vec<Cell>| points.iter().all(|point| cells.iter().any(|cell| near(cell, point)));
-    connected(&keys, map.plane.x.count, map.plane.y.count).into_iter().filter(has_all).max_by_key(Vec::len)
+    let found = connected(&keys, map.plane.x.count, map.plane.y.count, Adjacency::Corners);
+    found.into_iter().filter(has_all).max_by_key(Vec::len)
 }
 
 #[cfg(test)]

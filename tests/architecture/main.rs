@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The rooms of src/, lowest first; a room may use those of the rows above its own.
-const ORDER: [&[&str]; 17] = [
+const ORDER: [&[&str]; 18] = [
     &["figure"],
     &["system"],
     &["model"],
@@ -23,6 +23,7 @@ const ORDER: [&[&str]; 17] = [
     &["control"],
     &["plane"],
     &["curves"],
+    &["paper"],
     &["diagram"],
     &["backend"],
     &["store", "render"],

@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 use impact_atlas::analysis::{Regime, Schedule, Verdict};
 use impact_atlas::backend::{Cpu, Unwatched};
-use impact_atlas::curves::{Criticality, Curve, CurvePoint, End, Kind, bifurcation_curves, named};
+use impact_atlas::curves::{Criticality, Curve, CurvePoint, End, Kind, bifurcation_curves};
 use impact_atlas::model::{Setting, StateVector, System};
+use impact_atlas::paper::named;
 use impact_atlas::plane::{Axis, Plane, RegionMap, Start};
 use impact_atlas::sweep::sweep;
 use impact_atlas::system::{Family, Plant, PlantStop};

@@ -1,6 +1,7 @@
 //! Which curves a picture has room for: those of the motions that it shows enough of.
 
-use crate::curves::{Curve, CurveMotion, Named};
+use crate::curves::{Curve, CurveMotion};
+use crate::paper::Named;
 use crate::plane::RegionMap;
 
 /// The share of a plane that a motion and its mirror image fill at least, in a thousand, for their curves to be drawn over

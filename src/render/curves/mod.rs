@@ -10,10 +10,11 @@ pub(super) use self::key::Key;
 
 use self::major::major;
 use self::style::{CASING, Line};
-use crate::curves::{Criticality, Curve, CurvePoint, Kind, Named, named};
+use crate::curves::{Criticality, Curve, CurvePoint, Kind};
 use crate::figure::geometry::{about, crosses, length, overlap, within};
 use crate::figure::labels::{self, Wanted};
 use crate::figure::{Anchor, Canvas, Frame, INK, Point, Rect, Text, clip};
+use crate::paper::{Named, named};
 use crate::plane::RegionMap;
 
 /// The sizes of names: the paper's, other curves' and regions', in em.

@@ -1,17 +1,9 @@
 //! Where the paper's region names stand: in the widest place of each region.
 
-use crate::analysis::{Regime, Verdict};
-use crate::curves::{Curve, Named, is_plane_of_paper, paper_region};
+use crate::curves::Curve;
 use crate::figure::{Point, Rect};
-use crate::plane::{Axis, RegionMap};
-
-/// A cell so near to a curve, in cells, lies along it.
-const NEAR: i64 = 2;
-
-/// Smaller windows in a region do not keep a name from standing there; as a share of the plane.
-const SPECK: f64 = 1e-3;
-
-const NAMES: [&str; 7] = ["R1", "R2", "R3", "R4", "R5", "R6", "R7"];
+use crate::paper::{Named, REGIONS, regions};
+use crate::plane::RegionMap;
 
 /// Where in a region its name may stand.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,143 +21,25 @@ pub(super) struct RegionName {
 }
 
 /// The paper's region names, on the paper's plane.
-///
-/// Regions of one motion are known by it. Where nothing repeats soon, or a cascade does, a connected region is known by
-/// the curves that it lies along: L4 and L5 make it R3, L7 makes it R6, L1 and L2 make it R7.
 pub(super) fn region_names(
     map: &RegionMap,
     curves: &[Curve],
     stretches: &[Named],
     plot: Rect,
 ) -> Vec<RegionName> {
-    if !is_plane_of_paper(&map.plane) {
-        return Vec::new();
-    }
+    let names = regions(map, curves, stretches);
     let grid = Grid { columns: map.plane.x.count as usize, rows: map.plane.y.count as usize };
-    let open: Vec<bool> = map.verdicts.iter().map(is_open).collect();
-    let mut names: Vec<Option<&'static str>> = map.verdicts.iter().map(known).collect();
-    name_the_rest(&mut names, &open, &lying_along(map, curves, stretches, grid), grid);
-    adopt_specks(&mut names, grid);
-    NAMES
+    REGIONS
         .into_iter()
         .map(|name| RegionName { name, places: places(name, &names, grid, plot) })
         .filter(|region| !region.places.is_empty())
         .collect()
 }
 
-/// For every cell near one of the paper's curves, the region that would lie along it there.
-fn lying_along(
-    map: &RegionMap,
-    curves: &[Curve],
-    stretches: &[Named],
-    grid: Grid,
-) -> Vec<Option<&'static str>> {
-    let mut near = vec![None; map.verdicts.len()];
-    let cell = |axis: &Axis, value: f64| axis.place(value).round() as i64;
-    for stretch in stretches {
-        let name = match stretch.name.as_deref().map(|name| name.trim_end_matches('\'')) {
-            Some("L1" | "L2") => "R7",
-            Some("L4" | "L5") => "R3",
-            Some("L7") => "R6",
-            _ => continue,
-        };
-        for point in
-            curves[stretch.curve].points[stretch.points.clone()].iter().filter(|point| point.bounding)
-        {
-            let (column, row) = (cell(&map.plane.x, point.x), cell(&map.plane.y, point.y));
-            for (c, r) in (-NEAR..=NEAR).flat_map(|c| (-NEAR..=NEAR).map(move |r| (column + c, row + r))) {
-                if (0..grid.columns as i64).contains(&c) && (0..grid.rows as i64).contains(&r) {
-                    near[r as usize * grid.columns + c as usize] = Some(name);
-                }
-            }
-        }
-    }
-    near
-}
-
-fn known(verdict: &Verdict) -> Option<&'static str> {
-    paper_region(verdict).filter(|&name| name != "R6")
-}
-
-/// Whether a cell's name depends on its surroundings.
-fn is_open(verdict: &Verdict) -> bool {
-    matches!(verdict.regime, Regime::Chaotic | Regime::QuasiPeriodic | Regime::Unresolved)
-        || paper_region(verdict) == Some("R6")
-}
-
 #[derive(Clone, Copy)]
 struct Grid {
     columns: usize,
     rows: usize,
-}
-
-impl Grid {
-    fn neighbours(self, cell: usize) -> impl Iterator<Item = usize> {
-        let (column, row) = (cell % self.columns, cell / self.columns);
-        [
-            (column > 0).then(|| cell - 1),
-            (column + 1 < self.columns).then(|| cell + 1),
-            (row > 0).then(|| cell - self.columns),
-            (row + 1 < self.rows).then(|| cell + self.columns),
-        ]
-        .into_iter()
-        .flatten()
-    }
-
-    /// The connected regions of some cells.
-    fn regions(self, cells: &[bool]) -> Vec<Vec<usize>> {
-        let mut seen = vec![false; cells.len()];
-        let mut found = Vec::new();
-        for start in 0..cells.len() {
-            if !cells[start] || seen[start] {
-                continue;
-            }
-            let mut region = Vec::new();
-            let mut ahead = vec![start];
-            seen[start] = true;
-            while let Some(cell) = ahead.pop() {
-                region.push(cell);
-                for next in self.neighbours(cell) {
-                    if cells[next] && !seen[next] {
-                        seen[next] = true;
-                        ahead.push(next);
-                    }
-                }
-            }
-            found.push(region);
-        }
-        found
-    }
-}
-
-fn name_the_rest(
-    names: &mut [Option<&'static str>],
-    open: &[bool],
-    near: &[Option<&'static str>],
-    grid: Grid,
-) {
-    for region in grid.regions(open) {
-        let count = |name| region.iter().filter(|&&cell| near[cell] == Some(name)).count();
-        let most = ["R7", "R6", "R3"].into_iter().max_by_key(|&name| count(name));
-        let most = most.filter(|&name| count(name) > 0);
-        region.iter().for_each(|&cell| names[cell] = most);
-    }
-}
-
-/// Specks without a name take that of most cells around them.
-fn adopt_specks(names: &mut [Option<&'static str>], grid: Grid) {
-    let nameless: Vec<bool> = names.iter().map(Option::is_none).collect();
-    for region in grid.regions(&nameless) {
-        if region.len() as f64 > SPECK * names.len() as f64 {
-            continue;
-        }
-        let mut around: Vec<&str> =
-            region.iter().flat_map(|&cell| grid.neighbours(cell)).filter_map(|cell| names[cell]).collect();
-        around.sort_unstable();
-        let most = around.chunk_by(|a, b| a == b).max_by_key(|alike| alike.len()).map(|alike| alike[0]);
-        let most = NAMES.into_iter().find(|&name| Some(name) == most);
-        region.iter().for_each(|&cell| names[cell] = most);
-    }
 }
 
 /// The middles of a name's cells, those farthest from its borders first.
@@ -210,7 +84,9 @@ fn distances(inside: &[bool], grid: Grid, [width, height]: [f64; 2]) -> Vec<f64>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::curves::{Criticality, CurveMotion, CurvePoint, End, Kind, named};
+    use crate::analysis::{Regime, Verdict};
+    use crate::curves::{Criticality, CurveMotion, CurvePoint, End, Kind};
+    use crate::paper::named;
     use crate::render::example;
 
     const PLOT: Rect = Rect { x: 0.0, y: 0.0, width: 200.0, height: 100.0 };

@@ -189,7 +189,7 @@ fn curves_that_share_a_name_of_the_papers_are_called_by_kind_and_motion() {
     other.points.truncate(60);
     other.points.iter_mut().for_each(|point| point.y += 0.25);
     curves.push(other);
-    let named = crate::curves::named(&curves, &map.plane);
+    let named = crate::paper::named(&curves, &map.plane);
     assert!(named.iter().any(|stretch| stretch.name.as_deref() == Some("L3'")), "a second one has a prime");
     let picture = region_map_with_curves(&map, &curves, Shown::All, 2, Size::new(1200, 900).unwrap());
     let said = |words: &str| picture.svg().matches(&format!(">{words}<")).count();

@@ -1,8 +1,7 @@
 //! What the paper calls the curves and regions of its Fig. 5.
 
-use super::condition::Kind;
-use super::curve::{Criticality, Curve, CurveMotion};
 use crate::analysis::{Regime, Verdict};
+use crate::curves::{Criticality, Curve, CurveMotion, Kind};
 use crate::model::{Parameter, Parameters, Setting};
 use crate::plane::{Plane, Quantity};
 
@@ -19,7 +18,7 @@ pub fn is_plane_of_paper(plane: &Plane) -> bool {
 }
 
 /// The paper's name of a curve where it has some criticality, L1 to L7, by motion and kind; none for most curves.
-pub(super) fn paper_name(curve: &Curve, criticality: Option<Criticality>) -> Option<&'static str> {
+pub(super) fn curve_name(curve: &Curve, criticality: Option<Criticality>) -> Option<&'static str> {
     let CurveMotion { n, impacts, symmetric, .. } = &curve.motion;
     let [p, q] = impacts[..] else { return None };
     match (curve.kind, [*n, p, q], *symmetric) {
@@ -39,7 +38,7 @@ pub(super) fn paper_name(curve: &Curve, criticality: Option<Criticality>) -> Opt
 /// The paper's name of the region of a motion that repeats, R1, R2, R4, R5 or R6; none for most motions.
 ///
 /// R3 and R7, where nothing repeats soon, are told apart by what is beside them and not by a cell alone.
-pub fn paper_region(verdict: &Verdict) -> Option<&'static str> {
+pub fn region_name(verdict: &Verdict) -> Option<&'static str> {
     if verdict.regime != Regime::Periodic {
         return None;
     }

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::curve::{Criticality, Curve};
-use super::paper::{is_plane_of_paper, paper_name};
+use super::names::{curve_name, is_plane_of_paper};
+use crate::curves::{Criticality, Curve};
 use crate::plane::{Axis, Plane};
 
 /// A stretch of a curve that has one name.
@@ -33,7 +33,7 @@ pub fn named(curves: &[Curve], plane: &Plane) -> Vec<Named> {
     let mut stretches = Vec::new();
     for (index, curve) in curves.iter().enumerate() {
         let names: Vec<Option<&str>> = criticalities(curve)
-            .map(|criticality| paper_name(curve, criticality).filter(|_| paper))
+            .map(|criticality| curve_name(curve, criticality).filter(|_| paper))
             .collect();
         let mut first = 0;
         for run in names.chunk_by(|a, b| a == b) {
@@ -81,10 +81,9 @@ fn length(curve: &Curve, points: Range<usize>, plane: &Plane) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::condition::Kind;
-    use super::super::curve::{CurveMotion, CurvePoint, End};
     use super::*;
     use crate::analysis::Schedule;
+    use crate::curves::{CurveMotion, CurvePoint, End, Kind};
     use crate::model::Parameters;
     use crate::plane::Start;
 
