@@ -17,6 +17,9 @@ use super::{CliError, note};
 /// Motions whose N was not asked for are named from so many cells on.
 const NAMED: usize = 4;
 
+/// Motions that are named for each reason at most.
+const MOST_NAMED: usize = 12;
+
 /// The columns of the table of points.
 pub const COLUMNS: [&str; 9] =
     ["curve", "kind", "motion", "x", "y", "criticality", "point", "symmetric", "bounding"];
@@ -148,20 +151,22 @@ pub fn text(summaries: &[CurveSummary], plane: &Plane) -> String {
 
 /// The motions without a curve, a line for every reason; none if there are none.
 ///
-/// Of the motions whose N was not asked for, those of very few cells are counted alone.
+/// The largest are named; of the motions whose N was not asked for, those of very few cells are counted alone.
 pub fn left_out(motions: &[LeftOut]) -> Option<String> {
     let line = |why: Why| {
         let of: Vec<&LeftOut> = motions.iter().filter(|motion| motion.why == why).collect();
-        let named = |motion: &&&LeftOut| why != Why::LongPeriod || motion.cells >= NAMED;
+        let named = |motion: &LeftOut| why != Why::LongPeriod || motion.cells >= NAMED;
         let cells = |count: usize| if count == 1 { "1 cell".to_owned() } else { format!("{count} cells") };
-        let mut parts: Vec<String> = of
-            .iter()
-            .filter(named)
-            .map(|motion| format!("{} ({})", motion.name(), cells(motion.cells)))
-            .collect();
-        let others: Vec<usize> = of.iter().filter(|m| !named(m)).map(|motion| motion.cells).collect();
+        let told = of.iter().take(MOST_NAMED).take_while(|motion| named(motion)).count();
+        let mut parts: Vec<String> =
+            of[..told].iter().map(|motion| format!("{} ({})", motion.name(), cells(motion.cells))).collect();
+        let others = &of[told..];
         if !others.is_empty() {
-            parts.push(format!("{} others ({} in all)", others.len(), cells(others.iter().sum())));
+            let all = cells(others.iter().map(|motion| motion.cells).sum());
+            parts.push(format!(
+                "{} others ({all} in all, each with its label in the data of `map`)",
+                others.len()
+            ));
         }
         (!of.is_empty()).then(|| format!("no curve, {}: {}", why.words(), parts.join(", ")))
     };
@@ -262,5 +267,28 @@ fn goes_on(curve: &Curve, point: &CurvePoint) -> bool {
     match curve.points[..] {
         [.., ref before, ref last] => apart(last, point) <= CONTINUED * apart(before, last),
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_motions_without_a_curve_are_named_and_the_others_counted() {
+        let motion = |cells: usize, why: Why| {
+            let motion = CurveMotion { n: 3, impacts: vec![cells as u32, 1], image: None, symmetric: false };
+            LeftOut { motion, cells, why }
+        };
+        let few: Vec<LeftOut> = (1..=40).rev().map(|cells| motion(cells, Why::Few)).collect();
+        let text = left_out(&few).unwrap();
+        assert_eq!(text.lines().count(), 1);
+        assert!(text.contains("3-29-1 (29 cells), 28 others (406 cells in all"), "{text}");
+        assert!(text.contains("3-40-1 (40 cells)") && !text.contains("3-28-1"), "{text}");
+        let all = left_out(&few[..MOST_NAMED]).unwrap();
+        assert!(all.ends_with("3-29-1 (29 cells)"), "{all}");
+        let long = left_out(&[motion(4, Why::LongPeriod), motion(3, Why::LongPeriod)]).unwrap();
+        assert!(long.contains("3-4-1 (4 cells), 1 others (3 cells in all"), "{long}");
+        assert_eq!(left_out(&[]), None);
     }
 }
