@@ -241,6 +241,24 @@ fn the_papers_figures_are_made_once() {
     assert_eq!(report(), claims);
     assert_eq!(config_of_png(&paper.join("fig07.png"))["figure"], 7);
 
+    // What is there is made again where that is asked for.
+    let caption = |name: &str| -> Value {
+        serde_json::from_slice::<Value>(&fs::read(paper.join(name)).unwrap()).unwrap()["caption"].clone()
+    };
+    let made = caption("fig10.json");
+    let old = fs::read_to_string(paper.join("fig10.json")).unwrap().replacen(
+        "\"caption\": \"",
+        "\"caption\": \"Old. ",
+        1,
+    );
+    fs::write(paper.join("fig10.json"), old).unwrap();
+    let once = ["reproduce", "--out", "paper", "--figure", "10"];
+    assert!(stderr(&done(folder.path(), &once)).contains("already there"));
+    assert_ne!(caption("fig10.json"), made, "the negative control");
+    let forced = stderr(&done(folder.path(), &[&once[..], &["--force"]].concat()));
+    assert!(!forced.contains("already there"), "{forced}");
+    assert_eq!(caption("fig10.json"), made);
+
     // A report covers whatever is there.
     let more = done(folder.path(), &["reproduce", "--out", "paper", "--figure", "11", "--json"]);
     let all: Value = serde_json::from_str(&stdout(&more)).unwrap();

@@ -22,7 +22,8 @@ use super::{CliError, defaults, note};
 /// Makes the paper's figures again and checks what it prints
 ///
 /// Writes a picture (or several) and a JSON file for each figure, and report.md and report.json with a row for every claim.
-/// A figure whose files carry the same configuration is not made again, so that an interrupted run can be resumed.
+/// A figure whose files carry the same configuration is not made again, so that an interrupted run can be resumed,
+/// unless --force is given.
 /// Figures and reports of an earlier run are brought up to date; other files that are there stay, unless --force is given.
 /// Everything is computed in double precision on the CPU.
 #[derive(Debug, Args)]
@@ -76,7 +77,7 @@ pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
     note("computing on cpu, in double precision");
     for (i, &figure) in wanted.iter().enumerate() {
         let place = format!("figure {} ({} of {})", figure.number(), i + 1, wanted.len());
-        if finished(folder, figure, Some(format)).is_some() {
+        if !args.overwrite.force && finished(folder, figure, Some(format)).is_some() {
             note(&format!("{place}: already there"));
             continue;
         }
