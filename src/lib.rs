@@ -30,8 +30,9 @@
 //! | [`reproduce`] | the figures of the paper and what it prints, computed again |
 //! | [`explore`] | a page in the browser that shows a plane, served on this machine |
 //!
-//! The command line is the binary's. `shaders/` has the file names of `src/`; the constants and structs that the two share are
-//! generated from Rust when the shader is assembled.
+//! The command line is the binary's, which needs the feature `cli`, on by default; without it the library needs no clap.
+//! `shaders/` has the file names of `src/`; the constants and structs that the two share are generated from Rust when the
+//! shader is assembled.
 //!
 //! # Symbols
 //!

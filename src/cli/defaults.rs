@@ -3,7 +3,7 @@
 use impact_atlas::plane::Start;
 
 /// The system: that of the paper.
-pub const SYSTEM: &str = "luo-ma-lv";
+pub const SYSTEM: &str = impact_atlas::system::PAPER;
 
 /// Cells that `validate` computes of the default plane: 400 × 300.
 pub const VALIDATED_CELLS: u32 = 120_000;
