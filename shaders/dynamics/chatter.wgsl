@@ -52,15 +52,17 @@ fn chatter_drag(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
     let speed = rebound.speed;
     let damping = flight.normals[normal].drag;
     let force = towards.acceleration;
-    let lasts = damping * force >= DRAGGED * abs(towards.jerk);
-    if !(damping > 0.0 && lasts && speed <= FADING && stays_low(normal, speed, force)) {
+    let drift = abs(towards.jerk + damping * force);
+    let steady = (speed + speed) * drift <= STEADY * (force * force);
+    if !(damping > 0.0 && steady && speed <= FADING && stays_low(normal, speed, force)) {
         return Closure(false, 0.0, 0.0, 0.0);
     }
     let gap_integral = speed * speed / ((force + force) * damping);
     let slow = speed * INVERSE_SLOW;
     var fades = slow <= 1.0;
     if !fades {
-        fades = damping * rebound.room >= 3.0 * logarithm(slow);
+        let needed = 3.0 * logarithm(slow);
+        fades = damping * rebound.room >= needed && damping * force >= (needed + needed) * drift;
     }
-    return Closure(fades && gap_integral * flight.normals[normal].coupling <= ROUNDING, gap_integral, 0.0, 0.0);
+    return Closure(fades && gap_integral * flight.normals[normal].coupling <= PUSH, gap_integral, 0.0, 0.0);
 }

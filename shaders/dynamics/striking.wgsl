@@ -58,7 +58,8 @@ fn strike(carry: bool, reached: Reached) -> Move {
 // The closure of the rebounds that follow an impact, if that is as good as following them.
 fn strike_closure(end: End, rebound: f32, after: Motion) -> Closure {
     let approach = point_approach(trajectory.point, after, end.normal);
-    let towards = Approach(end_sign(end) * approach.acceleration, approach.jerk, approach.bound);
+    let sign = end_sign(end);
+    let towards = Approach(sign * approach.acceleration, sign * approach.jerk, approach.bound);
     let room = f32(flight.steps - trajectory.step) * flight.h - trajectory.offset;
     let restitution = flight.normals[end.normal].restitution[end.side];
     let least = unresolved(end, trajectory.point.state);

@@ -3,7 +3,7 @@
 use super::observer::Observer;
 use super::schedule::Schedule;
 use super::stage::Stage;
-use crate::dynamics::{Abreast, Event};
+use crate::dynamics::{Abreast, Event, Usage};
 use crate::model::{Flight, Lanes};
 
 /// What the lanes are to follow, and who is told.
@@ -16,6 +16,9 @@ pub trait Queue<T, const N: usize> {
 
     /// A trajectory makes so many moves that the others would wait for it: it is to be followed to its end elsewhere.
     fn hand_over(&mut self, ticket: Self::Ticket, flight: Flight<T, N>, observer: Observer<T, N>);
+
+    /// Everything is at its end.
+    fn used(&mut self, usage: Usage);
 
     /// A trajectory is at its end.
     fn done(&mut self, ticket: Self::Ticket, flight: &Flight<T, N>, observer: &Observer<T, N>);
@@ -62,6 +65,7 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
             }
         }
     }
+    queue.used(lanes.abreast.usage());
 }
 
 /// The lanes with who sits in them.

@@ -10,7 +10,9 @@ mod reproducible;
 mod select;
 mod watch;
 
-pub use cpu::{Cpu, CpuSingle, Precision, Width, extent, follow, follow_all, follow_controlled, trace};
+pub use cpu::{
+    Cpu, CpuSingle, Precision, Width, extent, follow, follow_all, follow_controlled, follow_counted, trace,
+};
 pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
 pub use error::BackendError;
 pub use extents::extents;

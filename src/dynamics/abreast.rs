@@ -6,6 +6,7 @@ use super::point::Point;
 use super::stop::{Contact, Stop};
 use super::tangent::Tangent;
 use super::trajectory::{Event, Impact, MOST_KICKS, Move, Trajectory};
+use super::usage::Usage;
 use crate::model::vector::MOST;
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
@@ -35,6 +36,7 @@ pub struct Abreast<L: Lanes, const N: usize> {
     carries: L,
     /// The impacts of the last round.
     last: Option<Impacts<L>>,
+    usage: Usage,
 }
 
 /// The impacts of one round, lane by lane.
@@ -78,6 +80,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             waits: zero,
             carries: zero,
             last: None,
+            usage: Usage::default(),
         }
     }
 
@@ -152,6 +155,11 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         Tangent(self.tangent.0.lane(lane))
     }
 
+    /// How well the lanes were used so far.
+    pub fn usage(&self) -> Usage {
+        self.usage
+    }
+
     /// How many trajectories wait for a contact, and how many can step.
     #[inline(always)]
     pub fn waiting(&self) -> (u32, u32) {
@@ -177,6 +185,8 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.ahead = Point::select(steps, &ahead, &self.ahead);
         self.kicks = L::select(steps, zero, self.kicks);
         let stays = steps.and(moves.not());
+        self.usage.step_slots += L::WIDTH as u64;
+        self.usage.steps += u64::from(moves.bits().count_ones());
         self.waits = L::select(stays, one, self.waits);
         self.steps = L::select(stays, zero, self.steps);
         self.complete(moves)
@@ -213,11 +223,11 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.offset = L::select(moves, window.all(0.0), self.offset);
         let Crossing { normals, upper, time, rebound, .. } = met;
         self.last = Some(Impacts { normals, upper, time, velocity: met.struck.velocity, rebound });
-        Round {
-            impacts: struck.bits(),
-            uncertain: waits.and(struck.not()).bits(),
-            phases: self.complete(moves),
-        }
+        let (impacts, uncertain) = (struck.bits(), waits.and(struck.not()).bits());
+        self.usage.contact_slots += L::WIDTH as u64;
+        self.usage.contacts += u64::from(impacts.count_ones());
+        self.usage.fallbacks += u64::from(uncertain.count_ones());
+        Round { impacts, uncertain, phases: self.complete(moves) }
     }
 
     /// Ends the step of some lanes; those that come to phase 0 or π, where the forcing phasor is exact.

@@ -41,10 +41,10 @@ pub const STEADY: f64 = 0.25;
 
 /// Rebounds without loss may be closed below this speed …
 pub const FADING: f64 = 1e-4;
-/// … if at the next strobe, whose state would still show them, they are as slow as this …
+/// … if they are as slow as this by the next strobe, whose state would still show them, and by the time the force vanishes …
 pub const SLOW: f64 = 1e-6;
-/// … and if the force lasts for so many times 1/c: a third of it in exponents of e.
-pub const DRAGGED: f64 = 21.0;
+/// … and if all that they still do to the other masses is below this.
+pub const PUSH: f64 = 1e-8;
 
 /// Closes the sequence of rebounds off a stop, if that is as good as following them.
 ///
@@ -96,9 +96,10 @@ fn stays_low<T: Real, const N: usize>(normal: &ContactNormal<T, N>, speed: T, fo
 }
 
 /// Rebounds without loss (r = 1) do not end in finite time, but the damping c along the normal drags them down: their
-/// speed u decays like exp(−ct/3), ever more of them in a given time. Once they are slow, and the force lasts until they
-/// are gone, the mass is as good as at rest; ∫ gap dt is u²/(2ac) then. It acts on the other masses over a time of 3/(2c)
-/// rather than at once, so that its whole effect must be below [`Real::ROUNDING`].
+/// speed u decays like exp(−ct/3), ever more of them in a given time, and ∫ gap dt is u²/(2ac). Where that cannot be told from
+/// rest by the time it matters, the mass is as good as at rest: neither the strobe nor the force that vanishes, which takes
+/// a/(2|a′|) at least, may find rebounds that are not slow. What they do to the other masses they do over a time of 3/(2c)
+/// rather than at once, so that all of it must be negligible; and the force must hardly change during a rebound.
 #[inline(always)]
 fn drag<T: Real, const N: usize>(
     normal: &ContactNormal<T, N>,
@@ -108,14 +109,19 @@ fn drag<T: Real, const N: usize>(
     let Rebound { speed, room, .. } = *rebound;
     let damping = normal.drag;
     let force = towards.acceleration;
-    let lasts = damping * force >= T::of(DRAGGED) * towards.jerk.abs();
-    if !(damping > T::zero() && lasts && speed <= T::of(FADING) && stays_low(normal, speed, force)) {
+    // In flight the damper resists what accelerates the mass; what presses on the contact changes by so much more.
+    let drift = (towards.jerk + damping * force).abs();
+    let steady = (speed + speed) * drift <= T::of(STEADY) * (force * force);
+    if !(damping > T::zero() && steady && speed <= T::of(FADING) && stays_low(normal, speed, force)) {
         return None;
     }
     let gap_integral = speed * speed / ((force + force) * damping);
     let slow = speed * T::of(1.0 / SLOW);
-    let fades = slow <= T::one() || damping * room >= T::of(3.0) * slow.logarithm();
-    (fades && gap_integral * normal.coupling <= T::of(T::ROUNDING)).then(|| Closure::at_once(gap_integral))
+    let fades = slow <= T::one() || {
+        let needed = T::of(3.0) * slow.logarithm();
+        damping * room >= needed && damping * force >= (needed + needed) * drift
+    };
+    (fades && gap_integral * normal.coupling <= T::of(PUSH)).then(|| Closure::at_once(gap_integral))
 }
 
 #[cfg(test)]

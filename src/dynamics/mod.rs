@@ -28,6 +28,7 @@ mod stop;
 mod striking;
 mod tangent;
 mod trajectory;
+mod usage;
 
 pub use abreast::Abreast;
 pub use contact::holds;
@@ -39,10 +40,11 @@ pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record, rest
 pub use stop::{Contact, End, Stop};
 pub use tangent::{Saltation, Tangent, Variation};
 pub use trajectory::{Event, Impact, Move, Trajectory};
+pub use usage::Usage;
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
-    pub use super::chatter::{DRAGGED, FADING, SLOW, STEADY};
+    pub use super::chatter::{FADING, PUSH, SLOW, STEADY};
     pub use super::contact::{ROUNDINGS, WIDENING};
     pub use super::crossing::WIDER;
     pub use super::leg::SWELLING;

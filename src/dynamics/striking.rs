@@ -83,7 +83,8 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     ) -> Option<Closure<T>> {
         let normal = &flight.normals[end.normal];
         let along = self.point.approach(flight, after, end.normal);
-        let towards = Approach { acceleration: end.sign::<T>() * along.acceleration, ..along };
+        let sign = end.sign::<T>();
+        let towards = Approach { acceleration: sign * along.acceleration, jerk: sign * along.jerk, ..along };
         let room = T::of(f64::from(flight.steps - self.step)) * flight.h - self.offset;
         let rebound = Rebound {
             speed: rebound.abs(),

@@ -1,5 +1,6 @@
 //! Trajectories side by side in the registers of the processor, as many as it has room for.
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Sender};
 
@@ -12,6 +13,7 @@ use crate::analysis::{Observer, Queue, Schedule, Verdict, follow_abreast};
 use crate::backend::error::BackendError;
 use crate::backend::job::Job;
 use crate::backend::watch::Watch;
+use crate::dynamics::Usage;
 use crate::model::{Flight, Flights, Pack, System, Twin};
 
 /// How many trajectories one core follows at once; the bits of each are the same at every width.
@@ -63,8 +65,7 @@ impl Width {
     }
 }
 
-/// Follows every job in f64, `width` trajectories at once on each thread of rayon's current pool; one by one where there
-/// are more than two coordinates, or not equally many in all jobs.
+/// See [`follow_counted`].
 ///
 /// # Errors
 /// [`BackendError::Cancelled`] when the watch asked for it.
@@ -74,12 +75,28 @@ pub fn follow_all(
     watch: &dyn Watch,
     width: Width,
 ) -> Result<Vec<Verdict>, BackendError> {
+    follow_counted(jobs, schedule, watch, width).map(|(verdicts, _)| verdicts)
+}
+
+/// Follows every job in f64, `width` trajectories at once on each thread of rayon's current pool; one by one where there
+/// are more than two coordinates, or not equally many in all jobs. Says how well the lanes were used, too.
+///
+/// # Errors
+/// [`BackendError::Cancelled`] when the watch asked for it.
+pub fn follow_counted(
+    jobs: &[Job],
+    schedule: &Schedule,
+    watch: &dyn Watch,
+    width: Width,
+) -> Result<(Vec<Verdict>, Usage), BackendError> {
     let n = jobs.first().map_or(0, |job| job.system.plant().n);
     let alike = jobs.iter().all(|job| job.system.plant().n == n);
     match n {
         1 if alike && width != Width::One => spread::<1>(jobs, schedule, watch, width),
         2 if alike && width != Width::One => spread::<2>(jobs, schedule, watch, width),
-        _ => each(jobs, watch, |job| follow::<f64>(job, schedule)),
+        _ => {
+            each(jobs, watch, |job| follow::<f64>(job, schedule)).map(|verdicts| (verdicts, Usage::default()))
+        }
     }
 }
 
@@ -89,19 +106,20 @@ fn spread<const N: usize>(
     schedule: &Schedule,
     watch: &dyn Watch,
     width: Width,
-) -> Result<Vec<Verdict>, BackendError> {
+) -> Result<(Vec<Verdict>, Usage), BackendError> {
     let taken = AtomicUsize::new(0);
+    let usage = Mutex::new(Usage::default());
     let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
     let flights = Flights::<N>::of(&systems);
     let threads = rayon::current_num_threads().min(jobs.len().div_ceil(width.lanes()));
     let (sender, done) = mpsc::channel();
-    let (taken, flights) = (&taken, &flights);
+    let (taken, flights, used) = (&taken, &flights, &usage);
     rayon::scope(|scope| {
         for _ in 0..threads {
             let done = sender.clone();
             let normals = jobs[0].system.normals();
             scope.spawn(move |scope| {
-                Line { jobs, flights, schedule, watch, taken, normals, done, scope }.follow(width);
+                Line { jobs, flights, schedule, watch, taken, used, normals, done, scope }.follow(width);
             });
         }
     });
@@ -113,7 +131,8 @@ fn spread<const N: usize>(
     for (index, verdict) in done {
         verdicts[index] = Some(verdict);
     }
-    verdicts.into_iter().collect::<Option<Vec<Verdict>>>().ok_or(BackendError::Cancelled)
+    let verdicts = verdicts.into_iter().collect::<Option<Vec<Verdict>>>().ok_or(BackendError::Cancelled)?;
+    Ok((verdicts, usage.into_inner().unwrap_or_default()))
 }
 
 /// What one thread takes from the jobs.
@@ -124,6 +143,8 @@ struct Line<'a, 'scope, const N: usize> {
     watch: &'scope dyn Watch,
     /// Jobs that some thread has taken.
     taken: &'scope AtomicUsize,
+    /// How well the lanes of all threads were used.
+    used: &'scope Mutex<Usage>,
     /// Contact normals of the cells that fit.
     normals: usize,
     done: Sender<(usize, Verdict)>,
@@ -200,6 +221,12 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
                 tell(&done, watch, index, verdict);
             }
         });
+    }
+
+    fn used(&mut self, usage: Usage) {
+        if let Ok(mut used) = self.used.lock() {
+            *used += usage;
+        }
     }
 
     fn done(&mut self, index: usize, flight: &Flight<f64, N>, observer: &Observer<f64, N>) {

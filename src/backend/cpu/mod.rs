@@ -9,7 +9,7 @@ mod single;
 pub use extent::extent;
 pub(super) use extent::extents;
 pub use follow::{Precision, follow, follow_controlled, trace};
-pub use lanes::{Width, follow_all};
+pub use lanes::{Width, follow_all, follow_counted};
 pub use single::CpuSingle;
 
 use crate::analysis::{Probe, Schedule, Trace, Verdict};

@@ -151,17 +151,16 @@ fn a_sequence_that_moves_the_other_mass_is_followed() {
     neglected::<f32>();
 }
 
-/// What they do to a second mass must be lost in what closing may leave.
+/// All that they do to a second mass must be negligible.
 fn dragged_beside<T: Real>() {
     let flight = Flight::<f64, 2>::new(&pair(1.0)).round::<T>();
     let normal = &flight.normals[0];
     let closes = |speed: f64, force: f64| {
-        let hop = Rebound { room: T::of(1e6), ..rebound(speed, 1.0) };
-        close(&flight, normal, &hop, &steady::<T>(force)).is_some()
+        close(&flight, normal, &rebound(speed, 1.0), &pressed(force, normal.drag.widen(), 0.0)).is_some()
     };
     // u²/(2ac) times the coupling, for a.
     let speed = 0.9 * FADING;
-    let least = speed * speed * normal.coupling.widen() / (2.0 * normal.drag.widen() * T::ROUNDING);
+    let least = speed * speed * normal.coupling.widen() / (2.0 * normal.drag.widen() * PUSH);
     assert!(closes(speed, 1.001 * least) && !closes(speed, 0.999 * least), "{least}");
 }
 
@@ -171,11 +170,16 @@ fn rebounds_without_loss_that_move_the_other_mass_are_followed() {
     dragged_beside::<f32>();
 }
 
+/// What presses on the contact, with its rate of change: in flight a damper takes its share of it.
+fn pressed<T: Real>(force: f64, damping: f64, rate: f64) -> Approach<T> {
+    Approach { jerk: T::of(rate - damping * force), ..steady(force) }
+}
+
 /// Rebounds without loss, that a damper drags down: u falls by ⅔ c u²/a in a hop, since a hop takes c ∫ v² dt.
 fn dragged<T: Real>() {
-    let (damping, force, speed) = (0.1, 1e-4, SLOW);
+    let (damping, force, speed) = (0.1, 1e-4, 0.999 * SLOW);
     let cell = Cell::<T>::new(&single(|plant| plant.damping[(0, 0)] = damping));
-    let closure = cell.close(&rebound(speed, 1.0), &steady(force)).expect("it closes");
+    let closure = cell.close(&rebound(speed, 1.0), &pressed(force, damping, 0.0)).expect("it closes");
     let (mut u, mut integral) = (speed, 0.0);
     for _ in 0..10_000_000 {
         integral += 2.0 / 3.0 * u.powi(3) / (force * force);
@@ -183,19 +187,23 @@ fn dragged<T: Real>() {
     }
     let found = closure.gap_integral.widen();
     assert!((found / integral - 1.0).abs() < 5e-3, "{found} for {integral}");
-    // Without damping, faster, or with a force that does not last, they are followed.
+    // Without damping they are followed.
     let elastic = Cell::<T>::new(&single(|_| {}));
-    assert!(elastic.close(&rebound(speed, 1.0), &steady(force)).is_none());
+    assert!(elastic.close(&rebound(speed, 1.0), &pressed(force, 0.0, 0.0)).is_none());
     // Faster ones are closed where they are slow by the next strobe: u falls like exp(−ct/3).
     let by_the_strobe = |speed: f64, room: f64| {
-        cell.close(&Rebound { room: T::of(room), ..rebound(speed, 1.0) }, &steady(1.0)).is_some()
+        cell.close(&Rebound { room: T::of(room), ..rebound(speed, 1.0) }, &pressed(1.0, damping, 0.0))
+            .is_some()
     };
     let fades = 3.0 * 50f64.ln() / damping;
     assert!(by_the_strobe(50.0 * SLOW, 1.001 * fades) && !by_the_strobe(50.0 * SLOW, 0.999 * fades));
     assert!(by_the_strobe(0.99 * FADING, 1e4) && !by_the_strobe(1.01 * FADING, 1e4));
-    let falling = |share: f64| Approach { jerk: T::of(-share * damping * force / DRAGGED), ..steady(force) };
-    assert!(cell.close(&rebound(speed, 1.0), &falling(0.99)).is_some());
-    assert!(cell.close(&rebound(speed, 1.0), &falling(1.01)).is_none());
+    // A force that would vanish before they are slow, after a/(2|a′|), or that changes during a rebound.
+    let falling =
+        |speed: f64, jerk: f64| cell.close(&rebound(speed, 1.0), &pressed(1.0, damping, -jerk)).is_some();
+    assert!(falling(50.0 * SLOW, 0.999 / (2.0 * fades)) && !falling(50.0 * SLOW, 1.001 / (2.0 * fades)));
+    let during = STEADY / (2.0 * SLOW);
+    assert!(falling(0.999 * SLOW, during) && !falling(0.999 * SLOW, 1.01 * during));
 }
 
 #[test]

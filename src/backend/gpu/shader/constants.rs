@@ -114,7 +114,7 @@ pub fn source(shape: &Shape) -> String {
         ("STEADY", dynamics::STEADY),
         ("FADING", dynamics::FADING),
         ("INVERSE_SLOW", 1.0 / dynamics::SLOW),
-        ("DRAGGED", dynamics::DRAGGED),
+        ("PUSH", dynamics::PUSH),
         ("WIDENING", dynamics::WIDENING),
         ("RETURNED", analysis::RETURNED),
         ("NEUTRAL_GROWTH", analysis::NEUTRAL_GROWTH),
