@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         y: "r=0.5:0.95:60".parse()?,
         parameters: Parameters::default().into(),
         start: Start::Symmetric,
-        schedule: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
+        task: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
     };
     let size = Size::new(800, 600)?;
     let picture = Output::prepare(path)?;

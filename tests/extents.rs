@@ -137,7 +137,7 @@ fn plane(family: &'static str, x: &str, y: &str) -> Plane {
         y: impact_atlas::plane::Axis::of_family(y, family).unwrap(),
         parameters: Setting::defaults(family),
         start: Start::Rest,
-        schedule: schedule(),
+        task: schedule(),
     }
 }
 

@@ -50,7 +50,7 @@ fn bits(backend: &dyn Backend, tile: usize, threads: usize) -> Vec<String> {
         y: "delta=0.05:0.4:9".parse().unwrap(),
         parameters: Parameters::default().into(),
         start: Start::Symmetric,
-        schedule: Schedule { transient: 100, observe: 100, max_period: 16, fixed_periods: false },
+        task: Schedule { transient: 100, observe: 100, max_period: 16, fixed_periods: false },
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let map = pool.install(|| sweep(&plane, &Tiled(tile, backend), &Unwatched)).unwrap();

@@ -57,7 +57,7 @@ fn validate(candidate: &dyn Backend) -> Agreement {
         y: "delta=0.05:0.3:25".parse().unwrap(),
         parameters: Parameters::default().into(),
         start: Start::Symmetric,
-        schedule: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
+        task: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
     };
     let ours = sweep(&plane, &Cpu, &Unwatched).unwrap();
     let theirs = sweep(&plane, candidate, &Unwatched).unwrap();
@@ -78,7 +78,7 @@ fn ragged() -> Plane {
         y: "zeta=0.01:0.3:10".parse().unwrap(),
         parameters: Parameters { omega: 2.4, ..Parameters::default() }.into(),
         start: Start::Symmetric,
-        schedule: Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false },
+        task: Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false },
     }
 }
 

@@ -154,7 +154,7 @@ fn controlled_arrive() {
         if escaped {
             deviations_push(deviation);
         } else {
-            deviations_push(deviations_passed(seen, deviation));
+            deviations_push(method_passed(seen, deviation));
         }
     }
     memory_push(section, turns, controlled.at_stops);

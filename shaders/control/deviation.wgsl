@@ -38,21 +38,6 @@ fn deviations_arrived() -> SectionPoint {
     return surface_components(state_plus(tangent, shift, rate), flight.omega * shift);
 }
 
-// What control makes of the deviation of an arriving point.
-fn deviations_passed(seen: Seen, arrived: SectionPoint) -> SectionPoint {
-    if control.method == METHOD_SINE {
-        return sine_deviated(seen, deviations[0], arrived);
-    }
-    if control.method == METHOD_PULSE && pulse_is_due(seen) {
-        return section_zero();
-    }
-    if control.method == METHOD_DELAY {
-        let before = section_scaled(-1.0, deviations[control.delay]);
-        return section_added(arrived, delay_feedback(section_added(deviations[0], before)));
-    }
-    return arrived;
-}
-
 fn deviations_push(deviation: SectionPoint) {
     for (var i = DELAYS - 1u; i > 0u; i--) {
         deviations[i] = deviations[i - 1u];

@@ -160,7 +160,7 @@ fn of_map(
     let asked = Asked {
         job,
         start,
-        schedule: made.plane.schedule,
+        schedule: made.plane.task,
         cell: Some(cell),
         certified: made.certified.then_some(made.plane),
     };

@@ -1,11 +1,8 @@
 //! What was asked of two back ends: a plane, or a plane under control.
 
-use impact_atlas::control::ControlQuantity;
 use impact_atlas::model::{Number, Setting};
-use impact_atlas::plane::{Axis, ControlPlane, Plane, Quantity};
+use impact_atlas::plane::{Axis, Control, Plane, Quantity};
 use serde::Serialize;
-
-use super::control_options::control_options;
 
 /// A plane, or a plane under control.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -14,7 +11,7 @@ pub enum Compared<'a> {
     /// A plane.
     Free(&'a Plane),
     /// A plane under control.
-    Controlled(&'a ControlPlane),
+    Controlled(&'a Plane<Control>),
 }
 
 impl Compared<'_> {
@@ -33,11 +30,10 @@ impl Compared<'_> {
         let (method, parameters, start) = match self {
             Compared::Free(plane) => (String::new(), &plane.parameters, plane.start),
             Compared::Controlled(plane) => {
-                let settings =
-                    control_options(&plane.control, plane.parameters.family(), |setting: ControlQuantity| {
-                        varied(Quantity::Control(setting))
-                    });
-                (format!(" --control {}{settings}", plane.control.method()), &plane.parameters, plane.start)
+                let scheme = plane.task.scheme;
+                let is_varied = |setting| varied(Quantity::Control(setting));
+                let settings = scheme.options(plane.parameters.family(), &is_varied);
+                (format!(" --control {}{settings}", scheme.method().name), &plane.parameters, plane.start)
             }
         };
         let family = parameters.family();
@@ -59,7 +55,7 @@ impl Compared<'_> {
     fn lengths(&self) -> String {
         match self {
             Compared::Free(plane) => {
-                let schedule = plane.schedule;
+                let schedule = plane.task;
                 let fixed = if schedule.fixed_periods { " --fixed-periods" } else { "" };
                 format!(
                     "--transient {} --observe {} --max-period {}{fixed}",
@@ -67,7 +63,7 @@ impl Compared<'_> {
                 )
             }
             Compared::Controlled(plane) => {
-                let iterates = plane.iterates;
+                let iterates = plane.task.schedule;
                 format!(
                     "--from {} --iterates {} --max-period {}",
                     iterates.from, iterates.iterates, iterates.max_period

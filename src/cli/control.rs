@@ -6,7 +6,7 @@ use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{Job, follow};
-use impact_atlas::control::{ControlSchedule, History, LONGEST, Scheme, control};
+use impact_atlas::control::{ControlSchedule, History, LONGEST, Method, Scheme, control};
 use impact_atlas::figure::Size;
 use impact_atlas::model::{Setting, StateVector, System};
 use impact_atlas::plane::Start;
@@ -17,8 +17,7 @@ use serde::Serialize;
 
 use super::control_report::{Ran, Report};
 use super::files::{self, Batch, Kind};
-use super::method::MethodArgs;
-use super::method_name::MethodName;
+use super::method::{MethodArgs, method};
 use super::options::{OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
@@ -46,8 +45,8 @@ Examples:
   impact-atlas control delay --system bouncing-ball --set Gamma=1.6 --start 0,2 --gain 0.4 --out ball.png")]
 pub struct ControlArgs {
     /// The method
-    #[arg(value_enum)]
-    method: MethodName,
+    #[arg(value_parser = method())]
+    method: &'static Method,
 
     #[command(flatten)]
     system: SystemArgs,
@@ -134,7 +133,7 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
         }));
     }
     let controller = scheme.resolve(&system).map_err(CliError::input)?;
-    if let Some(ratio) = scheme.force_ratio() {
+    if let Some((_, ratio)) = controller.force() {
         system.following(ratio).map_err(CliError::input)?;
     }
     let wanted = [Kind::Picture.at(args.out.as_deref()), Kind::Archive.at(args.data.as_deref())];

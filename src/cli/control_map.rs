@@ -3,17 +3,16 @@
 use std::time::Instant;
 
 use anyhow::anyhow;
-use impact_atlas::control::NEVER;
-use impact_atlas::plane::ControlMap;
+use impact_atlas::control::{Method, NEVER};
+use impact_atlas::plane::{Control, RegionMap};
 use impact_atlas::render;
 use impact_atlas::store;
-use impact_atlas::sweep::sweep_control;
+use impact_atlas::sweep::sweep;
 use serde::Serialize;
 
 use super::census::{self, Census};
 use super::files::{self, Batch, Kind};
 use super::map_args::MapArgs;
-use super::method_name::MethodName;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::{CliError, defaults, estimate};
@@ -38,7 +37,7 @@ struct Summary<'a> {
 }
 
 /// Runs the command.
-pub fn run(method: MethodName, args: &MapArgs) -> Result<(), CliError> {
+pub fn run(method: &Method, args: &MapArgs) -> Result<(), CliError> {
     let plane = args.control.cells.plane(method, &args.plane)?;
     if let Some(store) = args.data.as_deref().filter(|path| files::is_store(path)) {
         return Err(CliError::Input(anyhow!(
@@ -56,10 +55,10 @@ pub fn run(method: MethodName, args: &MapArgs) -> Result<(), CliError> {
     ];
     let [picture, data, times] = files::prepare(args.overwrite, wanted)?;
     let backend = args.backend.open()?;
-    estimate::of_control("the map", &plane, &*backend)?;
+    estimate::of_plane("the map", &plane, &*backend)?;
     let began = Instant::now();
-    let progress = Progress::of_cells("controlling", plane.plane().cells());
-    let map = sweep_control(&plane, &*backend, &progress)?;
+    let progress = Progress::of_cells("controlling", plane.cells());
+    let map = sweep(&plane, &*backend, &progress)?;
     drop(progress);
     let summary = Summary::new(&map, began.elapsed().as_secs_f64());
     let mut batch = Batch::default();
@@ -73,19 +72,19 @@ pub fn run(method: MethodName, args: &MapArgs) -> Result<(), CliError> {
 }
 
 impl<'a> Summary<'a> {
-    fn new(map: &'a ControlMap, seconds: f64) -> Self {
+    fn new(map: &'a RegionMap<Control>, seconds: f64) -> Self {
         let mut times: Vec<u32> =
-            map.outcomes.iter().map(|o| o.converged_at).filter(|&time| time != NEVER).collect();
+            map.verdicts.iter().map(|o| o.converged_at).filter(|&time| time != NEVER).collect();
         times.sort_unstable();
         Summary {
-            method: map.plane.control.method(),
-            cells: map.outcomes.len() as u64,
+            method: map.plane.task.scheme.method().name,
+            cells: map.verdicts.len() as u64,
             converged: times.len() as u64,
             median_time: times.get(times.len() / 2).copied(),
-            runaway: map.outcomes.iter().filter(|o| o.runaway).count() as u64,
-            escapes: map.outcomes.iter().map(|o| u64::from(o.escapes)).sum(),
+            runaway: map.verdicts.iter().filter(|o| o.runaway).count() as u64,
+            escapes: map.verdicts.iter().map(|o| u64::from(o.escapes)).sum(),
             seconds,
-            regimes: map.motions().census().map(|(regime, cells)| (regime.name(), cells)),
+            regimes: map.census().map(|(regime, cells)| (regime.name(), cells)),
             backend: &map.provenance.backend,
             adapter: &map.provenance.adapter,
         }

@@ -1,14 +1,13 @@
 //! What `impact-atlas control` prints.
 
 use impact_atlas::control::{
-    Controller, History, Outcome, SectionValues, converged_at, multipliers, section_names,
+    Controller, History, Method, Outcome, SectionValues, converged_at, multipliers, section_names,
 };
 use impact_atlas::model::System;
 use impact_atlas::system::Family;
 use serde::Serialize;
 
 use super::CliError;
-use super::method_name::MethodName;
 
 /// What is printed; every quantity non-dimensional.
 #[derive(Debug, Serialize)]
@@ -49,7 +48,7 @@ pub struct Ran<'a> {
     /// The family of its system.
     pub family: &'static Family,
     /// The method.
-    pub method: MethodName,
+    pub method: &'static Method,
     /// The first iterate that is controlled.
     pub from: u32,
     /// How near the final points count as converged.
@@ -72,21 +71,13 @@ impl Report {
         let returns = &history.returns;
         let point = |back: usize| returns[returns.len() - 1 - back].section;
         let fixed_point = (outcome.period == 1).then(|| point(0));
-        let mut held = *controller;
-        if let Controller::Sine(sine) = &mut held {
-            sine.amplitude = f64::from(outcome.signal);
-        }
+        let held = controller.held(Some(f64::from(outcome.signal)));
         let found = match fixed_point {
             Some(fixed) => multipliers(system, &held, &fixed).map_err(CliError::input)?,
             None => None,
         };
-        let target = match controller {
-            Controller::Sine(sine) => Some(vec![sine.target]),
-            Controller::Pulse(pulse) => Some(pulse.target.to_vec()),
-            Controller::None(_) | Controller::Delay(_) => None,
-        };
         Ok(Report {
-            method: method.name(),
+            method: method.name,
             label_before: before,
             stop: &family.stops()[controller.stop().index()].name,
             section_names: section_names(system.plant(), controller.stop()),
@@ -99,7 +90,7 @@ impl Report {
             escapes: outcome.escapes,
             period: (outcome.period > 0).then_some(outcome.period),
             signal: outcome.signal,
-            target,
+            target: controller.target(),
             lyapunov: outcome.verdict.lyapunov,
             multipliers: found.map(|found| found.iter().map(|value| [value.re, value.im]).collect()),
             runaway: outcome.runaway,

@@ -4,11 +4,10 @@ use std::path::Path;
 
 use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::control::ControlSchedule;
-use impact_atlas::plane::ControlPlane;
+use impact_atlas::control::{ControlSchedule, Method};
+use impact_atlas::plane::{Control, Plane};
 
-use super::method::MethodArgs;
-use super::method_name::MethodName;
+use super::method::{MethodArgs, method, varied};
 use super::options::PlaneArgs;
 use super::values::count;
 use super::{CliError, defaults};
@@ -17,12 +16,13 @@ use super::{CliError, defaults};
 #[derive(Debug, Args)]
 pub struct ControlledArgs {
     /// Controls every cell by a method, and maps what is reached
-    ///
-    /// Axes may vary the settings of the method too: gain, delay; amplitude, alpha, dead_band, gamma, phase; period,
-    /// noise; target_v1 … target_vn, target_x1 … target_xn, target_tau. See `impact-atlas control --help` for what they are.
-    #[arg(long, value_name = "METHOD", value_enum, help_heading = "Control",
+    #[arg(long, value_name = "METHOD", value_parser = method(), help_heading = "Control", long_help = format!("\
+Controls every cell by a method, and maps what is reached
+
+Axes may vary the settings of the method too: {}; target_v1 … target_vn, target_x1 … target_xn, target_tau. See \
+`impact-atlas control --help` for what they are.", varied()),
         conflicts_with_all = ["transient", "observe", "fixed_periods", "curves"])]
-    pub control: Option<MethodName>,
+    pub control: Option<&'static Method>,
 
     /// With --control, the first iterate that is controlled [default: 200]; without, for `map`, a picture, an npz file or a
     /// store whose configuration is run again, with what else is given in its place
@@ -66,11 +66,11 @@ impl ControlledArgs {
     }
 
     /// The checked plane under control.
-    pub fn plane(&self, method: MethodName, plane: &PlaneArgs) -> Result<ControlPlane, CliError> {
+    pub fn plane(&self, method: &Method, plane: &PlaneArgs) -> Result<Plane<Control>, CliError> {
         let max_period = plane.max_period.unwrap_or(ControlSchedule::MAX_PERIOD);
         let from = self.first()?;
-        let iterates = ControlSchedule { from, iterates: self.iterates, fixed: false, max_period };
-        plane.control_plane(method, &self.settings, iterates)
+        let schedule = ControlSchedule { from, iterates: self.iterates, fixed: false, max_period };
+        plane.control_plane(method, &self.settings, schedule)
     }
 }
 
@@ -92,14 +92,14 @@ mod tests {
         control: ControlledArgs,
     }
 
-    fn plane(words: &str) -> ControlPlane {
+    fn plane(words: &str) -> Plane<Control> {
         let wrapper = Wrapper::parse_from(std::iter::once("map").chain(words.split_whitespace()));
         wrapper.control.plane(wrapper.control.control.unwrap(), &wrapper.plane).unwrap()
     }
 
     /// The system and the scheme of a cell.
-    fn cell(plane: &ControlPlane, column: u32, row: u32) -> (Setting, Scheme) {
-        (plane.plane().parameters_at(column, row), plane.scheme_at(column, row))
+    fn cell(plane: &Plane<Control>, column: u32, row: u32) -> (Setting, Scheme) {
+        (plane.parameters_at(column, row), plane.scheme_at(column, row))
     }
 
     #[test]
@@ -120,7 +120,7 @@ mod tests {
             let options = command.strip_prefix("impact-atlas validate ").unwrap();
             let alone = self::plane(options.split(" --backend").next().unwrap());
             assert_eq!(cell(&alone, 0, 0), cell(&plane, 2, 1), "{command}");
-            assert_eq!((alone.start, alone.iterates), (plane.start, plane.iterates), "{command}");
+            assert_eq!((alone.start, alone.task.schedule), (plane.start, plane.task.schedule), "{command}");
             assert_ne!(cell(&alone, 0, 0), cell(&plane, 0, 0));
         }
     }

@@ -68,17 +68,6 @@ pub const CONTROL_ITERATES: u32 = 4000;
 /// Iterates whose flight is drawn at the end of a controlled run.
 pub const CONTROL_PORTRAIT: u32 = 12;
 
-/// α of the sine force.
-pub const ALPHA: f64 = 0.1;
-
-/// Δ of the sine force: just above the distance of the 1-2-1 motion's phase from the paper's target.
-pub const DEAD_BAND: f64 = 0.0055;
-
-/// g of delayed feedback.
-pub const GAIN: f64 = 0.5;
-
-/// The frequency of the target motion.
-pub const REFERENCE: f64 = 3.7;
 /// The picture of a bifurcation diagram.
 pub const DIAGRAM: &str = "bifurcation.png";
 

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use impact_atlas::backend::BackendError;
 use impact_atlas::store::StoreError;
-use impact_atlas::sweep::{ControlSweepError, StoredError, SweepError};
+use impact_atlas::sweep::{StoredError, SweepError};
 use thiserror::Error;
 
 /// The exit code of what was interrupted.
@@ -69,9 +69,13 @@ impl From<BackendError> for CliError {
 impl From<SweepError> for CliError {
     fn from(error: SweepError) -> Self {
         match error {
+            SweepError::Backend(error @ BackendError::Unsupported(_)) => CliError::input(error),
             SweepError::Backend(error) => error.into(),
             SweepError::Memory { .. } => CliError::machine(error),
-            SweepError::Plane(_) | SweepError::Diagram(_) | SweepError::System(_) => CliError::input(error),
+            SweepError::Plane(_)
+            | SweepError::Diagram(_)
+            | SweepError::System(_)
+            | SweepError::Control(_) => CliError::input(error),
         }
     }
 }
@@ -87,19 +91,6 @@ impl From<StoredError> for CliError {
         match error {
             StoredError::Sweep(error) => error.into(),
             StoredError::Store(error) => error.into(),
-        }
-    }
-}
-
-impl From<ControlSweepError> for CliError {
-    fn from(error: ControlSweepError) -> Self {
-        match error {
-            ControlSweepError::Backend(error @ BackendError::Unsupported(_)) => CliError::input(error),
-            ControlSweepError::Backend(error) => error.into(),
-            ControlSweepError::Memory { .. } => CliError::machine(error),
-            ControlSweepError::Plane(_) | ControlSweepError::System(_) | ControlSweepError::Control(_) => {
-                CliError::input(error)
-            }
         }
     }
 }

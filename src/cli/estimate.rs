@@ -3,8 +3,8 @@
 use std::time::{Duration, Instant};
 
 use impact_atlas::backend::{Backend, Watch, Width};
-use impact_atlas::plane::{ControlPlane, Plane};
-use impact_atlas::sweep::{sample, sample_control, spread};
+use impact_atlas::plane::Plane;
+use impact_atlas::sweep::{Swept, sample, spread};
 
 use super::interrupt::{self, Interruptible};
 use super::{CliError, note, spans};
@@ -28,16 +28,9 @@ const LONGEST: Duration = Duration::from_secs(1);
 pub const WORTH_SAYING: Duration = Duration::from_secs(10);
 
 /// Says how long a plane will take on a back end, if that is long.
-pub fn of_plane(what: &str, plane: &Plane, backend: &dyn Backend) -> Result<(), CliError> {
+pub fn of_plane<T: Swept>(what: &str, plane: &Plane<T>, backend: &dyn Backend) -> Result<(), CliError> {
     of_cells(what, [plane.x.count, plane.y.count], backend, |cells, watch| {
         sample(plane, backend, cells, watch).map(drop).map_err(CliError::from)
-    })
-}
-
-/// The same for a plane under control.
-pub fn of_control(what: &str, plane: &ControlPlane, backend: &dyn Backend) -> Result<(), CliError> {
-    of_cells(what, [plane.x.count, plane.y.count], backend, |cells, watch| {
-        sample_control(plane, backend, cells, watch).map(drop).map_err(CliError::from)
     })
 }
 

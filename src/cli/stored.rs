@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::anyhow;
-use impact_atlas::plane::fields::{Cells, Extras};
+use impact_atlas::plane::fields::Extras;
 use impact_atlas::plane::{Part, Plane, Window};
 use impact_atlas::store::{Failure, Wanted, ZarrStore};
 use impact_atlas::sweep::{provenance, sweep_stored};
@@ -115,7 +115,7 @@ fn draw(
     let mut batch = Batch::default();
     batch.picture(picture, &drawn)?;
     if let Some(found) = &curves {
-        curve_list::add_table(&mut batch, table, &found.curves, Cells::plane(store))?;
+        curve_list::add_table(&mut batch, table, &found.curves, store.plane())?;
     }
     batch.show()
 }

@@ -3,17 +3,15 @@
 use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::backend::{self, Backend, Choice};
+use impact_atlas::control::Method;
 use impact_atlas::curves::{self, bifurcation_curves};
 use impact_atlas::plane::Plane;
-use impact_atlas::sweep::{measure_extents, sweep, sweep_control};
-use impact_atlas::validate::{
-    Thresholds, boundaries, compare_continued, compare_controlled, continue_strays, tipped,
-};
+use impact_atlas::sweep::{measure_extents, sweep};
+use impact_atlas::validate::{Thresholds, boundaries, compare, compare_continued, continue_strays, tipped};
 
 use super::compared::Compared;
 use super::controlled::ControlledArgs;
 use super::interrupt::{Interruptible, abandonable};
-use super::method_name::MethodName;
 use super::options::{BackendArgs, PlaneArgs};
 use super::progress::Progress;
 use super::report::Report;
@@ -114,7 +112,7 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
 }
 
 /// The same under control.
-fn controlled(args: &ValidateArgs, method: MethodName) -> Result<(), CliError> {
+fn controlled(args: &ValidateArgs, method: &Method) -> Result<(), CliError> {
     let plane = args.control.plane(method, &args.plane)?;
     let plane = args.plane.resized(plane, args.cells, defaults::VALIDATED_CELLS);
     plane.check().map_err(CliError::input)?;
@@ -122,12 +120,12 @@ fn controlled(args: &ValidateArgs, method: MethodName) -> Result<(), CliError> {
     let reference = backend::open(Choice::Cpu, None)?;
     note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
 
-    let cells = plane.plane().cells();
-    estimate::of_control("the candidate's map", &plane, &*candidate)?;
-    let theirs = sweep_control(&plane, &*candidate, &Progress::of_cells("candidate", cells))?;
-    estimate::of_control("the reference's map", &plane, &*reference)?;
-    let ours = sweep_control(&plane, &*reference, &Progress::of_cells("reference", cells))?;
-    let agreement = compare_controlled(&ours, &theirs);
+    let cells = plane.cells();
+    estimate::of_plane("the candidate's map", &plane, &*candidate)?;
+    let theirs = sweep(&plane, &*candidate, &Progress::of_cells("candidate", cells))?;
+    estimate::of_plane("the reference's map", &plane, &*reference)?;
+    let ours = sweep(&plane, &*reference, &Progress::of_cells("reference", cells))?;
+    let agreement = compare(&ours, &theirs);
     let made = [&ours.provenance, &theirs.provenance];
     let asked = Compared::Controlled(&plane);
     let adapter = args.candidate.adapter.as_deref();

@@ -149,7 +149,8 @@ mod tests {
         );
         assert_eq!(Assignment::of_family("mu_m=1e-100", Family::paper()).unwrap().to_string(), "mu_m=1e-100");
         let gain = Assignment::of_family("gain=0.3", Family::paper()).unwrap();
-        assert_eq!(gain, Assignment { quantity: Quantity::Control(ControlQuantity::Gain), value: 0.3 });
+        let of_gain = ControlQuantity::all().find(|setting| setting.name() == "gain").unwrap();
+        assert_eq!(gain, Assignment { quantity: Quantity::Control(of_gain), value: 0.3 });
         let refused = [
             ("omega", "NAME=VALUE"),
             ("omega=", "NAME=VALUE"),

@@ -1,4 +1,4 @@
-//! What every control method does: at each return to σ it sets a correction or a force.
+//! What a control method sees at a return to σ, and what it does there: it sets a correction or a force.
 
 use super::components::Components;
 use super::memory::Memory;
@@ -44,10 +44,4 @@ impl<T: Real, const N: usize> Action<T, N> {
         let signal = correction.length();
         Action { correction, force: T::zero(), phase: [T::zero(), T::one()], signal }
     }
-}
-
-/// A method for suppressing chaos.
-pub trait Method<T: Real, const N: usize> {
-    /// What it does at a return to σ.
-    fn act(&mut self, seen: &Seen<T, N>) -> Action<T, N>;
 }

@@ -1,11 +1,11 @@
 //! A trajectory under control: what each of its moves and its returns to σ changes.
 
-use super::action::{Action, Method, Seen};
+use super::action::{Action, Seen};
 use super::actuated::Actuated;
 use super::components::Components;
 use super::deviation::Deviations;
 use super::memory::{Counts, Memory, added};
-use super::method::Controller;
+use super::methods::Controller;
 use super::progress::Progress;
 use super::schedule::ControlSchedule;
 use super::section_point::SectionPoint;

@@ -4,7 +4,7 @@ use super::action::Seen;
 use super::actuated::Actuated;
 use super::components::Components;
 use super::memory::LONGEST_DELAY;
-use super::method::Controller;
+use super::methods::Controller;
 use super::surface::Surface;
 use crate::dynamics::{Drive, Tangent, Trajectory};
 use crate::model::vector::dot;
@@ -44,11 +44,7 @@ impl<T: Real, const N: usize> Deviations<T, N> {
         let tau = self.points[0][Components::<T, N>::TAU];
         let within = surface.deviation(flight, &self.points[0]);
         let tangent = Tangent(within.plus(-(tau / flight.omega), &rates(flight, trajectory)));
-        let lag = match controller {
-            Controller::Sine(sine) => sine.lag(tau),
-            Controller::None(_) | Controller::Pulse(_) | Controller::Delay(_) => T::zero(),
-        };
-        trajectory.point.drive.deviating(tangent, lag)
+        trajectory.point.drive.deviating(tangent, controller.lag(tau))
     }
 
     /// The deviation of the point at which a trajectory with this tangent vector arrives.
@@ -73,17 +69,7 @@ impl<T: Real, const N: usize> Deviations<T, N> {
         seen: &Seen<T, N>,
         arrived: Components<T, N>,
     ) -> Components<T, N> {
-        match controller {
-            Controller::None(_) => arrived,
-            Controller::Sine(sine) => sine.deviated(seen, &self.points[0], arrived),
-            Controller::Pulse(pulse) if pulse.is_due(seen) => Components::zero(),
-            Controller::Pulse(_) => arrived,
-            Controller::Delay(delay) => {
-                let past = &self.points[delay.delay as usize];
-                let feedback = delay.feedback(&self.points[0].added(&past.map(|value| -value)));
-                arrived.added(&feedback)
-            }
-        }
+        controller.passed(seen, &self.points, arrived)
     }
 
     /// Takes in the deviation of the present point.

@@ -12,47 +12,49 @@ mod action;
 mod actuated;
 mod components;
 mod controlled;
-mod delay;
 mod deviation;
+mod error;
 mod follow;
 mod history;
+mod law;
 mod leaving;
 mod memory;
-mod method;
+pub mod methods;
 mod multipliers;
+mod option;
 mod outcome;
 mod progress;
-mod pulse;
+mod quantity;
 mod run;
 mod schedule;
-mod scheme;
 mod section_point;
-mod sine;
+mod site;
 mod surface;
+mod target;
 mod values;
 mod witness;
 
-pub use action::{Action, Method, Seen};
+pub use action::{Action, Seen};
 pub use actuated::{Actuated, Lagging};
 pub use components::Components;
 pub use controlled::Controlled;
-pub use delay::Delay;
 pub use deviation::DELAYS;
+pub use error::ControlError;
 pub use history::{History, converged_at};
+pub use law::{Aim, Constant, Member, Method, Shown};
 pub use memory::{Counts, LONGEST, LONGEST_DELAY, LONGEST_ON_DEVICE, Memory};
-pub use method::Controller;
+pub use methods::{Controller, METHODS, Scheme};
 pub use multipliers::multipliers;
+pub use option::{GivenOptions, MethodOption, OptionKind, OptionValue};
 pub use outcome::{NEVER, Outcome};
 pub use progress::Progress;
-pub use pulse::Pulse;
+pub use quantity::ControlQuantity;
 pub use run::control;
 pub use schedule::{ControlSchedule, ControlScheduleError};
-pub use scheme::{
-    ControlError, ControlQuantity, DelaySetting, PulseSetting, Scheme, Sign, SineSetting, Target,
-};
 pub use section_point::SectionPoint;
-pub use sine::{Convention, Sine};
+pub use site::Site;
 pub use surface::{Surface, own_coordinate, section_names};
+pub use target::Target;
 pub use values::{MOST_COMPONENTS, SectionValues};
 pub use witness::{Return, Witness};
 
@@ -60,8 +62,4 @@ pub use witness::{Return, Witness};
 pub(crate) mod constants {
     pub use super::controlled::{LONGEST_PASSAGE, SETTLING};
     pub use super::leaving::RUNAWAY;
-    pub use super::pulse::{
-        ERRORS_APART, HASH_CHOICE, HASH_DROPPED, HASH_FACTOR, HASH_INCREMENT, HASH_LAST, HASH_LEAST,
-        HASH_MULTIPLIER, HASH_UNIT,
-    };
 }

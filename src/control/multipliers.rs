@@ -6,8 +6,7 @@ use super::actuated::Actuated;
 use super::controlled::Controlled;
 use super::deviation::DELAYS;
 use super::memory::LONGEST_DELAY;
-use super::method::Controller;
-use super::run::force_of;
+use super::methods::Controller;
 use super::schedule::ControlSchedule;
 use super::section_point::SectionPoint;
 use super::surface::Surface;
@@ -48,15 +47,15 @@ fn multipliers_of<const N: usize>(
     controller: &Controller<f64>,
     fixed_point: SectionPoint<f64, N>,
 ) -> Result<Option<Vec<Complex<f64>>>, SystemError> {
-    let held = held(controller);
-    let force = force_of(&held);
-    let system = system.following(force.map_or(1.0, |sine| sine.ratio))?;
+    let held = controller.held(None);
+    let force = held.force();
+    let system = system.following(force.map_or(1.0, |(_, ratio)| ratio))?;
     let flight = Flight::<f64, N>::new(&system);
     let surface = Surface::new(&system, &flight, held.stop());
-    let at = vec![fixed_point; remembered(controller)];
+    let at = vec![fixed_point; controller.remembered().min(DELAYS)];
     let jacobian = match force {
-        Some(sine) => {
-            let constants = Drive::on(sine.coordinate, &system, &flight, sine.ratio);
+        Some((coordinate, ratio)) => {
+            let constants = Drive::on(coordinate, &system, &flight, ratio);
             let none = Phasor::new(&constants, 0.0, [0.0, 1.0]);
             differences(|points| iterate(&flight, surface, held, points, none), &at)
         }
@@ -91,23 +90,6 @@ fn differences<const N: usize>(
         }
     }
     Some(jacobian)
-}
-
-/// Points on which the next one depends.
-fn remembered(controller: &Controller<f64>) -> usize {
-    match controller {
-        Controller::Delay(delay) => (delay.delay as usize + 1).min(DELAYS),
-        _ => 1,
-    }
-}
-
-/// The controller without adaptation.
-fn held(controller: &Controller<f64>) -> Controller<f64> {
-    let mut held = *controller;
-    if let Controller::Sine(sine) = &mut held {
-        sine.weight = 0.0;
-    }
-    held
 }
 
 /// One controlled iterate from remembered points, the present one first.

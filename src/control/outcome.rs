@@ -12,7 +12,7 @@ use super::values::SectionValues;
 use crate::analysis::constants::{PROOF_SHARE, RETURNED};
 use crate::analysis::{self, Evidence, Regime, Verdict};
 use crate::model::vector::MOST;
-use crate::model::{Flight, Real, StateVector};
+use crate::model::{Flight, Real, System};
 
 /// The convergence time of a motion that did not converge.
 pub const NEVER: u32 = u32::MAX;
@@ -20,9 +20,12 @@ pub const NEVER: u32 = u32::MAX;
 /// What became of one controlled trajectory.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
-    /// The motion reached. Its `state` is the point on σ, that of the hardest impact at its stop where a period has several;
-    /// N counts flight time in forcing periods, rounded, since a correction may jump in phase.
+    /// The motion reached. Its `state` is that of the point on σ, at the phase of that point; N counts flight time in
+    /// forcing periods, rounded, since a correction may jump in phase.
     pub verdict: Verdict,
+    /// The point on σ, that of the hardest impact at its stop where a period has several: (v1+, x2, v2, τ) on the paper's;
+    /// see [`section_names`](super::section_names).
+    pub section: SectionValues<f64>,
     /// Iterates in one period of the motion, 0 where it has none.
     pub period: u32,
     /// Iterates followed.
@@ -40,13 +43,8 @@ pub struct Outcome {
 }
 
 impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
-    /// What the trajectory settled on; labels count the impacts at the plant's stops in `label_order`.
-    pub fn outcome(
-        &self,
-        flight: &Flight<T, N>,
-        schedule: &ControlSchedule,
-        label_order: &[usize],
-    ) -> Outcome {
+    /// What the trajectory of a system settled on.
+    pub fn outcome(&self, flight: &Flight<T, N>, schedule: &ControlSchedule, system: &System) -> Outcome {
         let controlled = self.iterates.saturating_sub(schedule.from);
         let period = self.period(controlled);
         let regime = self.regime(period);
@@ -56,7 +54,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
             self.surface.approach(flight, &self.surface.state(flight, &point.components))
         };
         let point = if period > 0 { self.memory.hardest(period, approach) } else { self.memory.points[0] };
-        let point = SectionValues::of(&point.components).map(T::widen);
+        let section = SectionValues::of(&point.components).map(T::widen);
         let measured = self.exponent.batches > 0 && !self.erased && self.observed_turns > T::zero();
         let lyapunov = if measured {
             let periods = self.observed_turns / T::of(f64::from(self.observed));
@@ -69,10 +67,10 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
             verdict: Verdict {
                 regime,
                 n: n as u16,
-                counts: analysis::Counts::in_order(&impacts.map(|count| count as u16), label_order),
+                counts: analysis::Counts::in_order(&impacts.map(|count| count as u16), system.label_order()),
                 symmetric,
                 lyapunov: lyapunov.widen() as f32,
-                state: StateVector::from_slice(&point).expect("a point has 2 to 8 components"),
+                state: section.state(system.plant(), self.surface.stop),
                 impacts: self.impacts,
                 impacts_total: self.impacts_total,
                 peak_impact_velocity: self.peak.widen() as f32,
@@ -80,6 +78,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
                 returning: 0,
                 measures: analysis::Measures::default(),
             },
+            section,
             period,
             iterates: self.iterates,
             converged_at: if period > 0 { since.saturating_sub(schedule.from) } else { NEVER },

@@ -2,10 +2,9 @@
 
 use super::actuated::Actuated;
 use super::controlled::Controlled;
-use super::method::Controller;
+use super::methods::Controller;
 use super::outcome::Outcome;
 use super::schedule::ControlSchedule;
-use super::sine::{Convention, Sine};
 use super::surface::Surface;
 use super::witness::Witness;
 use crate::dynamics::{Phasor, Point, Trajectory};
@@ -44,13 +43,13 @@ fn controlled<T: Real, W: Witness<T>, const N: usize>(
     let values: Vec<T> = start.iter().map(|&value| T::of(value)).collect();
     let start = State::<T, N>::from_slice(&values);
     let rounded = Controller::<T>::rounded(controller);
-    let force = force_of(controller);
-    let system = system.following(force.map_or(0.0, |sine| sine.ratio))?;
+    let force = controller.force();
+    let system = system.following(force.map_or(0.0, |(_, ratio)| ratio))?;
     let cell = Flight::<f64, N>::new(&system);
     let flight = cell.round::<T>();
     let surface = Surface::new(&system, &flight, controller.stop());
     let begun = Trajectory::new(&flight, start);
-    let Some(sine) = force else {
+    let Some((coordinate, ratio)) = force else {
         return Ok(follow(
             &system,
             Controlled::new(begun, surface, rounded, schedule),
@@ -59,20 +58,12 @@ fn controlled<T: Real, W: Witness<T>, const N: usize>(
             witness,
         ));
     };
-    let constants = Drive::on(sine.coordinate, &system, &cell, sine.ratio).round::<T>();
+    let constants = Drive::on(coordinate, &system, &cell, ratio).round::<T>();
     let drive = Phasor::new(&constants, T::zero(), [T::zero(), T::one()]);
     let Trajectory { point, contact, step, offset, .. } = begun;
     let point = Point { state: point.state, sin: point.sin, cos: point.cos, one: point.one, drive };
     let begun = Trajectory::from_point(&flight, point, contact, step, offset);
     Ok(follow(&system, Controlled::new(begun, surface, rounded, schedule), &flight, schedule, witness))
-}
-
-/// The sine force, if a controller has one that acts between impacts.
-pub fn force_of<T>(controller: &Controller<T>) -> Option<&Sine<T>> {
-    match controller {
-        Controller::Sine(sine) if sine.convention != Convention::Kick => Some(sine),
-        _ => None,
-    }
 }
 
 fn follow<T: Real, const N: usize, D: Actuated<T, N>>(
@@ -83,5 +74,5 @@ fn follow<T: Real, const N: usize, D: Actuated<T, N>>(
     witness: &mut impl Witness<T>,
 ) -> Outcome {
     controlled.follow(flight, schedule, witness);
-    controlled.outcome(flight, schedule, system.label_order())
+    controlled.outcome(flight, schedule, system)
 }

@@ -7,8 +7,10 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::components::Components;
 use super::section_point::short_way;
-use crate::model::Real;
-use crate::system::Plant;
+use super::surface::own_coordinate;
+use crate::dynamics::Stop;
+use crate::model::{Real, StateVector};
+use crate::system::{Plant, PlantStop};
 
 /// The most components of a section point.
 pub const MOST_COMPONENTS: usize = 2 * Plant::MOST_COORDINATES;
@@ -84,6 +86,29 @@ impl<T: Real> SectionValues<T> {
     }
 }
 
+impl SectionValues<f64> {
+    /// The state (x1 … xn, v1 … vn) of this point on the section of a stop; zeros for the zeros of a section that was never
+    /// met.
+    ///
+    /// # Panics
+    /// If it does not have 2n components.
+    pub fn state(&self, plant: &Plant, stop: Stop) -> StateVector {
+        let (n, own) = (plant.n, own_coordinate(plant, stop));
+        let mut state = StateVector::zeros(n);
+        if self.iter().all(|&value| value == 0.0) {
+            return state;
+        }
+        let PlantStop { direction, gap, .. } = &plant.stops[stop.index()];
+        let mut rest = *gap;
+        for (place, i) in (0..n).filter(|&i| i != own).enumerate() {
+            (state[i], state[n + i]) = (self[1 + place], self[n + place]);
+            rest -= direction[i] * state[i];
+        }
+        (state[own], state[n + own]) = (rest / direction[own], self[0]);
+        state
+    }
+}
+
 impl<V> Deref for SectionValues<V> {
     type Target = [V];
 
@@ -134,6 +159,8 @@ impl<'de, V: Copy + Deserialize<'de>> Deserialize<'de> for SectionValues<V> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Setting;
+    use crate::system::Family;
 
     #[test]
     fn they_are_written_as_the_list_that_they_are() {
@@ -146,6 +173,19 @@ mod tests {
             assert!(serde_json::from_str::<SectionValues<f64>>(bad).is_err(), "{bad}");
         }
         assert_ne!(SectionValues::new([0.5; 4]), SectionValues::new([0.5; 6]));
+    }
+
+    /// On the paper's section d·x = gap, whatever stands beside; at the other stop the mirror image has the mirrored state.
+    #[test]
+    fn a_point_has_the_state_that_touches_its_stop() {
+        let plant = Setting::defaults(Family::paper()).plant().unwrap();
+        let gap = plant.stops[0].gap;
+        let point = SectionValues::new([-0.4, 0.03, 0.05, 1.8]);
+        let state = point.state(&plant, Stop::A);
+        assert_eq!(state[..], [plant.stops[0].direction[0] * gap, 0.03, -0.4, 0.05]);
+        let image = point.map(|value| -value).state(&plant, Stop::B);
+        assert_eq!(image[..], [-state[0], -0.03, 0.4, -0.05]);
+        assert_eq!(SectionValues::new([0.0; 4]).state(&plant, Stop::A)[..], [0.0; 4]);
     }
 
     #[test]

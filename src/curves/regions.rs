@@ -76,7 +76,7 @@ mod tests {
             y: format!("delta=0.1:0.5:{}", lines.len()).parse().unwrap(),
             parameters: Parameters::default().into(),
             start: Start::Symmetric,
-            schedule: Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: false },
+            task: Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: false },
         };
         let verdict = |letter: char| {
             let (regime, counts) = match letter {

@@ -63,7 +63,7 @@ mod tests {
         let defaults = Setting::defaults(family);
         let parameters = set.iter().fold(defaults, |all, (name, value)| all.with_named(name, *value));
         let schedule = Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: false };
-        let plane = Plane { x, y, parameters, start: Start::Rest, schedule };
+        let plane = Plane { x, y, parameters, start: Start::Rest, task: schedule };
         let spans = super::super::spans::spans(&plane).unwrap();
         stops_of(&plane, spans)
     }

@@ -106,7 +106,7 @@ pub fn plane(asked: &AskedPlane, family: &'static Family) -> Result<Plane, Refus
         y,
         parameters: setting,
         start: asked.start.parse::<Start>().map_err(because)?,
-        schedule: Schedule {
+        task: Schedule {
             transient: asked.transient,
             observe: asked.observe,
             max_period: asked.max_period,

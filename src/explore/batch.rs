@@ -97,7 +97,7 @@ fn caught<T>(work: impl FnOnce() -> Result<T, BackendError>) -> Result<T, Stoppe
 /// once more; an adapter takes all at once.
 fn decided(scene: &Scene, jobs: &[Job], watch: &dyn Watch) -> Result<Vec<Verdict>, BackendError> {
     let backend = scene.computing.backend;
-    let decide = |jobs: &[Job]| decide(backend, jobs, &scene.plane.schedule, watch);
+    let decide = |jobs: &[Job]| decide(backend, jobs, &scene.plane.task, watch);
     match backend.name() {
         "cpu" => Ok(jobs.par_chunks(FEW).map(decide).collect::<Result<Vec<_>, _>>()?.concat()),
         _ => decide(jobs),
@@ -166,7 +166,7 @@ fn measured(batch: &Batch<'_>, key: TileKey, verdicts: &Cells) -> Result<Arc<Ext
         .collect();
     let (jobs, found): (Vec<Job>, Vec<Verdict>) =
         there.iter().map(|(_, job, verdict)| (job.clone(), *verdict)).unzip();
-    let schedule = &scene.plane.schedule;
+    let schedule = &scene.plane.task;
     let watch = Flag(cancelled);
     let measured = caught(|| backend::extents(scene.computing.backend, &jobs, &found, schedule, &watch))?;
     let mut extents = vec![Extent::NONE; verdicts.len()];

@@ -70,7 +70,7 @@ fn set(setting: &Setting, varied: impl Fn(Quantity) -> bool) -> Vec<String> {
 }
 
 fn lengths(plane: &Plane, start: Start) -> Vec<String> {
-    let schedule = &plane.schedule;
+    let schedule = &plane.task;
     let mut words = vec![
         format!("--start={start}"),
         "--transient".into(),

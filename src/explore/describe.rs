@@ -85,10 +85,10 @@ pub fn asked(plane: &Plane, backend: &str, own: &'static Family) -> Value {
         "y": plane.y.to_string(),
         "set": set,
         "start": plane.start.to_string(),
-        "transient": plane.schedule.transient,
-        "observe": plane.schedule.observe,
-        "max_period": plane.schedule.max_period,
-        "fixed_periods": plane.schedule.fixed_periods,
+        "transient": plane.task.transient,
+        "observe": plane.task.observe,
+        "max_period": plane.task.max_period,
+        "fixed_periods": plane.task.fixed_periods,
         "backend": backend,
     })
 }

@@ -206,7 +206,7 @@ mod tests {
             y: axis("delta=0.02:0.8:60"),
             parameters: crate::model::Parameters::default().into(),
             start: crate::plane::Start::Symmetric,
-            schedule: crate::analysis::Schedule {
+            task: crate::analysis::Schedule {
                 transient: 300,
                 observe: 150,
                 max_period: 32,

@@ -73,6 +73,7 @@ fn of_cells(layer: &Layer, cells: &[(Verdict, Option<Extent>)], family: &Family)
     layer.numbers(
         cells.iter().map(|(verdict, extent)| CellResult {
             verdict,
+            place: &verdict.state,
             multipliers: None,
             extent: extent.as_ref(),
         }),

@@ -68,7 +68,7 @@ impl Line {
             sweep: Sweep::Each(plane.start),
             start: plane.start,
             probe: Probe::new(Section::A, Reading::VBefore).map_err(because)?,
-            schedule: DiagramSpec::schedule(TRANSIENT, OBSERVE, plane.schedule.max_period),
+            schedule: DiagramSpec::schedule(TRANSIENT, OBSERVE, plane.task.max_period),
             capacity: POINTS,
             spectrum: None,
         };

@@ -93,7 +93,7 @@ mod tests {
             y: "delta=0.1:0.5:5".parse().unwrap(),
             parameters: parameters.into(),
             start: Start::Symmetric,
-            schedule: Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: false },
+            task: Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: false },
         }
     }
 

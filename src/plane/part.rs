@@ -84,7 +84,7 @@ mod tests {
             y: "delta=0.02:0.8:300".parse().unwrap(),
             parameters: Parameters::default().into(),
             start: Start::Rest,
-            schedule: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
+            task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
         }
     }
 

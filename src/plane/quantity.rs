@@ -41,7 +41,8 @@ impl Quantity {
         if let Ok(parameter) = Parameter::of(family, name) {
             return Ok(Quantity::Parameter(parameter));
         }
-        name.parse::<ControlQuantity>().map(Quantity::Control).map_err(|_| {
+        let setting = ControlQuantity::all().find(|setting| setting.name() == name);
+        setting.map(Quantity::Control).ok_or_else(|| {
             let known: Vec<&str> = (Parameter::all(family).map(Parameter::name))
                 .chain(Component::all(family.n()).map(Component::name))
                 .collect();

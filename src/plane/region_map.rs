@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::spec::Plane;
-use crate::analysis::{Extent, Regime, Verdict};
+use super::task::{Reached, Task};
+use crate::analysis::{Extent, Regime, Schedule};
 
 /// What computed a result.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -56,33 +57,34 @@ pub type Multipliers = Vec<[f64; 2]>;
 
 /// A computed plane.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RegionMap {
+pub struct RegionMap<T: Task = Schedule> {
     /// What was asked.
-    pub plane: Plane,
+    pub plane: Plane<T>,
     /// What computed it.
     pub provenance: Provenance,
-    /// One verdict per cell, row by row, first row = first y value.
-    pub verdicts: Vec<Verdict>,
+    /// What came out of each cell, row by row, first row = first y value.
+    pub verdicts: Vec<T::Cell>,
     /// Where the map was certified, the multipliers of each cell's exact orbit; none for a cell that has no such orbit.
     pub multipliers: Option<Vec<Option<Multipliers>>>,
     /// Where they were measured, the root mean squares and the peaks of each cell's coordinates.
     pub extents: Option<Vec<Extent>>,
 }
 
-impl RegionMap {
-    /// The verdict of the cell in column `column` of row `row`.
-    pub fn at(&self, column: u32, row: u32) -> &Verdict {
+impl<T: Task> RegionMap<T> {
+    /// What came out of the cell in column `column` of row `row`.
+    pub fn at(&self, column: u32, row: u32) -> &T::Cell {
         &self.verdicts[row as usize * self.plane.x.count as usize + column as usize]
     }
 
     /// Whether systems of the plane have a mirror: that in the middle, or one of a motion that is symmetric.
     pub fn has_mirror(&self) -> bool {
-        self.plane.has_mirror() || self.verdicts.iter().any(|verdict| verdict.symmetric)
+        self.plane.has_mirror() || self.verdicts.iter().any(|cell| cell.verdict().symmetric)
     }
 
     /// How many cells are in each regime, in the order of [`Regime::ALL`].
     pub fn census(&self) -> [(Regime, u64); 8] {
-        Regime::ALL.map(|regime| (regime, self.verdicts.iter().filter(|v| v.regime == regime).count() as u64))
+        let cells = |regime| self.verdicts.iter().filter(|cell| cell.verdict().regime == regime).count();
+        Regime::ALL.map(|regime| (regime, cells(regime) as u64))
     }
 
     /// The configuration text that files carry: the plane and its provenance, as JSON.

@@ -1,21 +1,23 @@
-//! The plane to compute: two axes over fixed parameters, a start, and a schedule.
+//! The plane to compute: two axes over fixed parameters, a start, and what is asked of every cell.
 
-use serde::{Deserialize, Serialize};
-use thiserror::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::axis::Axis;
+use super::error::PlaneError;
 use super::quantity::Quantity;
-use super::start::{Start, StartError};
+use super::start::Start;
+use super::task::{Control, LARGEST_AT_ONCE, Task};
 use super::written::{WrittenAxis, WrittenParameters, WrittenSystem, parameters, setting};
-use crate::analysis::{Schedule, ScheduleError};
-use crate::model::{ParameterError, Setting, StateVector};
+use crate::analysis::Schedule;
+use crate::control::Scheme;
+use crate::model::{Setting, StateVector};
 
-/// A plane of parameter pairs (or of start components), cell by cell in rows of equal y.
+/// A plane of parameter pairs (or of start components, or of settings of a control method), cell by cell in rows of equal y,
+/// of each of which the same is asked: a [`Task`], or nothing (`()`) where only the plane itself matters.
 ///
 /// Together with the version, back end and adapter this is everything needed to compute a map again.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(into = "WrittenPlane", try_from = "WrittenPlane")]
-pub struct Plane {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plane<T = Schedule> {
     /// The horizontal axis.
     pub x: Axis,
     /// The vertical axis; its first value is the first row.
@@ -24,18 +26,29 @@ pub struct Plane {
     pub parameters: Setting,
     /// How every cell begins; an axis over a start component overrides that component.
     pub start: Start,
-    /// How long every cell runs.
-    pub schedule: Schedule,
+    /// What is asked of every cell.
+    pub task: T,
 }
 
 impl Plane {
-    /// The largest number of cells in one plane.
-    pub const LARGEST: u64 = 1 << 31;
-
     /// The largest number of cells whose results are held at once; more go into a store.
-    pub const LARGEST_AT_ONCE: u64 = 1 << 26;
+    pub const LARGEST_AT_ONCE: u64 = LARGEST_AT_ONCE;
+}
 
-    /// Checks that every cell can be computed: ranges, distinct axes, size, schedule and starts.
+impl Plane<Control> {
+    /// The scheme of the cell in column `column` of row `row`.
+    pub fn scheme_at(&self, column: u32, row: u32) -> Scheme {
+        self.values_at(column, row).into_iter().fold(self.task.scheme, |scheme, (quantity, value)| {
+            match quantity {
+                Quantity::Control(setting) => scheme.with(setting, value).unwrap_or(scheme),
+                Quantity::Parameter(_) | Quantity::Start(_) => scheme,
+            }
+        })
+    }
+}
+
+impl<T: Task> Plane<T> {
+    /// Checks that every cell can be computed: ranges, distinct axes, size, what is asked, and starts.
     ///
     /// # Errors
     /// The first thing that cannot be used, with its value and the remedy.
@@ -43,20 +56,20 @@ impl Plane {
         if self.x.quantity == self.y.quantity {
             return Err(PlaneError::SameAxis(self.x.quantity.name()));
         }
-        if self.cells() > Self::LARGEST {
-            return Err(PlaneError::TooLarge { x: self.x.count, y: self.y.count });
+        if self.cells() > T::LARGEST {
+            return Err(PlaneError::TooLarge { x: self.x.count, y: self.y.count, most: T::LARGEST });
         }
-        if let Some(setting) = [&self.x, &self.y].into_iter().find_map(|axis| axis.control()) {
-            return Err(PlaneError::NoControl(setting.name()));
-        }
-        self.schedule.check()?;
-        self.check_cells()
-    }
-
-    /// Checks parameters and starts, whatever else an axis varies.
-    pub(super) fn check_cells(&self) -> Result<(), PlaneError> {
+        self.task.check([&self.x, &self.y])?;
         self.parameters.check()?;
         self.check_starts()
+    }
+}
+
+impl<T> Plane<T> {
+    /// The same plane, of whose cells something else is asked.
+    pub fn asking<U>(&self, task: U) -> Plane<U> {
+        let Plane { x, y, parameters, start, .. } = *self;
+        Plane { x, y, parameters, start, task }
     }
 
     fn check_starts(&self) -> Result<(), PlaneError> {
@@ -86,11 +99,16 @@ impl Plane {
         u64::from(self.x.count) * u64::from(self.y.count)
     }
 
+    /// What the axes vary, with its values in the cell in column `column` of row `row`.
+    fn values_at(&self, column: u32, row: u32) -> [(Quantity, f64); 2] {
+        [(&self.x, column), (&self.y, row)].map(|(axis, i)| (axis.quantity, axis.value(i)))
+    }
+
     /// The parameters of the cell in column `column` of row `row`.
     pub fn parameters_at(&self, column: u32, row: u32) -> Setting {
-        [(&self.x, column), (&self.y, row)].into_iter().fold(self.parameters, |parameters, (axis, i)| {
-            match axis.quantity {
-                Quantity::Parameter(parameter) => parameters.with(parameter, axis.value(i)),
+        self.values_at(column, row).into_iter().fold(self.parameters, |parameters, (quantity, value)| {
+            match quantity {
+                Quantity::Parameter(parameter) => parameters.with(parameter, value),
                 Quantity::Start(_) | Quantity::Control(_) => parameters,
             }
         })
@@ -98,14 +116,14 @@ impl Plane {
 
     /// The start of the cell in column `column` of row `row`.
     pub fn start_at(&self, column: u32, row: u32) -> Start {
-        [(&self.x, column), (&self.y, row)].into_iter().fold(self.start, |start, (axis, i)| {
-            match (axis.quantity, start) {
+        self.values_at(column, row).into_iter().fold(self.start, |start, (quantity, value)| {
+            match (quantity, start) {
                 (Quantity::Parameter(_) | Quantity::Control(_), start) => start,
                 (Quantity::Start(component), start) => {
                     let n = self.parameters.family().n();
                     let mut state =
                         if let Start::State(state) = start { state } else { StateVector::zeros(n) };
-                    state[component.index()] = axis.value(i);
+                    state[component.index()] = value;
                     Start::State(state)
                 }
             }
@@ -113,73 +131,50 @@ impl Plane {
     }
 }
 
-/// A plane as files carry it.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-struct WrittenPlane {
+/// A plane as files carry it, with what is asked under names of its own.
+#[derive(Serialize, Deserialize)]
+struct Written<W> {
     x: WrittenAxis,
     y: WrittenAxis,
     #[serde(default)]
     system: Option<WrittenSystem>,
     parameters: WrittenParameters,
     start: Start,
-    schedule: Schedule,
+    #[serde(flatten)]
+    task: W,
 }
 
-impl From<Plane> for WrittenPlane {
-    fn from(plane: Plane) -> Self {
-        WrittenPlane {
-            x: WrittenAxis::of(&plane.x),
-            y: WrittenAxis::of(&plane.y),
-            system: Some(WrittenSystem::of(plane.parameters.family())),
-            parameters: parameters(&plane.parameters),
-            start: plane.start,
-            schedule: plane.schedule,
+impl<T: Task> Serialize for Plane<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let written = Written {
+            x: WrittenAxis::of(&self.x),
+            y: WrittenAxis::of(&self.y),
+            system: Some(WrittenSystem::of(self.parameters.family())),
+            parameters: parameters(&self.parameters),
+            start: self.start,
+            task: self.task.written(),
+        };
+        written.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Plane {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        struct Followed {
+            schedule: Schedule,
         }
+        let written = Written::<Followed>::deserialize(deserializer)?;
+        let read = || -> Result<Plane, String> {
+            let family = WrittenSystem::read(written.system.as_ref())?;
+            Ok(Plane {
+                x: written.x.read(family)?,
+                y: written.y.read(family)?,
+                parameters: setting(family, &written.parameters)?,
+                start: written.start,
+                task: written.task.schedule,
+            })
+        };
+        read().map_err(serde::de::Error::custom)
     }
-}
-
-impl TryFrom<WrittenPlane> for Plane {
-    type Error = String;
-
-    fn try_from(written: WrittenPlane) -> Result<Self, String> {
-        let family = WrittenSystem::read(written.system.as_ref())?;
-        Ok(Plane {
-            x: written.x.read(family)?,
-            y: written.y.read(family)?,
-            parameters: setting(family, &written.parameters)?,
-            start: written.start,
-            schedule: written.schedule,
-        })
-    }
-}
-
-/// Why a plane was refused.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum PlaneError {
-    /// Both axes vary the same thing.
-    #[error("both axes are {0}: choose two different names")]
-    SameAxis(&'static str),
-    /// An axis varies a setting of a control method, and there is none.
-    #[error("axis {0} is a setting of a control method: choose one with --control sine, pulse or delay")]
-    NoControl(&'static str),
-    /// More cells than [`Plane::LARGEST`].
-    #[error("a plane of {x} × {y} cells is too large: at most {} cells are accepted", Plane::LARGEST)]
-    TooLarge {
-        /// Columns.
-        x: u32,
-        /// Rows.
-        y: u32,
-    },
-    /// An axis over a start component needs a start that it can change.
-    #[error("an axis over a component of the start needs --start rest or --start X1,X2,V1,V2, not symmetric")]
-    SymmetricStartVaried,
-    /// The schedule cannot be used.
-    #[error(transparent)]
-    Schedule(#[from] ScheduleError),
-    /// A parameter cannot be used.
-    #[error(transparent)]
-    Parameter(#[from] ParameterError),
-    /// A start cannot be used.
-    #[error(transparent)]
-    Start(#[from] StartError),
 }

@@ -17,7 +17,7 @@ pub struct Window {
 
 impl Window {
     /// All cells of a plane.
-    pub fn whole(plane: &Plane) -> Self {
+    pub fn whole<T>(plane: &Plane<T>) -> Self {
         Window { column: 0, row: 0, columns: plane.x.count, rows: plane.y.count }
     }
 
@@ -56,7 +56,7 @@ impl Window {
     }
 
     /// The plane of the window's cells alone: the same cells, with the same values on the axes.
-    pub fn plane(&self, plane: &Plane) -> Plane {
+    pub fn plane<T: Clone>(&self, plane: &Plane<T>) -> Plane<T> {
         Plane {
             x: plane.x.part(self.column, self.columns),
             y: plane.y.part(self.row, self.rows),
@@ -150,7 +150,7 @@ mod tests {
             y: format!("delta=0.1:0.4:{rows}").parse().unwrap(),
             parameters: Parameters::default().into(),
             start: Start::Rest,
-            schedule: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
+            task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
         }
     }
 

@@ -5,7 +5,7 @@ use crate::figure::{Frame, Scale};
 use crate::plane::Plane;
 
 /// The axes of a plane.
-pub(super) fn frame_of(plane: &Plane) -> Frame {
+pub(super) fn frame_of<T>(plane: &Plane<T>) -> Frame {
     Frame {
         x: Scale::of(&plane.x.steps()),
         y: Scale::of(&plane.y.steps()),

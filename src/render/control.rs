@@ -6,7 +6,7 @@ use super::places::stop_place;
 use super::symbol::control_symbol;
 use super::symbols;
 use crate::analysis::{Reading, Section};
-use crate::control::{ControlQuantity, ControlSchedule, Convention, History, Scheme, Sign, own_coordinate};
+use crate::control::{ControlQuantity, ControlSchedule, History, Scheme, Shown, own_coordinate};
 use crate::dynamics::Stop;
 use crate::figure::{AxisTitle, Figure, Frame, INK, KeyEntry, Mark, Panel, Row, Sample, Scale, Text, number};
 use crate::model::{Setting, System};
@@ -188,16 +188,17 @@ impl ControlPicture<'_> {
     }
 
     fn response_title(&self, of: Response) -> AxisTitle {
-        match (of, self.scheme) {
-            (Response::Signal, Scheme::Sine(_)) => {
-                let short = Text::new().italic("B");
-                AxisTitle { long: Text::from("amplitude ").then(short.clone()), short }
+        match of {
+            Response::Signal => {
+                let (long, pieces) = self.scheme.method().signal;
+                let short = pieces.iter().enumerate().fold(Text::new(), |text, (i, piece)| match i % 2 {
+                    0 if piece.is_empty() => text,
+                    0 => text.upright(*piece),
+                    _ => text.italic(*piece),
+                });
+                AxisTitle { long: Text::from(long).then(short.clone()), short }
             }
-            (Response::Signal, _) => {
-                let short = Text::from("|Δ").italic("X").upright("|");
-                AxisTitle { long: Text::from("correction ").then(short.clone()), short }
-            }
-            (Response::Component(reading), _) => self.component_title(reading),
+            Response::Component(reading) => self.component_title(reading),
         }
     }
 
@@ -240,52 +241,19 @@ pub(super) fn describe(
     family: &Family,
     varied: impl Fn(ControlQuantity) -> bool,
 ) -> Vec<Text> {
-    use ControlQuantity as Q;
-    let setting = |quantity, value: f64| {
-        let text = control_symbol(quantity).upright(format!(" = {}", number(value)));
-        (!varied(quantity)).then_some(text)
-    };
-    let (method, settings): (&str, Vec<Option<Text>>) = match scheme {
-        Scheme::Sine(sine) => {
-            let method = match sine.convention {
-                Convention::Kick => "sine kick",
-                Convention::Force => "sine force",
-                Convention::ForceLocal => "sine force from each impact",
-            };
-            let settings = [
-                (Q::Amplitude, sine.amplitude),
-                (Q::Alpha, sine.alpha),
-                (Q::DeadBand, sine.dead_band),
-                (Q::Gamma, sine.gamma),
-            ];
-            (method, settings.map(|(quantity, value)| setting(quantity, value)).to_vec())
+    let (method, settings) = scheme.shown();
+    let piece = |shown| match shown {
+        Shown::Setting(quantity, value) => {
+            (!varied(quantity)).then(|| control_symbol(quantity).upright(format!(" = {}", number(value))))
         }
-        Scheme::Pulse(pulse) => {
-            let settings = [setting(Q::Period, f64::from(pulse.period)), setting(Q::Noise, pulse.noise)];
-            ("period pulse", settings.to_vec())
+        Shown::Diagonal(gains) => {
+            let listed: Vec<String> = gains.iter().map(|&gain| number(gain)).collect();
+            Some(Text::new().italic("G").upright(format!(" = diag({})", listed.join("; "))))
         }
-        Scheme::Delay(delay) => {
-            let g = delay.gains[0];
-            let gain = if delay.gains.iter().all(|&gain| gain == g) {
-                setting(Q::Gain, g)
-            } else {
-                let listed: Vec<String> = delay.gains.iter().map(|&gain| number(gain)).collect();
-                Some(Text::new().italic("G").upright(format!(" = diag({})", listed.join("; "))))
-            };
-            let method = match delay.sign {
-                Sign::Stabilising => "delayed feedback",
-                Sign::Printed => "delayed feedback, printed sign",
-            };
-            (method, vec![gain, setting(Q::Delay, f64::from(delay.delay))])
-        }
+        Shown::Coordinate(i) => Some(Text::from("on ").italic("x").subscript((i + 1).to_string())),
     };
     let mut pieces = vec![Text::from(method)];
-    if let Scheme::Sine(sine) = scheme
-        && sine.coordinate > 0
-    {
-        pieces.push(Text::from("on ").italic("x").subscript((sine.coordinate + 1).to_string()));
-    }
-    pieces.extend(settings.into_iter().flatten());
+    pieces.extend(settings.into_iter().filter_map(piece));
     if scheme.stop() != Stop::A {
         pieces.push(Text::from(format!("at stop {}", family.stops()[scheme.stop().index()].name)));
     }

@@ -12,7 +12,7 @@ use crate::figure::{
     Anchor, Canvas, Colour, INK, LeftOut, MUTED, Picture, Point, Rect, Scale, Size, Text, fitting_ticks,
     line_width,
 };
-use crate::plane::ControlMap;
+use crate::plane::{Control, RegionMap};
 
 /// The lengths of the picture, in em.
 const MARGIN: f64 = 1.0;
@@ -44,15 +44,15 @@ const RAMP: [[u8; 3]; 9] = [
 /// Draws how many iterates each cell of a plane took from switching control on until its points kept returning.
 ///
 /// Cells whose points returned from the first one on, and those that did not come to return, have colours of their own.
-pub fn convergence_map(map: &ControlMap, size: Size) -> Picture {
+pub fn convergence_map(map: &RegionMap<Control>, size: Size) -> Picture {
     let em = size.em();
     let config = map.config();
     let mut canvas = Canvas::new(size, &config);
     let (width, height) = (f64::from(size.width()), f64::from(size.height()));
     let title = title(map, size);
     let space = |size| space(map, size);
-    let frame = frame_of(&map.plane.plane());
-    let times = Times::of(map.outcomes.iter().map(|outcome| outcome.converged_at));
+    let frame = frame_of(&map.plane);
+    let times = Times::of(map.verdicts.iter().map(|outcome| outcome.converged_at));
     let Some(placed) = frame.place(space(size), em, true) else {
         let whole = Rect { x: 0.0, y: 0.0, width, height };
         canvas.image(whole, &cells(map, &times));
@@ -71,13 +71,13 @@ pub fn convergence_map(map: &ControlMap, size: Size) -> Picture {
 }
 
 /// The lines of the title.
-fn title(map: &ControlMap, size: Size) -> Vec<Text> {
+fn title(map: &RegionMap<Control>, size: Size) -> Vec<Text> {
     let em = size.em();
     Text::wrap(control_title(map), em, f64::from(size.width()) - (2.0 * MARGIN + 7.0) * em)
 }
 
 /// The space of the plot and its axes: below the title, beside the bar.
-fn space(map: &ControlMap, size: Size) -> Rect {
+fn space(map: &RegionMap<Control>, size: Size) -> Rect {
     let em = size.em();
     let top = (MARGIN + title(map, size).len() as f64 * TITLE_ROW) * em;
     Rect {
@@ -159,11 +159,11 @@ fn ramp(fraction: f64) -> Colour {
 }
 
 /// The cells, one pixel each, the first row at the bottom.
-fn cells(map: &ControlMap, times: &Times) -> RgbImage {
+fn cells(map: &RegionMap<Control>, times: &Times) -> RgbImage {
     let (columns, rows) = (map.plane.x.count, map.plane.y.count);
     RgbImage::from_fn(columns, rows, |x, y| {
         let index = (rows - 1 - y) as usize * columns as usize + x as usize;
-        times.colour(map.outcomes[index].converged_at)
+        times.colour(map.verdicts[index].converged_at)
     })
 }
 

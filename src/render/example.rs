@@ -14,7 +14,7 @@ pub(super) fn of(columns: u32, rows: u32, cell: impl Fn(u32, u32) -> Verdict) ->
             y: axis("delta=0.02:0.8", rows),
             parameters: Parameters::default().into(),
             start: Start::Symmetric,
-            schedule: Schedule { transient: 500, observe: 500, max_period: 64, fixed_periods: false },
+            task: Schedule { transient: 500, observe: 500, max_period: 64, fixed_periods: false },
         },
         provenance: Provenance { version: "0.1.0".into(), backend: "cpu".into(), adapter: "example".into() },
         verdicts: (0..rows)

@@ -27,25 +27,8 @@ fn split_symbol(symbol: &str) -> (&str, &str) {
 
 /// The symbol of a setting of a control method.
 pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
-    let letter = |letter: &str| Text::new().italic(letter);
-    match setting {
-        ControlQuantity::Gain => letter("g"),
-        ControlQuantity::Delay => letter("p"),
-        ControlQuantity::Amplitude => letter("B"),
-        ControlQuantity::Alpha => letter("α"),
-        ControlQuantity::DeadBand => letter("Δ"),
-        ControlQuantity::Gamma => letter("γ"),
-        ControlQuantity::Phase => letter("φ"),
-        ControlQuantity::Period => letter("P"),
-        ControlQuantity::Noise => letter("E"),
-        ControlQuantity::TargetV1 => letter("v").subscript("1").superscript("+"),
-        ControlQuantity::TargetV2 => letter("v").subscript("2"),
-        ControlQuantity::TargetV3 => letter("v").subscript("3"),
-        ControlQuantity::TargetV4 => letter("v").subscript("4"),
-        ControlQuantity::TargetX1 => letter("x").subscript("1"),
-        ControlQuantity::TargetX2 => letter("x").subscript("2"),
-        ControlQuantity::TargetX3 => letter("x").subscript("3"),
-        ControlQuantity::TargetX4 => letter("x").subscript("4"),
-        ControlQuantity::TargetTau => letter("τ").subscript("0"),
-    }
+    let [letter, subscript, superscript] = setting.symbol();
+    let text = Text::new().italic(letter);
+    let text = if subscript.is_empty() { text } else { text.subscript(subscript) };
+    if superscript.is_empty() { text } else { text.superscript(superscript) }
 }

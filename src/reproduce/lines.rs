@@ -175,7 +175,7 @@ mod tests {
             y: "delta=0.08:0.14:20".parse().unwrap(),
             parameters: Parameters::default().into(),
             start: Start::Symmetric,
-            schedule: Schedule { transient: 200, observe: 100, max_period: 8, fixed_periods: false },
+            task: Schedule { transient: 200, observe: 100, max_period: 8, fixed_periods: false },
         };
         let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
         let mut curves = bifurcation_curves(&map, 1).unwrap().curves;

@@ -27,7 +27,7 @@ fn plane() -> Plane {
         y: "delta=0.02:0.8:300".parse().expect("an axis"),
         parameters: Parameters::default().into(),
         start: Start::Symmetric,
-        schedule: Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false },
+        task: Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false },
     }
 }
 

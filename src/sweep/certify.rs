@@ -10,7 +10,8 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 
 use super::SweepError;
-use super::map::{cell_job, window_jobs};
+use super::map::window_jobs;
+use super::swept::cell_job;
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
 use crate::backend::{Backend, BackendError, Job, Silent, Watch, decide, second_look};
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
@@ -66,7 +67,7 @@ pub fn certify_window(
     backend: &dyn Backend,
     watch: &dyn Watch,
 ) -> Result<(Vec<Option<Multipliers>>, Certification), SweepError> {
-    let (jobs, schedule) = (&window_jobs(plane, window)?[..], &plane.schedule);
+    let (jobs, schedule) = (&window_jobs(plane, window)?[..], &plane.task);
     let before: Vec<Verdict> = verdicts.to_vec();
     let mut found: Vec<Option<Certified>> = (jobs.par_iter().zip(&before))
         .map(|(job, verdict)| {
@@ -168,7 +169,7 @@ fn beyond(
         (places.iter()).map(|&place| cell_job(plane, whole.index(place) as u64)).collect::<Result<_, _>>()?;
     let mut verdicts = Vec::with_capacity(jobs.len());
     for jobs in jobs.chunks(backend.tile().max(1)) {
-        verdicts.extend(decide(backend, jobs, &plane.schedule, &Silent(watch))?);
+        verdicts.extend(decide(backend, jobs, &plane.task, &Silent(watch))?);
     }
     let found = (jobs.par_iter().zip(&verdicts).zip(places))
         .filter_map(|((job, verdict), place)| Some((place, by_itself(job, verdict)?)));

@@ -38,7 +38,7 @@ pub(super) fn window_extents(
         let part =
             Window { row: window.row + (k * rows) as u32, rows: (verdicts.len() / columns) as u32, ..window };
         let jobs = window_jobs(plane, part)?;
-        extents.extend(backend::extents(backend, &jobs, verdicts, &plane.schedule, &Silent(watch))?);
+        extents.extend(backend::extents(backend, &jobs, verdicts, &plane.task, &Silent(watch))?);
         watch.finished(verdicts.len() as u64);
     }
     Ok(extents)

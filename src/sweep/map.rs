@@ -5,52 +5,79 @@
 
 use rayon::prelude::*;
 
+use super::swept::{Swept, asked_of, cell_job};
 use super::{SweepError, provenance};
 use crate::analysis::Verdict;
 use crate::backend::{Backend, BackendError, Job, Watch, decide};
 use crate::model::{System, SystemError};
-use crate::plane::{Plane, RegionMap, Window};
+use crate::plane::{Plane, Reached, RegionMap, Window};
 
-/// Computes every cell of a plane on a back end.
+/// Does what is asked of every cell of a plane on a back end.
+///
+/// Under control a cell without impacts to control at (δ = 0), or whose target motion does not exist, is unresolved after 0
+/// iterates.
 ///
 /// # Errors
-/// A plane or a system that cannot be used, or what the back end could not do; nothing is kept of a sweep that the
-/// watch ended.
-pub fn sweep(plane: &Plane, backend: &dyn Backend, watch: &dyn Watch) -> Result<RegionMap, SweepError> {
+/// A plane, a system or a method that cannot be used, a target that exists in no cell, or what the back end could not do;
+/// nothing is kept of a sweep that the watch ended.
+pub fn sweep<T: Swept>(
+    plane: &Plane<T>,
+    backend: &dyn Backend,
+    watch: &dyn Watch,
+) -> Result<RegionMap<T>, SweepError> {
     plane.check()?;
     check_border(plane)?;
     let cells = plane.cells();
     let tile = backend.tile().max(1);
     let mut verdicts = Vec::new();
     verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory { cells })?;
+    let (mut missing, mut any) = (None, false);
     for first in (0..cells).step_by(tile) {
         if watch.cancelled() {
             return Err(BackendError::Cancelled.into());
         }
-        let jobs = jobs(plane, first..cells.min(first + tile as u64))?;
-        verdicts.extend(decide(backend, &jobs, &plane.schedule, watch)?);
+        let range = first..cells.min(first + tile as u64);
+        let found: Vec<_> = range.into_par_iter().map(|cell| asked_of(plane, cell)).collect();
+        let mut jobs = Vec::with_capacity(found.len());
+        let mut is_there = Vec::with_capacity(found.len());
+        for job in found {
+            let job = job.or_else(|error| match error.is_of_one_cell() {
+                true => {
+                    missing.get_or_insert(error);
+                    Ok(None)
+                }
+                false => Err(error),
+            })?;
+            is_there.push(job.is_some());
+            jobs.extend(job);
+        }
+        any |= !jobs.is_empty();
+        watch.finished((is_there.len() - jobs.len()) as u64);
+        let mut computed = plane.task.run(backend, &jobs, watch)?.into_iter();
+        let left_out = T::Cell::unresolved(plane.parameters.family().n());
+        let result = |there| if there { computed.next() } else { Some(left_out.clone()) };
+        verdicts.extend(is_there.into_iter().filter_map(result));
     }
-    Ok(RegionMap {
-        plane: plane.clone(),
-        provenance: provenance(backend),
-        verdicts,
-        multipliers: None,
-        extents: None,
-    })
+    match missing {
+        Some(why) if !any => Err(why),
+        _ => Ok(RegionMap {
+            plane: plane.clone(),
+            provenance: provenance(backend),
+            verdicts,
+            multipliers: None,
+            extents: None,
+        }),
+    }
 }
 
 /// Refuses time scales that are too far apart before anything is computed: they are so on the border first.
-pub(super) fn check_border(plane: &Plane) -> Result<(), SystemError> {
+pub(super) fn check_border<T>(plane: &Plane<T>) -> Result<(), SystemError> {
     let (columns, rows) = (plane.x.count, plane.y.count);
     let horizontal = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
     let vertical = (0..rows).flat_map(|row| [(0, row), (columns - 1, row)]);
     horizontal
         .chain(vertical)
         .try_for_each(|(column, row)| System::new(plane.parameters_at(column, row)).map(drop))
-}
-
-fn jobs(plane: &Plane, cells: std::ops::Range<u64>) -> Result<Vec<Job>, SystemError> {
-    cells.into_par_iter().map(|cell| cell_job(plane, cell)).collect()
 }
 
 /// The jobs of some cells of a plane, row by row.
@@ -76,18 +103,9 @@ pub fn sweep_window(
         if watch.cancelled() {
             return Err(BackendError::Cancelled.into());
         }
-        verdicts.extend(decide(backend, jobs, &plane.schedule, watch)?);
+        verdicts.extend(decide(backend, jobs, &plane.task, watch)?);
     }
     Ok(verdicts)
-}
-
-/// The job of a cell, counted row by row.
-pub(super) fn cell_job(plane: &Plane, cell: u64) -> Result<Job, SystemError> {
-    let columns = u64::from(plane.x.count);
-    let (column, row) = ((cell % columns) as u32, (cell / columns) as u32);
-    let system = System::new(plane.parameters_at(column, row))?;
-    let start = plane.start_at(column, row).state(&system);
-    Ok(Job { system, start })
 }
 
 #[cfg(test)]
@@ -155,7 +173,7 @@ mod tests {
             y: y.parse().unwrap(),
             parameters: Parameters::default().into(),
             start,
-            schedule: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
+            task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
         }
     }
 

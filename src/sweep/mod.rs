@@ -1,27 +1,28 @@
 //! Whole planes and diagrams on one back end.
 
 mod certify;
-mod control;
 mod diagram;
 mod extents;
 mod map;
 mod sample;
 mod stored;
+mod swept;
 
 use thiserror::Error;
 
 use crate::backend::{Backend, BackendError};
+use crate::control::ControlError;
 use crate::diagram::DiagramError;
 use crate::model::SystemError;
 use crate::plane::{PlaneError, Provenance};
 
 pub use certify::{Certification, certify, certify_window};
-pub use control::{ControlSweepError, sweep_control};
 pub use diagram::diagram;
 pub use extents::measure_extents;
 pub use map::{sweep, sweep_window};
-pub use sample::{sample, sample_control, spread};
+pub use sample::{sample, spread};
 pub use stored::{Reopen, StoredError, StoredRun, sweep_stored};
+pub use swept::Swept;
 
 /// What a result of this back end is marked with.
 pub fn provenance(backend: &dyn Backend) -> Provenance {
@@ -44,6 +45,9 @@ pub enum SweepError {
     /// A cell's system cannot be used.
     #[error(transparent)]
     System(#[from] SystemError),
+    /// A cell cannot be controlled.
+    #[error(transparent)]
+    Control(#[from] ControlError),
     /// The verdicts do not fit into memory.
     #[error("the results of {cells} cells do not fit into this machine's memory: compute fewer")]
     Memory {
@@ -53,4 +57,11 @@ pub enum SweepError {
     /// The back end gave no verdicts.
     #[error(transparent)]
     Backend(#[from] BackendError),
+}
+
+impl SweepError {
+    /// Whether it stands in the way of one cell alone: the motion that its control aims at does not exist.
+    fn is_of_one_cell(&self) -> bool {
+        matches!(self, SweepError::Control(ControlError::NoTarget { .. }))
+    }
 }

@@ -1,12 +1,9 @@
 //! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
-use super::control;
-use super::map;
-use super::{ControlSweepError, SweepError};
-use crate::analysis::Verdict;
-use crate::backend::{Backend, Watch, decide};
-use crate::control::Outcome;
-use crate::plane::{ControlPlane, Plane};
+use super::SweepError;
+use super::swept::{Swept, asked_of};
+use crate::backend::{Backend, Watch};
+use crate::plane::Plane;
 
 /// Cells of a plane of so many columns and rows by their indices, row by row: the first `count` of a sequence that
 /// fills the plane evenly however many of it are taken. A cell may come twice.
@@ -22,33 +19,21 @@ pub fn spread(columns: u32, rows: u32, count: u32) -> Vec<u64> {
         .collect()
 }
 
-/// The verdicts of single cells of a plane, the same as in the whole.
+/// What comes out of single cells of a plane, the same as in the whole; those that cannot be controlled are left out.
 ///
 /// # Errors
 /// As [`sweep`](super::sweep).
-pub fn sample(
-    plane: &Plane,
+pub fn sample<T: Swept>(
+    plane: &Plane<T>,
     backend: &dyn Backend,
     cells: &[u64],
     watch: &dyn Watch,
-) -> Result<Vec<Verdict>, SweepError> {
-    let jobs: Result<Vec<_>, _> = cells.iter().map(|&cell| map::cell_job(plane, cell)).collect();
-    Ok(decide(backend, &jobs?, &plane.schedule, watch)?)
-}
-
-/// The outcomes of single cells of a plane under control; those that cannot be controlled are left out.
-///
-/// # Errors
-/// As [`sweep_control`](super::sweep_control).
-pub fn sample_control(
-    plane: &ControlPlane,
-    backend: &dyn Backend,
-    cells: &[u64],
-    watch: &dyn Watch,
-) -> Result<Vec<Outcome>, ControlSweepError> {
-    let jobs: Result<Vec<_>, _> = cells.iter().map(|&cell| control::job(plane, cell)).collect();
-    let jobs: Vec<_> = jobs?.into_iter().filter_map(Result::ok).collect();
-    Ok(backend.control(&jobs, &plane.iterates, watch)?)
+) -> Result<Vec<T::Cell>, SweepError> {
+    let jobs: Result<Vec<_>, _> = (cells.iter().map(|&cell| asked_of(plane, cell)))
+        .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))
+        .filter_map(Result::transpose)
+        .collect();
+    Ok(plane.task.run(backend, &jobs?, watch)?)
 }
 
 #[cfg(test)]
@@ -86,7 +71,7 @@ mod tests {
             y: "delta=0.05:0.3:5".parse().unwrap(),
             parameters: Parameters::default().into(),
             start: Start::Symmetric,
-            schedule: Schedule { transient: 60, observe: 40, max_period: 8, fixed_periods: false },
+            task: Schedule { transient: 60, observe: 40, max_period: 8, fixed_periods: false },
         };
         let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
         let cells = spread(6, 5, 9);

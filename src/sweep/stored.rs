@@ -158,7 +158,7 @@ mod tests {
             y: "delta=0.05:0.3:7".parse().unwrap(),
             parameters: Parameters::default().into(),
             start: Start::Symmetric,
-            schedule: Schedule { transient: 40, observe: 40, max_period: 8, fixed_periods: false },
+            task: Schedule { transient: 40, observe: 40, max_period: 8, fixed_periods: false },
         }
     }
 

@@ -111,6 +111,8 @@ pub struct WorstCell {
     pub reference: Verdict,
     /// The candidate's verdict.
     pub candidate: Verdict,
+    /// Where the two meet the motion: its strobe states, or under control its points on σ; non-dimensional.
+    pub places: [Vec<f64>; 2],
     /// The difference of the strobe states where it counts; non-dimensional.
     pub difference: Option<f64>,
 }

@@ -1,7 +1,7 @@
 //! When two verdicts are the same.
 
 use crate::analysis::Verdict;
-use crate::plane::RegionMap;
+use crate::plane::{Reached, RegionMap, Task};
 
 /// Whether regime and label are equal.
 pub fn same_label(a: &Verdict, b: &Verdict) -> bool {
@@ -15,14 +15,20 @@ pub fn same_motion(a: &Verdict, b: &Verdict) -> bool {
 
 /// The largest absolute difference of the strobe states; infinite where one is not a number.
 pub fn state_difference(a: &[f64], b: &[f64]) -> f64 {
-    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-    differences.fold(0.0, |largest, d| if d.is_nan() { f64::INFINITY } else { d.max(largest) })
+    largest(a.iter().zip(b).map(|(a, b)| a - b))
+}
+
+/// The largest absolute value of some differences; infinite where one is not a number.
+pub fn largest(differences: impl Iterator<Item = f64>) -> f64 {
+    let larger = |largest: f64, d: f64| if d.is_nan() { f64::INFINITY } else { d.abs().max(largest) };
+    differences.fold(0.0, larger)
 }
 
 /// Whether every neighbour that the cell has agrees with it.
-pub fn is_inside(map: &RegionMap, index: usize) -> bool {
+pub fn is_inside<T: Task>(map: &RegionMap<T>, index: usize) -> bool {
     let (columns, rows) = (map.plane.x.count, map.plane.y.count);
     let (column, row) = (index as u32 % columns, index as u32 / columns);
     let around = |i: u32, count: u32| i.saturating_sub(1)..=(i + 1).min(count - 1);
-    around(row, rows).all(|r| around(column, columns).all(|c| same_label(map.at(c, r), &map.verdicts[index])))
+    let here = map.verdicts[index].verdict();
+    around(row, rows).all(|r| around(column, columns).all(|c| same_label(map.at(c, r).verdict(), here)))
 }

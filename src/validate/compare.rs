@@ -3,21 +3,23 @@
 use strum::VariantArray;
 
 use super::agreement::{Agreement, FailedCells, Fault, RegimeAgreement, Tipped, WorstCell};
-use super::alike::{is_inside, same_label, same_motion, state_difference};
+use super::alike::{is_inside, same_label, same_motion};
+use super::comparable::Comparable;
 use super::continuation::Continued;
-use super::layers::layers;
 use super::spread::{Share, Spread};
 use crate::analysis::{Regime, Verdict};
-use crate::plane::RegionMap;
+use crate::plane::{Reached, RegionMap};
 
 /// How many of the worst cells are kept of each kind.
 const WORST_OF_A_KIND: usize = 4;
 
 /// Compares two maps of the same plane; strays count with their whole difference.
 ///
+/// Under control the points on σ are compared, the hardest impact of a period, their phases the short way round.
+///
 /// # Panics
 /// If the maps are not of the same plane.
-pub fn compare(reference: &RegionMap, candidate: &RegionMap) -> Agreement {
+pub fn compare<T: Comparable>(reference: &RegionMap<T>, candidate: &RegionMap<T>) -> Agreement {
     compare_continued(reference, candidate, &Continued::new())
 }
 
@@ -25,7 +27,11 @@ pub fn compare(reference: &RegionMap, candidate: &RegionMap) -> Agreement {
 ///
 /// # Panics
 /// If the maps are not of the same plane.
-pub fn compare_continued(reference: &RegionMap, candidate: &RegionMap, continued: &Continued) -> Agreement {
+pub fn compare_continued<T: Comparable>(
+    reference: &RegionMap<T>,
+    candidate: &RegionMap<T>,
+    continued: &Continued,
+) -> Agreement {
     assert_eq!(reference.plane, candidate.plane, "only maps of the same plane can be compared");
     let cells: Vec<Cell> = (0..reference.verdicts.len())
         .map(|index| Cell::compare(reference, candidate, continued, index))
@@ -46,7 +52,7 @@ pub fn compare_continued(reference: &RegionMap, candidate: &RegionMap, continued
         end_state: Spread::of(cells.iter().filter_map(|cell| cell.difference).collect()),
         continued: continued.len() as u64,
         tipped: Tipped::default(),
-        layers: layers(reference, candidate),
+        layers: T::layers(reference, candidate),
         failed: FailedCells {
             reference: failed(cells.iter().map(|cell| cell.reference)),
             candidate: failed(cells.iter().map(|cell| cell.candidate)),
@@ -63,17 +69,19 @@ struct Cell<'a> {
     agrees: bool,
     inside: bool,
     difference: Option<f64>,
+    places: [&'a [f64]; 2],
 }
 
 impl<'a> Cell<'a> {
-    fn compare(
-        reference: &'a RegionMap,
-        candidate: &'a RegionMap,
+    fn compare<T: Comparable>(
+        reference: &'a RegionMap<T>,
+        candidate: &'a RegionMap<T>,
         continued: &Continued,
         index: usize,
     ) -> Self {
-        let (ours, theirs) = (&reference.verdicts[index], &candidate.verdicts[index]);
-        let direct = || state_difference(&ours.state, &theirs.state);
+        let both = [&reference.verdicts[index], &candidate.verdicts[index]];
+        let [ours, theirs] = both.map(Reached::verdict);
+        let direct = || T::difference(both[0], both[1]);
         Cell {
             index,
             reference: ours,
@@ -82,6 +90,7 @@ impl<'a> Cell<'a> {
             inside: is_inside(reference, index),
             difference: same_motion(ours, theirs)
                 .then(|| continued.get(&index).copied().unwrap_or_else(direct)),
+            places: both.map(Reached::place),
         }
     }
 
@@ -168,6 +177,7 @@ fn worst(cells: &[Cell], columns: u32) -> Vec<WorstCell> {
             fault,
             reference: *cell.reference,
             candidate: *cell.candidate,
+            places: cell.places.map(<[f64]>::to_vec),
             difference: cell.difference,
         })
     };

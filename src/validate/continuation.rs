@@ -57,7 +57,7 @@ pub fn continue_strays(
     }
     let mut continued = Continued::new();
     for (n, cells) in by_period {
-        let schedule = whole_periods(u32::from(n), reference.plane.schedule.max_period);
+        let schedule = whole_periods(u32::from(n), reference.plane.task.max_period);
         for tile in cells.chunks(backend.tile().max(1)) {
             let jobs = tile.iter().map(|&index| job(candidate, index)).collect::<Result<Vec<_>, _>>()?;
             for (&index, end) in tile.iter().zip(backend.run(&jobs, &schedule, watch)?) {

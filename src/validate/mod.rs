@@ -23,7 +23,8 @@
 //! Maps computed with exact arithmetic are to be the same altogether: [`differing`] lists the cells in which they are not.
 //!
 //! # Under control
-//! [`compare_controlled`] holds two maps under control to the same: the motions reached, and their points on σ.
+//! [`compare`] holds two maps under control to the same: the motions reached, and their points on σ. Nothing is continued:
+//! mirrored twins count with their whole difference.
 //!
 //! # Boundaries
 //! Theory and simulation are compared too: [`boundaries`] measures how many cells lie between bifurcation curves and the
@@ -33,9 +34,9 @@ mod agreement;
 mod alike;
 mod bits;
 mod boundaries;
+mod comparable;
 mod compare;
 mod continuation;
-mod controlled;
 mod layers;
 mod spread;
 mod thresholds;
@@ -44,9 +45,9 @@ mod tipped;
 pub use agreement::{Agreement, FailedCells, Fault, RegimeAgreement, Tipped, WorstCell};
 pub use bits::{are_same, differing};
 pub use boundaries::{Boundaries, BoundaryAgreement, boundaries};
+pub use comparable::Comparable;
 pub use compare::{compare, compare_continued};
 pub use continuation::{Continued, continue_strays, strays};
-pub use controlled::compare_controlled;
 pub use layers::LayerAgreement;
 pub use spread::{Share, Spread};
 pub use thresholds::{Check, Thresholds};

@@ -37,7 +37,7 @@ fn halves(right: Verdict) -> RegionMap {
         y: format!("delta=0.1:0.4:{ROWS}").parse().unwrap(),
         parameters: Parameters::default().into(),
         start: Start::Rest,
-        schedule: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
+        task: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
     };
     let verdict = |index| if index % COLUMNS < COLUMNS / 2 { motion(1, true) } else { right };
     let provenance = Provenance { version: String::new(), backend: String::new(), adapter: String::new() };

@@ -51,7 +51,7 @@ pub fn tipped(
     let mut found = BTreeSet::new();
     for some in jobs.chunks(backend.tile().max(1)) {
         let alone: Vec<Job> = some.iter().map(|(_, job)| job.clone()).collect();
-        let verdicts = decide(backend, &alone, &reference.plane.schedule, &Unheard(watch))?;
+        let verdicts = decide(backend, &alone, &reference.plane.task, &Unheard(watch))?;
         let moved = some
             .iter()
             .zip(&verdicts)
@@ -132,7 +132,7 @@ mod tests {
             y: "f20=0:0.5:2".parse().unwrap(),
             parameters: Parameters::default().into(),
             start: Start::Rest,
-            schedule: Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: true },
+            task: Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: true },
         };
         let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
         let copies: Vec<Job> = copies(&map, 0).collect();

@@ -1,6 +1,7 @@
 //! Delayed feedback, Eq. (30).
 
-use impact_atlas::control::{Controller, Outcome, Return, Sign, converged_at, multipliers};
+use impact_atlas::control::methods::Sign;
+use impact_atlas::control::{Controller, Outcome, Return, converged_at, multipliers};
 use impact_atlas::dynamics::Stop;
 use impact_atlas::theory::impact_map;
 use nalgebra::Complex;
@@ -17,7 +18,7 @@ fn captured(gain: f64, iterates: u32) -> (Outcome, Vec<Return<f64>>) {
 
 /// The fixed point to the last digit: F's own, by the feedback that stabilises it.
 fn fixed_point() -> [f64; 4] {
-    captured(0.4, 3000).0.verdict.state.into()
+    captured(0.4, 3000).0.section[..].try_into().unwrap()
 }
 
 #[test]
@@ -25,7 +26,7 @@ fn gains_of_a_half_and_less_reach_the_unstable_fixed_point() {
     for gain in [0.3, 0.4, 0.5] {
         let (outcome, returns) = captured(gain, 4000);
         assert_eq!(outcome.period, 1, "g = {gain}");
-        assert!(away(outcome.verdict.state, FIXED_POINT) < 1e-7, "g = {gain}: {outcome:?}");
+        assert!(away(outcome.section, FIXED_POINT) < 1e-7, "g = {gain}: {outcome:?}");
         let iterates = converged_at(&returns, 2000, 1, 1e-6).unwrap();
         assert!((20..250).contains(&iterates), "g = {gain}: {iterates}");
         assert!(returns.last().unwrap().signal < 1e-12, "the control does not vanish");
@@ -35,7 +36,7 @@ fn gains_of_a_half_and_less_reach_the_unstable_fixed_point() {
 #[test]
 fn a_gain_just_large_enough_takes_over_half_a_thousand_iterates() {
     let (outcome, returns) = captured(0.25, 8000);
-    assert!(away(outcome.verdict.state, FIXED_POINT) < 1e-7);
+    assert!(away(outcome.section, FIXED_POINT) < 1e-7);
     let iterates = converged_at(&returns, 2000, 1, 1e-6).unwrap();
     assert!((500..4000).contains(&iterates), "{iterates}");
 }
@@ -105,7 +106,7 @@ fn the_printed_sign_does_not_reach_the_fixed_point() {
         assert!(largest > 1.4954, "g = {gain}: {largest}");
         for start in starts(5) {
             let (outcome, _) = run(&delay(gain, Sign::Printed), 4000, start);
-            let there = outcome.period == 1 && away(outcome.verdict.state, fixed) < 1e-3;
+            let there = outcome.period == 1 && away(outcome.section, fixed) < 1e-3;
             assert!(!there, "g = {gain}: {outcome:?}");
         }
     }

@@ -1,7 +1,8 @@
 //! The sine force as a real force between impacts: exact flight, and what it reaches.
 
+use impact_atlas::control::methods::Convention;
 use impact_atlas::control::{
-    ControlSchedule, Controlled, Controller, Convention, Scheme, SectionPoint, Surface, control, multipliers,
+    ControlSchedule, Controlled, Controller, Scheme, SectionPoint, Surface, control, multipliers,
 };
 use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Stop, Trajectory};
 use impact_atlas::model::{Drive, Flight, Parameters, State, System};

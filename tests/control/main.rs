@@ -7,9 +7,9 @@ mod plants;
 mod pulse;
 mod sine;
 
+use impact_atlas::control::methods::{Convention, DelaySetting, Sign, SineSetting};
 use impact_atlas::control::{
-    ControlSchedule, Convention, DelaySetting, Outcome, Return, Scheme, SectionValues, Sign, SineSetting,
-    Target, Witness, control,
+    ControlSchedule, Outcome, Return, Scheme, SectionValues, Target, Witness, control,
 };
 use impact_atlas::dynamics::Stop;
 use impact_atlas::model::{Parameters, System};

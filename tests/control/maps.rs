@@ -4,30 +4,30 @@ use impact_atlas::analysis::{Schedule, Trace, Verdict};
 use impact_atlas::backend::{
     Backend, BackendError, ControlJob, Cpu, CpuSingle, Gpu, Job, Unwatched, Watch, follow_controlled,
 };
-use impact_atlas::control::{
-    ControlSchedule, Controller, Convention, NEVER, Outcome, PulseSetting, Scheme, SectionPoint, Sign,
-    Surface,
-};
+use impact_atlas::control::methods::{Convention, PulseSetting, Sign};
+use impact_atlas::control::{ControlSchedule, Controller, NEVER, Outcome, Scheme, SectionPoint, Surface};
 use impact_atlas::dynamics::{Contact, Event, Stop};
 use impact_atlas::model::{Flight, Parameters, State, System};
-use impact_atlas::plane::{ControlMap, ControlPlane, Start};
-use impact_atlas::sweep::sweep_control;
-use impact_atlas::validate::{Agreement, Thresholds, compare_controlled};
+use impact_atlas::plane::{Control, Plane, RegionMap, Start};
+use impact_atlas::sweep::sweep;
+use impact_atlas::validate::{Agreement, Thresholds, compare};
 
 use super::{FIXED_POINT, TARGET, away, delay, sine, system};
 
-fn plane(control: Scheme, x: &str, y: &str) -> ControlPlane {
-    ControlPlane {
+fn plane(scheme: Scheme, x: &str, y: &str) -> Plane<Control> {
+    Plane {
         x: x.parse().unwrap(),
         y: y.parse().unwrap(),
         parameters: Parameters { omega: 2.83, ..Parameters::default() }.into(),
         start: Start::Rest,
-        control,
-        iterates: ControlSchedule {
-            from: 30,
-            iterates: 330,
-            fixed: false,
-            max_period: ControlSchedule::MAX_PERIOD,
+        task: Control {
+            scheme,
+            schedule: ControlSchedule {
+                from: 30,
+                iterates: 330,
+                fixed: false,
+                max_period: ControlSchedule::MAX_PERIOD,
+            },
         },
     }
 }
@@ -44,20 +44,20 @@ fn beside_the_motion() -> [f64; 4] {
 
 /// From a chaotic transient the smallest rounding error decides which motion captures a cell; from the neighbourhood of
 /// one, the gain does.
-fn feedback() -> ControlPlane {
+fn feedback() -> Plane<Control> {
     let mut plane = plane(delay(0.5, Sign::Stabilising), "omega=2.81:2.85:11", "gain=0.14:0.5:10");
     plane.start = Start::State(beside_the_motion().into());
-    plane.iterates =
+    plane.task.schedule =
         ControlSchedule { from: 2, iterates: 2000, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
     plane
 }
 
-fn map(plane: &ControlPlane, backend: &dyn Backend) -> ControlMap {
-    sweep_control(plane, backend, &Unwatched).unwrap()
+fn map(plane: &Plane<Control>, backend: &dyn Backend) -> RegionMap<Control> {
+    sweep(plane, backend, &Unwatched).unwrap()
 }
 
-fn agreement(plane: &ControlPlane, candidate: &dyn Backend) -> Agreement {
-    compare_controlled(&map(plane, &Cpu), &map(plane, candidate))
+fn agreement(plane: &Plane<Control>, candidate: &dyn Backend) -> Agreement {
+    compare(&map(plane, &Cpu), &map(plane, candidate))
 }
 
 /// A software adapter refuses exact control before its compiler can fail to come to an end, and says what gives the same bits.
@@ -66,11 +66,11 @@ fn exact_control_on_a_software_adapter_is_refused() {
     let exact = Gpu::open_exact(None).expect("an adapter is there, if only a software one");
     println!("adapter: {}", exact.adapter());
     let plane = plane(delay(0.5, Sign::Stabilising), "omega=2.8:2.9:2", "gain=0.2:0.4:2");
-    let refused = sweep_control(&plane, &exact, &Unwatched).map(drop).map_err(|error| error.to_string());
+    let refused = sweep(&plane, &exact, &Unwatched).map(drop).map_err(|error| error.to_string());
     if exact.is_software() {
         assert!(refused.unwrap_err().contains("--backend cpu"));
     }
-    assert_eq!(map(&plane, &CpuSingle).outcomes.len(), 4);
+    assert_eq!(map(&plane, &CpuSingle).verdicts.len(), 4);
 }
 
 /// With exact arithmetic an adapter and its twin on the CPU have the same bits, whatever the method.
@@ -88,10 +88,12 @@ fn exact_control_has_the_bits_of_the_twin() {
     ];
     for plane in planes {
         let [there, here] = [&exact as &dyn Backend, &CpuSingle].map(|backend| map(&plane, backend));
-        let told = |map: &ControlMap| map.outcomes.iter().map(|told| format!("{told:?}")).collect::<Vec<_>>();
+        let told = |map: &RegionMap<Control>| {
+            map.verdicts.iter().map(|told| format!("{told:?}")).collect::<Vec<_>>()
+        };
         let (there, here) = (told(&there), told(&here));
         let differing = there.iter().zip(&here).filter(|(there, here)| there != here).count();
-        assert_eq!(differing, 0, "{:?}", plane.control);
+        assert_eq!(differing, 0, "{:?}", plane.task.scheme);
         let distinct: std::collections::HashSet<&String> = here.iter().collect();
         assert!(distinct.len() > here.len() / 2, "{} distinct outcomes", distinct.len());
     }
@@ -169,7 +171,7 @@ fn feedback_forgotten(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
 fn feedback_agrees_on_cpu_and_gpu() {
     let plane = feedback();
     let (ours, theirs) = (map(&plane, &Cpu), map(&plane, &gpu()));
-    let agreement = compare_controlled(&ours, &theirs);
+    let agreement = compare(&ours, &theirs);
     assert!(
         agreement.holds(&Thresholds::default()),
         "{:#?}\n{:?}",
@@ -177,8 +179,8 @@ fn feedback_agrees_on_cpu_and_gpu() {
         agreement.worst
     );
     assert!(agreement.inside.cells > 40, "too few cells to compare: {:?}", agreement.inside);
-    let both = ours.outcomes.iter().zip(&theirs.outcomes);
-    let of = |label: &str| ours.outcomes.iter().filter(|o| o.verdict.label() == label).count();
+    let both = ours.verdicts.iter().zip(&theirs.verdicts);
+    let of = |label: &str| ours.verdicts.iter().filter(|o| o.verdict.label() == label).count();
     assert!(of("1-2-1") > 40 && of("2-4-2") > 15, "{} and {}", of("1-2-1"), of("2-4-2"));
     let times: Vec<f64> = both
         .filter(|(a, b)| [a, b].map(|o| o.verdict.label()) == ["1-2-1", "1-2-1"])
@@ -186,7 +188,7 @@ fn feedback_agrees_on_cpu_and_gpu() {
         .collect();
     let alike = times.iter().filter(|difference| difference.abs() <= 1.0).count();
     assert!(alike as f64 > 0.95 * times.len() as f64, "{times:?}");
-    assert!(theirs.outcomes.iter().all(|o| o.converged_at != NEVER || o.period == 0));
+    assert!(theirs.verdicts.iter().all(|o| o.converged_at != NEVER || o.period == 0));
 }
 
 #[test]
@@ -201,13 +203,13 @@ fn what_is_wrong_does_not_agree() {
 
 fn a_turn_ahead(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
     let mut outcome = follow_controlled::<f64>(job, schedule).unwrap();
-    outcome.verdict.state[3] += std::f64::consts::TAU;
+    outcome.section[3] += std::f64::consts::TAU;
     outcome
 }
 
 fn half_a_turn_ahead(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
     let mut outcome = follow_controlled::<f64>(job, schedule).unwrap();
-    outcome.verdict.state[3] += std::f64::consts::PI;
+    outcome.section[3] += std::f64::consts::PI;
     outcome
 }
 
@@ -230,13 +232,13 @@ fn pulses_kicks_and_forces_agree_cell_by_cell() {
     let gpu = gpu();
     for (plane, tolerance) in planes {
         let (ours, theirs) = (map(&plane, &Cpu), map(&plane, &gpu));
-        for (a, b) in ours.outcomes.iter().zip(&theirs.outcomes) {
+        for (a, b) in ours.verdicts.iter().zip(&theirs.verdicts) {
             assert_eq!(a.verdict.label(), b.verdict.label(), "{plane:?}\n{a:?}\n{b:?}");
             assert_eq!(a.period, b.period);
-            assert!(away(a.verdict.state, b.verdict.state) < tolerance, "{a:?}\n{b:?}");
+            assert!(away(a.section, b.section) < tolerance, "{a:?}\n{b:?}");
             assert!((a.signal - b.signal).abs() < 1e-3 * a.signal.abs(), "{a:?}\n{b:?}");
         }
-        let distinct = away(ours.outcomes[0].verdict.state, ours.outcomes.last().unwrap().verdict.state);
+        let distinct = away(ours.verdicts[0].section, ours.verdicts.last().unwrap().section);
         assert!(distinct > 1e-2, "the plane is one point");
     }
 }
@@ -246,25 +248,25 @@ fn the_kick_agrees_on_where_the_motion_is_held() {
     let mut kicked =
         plane(sine(Convention::Kick, 0.0, 0.0, 0.0), "omega=2.826:2.836:4", "amplitude=0.02:0.3:6");
     kicked.start = Start::State(beside_the_motion().into());
-    kicked.iterates =
+    kicked.task.schedule =
         ControlSchedule { from: 1, iterates: 600, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
     let (ours, theirs) = (map(&kicked, &Cpu), map(&kicked, &gpu()));
-    let held = |map: &ControlMap| -> Vec<bool> {
-        map.outcomes.iter().map(|outcome| outcome.verdict.label() == "1-2-1").collect()
+    let held = |map: &RegionMap<Control>| -> Vec<bool> {
+        map.verdicts.iter().map(|outcome| outcome.verdict.label() == "1-2-1").collect()
     };
     assert_eq!(held(&ours), held(&theirs));
     assert!(held(&ours).contains(&true) && held(&ours).contains(&false));
-    for (a, b) in ours.outcomes.iter().zip(&theirs.outcomes).filter(|(a, _)| a.verdict.label() == "1-2-1") {
-        assert!(away(a.verdict.state, b.verdict.state) < 1e-5, "{a:?}\n{b:?}");
+    for (a, b) in ours.verdicts.iter().zip(&theirs.verdicts).filter(|(a, _)| a.verdict.label() == "1-2-1") {
+        assert!(away(a.section, b.section) < 1e-5, "{a:?}\n{b:?}");
     }
 }
 
 #[test]
 fn forces_that_the_gpu_does_not_have_are_refused() {
     let local = plane(sine(Convention::ForceLocal, 0.1, 0.0, 0.0), "omega=2.8:2.86:2", "delta=0.1:0.2:2");
-    let refused = sweep_control(&local, &gpu(), &Unwatched).unwrap_err().to_string();
+    let refused = sweep(&local, &gpu(), &Unwatched).unwrap_err().to_string();
     assert!(refused.contains("--backend cpu"), "{refused}");
-    assert_eq!(map(&local, &Cpu).outcomes.len(), 4);
+    assert_eq!(map(&local, &Cpu).verdicts.len(), 4);
 }
 
 #[test]
@@ -275,12 +277,12 @@ fn outcomes_do_not_depend_on_tiles_or_threads() {
     let in_tiles = pool
         .install(|| map(&plane, &Altered(|job, schedule| follow_controlled::<f64>(job, schedule).unwrap())));
     // As text, in which NaN equals NaN: an exponent that was not measured.
-    assert_eq!(format!("{:?}", whole.outcomes), format!("{:?}", in_tiles.outcomes));
+    assert_eq!(format!("{:?}", whole.verdicts), format!("{:?}", in_tiles.verdicts));
 }
 
 #[test]
 fn planes_that_cannot_be_controlled_are_refused() {
-    let refused = |plane: ControlPlane| sweep_control(&plane, &Cpu, &Unwatched).unwrap_err().to_string();
+    let refused = |plane: Plane<Control>| sweep(&plane, &Cpu, &Unwatched).unwrap_err().to_string();
     let feedback = delay(0.5, Sign::Stabilising);
     let pulse = Scheme::Pulse(PulseSetting { stop: Stop::A, period: 1, target: TARGET, noise: 0.0, seed: 1 });
     assert!(refused(plane(feedback, "gain=0.1:1.5:4", "omega=2.8:3:2")).contains("gain = 1.5"));
@@ -290,7 +292,7 @@ fn planes_that_cannot_be_controlled_are_refused() {
     assert!(refused(plane(pulse, "period=0:3:4", "omega=2.8:3:2")).contains("period = 0"));
     assert!(refused(plane(feedback, "gain=0.1:0.5:4", "gain=0.1:0.5:4")).contains("both axes"));
     let mut nowhere = plane(pulse, "zeta=0.1:0.2:2", "r=0.7:0.8:2");
-    nowhere.control = Scheme::Pulse(PulseSetting {
+    nowhere.task.scheme = Scheme::Pulse(PulseSetting {
         stop: Stop::A,
         period: 1,
         target: impact_atlas::control::Target { reference: 0.3, ..TARGET },

@@ -3,9 +3,10 @@
 use std::f64::consts::{PI, TAU};
 
 use impact_atlas::backend::{Backend, ControlJob, Gpu, Job, Unwatched, follow_controlled};
+use impact_atlas::control::methods::{Convention, DelaySetting, PulseSetting, Sign, SineSetting};
 use impact_atlas::control::{
-    ControlSchedule, Controlled, Controller, Convention, DelaySetting, Outcome, PulseSetting, Return, Scheme,
-    SectionPoint, SectionValues, Sign, SineSetting, Surface, Target, control, multipliers,
+    ControlSchedule, Controlled, Controller, Outcome, Return, Scheme, SectionPoint, SectionValues, Surface,
+    Target, control, multipliers,
 };
 use impact_atlas::dynamics::{Contact, Event, Phasor, Stop, Trajectory};
 use impact_atlas::model::{Drive, Flight, State, StateVector, System};
@@ -88,7 +89,7 @@ fn feedback_holds_the_ball_beyond_its_period_doubling() {
     let (outcome, returns) = run(&system, &controller, &beside);
     assert_eq!((outcome.period, outcome.verdict.label().as_str()), (1, "1-1"), "{outcome:?}");
     assert!(!outcome.verdict.symmetric);
-    assert!(away(outcome.verdict.state, fixed) < 1e-9, "{outcome:?}");
+    assert!(away(outcome.section, fixed) < 1e-9, "{outcome:?}");
     assert!(returns.last().unwrap().signal < 1e-12, "the control does not vanish");
     let (uncontrolled, _) = run(&system, &Controller::None(Stop::A), &beside);
     assert_eq!(uncontrolled.period, 2, "{uncontrolled:?}");
@@ -119,7 +120,7 @@ fn pulses_hold_a_target_on_the_second_stop() {
     assert!((trajectory.point.state.v[0] - arrived[0]).abs() < 1e-10, "{arrived:?}");
     assert_eq!(outcome.verdict.counts[..], at_stops);
     let (free, _) = run(&system, &Controller::None(Stop::B), &[0.0, 0.0]);
-    assert!(away(free.verdict.state, target) > 1e-2, "{free:?}");
+    assert!(away(free.section, target) > 1e-2, "{free:?}");
     // The same numbers on the section of the first stop lead into it.
     let refused = pulse(Stop::A, &target).resolve(&system).unwrap_err().to_string();
     assert!(refused.contains("v1+ = 0.7"), "{refused}");
@@ -134,7 +135,7 @@ fn the_papers_other_stop_has_the_mirror_image() {
         starts(6).map(|start| run(&system, controller, &start).0).collect::<Vec<_>>()
     };
     let held = at_b(&feedback(Stop::B, 4, 0.4).resolve(&system).unwrap());
-    let there = |outcome: &&Outcome| outcome.period == 1 && away(outcome.verdict.state, image) < 1e-7;
+    let there = |outcome: &&Outcome| outcome.period == 1 && away(outcome.section, image) < 1e-7;
     let captured: Vec<_> = held.iter().filter(there).collect();
     assert!(!captured.is_empty(), "{held:?}");
     for outcome in captured {
@@ -360,14 +361,14 @@ fn the_gpu_controls_any_plant_at_any_stop_as_the_cpu_does() {
         assert_eq!((ours.escapes, ours.iterates), (theirs.escapes, theirs.iterates), "{context}");
         assert!((ours.effort - theirs.effort).abs() <= 1e-3 * (1.0 + ours.effort.abs()), "{context}");
         if ours.period > 0 {
-            assert!(away(ours.verdict.state, theirs.verdict.state) < 2e-4, "{context}");
+            assert!(away(ours.section, theirs.section) < 2e-4, "{context}");
             periodic += 1;
         }
         // What another controller does on the same plant is something else.
         let other = ControlJob { controller: Controller::None(job.controller.stop()), ..job };
         let free = follow_controlled::<f64>(&other, &schedule).unwrap();
         let differs = free.verdict.label() != ours.verdict.label()
-            || away(free.verdict.state, ours.verdict.state) > 1e-3
+            || away(free.section, ours.section) > 1e-3
             || free.escapes != ours.escapes;
         assert!(differs, "{name}: control makes no difference");
     }

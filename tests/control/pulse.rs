@@ -1,6 +1,7 @@
 //! Period pulses, Eqs. (26) to (29).
 
-use impact_atlas::control::{PulseSetting, Scheme};
+use impact_atlas::control::Scheme;
+use impact_atlas::control::methods::PulseSetting;
 use impact_atlas::dynamics::Stop;
 
 use super::{TARGET, away, run};

@@ -1,6 +1,7 @@
 //! The sine kick, Eqs. (21) to (23): a kick at each return to the section.
 
-use impact_atlas::control::{ControlSchedule, Controlled, Convention, SectionPoint, Surface, multipliers};
+use impact_atlas::control::methods::Convention;
+use impact_atlas::control::{ControlSchedule, Controlled, SectionPoint, Surface, multipliers};
 use impact_atlas::dynamics::{Contact, Stop};
 use impact_atlas::model::Flight;
 

@@ -24,7 +24,7 @@ fn map_of(family: &'static Family, axes: [&str; 2], set: &[(&str, f64)], start: 
     let [x, y] = axes.map(|axis| Axis::of_family(axis, family).unwrap());
     let defaults = Setting::defaults(family);
     let parameters = set.iter().fold(defaults, |all, (name, value)| all.with_named(name, *value));
-    sweep(&Plane { x, y, parameters, start, schedule: SCHEDULE }, &Cpu, &Unwatched).unwrap()
+    sweep(&Plane { x, y, parameters, start, task: SCHEDULE }, &Cpu, &Unwatched).unwrap()
 }
 
 fn from(state: &[f64]) -> Start {
@@ -299,7 +299,7 @@ impl<'a> Walked<'a> {
         let schedule = Schedule { transient: 3000, observe: 200, ..SCHEDULE };
         let one = |axis: &Axis, value: f64| Axis::new(axis.quantity, value, value, 1).unwrap();
         let [x, y] = [one(&self.map.plane.x, self.at[0]), one(&self.map.plane.y, self.at[1])];
-        let plane = Plane { x, y, parameters: self.map.plane.parameters, start, schedule };
+        let plane = Plane { x, y, parameters: self.map.plane.parameters, start, task: schedule };
         sweep(&plane, &Cpu, &Unwatched).unwrap().verdicts[0]
     }
 }

@@ -20,7 +20,7 @@ fn map(x: &str, y: &str, parameters: Parameters) -> RegionMap {
         y: y.parse().unwrap(),
         parameters: parameters.into(),
         start: Start::Symmetric,
-        schedule: Schedule { transient: 300, observe: 150, max_period: 8, fixed_periods: false },
+        task: Schedule { transient: 300, observe: 150, max_period: 8, fixed_periods: false },
     };
     sweep(&plane, &Cpu, &Unwatched).unwrap()
 }

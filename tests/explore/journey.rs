@@ -38,7 +38,7 @@ fn map(changed: &[(&str, f64)]) -> RegionMap {
             |setting: impact_atlas::model::Setting, (name, value)| setting.with_named(name, *value),
         ),
         start: impact_atlas::plane::Start::Symmetric,
-        schedule: impact_atlas::analysis::Schedule {
+        task: impact_atlas::analysis::Schedule {
             transient: 80,
             observe: 48,
             max_period: 32,

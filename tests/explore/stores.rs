@@ -125,7 +125,7 @@ async fn a_store_of_more_cells_than_memory_is_read_where_it_is_looked_at() {
         y: "delta=0.05:0.3:15000".parse().unwrap(),
         parameters: impact_atlas::model::Parameters::default().into(),
         start: Start::Rest,
-        schedule: Schedule { transient: 20, observe: 16, max_period: 4, fixed_periods: true },
+        task: Schedule { transient: 20, observe: 16, max_period: 4, fixed_periods: true },
     };
     let made = provenance(&Cpu);
     let wanted = Wanted { plane: &plane, provenance: &made, extras: Extras::NONE, tile: Some(128) };

@@ -20,7 +20,7 @@ fn map() -> RegionMap {
         y: "delta=0.06:0.3:8".parse().unwrap(),
         parameters: Parameters::default().into(),
         start: Start::Symmetric,
-        schedule: schedule(300),
+        task: schedule(300),
     };
     sweep(&plane, &Cpu, &Unwatched).unwrap()
 }
@@ -115,7 +115,7 @@ fn a_cell_is_certified_alike_in_every_window() {
         y: Axis::of_family("r=0.4999:0.5001:8", ball).unwrap(),
         parameters: Setting::defaults(ball),
         start: Start::State(StateVector::from_slice(&[1.5, 1.5]).unwrap()),
-        schedule: schedule(300),
+        task: schedule(300),
     };
     let truth = sweep(&plane, &Cpu, &Unwatched).unwrap();
     let columns = COLUMNS as u32;
@@ -150,9 +150,9 @@ fn a_cell_is_certified_alike_in_every_window() {
 fn what_no_orbit_confirms_is_unresolved() {
     // A periodic label in the midst of chaos, looked at again for too short a time to find out: it must not stand.
     let mut map = map();
-    map.plane.schedule.transient = 1;
-    map.plane.schedule.observe = 1;
-    map.plane.schedule.max_period = 1;
+    map.plane.task.transient = 1;
+    map.plane.task.observe = 1;
+    map.plane.task.max_period = 1;
     let chaotic: Vec<usize> =
         (0..map.verdicts.len()).filter(|&cell| map.verdicts[cell].regime == Regime::Chaotic).collect();
     assert!(!chaotic.is_empty());

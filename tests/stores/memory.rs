@@ -55,7 +55,7 @@ fn a_store_is_drawn_in_memory_that_does_not_hold_it() {
         y: format!("delta=0.02:0.8:{rows}").parse().unwrap(),
         parameters: Parameters::default().into(),
         start: Start::Rest,
-        schedule: Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: true },
+        task: Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: true },
     };
     let provenance = impact_atlas::sweep::provenance(&Cpu as &dyn Backend);
     let wanted = Wanted { plane: &plane, provenance: &provenance, extras: Extras::NONE, tile: None };

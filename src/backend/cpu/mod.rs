@@ -1,19 +1,17 @@
-//! The CPU path: f64, the reference, on every core.
+//! The CPU path: f64, the reference, and f32, the GPU's twin, on every core.
 
 mod each;
 mod extent;
 mod follow;
 mod lanes;
-mod single;
 
 pub use extent::extent;
 pub(super) use extent::extents;
 pub use follow::{Precision, follow, follow_controlled, trace};
 pub use lanes::{Width, follow_all, follow_counted};
-pub use single::CpuSingle;
 
-use crate::analysis::{Probe, Schedule, Trace, Verdict};
-use crate::backend::{Backend, BackendError, ControlJob, Job, Watch};
+use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
+use crate::backend::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Watch};
 use crate::control::{ControlSchedule, Outcome};
 
 use each::each;
@@ -22,45 +20,71 @@ use each::each;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cpu;
 
-impl Backend for Cpu {
-    fn name(&self) -> &'static str {
-        "cpu"
-    }
+/// The same in single precision: its results have the bits of [`Gpu::open_exact`](crate::backend::Gpu::open_exact) on any
+/// adapter.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CpuSingle;
 
-    fn adapter(&self) -> String {
-        format!("{} f64", std::env::consts::ARCH)
-    }
+/// A back end of a precision: what its adapter is called beside the processor, and how it runs jobs.
+macro_rules! on_the_processor {
+    ($name:ident, $real:ty, $adapter:expr, $run:expr) => {
+        impl Backend for $name {
+            fn name(&self) -> &'static str {
+                "cpu"
+            }
 
-    fn tile(&self) -> usize {
-        1 << 14
-    }
+            fn adapter(&self) -> String {
+                format!("{} {}", std::env::consts::ARCH, $adapter)
+            }
 
-    fn run(
-        &self,
-        jobs: &[Job],
-        schedule: &Schedule,
-        watch: &dyn Watch,
-    ) -> Result<Vec<Verdict>, BackendError> {
-        follow_all(jobs, schedule, watch, Width::available()[0])
-    }
+            fn tile(&self) -> usize {
+                1 << 14
+            }
 
-    fn trace(
-        &self,
-        jobs: &[Job],
-        schedule: &Schedule,
-        probe: Probe,
-        capacity: u32,
-        watch: &dyn Watch,
-    ) -> Result<Vec<Trace>, BackendError> {
-        each(jobs, watch, |job| trace::<f64>(job, schedule, probe, capacity))
-    }
+            fn run(
+                &self,
+                jobs: &[Job],
+                schedule: &Schedule,
+                watch: &dyn Watch,
+            ) -> Result<Vec<Verdict>, BackendError> {
+                $run(jobs, schedule, watch)
+            }
 
-    fn control(
-        &self,
-        jobs: &[ControlJob],
-        schedule: &ControlSchedule,
-        watch: &dyn Watch,
-    ) -> Result<Vec<Outcome>, BackendError> {
-        each(jobs, watch, |job| follow_controlled::<f64>(job, schedule))?.into_iter().collect()
-    }
+            fn trace(
+                &self,
+                jobs: &[Job],
+                schedule: &Schedule,
+                probe: Probe,
+                capacity: u32,
+                watch: &dyn Watch,
+            ) -> Result<Vec<Trace>, BackendError> {
+                each(jobs, watch, |job| trace::<$real>(job, schedule, probe, capacity))
+            }
+
+            fn control(
+                &self,
+                jobs: &[ControlJob],
+                schedule: &ControlSchedule,
+                watch: &dyn Watch,
+            ) -> Result<Vec<Outcome>, BackendError> {
+                each(jobs, watch, |job| follow_controlled::<$real>(job, schedule))?.into_iter().collect()
+            }
+
+            fn extents(
+                &self,
+                jobs: &[Job],
+                periods: &[u32],
+                watch: &dyn Watch,
+            ) -> Result<Vec<Extent>, BackendError> {
+                extents::<$real>(jobs, periods, watch)
+            }
+        }
+    };
 }
+
+on_the_processor!(Cpu, f64, "f64", |jobs, schedule, watch| {
+    follow_all(jobs, schedule, watch, Width::available()[0])
+});
+on_the_processor!(CpuSingle, f32, format_args!("f32{REPRODUCIBLE}"), |jobs: &[Job], schedule, watch| {
+    each(jobs, watch, |job| follow::<f32>(job, schedule))
+});

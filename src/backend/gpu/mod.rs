@@ -11,7 +11,7 @@ use std::fmt;
 
 use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Watch};
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
-use crate::control::{ControlSchedule, Controller, Convention, LONGEST_ON_DEVICE, Outcome};
+use crate::control::{ControlSchedule, LONGEST_ON_DEVICE, Outcome};
 
 pub use adapters::{AdapterReport, adapters};
 
@@ -98,11 +98,7 @@ impl Backend for Gpu {
         schedule: &Schedule,
         watch: &dyn Watch,
     ) -> Result<Vec<Verdict>, BackendError> {
-        let mut verdicts = Vec::with_capacity(jobs.len());
-        for tile in jobs.chunks(self.kernel.tile()) {
-            verdicts.extend(self.kernel.run(tile, schedule, watch)?);
-        }
-        Ok(verdicts)
+        in_tiles(jobs, self.kernel.tile(), |tile| self.kernel.run(tile, schedule, watch))
     }
 
     fn control(
@@ -118,13 +114,9 @@ impl Backend for Gpu {
                     .to_owned(),
             ));
         }
-        if jobs.iter().any(|job| !has_kernel_for(&job.controller)) {
-            return Err(BackendError::Unsupported(
-                "on the GPU a sine force is in phase with the forcing, gamma = 1 and phase = 0: use --backend cpu \
-                 for any other"
-                    .to_owned(),
-            ));
-        }
+        jobs.iter()
+            .try_for_each(|job| job.controller.check_on_device())
+            .map_err(|why| BackendError::Unsupported(why.to_owned()))?;
         if schedule.max_period as usize > LONGEST_ON_DEVICE {
             return Err(BackendError::Unsupported(format!(
                 "on the GPU periods of at most {LONGEST_ON_DEVICE} iterates are looked for, and not {}: lower \
@@ -132,11 +124,8 @@ impl Backend for Gpu {
                 schedule.max_period
             )));
         }
-        let mut outcomes = Vec::with_capacity(jobs.len());
-        for tile in jobs.chunks(self.kernel.control_tile(jobs)?) {
-            outcomes.extend(self.kernel.control(tile, schedule, watch)?);
-        }
-        Ok(outcomes)
+        let size = self.kernel.control_tile(jobs)?;
+        in_tiles(jobs, size, |tile| self.kernel.control(tile, schedule, watch))
     }
 
     fn trace(
@@ -147,30 +136,22 @@ impl Backend for Gpu {
         capacity: u32,
         watch: &dyn Watch,
     ) -> Result<Vec<Trace>, BackendError> {
-        let mut traces = Vec::with_capacity(jobs.len());
-        for tile in jobs.chunks(self.kernel.trace_tile(capacity)) {
-            traces.extend(self.kernel.trace(tile, schedule, probe, capacity, watch)?);
-        }
-        Ok(traces)
+        let size = self.kernel.trace_tile(capacity);
+        in_tiles(jobs, size, |tile| self.kernel.trace(tile, schedule, probe, capacity, watch))
     }
 
     fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>, BackendError> {
-        let mut extents = Vec::with_capacity(jobs.len());
-        for (jobs, periods) in jobs.chunks(self.kernel.tile()).zip(periods.chunks(self.kernel.tile())) {
-            extents.extend(self.kernel.extents(jobs, periods, watch)?);
-        }
-        Ok(extents)
+        let followed: Vec<(&Job, u32)> = jobs.iter().zip(periods.iter().copied()).collect();
+        in_tiles(&followed, self.kernel.tile(), |tile| self.kernel.extents(tile, watch))
     }
 }
 
-/// A force in phase with the forcing is a change of it; any other would be a second phasor.
-fn has_kernel_for(controller: &Controller<f64>) -> bool {
-    match controller {
-        Controller::Sine(sine) => match sine.convention {
-            Convention::Kick => true,
-            Convention::Force => sine.ratio == 1.0 && sine.phase == 0.0,
-            Convention::ForceLocal => false,
-        },
-        Controller::None(_) | Controller::Pulse(_) | Controller::Delay(_) => true,
-    }
+/// The results of some jobs, tile by tile.
+fn in_tiles<J, R>(
+    jobs: &[J],
+    size: usize,
+    compute: impl Fn(&[J]) -> Result<Vec<R>, BackendError>,
+) -> Result<Vec<R>, BackendError> {
+    let tiles: Result<Vec<Vec<R>>, _> = jobs.chunks(size).map(compute).collect();
+    Ok(tiles?.into_iter().flatten().collect())
 }

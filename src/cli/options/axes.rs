@@ -45,7 +45,7 @@ impl AxesArgs {
             y,
             parameters: self.system.parameters(&[("--x", x), ("--y", y)])?,
             start: self.start.unwrap_or_else(|| default_start(&[x, y])),
-            schedule,
+            task: schedule,
         };
         plane.check().map_err(CliError::input)?;
         Ok(plane)
@@ -68,7 +68,7 @@ impl AxesArgs {
             None => plane.start,
         };
         let parameters = system.assigned_to(plane.parameters)?;
-        let plane = Plane { x, y, parameters, start, schedule };
+        let plane = Plane { x, y, parameters, start, task: schedule };
         plane.check().map_err(CliError::input)?;
         Ok(plane)
     }
@@ -91,27 +91,23 @@ impl AxesArgs {
         ])
     }
 
-    /// The plane with about `cells` cells; where there is no such number and no axis is given, with `default` ones.
+    /// The checked plane whose cells run by `schedule`, as large as [`AxesArgs::resized`] makes it.
     pub fn plane_of(&self, schedule: Schedule, cells: Option<u32>, default: u32) -> Result<Plane, CliError> {
-        let plane = self.plane(schedule)?;
-        Ok(match self.cells(cells, default) {
-            Some(cells) => {
-                let [x, y] = with_cells([plane.x, plane.y], cells);
-                Plane { x, y, ..plane }
-            }
-            None => plane,
-        })
+        Ok(self.resized(self.plane(schedule)?, cells, default))
     }
 
-    /// How many cells are wanted, if not those of the axes.
-    pub(super) fn cells(&self, cells: Option<u32>, default: u32) -> Option<u32> {
-        cells.or((self.x.is_none() && self.y.is_none()).then_some(default))
+    /// The plane with about `cells` cells; where there is no such number and no axis is given, with `default` ones.
+    pub(super) fn resized<T>(&self, plane: Plane<T>, cells: Option<u32>, default: u32) -> Plane<T> {
+        let cells = cells.or((self.x.is_none() && self.y.is_none()).then_some(default));
+        let Some(cells) = cells else { return plane };
+        let [x, y] = with_cells([plane.x, plane.y], cells);
+        Plane { x, y, ..plane }
     }
 }
 
 /// The same axes with about so many cells, in about the same proportion; one of one value, or of whole numbers, keeps
 /// its values.
-pub(super) fn with_cells([x, y]: [Axis; 2], cells: u32) -> [Axis; 2] {
+fn with_cells([x, y]: [Axis; 2], cells: u32) -> [Axis; 2] {
     let kept = |axis: Axis| axis.count == 1 || axis.control().is_some_and(ControlQuantity::is_whole);
     let resized = |axis: Axis, count: f64| match kept(axis) {
         true => axis,

@@ -2,12 +2,11 @@
 
 use clap::Args;
 use impact_atlas::analysis::Schedule;
-use impact_atlas::control::ControlSchedule;
-use impact_atlas::plane::{ControlPlane, Plane, Quantity};
+use impact_atlas::control::{ControlSchedule, Method};
+use impact_atlas::plane::{Control, Plane, Quantity};
 
-use super::axes::{AxesArgs, default_start, with_cells};
+use super::axes::{AxesArgs, default_start};
 use crate::cli::method::MethodArgs;
-use crate::cli::method_name::MethodName;
 use crate::cli::values::count;
 use crate::cli::{CliError, defaults};
 
@@ -49,7 +48,7 @@ impl PlaneArgs {
 
     /// A plane that was computed before, with what is given in place of its own.
     pub fn again(&self, plane: &Plane) -> Result<Plane, CliError> {
-        let own = plane.schedule;
+        let own = plane.task;
         let schedule = Schedule {
             transient: self.transient.unwrap_or(own.transient),
             observe: self.observe.unwrap_or(own.observe),
@@ -62,10 +61,10 @@ impl PlaneArgs {
     /// The checked plane under control.
     pub fn control_plane(
         &self,
-        method: MethodName,
+        method: &Method,
         settings: &MethodArgs,
-        iterates: ControlSchedule,
-    ) -> Result<ControlPlane, CliError> {
+        schedule: ControlSchedule,
+    ) -> Result<Plane<Control>, CliError> {
         let [x, y] = self.axes.axes()?;
         let axes = [("--x", x), ("--y", y)];
         let varied = axes.map(|(option, axis)| (format!("{option} {axis} varies"), axis.quantity));
@@ -79,23 +78,20 @@ impl PlaneArgs {
             Quantity::Parameter(parameter) => setting.with(parameter, axis.first),
             Quantity::Start(_) | Quantity::Control(_) => setting,
         });
-        let plane = ControlPlane {
+        let plane = Plane {
             x,
             y,
             parameters,
             start: self.axes.start.unwrap_or_else(|| default_start(&[x, y])),
-            control: settings.scheme(method, &set, &first)?,
-            iterates,
+            task: Control { scheme: settings.scheme(method, &set, &first)?, schedule },
         };
         plane.check().map_err(CliError::input)?;
         Ok(plane)
     }
 
-    /// The plane under control with as many cells as [`AxesArgs::plane_of`] gives it.
-    pub fn resized(&self, plane: ControlPlane, cells: Option<u32>, default: u32) -> ControlPlane {
-        let Some(cells) = self.axes.cells(cells, default) else { return plane };
-        let [x, y] = with_cells([plane.x, plane.y], cells);
-        ControlPlane { x, y, ..plane }
+    /// See [`AxesArgs::resized`].
+    pub fn resized<T>(&self, plane: Plane<T>, cells: Option<u32>, default: u32) -> Plane<T> {
+        self.axes.resized(plane, cells, default)
     }
 
     /// See [`AxesArgs::plane_of`].

@@ -6,7 +6,6 @@ mod tests;
 mod text;
 
 use impact_atlas::analysis::Regime;
-use impact_atlas::model::StateVector;
 use impact_atlas::plane::Provenance;
 use impact_atlas::validate::{Agreement, Boundaries, Check, Thresholds, WorstCell};
 use serde::Serialize;
@@ -41,8 +40,8 @@ struct Suspect {
     reference: String,
     candidate: String,
     difference: Option<f64>,
-    reference_state: StateVector,
-    candidate_state: StateVector,
+    reference_state: Vec<f64>,
+    candidate_state: Vec<f64>,
     command: String,
 }
 
@@ -65,8 +64,8 @@ impl<'a> Report<'a> {
             reference: cell.reference.label(),
             candidate: cell.candidate.label(),
             difference: cell.difference,
-            reference_state: cell.reference.state,
-            candidate_state: cell.candidate.state,
+            reference_state: cell.places[0].clone(),
+            candidate_state: cell.places[1].clone(),
             command: plane.command(cell.column, cell.row, &candidate_options),
         };
         Report {

@@ -34,7 +34,7 @@ fn map(backend: &str) -> RegionMap {
         y: "r=0.5:0.75:4".parse().unwrap(),
         parameters: Parameters { zeta: 0.025, ..Parameters::default() }.into(),
         start: Start::State([0.0, 0.5, -0.25, 1e-7].into()),
-        schedule: Schedule { transient: 40, observe: 20, max_period: 8, fixed_periods: true },
+        task: Schedule { transient: 40, observe: 20, max_period: 8, fixed_periods: true },
     };
     RegionMap { plane, provenance, verdicts: vec![verdict(1); 20], multipliers: None, extents: None }
 }

@@ -39,7 +39,7 @@ pub fn coexisting(
     let jobs: Vec<Job> =
         starts.iter().map(|(_, start)| Job { system: system.clone(), start: *start }).collect();
     let watch = task.at("looking for other motions", jobs.len() as u64);
-    let decided = decide(scene.computing.backend, &jobs, &scene.plane.schedule, &watch);
+    let decided = decide(scene.computing.backend, &jobs, &scene.plane.task, &watch);
     let decided = match decided {
         Ok(decided) => decided,
         Err(_) if watch.cancelled() => return Err(Ended::Cancelled),

@@ -7,12 +7,13 @@ use super::field::{CellField, Extras};
 use super::values::Values;
 use crate::plane::region_map::RegionMap;
 use crate::plane::spec::Plane;
+use crate::plane::task::Task;
 use crate::plane::window::Window;
 
 /// Where the fields of a plane's cells can be read: a map in memory, or a store of which some tiles are there.
 pub trait Cells: Sync {
-    /// The plane.
-    fn plane(&self) -> &Plane;
+    /// The plane, whatever was asked of it.
+    fn plane(&self) -> Plane<()>;
 
     /// The configuration that made it, as files carry it.
     fn configuration(&self) -> serde_json::Value;
@@ -37,9 +38,9 @@ pub trait Cells: Sync {
 #[error("{0}")]
 pub struct CellsError(pub String);
 
-impl Cells for RegionMap {
-    fn plane(&self) -> &Plane {
-        &self.plane
+impl<T: Task> Cells for RegionMap<T> {
+    fn plane(&self) -> Plane<()> {
+        self.plane.asking(())
     }
 
     fn configuration(&self) -> serde_json::Value {

@@ -101,7 +101,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "state",
         "state at the end",
         (Inner::Components, "1"),
-        Source::F64(|cell, i| cell.verdict.state[i]),
+        Source::F64(|cell, i| cell.place[i]),
         "(x1 … xn, v1 … vn) at the end, at forcing phase 0; NaN only where the regime is failed",
         None,
     ),

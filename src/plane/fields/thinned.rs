@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use super::{CellField, Cells, CellsError, Extras, assembled};
-use crate::plane::{Axis, Plane, Provenance, RegionMap, Window};
+use crate::plane::{Axis, Made, Plane, RegionMap, Window};
 
 /// A window of a plane as a map: all of its cells, or where they are more than `most` every second, third … of each row and
 /// column. Without multipliers.
@@ -13,7 +13,9 @@ use crate::plane::{Axis, Plane, Provenance, RegionMap, Window};
 pub fn thinned(cells: &dyn Cells, window: Window, most: usize) -> Result<RegionMap, CellsError> {
     let step =
         (1..).find(|step| sparse(window, *step).0 * sparse(window, *step).1 <= most.max(1)).unwrap_or(1);
-    let plane = window.plane(cells.plane());
+    let Made { plane, provenance, .. } = Made::deserialize(cells.configuration())
+        .map_err(|error| CellsError(format!("the configuration is not understood: {error}")))?;
+    let plane = window.plane(&plane);
     let family = plane.parameters.family();
     let mut verdicts = Vec::new();
     let end = window.row + window.rows;
@@ -38,8 +40,6 @@ pub fn thinned(cells: &dyn Cells, window: Window, most: usize) -> Result<RegionM
         let count = axis.count.div_ceil(step);
         Axis { last: axis.value((count - 1) * step), count, ..axis }
     };
-    let provenance = Provenance::deserialize(cells.configuration())
-        .map_err(|error| CellsError(format!("the configuration is not understood: {error}")))?;
     let plane = Plane { x: axis(plane.x), y: axis(plane.y), ..plane };
     Ok(RegionMap { plane, provenance, verdicts, multipliers: None, extents: None })
 }
@@ -54,6 +54,7 @@ mod tests {
     use super::*;
     use crate::analysis::{Regime, Schedule, Verdict};
     use crate::model::Parameters;
+    use crate::plane::Provenance;
     use crate::plane::Start;
 
     fn map(columns: u32, rows: u32) -> RegionMap {
@@ -64,7 +65,7 @@ mod tests {
                 y: format!("delta=0.1:0.4:{rows}").parse().unwrap(),
                 parameters: Parameters::default().into(),
                 start: Start::Rest,
-                schedule: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
+                task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
             },
             provenance: Provenance { version: "1".into(), backend: "cpu".into(), adapter: "test".into() },
             verdicts: (0..columns * rows).map(of).collect(),

@@ -17,7 +17,7 @@ use super::numbers::draw_numbers;
 use crate::curves::Curve;
 use crate::figure::{Anchor, Canvas, Entry, INK, LeftOut, Picture, Point, Size, Text};
 use crate::plane::fields::{Cells, CellsError, Layer};
-use crate::plane::{ControlMap, Plane, Quantity, RegionMap, Window};
+use crate::plane::{Control, Plane, Quantity, RegionMap, Window};
 
 pub use self::picture::{DrawnCurves, PlanePicture};
 pub(super) use self::sampling::{means, most};
@@ -33,12 +33,10 @@ pub fn region_map(map: &RegionMap, size: Size) -> Picture {
 }
 
 /// Draws the motions that the cells of a plane reach under control, like [`region_map`].
-pub fn control_map(map: &ControlMap, size: Size) -> Picture {
-    let motions = map.motions();
-    let whole = Window::whole(&motions.plane);
+pub fn control_map(map: &RegionMap<Control>, size: Size) -> Picture {
     let what = What {
-        cells: &motions,
-        window: whole,
+        cells: map,
+        window: Window::whole(&map.plane),
         title: &control_title(map),
         config: map.config(),
         legend: true,
@@ -47,12 +45,12 @@ pub fn control_map(map: &ControlMap, size: Size) -> Picture {
 }
 
 /// The fixed parameters, the start and the method, in pieces that belong together.
-pub(super) fn control_title(map: &ControlMap) -> Vec<Text> {
+pub(super) fn control_title(map: &RegionMap<Control>) -> Vec<Text> {
     let plane = &map.plane;
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
-    let mut title = names::title(&plane.plane());
+    let mut title = names::title(plane);
     title.last_mut().into_iter().for_each(|last| *last = last.clone().upright(";"));
-    title.extend(describe(&plane.control, plane.parameters.family(), |setting| {
+    title.extend(describe(&plane.task.scheme, plane.parameters.family(), |setting| {
         varied(Quantity::Control(setting))
     }));
     title
@@ -120,7 +118,7 @@ fn draw(of: &PlanePicture, overlay: Option<&Overlay>, size: Size) -> Result<Pict
 fn draw_motions(what: &What, overlay: Option<&Overlay>, size: Size) -> Result<Picture, CellsError> {
     let key = overlay.map(Overlay::key).unwrap_or_default();
     let census = Census::of(what.cells, what.window)?;
-    let frame = frame_of(&what.window.plane(what.cells.plane()));
+    let frame = frame_of(&what.window.plane(&what.cells.plane()));
     let em = size.em();
     let layout_of = |size| Layout::of(what.legend, what.title, &census, &frame, &key, size);
     let layout = layout_of(size);

@@ -10,7 +10,7 @@ use crate::render::{places, symbols};
 const SAMPLES: usize = 4;
 
 /// The title in pieces that belong together: the fixed parameters and the start.
-pub(super) fn title(plane: &Plane) -> Vec<Text> {
+pub(super) fn title<T>(plane: &Plane<T>) -> Vec<Text> {
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
     let mut title = symbols::equations(&plane.parameters, varied);
     let mirrored = plane.start == Start::Symmetric && is_mirrored(plane);
@@ -21,7 +21,7 @@ pub(super) fn title(plane: &Plane) -> Vec<Text> {
 }
 
 /// Whether systems of the plane have a mirror, as far as those along its edges tell.
-fn is_mirrored(plane: &Plane) -> bool {
+fn is_mirrored<T>(plane: &Plane<T>) -> bool {
     let bottom = (0..plane.x.count).map(|column| (column, 0));
     let left = (0..plane.y.count).map(|row| (0, row));
     bottom.chain(left).any(|(column, row)| plane.parameters_at(column, row).has_mirror())

@@ -48,7 +48,7 @@ impl<'a> PlanePicture<'a> {
     pub fn of(cells: &'a dyn Cells) -> Self {
         PlanePicture {
             cells,
-            window: Window::whole(cells.plane()),
+            window: Window::whole(&cells.plane()),
             layer: Layer::Motion,
             curves: None,
             title: None,
@@ -59,15 +59,15 @@ impl<'a> PlanePicture<'a> {
     }
 
     /// The plane of the cells that are drawn.
-    pub(in crate::render) fn plane(&self) -> Plane {
-        self.window.plane(self.cells.plane())
+    pub(in crate::render) fn plane(&self) -> Plane<()> {
+        self.window.plane(&self.cells.plane())
     }
 
     /// What stands above it, in pieces that belong together.
     pub(in crate::render) fn title(&self) -> Vec<Text> {
         match &self.title {
             Some(title) => title.split_whitespace().map(Text::from).collect(),
-            None => names::title(self.cells.plane()),
+            None => names::title(&self.cells.plane()),
         }
     }
 
@@ -81,7 +81,7 @@ impl<'a> PlanePicture<'a> {
         if self.layer != Layer::Motion {
             picture["layer"] = self.layer.name().into();
         }
-        if self.window != Window::whole(self.cells.plane()) {
+        if self.window != Window::whole(&self.cells.plane()) {
             let plane = self.plane();
             picture["x"] = json!([plane.x.first, plane.x.last]);
             picture["y"] = json!([plane.y.first, plane.y.last]);

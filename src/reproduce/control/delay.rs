@@ -9,7 +9,8 @@ use super::{
 };
 use crate::analysis::Reading;
 use crate::backend::Watch;
-use crate::control::{DelaySetting, Scheme, SectionValues, Sign};
+use crate::control::methods::{DelaySetting, Sign};
+use crate::control::{Scheme, SectionValues};
 use crate::dynamics::Stop;
 
 const ITERATES: u32 = 4000;

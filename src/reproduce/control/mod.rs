@@ -133,7 +133,7 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Resu
     let system = system();
     let gain = |run: &Run| match run.scheme {
         Scheme::Delay(delay) => Some(delay.gains[0]),
-        Scheme::Sine(_) | Scheme::Pulse(_) => None,
+        _ => None,
     };
     let first = plots.first().map(|(run, _)| *run);
     let alike = plots.iter().all(|(run, _)| gain(run) == first.and_then(gain));
@@ -174,7 +174,7 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Resu
             distinct.push(entry);
         }
     }
-    let varied = |setting| !alike && setting == ControlQuantity::Gain;
+    let varied = |setting: ControlQuantity| !alike && setting.name() == "gain";
     let title = first.map_or_else(Vec::new, |run| run.picture(&system, ["", ""]).title(varied));
     let figure = Figure { title, rows, key: distinct, notes: Vec::new(), width: 60.0 };
     figure.draw(figure.natural_size(WIDTH), &config.to_string())

@@ -5,7 +5,8 @@ use serde_json::Value;
 use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
 use super::{FROM, PORTRAIT, RESPONSES, Run, TARGET, TIME, components, draw, settings};
 use crate::backend::Watch;
-use crate::control::{PulseSetting, Scheme};
+use crate::control::Scheme;
+use crate::control::methods::PulseSetting;
 use crate::dynamics::Stop;
 use crate::plane::Start;
 

@@ -6,7 +6,8 @@ use serde_json::Value;
 use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
 use super::{PORTRAIT, RESPONSES, Run, STARTS, TARGET, TIME, components, draw, motion, settings, system};
 use crate::backend::Watch;
-use crate::control::{Convention, Scheme, SineSetting};
+use crate::control::Scheme;
+use crate::control::methods::{Convention, SineSetting};
 use crate::dynamics::Stop;
 
 const ITERATES: u32 = 6000;

@@ -5,8 +5,8 @@ use std::io::{self, Seek, Write};
 use super::super::fields::CONTROLLED;
 use super::write::Archive;
 use crate::control::History;
-use crate::plane::ControlMap;
 use crate::plane::fields::{CellField, CellResult, Extras};
+use crate::plane::{Control, RegionMap};
 
 /// Writes a control run as a NumPy archive; its arrays are in the table of [`store`](crate::store).
 ///
@@ -34,15 +34,14 @@ pub fn write_control(history: &History, config: &str, to: impl Write + Seek) -> 
 ///
 /// # Errors
 /// What the file system reports.
-pub fn write_control_map(map: &ControlMap, to: impl Write + Seek) -> io::Result<()> {
+pub fn write_control_map(map: &RegionMap<Control>, to: impl Write + Seek) -> io::Result<()> {
+    let RegionMap { plane, verdicts: outcomes, .. } = map;
     let mut archive = Archive::new(to);
-    let cells = [u64::from(map.plane.y.count), u64::from(map.plane.x.count)];
-    let motions = map.motions();
-    let results =
-        motions.verdicts.iter().map(|verdict| CellResult { verdict, multipliers: None, extent: None });
+    let cells = [u64::from(plane.y.count), u64::from(plane.x.count)];
+    let results = (0..outcomes.len()).map(|i| CellResult::of(i, outcomes, None, None));
     let of_cells = CellField::of_plane(Extras::NONE).filter(|field| CONTROLLED.contains(&field.name));
-    archive.cells(&motions.plane, of_cells, results)?;
-    let outcomes = || map.outcomes.iter();
+    archive.cells(plane, of_cells, results)?;
+    let outcomes = || outcomes.iter();
     archive.array("period", &cells, outcomes().map(|o| o.period))?;
     archive.array("iterates", &cells, outcomes().map(|o| o.iterates))?;
     archive.array("converged_at", &cells, outcomes().map(|o| o.converged_at))?;
@@ -50,8 +49,8 @@ pub fn write_control_map(map: &ControlMap, to: impl Write + Seek) -> io::Result<
     archive.array("effort", &cells, outcomes().map(|o| o.effort))?;
     archive.array("signal", &cells, outcomes().map(|o| o.signal))?;
     archive.array("runaway", &cells, outcomes().map(|o| u8::from(o.runaway)))?;
-    archive.array("x", &[map.plane.x.count.into()], map.plane.x.values())?;
-    archive.array("y", &[map.plane.y.count.into()], map.plane.y.values())?;
+    archive.array("x", &[plane.x.count.into()], plane.x.values())?;
+    archive.array("y", &[plane.y.count.into()], plane.y.values())?;
     archive.text("config", &map.config())?;
     archive.finish()
 }

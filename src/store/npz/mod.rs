@@ -29,7 +29,7 @@ mod tests {
             y: "x1=-0.05:0.05:2".parse().unwrap(),
             parameters: Parameters::default().into(),
             start: Start::State([0.0, 0.1, -0.2, 1.0 / 3.0].into()),
-            schedule,
+            task: schedule,
         };
         let provenance =
             Provenance { version: "0.1.0".into(), backend: "cpu".into(), adapter: "Prüfstand ∞".into() };

@@ -48,9 +48,9 @@ impl<W: Write + Seek> Archive<W> {
     }
 
     /// An array for each of some fields of a plane's cells.
-    pub fn cells<'a>(
+    pub fn cells<'a, T>(
         &mut self,
-        plane: &Plane,
+        plane: &Plane<T>,
         fields: impl Iterator<Item = &'static CellField>,
         cells: impl Iterator<Item = CellResult<'a>> + Clone,
     ) -> io::Result<()> {

@@ -16,7 +16,7 @@ fn plane() -> Plane {
         y: "delta=0.1:0.4:7".parse().unwrap(),
         parameters: Parameters::default().into(),
         start: Start::Rest,
-        schedule: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
+        task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
     }
 }
 
@@ -83,7 +83,7 @@ fn another_plane_into_the_same_store_is_refused_with_what_differs() {
     of(&path, &plane(), None).unwrap();
     let mut other = plane();
     other.y = "delta=0.1:0.5:7".parse().unwrap();
-    other.schedule.transient = 5;
+    other.task.transient = 5;
     let message = of(&path, &other, Some(8)).unwrap_err().to_string();
     for part in ["y.last is 0.4 there and 0.5 here", "schedule.transient is 4 there and 5 here", "tile is 4"]
     {

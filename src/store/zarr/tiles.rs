@@ -219,8 +219,8 @@ impl ZarrStore {
 }
 
 impl Cells for ZarrStore {
-    fn plane(&self) -> &Plane {
-        &self.plane
+    fn plane(&self) -> Plane<()> {
+        self.plane.asking(())
     }
 
     fn configuration(&self) -> Value {

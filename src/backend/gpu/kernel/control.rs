@@ -1,17 +1,12 @@
 //! The kernel `control_trajectories`: controlled trajectories to their outcomes.
 
-use std::sync::Arc;
-
 use rayon::prelude::*;
-use wgpu::util::DeviceExt;
 
 use super::Kernel;
-use super::compiled::Compiled;
-use super::device::guarded;
-use super::drive::MOVE;
-use super::follow::shape_of;
+use super::device::filled;
+use super::drive::{MOVE, shape_of};
 use super::program::{Portion, Program, ROW};
-use crate::backend::gpu::layout::{Control, ControlDispatch, ControlSchedule, Outcome};
+use crate::backend::gpu::layout::{ControlDispatch, ControlSchedule, Outcome, control_words};
 use crate::backend::gpu::shader::{self, WORKGROUP};
 use crate::backend::{BackendError, ControlJob, Job, Watch};
 use crate::control::{self, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
@@ -35,16 +30,13 @@ impl Kernel {
     /// # Errors
     /// Where the jobs differ in shape, or their kernel cannot be compiled.
     pub fn control_tile(&self, jobs: &[ControlJob]) -> Result<usize, BackendError> {
+        if jobs.is_empty() {
+            return Ok(self.tile());
+        }
         let binding = self.device.limits().max_storage_buffer_binding_size;
-        let state = self.controlling(jobs)?.map_or(1, |kernel| kernel.state.max(1));
+        let shape = shape_of(&Vec::from_iter(jobs.iter().map(|job| &job.job)))?;
+        let state = self.library.get(&self.device, shader::Kernel::Control, shape)?.state.max(1);
         Ok(self.tile().min((binding / state) as usize).max(1))
-    }
-
-    /// The kernel for the shape of some jobs, compiled when it is first needed; none where there are no jobs.
-    fn controlling(&self, jobs: &[ControlJob]) -> Result<Option<Arc<Compiled>>, BackendError> {
-        let jobs: Vec<Job> = jobs.iter().map(|job| job.job.clone()).collect();
-        let kernel = |shape| self.library.get(&self.device, shader::Kernel::Control, shape);
-        shape_of(&jobs)?.map(kernel).transpose()
     }
 
     /// Follows one tile of trajectories under control.
@@ -54,19 +46,9 @@ impl Kernel {
         schedule: &control::ControlSchedule,
         watch: &dyn Watch,
     ) -> Result<Vec<control::Outcome>, BackendError> {
-        let Some(pipeline) = self.controlling(jobs)? else { return Ok(Vec::new()) };
-        let controls: Vec<Vec<u32>> = jobs
-            .par_iter()
-            .map(|ControlJob { job: Job { system, .. }, controller }| Control::words(controller, system))
-            .collect();
-        let controls = controls.concat();
-        let controls = guarded(&self.device, || {
-            self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: None,
-                contents: bytemuck::cast_slice(&controls),
-                usage: wgpu::BufferUsages::STORAGE,
-            })
-        })?;
+        let words = |job: &ControlJob| control_words(&job.controller, &job.job.system);
+        let controls: Vec<Vec<u32>> = jobs.par_iter().map(words).collect();
+        let controls = filled(&self.device, &controls.concat())?;
         let dispatch = |Portion { count, budget, begin }| ControlDispatch {
             schedule: ControlSchedule::new(schedule),
             count,
@@ -76,13 +58,15 @@ impl Kernel {
             max_period: schedule.max_period,
         };
         let program = Program {
-            pipeline: &pipeline,
+            kernel: shader::Kernel::Control,
             iterations: iterations(schedule),
             more: &[&controls],
             dispatch: &dispatch,
         };
-        let jobs: Vec<Job> = jobs.iter().map(|job| job.job.clone()).collect();
-        let outcomes = self.drive::<_, Outcome>(&jobs, &program, watch)?;
-        Ok(outcomes.iter().zip(&jobs).map(|(outcome, job)| outcome.widen(&job.system)).collect())
+        let followed: Vec<&Job> = jobs.iter().map(|job| &job.job).collect();
+        let outcomes = self.drive::<_, Outcome>(&followed, &program, watch)?;
+        let widened =
+            |(outcome, job): (&Outcome, &ControlJob)| outcome.widen(&job.job.system, job.controller.stop());
+        Ok(outcomes.iter().zip(jobs).map(widened).collect())
     }
 }

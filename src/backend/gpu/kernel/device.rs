@@ -3,6 +3,7 @@
 use std::sync::mpsc;
 
 use bytemuck::Pod;
+use wgpu::util::DeviceExt;
 
 use crate::backend::BackendError;
 
@@ -55,6 +56,17 @@ pub fn compiled(
             entry_point: Some(name),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             cache: None,
+        })
+    })
+}
+
+/// A buffer of words that a kernel reads.
+pub fn filled(device: &wgpu::Device, words: &[u32]) -> Result<wgpu::Buffer, BackendError> {
+    guarded(device, || {
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: None,
+            contents: bytemuck::cast_slice(words),
+            usage: wgpu::BufferUsages::STORAGE,
         })
     })
 }

@@ -9,6 +9,7 @@ use super::device::guarded;
 use super::program::{Portion, Program};
 use super::tile::Tile;
 use crate::backend::gpu::layout::{KICK_TERMS, Record};
+use crate::backend::gpu::shader::Shape;
 use crate::backend::{BackendError, Job, Watch};
 use crate::model::Real;
 use crate::model::vector::MOST;
@@ -27,17 +28,15 @@ pub const MOVE: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
 /// short as failed.)
 const SOFTWARE_ITERATIONS: u32 = 65_535 - (MOST * KICK_TERMS) as u32;
 impl Kernel {
-    /// Follows one tile of trajectories with a kernel, in portions of bounded time.
+    /// Follows one tile of trajectories, at least one, with a kernel, in portions of bounded time.
     pub(super) fn drive<D: Pod, R: Record>(
         &self,
-        jobs: &[Job],
+        jobs: &[&Job],
         program: &Program<'_, D>,
         watch: &dyn Watch,
     ) -> Result<Vec<R>, BackendError> {
-        if jobs.is_empty() {
-            return Ok(Vec::new());
-        }
-        let tile = guarded(&self.device, || Tile::<R>::new(self, program, jobs))?;
+        let compiled = self.library.get(&self.device, program.kernel, shape_of(jobs)?)?;
+        let tile = guarded(&self.device, || Tile::<R>::new(self, compiled, program, jobs))?;
         let most = if self.software { SOFTWARE_ITERATIONS / program.iterations } else { HARDWARE_BUDGET };
         let mut budget = FIRST_BUDGET.min(most);
         let mut unfinished: Vec<u32> = (0..jobs.len() as u32).collect();
@@ -64,4 +63,23 @@ impl Kernel {
 fn next_budget(budget: u32, took: Duration, most: u32) -> u32 {
     let factor = (PORTION.as_secs_f64() / took.as_secs_f64().max(1e-6)).clamp(0.1, 2.0);
     ((f64::from(budget) * factor) as u32).clamp(1, most)
+}
+
+/// The shape that all jobs of a tile have.
+///
+/// # Errors
+/// [`BackendError::Unsupported`] where they differ: a direction that turns parallel to another within a plane.
+pub fn shape_of(jobs: &[&Job]) -> Result<Shape, BackendError> {
+    let shape = |job: &Job| {
+        let plant = job.system.plant();
+        Shape { coordinates: plant.n, normals: job.system.normals(), stops: plant.stops.len() }
+    };
+    let expected = shape(jobs[0]);
+    if jobs.iter().all(|job| shape(job) == expected) {
+        return Ok(expected);
+    }
+    Err(BackendError::Unsupported(
+        "the stops of these cells do not lie along the same number of directions everywhere: use --backend cpu"
+            .to_owned(),
+    ))
 }

@@ -1,11 +1,8 @@
 //! The kernel of extents: how far trajectories go.
 
-use wgpu::util::DeviceExt;
-
 use super::Kernel;
-use super::device::guarded;
+use super::device::filled;
 use super::drive::MOVE;
-use super::follow::shape_of;
 use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::backend::gpu::layout::{Extent, ExtentDispatch};
@@ -20,25 +17,17 @@ impl Kernel {
     /// Follows one tile of trajectories, each for so many forcing periods.
     pub fn extents(
         &self,
-        jobs: &[Job],
-        periods: &[u32],
+        followed: &[(&Job, u32)],
         watch: &dyn Watch,
     ) -> Result<Vec<analysis::Extent>, BackendError> {
-        let Some(shape) = shape_of(jobs)? else { return Ok(Vec::new()) };
-        let pipeline = self.library.get(&self.device, shader::Kernel::Extent, shape)?;
-        let periods = guarded(&self.device, || {
-            self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: None,
-                contents: bytemuck::cast_slice(periods),
-                usage: wgpu::BufferUsages::STORAGE,
-            })
-        })?;
+        let (jobs, periods): (Vec<&Job>, Vec<u32>) = followed.iter().copied().unzip();
+        let periods = filled(&self.device, &periods)?;
         let dispatch =
             |Portion { count, budget, begin }| ExtentDispatch { count, budget, begin, row: ROW * WORKGROUP };
         let more = [&periods];
-        let program =
-            Program { pipeline: &pipeline, iterations: WITH_FLIGHTS, more: &more, dispatch: &dispatch };
-        let extents = self.drive::<_, Extent>(jobs, &program, watch)?;
-        Ok(extents.iter().map(|extent| extent.widen(shape.coordinates)).collect())
+        let kernel = shader::Kernel::Extent;
+        let program = Program { kernel, iterations: WITH_FLIGHTS, more: &more, dispatch: &dispatch };
+        let extents = self.drive::<_, Extent>(&jobs, &program, watch)?;
+        Ok(extents.iter().map(|extent| extent.widen(jobs[0].system.plant().n)).collect())
     }
 }

@@ -1,13 +1,13 @@
 //! What a tile of trajectories is followed with, and one dispatch of it.
 
-use super::compiled::Compiled;
+use crate::backend::gpu::shader;
 
 /// Workgroups in one row of a dispatch; every adapter takes at least 65,535.
 pub const ROW: u32 = 1 << 15;
 
 /// What a tile of trajectories is followed with.
 pub struct Program<'a, D> {
-    pub pipeline: &'a Compiled,
+    pub kernel: shader::Kernel,
     /// Loop iterations in one move.
     pub iterations: u32,
     /// Buffers beyond those that every kernel has, in the order of their bindings.

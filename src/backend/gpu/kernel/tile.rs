@@ -1,11 +1,13 @@
 //! The buffers of one tile of trajectories, and one dispatch of it.
 
 use std::marker::PhantomData;
+use std::sync::Arc;
 
 use bytemuck::Pod;
 use wgpu::util::DeviceExt;
 
 use super::Kernel;
+use super::compiled::Compiled;
 use super::device::{empty, mapped};
 use super::program::{Portion, Program, ROW};
 use crate::backend::gpu::layout::{Cells, Record};
@@ -15,6 +17,7 @@ use crate::backend::{BackendError, Job};
 /// The buffers of one tile.
 pub struct Tile<R> {
     record: PhantomData<R>,
+    compiled: Arc<Compiled>,
     bind_group: wgpu::BindGroup,
     dispatch: wgpu::Buffer,
     unfinished: wgpu::Buffer,
@@ -23,7 +26,12 @@ pub struct Tile<R> {
 }
 
 impl<R: Record> Tile<R> {
-    pub fn new<D: Pod>(kernel: &Kernel, program: &Program<'_, D>, jobs: &[Job]) -> Self {
+    pub fn new<D: Pod>(
+        kernel: &Kernel,
+        compiled: Arc<Compiled>,
+        program: &Program<'_, D>,
+        jobs: &[&Job],
+    ) -> Self {
         let device = &kernel.device;
         let Cells { flights, kicks, starts } = Cells::of(jobs);
         let pending = vec![R::PENDING; jobs.len()];
@@ -38,7 +46,7 @@ impl<R: Record> Tile<R> {
         let kicks = filled(bytemuck::cast_slice(&kicks), storage);
         let starts = filled(bytemuck::cast_slice(&starts), storage);
         let unfinished = empty(device, 4 * cells, storage | wgpu::BufferUsages::COPY_DST);
-        let observers = empty(device, program.pipeline.state * cells, storage);
+        let observers = empty(device, compiled.state * cells, storage);
         let verdicts = filled(bytemuck::cast_slice(&pending), storage | wgpu::BufferUsages::COPY_SRC);
         let readback =
             empty(device, verdicts.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
@@ -49,10 +57,10 @@ impl<R: Record> Tile<R> {
             .collect();
         let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
-            layout: &program.pipeline.pipeline.get_bind_group_layout(0),
+            layout: &compiled.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
-        Tile { record: PhantomData, bind_group, dispatch, unfinished, verdicts, readback }
+        Tile { record: PhantomData, compiled, bind_group, dispatch, unfinished, verdicts, readback }
     }
 
     /// One portion of moves for the unfinished trajectories; all the tile's verdicts come back.
@@ -68,7 +76,7 @@ impl<R: Record> Tile<R> {
         let mut encoder = kernel.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(&program.pipeline.pipeline);
+            pass.set_pipeline(&self.compiled.pipeline);
             pass.set_bind_group(0, &self.bind_group, &[]);
             let groups = portion.count.div_ceil(WORKGROUP);
             pass.dispatch_workgroups(groups.min(ROW), groups.div_ceil(ROW), 1);

@@ -3,8 +3,7 @@
 use super::Kernel;
 use super::device::{empty, fetch, guarded};
 use super::drive::MOVE;
-use super::follow::shape_of;
-use super::program::{Portion, ROW};
+use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
 use crate::backend::gpu::shader::{self, WORKGROUP};
@@ -27,8 +26,6 @@ impl Kernel {
         capacity: u32,
         watch: &dyn Watch,
     ) -> Result<Vec<analysis::Trace>, BackendError> {
-        let Some(shape) = shape_of(jobs)? else { return Ok(Vec::new()) };
-        let pipeline = self.library.get(&self.device, shader::Kernel::Trace, shape)?;
         let cells = jobs.len() as u64;
         let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let [traces, readings] = guarded(&self.device, || {
@@ -42,13 +39,14 @@ impl Kernel {
             begin,
             row: ROW * WORKGROUP,
             section: probe.section.code(),
-            reading: probe.reading.code(shape.coordinates),
+            reading: probe.reading.code(jobs[0].system.plant().n),
             capacity,
             unused: 0,
         };
         let more = [&traces, &readings];
-        let program = self.observing(&pipeline, MOVE, &more, &dispatch);
-        let verdicts = self.drive::<_, Verdict>(jobs, &program, watch)?;
+        let program =
+            Program { kernel: shader::Kernel::Trace, iterations: MOVE, more: &more, dispatch: &dispatch };
+        let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
         let traces: Vec<Trace> = guarded(&self.device, || fetch(&self.device, &self.queue, &traces))??;
         let readings: Vec<f32> = guarded(&self.device, || fetch(&self.device, &self.queue, &readings))??;
         let of_cell = |(((verdict, trace), readings), job): (((Verdict, &Trace), &[f32]), &Job)| {

@@ -2,7 +2,9 @@
 
 use super::follow::Verdict;
 use super::record::Record;
-use crate::control::{self, Controller, Sine, Surface};
+use crate::analysis;
+use crate::control::{self, Controller, METHODS, Member, Method, SectionValues, Surface};
+use crate::dynamics::Stop;
 use crate::model::vector::MOST;
 use crate::model::{self, System};
 
@@ -45,111 +47,61 @@ shared_struct! {
     }
 }
 
-/// Codes of the methods.
-pub const METHOD_NONE: u32 = 0;
-pub const METHOD_SINE: u32 = 1;
-pub const METHOD_PULSE: u32 = 2;
-pub const METHOD_DELAY: u32 = 3;
-
-/// `Control` in shaders/control/method.wgsl: a controller as the shader reads it, on a cell.
-pub struct Control {
-    method: u32,
-    convention: u32,
-    component: u32,
-    delay: u32,
-    period: u32,
-    seed: u32,
-    /// B, α, Δ, γ, φ, the target and E.
-    numbers: [f32; 7],
-    point: Vec<f32>,
-    gains: Vec<f32>,
-    push: Vec<f32>,
-    drive: [Vec<f32>; 2],
-    bound: Vec<f32>,
+/// The code of a method; that of none is 0.
+pub fn code(method: &Method) -> u32 {
+    (1..).zip(METHODS).find(|(_, own)| own.name == method.name).map_or(0, |(code, _)| code)
 }
 
-impl Control {
-    /// The words of a controller on a system.
-    pub fn words(controller: &Controller<f64>, system: &System) -> Vec<u32> {
-        match system.plant().n {
-            1 => Control::words_of::<1>(controller, system),
-            2 => Control::words_of::<2>(controller, system),
-            3 => Control::words_of::<3>(controller, system),
-            _ => Control::words_of::<4>(controller, system),
-        }
-    }
+/// The struct `Control` as a shader declares it: the method, the section's stop, its end of a contact normal, the coordinate
+/// whose velocity comes first, and the mirror image of each stop (MOST where the system has no mirror); then what each method
+/// reads of it.
+pub fn declaration_of_control() -> String {
+    let of_section = ["method", "stop", "normal", "side", "own"].map(|name| (name, "u32"));
+    let of_methods = METHODS.iter().flat_map(|method| method.members).map(|&(name, member)| match member {
+        Member::Whole => (name, "u32"),
+        Member::Number => (name, "f32"),
+        Member::Components => (name, "array<f32, COMPONENTS>"),
+        Member::Coordinates => (name, "array<f32, COORDINATES>"),
+        Member::Normals => (name, "array<f32, NORMALS>"),
+    });
+    let members = of_section.into_iter().chain([("mirror", "array<u32, MOST>")]).chain(of_methods);
+    let members: String = members.map(|(name, ty)| format!("    {name}: {ty},\n")).collect();
+    format!("struct Control {{\n{members}}}\n")
+}
 
-    fn words_of<const N: usize>(controller: &Controller<f64>, system: &System) -> Vec<u32> {
-        let flight = model::Flight::<f64, N>::new(system);
-        let surface = Surface::new(system, &flight, controller.stop());
-        Control::new(controller, system, &flight).written(&surface)
+/// The words of `Control` for a controller on a system.
+pub fn control_words(controller: &Controller<f64>, system: &System) -> Vec<u32> {
+    match system.plant().n {
+        1 => words_of::<1>(controller, system),
+        2 => words_of::<2>(controller, system),
+        3 => words_of::<3>(controller, system),
+        _ => words_of::<4>(controller, system),
     }
+}
 
-    fn new<const N: usize>(
-        controller: &Controller<f64>,
-        system: &System,
-        flight: &model::Flight<f64, N>,
-    ) -> Self {
-        let none = || vec![0.0; 2 * N];
-        let mut control = Control {
-            method: METHOD_NONE,
-            convention: 0,
-            component: 0,
-            delay: 0,
-            period: 1,
-            seed: 0,
-            numbers: [0.0; 7],
-            point: none(),
-            gains: none(),
-            push: vec![0.0; N],
-            drive: [none(), none()],
-            bound: vec![0.0; flight.count],
+fn words_of<const N: usize>(controller: &Controller<f64>, system: &System) -> Vec<u32> {
+    let flight = model::Flight::<f64, N>::new(system);
+    let surface = Surface::new(system, &flight, controller.stop());
+    let written = Controller::<f32>::rounded(controller).written(system, &flight);
+    let method = written.as_ref().map_or(0, |(method, _)| code(method));
+    let section = [surface.stop.index(), surface.end.normal, surface.end.side, surface.eliminated];
+    let mirror = surface.mirror.map_or([MOST as u32; MOST], |mirror| mirror.map(|stop| stop.0.into()));
+    let mut words = vec![method];
+    words.extend(section.map(|place| place as u32));
+    words.extend(mirror);
+    for own in METHODS {
+        let size = |&(_, member): &(&str, Member)| match member {
+            Member::Whole | Member::Number => 1,
+            Member::Components => 2 * N,
+            Member::Coordinates => N,
+            Member::Normals => flight.count,
         };
-        match Controller::<f32>::rounded(controller) {
-            Controller::None(_) => {}
-            Controller::Sine(sine) => {
-                control.method = METHOD_SINE;
-                control.convention = sine.convention as u32;
-                control.component = sine.component as u32;
-                let Sine { amplitude, weight, dead_band, ratio, phase, target, .. } = sine;
-                control.numbers = [amplitude, weight, dead_band, ratio, phase, target, 0.0];
-                let drive = model::Drive::on(sine.coordinate, system, flight, 1.0).round::<f32>();
-                control.push = drive.push.to_vec();
-                control.drive = [&drive.gamma_sin, &drive.gamma_cos].map(|gamma| gamma.values().collect());
-                control.bound = drive.bound[..flight.count].to_vec();
-            }
-            Controller::Pulse(pulse) => {
-                control.method = METHOD_PULSE;
-                control.period = pulse.period;
-                control.seed = pulse.seed;
-                control.numbers[6] = pulse.noise;
-                control.point = pulse.target.to_vec();
-            }
-            Controller::Delay(delay) => {
-                control.method = METHOD_DELAY;
-                control.delay = delay.delay;
-                control.gains = delay.gains.to_vec();
-            }
+        match &written {
+            Some((method, members)) if method.name == own.name => words.extend(members),
+            _ => words.extend(vec![0; own.members.iter().map(size).sum()]),
         }
-        control
     }
-
-    /// The members in the order of the shader's declaration, on the section of a surface.
-    fn written(&self, surface: &Surface) -> Vec<u32> {
-        let Control { method, convention, component, delay, period, seed, .. } = *self;
-        let end = [surface.stop.index(), surface.end.normal, surface.end.side, surface.eliminated];
-        let mirror = surface.mirror.map_or([MOST as u32; MOST], |mirror| mirror.map(|stop| stop.0.into()));
-        let numbers = |values: &[f32]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
-        let mut words = vec![method, convention, component, delay, period, seed];
-        words.extend(end.map(|place| place as u32));
-        words.extend(numbers(&self.numbers));
-        words.extend(mirror);
-        let [drive_sin, drive_cos] = &self.drive;
-        for values in [&self.point, &self.gains, &self.push, drive_sin, drive_cos, &self.bound] {
-            words.extend(numbers(values));
-        }
-        words
-    }
+    words
 }
 
 shared_struct! {
@@ -184,10 +136,13 @@ impl Record for Outcome {
 }
 
 impl Outcome {
-    /// The outcome with its values widened.
-    pub fn widen(&self, system: &System) -> control::Outcome {
+    /// The outcome on the section of a stop with its values widened; the shader writes the point on σ in the place of a state.
+    pub fn widen(&self, system: &System, stop: Stop) -> control::Outcome {
+        let verdict = self.verdict.widen(system);
+        let section = SectionValues::from_slice(&verdict.state).expect("a system has 1 to 4 coordinates");
         control::Outcome {
-            verdict: self.verdict.widen(system),
+            verdict: analysis::Verdict { state: section.state(system.plant(), stop), ..verdict },
+            section,
             period: self.period,
             iterates: self.iterates,
             converged_at: self.converged_at,

@@ -14,9 +14,7 @@ mod record;
 mod tests;
 mod trace;
 
-pub use control::{
-    Control, ControlDispatch, ControlSchedule, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE, Outcome,
-};
+pub use control::{ControlDispatch, ControlSchedule, Outcome, code, control_words, declaration_of_control};
 pub use extent::{Extent, ExtentCode, ExtentDispatch};
 pub use flight::{KICK_TERMS, write_flight, write_kicks};
 pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};
@@ -66,7 +64,7 @@ const CHUNK: usize = 256;
 
 impl Cells {
     /// Prepares jobs, all of them with as many coordinates; the constants of a flow are computed once for all its cells.
-    pub fn of(jobs: &[Job]) -> Self {
+    pub fn of(jobs: &[&Job]) -> Self {
         match jobs.first().map_or(1, |job| job.system.plant().n) {
             1 => Cells::with::<1>(jobs),
             2 => Cells::with::<2>(jobs),
@@ -75,10 +73,10 @@ impl Cells {
         }
     }
 
-    fn with<const N: usize>(jobs: &[Job]) -> Self {
+    fn with<const N: usize>(jobs: &[&Job]) -> Self {
         let systems: Vec<&model::System> = jobs.iter().map(|job| &job.system).collect();
         let shared = model::Flights::<N>::of(&systems);
-        let written = |(chunk, jobs): (usize, &[Job])| {
+        let written = |(chunk, jobs): (usize, &[&Job])| {
             let (mut flights, mut kicks) = (Vec::new(), Vec::new());
             for (i, job) in jobs.iter().enumerate() {
                 let constants = shared.get(chunk * CHUNK + i, &job.system).round::<f32>();

@@ -79,13 +79,13 @@ fn the_words_of_a_controller_fill_what_the_shader_declares() {
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Control")).unwrap();
         for stop in 0..plant.stops.len() {
-            let words = Control::words(&Controller::None(Stop(stop as u8)), &system);
+            let words = control_words(&Controller::None(Stop(stop as u8)), &system);
             assert_eq!(4 * words.len(), ty.inner.size(module.to_ctx()) as usize, "{name}");
             // Where the section's stop stands among the members.
-            assert_eq!(words[6], stop as u32, "{name}");
+            assert_eq!(words[1], stop as u32, "{name}");
         }
         let naga::TypeInner::Struct { members, .. } = &ty.inner else { panic!("Control is no struct") };
         let offset = |name: &str| members.iter().find(|m| m.name.as_deref() == Some(name)).unwrap().offset;
-        assert_eq!([offset("stop"), offset("amplitude"), offset("mirror")], [24, 40, 68], "{name}");
+        assert_eq!([offset("stop"), offset("mirror"), offset("convention")], [4, 20, 36], "{name}");
     }
 }

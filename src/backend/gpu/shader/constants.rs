@@ -6,11 +6,9 @@ use super::template::Shape;
 use super::workgroup::WORKGROUP;
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Section};
-use crate::backend::gpu::layout::{
-    KICK_TERMS, METHOD_DELAY, METHOD_NONE, METHOD_PULSE, METHOD_SINE, NOT_MEASURED,
-};
+use crate::backend::gpu::layout::{KICK_TERMS, NOT_MEASURED};
 use crate::control::constants as control;
-use crate::control::{Convention, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, NEVER};
+use crate::control::{Constant, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, METHODS, NEVER};
 use crate::dynamics::Contact;
 use crate::dynamics::constants as dynamics;
 use crate::model::vector::MOST;
@@ -54,24 +52,10 @@ pub fn source(shape: &Shape) -> String {
         ("LONGEST_PASSAGE", control::LONGEST_PASSAGE),
         ("CONTROL_SETTLING", control::SETTLING),
         ("NEVER", NEVER),
-        ("ERRORS_APART", control::ERRORS_APART),
-        ("HASH_DROPPED", control::HASH_DROPPED),
-        ("HASH_MULTIPLIER", control::HASH_MULTIPLIER),
-        ("HASH_INCREMENT", control::HASH_INCREMENT),
-        ("HASH_FACTOR", control::HASH_FACTOR),
-        ("HASH_CHOICE", control::HASH_CHOICE),
-        ("HASH_LEAST", control::HASH_LEAST),
-        ("HASH_LAST", control::HASH_LAST),
         ("SECTION_STROBE", Section::STROBE_CODE),
         ("READING_COMPONENT", Reading::COMPONENT_CODE),
         ("READING_GAP", Reading::GAP_CODE),
         ("READING_SPEED", Reading::SPEED_CODE),
-        ("METHOD_NONE", METHOD_NONE),
-        ("METHOD_SINE", METHOD_SINE),
-        ("METHOD_PULSE", METHOD_PULSE),
-        ("METHOD_DELAY", METHOD_DELAY),
-        ("CONVENTION_KICK", Convention::Kick as u32),
-        ("CONVENTION_FORCE", Convention::Force as u32),
     ];
     for (name, value) in integers {
         writeln!(source, "const {name} = {value}u;").expect("a string takes anything");
@@ -96,7 +80,6 @@ pub fn source(shape: &Shape) -> String {
         ("INVERSE_TAU", 1.0 / std::f64::consts::TAU),
         ("TWO_OVER_PI", std::f64::consts::FRAC_2_PI),
         ("RUNAWAY", control::RUNAWAY),
-        ("HASH_UNIT", control::HASH_UNIT),
         ("KICK_ROUNDINGS", dynamics::KICK_ROUNDINGS),
         ("ROUNDINGS", dynamics::ROUNDINGS),
         ("TANGENT_SEED", 1.0 / (2.0 * shape.coordinates as f64).sqrt()),
@@ -127,6 +110,13 @@ pub fn source(shape: &Shape) -> String {
     ];
     for (name, value) in numbers {
         writeln!(source, "const {name}: f32 = {}f;", exact(value)).expect("a string takes anything");
+    }
+    for (name, constant) in METHODS.iter().flat_map(|method| method.constants) {
+        match constant {
+            Constant::Whole(value) => writeln!(source, "const {name} = {value}u;"),
+            Constant::Number(value) => writeln!(source, "const {name}: f32 = {}f;", exact(*value)),
+        }
+        .expect("a string takes anything");
     }
     let arrays = [
         ("INVERSE_FACTORIALS", &dynamics::INVERSE_FACTORIALS[..KICK_TERMS + 1]),

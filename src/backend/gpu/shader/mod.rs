@@ -3,6 +3,7 @@
 mod codes;
 mod constants;
 mod exact;
+mod methods;
 mod residence;
 mod sections;
 mod template;
@@ -15,6 +16,7 @@ pub use template::Shape;
 pub use workgroup::WORKGROUP;
 
 use super::layout;
+use crate::control::METHODS;
 
 /// A kernel and the fragments that it has beyond those that all kernels have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -65,10 +67,7 @@ impl Kernel {
             Kernel::Control => &[
                 include_str!("../../../../shaders/control/section_point.wgsl"),
                 include_str!("../../../../shaders/control/memory.wgsl"),
-                include_str!("../../../../shaders/control/method.wgsl"),
-                include_str!("../../../../shaders/control/sine.wgsl"),
-                include_str!("../../../../shaders/control/pulse.wgsl"),
-                include_str!("../../../../shaders/control/delay.wgsl"),
+                include_str!("../../../../shaders/control/action.wgsl"),
                 include_str!("../../../../shaders/control/deviation.wgsl"),
                 include_str!("../../../../shaders/control/leaving.wgsl"),
                 include_str!("../../../../shaders/control/controlled.wgsl"),
@@ -121,8 +120,10 @@ const DRIVEN_BOUND: &str = "var bound = flight.normals[normal].bound_forcing + d
 
 /// The source of a kernel for a shape.
 pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: Arithmetic) -> String {
-    let fragments: String =
-        COMMON.iter().chain(kernel.fragments()).map(|fragment| shape.unrolled(fragment) + "\n").collect();
+    let is_control = kernel == Kernel::Control;
+    let methods = METHODS.iter().filter(|_| is_control).map(|method| &method.shader);
+    let fragments = COMMON.iter().chain(kernel.fragments()).chain(methods);
+    let fragments: String = fragments.map(|fragment| shape.unrolled(fragment) + "\n").collect();
     // A force in phase with the forcing is added to what it changes.
     let fragments = match kernel {
         Kernel::Follow | Kernel::Trace | Kernel::Extent => fragments,
@@ -133,7 +134,7 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: A
                 .replace(BOUND, DRIVEN_BOUND)
         }),
     };
-    let sections = if kernel == Kernel::Control { sections::source(shape) } else { String::new() };
+    let control = if is_control { sections::source(shape) + &methods::source() } else { String::new() };
     [
         arithmetic.source(),
         codes::source(shape).as_str(),
@@ -142,7 +143,7 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: A
         &layout::declarations_for(shape),
         &layout::STRUCTS.join("\n"),
         &pressing_share(shape),
-        &sections,
+        &control,
         residence.source(),
         &fragments.replace("flight.", &format!("{}.", residence.flight())),
     ]

@@ -35,11 +35,11 @@ fn sine_is_at_rest() -> bool {
 }
 
 // How a deviation passes the kick.
-fn sine_deviated(seen: Seen, before: SectionPoint, arrived: SectionPoint) -> SectionPoint {
+fn sine_passed(seen: Seen, arrived: SectionPoint) -> SectionPoint {
     if control.convention != CONVENTION_KICK {
         return arrived;
     }
-    let later = section_tau(arrived) - section_tau(before);
+    let later = section_tau(arrived) - section_tau(deviations[0]);
     let kick = adapted.amplitude * sine_phasor(control.ratio * seen.turns).y * (control.ratio * later);
     return section_added(arrived, section_of_first(kick));
 }

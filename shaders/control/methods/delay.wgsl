@@ -1,10 +1,20 @@
 // Delayed feedback, with the sign that stabilises.
 
-fn delay_act() -> Action {
+fn delay_act(seen: Seen) -> Action {
     if memory.seen <= control.delay {
         return action_none();
     }
     return action_correcting(delay_feedback(section_minus(memory.points[0], memory.points[control.delay])));
+}
+
+fn delay_is_at_rest() -> bool {
+    return true;
+}
+
+// The deviations of both points are fed back.
+fn delay_passed(seen: Seen, arrived: SectionPoint) -> SectionPoint {
+    let before = section_scaled(-1.0, deviations[control.delay]);
+    return section_added(arrived, delay_feedback(section_added(deviations[0], before)));
 }
 
 // G times a difference.

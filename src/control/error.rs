@@ -95,6 +95,9 @@ pub enum ControlError {
     /// The reference frequency cannot be used.
     #[error("the reference frequency omega = {} is out of range: it must be greater than 0, and finite", Number(*.0))]
     Reference(f64),
+    /// An option cannot be used; what is wrong with it, in words.
+    #[error("{0}")]
+    Option(String),
     /// The system cannot be followed.
     #[error(transparent)]
     System(#[from] SystemError),

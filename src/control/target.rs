@@ -5,11 +5,13 @@ use std::f64::consts::TAU;
 use serde::{Deserialize, Serialize};
 
 use super::error::ControlError;
+use super::option::{Arguments, GivenOptions, MethodOption, OptionKind};
 use super::quantity::ControlQuantity;
-use crate::control::surface::{own_coordinate, section_names};
-use crate::control::values::SectionValues;
+use super::site::{Site, words};
+use super::surface::{own_coordinate, section_names};
+use super::values::SectionValues;
 use crate::dynamics::Stop;
-use crate::model::System;
+use crate::model::{Number, System};
 use crate::system::{Mirror, Plant};
 use crate::theory::symmetric_target_at;
 
@@ -25,12 +27,63 @@ pub struct Target {
     pub own: usize,
 }
 
+/// The options of a target.
+pub const TARGET_OPTIONS: [MethodOption; 2] = [
+    MethodOption::new(
+        OptionKind::Number,
+        ["reference", "OMEGA"],
+        "the forcing frequency at which the symmetric 1-1-1 motion is the target [default: 3.7 for the paper's oscillator, the \
+         system's own frequency for others]",
+    ),
+    MethodOption::new(
+        OptionKind::Numbers,
+        ["target", "X0"],
+        "the target itself: one number (sine) or one for each component of X (pulse)",
+    )
+    .instead_of("reference"),
+];
+
+/// The frequency of the target motion of the paper's oscillator.
+const REFERENCE: f64 = 3.7;
+
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
 fn is_first(own: &usize) -> bool {
     *own == 0
 }
 
 impl Target {
+    /// The target that options give, from so many numbers or from a reference motion; a single number comes first.
+    pub(super) fn given(options: &GivenOptions, site: &Site, count: usize) -> Result<Self, ControlError> {
+        let own = if site.family.is_paper() { REFERENCE } else { site.plant.omega };
+        let reference = options.number("reference", own);
+        let none = vec![None; site.components()];
+        let mut given = SectionValues::from_slice(&none).expect("a section has 2 to 8 components");
+        if let Some(values) = options.numbers("target") {
+            if values.len() != count {
+                let wanted = match count {
+                    1 => "one, for --component".to_owned(),
+                    count => format!("{}, for {}", words(count), site.listed()),
+                };
+                return Err(ControlError::Option(format!(
+                    "--target has {} numbers: give {wanted}",
+                    values.len()
+                )));
+            }
+            given.iter_mut().zip(values).for_each(|(given, value)| *given = Some(*value));
+        }
+        Ok(Target { reference, given, own: own_coordinate(&site.plant, site.stop) })
+    }
+
+    /// The options that make some of its components again.
+    pub(super) fn write(&self, components: &[usize], to: &mut Arguments) {
+        let values: Option<Vec<String>> =
+            components.iter().map(|&i| self.given[i].map(|value| Number(value).to_string())).collect();
+        match values {
+            Some(values) => to.value("target", &values.join(",")),
+            None => to.value("reference", &Number(self.reference).to_string()),
+        }
+    }
+
     /// The target's components on the section of a stop of a system; those not in `needed` are 0 if they are not given.
     ///
     /// # Errors

@@ -15,6 +15,18 @@ fn pulse_act(seen: Seen) -> Action {
     );
 }
 
+fn pulse_is_at_rest() -> bool {
+    return true;
+}
+
+// A pulse erases a deviation.
+fn pulse_passed(seen: Seen, arrived: SectionPoint) -> SectionPoint {
+    if pulse_is_due(seen) {
+        return section_zero();
+    }
+    return arrived;
+}
+
 fn pulse_is_due(seen: Seen) -> bool {
     return seen.controlled % control.period == 0u;
 }
