@@ -23,7 +23,8 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Backend, BackendError, Cpu, Gpu, Job, Unwatched, Width, follow, follow_all};
+use impact_atlas::backend::{Backend, BackendError, Cpu, Gpu, Job, Unwatched, Width, follow, follow_counted};
+use impact_atlas::dynamics::Usage;
 use impact_atlas::model::{Flights, Parameters, System};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -52,11 +53,26 @@ struct Measured {
     impacts_per_second: f64,
     /// Cells by regime.
     regimes: BTreeMap<String, usize>,
+    /// How well the lanes were used; none where trajectories are followed one by one or by another adapter.
+    lanes: Option<Lanes>,
     /// Median, 95th percentile and largest distance of regular end states from f64; none for f64 itself.
     end_states_off: Option<[f64; 3]>,
 }
 
-type Runner = Box<dyn Fn(&[Job], &Schedule) -> Result<Vec<Verdict>, BackendError>>;
+/// How well the lanes were used.
+#[derive(Serialize)]
+struct Lanes {
+    /// The share of the room for steps of flight that was used.
+    steps: f64,
+    /// The share of the room for contacts that was used.
+    contacts: f64,
+    /// The share of the contacts that lanes came to which were not certain.
+    fallbacks: f64,
+    /// The share of all impacts that were followed one trajectory at a time: chatter, sticking, and what follows a fallback.
+    alone: f64,
+}
+
+type Runner = Box<dyn Fn(&[Job], &Schedule) -> Result<(Vec<Verdict>, Usage), BackendError>>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (flags, words): (Vec<String>, Vec<String>) =
@@ -93,6 +109,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             row.impacts_per_second
         );
     }
+    for Measured { workload, lanes, .. } in &measured {
+        if let Some(Lanes { steps, contacts, fallbacks, alone }) = lanes {
+            println!(
+                "{workload}: lanes stepping {:.0} %, in contacts {:.0} %; contacts not certain {:.2} %; impacts one at a time {:.1} %",
+                100.0 * steps,
+                100.0 * contacts,
+                100.0 * fallbacks,
+                100.0 * alone
+            );
+        }
+    }
     for Measured { workload, end_states_off, .. } in &measured {
         if let Some([median, most, largest]) = end_states_off {
             println!(
@@ -109,21 +136,26 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
         "cpu" | "one" => {
             let width = if path == "cpu" { Width::available()[0] } else { Width::One };
             let what = format!("{}, {}", Cpu.adapter(), width.instructions());
-            (what, Box::new(move |jobs, schedule| follow_all(jobs, schedule, &Unwatched, width)))
+            (what, Box::new(move |jobs, schedule| follow_counted(jobs, schedule, &Unwatched, width)))
         }
         "gpu" | "exact" => {
             let gpu = if path == "gpu" { Gpu::open(None)? } else { Gpu::open_exact(None)? };
-            (gpu.adapter(), Box::new(move |jobs, schedule| gpu.run(jobs, schedule, &Unwatched)))
+            (gpu.adapter(), Box::new(move |jobs, schedule| uncounted(gpu.run(jobs, schedule, &Unwatched)?)))
         }
         "f32" => {
             let what = format!("{} f32", std::env::consts::ARCH);
             let run = |jobs: &[Job], schedule: &Schedule| {
-                Ok(jobs.par_iter().map(|job| follow::<f32>(job, schedule)).collect())
+                uncounted(jobs.par_iter().map(|job| follow::<f32>(job, schedule)).collect())
             };
             (what, Box::new(run))
         }
         other => return Err(format!("`{other}` is no path: choose cpu, one, gpu, exact or f32").into()),
     })
+}
+
+/// Verdicts of what has no lanes to be counted.
+fn uncounted(verdicts: Vec<Verdict>) -> Result<(Vec<Verdict>, Usage), BackendError> {
+    Ok((verdicts, Usage::default()))
 }
 
 fn workloads() -> [Workload; 3] {
@@ -145,11 +177,11 @@ fn measure(
     runner: &Runner,
 ) -> Result<Measured, Box<dyn std::error::Error>> {
     let jobs = jobs(workload, side)?;
-    let mut verdicts = Vec::new();
+    let (mut verdicts, mut usage) = (Vec::new(), Usage::default());
     let mut seconds = f64::INFINITY;
     for _ in 0..repeats.max(1) {
         let began = Instant::now();
-        verdicts = runner(&jobs, &workload.schedule)?;
+        (verdicts, usage) = runner(&jobs, &workload.schedule)?;
         seconds = seconds.min(began.elapsed().as_secs_f64());
     }
     let began = Instant::now();
@@ -172,6 +204,12 @@ fn measure(
         trajectories_per_second: jobs.len() as f64 / seconds,
         impacts_per_second: impacts as f64 / seconds,
         regimes,
+        lanes: (usage.step_slots > 0).then(|| Lanes {
+            steps: usage.share_of_steps(),
+            contacts: usage.share_of_contacts(),
+            fallbacks: usage.share_of_fallbacks(),
+            alone: 1.0 - usage.contacts as f64 / impacts.max(1) as f64,
+        }),
         end_states_off: if in_f32 { Some(errors(&jobs, &verdicts)?) } else { None },
     })
 }

@@ -85,7 +85,7 @@ impl<T: Real, const N: usize> Memory<T, N> {
         self.settled = [self.seen; LONGEST];
     }
 
-    /// The least period m whose points have kept returning for `proof` iterates, and at least [`LEAST_RETURNS`] times; 0 if none.
+    /// The least period m whose points have kept returning for `proof` iterates, and at least `LEAST_RETURNS` times; 0 if none.
     pub fn period(&self, proof: u32) -> u32 {
         self.least(&self.returning, proof)
     }
