@@ -18,12 +18,18 @@
 //! side by side as the processor has room for, `one` does so one by one. The number of threads is RAYON_NUM_THREADS, all
 //! cores by default. `exact` is the GPU with arithmetic that no driver changes, `f32` the CPU in the GPU's precision: their
 //! end states have the same bits. Preparing the cells' constants is part of the time, and is measured by itself too.
+//!
+//! Lanes of the processor say how much of their room was used, and how many contacts were not certain; an adapter's time is
+//! split into what the processor prepares, transfers, dispatches (with the kernel's own time, where the adapter has a clock)
+//! and reads back.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
 
 use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Backend, BackendError, Cpu, Gpu, Job, Unwatched, Width, follow, follow_counted};
+use impact_atlas::backend::{
+    Backend, BackendError, Cpu, Gpu, Job, Spent, Unwatched, Width, follow, follow_counted,
+};
 use impact_atlas::dynamics::Usage;
 use impact_atlas::model::{Flights, Parameters, System};
 use rayon::prelude::*;
@@ -55,6 +61,8 @@ struct Measured {
     regimes: BTreeMap<String, usize>,
     /// How well the lanes were used; none where trajectories are followed one by one or by another adapter.
     lanes: Option<Lanes>,
+    /// Where the time of the fastest run went; on an adapter.
+    spent: Option<Spent>,
     /// Median, 95th percentile and largest distance of regular end states from f64; none for f64 itself.
     end_states_off: Option<[f64; 3]>,
 }
@@ -72,7 +80,14 @@ struct Lanes {
     alone: f64,
 }
 
-type Runner = Box<dyn Fn(&[Job], &Schedule) -> Result<(Vec<Verdict>, Usage), BackendError>>;
+/// What a run gives, and what it tells of itself.
+struct Told {
+    verdicts: Vec<Verdict>,
+    usage: Usage,
+    spent: Option<Spent>,
+}
+
+type Runner = Box<dyn Fn(&[Job], &Schedule) -> Result<Told, BackendError>>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (flags, words): (Vec<String>, Vec<String>) =
@@ -120,6 +135,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             );
         }
     }
+    for Measured { workload, spent, .. } in &measured {
+        if let Some(Spent { preparing, transferring, dispatching, kernel, reading, dispatches }) = spent {
+            let kernel = kernel.map_or("not told".to_owned(), |kernel| format!("{kernel:.4} s"));
+            println!(
+                "{workload}: prepared in {preparing:.4} s, transferred in {transferring:.4} s, {dispatches} dispatches in \
+                 {dispatching:.4} s (kernel {kernel}), read back in {reading:.4} s"
+            );
+        }
+    }
     for Measured { workload, end_states_off, .. } in &measured {
         if let Some([median, most, largest]) = end_states_off {
             println!(
@@ -136,26 +160,34 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
         "cpu" | "one" => {
             let width = if path == "cpu" { Width::available()[0] } else { Width::One };
             let what = format!("{}, {}", Cpu.adapter(), width.instructions());
-            (what, Box::new(move |jobs, schedule| follow_counted(jobs, schedule, &Unwatched, width)))
+            (
+                what,
+                Box::new(move |jobs, schedule| {
+                    let (verdicts, usage) = follow_counted(jobs, schedule, &Unwatched, width)?;
+                    Ok(Told { verdicts, usage, spent: None })
+                }),
+            )
         }
         "gpu" | "exact" => {
             let gpu = if path == "gpu" { Gpu::open(None)? } else { Gpu::open_exact(None)? };
-            (gpu.adapter(), Box::new(move |jobs, schedule| uncounted(gpu.run(jobs, schedule, &Unwatched)?)))
+            let adapter = gpu.adapter();
+            let run = move |jobs: &[Job], schedule: &Schedule| {
+                gpu.spent();
+                let verdicts = gpu.run(jobs, schedule, &Unwatched)?;
+                Ok(Told { verdicts, usage: Usage::default(), spent: Some(gpu.spent()) })
+            };
+            (adapter, Box::new(run))
         }
         "f32" => {
             let what = format!("{} f32", std::env::consts::ARCH);
             let run = |jobs: &[Job], schedule: &Schedule| {
-                uncounted(jobs.par_iter().map(|job| follow::<f32>(job, schedule)).collect())
+                let verdicts = jobs.par_iter().map(|job| follow::<f32>(job, schedule)).collect();
+                Ok(Told { verdicts, usage: Usage::default(), spent: None })
             };
             (what, Box::new(run))
         }
         other => return Err(format!("`{other}` is no path: choose cpu, one, gpu, exact or f32").into()),
     })
-}
-
-/// Verdicts of what has no lanes to be counted.
-fn uncounted(verdicts: Vec<Verdict>) -> Result<(Vec<Verdict>, Usage), BackendError> {
-    Ok((verdicts, Usage::default()))
 }
 
 fn workloads() -> [Workload; 3] {
@@ -177,13 +209,17 @@ fn measure(
     runner: &Runner,
 ) -> Result<Measured, Box<dyn std::error::Error>> {
     let jobs = jobs(workload, side)?;
-    let (mut verdicts, mut usage) = (Vec::new(), Usage::default());
+    let mut told = Told { verdicts: Vec::new(), usage: Usage::default(), spent: None };
     let mut seconds = f64::INFINITY;
     for _ in 0..repeats.max(1) {
         let began = Instant::now();
-        (verdicts, usage) = runner(&jobs, &workload.schedule)?;
-        seconds = seconds.min(began.elapsed().as_secs_f64());
+        let again = runner(&jobs, &workload.schedule)?;
+        let took = began.elapsed().as_secs_f64();
+        if took < seconds {
+            (seconds, told) = (took, again);
+        }
     }
+    let Told { verdicts, usage, spent } = told;
     let began = Instant::now();
     let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
     let flights = Flights::<2>::of(&systems);
@@ -210,6 +246,7 @@ fn measure(
             fallbacks: usage.share_of_fallbacks(),
             alone: 1.0 - usage.contacts as f64 / impacts.max(1) as f64,
         }),
+        spent,
         end_states_off: if in_f32 { Some(errors(&jobs, &verdicts)?) } else { None },
     })
 }

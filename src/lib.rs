@@ -88,7 +88,8 @@
 //! *Chatter and sticking.* Rebounds against a pressing force shrink geometrically. Once the effect of the rest of
 //! them on the other masses is known to be below rounding, and the force surely outlasts them, the sequence is closed:
 //! the mass rests on its stop, its impulse on the others is summed in closed form, and infinitely many impacts
-//! are counted. Rebounds between several stops at once, each impact throwing the masses on the next stop, end in the
+//! are counted. Rebounds without loss (r = 1) never end, but damping drags them down like exp(−ct/3): they are closed once
+//! neither the next strobe nor the force that vanishes can find them. Rebounds between several stops at once, each impact throwing the masses on the next stop, end in the
 //! corner between them. Contacts hold until the force on one of them changes sign, found by the same quadratic bounds; it
 //! opens along its jerk.
 //!
@@ -99,7 +100,9 @@
 //! period where the returns are as close as rounding lets them be, or come closer by the half, where a turn by a divisor
 //! of N ends a thousand times farther away, and where nearby trajectories do not part. A tangent vector, carried through
 //! flight and impact (the saltation of Eq. (3)), gives λ1 with a standard error from sixteen batches; of a motion that was
-//! reached within the observation, only from there on. Where there is no period, a growth of more than
+//! reached within the observation, only from there on. A motion that no longer moves at all and whose turns are short is
+//! observed turn by turn instead: unit deviations carried through one turn each are the columns of its monodromy matrix, and
+//! the spectral radius of that is its largest multiplier. Where there is no period, a growth of more than
 //! e⁵ that is significant is chaos; a growth within e^±3 on strobe points that scatter alike early and late is
 //! quasi-periodic; everything else is unresolved, and says so.
 //!

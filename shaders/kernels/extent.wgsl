@@ -4,8 +4,8 @@
 @group(0) @binding(1) var<storage, read> flights: array<Flight>;
 @group(0) @binding(2) var<storage, read> kicks: array<State>;
 @group(0) @binding(3) var<storage, read> starts: array<f32>;
-// Which cells are not finished yet.
-@group(0) @binding(4) var<storage, read> unfinished: array<u32>;
+// Which cells are not finished yet; FINISHED in the place of one that is, once this dispatch is over.
+@group(0) @binding(4) var<storage, read_write> unfinished: array<u32>;
 @group(0) @binding(5) var<storage, read_write> observers: array<ExtentObserver>;
 @group(0) @binding(6) var<storage, read_write> extents: array<Extent>;
 // Forcing periods for which each cell is followed.
@@ -37,5 +37,6 @@ fn measure_extents(@builtin(global_invocation_id) id: vec3<u32>) {
     observers[cell] = extent_saved();
     if code != EXTENT_FOLLOWED {
         extents[cell] = extent_written(code, periods[cell]);
+        unfinished[index] = FINISHED;
     }
 }

@@ -4,8 +4,8 @@
 @group(0) @binding(1) var<storage, read> flights: array<Flight>;
 @group(0) @binding(2) var<storage, read> kicks: array<State>;
 @group(0) @binding(3) var<storage, read> starts: array<f32>;
-// Which cells are not finished yet.
-@group(0) @binding(4) var<storage, read> unfinished: array<u32>;
+// Which cells are not finished yet; FINISHED in the place of one that is, once this dispatch is over.
+@group(0) @binding(4) var<storage, read_write> unfinished: array<u32>;
 @group(0) @binding(5) var<storage, read_write> observers: array<Observer>;
 @group(0) @binding(6) var<storage, read_write> verdicts: array<Verdict>;
 @group(0) @binding(7) var<storage, read_write> traces: array<Trace>;
@@ -48,5 +48,6 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
     traces[cell] = Trace(rebounds, passages);
     if stage_is_over(observer.stage) {
         verdicts[cell] = observer_verdict();
+        unfinished[index] = FINISHED;
     }
 }

@@ -14,6 +14,7 @@ use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, LONGEST_ON_DEVICE, Outcome};
 
 pub use adapters::{AdapterReport, adapters};
+pub use kernel::Spent;
 
 use kernel::Kernel;
 use shader::Arithmetic;
@@ -68,6 +69,11 @@ impl Gpu {
     fn on(found: adapters::Found, arithmetic: Arithmetic) -> Result<Self, BackendError> {
         let kernel = Kernel::new(&found, arithmetic)?;
         Ok(Gpu { report: found.report, arithmetic, kernel })
+    }
+
+    /// Where the time of its work went since this was last asked.
+    pub fn spent(&self) -> Spent {
+        self.kernel.spent()
     }
 
     /// Whether the adapter is a software one.

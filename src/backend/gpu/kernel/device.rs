@@ -17,13 +17,17 @@ pub fn fetch<T: Pod>(
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, buffer.size());
     queue.submit([encoder.finish()]);
-    mapped(device, &readback)
+    mapped(device, &readback, buffer.size())
 }
 
-/// What is in a buffer that can be mapped, once everything submitted is done.
-pub fn mapped<T: Pod>(device: &wgpu::Device, readback: &wgpu::Buffer) -> Result<Vec<T>, BackendError> {
+/// What the first bytes of a buffer hold that can be mapped, once everything submitted is done.
+pub fn mapped<T: Pod>(
+    device: &wgpu::Device,
+    readback: &wgpu::Buffer,
+    bytes: u64,
+) -> Result<Vec<T>, BackendError> {
     let (sender, receiver) = mpsc::channel();
-    readback.map_async(wgpu::MapMode::Read, .., move |result| {
+    readback.map_async(wgpu::MapMode::Read, ..bytes, move |result| {
         // The receiver is gone only if waiting failed, which is reported by itself.
         let _ = sender.send(result);
     });
@@ -34,7 +38,7 @@ pub fn mapped<T: Pod>(device: &wgpu::Device, readback: &wgpu::Buffer) -> Result<
         .map_err(|_| BackendError::Device("the device was lost".to_owned()))?
         .map_err(|error| device_error(&error))?;
     let values = {
-        let mapped = readback.get_mapped_range(..).map_err(|error| device_error(&error))?;
+        let mapped = readback.get_mapped_range(..bytes).map_err(|error| device_error(&error))?;
         bytemuck::pod_collect_to_vec(&mapped)
     };
     readback.unmap();

@@ -7,8 +7,10 @@ use bytemuck::Pod;
 use super::Kernel;
 use super::device::guarded;
 use super::program::{Portion, Program};
+use super::spent::{Spent, timed};
 use super::tile::Tile;
-use crate::backend::gpu::layout::{KICK_TERMS, Record};
+use crate::analysis::constants::SQUARINGS;
+use crate::backend::gpu::layout::KICK_TERMS;
 use crate::backend::gpu::shader::Shape;
 use crate::backend::{BackendError, Job, Watch};
 use crate::model::Real;
@@ -27,20 +29,26 @@ pub const MOVE: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
 /// loop in silence after 65,535 iterations of all the loops in an invocation. (The kernel counts a trajectory that was cut
 /// short as failed.)
 const SOFTWARE_ITERATIONS: u32 = 65_535 - (MOST * KICK_TERMS) as u32;
+
+/// Loop iterations in what a strobe may ask for: the squares of a motion's monodromy matrix.
+pub fn squaring(job: &Job) -> u32 {
+    let components = 2 * job.system.plant().n as u32;
+    components + (SQUARINGS + 1) * (2 + components) * components
+}
+
 impl Kernel {
     /// Follows one tile of trajectories, at least one, with a kernel, in portions of bounded time.
-    pub(super) fn drive<D: Pod, R: Record>(
+    pub(super) fn drive<D: Pod, R: Pod>(
         &self,
         jobs: &[&Job],
         program: &Program<'_, D>,
         watch: &dyn Watch,
     ) -> Result<Vec<R>, BackendError> {
         let compiled = self.library.get(&self.device, program.kernel, shape_of(jobs)?)?;
-        let tile = guarded(&self.device, || Tile::<R>::new(self, compiled, program, jobs))?;
+        let tile = guarded(&self.device, || Tile::new(self, size_of::<R>() as u64, compiled, program, jobs))?;
         let most = if self.software { SOFTWARE_ITERATIONS / program.iterations } else { HARDWARE_BUDGET };
         let mut budget = FIRST_BUDGET.min(most);
         let mut unfinished: Vec<u32> = (0..jobs.len() as u32).collect();
-        let mut verdicts = Vec::new();
         let mut begin = 1;
         while !unfinished.is_empty() {
             if watch.cancelled() {
@@ -48,14 +56,15 @@ impl Kernel {
             }
             let began = Instant::now();
             let portion = Portion { count: unfinished.len() as u32, budget, begin };
-            verdicts = guarded(&self.device, || tile.dispatch(self, program, portion, &unfinished))??;
             let before = unfinished.len();
-            unfinished.retain(|&cell| verdicts[cell as usize].is_pending());
+            unfinished = guarded(&self.device, || tile.dispatch(self, program, portion, &unfinished))??;
             watch.finished((before - unfinished.len()) as u64);
             budget = next_budget(budget, began.elapsed(), most);
             begin = 0;
         }
-        Ok(verdicts)
+        let (results, reading) = timed(|| guarded(&self.device, || tile.results(self)));
+        self.spend(Spent { reading, ..Spent::default() });
+        results?
     }
 }
 

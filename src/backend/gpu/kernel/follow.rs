@@ -1,7 +1,7 @@
 //! The kernel `follow`: trajectories to their verdicts.
 
 use super::Kernel;
-use super::drive::MOVE;
+use super::drive::{MOVE, squaring};
 use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::analysis::constants::{CLEAR_STEPS, ROUNDS, TURNS};
@@ -28,8 +28,8 @@ impl Kernel {
             begin,
             row: ROW * WORKGROUP,
         };
-        let program =
-            Program { kernel: shader::Kernel::Follow, iterations: TURN, more: &[], dispatch: &dispatch };
+        let iterations = TURN + jobs.first().map_or(0, squaring);
+        let program = Program { kernel: shader::Kernel::Follow, iterations, more: &[], dispatch: &dispatch };
         let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
         Ok(verdicts.iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect())
     }

@@ -9,6 +9,7 @@ mod drive;
 mod extent;
 mod follow;
 mod program;
+mod spent;
 mod tile;
 mod trace;
 
@@ -16,7 +17,11 @@ use super::adapters::Found;
 use crate::backend::BackendError;
 use crate::backend::gpu::shader::{Arithmetic, Residence};
 
+use std::sync::Mutex;
+
 use compiled::Library;
+use spent::Clock;
+pub use spent::Spent;
 
 /// Trajectories of one tile.
 const HARDWARE_TILE: usize = 1 << 18;
@@ -28,6 +33,8 @@ pub struct Kernel {
     queue: wgpu::Queue,
     library: Library,
     software: bool,
+    clock: Option<Clock>,
+    spent: Mutex<Spent>,
 }
 
 impl Kernel {
@@ -35,6 +42,8 @@ impl Kernel {
     pub fn new(found: &Found, arithmetic: Arithmetic) -> Result<Self, BackendError> {
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("impact-atlas"),
+            // Only measured with.
+            required_features: found.adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
             required_limits: wgpu::Limits::default(),
             ..wgpu::DeviceDescriptor::default()
         };
@@ -42,7 +51,21 @@ impl Kernel {
             .map_err(|error| BackendError::Device(error.to_string()))?;
         let software = found.report.is_software();
         let residence = if software { Residence::Private } else { Residence::Buffer };
-        Ok(Kernel { device, queue, library: Library::new(residence, arithmetic), software })
+        let clock = Clock::of(&device, &queue);
+        let library = Library::new(residence, arithmetic);
+        Ok(Kernel { device, queue, library, software, clock, spent: Mutex::default() })
+    }
+
+    /// Where time went since this was last asked.
+    pub fn spent(&self) -> Spent {
+        self.spent.lock().map(|mut spent| std::mem::take(&mut *spent)).unwrap_or_default()
+    }
+
+    /// Adds to where time went.
+    fn spend(&self, more: Spent) {
+        if let Ok(mut spent) = self.spent.lock() {
+            *spent += more;
+        }
     }
 
     /// Trajectories that one call of [`Kernel::run`] takes at most.

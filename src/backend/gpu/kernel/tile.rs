@@ -1,6 +1,5 @@
 //! The buffers of one tile of trajectories, and one dispatch of it.
 
-use std::marker::PhantomData;
 use std::sync::Arc;
 
 use bytemuck::Pod;
@@ -8,49 +7,64 @@ use wgpu::util::DeviceExt;
 
 use super::Kernel;
 use super::compiled::Compiled;
-use super::device::{empty, mapped};
+use super::device::{empty, fetch, mapped};
 use super::program::{Portion, Program, ROW};
-use crate::backend::gpu::layout::{Cells, Record};
+use super::spent::{Spent, timed};
+use crate::backend::gpu::layout::{Cells, FINISHED};
 use crate::backend::gpu::shader::WORKGROUP;
 use crate::backend::{BackendError, Job};
 
 /// The buffers of one tile.
-pub struct Tile<R> {
-    record: PhantomData<R>,
+pub struct Tile {
     compiled: Arc<Compiled>,
     bind_group: wgpu::BindGroup,
     dispatch: wgpu::Buffer,
     unfinished: wgpu::Buffer,
-    verdicts: wgpu::Buffer,
+    results: wgpu::Buffer,
     readback: wgpu::Buffer,
 }
 
-impl<R: Record> Tile<R> {
+impl Tile {
+    /// The buffers of some jobs, with a result of so many bytes for each.
     pub fn new<D: Pod>(
         kernel: &Kernel,
+        result: u64,
         compiled: Arc<Compiled>,
         program: &Program<'_, D>,
         jobs: &[&Job],
     ) -> Self {
+        let (cells, preparing) = timed(|| Cells::of(jobs));
+        let (tile, transferring) =
+            timed(|| Tile::holding(kernel, result, compiled, program, &cells, jobs.len()));
+        kernel.spend(Spent { preparing, transferring, ..Spent::default() });
+        tile
+    }
+
+    fn holding<D: Pod>(
+        kernel: &Kernel,
+        result: u64,
+        compiled: Arc<Compiled>,
+        program: &Program<'_, D>,
+        Cells { flights, kicks, starts }: &Cells,
+        count: usize,
+    ) -> Self {
         let device = &kernel.device;
-        let Cells { flights, kicks, starts } = Cells::of(jobs);
-        let pending = vec![R::PENDING; jobs.len()];
-        let filled = |contents: &[u8], usage: wgpu::BufferUsages| {
+        let storage = wgpu::BufferUsages::STORAGE;
+        let filled = |contents: &[u8]| {
+            let usage = storage;
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
         };
-        let cells = jobs.len() as u64;
-        let storage = wgpu::BufferUsages::STORAGE;
-        let uniform = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
-        let dispatch = empty(device, size_of::<D>() as u64, uniform);
-        let flights = filled(bytemuck::cast_slice(&flights), storage);
-        let kicks = filled(bytemuck::cast_slice(&kicks), storage);
-        let starts = filled(bytemuck::cast_slice(&starts), storage);
-        let unfinished = empty(device, 4 * cells, storage | wgpu::BufferUsages::COPY_DST);
-        let observers = empty(device, compiled.state * cells, storage);
-        let verdicts = filled(bytemuck::cast_slice(&pending), storage | wgpu::BufferUsages::COPY_SRC);
-        let readback =
-            empty(device, verdicts.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
-        let buffers = [&dispatch, &flights, &kicks, &starts, &unfinished, &observers, &verdicts];
+        let cells = count as u64;
+        let (reads, writes) = (wgpu::BufferUsages::COPY_SRC, wgpu::BufferUsages::COPY_DST);
+        let dispatch = empty(device, size_of::<D>() as u64, wgpu::BufferUsages::UNIFORM | writes);
+        let flights = filled(bytemuck::cast_slice(flights));
+        let kicks = filled(bytemuck::cast_slice(kicks));
+        let starts = filled(bytemuck::cast_slice(starts));
+        let unfinished = empty(device, 4 * cells, storage | reads | writes);
+        let states = empty(device, compiled.state * cells, storage);
+        let results = empty(device, result * cells, storage | reads);
+        let readback = empty(device, unfinished.size(), wgpu::BufferUsages::MAP_READ | writes);
+        let buffers = [&dispatch, &flights, &kicks, &starts, &unfinished, &states, &results];
         let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
             .zip(buffers.into_iter().chain(program.more.iter().copied()))
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
@@ -60,29 +74,57 @@ impl<R: Record> Tile<R> {
             layout: &compiled.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
-        Tile { record: PhantomData, compiled, bind_group, dispatch, unfinished, verdicts, readback }
+        Tile { compiled, bind_group, dispatch, unfinished, results, readback }
     }
 
-    /// One portion of moves for the unfinished trajectories; all the tile's verdicts come back.
+    /// One portion of moves for the unfinished trajectories; those that are still unfinished.
     pub fn dispatch<D: Pod>(
         &self,
         kernel: &Kernel,
         program: &Program<'_, D>,
         portion: Portion,
         unfinished: &[u32],
-    ) -> Result<Vec<R>, BackendError> {
+    ) -> Result<Vec<u32>, BackendError> {
+        let (left, dispatching) = timed(|| self.dispatched(kernel, program, portion, unfinished));
+        let took =
+            kernel.clock.as_ref().map(|clock| clock.took(&kernel.device, &kernel.queue)).transpose()?;
+        kernel.spend(Spent { dispatching, kernel: took, dispatches: 1, ..Spent::default() });
+        left
+    }
+
+    fn dispatched<D: Pod>(
+        &self,
+        kernel: &Kernel,
+        program: &Program<'_, D>,
+        portion: Portion,
+        unfinished: &[u32],
+    ) -> Result<Vec<u32>, BackendError> {
         kernel.queue.write_buffer(&self.dispatch, 0, bytemuck::bytes_of(&(program.dispatch)(portion)));
         kernel.queue.write_buffer(&self.unfinished, 0, bytemuck::cast_slice(unfinished));
         let mut encoder = kernel.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
-            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                label: None,
+                timestamp_writes: kernel.clock.as_ref().map(super::spent::Clock::writes),
+            });
             pass.set_pipeline(&self.compiled.pipeline);
             pass.set_bind_group(0, &self.bind_group, &[]);
             let groups = portion.count.div_ceil(WORKGROUP);
             pass.dispatch_workgroups(groups.min(ROW), groups.div_ceil(ROW), 1);
         }
-        encoder.copy_buffer_to_buffer(&self.verdicts, 0, &self.readback, 0, self.verdicts.size());
+        if let Some(clock) = &kernel.clock {
+            clock.resolve(&mut encoder);
+        }
+        let bytes = 4 * u64::from(portion.count);
+        encoder.copy_buffer_to_buffer(&self.unfinished, 0, &self.readback, 0, bytes);
         kernel.queue.submit([encoder.finish()]);
-        mapped(&kernel.device, &self.readback)
+        let mut left: Vec<u32> = mapped(&kernel.device, &self.readback, bytes)?;
+        left.retain(|&cell| cell != FINISHED);
+        Ok(left)
+    }
+
+    /// The results of all its trajectories.
+    pub fn results<R: Pod>(&self, kernel: &Kernel) -> Result<Vec<R>, BackendError> {
+        fetch(&kernel.device, &kernel.queue, &self.results)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Kernel;
 use super::device::{empty, fetch, guarded};
-use super::drive::MOVE;
+use super::drive::{MOVE, squaring};
 use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
@@ -44,8 +44,8 @@ impl Kernel {
             unused: 0,
         };
         let more = [&traces, &readings];
-        let program =
-            Program { kernel: shader::Kernel::Trace, iterations: MOVE, more: &more, dispatch: &dispatch };
+        let iterations = MOVE + squaring(&jobs[0]);
+        let program = Program { kernel: shader::Kernel::Trace, iterations, more: &more, dispatch: &dispatch };
         let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
         let traces: Vec<Trace> = guarded(&self.device, || fetch(&self.device, &self.queue, &traces))??;
         let readings: Vec<f32> = guarded(&self.device, || fetch(&self.device, &self.queue, &readings))??;

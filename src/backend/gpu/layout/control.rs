@@ -1,7 +1,6 @@
 //! What the kernel `control_trajectories` reads and writes.
 
 use super::follow::Verdict;
-use super::record::Record;
 use crate::analysis;
 use crate::control::{self, Controller, METHODS, Member, Method, SectionValues, Surface};
 use crate::dynamics::Stop;
@@ -115,23 +114,6 @@ shared_struct! {
         pub runaway: u32,
         pub escapes: u32,
         pub effort: f32,
-    }
-}
-
-impl Record for Outcome {
-    const PENDING: Self = Outcome {
-        verdict: Verdict::PENDING,
-        period: 0,
-        iterates: 0,
-        converged_at: 0,
-        signal: 0.0,
-        runaway: 0,
-        escapes: 0,
-        effort: 0.0,
-    };
-
-    fn is_pending(&self) -> bool {
-        self.verdict.is_pending()
     }
 }
 

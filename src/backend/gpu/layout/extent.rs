@@ -2,7 +2,6 @@
 
 use strum::VariantArray;
 
-use super::record::Record;
 use crate::analysis;
 use crate::model::vector::MOST;
 
@@ -23,7 +22,7 @@ shared_struct! {
 shared_struct! {
     /// How far a motion goes.
     pub struct Extent {
-        /// An [`ExtentCode`]; anything else while it is not written.
+        /// An [`ExtentCode`].
         pub code: u32,
         pub mean_squares: [f32; MOST],
         pub peaks: [f32; MOST],
@@ -48,13 +47,5 @@ impl Extent {
         let of =
             |values: &[f32; MOST]| values[..coordinates].iter().map(|&v| f64::from(v)).collect::<Vec<_>>();
         analysis::Extent::of(&of(&self.mean_squares), &of(&self.peaks))
-    }
-}
-
-impl Record for Extent {
-    const PENDING: Self = Extent { code: u32::MAX, mean_squares: [0.0; MOST], peaks: [0.0; MOST] };
-
-    fn is_pending(&self) -> bool {
-        self.code == Self::PENDING.code
     }
 }

@@ -1,6 +1,5 @@
 //! What the kernel `follow` reads and writes.
 
-use super::record::Record;
 use crate::analysis::{self, Counts, Measures, Regime};
 use crate::control::MOST_COMPONENTS;
 use crate::model::vector::MOST;
@@ -72,29 +71,6 @@ fn measured(value: f32) -> f32 {
 }
 
 impl Verdict {
-    /// What the buffer holds until the shader has written a verdict: no regime has this code.
-    pub const PENDING: Verdict = Verdict {
-        regime: u32::MAX,
-        n: 0,
-        symmetric: 0,
-        lyapunov: 0.0,
-        impacts_per_stop: [0; MOST],
-        state: [0.0; MOST_COMPONENTS],
-        impacts: 0,
-        impacts_total: 0,
-        peak_impact_velocity: 0.0,
-        periods: 0,
-        returning: 0,
-        observed: 0,
-        power: 0.0,
-        contact: 0.0,
-    };
-
-    /// Whether the shader has not written it yet.
-    pub fn is_pending(&self) -> bool {
-        self.regime == Self::PENDING.regime
-    }
-
     /// The state x1 … xn, v1 … vn.
     fn state_of(&self, system: &System) -> StateVector {
         let mut state = StateVector::zeros(system.plant().n);
@@ -125,13 +101,5 @@ impl Verdict {
                 contact: measured(self.contact),
             },
         }
-    }
-}
-
-impl Record for Verdict {
-    const PENDING: Self = Verdict::PENDING;
-
-    fn is_pending(&self) -> bool {
-        Verdict::is_pending(self)
     }
 }

@@ -18,7 +18,7 @@ pub use control::{ControlDispatch, ControlSchedule, Outcome, code, control_words
 pub use extent::{Extent, ExtentCode, ExtentDispatch};
 pub use flight::{KICK_TERMS, write_flight, write_kicks};
 pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};
-pub use record::Record;
+pub use record::FINISHED;
 pub use trace::{Rebounds, Trace, TraceDispatch};
 
 use rayon::prelude::*;

@@ -1,12 +1,4 @@
-//! What every kernel's results have in common.
+//! What all kernels have in common: which trajectories are finished.
 
-use bytemuck::Pod;
-
-/// What a kernel writes for a trajectory when it is done.
-pub trait Record: Pod {
-    /// What the buffer holds until then.
-    const PENDING: Self;
-
-    /// Whether the shader has not written it yet.
-    fn is_pending(&self) -> bool;
-}
+/// What a kernel writes over the number of a trajectory that it has finished.
+pub const FINISHED: u32 = u32::MAX;

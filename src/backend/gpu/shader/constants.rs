@@ -6,7 +6,7 @@ use super::template::Shape;
 use super::workgroup::WORKGROUP;
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Section};
-use crate::backend::gpu::layout::{KICK_TERMS, NOT_MEASURED};
+use crate::backend::gpu::layout::{FINISHED, KICK_TERMS, NOT_MEASURED};
 use crate::control::constants as control;
 use crate::control::{Constant, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, METHODS, NEVER};
 use crate::dynamics::Contact;
@@ -52,6 +52,7 @@ pub fn source(shape: &Shape) -> String {
         ("LONGEST_PASSAGE", control::LONGEST_PASSAGE),
         ("CONTROL_SETTLING", control::SETTLING),
         ("NEVER", NEVER),
+        ("FINISHED", FINISHED),
         ("SECTION_STROBE", Section::STROBE_CODE),
         ("READING_COMPONENT", Reading::COMPONENT_CODE),
         ("READING_GAP", Reading::GAP_CODE),
