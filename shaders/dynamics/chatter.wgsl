@@ -26,20 +26,25 @@ fn chatter_close(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
         return Closure(false, 0.0, 0.0, 0.0);
     }
     let r = rebound.restitution;
-    if r >= 1.0 {
+    if r < 1.0 {
+        let time = (speed + speed) / (force * (1.0 - r));
+        let change = time * (abs(towards.jerk) + 0.5 * towards.bound * time) / force + flight.rate * time;
+        let cube = speed * speed * speed;
+        let gap_integral = TWO_THIRDS * cube / (force * force * (1.0 - r * r * r));
+        let effect = gap_integral * flight.normals[normal].coupling;
+        let lasts = time + time;
+        let closes = lasts <= rebound.room
+            && change <= STEADY
+            && effect * change <= CHATTER
+            && stays_low(normal, speed, force);
+        if closes {
+            return Closure(true, gap_integral, speed * speed / force, lasts);
+        }
+    }
+    if 1.0 - r <= NEARLY {
         return chatter_drag(normal, rebound, towards);
     }
-    let time = (speed + speed) / (force * (1.0 - r));
-    let change = time * (abs(towards.jerk) + 0.5 * towards.bound * time) / force + flight.rate * time;
-    let cube = speed * speed * speed;
-    let gap_integral = TWO_THIRDS * cube / (force * force * (1.0 - r * r * r));
-    let effect = gap_integral * flight.normals[normal].coupling;
-    let lasts = time + time;
-    let closes = lasts <= rebound.room
-        && change <= STEADY
-        && effect * change <= CHATTER
-        && stays_low(normal, speed, force);
-    return Closure(closes, gap_integral, speed * speed / force, lasts);
+    return Closure(false, 0.0, 0.0, 0.0);
 }
 
 // Whether rebounds surely do not reach the stop at the other end of the normal.
@@ -57,12 +62,20 @@ fn chatter_drag(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
     if !(damping > 0.0 && steady && speed <= FADING && stays_low(normal, speed, force)) {
         return Closure(false, 0.0, 0.0, 0.0);
     }
-    let gap_integral = speed * speed / ((force + force) * damping);
+    let most = speed * speed / ((force + force) * damping);
     let slow = speed * INVERSE_SLOW;
     var fades = slow <= 1.0;
     if !fades {
         let needed = 3.0 * logarithm(slow);
         fades = damping * rebound.room >= needed && damping * force >= (needed + needed) * drift;
     }
-    return Closure(fades && gap_integral * flight.normals[normal].coupling <= PUSH, gap_integral, 0.0, 0.0);
+    if !(fades && most * flight.normals[normal].coupling <= PUSH) {
+        return Closure(false, 0.0, 0.0, 0.0);
+    }
+    let k = 1.5 * (1.0 - rebound.restitution) * force / damping;
+    if k <= 0.0 {
+        return Closure(true, most, 0.0, 0.0);
+    }
+    let lost = k * (speed - k * logarithm(1.0 + speed / k)) / (force * damping);
+    return Closure(true, max(most - lost, 0.0), 0.0, 0.0);
 }

@@ -39,7 +39,9 @@ pub struct Rebound<T> {
 /// c′ (1 − c′) = c has a solution, with c′ ≤ ½, up to c = ¼.
 pub const STEADY: f64 = 0.25;
 
-/// Rebounds without loss may be closed below this speed …
+/// Rebounds with at most this loss, 1 − r, are nearly without loss …
+pub const NEARLY: f64 = 1e-3;
+/// … and may be closed below this speed, long before their sum is reached …
 pub const FADING: f64 = 1e-4;
 /// … if they are as slow as this by the next strobe, whose state would still show them, and by the time the force vanishes …
 pub const SLOW: f64 = 1e-6;
@@ -72,20 +74,23 @@ pub fn close<T: Real, const N: usize>(
     if force <= T::zero() {
         return None;
     }
-    if r >= one {
-        return drag(normal, rebound, towards);
+    if r < one {
+        let time = (speed + speed) / (force * (one - r));
+        let change =
+            time * (towards.jerk.abs() + T::of(0.5) * towards.bound * time) / force + flight.rate * time;
+        let cube = speed * speed * speed;
+        let gap_integral = T::of(2.0 / 3.0) * cube / (force * force * (one - r * r * r));
+        let effect = gap_integral * normal.coupling;
+        let lasts = time + time;
+        let closes = lasts <= room
+            && change <= T::of(STEADY)
+            && effect * change <= T::of(T::CHATTER)
+            && stays_low(normal, speed, force);
+        if closes {
+            return Some(Closure { gap_integral, height: speed * speed / force, lasts });
+        }
     }
-    let time = (speed + speed) / (force * (one - r));
-    let change = time * (towards.jerk.abs() + T::of(0.5) * towards.bound * time) / force + flight.rate * time;
-    let cube = speed * speed * speed;
-    let gap_integral = T::of(2.0 / 3.0) * cube / (force * force * (one - r * r * r));
-    let effect = gap_integral * normal.coupling;
-    let lasts = time + time;
-    let closes = lasts <= room
-        && change <= T::of(STEADY)
-        && effect * change <= T::of(T::CHATTER)
-        && stays_low(normal, speed, force);
-    closes.then(|| Closure { gap_integral, height: speed * speed / force, lasts })
+    if one - r <= T::of(NEARLY) { drag(normal, rebound, towards) } else { None }
 }
 
 /// Whether rebounds that begin with `speed` surely do not reach the stop at the other end of the normal: a force that stays
@@ -96,7 +101,8 @@ fn stays_low<T: Real, const N: usize>(normal: &ContactNormal<T, N>, speed: T, fo
 }
 
 /// Rebounds without loss (r = 1) do not end in finite time, but the damping c along the normal drags them down: their
-/// speed u decays like exp(−ct/3), ever more of them in a given time, and ∫ gap dt is u²/(2ac). Where that cannot be told from
+/// speed decays like exp(−ct/3), ever more of them in a given time. With a small loss it is (u + k) exp(−ct/3) − k with
+/// k = 3a(1 − r)/(2c), and ∫ gap dt is (u²/2 − ku + k² ln(1 + u/k))/(ac); u²/(2ac) at r = 1. Where that cannot be told from
 /// rest by the time it matters, the mass is as good as at rest: neither the strobe nor the force that vanishes, which takes
 /// a/(2|a′|) at least, may find rebounds that are not slow. What they do to the other masses they do over a time of 3/(2c)
 /// rather than at once, so that all of it must be negligible; and the force must hardly change during a rebound.
@@ -106,7 +112,7 @@ fn drag<T: Real, const N: usize>(
     rebound: &Rebound<T>,
     towards: &Approach<T>,
 ) -> Option<Closure<T>> {
-    let Rebound { speed, room, .. } = *rebound;
+    let Rebound { speed, restitution, room, .. } = *rebound;
     let damping = normal.drag;
     let force = towards.acceleration;
     // In flight the damper resists what accelerates the mass; what presses on the contact changes by so much more.
@@ -115,13 +121,22 @@ fn drag<T: Real, const N: usize>(
     if !(damping > T::zero() && steady && speed <= T::of(FADING) && stays_low(normal, speed, force)) {
         return None;
     }
-    let gap_integral = speed * speed / ((force + force) * damping);
+    let most = speed * speed / ((force + force) * damping);
     let slow = speed * T::of(1.0 / SLOW);
     let fades = slow <= T::one() || {
         let needed = T::of(3.0) * slow.logarithm();
         damping * room >= needed && damping * force >= (needed + needed) * drift
     };
-    (fades && gap_integral * normal.coupling <= T::of(PUSH)).then(|| Closure::at_once(gap_integral))
+    if !(fades && most * normal.coupling <= T::of(PUSH)) {
+        return None;
+    }
+    let k = T::of(1.5) * (T::one() - restitution) * force / damping;
+    if k <= T::zero() {
+        return Some(Closure::at_once(most));
+    }
+    let lost = k * (speed - k * (T::one() + speed / k).logarithm()) / (force * damping);
+    let left = most - lost;
+    Some(Closure::at_once(if left > T::zero() { left } else { T::zero() }))
 }
 
 #[cfg(test)]

@@ -44,7 +44,7 @@ pub use usage::Usage;
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
-    pub use super::chatter::{FADING, PUSH, SLOW, STEADY};
+    pub use super::chatter::{FADING, NEARLY, PUSH, SLOW, STEADY};
     pub use super::contact::{ROUNDINGS, WIDENING};
     pub use super::crossing::WIDER;
     pub use super::leg::SWELLING;

@@ -206,6 +206,38 @@ fn dragged<T: Real>() {
     assert!(falling(0.999 * SLOW, during) && !falling(0.999 * SLOW, 1.01 * during));
 }
 
+/// With a small loss besides: u falls by (1 − r) u in a hop, too. The damper alone, or the loss alone, would be told apart.
+fn dragged_with_loss<T: Real>() {
+    let (damping, force, speed) = (0.5, 1.0, 0.9 * FADING);
+    let cell = Cell::<T>::new(&single(|plant| plant.damping[(0, 0)] = damping));
+    // Before the strobe their sum is not reached.
+    let room = T::of(3.0 * 100f64.ln() / damping);
+    for loss in [3e-5, 1e-5, 3e-6] {
+        let restitution = T::of(1.0 - loss);
+        let loss = 1.0 - restitution.widen();
+        let hop = Rebound { room, restitution, ..rebound(speed, 1.0) };
+        let closure = cell.close(&hop, &pressed(force, damping, 0.0)).expect("it closes");
+        let (mut u, mut integral) = (speed, 0.0);
+        while u > 1e-4 * speed {
+            integral += 2.0 / 3.0 * u.powi(3) / (force * force);
+            u -= 2.0 / 3.0 * damping * u * u / force + loss * u;
+        }
+        let found = closure.gap_integral.widen();
+        assert!((found / integral - 1.0).abs() < 1e-2, "{loss}: {found} for {integral}");
+        assert!(integral < 0.9 * speed * speed / (2.0 * force * damping));
+        assert!(integral < 0.9 * 2.0 / 9.0 * speed.powi(3) / (force * force * loss));
+    }
+    let lossy = Rebound { room, restitution: T::of(1.0 - 2.0 * NEARLY), ..rebound(0.9 * FADING, 1.0) };
+    let drifts = Approach { bound: T::of(1e9), ..pressed(force, damping, 0.0) };
+    assert!(cell.close(&lossy, &drifts).is_none());
+}
+
+#[test]
+fn rebounds_with_a_small_loss_are_closed_where_damping_drags_them_down() {
+    dragged_with_loss::<f64>();
+    dragged_with_loss::<f32>();
+}
+
 #[test]
 fn rebounds_without_loss_are_closed_where_damping_drags_them_down() {
     dragged::<f64>();

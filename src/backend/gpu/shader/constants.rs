@@ -97,6 +97,7 @@ pub fn source(shape: &Shape) -> String {
         ("FAR", dynamics::FAR),
         ("STEADY", dynamics::STEADY),
         ("FADING", dynamics::FADING),
+        ("NEARLY", dynamics::NEARLY),
         ("INVERSE_SLOW", 1.0 / dynamics::SLOW),
         ("PUSH", dynamics::PUSH),
         ("WIDENING", dynamics::WIDENING),
