@@ -13,9 +13,11 @@ fn turn_over(n: u32) -> Turn {
 
 // Sees the tangent vector after `turns` ≥ 1 turns.
 fn turn_complete(turns: u32) {
-    if turns <= COMPONENTS {
-        observer.turn.columns[turns - 1u] = tangent;
+    //: each component
+    if turns == $ku + 1u {
+        observer.turn.columns[$k] = tangent;
     }
+    //: end
     if turns == COMPONENTS {
         observer.turn.exponent = turn_measured();
     }
@@ -24,30 +26,32 @@ fn turn_complete(turns: u32) {
 // ln of the spectral radius over n: the limit of ln ‖Mᵏ‖ / (kn).
 fn turn_measured() -> f32 {
     var power = observer.turn.columns;
-    for (var i = 0u; i < COMPONENTS; i++) {
-        if !state_is_finite(power[i]) {
-            return EXPLODES;
-        }
+    var finite = true;
+    //: each component
+    finite = finite && state_is_finite(power[$k]);
+    //: end
+    if !finite {
+        return EXPLODES;
     }
     var sum = 0.0;
     var share = 1.0;
     for (var k = 0u; k <= SQUARINGS; k++) {
         var size = 0.0;
-        for (var i = 0u; i < COMPONENTS; i++) {
-            size = max(size, largest_of(power[i].x, power[i].v));
-        }
+        //: each component
+        size = max(size, largest_of(power[$k].x, power[$k].v));
+        //: end
         if size == 0.0 {
             return FORGETS;
         }
         sum = sum + share * logarithm(size);
         let factor = 1.0 / size;
-        var scaled = power;
-        for (var i = 0u; i < COMPONENTS; i++) {
-            scaled[i] = state_scaled(factor, power[i]);
-        }
-        for (var i = 0u; i < COMPONENTS; i++) {
-            power[i] = turn_applied(scaled, scaled[i]);
-        }
+        //: each component
+        power[$k] = state_scaled(factor, power[$k]);
+        //: end
+        let scaled = power;
+        //: each component
+        power[$k] = turn_applied(scaled, scaled[$k]);
+        //: end
         share = 0.5 * share;
     }
     return sum / f32(observer.turn.n);
@@ -57,8 +61,8 @@ fn turn_measured() -> f32 {
 fn turn_applied(columns: array<State, COMPONENTS>, to: State) -> State {
     let weights = state_values(to);
     var sum = state_scaled(weights[0], columns[0]);
-    for (var i = 1u; i < COMPONENTS; i++) {
-        sum = state_plus(sum, weights[i], columns[i]);
-    }
+    //: each further component
+    sum = state_plus(sum, weights[$k], columns[$k]);
+    //: end
     return sum;
 }

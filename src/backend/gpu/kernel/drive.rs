@@ -31,10 +31,7 @@ pub const MOVE: u32 = 1 + 17 * <f32 as Real>::ORDER as u32;
 const SOFTWARE_ITERATIONS: u32 = 65_535 - (MOST * KICK_TERMS) as u32;
 
 /// Loop iterations in what a strobe may ask for: the squares of a motion's monodromy matrix.
-pub fn squaring(job: &Job) -> u32 {
-    let components = 2 * job.system.plant().n as u32;
-    components + (SQUARINGS + 1) * (2 + components) * components
-}
+pub const SQUARES: u32 = SQUARINGS + 1;
 
 impl Kernel {
     /// Follows one tile of trajectories, at least one, with a kernel, in portions of bounded time.

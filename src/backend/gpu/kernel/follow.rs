@@ -1,7 +1,7 @@
 //! The kernel `follow`: trajectories to their verdicts.
 
 use super::Kernel;
-use super::drive::{MOVE, squaring};
+use super::drive::{MOVE, SQUARES};
 use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::analysis::constants::{CLEAR_STEPS, ROUNDS, TURNS};
@@ -28,7 +28,7 @@ impl Kernel {
             begin,
             row: ROW * WORKGROUP,
         };
-        let iterations = TURN + jobs.first().map_or(0, squaring);
+        let iterations = TURN + SQUARES;
         let program = Program { kernel: shader::Kernel::Follow, iterations, more: &[], dispatch: &dispatch };
         let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
         Ok(verdicts.iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect())

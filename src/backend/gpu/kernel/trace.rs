@@ -2,7 +2,7 @@
 
 use super::Kernel;
 use super::device::{empty, fetch, guarded};
-use super::drive::{MOVE, squaring};
+use super::drive::{MOVE, SQUARES};
 use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
@@ -44,7 +44,7 @@ impl Kernel {
             unused: 0,
         };
         let more = [&traces, &readings];
-        let iterations = MOVE + squaring(&jobs[0]);
+        let iterations = MOVE + SQUARES;
         let program = Program { kernel: shader::Kernel::Trace, iterations, more: &more, dispatch: &dispatch };
         let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
         let traces: Vec<Trace> = guarded(&self.device, || fetch(&self.device, &self.queue, &traces))??;

@@ -1,9 +1,9 @@
 //! Loops unrolled in the text of a shader, for so many coordinates, contact normals and stops.
 //!
 //! A block between the lines `//: each normal` and `//: end` stands once for every normal, with `$k` as its number; so do
-//! `each stop` and, with `$i` as the number and `$c` as what selects the component, `each coordinate`. A block of `each pair of
-//! normals` stands once for every ordered pair, with `$k` and `$l`. Series of fixed order are unrolled too, with `$k` as the
-//! order: see [`COUNTED`].
+//! `each stop`, `each component` of a state (and `each further component` after the first) and, with `$i` as the number and
+//! `$c` as what selects the component, `each coordinate`. A block of `each pair of normals` stands once for every ordered pair,
+//! with `$k` and `$l`. Series of fixed order are unrolled too, with `$k` as the order: see [`COUNTED`].
 
 use crate::dynamics::constants::NEWTON_STEPS;
 use crate::model::Real;
@@ -65,6 +65,10 @@ impl Shape {
                 push(block.replace("$i", &i.to_string()).replace("$c", self.component(i)));
             }),
             "normal" => (0..self.normals).for_each(|k| push(block.replace("$k", &k.to_string()))),
+            "component" => (0..2 * self.coordinates).for_each(|k| push(block.replace("$k", &k.to_string()))),
+            "further component" => {
+                (1..2 * self.coordinates).for_each(|k| push(block.replace("$k", &k.to_string())));
+            }
             "stop" => (0..self.stops).for_each(|k| push(block.replace("$k", &k.to_string()))),
             "pair of normals" => {
                 for k in 0..self.normals {
