@@ -7,7 +7,7 @@ use impact_atlas::{render::region_map, sweep::sweep, system::Family};
 const FAMILY: &str = r#"
 name = "A driven mass on a spring, beside a stop"
 [parameters]
-omega = { default = 2.5, about = "frequency of the forcing", at_least = 0.1 }
+omega = { default = 2.5, symbol = "ω", about = "frequency of the forcing", at_least = 0.1 }
 r = { default = 0.8, about = "coefficient of restitution", at_least = 0, at_most = 1 }
 [system]
 frequency = "omega"
