@@ -106,18 +106,17 @@ fn observer_begin_settled(at_rest: bool) {
     if at_rest && brief <= BRIEF && brief <= schedule.observe {
         observer_begin_observation(brief);
         observer.turn = turn_over(n);
-        observer_begin_turn(0u);
+        observer_carry(state_unit(0u));
     } else {
         let needed = max(SETTLED_OBSERVATION, SETTLED_TURNS * n);
         observer_begin_observation(min(needed, schedule.observe));
     }
 }
 
-// Begins a turn with the deviation that is to be carried through it.
-fn observer_begin_turn(turns: u32) {
-    tangent = state_unit(turns);
+// Carries a deviation along from here. While a mass rests on a stop, deviations along the contact are zero.
+fn observer_carry(deviation: State) {
+    tangent = deviation;
     if trajectory.contact != CONTACT_FREE {
-        // While a mass rests on a stop, deviations along the contact are zero.
         tangent = tangent_caught(tangent, trajectory.contact);
     }
 }
@@ -130,11 +129,7 @@ fn observer_begin_observation(observe: u32) {
     observer.peak = 0.0;
     observer.stuck = 0u;
     observer.loss = loss_none(trajectory.contact);
-    tangent = tangent_seed();
-    if trajectory.contact != CONTACT_FREE {
-        // While a mass rests on a stop, deviations along the contact are zero.
-        tangent = tangent_caught(tangent, trajectory.contact);
-    }
+    observer_carry(tangent_seed());
     observer.recurrence = recurrence_anchored(trajectory.point.state);
     observer.exponent = exponent_over(observe);
     observer.turn = turn_over(0u);
@@ -175,7 +170,7 @@ fn observer_measure_growth() -> f32 {
     if observer.observed % observer.turn.n == 0u {
         let turns = observer.observed / observer.turn.n;
         turn_complete(turns);
-        observer_begin_turn(turns);
+        observer_carry(state_unit(turns));
     }
     return 0.0;
 }

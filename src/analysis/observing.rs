@@ -129,19 +129,16 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if at_rest && brief <= BRIEF && brief <= schedule.observe {
             self.begin_observation(flight, brief);
             self.turn = Turn::over(n);
-            self.begin_turn(flight, 0);
+            self.carry(flight, Turn::begins_with(0));
         } else {
             let needed = SETTLED_OBSERVATION.max(SETTLED_TURNS * n);
             self.begin_observation(flight, needed.min(schedule.observe));
         }
     }
 
-    /// Begins a turn with the deviation that is to be carried through it.
-    fn begin_turn(&mut self, flight: &Flight<T, N>, turns: u32) {
-        let deviation = Turn::begins_with(turns);
-        let contact = self.trajectory.contact;
-        // While a mass rests on a stop, deviations along the contact are zero.
-        self.tangent = if contact.is_free() { deviation } else { deviation.caught(flight, contact) };
+    /// Carries a deviation along from here. While a mass rests on a stop, deviations along the contact are zero.
+    fn carry(&mut self, flight: &Flight<T, N>, deviation: Tangent<T, N>) {
+        self.tangent = deviation.caught(flight, self.trajectory.contact);
     }
 
     pub(super) fn begin_observation(&mut self, flight: &Flight<T, N>, observe: u32) {
@@ -153,8 +150,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.peak = T::zero();
         self.stuck = false;
         self.loss = Loss::none(!self.trajectory.contact.is_free());
-        // While a mass rests on a stop, deviations along the contact are zero.
-        self.tangent = Tangent::seed().caught(flight, self.trajectory.contact);
+        self.carry(flight, Tangent::seed());
         self.recurrence = Recurrence::anchored(point.state);
         self.exponent = Exponent::over(observe);
         self.turn = Turn::none();
@@ -200,7 +196,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if self.observed.is_multiple_of(self.turn.n) {
             let turns = self.observed / self.turn.n;
             self.turn.complete(turns, &self.tangent);
-            self.begin_turn(flight, turns);
+            self.carry(flight, Turn::begins_with(turns));
         }
         T::zero()
     }

@@ -64,12 +64,12 @@ pub fn compiled(
     })
 }
 
-/// A buffer of words that a kernel reads.
-pub fn filled(device: &wgpu::Device, words: &[u32]) -> Result<wgpu::Buffer, BackendError> {
+/// A buffer of numbers that a kernel reads.
+pub fn filled<T: Pod>(device: &wgpu::Device, numbers: &[T]) -> Result<wgpu::Buffer, BackendError> {
     guarded(device, || {
         device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: None,
-            contents: bytemuck::cast_slice(words),
+            contents: bytemuck::cast_slice(numbers),
             usage: wgpu::BufferUsages::STORAGE,
         })
     })

@@ -1,7 +1,5 @@
 //! The driver of every kernel: a tile dispatched in portions of bounded time until all of it is finished.
 
-use std::time::{Duration, Instant};
-
 use bytemuck::Pod;
 
 use super::Kernel;
@@ -10,14 +8,14 @@ use super::program::{Portion, Program};
 use super::spent::{Spent, timed};
 use super::tile::Tile;
 use crate::analysis::constants::SQUARINGS;
-use crate::backend::gpu::layout::KICK_TERMS;
+use crate::backend::gpu::layout::{Cells, KICK_TERMS};
 use crate::backend::gpu::shader::Shape;
 use crate::backend::{BackendError, Job, Watch};
 use crate::model::Real;
 use crate::model::vector::MOST;
 
-/// How long one dispatch should take; a display driver kills one of a few seconds.
-const PORTION: Duration = Duration::from_millis(200);
+/// How many seconds one dispatch should take; a display driver kills one of a few.
+const PORTION: f64 = 0.2;
 /// Moves of the first dispatch, before its speed is known.
 const FIRST_BUDGET: u32 = 32;
 /// The most moves of one dispatch on hardware.
@@ -42,7 +40,11 @@ impl Kernel {
         watch: &dyn Watch,
     ) -> Result<Vec<R>, BackendError> {
         let compiled = self.library.get(&self.device, program.kernel, shape_of(jobs)?)?;
-        let tile = guarded(&self.device, || Tile::new(self, size_of::<R>() as u64, compiled, program, jobs))?;
+        let (cells, preparing) = timed(|| Cells::of(jobs));
+        let holding = || Tile::new(self, compiled, program, &cells, jobs.len(), size_of::<R>() as u64);
+        let (tile, transferring) = timed(|| guarded(&self.device, holding));
+        let tile = tile??;
+        self.spend(Spent { preparing, transferring, ..Spent::default() });
         let most = if self.software { SOFTWARE_ITERATIONS / program.iterations } else { HARDWARE_BUDGET };
         let mut budget = FIRST_BUDGET.min(most);
         let mut unfinished: Vec<u32> = (0..jobs.len() as u32).collect();
@@ -51,12 +53,15 @@ impl Kernel {
             if watch.cancelled() {
                 return Err(BackendError::Cancelled);
             }
-            let began = Instant::now();
             let portion = Portion { count: unfinished.len() as u32, budget, begin };
             let before = unfinished.len();
-            unfinished = guarded(&self.device, || tile.dispatch(self, program, portion, &unfinished))??;
+            let dispatch = || tile.dispatch(self, program, portion, &unfinished);
+            let (done, dispatching) = timed(|| guarded(&self.device, dispatch));
+            let (left, kernel) = done??;
+            unfinished = left;
+            self.spend(Spent { dispatching, kernel, dispatches: 1, ..Spent::default() });
             watch.finished((before - unfinished.len()) as u64);
-            budget = next_budget(budget, began.elapsed(), most);
+            budget = next_budget(budget, dispatching, most);
             begin = 0;
         }
         let (results, reading) = timed(|| guarded(&self.device, || tile.results(self)));
@@ -66,8 +71,8 @@ impl Kernel {
 }
 
 /// The moves of the next dispatch, so that it takes about [`PORTION`]; at most twice the last.
-fn next_budget(budget: u32, took: Duration, most: u32) -> u32 {
-    let factor = (PORTION.as_secs_f64() / took.as_secs_f64().max(1e-6)).clamp(0.1, 2.0);
+fn next_budget(budget: u32, took: f64, most: u32) -> u32 {
+    let factor = (PORTION / took.max(1e-6)).clamp(0.1, 2.0);
     ((f64::from(budget) * factor) as u32).clamp(1, most)
 }
 

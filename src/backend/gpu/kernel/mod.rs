@@ -1,5 +1,6 @@
 //! The kernel on its device: a tile of trajectories, dispatched in bounded portions until all are finished.
 
+mod clock;
 mod compiled;
 mod control;
 #[cfg(test)]
@@ -20,7 +21,6 @@ use crate::backend::gpu::shader::{Arithmetic, Residence};
 use std::sync::Mutex;
 
 use compiled::Library;
-use spent::Clock;
 pub use spent::Spent;
 
 /// Trajectories of one tile.
@@ -33,7 +33,6 @@ pub struct Kernel {
     queue: wgpu::Queue,
     library: Library,
     software: bool,
-    clock: Option<Clock>,
     spent: Mutex<Spent>,
 }
 
@@ -51,9 +50,8 @@ impl Kernel {
             .map_err(|error| BackendError::Device(error.to_string()))?;
         let software = found.report.is_software();
         let residence = if software { Residence::Private } else { Residence::Buffer };
-        let clock = Clock::of(&device, &queue);
         let library = Library::new(residence, arithmetic);
-        Ok(Kernel { device, queue, library, software, clock, spent: Mutex::default() })
+        Ok(Kernel { device, queue, library, software, spent: Mutex::default() })
     }
 
     /// Where time went since this was last asked.

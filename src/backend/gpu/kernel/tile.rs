@@ -3,16 +3,15 @@
 use std::sync::Arc;
 
 use bytemuck::Pod;
-use wgpu::util::DeviceExt;
 
 use super::Kernel;
+use super::clock::Clock;
 use super::compiled::Compiled;
-use super::device::{empty, fetch, mapped};
+use super::device::{empty, fetch, filled, mapped};
 use super::program::{Portion, Program, ROW};
-use super::spent::{Spent, timed};
+use crate::backend::BackendError;
 use crate::backend::gpu::layout::{Cells, FINISHED};
 use crate::backend::gpu::shader::WORKGROUP;
-use crate::backend::{BackendError, Job};
 
 /// The buffers of one tile.
 pub struct Tile {
@@ -22,44 +21,27 @@ pub struct Tile {
     unfinished: wgpu::Buffer,
     results: wgpu::Buffer,
     readback: wgpu::Buffer,
+    clock: Option<Clock>,
 }
 
 impl Tile {
-    /// The buffers of some jobs, with a result of so many bytes for each.
+    /// The buffers of so many cells, with a result of so many bytes for each.
     pub fn new<D: Pod>(
         kernel: &Kernel,
-        result: u64,
-        compiled: Arc<Compiled>,
-        program: &Program<'_, D>,
-        jobs: &[&Job],
-    ) -> Self {
-        let (cells, preparing) = timed(|| Cells::of(jobs));
-        let (tile, transferring) =
-            timed(|| Tile::holding(kernel, result, compiled, program, &cells, jobs.len()));
-        kernel.spend(Spent { preparing, transferring, ..Spent::default() });
-        tile
-    }
-
-    fn holding<D: Pod>(
-        kernel: &Kernel,
-        result: u64,
         compiled: Arc<Compiled>,
         program: &Program<'_, D>,
         Cells { flights, kicks, starts }: &Cells,
         count: usize,
-    ) -> Self {
+        result: u64,
+    ) -> Result<Self, BackendError> {
         let device = &kernel.device;
         let storage = wgpu::BufferUsages::STORAGE;
-        let filled = |contents: &[u8]| {
-            let usage = storage;
-            device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
-        };
         let cells = count as u64;
         let (reads, writes) = (wgpu::BufferUsages::COPY_SRC, wgpu::BufferUsages::COPY_DST);
         let dispatch = empty(device, size_of::<D>() as u64, wgpu::BufferUsages::UNIFORM | writes);
-        let flights = filled(bytemuck::cast_slice(flights));
-        let kicks = filled(bytemuck::cast_slice(kicks));
-        let starts = filled(bytemuck::cast_slice(starts));
+        let flights = filled(device, flights)?;
+        let kicks = filled(device, kicks)?;
+        let starts = filled(device, starts)?;
         let unfinished = empty(device, 4 * cells, storage | reads | writes);
         let states = empty(device, compiled.state * cells, storage);
         let results = empty(device, result * cells, storage | reads);
@@ -74,45 +56,33 @@ impl Tile {
             layout: &compiled.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
-        Tile { compiled, bind_group, dispatch, unfinished, results, readback }
+        let clock = Clock::of(device, &kernel.queue);
+        Ok(Tile { compiled, bind_group, dispatch, unfinished, results, readback, clock })
     }
 
-    /// One portion of moves for the unfinished trajectories; those that are still unfinished.
+    /// One portion of moves for the unfinished trajectories; those that are still unfinished, and the
+    /// seconds of the kernel where the adapter has a clock.
     pub fn dispatch<D: Pod>(
         &self,
         kernel: &Kernel,
         program: &Program<'_, D>,
         portion: Portion,
         unfinished: &[u32],
-    ) -> Result<Vec<u32>, BackendError> {
-        let (left, dispatching) = timed(|| self.dispatched(kernel, program, portion, unfinished));
-        let took =
-            kernel.clock.as_ref().map(|clock| clock.took(&kernel.device, &kernel.queue)).transpose()?;
-        kernel.spend(Spent { dispatching, kernel: took, dispatches: 1, ..Spent::default() });
-        left
-    }
-
-    fn dispatched<D: Pod>(
-        &self,
-        kernel: &Kernel,
-        program: &Program<'_, D>,
-        portion: Portion,
-        unfinished: &[u32],
-    ) -> Result<Vec<u32>, BackendError> {
+    ) -> Result<(Vec<u32>, Option<f64>), BackendError> {
         kernel.queue.write_buffer(&self.dispatch, 0, bytemuck::bytes_of(&(program.dispatch)(portion)));
         kernel.queue.write_buffer(&self.unfinished, 0, bytemuck::cast_slice(unfinished));
         let mut encoder = kernel.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
                 label: None,
-                timestamp_writes: kernel.clock.as_ref().map(super::spent::Clock::writes),
+                timestamp_writes: self.clock.as_ref().map(Clock::writes),
             });
             pass.set_pipeline(&self.compiled.pipeline);
             pass.set_bind_group(0, &self.bind_group, &[]);
             let groups = portion.count.div_ceil(WORKGROUP);
             pass.dispatch_workgroups(groups.min(ROW), groups.div_ceil(ROW), 1);
         }
-        if let Some(clock) = &kernel.clock {
+        if let Some(clock) = &self.clock {
             clock.resolve(&mut encoder);
         }
         let bytes = 4 * u64::from(portion.count);
@@ -120,7 +90,8 @@ impl Tile {
         kernel.queue.submit([encoder.finish()]);
         let mut left: Vec<u32> = mapped(&kernel.device, &self.readback, bytes)?;
         left.retain(|&cell| cell != FINISHED);
-        Ok(left)
+        let took = self.clock.as_ref().map(|clock| clock.took(&kernel.device)).transpose()?;
+        Ok((left, took))
     }
 
     /// The results of all its trajectories.
