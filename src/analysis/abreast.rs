@@ -12,16 +12,16 @@ pub trait Queue<T, const N: usize> {
     type Ticket;
 
     /// The next trajectory: none when there is no more.
-    fn next(&mut self) -> Option<(Self::Ticket, Flight<T, N>, Observer<T, N>)>;
+    fn next(&mut self) -> Option<Box<Seat<T, N, Self::Ticket>>>;
 
     /// A trajectory makes so many moves that the others would wait for it: it is to be followed to its end elsewhere.
-    fn hand_over(&mut self, ticket: Self::Ticket, flight: Flight<T, N>, observer: Observer<T, N>);
+    fn hand_over(&mut self, seat: Box<Seat<T, N, Self::Ticket>>);
 
     /// Everything is at its end.
     fn used(&mut self, usage: Usage);
 
     /// A trajectory is at its end.
-    fn done(&mut self, ticket: Self::Ticket, flight: &Flight<T, N>, observer: &Observer<T, N>);
+    fn done(&mut self, seat: &Seat<T, N, Self::Ticket>);
 }
 
 /// Steps that are tried between two looks at the waiting lanes.
@@ -32,12 +32,23 @@ pub const ROUNDS: u32 = 16;
 pub const TURNS: u32 = 8;
 
 /// One lane's trajectory.
-struct Seat<T, const N: usize, K> {
-    ticket: K,
-    flight: Flight<T, N>,
-    observer: Observer<T, N>,
+#[derive(Debug)]
+pub struct Seat<T, const N: usize, K> {
+    /// What tells it from the others.
+    pub ticket: K,
+    /// The constants of its cell.
+    pub flight: Flight<T, N>,
+    /// What has been noted about it.
+    pub observer: Observer<T, N>,
     /// The step at which the last phase 0 or π was.
     phase: u32,
+}
+
+impl<T, const N: usize, K> Seat<T, N, K> {
+    /// For a trajectory that has yet to begin.
+    pub fn new(ticket: K, flight: Flight<T, N>, observer: Observer<T, N>) -> Self {
+        Seat { ticket, flight, observer, phase: 0 }
+    }
 }
 
 /// Follows everything in a queue, in as many lanes as `zero` has, each trajectory exactly as [`Observer::follow`] does;
@@ -58,7 +69,6 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
         let (waiting, stepping) = lanes.abreast.waiting();
         if 2 * waiting >= lanes.busy || stepping == 0 {
             let round = lanes.abreast.cross();
-            lanes.note_impacts(round.impacts, schedule);
             lanes.pass_phases(round.phases, schedule, queue);
             for lane in bits(round.uncertain) {
                 lanes.go_warily(lane, schedule, queue);
@@ -71,7 +81,7 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
 /// The lanes with who sits in them.
 struct Lane<L: Lanes, const N: usize, Q: Queue<L::Real, N>> {
     abreast: Box<Abreast<L, N>>,
-    seats: Vec<Option<Seat<L::Real, N, Q::Ticket>>>,
+    seats: Vec<Option<Box<Seat<L::Real, N, Q::Ticket>>>>,
     busy: u32,
 }
 
@@ -86,14 +96,14 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     /// Gives an empty lane the next trajectory that still flies; those that do not are followed on the spot.
     #[inline(never)]
     fn fill(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
-        while let Some((ticket, flight, mut observer)) = queue.next() {
-            observer.settle_down(&flight, schedule, false);
-            if observer.is_done() {
-                queue.done(ticket, &flight, &observer);
+        while let Some(mut seat) = queue.next() {
+            seat.observer.settle_down(&seat.flight, schedule, false);
+            if seat.observer.is_done() {
+                queue.done(&seat);
                 continue;
             }
-            self.abreast.prepare(lane, &flight);
-            self.seats[lane] = Some(Seat { ticket, flight, observer, phase: 0 });
+            self.abreast.prepare(lane, &seat.flight);
+            self.seats[lane] = Some(seat);
             self.busy += 1;
             self.sit(lane);
             return;
@@ -106,14 +116,21 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         let Some(seat) = &mut self.seats[lane] else { return };
         let half = seat.flight.steps / 2;
         seat.phase = if seat.observer.trajectory.step < half { 0 } else { half };
-        let tangent = seat.observer.carried();
-        self.abreast.seat(lane, &seat.flight, &seat.observer.trajectory, tangent);
+        self.abreast.seat(lane, &seat.flight, &seat.observer.trajectory);
+        self.carry_on(lane);
+    }
+
+    /// Lets a lane carry along what its observer has asked for.
+    fn carry_on(&mut self, lane: usize) {
+        let Some(Seat { observer, .. }) = self.seats[lane].as_deref() else { return };
+        self.abreast.set_tangent(lane, observer.carried());
+        self.abreast.begin_tally(lane, observer.peak, observer.loss.energy);
     }
 
     /// Takes a lane's trajectory back where it is done, and gives the lane the next.
     fn finish(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
-        if let Some(Seat { ticket, flight, observer, .. }) = self.seats[lane].take() {
-            queue.done(ticket, &flight, &observer);
+        if let Some(seat) = self.seats[lane].take() {
+            queue.done(&seat);
             self.busy -= 1;
             self.fill(lane, schedule, queue);
         }
@@ -122,19 +139,10 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     /// Lets a lane's trajectory be followed elsewhere, and gives the lane the next.
     #[inline(never)]
     fn hand_over(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
-        if let Some(Seat { ticket, flight, observer, .. }) = self.seats[lane].take() {
-            queue.hand_over(ticket, flight, observer);
+        if let Some(seat) = self.seats[lane].take() {
+            queue.hand_over(seat);
             self.busy -= 1;
             self.fill(lane, schedule, queue);
-        }
-    }
-
-    #[inline(always)]
-    fn note_impacts(&mut self, impacts: u32, schedule: &Schedule) {
-        for lane in bits(impacts) {
-            let Some(seat) = &mut self.seats[lane] else { continue };
-            let Some(taken) = self.abreast.impact(lane, &seat.flight) else { continue };
-            seat.observer.pass_impact(&seat.flight, schedule, &taken);
         }
     }
 
@@ -153,13 +161,10 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         let observing = seat.observer.stage == Stage::Observation;
         if event == Event::HalfPeriod && !observing {
             seat.observer.pass_half_period();
-            if seat.observer.keeps_others_waiting() {
-                seat.observer.trajectory = self.abreast.trajectory_at_phase(lane, seat.phase);
-                self.hand_over(lane, schedule, queue);
-            }
             return;
         }
         seat.observer.trajectory = self.abreast.trajectory_at_phase(lane, seat.phase);
+        seat.observer.pass_impacts(&seat.flight, &self.abreast.take_tally(lane));
         if observing {
             seat.observer.tangent = self.abreast.tangent(lane);
         }
@@ -168,8 +173,8 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
             self.finish(lane, schedule, queue);
         } else if seat.observer.keeps_others_waiting() {
             self.hand_over(lane, schedule, queue);
-        } else if event == Event::Strobe {
-            self.abreast.set_tangent(lane, seat.observer.carried());
+        } else if event == Event::Strobe && (observing || seat.observer.carried().is_some()) {
+            self.carry_on(lane);
         }
     }
 
@@ -178,6 +183,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     fn go_warily(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
         let Some(seat) = &mut self.seats[lane] else { return };
         seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight, seat.phase);
+        seat.observer.pass_impacts(&seat.flight, &self.abreast.take_tally(lane));
         if seat.observer.stage == Stage::Observation {
             seat.observer.tangent = self.abreast.tangent(lane);
         }

@@ -21,7 +21,7 @@ mod trace;
 mod turn;
 mod verdict;
 
-pub use abreast::{Queue, follow_abreast};
+pub use abreast::{Queue, Seat, follow_abreast};
 pub(crate) use deciding::Evidence;
 pub(crate) use exponent::Exponent;
 pub use extent::{Extent, ExtentObserver};

@@ -7,7 +7,7 @@ use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
-use crate::dynamics::{Contact, Event, Impact, Move, Moves, Tangent, Trajectory, Variation};
+use crate::dynamics::{Contact, Event, Move, Moves, Stop, Tally, Tangent, Trajectory, Variation};
 use crate::model::{Flight, Real, State};
 
 /// A trajectory and everything that is noted about it.
@@ -186,15 +186,22 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// Notes an impact from free flight to free flight.
+    /// Notes impacts from free flight to free flight.
     #[inline(always)]
-    pub(super) fn pass_impact(&mut self, flight: &Flight<T, N>, schedule: &Schedule, taken: &Move<T>) {
-        if self.stage == Stage::Observation
-            && let Event::Impact(Impact { stop, velocity_before, velocity_after }) = taken.event
-        {
-            self.loss.take(flight, stop, velocity_before, velocity_after);
+    pub(super) fn pass_impacts(&mut self, flight: &Flight<T, N>, tally: &Tally<T>) {
+        for (normal, impacts) in flight.normals().iter().zip(&tally.impacts) {
+            for (stop, impacts) in normal.stop.into_iter().zip(impacts) {
+                let impacts = impacts.widen() as u32;
+                if impacts > 0 {
+                    self.moves.add_many(impacts);
+                    self.recurrence.count_finite(Stop(stop), impacts);
+                    self.impacts += impacts;
+                    self.impacts_total = self.impacts_total.saturating_add(impacts);
+                }
+            }
         }
-        self.note(flight, schedule, taken);
+        self.peak = tally.fastest;
+        self.loss.energy = tally.energy;
     }
 
     /// Notes that the trajectory came to phase π before its observation: nothing is read there.

@@ -69,14 +69,19 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
     /// Counts an impact; infinitely many if it ends a complete chatter sequence.
     #[inline(always)]
     pub fn count(&mut self, stop: Stop, complete_chatter: bool) {
-        let running = &mut self.running[stop.index()];
-        *running = if complete_chatter {
-            u32::from(INFINITELY_MANY)
-        } else if *running < u32::from(INFINITELY_MANY) - 1 {
-            *running + 1
+        if complete_chatter {
+            self.running[stop.index()] = u32::from(INFINITELY_MANY);
         } else {
-            *running
-        };
+            self.count_finite(stop, 1);
+        }
+    }
+
+    /// Counts impacts none of which ends a complete chatter sequence.
+    #[inline(always)]
+    pub fn count_finite(&mut self, stop: Stop, impacts: u32) {
+        let running = &mut self.running[stop.index()];
+        let most = u32::from(INFINITELY_MANY) - 1;
+        *running = if *running < most { (*running + impacts).min(most) } else { *running };
     }
 
     /// Sees the state at phase π: half a cycle after a return, an odd cycle may show its mirror image.

@@ -1,11 +1,11 @@
 //! Trajectories in free flight side by side, one in each lane: clear steps together, contacts when several wait for one.
 
 use super::crossing::{Crossing, crossing};
-use super::leg::Leg;
+use super::leg::{Clearance, Clearances, Leg};
 use super::point::Point;
-use super::stop::{Contact, Stop};
+use super::tally::Tally;
 use super::tangent::Tangent;
-use super::trajectory::{Event, Impact, MOST_KICKS, Move, Trajectory};
+use super::trajectory::{MOST_KICKS, Trajectory};
 use super::usage::Usage;
 use crate::model::vector::MOST;
 use crate::model::{Flight, Lanes, Mask, Real, State};
@@ -19,6 +19,8 @@ pub struct Abreast<L: Lanes, const N: usize> {
     flight: Flight<L, N>,
     point: Point<L, N>,
     ahead: Point<L, N>,
+    /// What the way there stays off, where a trajectory waits.
+    clearances: Clearances<L::Mask>,
     tangent: Tangent<L, N>,
     offset: L,
     kicks: L,
@@ -34,26 +36,13 @@ pub struct Abreast<L: Lanes, const N: usize> {
     waits: L,
     /// 1 where the tangent is carried along, else 0.
     carries: L,
-    /// The impacts of the last round.
-    last: Option<Impacts<L>>,
+    tally: Tally<L>,
     usage: Usage,
-}
-
-/// The impacts of one round, lane by lane.
-#[derive(Clone, Copy, Debug)]
-struct Impacts<L: Lanes> {
-    normals: [L::Mask; MOST],
-    upper: L::Mask,
-    time: L,
-    velocity: L,
-    rebound: L,
 }
 
 /// What a round of contacts led to, lane by lane (bit k for lane k).
 #[derive(Clone, Copy, Debug)]
 pub struct Round {
-    /// An impact: see [`Abreast::impact`].
-    pub impacts: u32,
     /// The contact is not certain: it must be approached from the safe side.
     pub uncertain: u32,
     /// The step was completed after the impact, at phase 0 or π.
@@ -66,10 +55,12 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let vector = [zero; N];
         let state = State { x: vector, v: vector };
         let point = Point { state, sin: zero, cos: zero, one: zero.all(1.0), drive: () };
+        let never = zero.below(zero);
         Abreast {
             flight: Flight::blank(normals, zero),
             point,
             ahead: point,
+            clearances: Clearances([Clearance { upper: never, lower: never }; MOST]),
             tangent: Tangent(state),
             offset: zero,
             kicks: zero,
@@ -79,7 +70,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             steps: zero,
             waits: zero,
             carries: zero,
-            last: None,
+            tally: Tally::none(zero),
             usage: Usage::default(),
         }
     }
@@ -90,13 +81,12 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.half.set_lane(lane, L::Real::of(f64::from(flight.steps / 2)));
     }
 
-    /// Puts a trajectory at the beginning of a step of free flight into a lane, with its tangent where that is carried along.
+    /// Puts a trajectory at the beginning of a step of free flight into a lane.
     pub fn seat(
         &mut self,
         lane: usize,
         flight: &Flight<L::Real, N>,
         trajectory: &Trajectory<L::Real, N>,
-        tangent: Option<&Tangent<L::Real, N>>,
     ) {
         debug_assert!(trajectory.contact.is_free() && trajectory.offset == L::Real::of(0.0));
         let number = |value: f64| L::Real::of(value);
@@ -108,7 +98,17 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.phase.set_lane(lane, number(if trajectory.step < half { 1.0 } else { -1.0 }));
         self.steps.set_lane(lane, number(1.0));
         self.waits.set_lane(lane, number(0.0));
-        self.set_tangent(lane, tangent);
+    }
+
+    /// Sums up in a lane what impacts come to from here, on top of what they came to before.
+    pub fn begin_tally(&mut self, lane: usize, fastest: L::Real, energy: L::Real) {
+        self.tally.begin(lane, fastest, energy);
+    }
+
+    /// What the impacts in a lane came to; they are counted anew from here.
+    #[inline(always)]
+    pub fn take_tally(&mut self, lane: usize) -> Tally<L::Real> {
+        self.tally.take(lane, self.flight.count)
     }
 
     /// Carries a tangent along in a lane, or none.
@@ -173,8 +173,9 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let steps = holds(self.steps);
         let flight = &self.flight;
         let ahead = self.point.stepped(flight);
-        let clear = Leg { from: &self.point, to: &ahead, window: flight.h }.clears(flight);
-        let moves = steps.and(clear);
+        let clearances = Leg { from: &self.point, to: &ahead, window: flight.h }.clearances(flight);
+        let moves = steps.and(clearances.all(flight.count));
+        self.clearances = Clearances::select(steps, &clearances, &self.clearances, flight.count);
         let carried = moves.and(holds(self.carries));
         if carried.bits() != 0 {
             let tangent = self.tangent.stepped_freely(flight).0;
@@ -199,7 +200,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let carries = holds(self.carries);
         let flight = &self.flight;
         let window = flight.h - self.offset;
-        let met = crossing(&Leg { from: &self.point, to: &self.ahead, window }, flight);
+        let met = crossing(&Leg { from: &self.point, to: &self.ahead, window }, &self.clearances, flight);
         let few = self.kicks.below(window.all(f64::from(MOST_KICKS)));
         let struck = waits.and(met.certain).and(few);
         let one = window.all(1.0);
@@ -212,8 +213,8 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.kicks = L::select(struck, self.kicks + one, self.kicks);
         self.offset = L::select(struck, self.offset + met.time, self.offset);
         let rest = flight.h - self.offset;
-        let clear = Leg { from: &self.point, to: &self.ahead, window: rest }.clears(flight);
-        let moves = struck.and(clear);
+        self.clearances = Leg { from: &self.point, to: &self.ahead, window: rest }.clearances(flight);
+        let moves = struck.and(self.clearances.all(flight.count));
         if moves.and(carries).bits() != 0 {
             let tangent = self.tangent.flown_freely(flight, rest);
             self.tangent.0 = State::select(moves.and(carries), &tangent.0, &self.tangent.0);
@@ -221,13 +222,31 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.waits = L::select(moves, window.all(0.0), self.waits);
         self.steps = L::select(moves, one, self.steps);
         self.offset = L::select(moves, window.all(0.0), self.offset);
-        let Crossing { normals, upper, time, rebound, .. } = met;
-        self.last = Some(Impacts { normals, upper, time, velocity: met.struck.velocity, rebound });
-        let (impacts, uncertain) = (struck.bits(), waits.and(struck.not()).bits());
+        self.count(struck, carries, &met);
+        let uncertain = waits.and(struck.not()).bits();
         self.usage.contact_slots += L::WIDTH as u64;
-        self.usage.contacts += u64::from(impacts.count_ones());
+        self.usage.contacts += u64::from(struck.bits().count_ones());
         self.usage.fallbacks += u64::from(uncertain.count_ones());
-        Round { impacts, uncertain, phases: self.complete(moves) }
+        Round { uncertain, phases: self.complete(moves) }
+    }
+
+    /// Counts the impacts of some lanes, and sums up what they take where that is observed.
+    #[inline(always)]
+    fn count(&mut self, struck: L::Mask, observed: L::Mask, met: &Crossing<L, N, ()>) {
+        let Tally { impacts, fastest, energy } = &mut self.tally;
+        let before = met.struck.velocity;
+        let one = before.all(1.0);
+        let mut mass = before.all(0.0);
+        for k in 0..self.flight.count {
+            let here = struck.and(met.normals[k]);
+            let [upper, lower] = &mut impacts[k];
+            *upper = L::select(here.and(met.upper), *upper + one, *upper);
+            *lower = L::select(here.and(met.upper.not()), *lower + one, *lower);
+            mass = L::select(met.normals[k], self.flight.normals[k].mass, mass);
+        }
+        *fastest = L::select(struck, before.magnitude().larger(*fastest), *fastest);
+        let taken = before.all(0.5) * mass * (before * before - met.rebound * met.rebound);
+        *energy = L::select(struck.and(observed), *energy + taken, *energy);
     }
 
     /// Ends the step of some lanes; those that come to phase 0 or π, where the forcing phasor is exact.
@@ -244,19 +263,6 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             self.left = L::select(arrived, self.half, self.left);
         }
         phases
-    }
-
-    /// The impact of a lane in the last round of contacts.
-    pub fn impact(&self, lane: usize, flight: &Flight<L::Real, N>) -> Option<Move<L::Real>> {
-        let met = self.last.as_ref()?;
-        let normal = (0..flight.count).find(|&k| met.normals[k].bits() >> lane & 1 == 1)?;
-        let side = usize::from(met.upper.bits() >> lane & 1 == 0);
-        let impact = Impact {
-            stop: Stop(flight.normals[normal].stop[side]),
-            velocity_before: met.velocity.lane(lane),
-            velocity_after: met.rebound.lane(lane),
-        };
-        Some(Move { time: met.time.lane(lane), contact: Contact::FREE, event: Event::Impact(impact) })
     }
 }
 

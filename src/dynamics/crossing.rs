@@ -3,7 +3,7 @@
 use super::chatter::{FADING, STEADY};
 use super::contact::ROUNDINGS;
 use super::drive::Drive;
-use super::leg::Leg;
+use super::leg::{Clearances, Leg};
 use super::point::Point;
 use super::quintic::Quintic;
 use super::tangent::Struck;
@@ -52,7 +52,11 @@ struct Face<L: Lanes, const N: usize> {
 
 impl<L: Lanes, const N: usize> Face<L, N> {
     #[inline(always)]
-    fn of<D: Drive<L, N>>(leg: &Leg<'_, L, N, D>, flight: &Flight<L, N>) -> Self {
+    fn of<D: Drive<L, N>>(
+        leg: &Leg<'_, L, N, D>,
+        clearances: &Clearances<L::Mask>,
+        flight: &Flight<L, N>,
+    ) -> Self {
         let zero = leg.window.all(0.0);
         let never = zero.below(zero);
         let first = &flight.normals[0];
@@ -75,7 +79,7 @@ impl<L: Lanes, const N: usize> Face<L, N> {
             let ends = dot(&normal.direction, &leg.to.state.x);
             let upper = normal.gap[0].below(ends);
             let beyond = upper.or(normal.gap[1].below(-ends));
-            let clear = leg.clearance(flight, k);
+            let clear = clearances.0[k];
             face.only = face.only.and(beyond.and(found).not());
             face.only = face.only.and(beyond.or(clear.upper.and(clear.lower)));
             found = found.or(beyond);
@@ -124,13 +128,14 @@ impl<L: Lanes, const N: usize> Face<L, N> {
     }
 }
 
-/// The contact of a leg that ends beyond one stop; nothing is certain elsewhere.
+/// The contact of a leg, with its clearances, that ends beyond one stop; nothing is certain elsewhere.
 #[inline(always)]
 pub fn crossing<L: Lanes, const N: usize, D: Drive<L, N>>(
     leg: &Leg<'_, L, N, D>,
+    clearances: &Clearances<L::Mask>,
     flight: &Flight<L, N>,
 ) -> Crossing<L, N, D> {
-    let face = Face::of(leg, flight);
+    let face = Face::of(leg, clearances, flight);
     let Leg { from, to, window } = *leg;
     let zero = window.all(0.0);
     let pulls = [face.towards(&from.accelerations(flight)), face.towards(&to.accelerations(flight))];

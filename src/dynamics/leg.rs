@@ -2,7 +2,7 @@
 
 use super::drive::Drive;
 use super::point::Point;
-use crate::model::vector::dot;
+use crate::model::vector::{MOST, dot};
 use crate::model::{Flight, Lanes, Mask};
 
 /// From where a trajectory is to where its step ends if nothing more is met on the way.
@@ -25,20 +25,46 @@ pub struct Clearance<M> {
     pub lower: M,
 }
 
+/// The same for each normal; those from the flight's count on mean nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct Clearances<M>(pub [Clearance<M>; MOST]);
+
+impl<M: Mask> Clearances<M> {
+    /// Where the leg stays off the stops of so many normals.
+    #[inline(always)]
+    pub fn all(&self, count: usize) -> M {
+        let mut clear = self.0[0].upper.and(self.0[0].lower);
+        for along in &self.0[1..count] {
+            clear = clear.and(along.upper).and(along.lower);
+        }
+        clear
+    }
+
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[inline(always)]
+    pub fn select(mask: M, yes: &Self, no: &Self, count: usize) -> Self {
+        let either = |yes: M, no: M| mask.and(yes).or(mask.not().and(no));
+        let mut chosen = *no;
+        for k in 0..count {
+            chosen.0[k].upper = either(yes.0[k].upper, no.0[k].upper);
+            chosen.0[k].lower = either(yes.0[k].lower, no.0[k].lower);
+        }
+        chosen
+    }
+}
+
 /// What the error of a cubic Hermite interpolant adds to the middle one of five Bernstein coefficients, in w⁴·max|x''''|.
 pub const SWELLING: f64 = 1.0 / 144.0;
 
 impl<L: Lanes, const N: usize, D: Drive<L, N>> Leg<'_, L, N, D> {
-    /// Where the leg provably stays off all stops.
+    /// Where the leg provably stays off the stops along each normal.
     #[inline(always)]
-    pub fn clears(&self, flight: &Flight<L, N>) -> L::Mask {
-        let first = self.clearance(flight, 0);
-        let mut clear = first.upper.and(first.lower);
+    pub fn clearances(&self, flight: &Flight<L, N>) -> Clearances<L::Mask> {
+        let mut clearances = Clearances([self.clearance(flight, 0); MOST]);
         for k in 1..flight.count {
-            let next = self.clearance(flight, k);
-            clear = clear.and(next.upper).and(next.lower);
+            clearances.0[k] = self.clearance(flight, k);
         }
-        clear
+        clearances
     }
 
     /// Where the leg provably stays off the stops along one normal.

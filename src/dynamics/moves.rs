@@ -21,6 +21,12 @@ impl Moves {
         self.0 += 1;
     }
 
+    /// So many more moves.
+    #[inline(always)]
+    pub fn add_many(&mut self, moves: u32) {
+        self.0 += moves;
+    }
+
     /// A forcing period is over.
     #[inline(always)]
     pub fn pass_period(&mut self) {

@@ -170,11 +170,12 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         }
         if self.kicks <= MOST_KICKS {
             let leg = Leg { from: &self.point, to: &self.ahead, window };
-            if leg.clears(flight) {
+            let clearances = leg.clearances(flight);
+            if clearances.all(flight.count) {
                 return self.go_ahead(flight, variation, window);
             }
             if self.kicks < MOST_KICKS {
-                let crossing = crossing(&leg, flight);
+                let crossing = crossing(&leg, &clearances, flight);
                 if crossing.certain {
                     return self.cross(flight, variation, &crossing);
                 }

@@ -41,6 +41,7 @@ impl<L: Lanes, const N: usize> ContactNormal<L, N> {
     fn set_lane(&mut self, lane: usize, from: &ContactNormal<L::Real, N>) {
         set_vector(&mut self.direction, lane, &from.direction);
         set_vector(&mut self.response, lane, &from.response);
+        self.mass.set_lane(lane, from.mass);
         set_vector(&mut self.gap, lane, &from.gap);
         set_vector(&mut self.restitution, lane, &from.restitution);
         set_vector(&mut self.bound_x, lane, &from.bound_x);

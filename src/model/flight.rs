@@ -75,6 +75,11 @@ impl<const N: usize> Flight<f64, N> {
     /// # Panics
     /// If the system does not have N coordinates.
     pub fn new(system: &System) -> Self {
+        let kept = system.of_flow.0.flight(|| Flight::of(system));
+        kept.map_or_else(|| Flight::of(system), |flight| flight.with_stops_of(system))
+    }
+
+    fn of(system: &System) -> Self {
         let equations = Equations::<N>::new(system.plant());
         let steps = system.steps();
         let h = system.period() / f64::from(steps);

@@ -125,7 +125,10 @@ impl<S: Simd> Mask for PackMask<S> {
 }
 
 /// Two packs that take every step together, so that one waits less for its own results.
+///
+/// They begin on a cache line: the widest register fills one, and a load from within two of them would take twice as long.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub struct Twin<L>(pub L, pub L);
 
 /// A truth value for each lane of a [`Twin`].

@@ -49,7 +49,7 @@ impl<const N: usize> Flights<N> {
 impl<const N: usize> Flight<f64, N> {
     /// The constants of another cell with the same flow.
     #[must_use]
-    fn with_stops_of(&self, system: &System) -> Self {
+    pub(super) fn with_stops_of(&self, system: &System) -> Self {
         let mut flight = *self;
         let stops = &system.plant().stops;
         for (k, normal) in flight.normals.iter_mut().enumerate().take(self.count) {
@@ -75,7 +75,7 @@ impl<const N: usize> Flight<f64, N> {
 }
 
 /// The bits of everything that the constants of a cell depend on but gaps and restitutions; of those, which are alike.
-fn flow(system: &System) -> Vec<u64> {
+pub(super) fn flow(system: &System) -> Vec<u64> {
     let plant = system.plant();
     let mut bits = vec![plant.n as u64, u64::from(system.steps()), plant.stops.len() as u64];
     let numbers = [&plant.mass, &plant.damping, &plant.stiffness].into_iter().flat_map(|m| m.iter());

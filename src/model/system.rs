@@ -1,9 +1,10 @@
 //! A system: a plant at one place of its parameters, with the steps in which it is followed.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use nalgebra::DVector;
 
+use super::of_flow::OfFlow;
 use super::parameters::Parameters;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
 use crate::system::{Mirror, Plant, Setting};
@@ -20,20 +21,14 @@ pub struct System {
     label_order: Vec<usize>,
     rate: f64,
     steps: u32,
-    mirror: Kept<Option<Arc<Mirror>>>,
+    pub(super) of_flow: Kept,
 }
 
 /// What follows from a plant, found when it is first asked for: equal plants have equal ones.
-#[derive(Clone, Debug)]
-struct Kept<T>(OnceLock<T>);
+#[derive(Clone, Debug, Default)]
+pub(super) struct Kept(pub(super) Arc<OfFlow>);
 
-impl<T> Default for Kept<T> {
-    fn default() -> Self {
-        Kept(OnceLock::new())
-    }
-}
-
-impl<T> PartialEq for Kept<T> {
+impl PartialEq for Kept {
     fn eq(&self, _: &Self) -> bool {
         true
     }
@@ -57,7 +52,7 @@ impl System {
         let rate = rate(&plant);
         let label_order = setting.family().label_order().to_vec();
         let mut system =
-            System { setting: Some(setting), plant, label_order, rate, steps: 0, mirror: Kept::default() };
+            System { setting: Some(setting), plant, label_order, rate, steps: 0, of_flow: Kept::default() };
         system.divide()?;
         Ok(system)
     }
@@ -72,7 +67,7 @@ impl System {
         let rate = rate(&plant);
         let label_order = (0..plant.stops.len()).collect();
         let mut system =
-            System { setting: None, plant, label_order, rate, steps: 0, mirror: Kept::default() };
+            System { setting: None, plant, label_order, rate, steps: 0, of_flow: Kept::default() };
         system.divide()?;
         Ok(system)
     }
@@ -121,6 +116,7 @@ impl System {
         let frequency = ratio * self.plant.omega;
         if !frequency.is_finite() || frequency > self.rate {
             system.rate = frequency;
+            system.of_flow = Kept::default();
             system.divide()?;
         }
         Ok(system)
@@ -140,7 +136,7 @@ impl System {
     /// The same system without forcing; ω stays as the clock that counts periods.
     #[must_use]
     pub fn unforced(mut self) -> Self {
-        self.mirror = Kept::default();
+        self.of_flow = Kept::default();
         self.plant.force_sin.fill(0.0);
         self.plant.force_cos.fill(0.0);
         self
@@ -149,7 +145,7 @@ impl System {
     /// The same system with other loads of sin φ on its coordinates.
     #[must_use]
     pub fn loaded(mut self, force_sin: &[f64]) -> Self {
-        self.mirror = Kept::default();
+        self.of_flow = Kept::default();
         self.plant.force_sin.copy_from_slice(force_sin);
         self
     }
@@ -231,7 +227,12 @@ impl System {
 
     /// The mirror P, P² = 1, under which the system half a forcing period later is itself, if there is one.
     pub fn mirror(&self) -> Option<&Mirror> {
-        self.mirror.0.get_or_init(|| self.plant.mirror().map(Arc::new)).as_deref()
+        self.of_flow.0.mirror(|| self.plant.mirror())
+    }
+
+    /// What follows from its flow alone.
+    pub(crate) fn of_flow(&self) -> &Arc<OfFlow> {
+        &self.of_flow.0
     }
 
     /// Which stops have the same gap, per length of their direction, and the same restitution, within a few ulps: one value

@@ -14,6 +14,7 @@ use super::map::window_jobs;
 use super::swept::cell_job;
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
 use crate::backend::{Backend, BackendError, Job, Silent, Watch, decide, second_look};
+use crate::model::Flows;
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
 use crate::theory::{StrobeMotion, approached, approached_from, with_motion};
 
@@ -165,8 +166,10 @@ fn beyond(
     places.sort_unstable();
     places.dedup();
     let whole = Window::whole(plane);
-    let jobs: Vec<Job> =
-        (places.iter()).map(|&place| cell_job(plane, whole.index(place) as u64)).collect::<Result<_, _>>()?;
+    let flows = Flows::default();
+    let jobs: Vec<Job> = (places.iter())
+        .map(|&place| cell_job(plane, whole.index(place) as u64, &flows))
+        .collect::<Result<_, _>>()?;
     let mut verdicts = Vec::with_capacity(jobs.len());
     for jobs in jobs.chunks(backend.tile().max(1)) {
         verdicts.extend(decide(backend, jobs, &plane.task, &Silent(watch))?);

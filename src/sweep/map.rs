@@ -9,7 +9,7 @@ use super::swept::{Swept, asked_of, cell_job};
 use super::{SweepError, provenance};
 use crate::analysis::Verdict;
 use crate::backend::{Backend, BackendError, Job, Watch, decide};
-use crate::model::{System, SystemError};
+use crate::model::{Flows, System, SystemError};
 use crate::plane::{Plane, Reached, RegionMap, Window};
 
 /// Does what is asked of every cell of a plane on a back end.
@@ -37,7 +37,8 @@ pub fn sweep<T: Swept>(
             return Err(BackendError::Cancelled.into());
         }
         let range = first..cells.min(first + tile as u64);
-        let found: Vec<_> = range.into_par_iter().map(|cell| asked_of(plane, cell)).collect();
+        let flows = Flows::default();
+        let found: Vec<_> = range.into_par_iter().map(|cell| asked_of(plane, cell, &flows)).collect();
         let mut jobs = Vec::with_capacity(found.len());
         let mut is_there = Vec::with_capacity(found.len());
         for job in found {
@@ -84,7 +85,8 @@ pub(super) fn check_border<T>(plane: &Plane<T>) -> Result<(), SystemError> {
 pub(super) fn window_jobs(plane: &Plane, window: Window) -> Result<Vec<Job>, SystemError> {
     let whole = Window::whole(plane);
     let cells: Vec<u64> = window.places().map(|place| whole.index(place) as u64).collect();
-    cells.into_par_iter().map(|cell| cell_job(plane, cell)).collect()
+    let flows = Flows::default();
+    cells.into_par_iter().map(|cell| cell_job(plane, cell, &flows)).collect()
 }
 
 /// Computes some cells of a plane on a back end, the same as in the whole; row by row.

@@ -3,6 +3,7 @@
 use super::SweepError;
 use super::swept::{Swept, asked_of};
 use crate::backend::{Backend, Watch};
+use crate::model::Flows;
 use crate::plane::Plane;
 
 /// Cells of a plane of so many columns and rows by their indices, row by row: the first `count` of a sequence that
@@ -29,7 +30,8 @@ pub fn sample<T: Swept>(
     cells: &[u64],
     watch: &dyn Watch,
 ) -> Result<Vec<T::Cell>, SweepError> {
-    let jobs: Result<Vec<_>, _> = (cells.iter().map(|&cell| asked_of(plane, cell)))
+    let flows = Flows::default();
+    let jobs: Result<Vec<_>, _> = (cells.iter().map(|&cell| asked_of(plane, cell, &flows)))
         .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))
         .filter_map(Result::transpose)
         .collect();

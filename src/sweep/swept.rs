@@ -3,7 +3,7 @@
 use super::SweepError;
 use crate::analysis::Schedule;
 use crate::backend::{Backend, BackendError, ControlJob, Job, Watch, decide};
-use crate::model::{System, SystemError};
+use crate::model::{Flows, System, SystemError};
 use crate::plane::{Control, Plane, Task};
 
 /// A task that back ends do.
@@ -81,15 +81,19 @@ fn place<T>(plane: &Plane<T>, cell: u64) -> (u32, u32) {
     ((cell % columns) as u32, (cell / columns) as u32)
 }
 
-/// The system and the start of a cell, counted row by row.
-pub(super) fn cell_job<T>(plane: &Plane<T>, cell: u64) -> Result<Job, SystemError> {
+/// The system and the start of a cell, counted row by row; it shares what follows from its flow with cells before it.
+pub(super) fn cell_job<T>(plane: &Plane<T>, cell: u64, flows: &Flows) -> Result<Job, SystemError> {
     let (column, row) = place(plane, cell);
-    let system = System::new(plane.parameters_at(column, row))?;
+    let system = flows.share(System::new(plane.parameters_at(column, row))?);
     let start = plane.start_at(column, row).state(&system);
     Ok(Job { system, start })
 }
 
 /// What a back end is given for a cell, counted row by row.
-pub(super) fn asked_of<T: Swept>(plane: &Plane<T>, cell: u64) -> Result<Option<T::Job>, SweepError> {
-    T::job(plane, place(plane, cell), cell_job(plane, cell)?)
+pub(super) fn asked_of<T: Swept>(
+    plane: &Plane<T>,
+    cell: u64,
+    flows: &Flows,
+) -> Result<Option<T::Job>, SweepError> {
+    T::job(plane, place(plane, cell), cell_job(plane, cell, flows)?)
 }

@@ -1,11 +1,14 @@
 //! Free flight over any length of time, as a matrix.
 
+use std::f64::consts::PI;
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector, SMatrix};
 
 use super::face::{Face, slots};
 use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
-use crate::model::System;
+use crate::model::{OfFlow, System};
 use crate::system::Mirror;
 
 /// The flow z' = G z between impacts, z = (x, v, sin φ, cos φ, 1), and the stops.
@@ -19,6 +22,7 @@ pub(crate) struct Flow {
     pub omega: f64,
     faces: Vec<Face>,
     mirror: Option<Mirror>,
+    kept: Arc<OfFlow>,
 }
 
 impl Flow {
@@ -38,7 +42,8 @@ impl Flow {
         g[(2 * n, 2 * n + 1)] = plant.omega;
         g[(2 * n + 1, 2 * n)] = -plant.omega;
         let faces = plant.stops.iter().map(|stop| Face::new(stop, &inverse)).collect();
-        Flow { n, generator: g, omega: plant.omega, faces, mirror: system.mirror().cloned() }
+        let kept = Arc::clone(system.of_flow());
+        Flow { n, generator: g, omega: plant.omega, faces, mirror: system.mirror().cloned(), kept }
     }
 
     /// A stop.
@@ -51,8 +56,12 @@ impl Flow {
         self.faces.iter().enumerate().map(|(i, face)| (Stop(i as u8), face))
     }
 
-    /// exp(G t).
+    /// exp(G t). Half a forcing period is computed once, and taken for every time that rounding alone keeps from it.
     pub fn over(&self, time: f64) -> DMatrix<f64> {
+        let half = PI / self.omega;
+        if (time - half).abs() <= 4.0 * f64::EPSILON * half {
+            return self.kept.half_period(|| exponential(&(&self.generator * half))).clone();
+        }
         exponential(&(&self.generator * time))
     }
 

@@ -9,12 +9,12 @@ use rayon::Scope;
 
 use super::each::each;
 use super::follow::follow;
-use crate::analysis::{Observer, Queue, Schedule, Verdict, follow_abreast};
+use crate::analysis::{Observer, Queue, Schedule, Seat, Verdict, follow_abreast};
 use crate::backend::error::BackendError;
 use crate::backend::job::Job;
 use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
-use crate::model::{Flight, Flights, Pack, System, Twin};
+use crate::model::{Flights, Pack, System, Twin};
 
 /// How many trajectories one core follows at once; the bits of each are the same at every width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -197,7 +197,7 @@ fn tell(done: &Sender<(usize, Verdict)>, watch: &dyn Watch, index: usize, verdic
 impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
     type Ticket = usize;
 
-    fn next(&mut self) -> Option<(usize, Flight<f64, N>, Observer<f64, N>)> {
+    fn next(&mut self) -> Option<Box<Seat<f64, N, usize>>> {
         loop {
             let index = self.take()?;
             let Job { system, start } = &self.jobs[index];
@@ -207,18 +207,19 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
                 continue;
             }
             let observer = Observer::new(&flight, self.schedule, start.state());
-            return Some((index, flight, observer));
+            return Some(Box::new(Seat::new(index, flight, observer)));
         }
     }
 
-    fn hand_over(&mut self, index: usize, flight: Flight<f64, N>, mut observer: Observer<f64, N>) {
+    fn hand_over(&mut self, mut seat: Box<Seat<f64, N, usize>>) {
         let Line { jobs, schedule, watch, .. } = *self;
         let done = self.done.clone();
         self.scope.spawn(move |_| {
             if !watch.cancelled() {
-                observer.follow(&flight, schedule);
-                let verdict = observer.verdict(&flight, jobs[index].system.label_order());
-                tell(&done, watch, index, verdict);
+                let Seat { ticket, flight, observer, .. } = &mut *seat;
+                observer.follow(flight, schedule);
+                let verdict = observer.verdict(flight, jobs[*ticket].system.label_order());
+                tell(&done, watch, *ticket, verdict);
             }
         });
     }
@@ -229,9 +230,9 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
         }
     }
 
-    fn done(&mut self, index: usize, flight: &Flight<f64, N>, observer: &Observer<f64, N>) {
-        let verdict = observer.verdict(flight, self.jobs[index].system.label_order());
-        tell(&self.done, self.watch, index, verdict);
+    fn done(&mut self, seat: &Seat<f64, N, usize>) {
+        let verdict = seat.observer.verdict(&seat.flight, self.jobs[seat.ticket].system.label_order());
+        tell(&self.done, self.watch, seat.ticket, verdict);
     }
 }
 

@@ -54,7 +54,7 @@ fn through<T: Real>() {
                         continue;
                     }
                     let swing = Swing::<T>::new(side, phase, stops(gap, restitution));
-                    let crossing = crossing(&swing.leg(), &swing.flight);
+                    let crossing = crossing(&swing.leg(), &swing.leg().clearances(&swing.flight), &swing.flight);
                     assert!(crossing.certain, "{restitution} {phase} {share} {side}");
                     assert_eq!((crossing.normals[0], crossing.upper), (true, side > 0.0));
                     let slope = (phase + share * h).cos();
@@ -96,12 +96,12 @@ fn grazes<T: Real>() {
     for beyond in [-0.1, -0.05, -1e-3, -64.0 * T::EPSILON, 0.0, 64.0 * T::EPSILON, 1e-3, 1e-2] {
         let amplitude = 0.5 * (1.0 + beyond);
         let swing = Swing::<T>::new(amplitude, phase, stops(0.5, 0.7));
-        let clears = swing.leg().clears(&swing.flight);
+        let clears = swing.leg().clearances(&swing.flight).all(swing.flight.count);
         assert!(!clears || beyond < 0.0, "{beyond}");
         assert!(clears || beyond > -0.05, "a leg well short of the stop clears: {beyond}");
         // The leg ends within the stops unless the swing is large: there is nothing to cross.
         let ends_beyond = swing.to.state.x[0].widen() > 0.5;
-        let crossing = crossing(&swing.leg(), &swing.flight);
+        let crossing = crossing(&swing.leg(), &swing.leg().clearances(&swing.flight), &swing.flight);
         assert!(!crossing.certain || ends_beyond, "{beyond}");
         // The trajectory meets the stop if the swing does: at its first contact.
         let mut trajectory = Trajectory::from_point(&swing.flight, swing.from, Contact::FREE, 0, T::zero());
@@ -145,7 +145,7 @@ fn refuses<T: Real>() {
     let h = step();
     let certain = |amplitude: f64, phase: f64, gap: f64, restitution: f64| {
         let swing = Swing::<T>::new(amplitude, phase, stops(gap, restitution));
-        crossing(&swing.leg(), &swing.flight).certain
+        crossing(&swing.leg(), &swing.leg().clearances(&swing.flight), &swing.flight).certain
     };
     let gap = (0.5 * h).sin();
     assert!(certain(1.0, 0.0, gap, 0.7));

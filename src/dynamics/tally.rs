@@ -1,0 +1,46 @@
+//! What the impacts of trajectories side by side came to.
+
+use crate::model::vector::MOST;
+use crate::model::{Lanes, Real};
+
+/// Impacts from free flight to free flight, counted since they were last taken, and what has been summed up of them.
+#[derive(Clone, Copy, Debug)]
+pub struct Tally<L> {
+    /// Impacts at the upper and the lower end of each normal.
+    pub impacts: [[L; 2]; MOST],
+    /// The largest |d·v−|.
+    pub fastest: L,
+    /// Σ ½ m ((d·v−)² − (d·v+)²) with m = 1/(dᵀM⁻¹d), where a tangent is carried along.
+    pub energy: L,
+}
+
+impl<L: Lanes> Tally<L> {
+    /// Nothing in any lane.
+    pub fn none(zero: L) -> Self {
+        Tally { impacts: [[zero; 2]; MOST], fastest: zero, energy: zero }
+    }
+
+    /// Goes on in a lane from what was summed up before.
+    pub fn begin(&mut self, lane: usize, fastest: L::Real, energy: L::Real) {
+        self.fastest.set_lane(lane, fastest);
+        self.energy.set_lane(lane, energy);
+    }
+
+    /// What a lane came to; its impacts are counted anew from here.
+    #[inline(always)]
+    pub fn take(&mut self, lane: usize, normals: usize) -> Tally<L::Real> {
+        let zero = L::Real::of(0.0);
+        let mut taken = Tally {
+            impacts: [[zero; 2]; MOST],
+            fastest: self.fastest.lane(lane),
+            energy: self.energy.lane(lane),
+        };
+        for (all, own) in self.impacts.iter_mut().zip(&mut taken.impacts).take(normals) {
+            for (all, own) in all.iter_mut().zip(own) {
+                *own = all.lane(lane);
+                all.set_lane(lane, zero);
+            }
+        }
+        taken
+    }
+}
