@@ -31,7 +31,7 @@ use impact_atlas::backend::{
     Backend, BackendError, Cpu, Gpu, Job, Spent, Unwatched, Width, follow, follow_counted,
 };
 use impact_atlas::dynamics::Usage;
-use impact_atlas::model::{Flights, Parameters, System};
+use impact_atlas::model::{Flights, Flows, Parameters, System};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -224,7 +224,7 @@ fn measure(
     let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
     let flights = Flights::<2>::of(&systems);
     let preparing_seconds = began.elapsed().as_secs_f64();
-    assert!(flights.distinct() <= jobs.len());
+    assert!(flights.distinct().len() <= jobs.len());
     let mut regimes = BTreeMap::new();
     for verdict in &verdicts {
         *regimes.entry(verdict.regime.name().to_owned()).or_insert(0) += 1;
@@ -253,11 +253,13 @@ fn measure(
 
 fn jobs(workload: &Workload, side: u32) -> Result<Vec<Job>, Box<dyn std::error::Error>> {
     let value = |[first, last]: [f64; 2], i: u32| first + (last - first) * f64::from(i) / f64::from(side - 1);
+    let flows = Flows::default();
     let mut jobs = Vec::new();
     for row in 0..side {
         for column in 0..side {
             let (omega, delta) = (value(workload.omega, column), value(workload.delta, row));
             let system = System::new(Parameters { omega, delta, ..Parameters::default() })?;
+            let system = flows.share(system);
             jobs.push(Job { system, start: [0.0; 4].into() });
         }
     }

@@ -67,7 +67,7 @@ fn probe_leaving(state: State, taken: Move) -> State {
 
 // Whether a stop is at an end of a contact normal.
 fn probe_is_on(normal: u32, side: u32, stop: u32) -> bool {
-    return flight.normals[normal].gap[side] < FAR && flight.normals[normal].stop[side] == stop;
+    return stops.gap[normal][side] < FAR && flight.normals[normal].stop[side] == stop;
 }
 
 // The distance that is left to a stop.
@@ -75,10 +75,10 @@ fn probe_gap(state: State, stop: u32) -> f32 {
     var value = 0.0;
     //: each normal
     if probe_is_on($ku, 0u, stop) {
-        value = flight.normals[$k].gap[0] - along(flight.normals[$k].direction, state.x);
+        value = stops.gap[$k][0] - along(flight.normals[$k].direction, state.x);
     }
     if probe_is_on($ku, 1u, stop) {
-        value = flight.normals[$k].gap[1] + along(flight.normals[$k].direction, state.x);
+        value = stops.gap[$k][1] + along(flight.normals[$k].direction, state.x);
     }
     //: end
     return value;

@@ -12,8 +12,8 @@ fn is_quiet(point: Point) -> bool {
     //: each normal
     {
         let stretch = flight.normals[$k].stretch * size;
-        stays = stays && flight.normals[$k].reach[0] + stretch < flight.normals[$k].gap[0];
-        stays = stays && flight.normals[$k].reach[1] + stretch < flight.normals[$k].gap[1];
+        stays = stays && flight.normals[$k].reach[0] + stretch < stops.gap[$k][0];
+        stays = stays && flight.normals[$k].reach[1] + stretch < stops.gap[$k][1];
     }
     //: end
     return stays;

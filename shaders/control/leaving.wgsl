@@ -15,15 +15,15 @@ fn leaving_holds(state: State) -> bool {
     dampers = dampers + abs(flight.damping[$i] * state.v$c);
     //: end
     // The forcing alone, without a control force.
-    let loads = (abs(flights[cell].sin) + abs(flights[cell].cos)) + abs(flights[cell].load);
+    let loads = (abs(flights[flow].sin) + abs(flights[flow].cos)) + abs(flights[flow].load);
     let moved = abs(state.x) + flight.h * (abs(state.v) + flight.h * ((springs + dampers) + loads));
     var holds = true;
     //: each normal
     let place$k = along(flight.normals[$k].direction, state.x);
     let rounding$k = (ROUNDINGS * EPSILON) * along(abs(flight.normals[$k].direction), abs(moved))
-        + (ROUNDINGS * EPSILON) * min(abs(flight.normals[$k].gap[0]), abs(flight.normals[$k].gap[1]));
-    holds = holds && place$k - flight.normals[$k].gap[0] <= rounding$k;
-    holds = holds && -place$k - flight.normals[$k].gap[1] <= rounding$k;
+        + (ROUNDINGS * EPSILON) * min(abs(stops.gap[$k][0]), abs(stops.gap[$k][1]));
+    holds = holds && place$k - stops.gap[$k][0] <= rounding$k;
+    holds = holds && -place$k - stops.gap[$k][1] <= rounding$k;
     //: end
     return holds;
 }

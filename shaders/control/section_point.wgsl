@@ -24,7 +24,7 @@ fn section_mirrored() -> SectionPoint {
 // The state of a point on the section.
 fn section_state(section: SectionPoint) -> State {
     let end = section_end();
-    return surface_unpacked(section, end_sign(end) * flight.normals[end.normal].gap[end.side]);
+    return surface_unpacked(section, end_sign(end) * stops.gap[end.normal][end.side]);
 }
 
 // The end of a contact normal that is the section's stop.

@@ -49,7 +49,7 @@ fn chatter_close(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
 
 // Whether rebounds surely do not reach the stop at the other end of the normal.
 fn stays_low(normal: u32, speed: f32, force: f32) -> bool {
-    return speed * speed < (flight.normals[normal].gap[0] + flight.normals[normal].gap[1]) * force;
+    return speed * speed < (stops.gap[normal][0] + stops.gap[normal][1]) * force;
 }
 
 // Rebounds without loss, dragged down by the damping along the normal.

@@ -9,11 +9,11 @@ fn contact_safe_time(point: Point, motion: Motion, ignored: u32, window: f32) ->
         let place = along(direction, point.state.x);
         let speed = along(direction, point.state.v);
         let approach = point_approach(point, motion, $ku);
-        let upper = flight.normals[$k].gap[0];
+        let upper = stops.gap[$k][0];
         if upper < FAR && !contact_includes(ignored, End($ku, 0u)) {
             safe = min(safe, safe_from_stop(upper - place, speed, approach, 1.0, window));
         }
-        let lower = flight.normals[$k].gap[1];
+        let lower = stops.gap[$k][1];
         if lower < FAR && !contact_includes(ignored, End($ku, 1u)) {
             safe = min(safe, safe_from_stop(lower + place, -speed, approach, -1.0, window));
         }
@@ -43,12 +43,12 @@ fn contact_imminent(point: Point, contact: u32) -> Reached {
 fn contact_extent(point: Point, end: End) -> f32 {
     let normal = end.normal;
     let parts = largest_part(flight.normals[normal].direction, point.state.x);
-    return max(abs(flight.normals[normal].gap[end.side]), parts);
+    return max(abs(stops.gap[normal][end.side]), parts);
 }
 
 // The sooner of what was found so far and one more end.
 fn contact_sooner(found: Reached, point: Point, contact: u32, ignored: u32, end: End) -> Reached {
-    if flight.normals[end.normal].gap[end.side] >= FAR || contact_includes(ignored, end) {
+    if stops.gap[end.normal][end.side] >= FAR || contact_includes(ignored, end) {
         return found;
     }
     let left = contact_imminent_at(point, contact, end);
@@ -62,7 +62,7 @@ fn contact_sooner(found: Reached, point: Point, contact: u32, ignored: u32, end:
 fn contact_imminent_at(point: Point, contact: u32, end: End) -> f32 {
     let direction = flight.normals[end.normal].direction;
     let sign = end_sign(end);
-    let gap = flight.normals[end.normal].gap[end.side] - sign * along(direction, point.state.x);
+    let gap = stops.gap[end.normal][end.side] - sign * along(direction, point.state.x);
     let speed = sign * along(direction, point.state.v);
     if gap <= TOUCH * contact_extent(point, end) {
         if speed > 0.0 || is_held(point, contact, end, speed) {
@@ -85,7 +85,7 @@ fn is_held(point: Point, contact: u32, end: End, speed: f32) -> bool {
 
 // Speeds and accelerations up to this cannot be told from 0: d·v is a difference of velocities.
 fn unresolved(end: End, state: State) -> f32 {
-    var size = abs(flight.normals[end.normal].gap[end.side]) + 1.0;
+    var size = abs(stops.gap[end.normal][end.side]) + 1.0;
     //: each coordinate
     size = size + abs(flight.normals[end.normal].direction$c * state.v$c);
     //: end
@@ -98,8 +98,8 @@ fn contact_is_within(point: Point, ignored: u32) -> bool {
     //: each normal
     {
         let place = along(flight.normals[$k].direction, point.state.x);
-        within = within && (contact_includes(ignored, End($ku, 0u)) || place <= flight.normals[$k].gap[0]);
-        within = within && (contact_includes(ignored, End($ku, 1u)) || -place <= flight.normals[$k].gap[1]);
+        within = within && (contact_includes(ignored, End($ku, 0u)) || place <= stops.gap[$k][0]);
+        within = within && (contact_includes(ignored, End($ku, 1u)) || -place <= stops.gap[$k][1]);
     }
     //: end
     return within;

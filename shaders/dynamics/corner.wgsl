@@ -10,9 +10,9 @@ fn corner_closes(point: Point, contact: u32, end: End) -> u32 {
     var corner = struck;
     //: each normal
     if (contact_held(struck) >> $ku & 1u) == 0u {
-        if flight.normals[$k].gap[0] < FAR && corner_is_near(point, End($ku, 0u)) {
+        if stops.gap[$k][0] < FAR && corner_is_near(point, End($ku, 0u)) {
             corner = contact_with(corner, End($ku, 0u));
-        } else if flight.normals[$k].gap[1] < FAR && corner_is_near(point, End($ku, 1u)) {
+        } else if stops.gap[$k][1] < FAR && corner_is_near(point, End($ku, 1u)) {
             corner = contact_with(corner, End($ku, 1u));
         }
     }
@@ -29,7 +29,7 @@ fn corner_closes(point: Point, contact: u32, end: End) -> u32 {
         let speed = abs(along(flight.normals[$k].direction, point.state.v));
         let force = sign * motion.pressing[$k];
         let slope = sign * motion.pressing_rate[$k];
-        let lossy = force * (1.0 - flight.normals[$k].restitution[end.side]);
+        let lossy = force * (1.0 - stops.restitution[$k][end.side]);
         closes = closes && force > 0.0 && speed * speed <= corner_negligible(point, end) * lossy;
         closes = closes && -(slope * speed) <= STEADY * force * lossy;
     }
@@ -39,7 +39,7 @@ fn corner_closes(point: Point, contact: u32, end: End) -> u32 {
 
 fn corner_is_near(point: Point, end: End) -> bool {
     let place = end_sign(end) * along(flight.normals[end.normal].direction, point.state.x);
-    return flight.normals[end.normal].gap[end.side] - place <= corner_negligible(point, end);
+    return stops.gap[end.normal][end.side] - place <= corner_negligible(point, end);
 }
 
 // The size of a gap that is left out.

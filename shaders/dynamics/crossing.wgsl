@@ -30,8 +30,8 @@ fn crossing_face(before: Point, after: Point, window: f32) -> Face {
     //: each normal
     {
         let ends = along(flight.normals[$k].direction, after.state.x);
-        let beyond_upper = flight.normals[$k].gap[0] < ends;
-        let beyond = beyond_upper | (flight.normals[$k].gap[1] < -ends);
+        let beyond_upper = stops.gap[$k][0] < ends;
+        let beyond = beyond_upper | (stops.gap[$k][1] < -ends);
         let clear = leg_clearance(before, after, window, $ku);
         only = only & !(beyond & found) & (beyond | (clear.upper & clear.lower));
         found = found | beyond;
@@ -50,7 +50,7 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let sign = end_sign(face.end);
     let direction = flight.normals[normal].direction;
     let response = flight.normals[normal].response;
-    let gap = select(flight.normals[normal].gap[1], flight.normals[normal].gap[0], face.end.side == 0u);
+    let gap = select(stops.gap[normal][1], stops.gap[normal][0], face.end.side == 0u);
     let pulls = sign * vec2(
         along(direction, point_accelerations(before)),
         along(direction, point_accelerations(after)),
@@ -81,8 +81,8 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
 
     let velocity = along(direction, slid.point.state.v);
     let restitution = select(
-        flight.normals[normal].restitution[1],
-        flight.normals[normal].restitution[0],
+        stops.restitution[normal][1],
+        stops.restitution[normal][0],
         face.end.side == 0u,
     );
     let rebound = -(restitution * velocity);

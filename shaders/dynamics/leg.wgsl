@@ -21,9 +21,9 @@ fn leg_clearance(before: Point, after: Point, window: f32, normal: u32) -> Clear
     let middle = (begins + ends) * 0.5 + turn;
     let highest = max(max(max(second, fourth), ends), middle + margin);
     let lowest = min(min(min(second, fourth), ends), middle - margin);
-    let gap = flight.normals[normal].gap[0];
+    let gap = stops.gap[normal][0];
     let sound = middle - margin < gap;
-    return Clearance(sound & (highest < gap), -flight.normals[normal].gap[1] < lowest);
+    return Clearance(sound & (highest < gap), -stops.gap[normal][1] < lowest);
 }
 
 fn leg_clears(before: Point, after: Point, window: f32) -> bool {

@@ -4,7 +4,7 @@
 fn placed(state: State, end: End, speed: f32) -> State {
     let direction = flight.normals[end.normal].direction;
     let response = flight.normals[end.normal].response;
-    let away = end_sign(end) * flight.normals[end.normal].gap[end.side] - along(direction, state.x);
+    let away = end_sign(end) * stops.gap[end.normal][end.side] - along(direction, state.x);
     let change = speed - along(direction, state.v);
     return State(state.x + away * response, state.v + change * response);
 }
@@ -19,7 +19,7 @@ fn rested(state: State, contact: u32) -> State {
     var speed = array<f32, NORMALS>();
     //: each normal
     let end$k = contact_end_along(contact, $ku);
-    let off$k = end_sign(end$k) * flight.normals[$k].gap[end$k.side] - along(flight.normals[$k].direction, state.x);
+    let off$k = end_sign(end$k) * stops.gap[$k][end$k.side] - along(flight.normals[$k].direction, state.x);
     let fast$k = -along(flight.normals[$k].direction, state.v);
     //: end
     //: each pair of normals

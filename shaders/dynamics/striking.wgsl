@@ -12,7 +12,7 @@ fn strike(carry: bool, reached: Reached) -> Move {
     let arrived = point_nudged(trajectory.point, reached.left, before_contact);
     let before = point_motion(arrived, before_contact).acceleration;
     let velocity = along(direction, arrived.state.v);
-    let rebound = -(flight.normals[end.normal].restitution[end.side] * velocity);
+    let rebound = -(stops.restitution[end.normal][end.side] * velocity);
     let kick = rebound - velocity;
     trajectory.point = arrived;
     trajectory.point.state = placed(arrived.state, end, rebound);
@@ -61,7 +61,7 @@ fn strike_closure(end: End, rebound: f32, after: Motion) -> Closure {
     let sign = end_sign(end);
     let towards = Approach(sign * approach.acceleration, sign * approach.jerk, approach.bound);
     let room = f32(flight.steps - trajectory.step) * flight.h - trajectory.offset;
-    let restitution = flight.normals[end.normal].restitution[end.side];
+    let restitution = stops.restitution[end.normal][end.side];
     let least = unresolved(end, trajectory.point.state);
     var closure = chatter_close(end.normal, Rebound(abs(rebound), restitution, least, room), towards);
     if closure.closes {

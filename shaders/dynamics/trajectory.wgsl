@@ -31,7 +31,7 @@ fn trajectory_new(start: State) -> Trajectory {
     var point = point_at_phase_zero(start);
     var contact = CONTACT_FREE;
     //: each normal
-    if flight.normals[$k].gap[0] + flight.normals[$k].gap[1] == 0.0 {
+    if stops.gap[$k][0] + stops.gap[$k][1] == 0.0 {
         contact = contact_with(contact_with(contact, End($ku, 0u)), End($ku, 1u));
     }
     //: end

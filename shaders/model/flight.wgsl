@@ -25,3 +25,5 @@ fn state_square(state: State) -> f32 {
 
 // The cell that this invocation works on.
 var<private> cell: u32;
+// Where the constants of its flow lie, which it shares with cells that differ in gaps and restitutions alone.
+var<private> flow: u32;

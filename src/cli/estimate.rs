@@ -45,17 +45,19 @@ fn of_cells(
         return Ok(());
     }
     let cells = spread(columns, rows, u32::try_from(all / ONE_OF_FEWER).unwrap_or(MOST).min(MOST));
-    // A device works on many cells at once; a processor on as many as its threads have lanes.
+    // A device works on many cells at once; a processor on as many as its threads have lanes. Towards the end of its cells
+    // most lanes wait for the last of them: the more cells, the less that counts, and only the latest are reckoned with.
     let lanes = Width::available()[0].lanes() * rayon::current_num_threads();
-    let together = if backend.name() == "cpu" { lanes } else { MOST as usize };
+    let first = if backend.name() == "cpu" { lanes } else { MOST as usize };
     let began = Instant::now();
     let mut measured = 0;
     let mut estimate = Duration::ZERO;
-    for some in cells.chunks(together) {
+    for some in doubling(&cells, first) {
+        let began_with_these = Instant::now();
         compute(some, &Interruptible)?;
         interrupt::check()?;
         measured += some.len();
-        estimate = began.elapsed().mul_f64(all as f64 / measured as f64);
+        estimate = began_with_these.elapsed().mul_f64(all as f64 / some.len() as f64);
         let is_short = measured as u64 >= all / ONE_OF && estimate < WORTH_SAYING;
         if is_short || began.elapsed() > LONGEST {
             break;
@@ -66,4 +68,35 @@ fn of_cells(
         note(&format!("{what} will take about {time} (measured on {measured} of {all} cells)"));
     }
     Ok(())
+}
+
+/// Parts of some cells, `first` of them in the first, each part at least twice as large as the one before.
+fn doubling(cells: &[u64], first: usize) -> impl Iterator<Item = &[u64]> {
+    let (mut rest, mut size) = (cells, first);
+    std::iter::from_fn(move || {
+        let count = if rest.len() < 3 * size { rest.len() } else { size };
+        let (some, others) = rest.split_at(count);
+        (rest, size) = (others, 2 * size);
+        (count > 0).then_some(some)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_part_is_at_least_twice_the_one_before_and_none_is_missing() {
+        for (all, first, sizes) in [
+            (512, 32, vec![32, 64, 128, 288]),
+            (512, 512, vec![512]),
+            (95, 32, vec![95]),
+            (96, 32, vec![32, 64]),
+        ] {
+            let cells: Vec<u64> = (0..all).collect();
+            let parts: Vec<&[u64]> = doubling(&cells, first).collect();
+            assert_eq!(parts.iter().map(|part| part.len()).collect::<Vec<_>>(), sizes);
+            assert_eq!(parts.concat(), cells);
+        }
+    }
 }

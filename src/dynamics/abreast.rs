@@ -82,12 +82,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     }
 
     /// Puts a trajectory at the beginning of a step of free flight into a lane.
-    pub fn seat(
-        &mut self,
-        lane: usize,
-        flight: &Flight<L::Real, N>,
-        trajectory: &Trajectory<L::Real, N>,
-    ) {
+    pub fn seat(&mut self, lane: usize, flight: &Flight<L::Real, N>, trajectory: &Trajectory<L::Real, N>) {
         debug_assert!(trajectory.contact.is_free() && trajectory.offset == L::Real::of(0.0));
         let number = |value: f64| L::Real::of(value);
         self.point.set_lane(lane, &trajectory.point);

@@ -9,6 +9,7 @@ use super::forced::{ForcedResponse, Trap, generator, slowest};
 use super::quiet::{Quiet, quiet};
 use super::real::Real;
 use super::state::State;
+use super::stops_along::StopsAlong;
 use super::system::System;
 use super::vector::{MOST, columns};
 
@@ -75,8 +76,23 @@ impl<const N: usize> Flight<f64, N> {
     /// # Panics
     /// If the system does not have N coordinates.
     pub fn new(system: &System) -> Self {
-        let kept = system.of_flow.0.flight(|| Flight::of(system));
+        let kept: Option<&Self> = system.of_flow().constants(|| Flight::of(system));
         kept.map_or_else(|| Flight::of(system), |flight| flight.with_stops_of(system))
+    }
+
+    /// The constants of another cell with the same flow.
+    #[must_use]
+    pub(super) fn with_stops_of(&self, system: &System) -> Self {
+        let mut flight = *self;
+        for (normal, along) in flight.normals.iter_mut().zip(self.stops_of(system)) {
+            (normal.gap, normal.restitution) = (along.gap, along.restitution);
+        }
+        flight
+    }
+
+    /// The stops along each normal of another cell with the same flow.
+    pub(super) fn stops_of(&self, system: &System) -> impl Iterator<Item = StopsAlong> {
+        self.normals().iter().map(|normal| StopsAlong::of(system.plant(), normal))
     }
 
     fn of(system: &System) -> Self {

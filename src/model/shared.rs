@@ -1,12 +1,35 @@
 //! Cells that share their flow: what differs among them are gaps and restitutions alone.
 
 use std::collections::HashMap;
+use std::hash::Hash;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::equations::closed;
 use super::flight::Flight;
+use super::of_flow::OfFlow;
+use super::stops_along::StopsAlong;
 use super::system::System;
+
+/// Finds systems with the same flow, so that what follows from it is found once for all of them.
+#[derive(Debug, Default)]
+pub struct Flows(Mutex<HashMap<Vec<u64>, Arc<OfFlow>>>);
+
+impl Flows {
+    /// The same system, sharing what follows from its flow with those before it.
+    #[must_use]
+    pub fn share(&self, mut system: System) -> System {
+        let flow = flow(&system);
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(of_flow) = known.get(&flow) {
+            of_flow.is_now_shared();
+            system.of_flow.0 = Arc::clone(of_flow);
+        } else {
+            known.insert(flow, Arc::clone(&system.of_flow.0));
+        }
+        system
+    }
+}
 
 /// The constants of many cells, those of each distinct flow computed once.
 #[derive(Debug)]
@@ -20,17 +43,20 @@ pub struct Flights<const N: usize> {
 impl<const N: usize> Flights<N> {
     /// Prepares cells of N coordinates.
     pub fn of(systems: &[&System]) -> Self {
-        let flows: Vec<Vec<u64>> = systems.par_iter().map(|system| flow(system)).collect();
+        // Systems that are known to share their flow need not be compared.
+        let mut known: HashMap<*const OfFlow, usize> = HashMap::new();
+        let mut seen: Vec<&System> = Vec::new();
+        let mut of_cell: Vec<usize> = Vec::with_capacity(systems.len());
+        for system in systems {
+            of_cell.push(numbered(&mut known, Arc::as_ptr(system.of_flow()), system, &mut seen));
+        }
+        let flows: Vec<Vec<u64>> = seen.par_iter().map(|system| flow(system)).collect();
         let mut first: HashMap<&[u64], usize> = HashMap::new();
         let mut cells: Vec<&System> = Vec::new();
-        let mut of_cell = Vec::with_capacity(systems.len());
-        for (flow, system) in flows.iter().zip(systems) {
-            let distinct = *first.entry(flow).or_insert_with(|| {
-                cells.push(system);
-                cells.len() - 1
-            });
-            of_cell.push(distinct);
-        }
+        let of_seen: Vec<usize> = (flows.iter().zip(&seen))
+            .map(|(flow, system)| numbered(&mut first, &flow[..], system, &mut cells))
+            .collect();
+        of_cell.iter_mut().for_each(|cell| *cell = of_seen[*cell]);
         let distinct = cells.par_iter().map(|system| Flight::new(system)).collect();
         Flights { distinct, of_cell }
     }
@@ -40,42 +66,37 @@ impl<const N: usize> Flights<N> {
         self.distinct[self.of_cell[cell]].with_stops_of(system)
     }
 
-    /// How many distinct flows there are.
-    pub fn distinct(&self) -> usize {
-        self.distinct.len()
+    /// The constants of some cell of each distinct flow.
+    pub fn distinct(&self) -> &[Flight<f64, N>] {
+        &self.distinct
+    }
+
+    /// Which of the distinct flows a cell has.
+    pub fn flow_of(&self, cell: usize) -> u32 {
+        self.of_cell[cell] as u32
+    }
+
+    /// The stops along each normal of one of the cells.
+    pub fn stops(&self, cell: usize, system: &System) -> impl Iterator<Item = StopsAlong> {
+        self.distinct[self.of_cell[cell]].stops_of(system)
     }
 }
 
-impl<const N: usize> Flight<f64, N> {
-    /// The constants of another cell with the same flow.
-    #[must_use]
-    pub(super) fn with_stops_of(&self, system: &System) -> Self {
-        let mut flight = *self;
-        let stops = &system.plant().stops;
-        for (k, normal) in flight.normals.iter_mut().enumerate().take(self.count) {
-            let ends = [0, 1].map(|side| {
-                (self.normals[k].gap[side] < super::FAR).then(|| usize::from(self.normals[k].stop[side]))
-            });
-            // The direction of a line is that of the first stop on it.
-            let Some(first) = ends.into_iter().flatten().min() else { continue };
-            for (side, stop) in ends.into_iter().enumerate() {
-                let Some(stop) = stop else { continue };
-                let (given, along) = (&stops[stop], &stops[first].direction);
-                let scale =
-                    if stop == first { 1.0 } else { given.direction.dot(along) / along.norm_squared() };
-                normal.gap[side] = given.gap / scale.abs();
-                normal.restitution[side] = given.restitution;
-            }
-            if ends.iter().all(Option::is_some) {
-                normal.gap[1] = closed(normal.gap);
-            }
-        }
-        flight
-    }
+/// The number of a key, a new one for one that is not known yet; `first` are the systems that brought them.
+fn numbered<'a, K: Eq + Hash>(
+    known: &mut HashMap<K, usize>,
+    key: K,
+    system: &'a System,
+    first: &mut Vec<&'a System>,
+) -> usize {
+    *known.entry(key).or_insert_with(|| {
+        first.push(system);
+        first.len() - 1
+    })
 }
 
 /// The bits of everything that the constants of a cell depend on but gaps and restitutions; of those, which are alike.
-pub(super) fn flow(system: &System) -> Vec<u64> {
+fn flow(system: &System) -> Vec<u64> {
     let plant = system.plant();
     let mut bits = vec![plant.n as u64, u64::from(system.steps()), plant.stops.len() as u64];
     let numbers = [&plant.mass, &plant.damping, &plant.stiffness].into_iter().flat_map(|m| m.iter());
@@ -110,12 +131,45 @@ mod tests {
         }
         let cells: Vec<&System> = systems.iter().collect();
         let flights = Flights::<2>::of(&cells);
-        assert_eq!(flights.distinct(), 2);
+        assert_eq!(flights.distinct().len(), 2);
         for (i, system) in systems.iter().enumerate() {
             assert_eq!(flights.get(i, system), Flight::new(system), "{system:?}");
             // The test can fail: the constants of another cell differ.
             let other = &systems[(i + 1) % systems.len()];
             assert_ne!(flights.get(i, system), Flight::new(other));
+        }
+    }
+
+    #[test]
+    fn systems_that_share_their_flow_have_the_constants_that_each_has_alone() {
+        let flows = Flows::default();
+        for omega in [1.3, 2.7] {
+            for (delta, r) in [(0.1, 0.8), (0.37, 0.8), (0.02, 0.5), (0.0, 0.9)] {
+                let alone = system(omega, delta, r);
+                let shares = flows.share(alone.clone());
+                assert_eq!(Flight::<f64, 2>::new(&shares), Flight::new(&alone), "ω = {omega}, δ = {delta}");
+                assert_eq!(shares.mirror(), alone.mirror());
+            }
+        }
+        assert_eq!(flows.0.lock().unwrap().len(), 2);
+    }
+
+    #[test]
+    fn another_forcing_is_another_flow() {
+        let flows = Flows::default();
+        let first = flows.share(system(1.3, 0.1, 0.8));
+        let second = flows.share(system(1.3, 0.2, 0.8));
+        assert!(Arc::ptr_eq(&first.of_flow.0, &second.of_flow.0));
+        assert!(second.of_flow.0.constants(|| Flight::<f64, 2>::new(&first)).is_some(), "is kept");
+        let _ = (first.mirror(), Flight::<f64, 2>::new(&first));
+        for changed in
+            [first.clone().unforced(), first.clone().loaded(&[1.0, 2.0]), first.following(40.0).unwrap()]
+        {
+            let alone = System::of_plant(changed.plant().clone()).unwrap();
+            assert_eq!(changed.mirror(), alone.mirror());
+            assert_eq!(Flight::<f64, 2>::new(&changed).sin, Flight::<f64, 2>::new(&alone).sin);
+            assert_eq!(Flight::<f64, 2>::new(&changed).steps, changed.steps());
+            assert_ne!(Flight::<f64, 2>::new(&changed), Flight::new(&first));
         }
     }
 }

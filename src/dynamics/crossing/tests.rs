@@ -54,7 +54,8 @@ fn through<T: Real>() {
                         continue;
                     }
                     let swing = Swing::<T>::new(side, phase, stops(gap, restitution));
-                    let crossing = crossing(&swing.leg(), &swing.leg().clearances(&swing.flight), &swing.flight);
+                    let crossing =
+                        crossing(&swing.leg(), &swing.leg().clearances(&swing.flight), &swing.flight);
                     assert!(crossing.certain, "{restitution} {phase} {share} {side}");
                     assert_eq!((crossing.normals[0], crossing.upper), (true, side > 0.0));
                     let slope = (phase + share * h).cos();

@@ -47,7 +47,7 @@ impl Kernel {
         self.spend(Spent { preparing, transferring, ..Spent::default() });
         let most = if self.software { SOFTWARE_ITERATIONS / program.iterations } else { HARDWARE_BUDGET };
         let mut budget = FIRST_BUDGET.min(most);
-        let mut unfinished: Vec<u32> = (0..jobs.len() as u32).collect();
+        let mut unfinished = cells.order;
         let mut begin = 1;
         while !unfinished.is_empty() {
             if watch.cancelled() {

@@ -30,23 +30,23 @@ impl Tile {
         kernel: &Kernel,
         compiled: Arc<Compiled>,
         program: &Program<'_, D>,
-        Cells { flights, kicks, starts }: &Cells,
+        Cells { flights, kicks, cells, .. }: &Cells,
         count: usize,
         result: u64,
     ) -> Result<Self, BackendError> {
         let device = &kernel.device;
         let storage = wgpu::BufferUsages::STORAGE;
-        let cells = count as u64;
+        let count = count as u64;
         let (reads, writes) = (wgpu::BufferUsages::COPY_SRC, wgpu::BufferUsages::COPY_DST);
         let dispatch = empty(device, size_of::<D>() as u64, wgpu::BufferUsages::UNIFORM | writes);
         let flights = filled(device, flights)?;
         let kicks = filled(device, kicks)?;
-        let starts = filled(device, starts)?;
-        let unfinished = empty(device, 4 * cells, storage | reads | writes);
-        let states = empty(device, compiled.state * cells, storage);
-        let results = empty(device, result * cells, storage | reads);
+        let cells = filled(device, cells)?;
+        let unfinished = empty(device, 4 * count, storage | reads | writes);
+        let states = empty(device, compiled.state * count, storage);
+        let results = empty(device, result * count, storage | reads);
         let readback = empty(device, unfinished.size(), wgpu::BufferUsages::MAP_READ | writes);
-        let buffers = [&dispatch, &flights, &kicks, &starts, &unfinished, &states, &results];
+        let buffers = [&dispatch, &flights, &kicks, &cells, &unfinished, &states, &results];
         let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
             .zip(buffers.into_iter().chain(program.more.iter().copied()))
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })

@@ -1,7 +1,8 @@
-//! The constants of a cell: one list of members says how the shader declares them and how they are written.
+//! The constants of a flow, and what a cell has beside them: one list of members each says how the shader declares them and
+//! how they are written.
 
 use crate::backend::gpu::shader::Shape;
-use crate::model::{ContactNormal, Flight, Real, State};
+use crate::model::{ContactNormal, Flight, Real, State, StopsAlong};
 
 /// Terms of the kick polynomial in f32: up to the order of a flight.
 pub const KICK_TERMS: usize = <f32 as Real>::ORDER + 1;
@@ -12,6 +13,7 @@ trait Members<const N: usize> {
     fn integer(&mut self, name: &str, value: u32);
     fn numbers(&mut self, name: &str, values: &[f32]);
     fn integers(&mut self, name: &str, values: &[u32]);
+    fn pairs(&mut self, name: &str, values: &[[f32; 2]]);
     /// Fills up to the alignment of vectors.
     fn align(&mut self);
     fn vector(&mut self, name: &str, value: &[f32; N]);
@@ -63,8 +65,6 @@ fn pressing<const N: usize>(flight: &Flight<f32, N>) -> Vec<f32> {
 }
 
 fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut impl Members<N>) {
-    members.numbers("gap", &normal.gap);
-    members.numbers("restitution", &normal.restitution);
     members.integers("stop", &normal.stop.map(u32::from));
     members.numbers("reach", &normal.reach);
     members.number("bound_forcing", normal.bound_forcing);
@@ -77,6 +77,21 @@ fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut 
     members.vector("response", &normal.response);
     members.vector("bound_x", &normal.bound_x);
     members.vector("bound_v", &normal.bound_v);
+}
+
+/// What a cell has beside its flow: the stops at both ends of each normal, and the start.
+fn cell_members<const N: usize>(
+    flow: u32,
+    stops: &[StopsAlong],
+    start: &[f64],
+    members: &mut impl Members<N>,
+) {
+    let ends =
+        |of: fn(&StopsAlong) -> [f64; 2]| stops.iter().map(|s| of(s).map(|v| v as f32)).collect::<Vec<_>>();
+    members.integer("flow", flow);
+    members.pairs("gap", &ends(|along| along.gap));
+    members.pairs("restitution", &ends(|along| along.restitution));
+    members.numbers("start", &start.iter().map(|&value| value as f32).collect::<Vec<_>>());
 }
 
 /// Writes WGSL declarations.
@@ -112,6 +127,11 @@ impl<const N: usize> Members<N> for Declaration {
     fn integers(&mut self, name: &str, values: &[u32]) {
         self.member(name, &format!("array<u32, {}>", values.len()));
         self.words += values.len();
+    }
+
+    fn pairs(&mut self, name: &str, values: &[[f32; 2]]) {
+        self.member(name, &format!("array<array<f32, 2>, {}>", values.len()));
+        self.words += 2 * values.len();
     }
 
     fn align(&mut self) {
@@ -160,6 +180,10 @@ impl<const N: usize> Members<N> for Values<'_> {
         self.0.extend(values);
     }
 
+    fn pairs(&mut self, _: &str, values: &[[f32; 2]]) {
+        self.0.extend(values.as_flattened().iter().map(|value| value.to_bits()));
+    }
+
     fn align(&mut self) {
         while !self.0.len().is_multiple_of(vector_words::<N>()) {
             self.0.push(0);
@@ -190,20 +214,29 @@ const fn vector_words<const N: usize>() -> usize {
     if N == 3 { 4 } else { N }
 }
 
-/// The structs `ContactNormal` and `Flight` as the shader declares them.
+/// The structs `ContactNormal`, `Flight` and `Cell` as the shader declares them.
 pub fn declarations<const N: usize>(shape: &Shape) -> String {
     let none = Flight::<f32, N>::blank(shape.normals, 0.0);
     let mut normal = Declaration::default();
     normal_members(&none.normals[0], &mut normal);
     let mut flight = Declaration::default();
     flight_members(&none, &mut flight);
+    let mut cell = Declaration::default();
+    let stops = vec![StopsAlong::default(); shape.normals];
+    cell_members::<N>(0, &stops, &vec![0.0; 2 * N], &mut cell);
     format!(
-        "struct ContactNormal {{\n{}}}\n\nstruct Flight {{\n{}    normals: array<ContactNormal, NORMALS>,\n}}\n",
-        normal.text, flight.text
+        "struct ContactNormal {{\n{}}}\n\nstruct Flight {{\n{}    normals: array<ContactNormal, NORMALS>,\n}}\n\n\
+         struct Cell {{\n{}}}\n",
+        normal.text, flight.text, cell.text
     )
 }
 
-/// The constants of a cell as the shader reads them.
+/// What a cell has beside its flow, as the shader reads it.
+pub fn write_cell<const N: usize>(flow: u32, stops: &[StopsAlong], start: &[f64], into: &mut Vec<u32>) {
+    cell_members::<N>(flow, stops, start, &mut Values(into));
+}
+
+/// The constants of a flow as the shader reads them.
 pub fn write_flight<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>) {
     flight_members(flight, &mut Values(into));
     for normal in flight.normals() {
@@ -211,7 +244,7 @@ pub fn write_flight<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>
     }
 }
 
-/// The kick polynomials of a cell, normal by normal.
+/// The kick polynomials of a flow, normal by normal.
 pub fn write_kicks<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>) {
     for normal in flight.normals() {
         for term in &normal.kick[..KICK_TERMS] {

@@ -16,7 +16,7 @@ mod trace;
 
 pub use control::{ControlDispatch, ControlSchedule, Outcome, code, control_words, declaration_of_control};
 pub use extent::{Extent, ExtentCode, ExtentDispatch};
-pub use flight::{KICK_TERMS, write_flight, write_kicks};
+pub use flight::{KICK_TERMS, write_cell, write_flight, write_kicks};
 pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};
 pub use record::FINISHED;
 pub use trace::{Rebounds, Trace, TraceDispatch};
@@ -25,7 +25,7 @@ use rayon::prelude::*;
 
 use super::shader::Shape;
 use crate::backend::Job;
-use crate::model;
+use crate::model::{self, vector::MOST};
 
 /// The structs of one size that the shaders share, as they declare them.
 pub const STRUCTS: [&str; 11] = [
@@ -42,7 +42,7 @@ pub const STRUCTS: [&str; 11] = [
     Outcome::WGSL,
 ];
 
-/// The structs `ContactNormal` and `Flight` as a shader of this shape declares them.
+/// The structs `ContactNormal`, `Flight` and `Cell` as a shader of this shape declares them.
 pub fn declarations_for(shape: &Shape) -> String {
     match shape.coordinates {
         1 => flight::declarations::<1>(shape),
@@ -52,11 +52,15 @@ pub fn declarations_for(shape: &Shape) -> String {
     }
 }
 
-/// The constants of cells as the shader reads them, one after the other: of flight, of kicks, and their starts.
+/// What the shader reads of cells: the constants of their distinct flows and kicks, one after the other, and what each has
+/// beside them.
 pub struct Cells {
     pub flights: Vec<u32>,
     pub kicks: Vec<u32>,
-    pub starts: Vec<f32>,
+    pub cells: Vec<u32>,
+    /// The cells, those with the same flow beside each other: what lies beside each other is followed together, and reads
+    /// the same constants.
+    pub order: Vec<u32>,
 }
 
 /// Cells that one thread writes at a time.
@@ -76,18 +80,29 @@ impl Cells {
     fn with<const N: usize>(jobs: &[&Job]) -> Self {
         let systems: Vec<&model::System> = jobs.iter().map(|job| &job.system).collect();
         let shared = model::Flights::<N>::of(&systems);
-        let written = |(chunk, jobs): (usize, &[&Job])| {
-            let (mut flights, mut kicks) = (Vec::new(), Vec::new());
-            for (i, job) in jobs.iter().enumerate() {
-                let constants = shared.get(chunk * CHUNK + i, &job.system).round::<f32>();
-                write_flight(&constants, &mut flights);
-                write_kicks(&constants, &mut kicks);
+        let flows = shared.distinct().par_chunks(CHUNK).map(|flights| {
+            let (mut constants, mut kicks) = (Vec::new(), Vec::new());
+            for flight in flights {
+                let rounded = flight.round::<f32>();
+                write_flight(&rounded, &mut constants);
+                write_kicks(&rounded, &mut kicks);
             }
-            (flights, kicks)
-        };
-        let parts: Vec<(Vec<u32>, Vec<u32>)> = jobs.par_chunks(CHUNK).enumerate().map(written).collect();
-        let (flights, kicks): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
-        let starts = jobs.iter().flat_map(|job| job.start.iter().map(|&value| value as f32)).collect();
-        Cells { flights: flights.concat(), kicks: kicks.concat(), starts }
+            (constants, kicks)
+        });
+        let (flights, kicks): (Vec<_>, Vec<_>) = flows.unzip();
+        let beside = jobs.par_chunks(CHUNK).enumerate().map(|(chunk, jobs)| {
+            let mut words = Vec::new();
+            for (job, cell) in jobs.iter().zip(chunk * CHUNK..) {
+                let mut stops = [model::StopsAlong::default(); MOST];
+                let normals = stops.iter_mut().zip(shared.stops(cell, &job.system));
+                let count = normals.map(|(along, given)| *along = given).count();
+                write_cell::<N>(shared.flow_of(cell), &stops[..count], &job.start, &mut words);
+            }
+            words
+        });
+        let cells = beside.collect::<Vec<_>>().concat();
+        let mut order: Vec<u32> = (0..jobs.len() as u32).collect();
+        order.sort_by_key(|&cell| shared.flow_of(cell as usize));
+        Cells { flights: flights.concat(), kicks: kicks.concat(), cells, order }
     }
 }

@@ -145,7 +145,10 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: A
         &pressing_share(shape),
         &control,
         residence.source(),
-        &fragments.replace("flight.", &format!("{}.", residence.flight())),
+        &fragments
+            .replace("flight.", &format!("{}.", residence.flight()))
+            .replace("stops.gap", &format!("{}.gap", residence.stops()))
+            .replace("stops.restitution", &format!("{}.restitution", residence.stops())),
     ]
     .join("\n")
 }
@@ -159,7 +162,7 @@ fn pressing_share(shape: &Shape) -> String {
     }
     let square = shape.normals * shape.normals;
     let row = shape.normals;
-    format!("{head}    return flights[cell].pressing[(contacts - 1u) * {square}u + s * {row}u + t];\n}}\n")
+    format!("{head}    return flights[flow].pressing[(contacts - 1u) * {square}u + s * {row}u + t];\n}}\n")
 }
 
 #[cfg(test)]

@@ -14,8 +14,16 @@ impl Residence {
     /// What `flight` stands for in a shader.
     pub fn flight(self) -> &'static str {
         match self {
-            Residence::Buffer => "flights[cell]",
+            Residence::Buffer => "flights[flow]",
             Residence::Private => "cell_flight",
+        }
+    }
+
+    /// What `stops` stands for in a shader.
+    pub fn stops(self) -> &'static str {
+        match self {
+            Residence::Buffer => "cells[cell]",
+            Residence::Private => "cell_stops",
         }
     }
 
@@ -23,22 +31,27 @@ impl Residence {
     pub fn source(self) -> &'static str {
         match self {
             Residence::Buffer => {
-                "fn flight_load() {}
+                "fn flight_load() {
+    flow = cells[cell].flow;
+}
 
 // The kick polynomials of the cell, normal by normal.
 fn kick_term(at: u32) -> State {
-    return kicks[cell * (NORMALS * KICK_TERMS) + at];
+    return kicks[flow * (NORMALS * KICK_TERMS) + at];
 }
 "
             }
             Residence::Private => {
                 "var<private> cell_flight: Flight;
+var<private> cell_stops: Cell;
 var<private> cell_kicks: array<State, NORMALS * KICK_TERMS>;
 
 fn flight_load() {
-    cell_flight = flights[cell];
+    flow = cells[cell].flow;
+    cell_flight = flights[flow];
+    cell_stops = cells[cell];
     for (var at = 0u; at < NORMALS * KICK_TERMS; at++) {
-        cell_kicks[at] = kicks[cell * (NORMALS * KICK_TERMS) + at];
+        cell_kicks[at] = kicks[flow * (NORMALS * KICK_TERMS) + at];
     }
 }
 

@@ -64,7 +64,7 @@ fn surface_components(state: State, tau: f32) -> SectionPoint {{
 
 // The displacements and velocities of components with d·x = `along`.
 fn surface_unpacked(section: SectionPoint, along: f32) -> State {{
-    let direction = flights[cell].normals[control.normal].direction;
+    let direction = flights[flow].normals[control.normal].direction;
 {unpacked}}}
 ",
         first = component(0),

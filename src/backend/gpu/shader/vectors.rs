@@ -21,8 +21,7 @@ pub fn source(shape: &Shape) -> String {
         })
         .collect();
     let start = |part: usize| {
-        let parts: Vec<String> =
-            (0..n).map(|i| format!("starts[cell * {}u + {}u]", 2 * n, part * n + i)).collect();
+        let parts: Vec<String> = (0..n).map(|i| format!("cells[cell].start[{}]", part * n + i)).collect();
         if n == 1 { parts.concat() } else { format!("X({})", parts.join(", ")) }
     };
     let unit = |part: usize| {
