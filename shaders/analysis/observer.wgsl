@@ -20,23 +20,7 @@ struct Observer {
     loss: Loss,
 }
 
-var<private> observer: Observer;
 var<private> schedule: Schedule;
-
-// Goes on with an observer that was stored.
-fn observer_resume(saved: Observer) {
-    observer = saved;
-    trajectory = saved.trajectory;
-    tangent = saved.tangent;
-}
-
-// The observer as it is to be stored.
-fn observer_saved() -> Observer {
-    var saved = observer;
-    saved.trajectory = trajectory;
-    saved.tangent = tangent;
-    return saved;
-}
 
 // Begins at forcing phase 0. While an observer works, `trajectory` and `tangent` hold what it will store.
 fn observer_begin(start: State) {

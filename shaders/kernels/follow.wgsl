@@ -46,7 +46,7 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
     if dispatch.begin == 1u {
         observer_begin(start_of_cell());
     } else {
-        observer_resume(observers[cell]);
+        observer_resume();
     }
     var taken = 0u;
     while taken < dispatch.budget && !stage_is_over(observer.stage) {
@@ -57,7 +57,7 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
     if taken < dispatch.budget && !stage_is_over(observer.stage) {
         observer.stage = STAGE_FAILED;
     }
-    observers[cell] = observer_saved();
+    observer_save();
     if stage_is_over(observer.stage) {
         verdicts[cell] = observer_verdict();
         unfinished[index] = FINISHED;

@@ -26,7 +26,7 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
         rebounds = Rebounds(0.0, 0u, 0u, 0u);
         passages = 0u;
     } else {
-        observer_resume(observers[cell]);
+        observer_resume();
         rebounds = traces[cell].rebounds;
         passages = traces[cell].passages;
     }
@@ -44,7 +44,7 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
     if taken < dispatch.budget && !stage_is_over(observer.stage) {
         observer.stage = STAGE_FAILED;
     }
-    observers[cell] = observer_saved();
+    observer_save();
     traces[cell] = Trace(rebounds, passages);
     if stage_is_over(observer.stage) {
         verdicts[cell] = observer_verdict();

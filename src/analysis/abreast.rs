@@ -78,10 +78,13 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
     queue.used(lanes.abreast.usage());
 }
 
+/// Who sits in each lane.
+type Seats<T, const N: usize, K> = Vec<Option<Box<Seat<T, N, K>>>>;
+
 /// The lanes with who sits in them.
 struct Lane<L: Lanes, const N: usize, Q: Queue<L::Real, N>> {
     abreast: Box<Abreast<L, N>>,
-    seats: Vec<Option<Box<Seat<L::Real, N, Q::Ticket>>>>,
+    seats: Seats<L::Real, N, Q::Ticket>,
     busy: u32,
 }
 

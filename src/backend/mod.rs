@@ -16,7 +16,7 @@ pub use cpu::{
 pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
 pub use error::BackendError;
 pub use extents::extents;
-pub use gpu::{AdapterReport, Gpu, Spent, adapters};
+pub use gpu::{AdapterReport, Gpu, Spent, adapters, hardware_shader};
 pub use job::{ControlJob, Job};
 pub use reproducible::REPRODUCIBLE;
 pub use select::{Choice, open, open_reproducible};

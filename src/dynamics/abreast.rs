@@ -232,9 +232,8 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let before = met.struck.velocity;
         let one = before.all(1.0);
         let mut mass = before.all(0.0);
-        for k in 0..self.flight.count {
+        for (k, [upper, lower]) in impacts.iter_mut().enumerate().take(self.flight.count) {
             let here = struck.and(met.normals[k]);
-            let [upper, lower] = &mut impacts[k];
             *upper = L::select(here.and(met.upper), *upper + one, *upper);
             *lower = L::select(here.and(met.upper.not()), *lower + one, *lower);
             mass = L::select(met.normals[k], self.flight.normals[k].mass, mass);

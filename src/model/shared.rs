@@ -160,8 +160,9 @@ mod tests {
         let first = flows.share(system(1.3, 0.1, 0.8));
         let second = flows.share(system(1.3, 0.2, 0.8));
         assert!(Arc::ptr_eq(&first.of_flow.0, &second.of_flow.0));
-        assert!(second.of_flow.0.constants(|| Flight::<f64, 2>::new(&first)).is_some(), "is kept");
-        let _ = (first.mirror(), Flight::<f64, 2>::new(&first));
+        let (_, constants) = (first.mirror(), Flight::<f64, 2>::new(&first));
+        let kept: Option<&Flight<f64, 2>> = second.of_flow().constants(|| unreachable!("it is known"));
+        assert_eq!(kept, Some(&constants));
         for changed in
             [first.clone().unforced(), first.clone().loaded(&[1.0, 2.0]), first.following(40.0).unwrap()]
         {

@@ -3,6 +3,8 @@
 //! Jobs are made for one tile at a time, so that memory beyond the verdicts themselves does not grow with the plane.
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::swept::{Swept, asked_of, cell_job};
@@ -31,30 +33,22 @@ pub fn sweep<T: Swept>(
     let tile = backend.tile().max(1);
     let mut verdicts = Vec::new();
     verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory { cells })?;
+    let prepare = |first: u64| Prepared::of(plane, first..cells.min(first.saturating_add(tile as u64)));
     let (mut missing, mut any) = (None, false);
-    for first in (0..cells).step_by(tile) {
+    let (mut first, mut next) = (0, prepare(0));
+    while first < cells {
         if watch.cancelled() {
             return Err(BackendError::Cancelled.into());
         }
-        let range = first..cells.min(first + tile as u64);
-        let flows = Flows::default();
-        let found: Vec<_> = range.into_par_iter().map(|cell| asked_of(plane, cell, &flows)).collect();
-        let mut jobs = Vec::with_capacity(found.len());
-        let mut is_there = Vec::with_capacity(found.len());
-        for job in found {
-            let job = job.or_else(|error| match error.is_of_one_cell() {
-                true => {
-                    missing.get_or_insert(error);
-                    Ok(None)
-                }
-                false => Err(error),
-            })?;
-            is_there.push(job.is_some());
-            jobs.extend(job);
-        }
+        let Prepared { jobs, is_there, missing: missing_here } = next?;
+        missing = missing.or(missing_here);
         any |= !jobs.is_empty();
         watch.finished((is_there.len() - jobs.len()) as u64);
-        let mut computed = plane.task.run(backend, &jobs, watch)?.into_iter();
+        // While a back end is busy with one tile, the processor prepares the next.
+        first += tile as u64;
+        let (computed, following) = rayon::join(|| plane.task.run(backend, &jobs, watch), || prepare(first));
+        next = following;
+        let mut computed = computed?.into_iter();
         let left_out = T::Cell::unresolved(plane.parameters.family().n());
         let result = |there| if there { computed.next() } else { Some(left_out.clone()) };
         verdicts.extend(is_there.into_iter().filter_map(result));
@@ -68,6 +62,40 @@ pub fn sweep<T: Swept>(
             multipliers: None,
             extents: None,
         }),
+    }
+}
+
+/// What a back end is given for one tile.
+struct Prepared<J> {
+    jobs: Vec<J>,
+    /// Of every cell, whether there is a job for it.
+    is_there: Vec<bool>,
+    /// Why the first cell without one has none, where that is an error.
+    missing: Option<SweepError>,
+}
+
+impl<J> Prepared<J> {
+    /// Of some cells of a plane, row by row.
+    fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: Range<u64>) -> Result<Self, SweepError>
+    where
+        J: Send,
+    {
+        let flows = Flows::default();
+        let found: Vec<_> = cells.into_par_iter().map(|cell| asked_of(plane, cell, &flows)).collect();
+        let (mut jobs, mut is_there) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
+        let mut missing = None;
+        for job in found {
+            let job = job.or_else(|error| match error.is_of_one_cell() {
+                true => {
+                    missing.get_or_insert(error);
+                    Ok(None)
+                }
+                false => Err(error),
+            })?;
+            is_there.push(job.is_some());
+            jobs.extend(job);
+        }
+        Ok(Prepared { jobs, is_there, missing })
     }
 }
 

@@ -9,7 +9,7 @@ use crate::plane::{Control, Plane, Task};
 /// A task that back ends do.
 pub trait Swept: Task {
     /// What a back end is given for a cell.
-    type Job: Send;
+    type Job: Send + Sync;
 
     /// What it is given for the cell in a column of a row, with its system and its start; nothing where there is nothing to
     /// do.

@@ -12,12 +12,18 @@ use std::fmt;
 use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Watch};
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, LONGEST_ON_DEVICE, Outcome};
+use crate::model::System;
 
 pub use adapters::{AdapterReport, adapters};
 pub use kernel::Spent;
 
 use kernel::Kernel;
-use shader::Arithmetic;
+use shader::{Arithmetic, Residence, Shape};
+
+/// The shader by which hardware follows trajectories of a system to their verdicts, in WGSL.
+pub fn hardware_shader(system: &System) -> String {
+    shader::source(shader::Kernel::Follow, &Shape::of(system), Residence::Buffer, Arithmetic::Native)
+}
 
 /// Follows trajectories on an adapter.
 pub struct Gpu {
@@ -160,4 +166,49 @@ fn in_tiles<J, R>(
 ) -> Result<Vec<R>, BackendError> {
     let tiles: Result<Vec<Vec<R>>, _> = jobs.chunks(size).map(compute).collect();
     Ok(tiles?.into_iter().flatten().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::backend::Unwatched;
+    use crate::model::{Flows, Setting};
+    use crate::plane::Start;
+    use crate::system::Family;
+
+    /// Cells of few flows that go through chatter, sticking, chaos and rest.
+    fn jobs() -> Vec<Job> {
+        let flows = Flows::default();
+        let cell = |omega: f64, delta: f64| {
+            let setting = Setting::defaults(Family::paper()).with_named("omega", omega);
+            let system = flows.share(System::new(setting.with_named("delta", delta)).unwrap());
+            let start = Start::Symmetric.state(&system);
+            Job { system, start }
+        };
+        [0.3, 0.9, 1.5, 2.6, 3.7]
+            .into_iter()
+            .flat_map(|omega| [0.03, 0.11, 0.22, 0.5].map(|delta| cell(omega, delta)))
+            .collect()
+    }
+
+    /// What hardware compiles is run by the software adapter too, with the same bits as what that compiles.
+    #[test]
+    fn hardwares_shader_gives_the_bits_of_the_software_adapters() {
+        let schedule = Schedule { transient: 40, observe: 40, max_period: 8, fixed_periods: false };
+        let jobs = jobs();
+        let kernel = |residence: Residence| {
+            let found = adapters::find(None).expect("an adapter");
+            println!("{}", found.report);
+            Kernel::new(&found, Arithmetic::Exact).unwrap().residing(residence, Arithmetic::Exact)
+        };
+        let run =
+            |kernel: &Kernel, jobs: &[Job]| format!("{:?}", kernel.run(jobs, &schedule, &Unwatched).unwrap());
+        let hardwares = kernel(Residence::Buffer);
+        let expected = run(&kernel(Residence::Private), &jobs);
+        assert_eq!(run(&hardwares, &jobs), expected);
+        // The test can fail: a cell with another gap comes to something else.
+        let mut other = jobs.clone();
+        other[5] = jobs[6].clone();
+        assert_ne!(run(&hardwares, &other), expected);
+    }
 }

@@ -81,12 +81,8 @@ fn next_budget(budget: u32, took: f64, most: u32) -> u32 {
 /// # Errors
 /// [`BackendError::Unsupported`] where they differ: a direction that turns parallel to another within a plane.
 pub fn shape_of(jobs: &[&Job]) -> Result<Shape, BackendError> {
-    let shape = |job: &Job| {
-        let plant = job.system.plant();
-        Shape { coordinates: plant.n, normals: job.system.normals(), stops: plant.stops.len() }
-    };
-    let expected = shape(jobs[0]);
-    if jobs.iter().all(|job| shape(job) == expected) {
+    let expected = Shape::of(&jobs[0].system);
+    if jobs.iter().all(|job| Shape::of(&job.system) == expected) {
         return Ok(expected);
     }
     Err(BackendError::Unsupported(

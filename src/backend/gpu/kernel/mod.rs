@@ -54,6 +54,12 @@ impl Kernel {
         Ok(Kernel { device, queue, library, software, spent: Mutex::default() })
     }
 
+    /// The same with shaders that keep there what they read and note.
+    #[cfg(test)]
+    pub fn residing(self, residence: Residence, arithmetic: Arithmetic) -> Self {
+        Kernel { library: Library::new(residence, arithmetic), ..self }
+    }
+
     /// Where time went since this was last asked.
     pub fn spent(&self) -> Spent {
         self.spent.lock().map(|mut spent| std::mem::take(&mut *spent)).unwrap_or_default()

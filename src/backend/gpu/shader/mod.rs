@@ -145,7 +145,9 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: A
         &pressing_share(shape),
         &control,
         residence.source(),
+        residence.observer_source(kernel),
         &fragments
+            .replace("observer.", &format!("{}.", residence.observer(kernel)))
             .replace("flight.", &format!("{}.", residence.flight()))
             .replace("stops.gap", &format!("{}.gap", residence.stops()))
             .replace("stops.restitution", &format!("{}.restitution", residence.stops())),

@@ -1,6 +1,8 @@
-//! Where a kernel reads the constants of its cell.
+//! Where a kernel reads the constants of its cell, and keeps what it notes about its trajectory.
 
-/// Where the constants of a cell are while its trajectory is followed.
+use super::Kernel;
+
+/// Where the constants of a cell, and its observer, are while its trajectory is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(test, derive(strum::VariantArray))]
 pub enum Residence {
@@ -24,6 +26,51 @@ impl Residence {
         match self {
             Residence::Buffer => "cells[cell]",
             Residence::Private => "cell_stops",
+        }
+    }
+
+    /// What `observer` stands for in a kernel.
+    pub fn observer(self, kernel: Kernel) -> &'static str {
+        match (self, kernel) {
+            (Residence::Buffer, Kernel::Follow | Kernel::Trace) => "observers[cell]",
+            _ => "observer",
+        }
+    }
+
+    /// Declares the observer, and for kernels that keep one how they go on with it and store it.
+    pub fn observer_source(self, kernel: Kernel) -> &'static str {
+        match (self, kernel) {
+            (_, Kernel::Control | Kernel::Extent) => "var<private> observer: Observer;\n",
+            (Residence::Buffer, _) => {
+                "// Goes on with an observer, which stays where it is stored.
+fn observer_resume() {
+    trajectory = observers[cell].trajectory;
+    tangent = observers[cell].tangent;
+}
+
+fn observer_save() {
+    observers[cell].trajectory = trajectory;
+    observers[cell].tangent = tangent;
+}
+"
+            }
+            (Residence::Private, _) => {
+                "var<private> observer: Observer;
+
+// Goes on with an observer that was stored.
+fn observer_resume() {
+    observer = observers[cell];
+    trajectory = observer.trajectory;
+    tangent = observer.tangent;
+}
+
+fn observer_save() {
+    observer.trajectory = trajectory;
+    observer.tangent = tangent;
+    observers[cell] = observer;
+}
+"
+            }
         }
     }
 

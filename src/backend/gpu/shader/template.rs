@@ -6,7 +6,7 @@
 //! with `$k` and `$l`. Series of fixed order are unrolled too, with `$k` as the order: see [`COUNTED`].
 
 use crate::dynamics::constants::NEWTON_STEPS;
-use crate::model::Real;
+use crate::model::{Real, System};
 
 /// Blocks that stand so many times in every shader, the first order and the last.
 const COUNTED: [(&str, usize, usize); 3] = [
@@ -27,6 +27,12 @@ pub struct Shape {
 }
 
 impl Shape {
+    /// That of a system.
+    pub fn of(system: &System) -> Self {
+        let plant = system.plant();
+        Shape { coordinates: plant.n, normals: system.normals(), stops: plant.stops.len() }
+    }
+
     /// What selects component `i` of a vector: nothing where vectors are scalars.
     pub fn component(&self, i: usize) -> &'static str {
         if self.coordinates == 1 { "" } else { [".x", ".y", ".z", ".w"][i] }
