@@ -1,4 +1,4 @@
-//! Every result file, written by the program, against the one table of their fields.
+//! Every result file, written by the program, against the tables of their documentation.
 
 #[allow(dead_code, reason = "every suite runs the program, and no suite needs all that others do")]
 mod program;

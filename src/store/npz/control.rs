@@ -2,11 +2,25 @@
 
 use std::io::{self, Seek, Write};
 
-use super::super::fields::CONTROLLED;
 use super::write::Archive;
 use crate::control::History;
 use crate::plane::fields::{CellField, CellResult, Extras};
 use crate::plane::{Control, RegionMap};
+
+/// The fields of a cell that a map under control has too.
+const CONTROLLED: [&str; 11] = [
+    "regime",
+    "n",
+    "p",
+    "q",
+    "counts",
+    "symmetric",
+    "lyapunov",
+    "state",
+    "impacts",
+    "peak_impact_velocity",
+    "periods",
+];
 
 /// Writes a control run as a NumPy archive; its arrays are in the table of [`store`](crate::store).
 ///
