@@ -7,9 +7,7 @@ use std::time::Instant;
 
 use anyhow::{Context, anyhow};
 use clap::Args;
-use impact_atlas::reproduce::{
-    Claim, Finished, Outcome, PaperFigure, ReproduceError, config_of, markdown, registry,
-};
+use impact_atlas::reproduce::{Claim, FIGURES, Finished, Outcome, PaperFigure, ReproduceError, markdown};
 use impact_atlas::store::Output;
 
 use super::interrupt::{self, Interruptible};
@@ -76,7 +74,7 @@ pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
     let reports = [book.report("report.json")?, book.report("report.md")?];
     note("computing on cpu, in double precision");
     for (i, &figure) in wanted.iter().enumerate() {
-        let place = format!("figure {} ({} of {})", figure.number(), i + 1, wanted.len());
+        let place = format!("figure {} ({} of {})", figure.number, i + 1, wanted.len());
         if !args.overwrite.force && finished(folder, figure, Some(format)).is_some() {
             note(&format!("{place}: already there"));
             continue;
@@ -85,8 +83,7 @@ pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
         make(&mut book, figure, format, &place)?;
         note(&format!("{place}: {:.1} s", began.elapsed().as_secs_f64()));
     }
-    let all: Vec<Finished> =
-        registry().into_iter().filter_map(|figure| finished(folder, figure, None)).collect();
+    let all: Vec<Finished> = FIGURES.iter().filter_map(|figure| finished(folder, figure, None)).collect();
     let claims: Vec<&Claim> = all.iter().flat_map(|figure| &figure.claims).collect();
     let json = serde_json::to_vec_pretty(&claims).map_err(CliError::machine)?;
     for (output, bytes) in reports.into_iter().zip([json, markdown(&all).into_bytes()]) {
@@ -98,19 +95,16 @@ pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
 
 impl ReproduceArgs {
     /// The figures that are asked for, each once.
-    fn wanted(&self) -> Result<Vec<&'static dyn PaperFigure>, CliError> {
-        let all = registry();
-        let known = |number: &u32| all.iter().any(|figure| figure.number() == *number);
+    fn wanted(&self) -> Result<Vec<&'static PaperFigure>, CliError> {
+        let known = |number: &u32| FIGURES.iter().any(|figure| figure.number == *number);
         if let Some(unknown) = self.figures.iter().find(|number| !known(number)) {
-            let numbers: Vec<String> = all.iter().map(|figure| figure.number().to_string()).collect();
+            let numbers = FIGURES.each_ref().map(|figure| figure.number.to_string()).join(", ");
             return Err(CliError::Input(anyhow!(
-                "there is no figure {unknown} to make: choose from {}",
-                numbers.join(", ")
+                "there is no figure {unknown} to make: choose from {numbers}"
             )));
         }
-        let asked =
-            |figure: &&dyn PaperFigure| self.figures.is_empty() || self.figures.contains(&figure.number());
-        Ok(all.into_iter().filter(asked).collect())
+        let asked = |figure: &&PaperFigure| self.figures.is_empty() || self.figures.contains(&figure.number);
+        Ok(FIGURES.iter().filter(asked).collect())
     }
 }
 
@@ -121,19 +115,19 @@ fn name(figure: u32, part: &str, extension: &str) -> String {
 
 /// What the files of a figure say, if they are all there and were made with the present configuration; pictures in a
 /// certain format, if one is asked for.
-fn finished(folder: &Path, figure: &dyn PaperFigure, format: Option<Format>) -> Option<Finished> {
-    let text = fs::read_to_string(folder.join(name(figure.number(), "", "json"))).ok()?;
+fn finished(folder: &Path, figure: &PaperFigure, format: Option<Format>) -> Option<Finished> {
+    let text = fs::read_to_string(folder.join(name(figure.number, "", "json"))).ok()?;
     let finished: Finished = serde_json::from_str(&text).ok()?;
     let there = |picture: &String| {
         let named = format.is_none_or(|format| pictures::format_of(Path::new(picture)) == format);
         named && folder.join(picture).is_file()
     };
-    (finished.config == config_of(figure) && finished.pictures.iter().all(there)).then_some(finished)
+    (finished.config == figure.config() && finished.pictures.iter().all(there)).then_some(finished)
 }
 
 fn make(
     book: &mut Book<'_>,
-    figure: &'static dyn PaperFigure,
+    figure: &'static PaperFigure,
     format: Format,
     place: &str,
 ) -> Result<(), CliError> {
@@ -148,20 +142,20 @@ fn make(
     let extension = if format == Format::Svg { "svg" } else { "png" };
     let mut names = Vec::new();
     for (part, picture) in &produced.pictures {
-        let name = name(figure.number(), part, extension);
-        let output = book.of_figure(figure.number(), &name)?;
+        let name = name(figure.number, part, extension);
+        let output = book.of_figure(figure.number, &name)?;
         book.write(&output, &pictures::encoded(picture, format)?)?;
         names.push(name);
     }
     let finished = Finished {
-        figure: figure.number(),
-        caption: figure.caption().to_owned(),
-        config: config_of(figure),
+        figure: figure.number,
+        caption: figure.caption.to_owned(),
+        config: figure.config(),
         pictures: names,
         claims: produced.claims,
     };
     let json = serde_json::to_vec_pretty(&finished).map_err(CliError::machine)?;
-    let output = book.of_figure(figure.number(), &name(figure.number(), "", "json"))?;
+    let output = book.of_figure(figure.number, &name(figure.number, "", "json"))?;
     book.write(&output, &json)
 }
 

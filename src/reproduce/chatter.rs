@@ -1,11 +1,11 @@
 //! Figs. 12 and 13: time series with chattering impacts, with and without sticking.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::paper_point::{PaperPoint, Plot, draw, words};
-use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
+use super::{Claim, PaperFigure, Produced};
 use crate::analysis::{CHATTER_RUN, Probe, Reading, Regime, Schedule, Section};
-use crate::backend::{Job, Watch, trace};
+use crate::backend::{Job, trace};
 use crate::dynamics::Stop;
 
 /// What is printed of a chattering motion.
@@ -60,35 +60,22 @@ fn sticking_from(delta: f64, high: f64, low: f64, count: u32) -> Option<f64> {
     (0..=count).map(at).find(|&omega| sticks(omega))
 }
 
+const PLOTS_12: [Plot; 4] = [
+    Plot::new("a", PaperPoint::new(0.65, 0.1), "time", 3),
+    Plot::new("b", PaperPoint::new(0.6, 0.1), "time", 3),
+    Plot::new("c", PaperPoint::new(0.57, 0.1), "time", 3),
+    Plot::new("c1", PaperPoint::new(0.57, 0.1), "time", 1).zoomed("t=0:0.5"),
+];
+/// Where the beginning of sticking is looked for.
+const STICKING_12: (f64, f64, u32) = (0.57, 0.54, 60);
+
 /// Chatter at δ = 0.1.
-pub(super) struct Figure12;
-
-impl Figure12 {
-    const PLOTS: [Plot; 4] = [
-        Plot::new("a", PaperPoint::new(0.65, 0.1), "time", 3),
-        Plot::new("b", PaperPoint::new(0.6, 0.1), "time", 3),
-        Plot::new("c", PaperPoint::new(0.57, 0.1), "time", 3),
-        Plot::new("c1", PaperPoint::new(0.57, 0.1), "time", 1).zoomed("t=0:0.5"),
-    ];
-    /// Where the beginning of sticking is looked for.
-    const STICKING: (f64, f64, u32) = (0.57, 0.54, 60);
-}
-
-impl PaperFigure for Figure12 {
-    fn number(&self) -> u32 {
-        12
-    }
-
-    fn caption(&self) -> &'static str {
-        "Time series with chattering impacts, δ = 0.1: (a) ω = 0.65; (b) ω = 0.6; (c) ω = 0.57, printed as sticking; (c1) \
-         enlarged."
-    }
-
-    fn config(&self) -> Value {
-        json!({ "plots": Self::PLOTS, "sticking": Self::STICKING, "periods": LOOKED_AT })
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(super) const FIGURE_12: PaperFigure = PaperFigure {
+    number: 12,
+    caption: "Time series with chattering impacts, δ = 0.1: (a) ω = 0.65; (b) ω = 0.6; (c) ω = 0.57, printed as \
+              sticking; (c1) enlarged.",
+    settings: || json!({ "plots": PLOTS_12, "sticking": STICKING_12, "periods": LOOKED_AT }),
+    make: |config, _| {
         let printed = |omega, words, sticks, periodic| Printed {
             point: PaperPoint::new(omega, 0.1),
             words,
@@ -103,41 +90,28 @@ impl PaperFigure for Figure12 {
         .iter()
         .map(|printed| check(12, printed))
         .collect();
-        let (high, low, count) = Self::STICKING;
+        let (high, low, count) = STICKING_12;
         if let (Some(claim), Some(omega)) = (claims.last_mut(), sticking_from(0.1, high, low, count)) {
             claim.note.push_str(&format!("; sticking from ω = {omega:.4} down"));
         }
-        let picture = draw(&Self::PLOTS, 2, &config_of(self).to_string())?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&PLOTS_12, 2, config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};
+
+const PLOTS_13: [Plot; 3] = [
+    Plot::new("a", PaperPoint::new(0.35, 0.545), "time", 3),
+    Plot::new("b", PaperPoint::new(0.3, 0.545), "time", 3),
+    Plot::new("c", PaperPoint::new(0.25, 0.545), "time", 3),
+];
 
 /// Chatter at δ = 0.545.
-pub(super) struct Figure13;
-
-impl Figure13 {
-    const PLOTS: [Plot; 3] = [
-        Plot::new("a", PaperPoint::new(0.35, 0.545), "time", 3),
-        Plot::new("b", PaperPoint::new(0.3, 0.545), "time", 3),
-        Plot::new("c", PaperPoint::new(0.25, 0.545), "time", 3),
-    ];
-}
-
-impl PaperFigure for Figure13 {
-    fn number(&self) -> u32 {
-        13
-    }
-
-    fn caption(&self) -> &'static str {
-        "Time series with chattering impacts, δ = 0.545: (a) without sticking, ω = 0.35; (b) without sticking, ω = 0.3; (c) \
-         with sticking, ω = 0.25."
-    }
-
-    fn config(&self) -> Value {
-        json!({ "plots": Self::PLOTS, "periods": LOOKED_AT })
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(super) const FIGURE_13: PaperFigure = PaperFigure {
+    number: 13,
+    caption: "Time series with chattering impacts, δ = 0.545: (a) without sticking, ω = 0.35; (b) without \
+              sticking, ω = 0.3; (c) with sticking, ω = 0.25.",
+    settings: || json!({ "plots": PLOTS_13, "periods": LOOKED_AT }),
+    make: |config, _| {
         let printed = |omega, words, sticks| Printed {
             point: PaperPoint::new(omega, 0.545),
             words,
@@ -152,7 +126,7 @@ impl PaperFigure for Figure13 {
         .iter()
         .map(|printed| check(13, printed))
         .collect();
-        let picture = draw(&Self::PLOTS, 1, &config_of(self).to_string())?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&PLOTS_13, 1, config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};

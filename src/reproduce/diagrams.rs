@@ -1,22 +1,19 @@
 //! Fig. 6: bifurcation diagrams over ω at fixed δ with their Lyapunov exponents, and where 1-1-1 loses its stability.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::orbits::{CHAOS, largest_exponent};
 use super::paper_point::PaperPoint;
 use super::stability_loss::{Change, State, changes, lost, state};
-use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
+use super::{Claim, PaperFigure, Produced};
 use crate::analysis::{Probe, Reading, Section};
-use crate::backend::{Cpu, Watch};
+use crate::backend::Cpu;
 use crate::diagram::{DiagramSpec, ExponentUnit, Sweep};
 use crate::figure::Size;
 use crate::model::Parameters;
 use crate::plane::Start;
 use crate::render::diagram_figure;
 use crate::sweep::diagram;
-
-/// Bifurcation diagrams of the velocity before impact at A.
-pub(super) struct Figure6;
 
 /// The parts whose δ is known: letter and δ.
 const PARTS: [(&str, f64); 3] = [("a", 0.1), ("c", 0.545), ("d", 0.6)];
@@ -38,32 +35,25 @@ fn spec(delta: f64) -> DiagramSpec {
     }
 }
 
-impl PaperFigure for Figure6 {
-    fn number(&self) -> u32 {
-        6
-    }
-
-    fn caption(&self) -> &'static str {
-        "Velocity before impact and Lyapunov exponents per iterate over the forcing frequency: (a) δ = 0.1, (c) δ = 0.545, \
-         (d) δ = 0.6; the δ of part (b) is not legible in the text of the paper."
-    }
-
-    fn config(&self) -> Value {
+/// Bifurcation diagrams of the velocity before impact at A.
+pub(super) const FIGURE_6: PaperFigure = PaperFigure {
+    number: 6,
+    caption: "Velocity before impact and Lyapunov exponents per iterate over the forcing frequency: (a) δ = \
+              0.1, (c) δ = 0.545, (d) δ = 0.6; the δ of part (b) is not legible in the text of the paper.",
+    settings: || {
         let specs = PARTS.map(|(letter, delta)| json!({ "part": letter, "diagram": spec(delta) }));
         json!({ "diagrams": specs, "frequencies": LOOKED_AT, "exponents": PERIODS, "range": RANGE })
-    }
-
-    fn produce(&self, watch: &dyn Watch) -> Result<Produced, ReproduceError> {
-        let config = config_of(self).to_string();
+    },
+    make: |config, watch| {
         let mut pictures = Vec::new();
         for (letter, delta) in PARTS {
             let diagram = diagram(&spec(delta), &Cpu, watch)?;
             let size = Size::new(2000, 1600).expect("a size");
-            pictures.push((letter, diagram_figure(&diagram).draw(size, &config)?));
+            pictures.push((letter, diagram_figure(&diagram).draw(size, config)?));
         }
         Ok(Produced { pictures, claims: claims() })
-    }
-}
+    },
+};
 
 fn claims() -> Vec<Claim> {
     let at = |delta| changes(delta, 5.0, 0.5, LOOKED_AT);

@@ -1,6 +1,6 @@
 //! The figures of the paper and what it prints, computed again.
 //!
-//! Every figure is a [`PaperFigure`] of the [`registry`]: it knows its configuration, draws its pictures and holds what the
+//! Every figure is a [`PaperFigure`] among the [`FIGURES`]: it knows its configuration, draws its pictures and holds what the
 //! paper says of it against what is computed. Nothing on the computed side is written down here.
 
 mod chatter;
@@ -18,33 +18,31 @@ mod sections;
 mod stability_loss;
 
 pub use claim::{Claim, Outcome};
-pub use paper_figure::{PaperFigure, Produced, ReproduceError, config_of};
+pub use paper_figure::{PaperFigure, Produced, ReproduceError};
 pub use report::{Finished, markdown};
 
 /// Every figure that can be made again, by its number.
-pub fn registry() -> Vec<&'static dyn PaperFigure> {
-    vec![
-        &plane::Figure5,
-        &diagrams::Figure6,
-        &orbits::Figure7,
-        &orbits::Figure8,
-        &sections::Figure9,
-        &orbits::Figure10,
-        &orbits::Figure11,
-        &chatter::Figure12,
-        &chatter::Figure13,
-        &sections::Figure14,
-        &control::Figure15,
-        &control::Figure16,
-        &control::Figure17,
-        &control::Figure18,
-        &control::Figure19,
-        &control::Figure20,
-        &control::Figure21,
-        &control::Figure22,
-        &control::Figure23,
-    ]
-}
+pub static FIGURES: [PaperFigure; 19] = [
+    plane::FIGURE_5,
+    diagrams::FIGURE_6,
+    orbits::FIGURE_7,
+    orbits::FIGURE_8,
+    sections::FIGURE_9,
+    orbits::FIGURE_10,
+    orbits::FIGURE_11,
+    chatter::FIGURE_12,
+    chatter::FIGURE_13,
+    sections::FIGURE_14,
+    control::FIGURE_15,
+    control::FIGURE_16,
+    control::FIGURE_17,
+    control::FIGURE_18,
+    control::FIGURE_19,
+    control::FIGURE_20,
+    control::FIGURE_21,
+    control::FIGURE_22,
+    control::FIGURE_23,
+];
 
 #[cfg(test)]
 mod tests {
@@ -52,9 +50,9 @@ mod tests {
 
     #[test]
     fn figures_have_their_own_numbers_and_configurations() {
-        let numbers: Vec<u32> = registry().iter().map(|figure| figure.number()).collect();
+        let numbers: Vec<u32> = FIGURES.iter().map(|figure| figure.number).collect();
         assert!(numbers.is_sorted_by(|a, b| a < b), "{numbers:?}");
-        let mut configs: Vec<String> = registry().iter().map(|f| config_of(*f).to_string()).collect();
+        let mut configs: Vec<String> = FIGURES.iter().map(|figure| figure.config().to_string()).collect();
         configs.sort();
         configs.dedup();
         assert_eq!(configs.len(), numbers.len());

@@ -1,12 +1,11 @@
 //! Figs. 7, 8, 10 and 11: phase portraits and time series of periodic and chaotic motions at δ = 0.1.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::paper_point::{PaperPoint, Plot, draw, words};
 use super::stability_loss::{grazes, lost};
-use super::{Claim, Outcome, PaperFigure, Produced, ReproduceError, config_of};
+use super::{Claim, Outcome, PaperFigure, Produced};
 use crate::analysis::Verdict;
-use crate::backend::Watch;
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::theory::{Spectrum, settled_motion, symmetric_motions};
@@ -40,35 +39,14 @@ pub(super) fn settles(figure: u32, point: &PaperPoint, printed: &str) -> (Claim,
     (Claim::new(figure, claim, printed, computed, holds), verdict)
 }
 
-fn pictures(
-    figure: &dyn PaperFigure,
-    plots: &[Plot],
-    beside: usize,
-) -> Result<Vec<(&'static str, crate::figure::Picture)>, ReproduceError> {
-    Ok(vec![("", draw(plots, beside, &config_of(figure).to_string())?)])
-}
+const PLOTS_7: [Plot; 2] = [Plot::new("a", SYMMETRIC, "portrait", 2), Plot::new("b", SYMMETRIC, "time", 4)];
 
 /// 1-1-1 symmetric motion.
-pub(super) struct Figure7;
-
-impl Figure7 {
-    const PLOTS: [Plot; 2] = [Plot::new("a", SYMMETRIC, "portrait", 2), Plot::new("b", SYMMETRIC, "time", 4)];
-}
-
-impl PaperFigure for Figure7 {
-    fn number(&self) -> u32 {
-        7
-    }
-
-    fn caption(&self) -> &'static str {
-        "Phase portrait and time series of the 1-1-1 symmetric motion, δ = 0.1, ω = 3.7."
-    }
-
-    fn config(&self) -> Value {
-        json!({ "plots": Self::PLOTS })
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(super) const FIGURE_7: PaperFigure = PaperFigure {
+    number: 7,
+    caption: "Phase portrait and time series of the 1-1-1 symmetric motion, δ = 0.1, ω = 3.7.",
+    settings: || json!({ "plots": PLOTS_7 }),
+    make: |config, _| {
         let (claim, _) = settles(7, &SYMMETRIC, "1-1-1 symmetric");
         let mut claims = vec![claim];
         let recording = SYMMETRIC.recorded(1, 0);
@@ -96,52 +74,39 @@ impl PaperFigure for Figure7 {
             claim.note.push_str(&format!("; closed form, and the followed orbit has {followed}{sign}"));
             claims.push(claim);
         }
-        Ok(Produced { pictures: pictures(self, &Self::PLOTS, 2)?, claims })
-    }
-}
+        Ok(Produced::one(draw(&PLOTS_7, 2, config)?, claims))
+    },
+};
+
+const PLOTS_8: [Plot; 4] = [
+    Plot::new("a", UNSYMMETRIC, "portrait", 2),
+    Plot::new("b", DOUBLED, "portrait", 4),
+    Plot::new("c", GRAZING, "portrait", 4),
+    Plot::new("d", CHAOS, "portrait", 60),
+];
+/// Forcing periods over which exponents are measured.
+const PERIODS_8: u32 = 20_000;
+/// To which frequency the 2-2-2 motion is followed.
+const UNTIL_8: f64 = 2.92;
 
 /// From 1-1-1 unsymmetric motion to chaos.
-pub(super) struct Figure8;
-
-impl Figure8 {
-    const PLOTS: [Plot; 4] = [
-        Plot::new("a", UNSYMMETRIC, "portrait", 2),
-        Plot::new("b", DOUBLED, "portrait", 4),
-        Plot::new("c", GRAZING, "portrait", 4),
-        Plot::new("d", CHAOS, "portrait", 60),
-    ];
-    /// Forcing periods over which exponents are measured.
-    const PERIODS: u32 = 20_000;
-    /// To which frequency the 2-2-2 motion is followed.
-    const UNTIL: f64 = 2.92;
-}
-
-impl PaperFigure for Figure8 {
-    fn number(&self) -> u32 {
-        8
-    }
-
-    fn caption(&self) -> &'static str {
-        "Phase portraits, δ = 0.1: (a) 1-1-1 unsymmetric motion, ω = 3.5; (b) 2-2-2 motion, ω = 2.95; (c) 2-2-2 motion \
-         that grazes a stop, ω = 2.93193; (d) chaos, ω = 2.83."
-    }
-
-    fn config(&self) -> Value {
-        json!({ "plots": Self::PLOTS, "exponents": Self::PERIODS, "until": Self::UNTIL })
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(super) const FIGURE_8: PaperFigure = PaperFigure {
+    number: 8,
+    caption: "Phase portraits, δ = 0.1: (a) 1-1-1 unsymmetric motion, ω = 3.5; (b) 2-2-2 motion, ω = 2.95; (c) \
+              2-2-2 motion that grazes a stop, ω = 2.93193; (d) chaos, ω = 2.83.",
+    settings: || json!({ "plots": PLOTS_8, "exponents": PERIODS_8, "until": UNTIL_8 }),
+    make: |config, _| {
         let mut claims = Vec::new();
         for (point, printed) in
             [(UNSYMMETRIC, "1-1-1 unsymmetric"), (DOUBLED, "2-2-2"), (GRAZING, "2-2-2"), (CHAOS, "chaotic")]
         {
             claims.push(settles(8, &point, printed).0);
         }
-        claims.push(grazing_claim(&DOUBLED, &GRAZING, GRAZES_AT, Self::UNTIL));
-        claims.push(largest_exponent(8, &CHAOS, Self::PERIODS, "positive", |mean, error| mean > 5.0 * error));
-        Ok(Produced { pictures: pictures(self, &Self::PLOTS, 2)?, claims })
-    }
-}
+        claims.push(grazing_claim(&DOUBLED, &GRAZING, GRAZES_AT, UNTIL_8));
+        claims.push(largest_exponent(8, &CHAOS, PERIODS_8, "positive", |mean, error| mean > 5.0 * error));
+        Ok(Produced::one(draw(&PLOTS_8, 2, config)?, claims))
+    },
+};
 
 /// The claim about the largest exponent of a point, per iterate of the impact map.
 pub(super) fn largest_exponent(
@@ -220,36 +185,23 @@ fn nearest_miss(point: &PaperPoint) -> Option<f64> {
     turns.reduce(f64::min)
 }
 
+const PLOTS_10: [Plot; 2] = [Plot::new("a", TWO, "portrait", 2), Plot::new("b", TWO, "time", 4)];
+
 /// 1-2-2 symmetric motion.
-pub(super) struct Figure10;
-
-impl Figure10 {
-    const PLOTS: [Plot; 2] = [Plot::new("a", TWO, "portrait", 2), Plot::new("b", TWO, "time", 4)];
-}
-
-impl PaperFigure for Figure10 {
-    fn number(&self) -> u32 {
-        10
-    }
-
-    fn caption(&self) -> &'static str {
-        "Phase portrait and time series of the 1-2-2 symmetric motion, δ = 0.1, ω = 1.72."
-    }
-
-    fn config(&self) -> Value {
-        json!({ "plots": Self::PLOTS })
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(super) const FIGURE_10: PaperFigure = PaperFigure {
+    number: 10,
+    caption: "Phase portrait and time series of the 1-2-2 symmetric motion, δ = 0.1, ω = 1.72.",
+    settings: || json!({ "plots": PLOTS_10 }),
+    make: |config, _| {
         let (claim, verdict) = settles(10, &TWO, "1-2-2 symmetric");
         let stable = multipliers(&TWO.system(), &verdict);
         let computed = stable.map_or_else(|| "none".to_owned(), |largest| format!("{largest:.4}"));
         let holds = stable.is_some_and(|largest| largest < 1.0);
         let stability =
             Claim::new(10, "its largest multiplier in modulus", "below 1 (stable)", computed, holds);
-        Ok(Produced { pictures: pictures(self, &Self::PLOTS, 2)?, claims: vec![claim, stability] })
-    }
-}
+        Ok(Produced { pictures: vec![("", draw(&PLOTS_10, 2, config)?)], claims: vec![claim, stability] })
+    },
+};
 
 /// The largest modulus among the multipliers of the motion that a trajectory settled on.
 fn multipliers(system: &System, verdict: &Verdict) -> Option<f64> {
@@ -257,43 +209,30 @@ fn multipliers(system: &System, verdict: &Verdict) -> Option<f64> {
     Some(motion.multipliers(system)?[0].norm())
 }
 
+const PLOTS_11: [Plot; 3] = [
+    Plot::new("a", TWO_UNSYMMETRIC, "portrait", 2),
+    Plot::new("b", FOUR, "portrait", 4),
+    Plot::new("c", EIGHT, "portrait", 8),
+];
+/// Between which frequencies the doubling of 2-4-4 is looked for.
+const DOUBLING_11: [f64; 2] = [1.63, 1.62];
+
 /// The beginning of the period-doubling cascade.
-pub(super) struct Figure11;
-
-impl Figure11 {
-    const PLOTS: [Plot; 3] = [
-        Plot::new("a", TWO_UNSYMMETRIC, "portrait", 2),
-        Plot::new("b", FOUR, "portrait", 4),
-        Plot::new("c", EIGHT, "portrait", 8),
-    ];
-    /// Between which frequencies the doubling of 2-4-4 is looked for.
-    const DOUBLING: [f64; 2] = [1.63, 1.62];
-}
-
-impl PaperFigure for Figure11 {
-    fn number(&self) -> u32 {
-        11
-    }
-
-    fn caption(&self) -> &'static str {
-        "Phase portraits, δ = 0.1: (a) 1-2-2 unsymmetric motion, ω = 1.65; (b) 2-4-4, ω = 1.63; (c) ω = 1.628, printed as \
-         4-8-8."
-    }
-
-    fn config(&self) -> Value {
-        json!({ "plots": Self::PLOTS, "doubling": Self::DOUBLING })
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(super) const FIGURE_11: PaperFigure = PaperFigure {
+    number: 11,
+    caption: "Phase portraits, δ = 0.1: (a) 1-2-2 unsymmetric motion, ω = 1.65; (b) 2-4-4, ω = 1.63; (c) ω = \
+              1.628, printed as 4-8-8.",
+    settings: || json!({ "plots": PLOTS_11, "doubling": DOUBLING_11 }),
+    make: |config, _| {
         let mut claims: Vec<Claim> =
             [(TWO_UNSYMMETRIC, "1-2-2 unsymmetric"), (FOUR, "2-4-4"), (EIGHT, "4-8-8")]
                 .map(|(point, printed)| settles(11, &point, printed).0)
                 .into();
-        let [from, until] = Self::DOUBLING;
+        let [from, until] = DOUBLING_11;
         if let (Some(claim), Some(loss)) = (claims.last_mut(), lost(&PaperPoint::new(from, 0.1), until)) {
             claim.note =
                 format!("{} loses its stability at ω = {:.6}, {}", loss.label, loss.omega, loss.kind());
         }
-        Ok(Produced { pictures: pictures(self, &Self::PLOTS, 3)?, claims })
-    }
-}
+        Ok(Produced::one(draw(&PLOTS_11, 3, config)?, claims))
+    },
+};

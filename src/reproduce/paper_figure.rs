@@ -1,4 +1,4 @@
-//! A figure of the paper: what every one of them can say and make.
+//! A figure of the paper: what every one of them says and makes.
 
 use serde_json::Value;
 use thiserror::Error;
@@ -9,22 +9,36 @@ use crate::figure::{Picture, TooSmall};
 use crate::sweep::SweepError;
 
 /// A figure of the paper.
-pub trait PaperFigure: Sync {
+#[derive(Debug)]
+pub struct PaperFigure {
     /// Its number.
-    fn number(&self) -> u32;
-
+    pub number: u32,
     /// What it shows.
-    fn caption(&self) -> &'static str;
+    pub caption: &'static str,
+    /// Everything that its pictures and claims depend on but the program.
+    pub(super) settings: fn() -> Value,
+    /// Draws its pictures, which carry a configuration, and checks its claims.
+    pub(super) make: fn(&str, &dyn Watch) -> Result<Produced, ReproduceError>,
+}
 
-    /// Everything that its pictures and claims depend on but the program; a figure that was made with the same need not be
-    /// made again.
-    fn config(&self) -> Value;
+impl PaperFigure {
+    /// Its full configuration, as it stands in its files; a figure that was made with the same need not be made again.
+    pub fn config(&self) -> Value {
+        serde_json::json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "command": format!("impact-atlas reproduce --figure {}", self.number),
+            "figure": self.number,
+            "settings": (self.settings)(),
+        })
+    }
 
     /// Draws its pictures and checks its claims.
     ///
     /// # Errors
     /// What could not be computed or drawn; [`SweepError::Backend`] where the watch ended it.
-    fn produce(&self, watch: &dyn Watch) -> Result<Produced, ReproduceError>;
+    pub fn produce(&self, watch: &dyn Watch) -> Result<Produced, ReproduceError> {
+        (self.make)(&self.config().to_string(), watch)
+    }
 }
 
 /// What came out of a figure.
@@ -36,14 +50,11 @@ pub struct Produced {
     pub claims: Vec<Claim>,
 }
 
-/// The full configuration of a figure, as it stands in its files.
-pub fn config_of(figure: &dyn PaperFigure) -> Value {
-    serde_json::json!({
-        "version": env!("CARGO_PKG_VERSION"),
-        "command": format!("impact-atlas reproduce --figure {}", figure.number()),
-        "figure": figure.number(),
-        "settings": figure.config(),
-    })
+impl Produced {
+    /// A single picture, and what the paper says of it.
+    pub(super) fn one(picture: Picture, claims: Vec<Claim>) -> Self {
+        Produced { pictures: vec![("", picture)], claims }
+    }
 }
 
 /// Why a figure was not made.

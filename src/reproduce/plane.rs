@@ -1,22 +1,19 @@
 //! Fig. 5: the (ω, δ) plane with its regions R1–R7 and curves L1–L7.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::lines::lines;
 use super::paper_point::{PaperPoint, words};
 use super::regions::regions;
-use super::{Claim, PaperFigure, Produced, ReproduceError};
+use super::{Claim, PaperFigure, Produced};
 use crate::analysis::{Schedule, Verdict};
-use crate::backend::{Cpu, Watch};
+use crate::backend::Cpu;
 use crate::curves::bifurcation_curves;
 use crate::figure::Size;
 use crate::model::Parameters;
 use crate::plane::{Plane, Start};
 use crate::render::{Shown, region_map_with_curves};
 use crate::sweep::sweep;
-
-/// The parameter plane.
-pub(super) struct Figure5;
 
 /// Largest N of the motions whose curves are followed.
 const CURVES: u32 = 2;
@@ -31,21 +28,13 @@ fn plane() -> Plane {
     }
 }
 
-impl PaperFigure for Figure5 {
-    fn number(&self) -> u32 {
-        5
-    }
-
-    fn caption(&self) -> &'static str {
-        "What the motion settles on in the (ω, δ) plane, started on the 1-1-1 motion where that exists, with the curves on which \
-         motions lose their stability."
-    }
-
-    fn config(&self) -> Value {
-        json!({ "plane": plane(), "curves": CURVES })
-    }
-
-    fn produce(&self, watch: &dyn Watch) -> Result<Produced, ReproduceError> {
+/// The parameter plane.
+pub(super) const FIGURE_5: PaperFigure = PaperFigure {
+    number: 5,
+    caption: "What the motion settles on in the (ω, δ) plane, started on the 1-1-1 motion where that exists, \
+              with the curves on which motions lose their stability.",
+    settings: || json!({ "plane": plane(), "curves": CURVES }),
+    make: |_, watch| {
         let map = sweep(&plane(), &Cpu, watch)?;
         let size = Size::new(1600, 1200).expect("a size");
         let found = bifurcation_curves(&map, CURVES).expect("both axes are ranges of parameters");
@@ -54,9 +43,9 @@ impl PaperFigure for Figure5 {
         let mut claims = regions(&map);
         claims.extend(mirrored());
         claims.extend(lines(&map, &curves));
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        Ok(Produced::one(picture, claims))
+    },
+};
 
 /// R5: a start and its mirror image, half a forcing period later, end on mirrored motions.
 fn mirrored() -> Vec<Claim> {

@@ -1,11 +1,10 @@
 //! Figs. 9 and 14: projected impact Poincaré sections, and the orbits around the Neimark–Sacker bifurcation at δ = 0.6.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::orbits::{CHAOS, DOUBLED, largest_exponent, settles};
 use super::paper_point::{PaperPoint, Plot, draw};
-use super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
-use crate::backend::Watch;
+use super::{Claim, PaperFigure, Produced};
 use crate::dynamics::Stop;
 
 const CIRCLE: PaperPoint = PaperPoint::new(3.03, 0.1);
@@ -35,32 +34,19 @@ fn neutral(mean: f64, error: f64) -> bool {
     mean.abs() < (5.0 * error).max(2e-3)
 }
 
+const PLOTS_9: [Plot; 3] = [
+    Plot::new("a", CIRCLE, "section:x2,v2", SHOWN),
+    Plot::new("b", DOUBLED, "section:x2,v2", SHOWN),
+    Plot::new("c", CHAOS, "section:x2,v2", 5 * SHOWN),
+];
+
 /// Sections of a circle, of two points, of chaos.
-pub(super) struct Figure9;
-
-impl Figure9 {
-    const PLOTS: [Plot; 3] = [
-        Plot::new("a", CIRCLE, "section:x2,v2", SHOWN),
-        Plot::new("b", DOUBLED, "section:x2,v2", SHOWN),
-        Plot::new("c", CHAOS, "section:x2,v2", 5 * SHOWN),
-    ];
-}
-
-impl PaperFigure for Figure9 {
-    fn number(&self) -> u32 {
-        9
-    }
-
-    fn caption(&self) -> &'static str {
-        "Projected impact Poincaré sections, δ = 0.1: (a) quasi-periodic attractor around the 1-1-1 unsymmetric motion, \
-         ω = 3.03; (b) fixed points of the 2-2-2 motion, ω = 2.95; (c) chaos, ω = 2.83."
-    }
-
-    fn config(&self) -> Value {
-        json!({ "plots": Self::PLOTS, "exponents": PERIODS })
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(super) const FIGURE_9: PaperFigure = PaperFigure {
+    number: 9,
+    caption: "Projected impact Poincaré sections, δ = 0.1: (a) quasi-periodic attractor around the 1-1-1 \
+              unsymmetric motion, ω = 3.03; (b) fixed points of the 2-2-2 motion, ω = 2.95; (c) chaos, ω = 2.83.",
+    settings: || json!({ "plots": PLOTS_9, "exponents": PERIODS }),
+    make: |config, _| {
         let points = distinct(&DOUBLED);
         let claims = vec![
             settles(9, &CIRCLE, "quasi-periodic").0,
@@ -74,37 +60,24 @@ impl PaperFigure for Figure9 {
             ),
             settles(9, &CHAOS, "chaotic").0,
         ];
-        let picture = draw(&Self::PLOTS, 3, &config_of(self).to_string())?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&PLOTS_9, 3, config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};
+
+const PLOTS_14: [Plot; 3] = [
+    Plot::new("a", BEFORE, "portrait", 2),
+    Plot::new("a1", BEFORE, "section:x2,v2", SHOWN),
+    Plot::new("b", AFTER, "section:x2,v2", SHOWN),
+];
 
 /// The Neimark–Sacker bifurcation of the 1-1-1 symmetric motion at δ = 0.6.
-pub(super) struct Figure14;
-
-impl Figure14 {
-    const PLOTS: [Plot; 3] = [
-        Plot::new("a", BEFORE, "portrait", 2),
-        Plot::new("a1", BEFORE, "section:x2,v2", SHOWN),
-        Plot::new("b", AFTER, "section:x2,v2", SHOWN),
-    ];
-}
-
-impl PaperFigure for Figure14 {
-    fn number(&self) -> u32 {
-        14
-    }
-
-    fn caption(&self) -> &'static str {
-        "δ = 0.6: (a) phase portrait of the 1-1-1 symmetric motion, ω = 2.582, with (a1) its fixed point on the section; \
-         (b) attracting invariant circle around it, ω = 2.57."
-    }
-
-    fn config(&self) -> Value {
-        json!({ "plots": Self::PLOTS, "exponents": PERIODS })
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(super) const FIGURE_14: PaperFigure = PaperFigure {
+    number: 14,
+    caption: "δ = 0.6: (a) phase portrait of the 1-1-1 symmetric motion, ω = 2.582, with (a1) its fixed point \
+              on the section; (b) attracting invariant circle around it, ω = 2.57.",
+    settings: || json!({ "plots": PLOTS_14, "exponents": PERIODS }),
+    make: |config, _| {
         let rest = PaperPoint::new(BEFORE.omega, BEFORE.delta).verdict();
         let from_rest = format!("from rest the trajectory settles on: {}", rest.label());
         let claims = vec![
@@ -112,7 +85,7 @@ impl PaperFigure for Figure14 {
             settles(14, &AFTER, "quasi-periodic").0,
             largest_exponent(14, &AFTER, PERIODS, "zero (an invariant circle)", neutral),
         ];
-        let picture = draw(&Self::PLOTS, 3, &config_of(self).to_string())?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&PLOTS_14, 3, config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};

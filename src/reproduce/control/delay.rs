@@ -1,14 +1,12 @@
 //! Figs. 19 to 23: delayed feedback.
 
 use rayon::prelude::*;
-use serde_json::Value;
 
-use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
+use super::super::{Claim, PaperFigure, Produced};
 use super::{
     FROM, PORTRAIT, Plot, RESPONSES, Run, STARTS, TAU, TIME, components, draw, motion, settings, start,
 };
 use crate::analysis::Reading;
-use crate::backend::Watch;
 use crate::control::methods::{DelaySetting, Sign};
 use crate::control::{Scheme, SectionValues};
 use crate::dynamics::Stop;
@@ -58,23 +56,12 @@ fn shown(time: Option<u32>) -> String {
 }
 
 /// Time responses.
-pub(in super::super) struct Figure19;
-
-impl PaperFigure for Figure19 {
-    fn number(&self) -> u32 {
-        19
-    }
-
-    fn caption(&self) -> &'static str {
-        "Time responses under delayed feedback, g = 0.5, p = 1, ω = 2.83: (a) length of the correction, (b) τ, (c) x1'+, \
-         (d) x2, (e) x2'; control from iterate 2000."
-    }
-
-    fn config(&self) -> Value {
-        settings(&[stabilising(HALF), feedback(HALF, Sign::Printed)], ITERATES)
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(in super::super) const FIGURE_19: PaperFigure = PaperFigure {
+    number: 19,
+    caption: "Time responses under delayed feedback, g = 0.5, p = 1, ω = 2.83: (a) length of the correction, \
+              (b) τ, (c) x1'+, (d) x2, (e) x2'; control from iterate 2000.",
+    settings: || settings(&[stabilising(HALF), feedback(HALF, Sign::Printed)], ITERATES),
+    make: |config, _| {
         let run = shown_run();
         let point = is_captured(&run).then(|| run.point());
         let captured = captured(HALF, ITERATES);
@@ -96,52 +83,31 @@ impl PaperFigure for Figure19 {
             .noted("the opposite sign, G (X(n) − X(n−p)), stabilises and is used everywhere here"),
         );
         let plots: Vec<_> = RESPONSES.iter().map(|&plot| (&run, plot)).collect();
-        Ok(Produced { pictures: vec![("", draw(&plots, None, &config_of(self))?)], claims })
-    }
-}
+        Ok(Produced::one(draw(&plots, None, config)?, claims))
+    },
+};
 
 /// The motion.
-pub(in super::super) struct Figure20;
-
-impl PaperFigure for Figure20 {
-    fn number(&self) -> u32 {
-        20
-    }
-
-    fn caption(&self) -> &'static str {
-        "The motion under delayed feedback, g = 0.5, ω = 2.83: (a) phase portrait, (b) time series."
-    }
-
-    fn config(&self) -> Value {
-        settings(&[stabilising(HALF)], ITERATES)
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(in super::super) const FIGURE_20: PaperFigure = PaperFigure {
+    number: 20,
+    caption: "The motion under delayed feedback, g = 0.5, ω = 2.83: (a) phase portrait, (b) time series.",
+    settings: || settings(&[stabilising(HALF)], ITERATES),
+    make: |config, _| {
         let run = shown_run();
         let claim = motion(20, "phase portrait under control", "1-2-1", &run);
         let claims = vec![claim.noted(captured(HALF, ITERATES))];
-        let picture = draw(&[(&run, PORTRAIT), (&run, TIME)], None, &config_of(self))?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&[(&run, PORTRAIT), (&run, TIME)], None, config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};
 
 /// The transitional process with different gains.
-pub(in super::super) struct Figure21;
-
-impl PaperFigure for Figure21 {
-    fn number(&self) -> u32 {
-        21
-    }
-
-    fn caption(&self) -> &'static str {
-        "τ under delayed feedback, ω = 2.83: (a) g = 0.8, (b) g = 0.6, (c) g = 0.3, (d) g = 0.25; control from iterate 2000."
-    }
-
-    fn config(&self) -> Value {
-        settings(&GAINS.map(stabilising), LONG)
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(in super::super) const FIGURE_21: PaperFigure = PaperFigure {
+    number: 21,
+    caption: "τ under delayed feedback, ω = 2.83: (a) g = 0.8, (b) g = 0.6, (c) g = 0.3, (d) g = 0.25; control \
+              from iterate 2000.",
+    settings: || settings(&GAINS.map(stabilising), LONG),
+    make: |config, _| {
         // The largest gain captures the fewest starts: the others follow it.
         let first = Run::first(stabilising(GAINS[0]), LONG, STARTS, is_captured);
         let runs: Vec<Run> =
@@ -174,29 +140,18 @@ impl PaperFigure for Figure21 {
             holds,
         ));
         let plots: Vec<_> = runs.iter().map(|run| (run, TAU)).collect();
-        let picture = draw(&plots, Some([FROM - 200, FROM + 1400]), &config_of(self))?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&plots, Some([FROM - 200, FROM + 1400]), config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};
 
 /// A gain that is too large.
-pub(in super::super) struct Figure22;
-
-impl PaperFigure for Figure22 {
-    fn number(&self) -> u32 {
-        22
-    }
-
-    fn caption(&self) -> &'static str {
-        "Delayed feedback with g = 0.97, ω = 2.83: (a) τ; (b), (c) projected sections of the first iterates under control; \
-         (d) phase portrait at the end."
-    }
-
-    fn config(&self) -> Value {
-        settings(&[stabilising(LARGE)], LONG)
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(in super::super) const FIGURE_22: PaperFigure = PaperFigure {
+    number: 22,
+    caption: "Delayed feedback with g = 0.97, ω = 2.83: (a) τ; (b), (c) projected sections of the first \
+              iterates under control; (d) phase portrait at the end.",
+    settings: || settings(&[stabilising(LARGE)], LONG),
+    make: |config, _| {
         let run = Run::first(stabilising(LARGE), LONG, STARTS, is_captured);
         let fixed = shown_run().point();
         let modulus = |gain: f64| Run::largest_multiplier(&stabilising(gain), fixed).unwrap_or(f64::NAN);
@@ -226,27 +181,16 @@ impl PaperFigure for Figure22 {
             (&run, Plot::Section([Reading::X2, Reading::V2], 60)),
             (&run, PORTRAIT),
         ];
-        Ok(Produced { pictures: vec![("", draw(&plots, None, &config_of(self))?)], claims })
-    }
-}
+        Ok(Produced::one(draw(&plots, None, config)?, claims))
+    },
+};
 
 /// A gain that is too small.
-pub(in super::super) struct Figure23;
-
-impl PaperFigure for Figure23 {
-    fn number(&self) -> u32 {
-        23
-    }
-
-    fn caption(&self) -> &'static str {
-        "Delayed feedback with g = 0.1, ω = 2.83: (a) τ, (b) phase portrait of the 2-4-2 motion."
-    }
-
-    fn config(&self) -> Value {
-        settings(&[stabilising(SMALL)], ITERATES)
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(in super::super) const FIGURE_23: PaperFigure = PaperFigure {
+    number: 23,
+    caption: "Delayed feedback with g = 0.1, ω = 2.83: (a) τ, (b) phase portrait of the 2-4-2 motion.",
+    settings: || settings(&[stabilising(SMALL)], ITERATES),
+    make: |config, _| {
         let is_printed = |run: &Run| run.label() == DOUBLED;
         let run = Run::first(stabilising(SMALL), ITERATES, STARTS, is_printed);
         let number = ends(SMALL, ITERATES, is_printed);
@@ -254,7 +198,7 @@ impl PaperFigure for Figure23 {
             motion(23, "motion with g = 0.1", DOUBLED, &run)
                 .noted(format!("{number} of {STARTS} starts end on it")),
         ];
-        let picture = draw(&[(&run, TAU), (&run, PORTRAIT)], None, &config_of(self))?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&[(&run, TAU), (&run, PORTRAIT)], None, config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};

@@ -4,9 +4,9 @@ mod delay;
 mod pulse;
 mod sine;
 
-pub(super) use delay::{Figure19, Figure20, Figure21, Figure22, Figure23};
-pub(super) use pulse::{Figure17, Figure18};
-pub(super) use sine::{Figure15, Figure16};
+pub(super) use delay::{FIGURE_19, FIGURE_20, FIGURE_21, FIGURE_22, FIGURE_23};
+pub(super) use pulse::{FIGURE_17, FIGURE_18};
+pub(super) use sine::{FIGURE_15, FIGURE_16};
 
 use serde_json::{Value, json};
 
@@ -129,7 +129,7 @@ const RESPONSES: [Plot; 5] = [
 ];
 
 /// Draws plots of runs, two to a row, lettered.
-fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Result<Picture, TooSmall> {
+fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &str) -> Result<Picture, TooSmall> {
     let system = system();
     let gain = |run: &Run| match run.scheme {
         Scheme::Delay(delay) => Some(delay.gains[0]),
@@ -177,7 +177,7 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &Value) -> Resu
     let varied = |setting: ControlQuantity| !alike && setting.name() == "gain";
     let title = first.map_or_else(Vec::new, |run| run.picture(&system, ["", ""]).title(varied));
     let figure = Figure { title, rows, key: distinct, notes: Vec::new(), width: 60.0 };
-    figure.draw(figure.natural_size(WIDTH), &config.to_string())
+    figure.draw(figure.natural_size(WIDTH), config)
 }
 
 /// The settings that every one of these figures has.

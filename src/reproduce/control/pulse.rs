@@ -1,10 +1,7 @@
 //! Figs. 17 and 18: period pulses.
 
-use serde_json::Value;
-
-use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
+use super::super::{Claim, PaperFigure, Produced};
 use super::{FROM, PORTRAIT, RESPONSES, Run, TARGET, TIME, components, draw, settings};
-use crate::backend::Watch;
 use crate::control::Scheme;
 use crate::control::methods::PulseSetting;
 use crate::dynamics::Stop;
@@ -21,23 +18,12 @@ fn run() -> Run {
 }
 
 /// Time responses.
-pub(in super::super) struct Figure17;
-
-impl PaperFigure for Figure17 {
-    fn number(&self) -> u32 {
-        17
-    }
-
-    fn caption(&self) -> &'static str {
-        "Time responses under the period pulse, P = 1, E = 0, ω = 2.83: (a) length of the pulse, (b) τ, (c) x1'+, (d) x2, \
-         (e) x2'; control from iterate 2000."
-    }
-
-    fn config(&self) -> Value {
-        settings(&[PULSE], ITERATES)
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(in super::super) const FIGURE_17: PaperFigure = PaperFigure {
+    number: 17,
+    caption: "Time responses under the period pulse, P = 1, E = 0, ω = 2.83: (a) length of the pulse, (b) τ, \
+              (c) x1'+, (d) x2, (e) x2'; control from iterate 2000.",
+    settings: || settings(&[PULSE], ITERATES),
+    make: |config, _| {
         let run = run();
         let last = run.history.returns.last();
         let scatter = run.history.returns[FROM as usize..]
@@ -54,35 +40,24 @@ impl PaperFigure for Figure17 {
                 )),
         );
         let plots: Vec<_> = RESPONSES.iter().map(|&plot| (&run, plot)).collect();
-        let picture = draw(&plots, Some([FROM - 100, FROM + 100]), &config_of(self))?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&plots, Some([FROM - 100, FROM + 100]), config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};
 
 /// The motion.
-pub(in super::super) struct Figure18;
-
-impl PaperFigure for Figure18 {
-    fn number(&self) -> u32 {
-        18
-    }
-
-    fn caption(&self) -> &'static str {
-        "The motion under the period pulse, ω = 2.83: (a) phase portrait, (b) time series."
-    }
-
-    fn config(&self) -> Value {
-        settings(&[PULSE], ITERATES)
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(in super::super) const FIGURE_18: PaperFigure = PaperFigure {
+    number: 18,
+    caption: "The motion under the period pulse, ω = 2.83: (a) phase portrait, (b) time series.",
+    settings: || settings(&[PULSE], ITERATES),
+    make: |config, _| {
         let run = run();
         let periodic = run.outcome.period == 1;
         let claims = vec![
             Claim::new(18, "motion under control", "periodic", run.label(), periodic)
                 .noted("with a jump in phase at each pulse, so that N counts flight time, rounded"),
         ];
-        let picture = draw(&[(&run, PORTRAIT), (&run, TIME)], None, &config_of(self))?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&[(&run, PORTRAIT), (&run, TIME)], None, config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};

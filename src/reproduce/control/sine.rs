@@ -1,11 +1,9 @@
 //! Figs. 15 and 16: the adapted sine force.
 
 use rayon::prelude::*;
-use serde_json::Value;
 
-use super::super::{Claim, PaperFigure, Produced, ReproduceError, config_of};
+use super::super::{Claim, PaperFigure, Produced};
 use super::{PORTRAIT, RESPONSES, Run, STARTS, TARGET, TIME, components, draw, motion, settings, system};
-use crate::backend::Watch;
 use crate::control::Scheme;
 use crate::control::methods::{Convention, SineSetting};
 use crate::dynamics::Stop;
@@ -72,23 +70,12 @@ fn stable_amplitudes(point: [f64; 4], inside: f64) -> Option<[f64; 2]> {
 }
 
 /// Time responses.
-pub(in super::super) struct Figure15;
-
-impl PaperFigure for Figure15 {
-    fn number(&self) -> u32 {
-        15
-    }
-
-    fn caption(&self) -> &'static str {
-        "Time responses under the adapted sine force (as a kick at each return to the section), ω = 2.83: (a) amplitude B, \
-         (b) τ, (c) x1'+, (d) x2, (e) x2'; control from iterate 2000."
-    }
-
-    fn config(&self) -> Value {
-        settings(&[Scheme::Sine(KICK), Scheme::Sine(FORCE)], ITERATES)
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(in super::super) const FIGURE_15: PaperFigure = PaperFigure {
+    number: 15,
+    caption: "Time responses under the adapted sine force (as a kick at each return to the section), ω = 2.83: \
+              (a) amplitude B, (b) τ, (c) x1'+, (d) x2, (e) x2'; control from iterate 2000.",
+    settings: || settings(&[Scheme::Sine(KICK), Scheme::Sine(FORCE)], ITERATES),
+    make: |config, _| {
         let run = captured();
         let held = is_captured(&run);
         let point = held.then(|| run.point());
@@ -139,30 +126,19 @@ impl PaperFigure for Figure15 {
             .noted("another reading of Eq. (21), whose convention is not printed"),
         );
         let plots: Vec<_> = RESPONSES.iter().map(|&plot| (&run, plot)).collect();
-        Ok(Produced { pictures: vec![("", draw(&plots, None, &config_of(self))?)], claims })
-    }
-}
+        Ok(Produced::one(draw(&plots, None, config)?, claims))
+    },
+};
 
 /// The motion.
-pub(in super::super) struct Figure16;
-
-impl PaperFigure for Figure16 {
-    fn number(&self) -> u32 {
-        16
-    }
-
-    fn caption(&self) -> &'static str {
-        "The motion under the adapted sine force, ω = 2.83: (a) phase portrait, (b) time series."
-    }
-
-    fn config(&self) -> Value {
-        settings(&[Scheme::Sine(KICK)], ITERATES)
-    }
-
-    fn produce(&self, _: &dyn Watch) -> Result<Produced, ReproduceError> {
+pub(in super::super) const FIGURE_16: PaperFigure = PaperFigure {
+    number: 16,
+    caption: "The motion under the adapted sine force, ω = 2.83: (a) phase portrait, (b) time series.",
+    settings: || settings(&[Scheme::Sine(KICK)], ITERATES),
+    make: |config, _| {
         let run = captured();
         let claims = vec![motion(16, "phase portrait under control", "1-2-1", &run)];
-        let picture = draw(&[(&run, PORTRAIT), (&run, TIME)], None, &config_of(self))?;
-        Ok(Produced { pictures: vec![("", picture)], claims })
-    }
-}
+        let picture = draw(&[(&run, PORTRAIT), (&run, TIME)], None, config)?;
+        Ok(Produced::one(picture, claims))
+    },
+};
