@@ -7,7 +7,7 @@ use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Probe, Reading, Section};
 use impact_atlas::backend::{self, Backend, Choice};
-use impact_atlas::diagram::{Diagram, DiagramSpec, ExponentUnit, Sweep, SweepAxis};
+use impact_atlas::diagram::{Diagram, DiagramSpec, ExponentUnit, Sweep};
 use impact_atlas::figure::{Figure, Size};
 use impact_atlas::plane::Start;
 use impact_atlas::render::diagram_figure;
@@ -132,7 +132,7 @@ pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
     let backend = args.open()?;
     let began = Instant::now();
     let branches = spec.sweep.branches().len() as u64;
-    let work = u64::from(spec.x.count()) * branches * (1 + u64::from(spec.spectrum.is_some()));
+    let work = u64::from(spec.x.count) * branches * (1 + u64::from(spec.spectrum.is_some()));
     let diagram = diagram(&spec, &*backend, &Progress::of_cells("computing", work))?;
     let summary = Summary::new(&diagram, began.elapsed().as_secs_f64());
     let figure = diagram_figure(&diagram);
@@ -172,10 +172,10 @@ impl BifurcationArgs {
             None => Reading::usual(section, self.system.family()),
         };
         let probe = Probe::new(section, reading).map_err(CliError::input)?;
-        let x = SweepAxis::from(self.system.axis("--x <NAME=FIRST:LAST:COUNT>", &self.x)?);
+        let x = self.system.axis("--x <NAME=FIRST:LAST:COUNT>", &self.x)?;
         let spec = DiagramSpec {
             x,
-            parameters: self.system.parameters_beside("--x", &x.to_string(), x.quantity())?,
+            parameters: self.system.parameters_beside("--x", &x.to_string(), x.quantity)?,
             sweep: self.sweep,
             start: self.start.unwrap_or(Start::Rest),
             probe,

@@ -25,7 +25,7 @@ impl<'a> Summary<'a> {
     pub fn new(diagram: &'a Diagram, seconds: f64) -> Self {
         let traces = || diagram.branches.iter().flat_map(|branch| &branch.traces);
         Summary {
-            columns: diagram.spec.x.count(),
+            columns: diagram.spec.x.count,
             branches: diagram.branches.iter().map(|branch| branch.direction.name()).collect(),
             points: traces().map(|trace| trace.readings.len()).sum(),
             left_out: diagram.left_out(),
@@ -50,7 +50,7 @@ impl<'a> Summary<'a> {
         if self.failed > 0 {
             lines.push(format!("{} given up: too many impacts in one forcing period", columns(self.failed)));
         }
-        let name = diagram.spec.x.quantity().name();
+        let name = diagram.spec.x.quantity.name();
         for range in self.coexistence.iter().flatten() {
             let pairs: Vec<String> = (range.pairs.iter().take(3))
                 .map(|pair| match pair.first == pair.second {

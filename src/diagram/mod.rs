@@ -1,6 +1,5 @@
 //! Bifurcation diagrams: what is asked, what came out of every column, and where branches coexist.
 
-mod axis;
 mod coexistence;
 mod error;
 mod result;
@@ -9,7 +8,6 @@ mod sweep;
 mod unit;
 mod written;
 
-pub use axis::SweepAxis;
 pub use coexistence::{Coexistence, Pair};
 pub use error::DiagramError;
 pub use result::{Branch, Diagram};

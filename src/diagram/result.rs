@@ -36,7 +36,7 @@ impl Diagram {
 
     /// Whether systems of the diagram have a mirror: that in the middle, or one of a motion that is symmetric.
     pub fn has_mirror(&self) -> bool {
-        let middle = self.spec.parameters_at(self.spec.x.count() / 2);
+        let middle = self.spec.parameters_at(self.spec.x.count / 2);
         let mut traces = self.branches.iter().flat_map(|branch| &branch.traces);
         middle.has_mirror() || traces.any(|trace| trace.verdict.symmetric)
     }

@@ -1,12 +1,11 @@
 //! The bifurcation diagram to compute: an axis, how its columns begin, and what is read where.
 
-use super::axis::SweepAxis;
 use super::error::{DiagramError, MOST_READINGS};
 use super::sweep::Sweep;
 use super::unit::ExponentUnit;
 use crate::analysis::{Probe, Schedule};
 use crate::model::{Setting, StateVector};
-use crate::plane::{Component, Quantity, Start};
+use crate::plane::{Axis, Component, Quantity, Start};
 
 /// A bifurcation diagram to compute.
 ///
@@ -14,7 +13,7 @@ use crate::plane::{Component, Quantity, Start};
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiagramSpec {
     /// The horizontal axis: a parameter, or a component of the start.
-    pub x: SweepAxis,
+    pub x: Axis,
     /// The parameters that the axis does not vary.
     pub parameters: Setting,
     /// How columns begin.
@@ -50,15 +49,15 @@ impl DiagramSpec {
             return Err(DiagramError::Probe(self.parameters.family().name()));
         }
         let branches = self.sweep.branches().len() as u64;
-        let readings = branches * u64::from(self.x.count()) * u64::from(self.capacity);
+        let readings = branches * u64::from(self.x.count) * u64::from(self.capacity);
         if self.capacity == 0 || readings > Self::LARGEST {
-            return Err(DiagramError::Capacity { columns: self.x.count(), capacity: self.capacity });
+            return Err(DiagramError::Capacity { columns: self.x.count, capacity: self.capacity });
         }
         self.parameters.check()?;
-        if let Quantity::Control(setting) = self.x.quantity() {
+        if let Quantity::Control(setting) = self.x.quantity {
             return Err(DiagramError::Control(setting.name()));
         }
-        let varies_start = matches!(self.x.quantity(), Quantity::Start(_));
+        let varies_start = matches!(self.x.quantity, Quantity::Start(_));
         if varies_start && self.sweep.is_carried() {
             return Err(DiagramError::CarriedStart {
                 axis: self.x.to_string(),
@@ -69,7 +68,7 @@ impl DiagramSpec {
             return Err(DiagramError::SymmetricStartVaried);
         }
         let first = if self.sweep.is_carried() { self.start } else { Start::Rest };
-        for end in [0, self.x.count() - 1] {
+        for end in [0, self.x.count - 1] {
             self.start_at(end).fits(self.parameters.family())?;
             let Ok(plant) = self.parameters_at(end).plant() else { continue };
             first.check(&plant, self.parameters.family())?;
@@ -80,7 +79,7 @@ impl DiagramSpec {
 
     /// The parameters of a column.
     pub fn parameters_at(&self, column: u32) -> Setting {
-        match self.x.quantity() {
+        match self.x.quantity {
             Quantity::Parameter(parameter) => self.parameters.with(parameter, self.x.value(column)),
             Quantity::Start(_) | Quantity::Control(_) => self.parameters,
         }
@@ -92,7 +91,7 @@ impl DiagramSpec {
             Sweep::Each(start) => start,
             Sweep::Down | Sweep::Up | Sweep::Both => self.start,
         };
-        match self.x.quantity() {
+        match self.x.quantity {
             Quantity::Parameter(_) | Quantity::Control(_) => start,
             Quantity::Start(component) => {
                 start_with(start, component, self.x.value(column), self.parameters.family().n())

@@ -2,18 +2,17 @@
 
 use serde::{Serialize, Serializer};
 
-use super::axis::SweepAxis;
 use super::spec::DiagramSpec;
 use super::sweep::Sweep;
 use super::unit::ExponentUnit;
 use crate::analysis::Schedule;
-use crate::plane::Start;
 use crate::plane::written::{WrittenParameters, WrittenSystem, parameters};
+use crate::plane::{Axis, Start};
 
 /// A diagram as files carry it.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Serialize)]
 struct WrittenDiagram {
-    x: SweepAxis,
+    x: Axis,
     system: WrittenSystem,
     parameters: WrittenParameters,
     sweep: Sweep,
@@ -25,34 +24,29 @@ struct WrittenDiagram {
 }
 
 /// A quantity on a section, by their names in the family.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Serialize)]
 struct WrittenProbe {
     section: String,
     reading: String,
 }
 
-impl From<DiagramSpec> for WrittenDiagram {
-    fn from(spec: DiagramSpec) -> Self {
-        let family = spec.parameters.family();
-        WrittenDiagram {
-            x: spec.x,
-            system: WrittenSystem::of(family),
-            parameters: parameters(&spec.parameters),
-            sweep: spec.sweep,
-            start: spec.start,
-            probe: WrittenProbe {
-                section: spec.probe.section.name(family).to_owned(),
-                reading: spec.probe.reading.name(family),
-            },
-            schedule: spec.schedule,
-            capacity: spec.capacity,
-            spectrum: spec.spectrum,
-        }
-    }
-}
-
 impl Serialize for DiagramSpec {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        WrittenDiagram::from(self.clone()).serialize(serializer)
+        let family = self.parameters.family();
+        WrittenDiagram {
+            x: self.x,
+            system: WrittenSystem::of(family),
+            parameters: parameters(&self.parameters),
+            sweep: self.sweep,
+            start: self.start,
+            probe: WrittenProbe {
+                section: self.probe.section.name(family).to_owned(),
+                reading: self.probe.reading.name(family),
+            },
+            schedule: self.schedule,
+            capacity: self.capacity,
+            spectrum: self.spectrum,
+        }
+        .serialize(serializer)
     }
 }

@@ -9,7 +9,7 @@ use super::scene::Scene;
 use super::task::{Ended, Task};
 use crate::analysis::{Probe, Reading, Section};
 use crate::backend::{BackendError, Job, Watch};
-use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, Sweep, SweepAxis};
+use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, Sweep};
 use crate::plane::{Axis, Quantity};
 use crate::render::slice_figure;
 use crate::sweep::provenance;
@@ -63,7 +63,7 @@ impl Line {
     fn diagram(&self, scene: &Scene, task: &Task) -> Result<Diagram, Ended> {
         let plane = &scene.plane;
         let spec = DiagramSpec {
-            x: SweepAxis::from(self.axis),
+            x: self.axis,
             parameters: plane.parameters,
             sweep: Sweep::Each(plane.start),
             start: plane.start,

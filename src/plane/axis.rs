@@ -131,9 +131,10 @@ impl Axis {
         Axis { first: self.value(first), last: self.value(first + count - 1), count, ..*self }
     }
 
-    /// The least value.
-    pub fn least(&self) -> f64 {
-        self.first.min(self.last)
+    /// The indices in order of falling, or of rising, values.
+    pub fn order(&self, falling: bool) -> Vec<u32> {
+        let as_written = (self.first > self.last) == falling;
+        if as_written { (0..self.count).collect() } else { (0..self.count).rev().collect() }
     }
 
     /// The setting of a control method that the axis varies, if it does.
@@ -206,6 +207,8 @@ mod tests {
         let down: Axis = "omega=5:1:401".parse().unwrap();
         let up: Axis = "omega=1:5:401".parse().unwrap();
         assert!((0..401).all(|i| (down.value(i) - up.value(400 - i)).abs() < 1e-14));
+        assert_eq!((up.order(false)[0], up.order(true)[0]), (0, 400));
+        assert_eq!((down.order(false)[0], down.order(true)[0]), (400, 0));
         for text in ["omega=0.1:10:401:log", "omega=10:0.1:401:log", "omega=3:3:1:log"] {
             let axis: Axis = text.parse().unwrap();
             assert_eq!(axis.to_string(), text);

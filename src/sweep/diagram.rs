@@ -20,9 +20,8 @@ use crate::theory::{Spectrum, confirmed};
 /// the watch ended.
 pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> Result<Diagram, SweepError> {
     spec.check()?;
-    let systems: Vec<System> = (0..spec.x.count())
-        .map(|column| System::new(spec.parameters_at(column)))
-        .collect::<Result<_, _>>()?;
+    let systems: Vec<System> =
+        (0..spec.x.count).map(|column| System::new(spec.parameters_at(column))).collect::<Result<_, _>>()?;
     let branches: Vec<Branch> = (spec.sweep.branches().par_iter())
         .map(|&direction| {
             let mut traces = match direction {

@@ -78,7 +78,7 @@ fn frame(diagram: &Diagram) -> Frame {
     Frame {
         x: Columns::of(&spec.x).scale(),
         y: Scale::around(shown.iter().copied().chain([0.0]), 0.06),
-        x_title: symbols::axis_title(spec.x.quantity()),
+        x_title: symbols::axis_title(spec.x.quantity),
         y_title: AxisTitle { long: format!("Lyapunov exponents per {}", unit.name()).into(), short },
     }
 }

@@ -27,7 +27,7 @@ const SINGLE: f64 = 0.35;
 /// Draws a diagram as a figure, over its Lyapunov exponents if it has them.
 pub fn diagram_figure(diagram: &Diagram) -> Figure {
     let spec = &diagram.spec;
-    let varied = |quantity| quantity == spec.x.quantity();
+    let varied = |quantity| quantity == spec.x.quantity;
     let mut title = symbols::equations(&spec.parameters, varied);
     title.extend(beginning(diagram));
     let motions = Motions::of(diagram);
@@ -43,8 +43,8 @@ pub fn diagram_figure(diagram: &Diagram) -> Figure {
 fn beginning(diagram: &Diagram) -> Vec<Text> {
     let spec = &diagram.spec;
     let family = spec.parameters.family();
-    let varied = |component| spec.x.quantity() == Quantity::Start(component);
-    let mirrored = || (0..spec.x.count()).any(|column| spec.parameters_at(column).has_mirror());
+    let varied = |component| spec.x.quantity == Quantity::Start(component);
+    let mirrored = || (0..spec.x.count).any(|column| spec.parameters_at(column).has_mirror());
     match diagram.branches.as_slice() {
         [Branch { direction: Direction::Each, .. }] => {
             let crate::diagram::Sweep::Each(start) = spec.sweep else { return Vec::new() };
@@ -73,7 +73,7 @@ fn section_panel(diagram: &Diagram, motions: &Motions) -> Panel {
     let frame = Frame {
         x: columns.scale(),
         y: Scale::around(readings(), 0.04),
-        x_title: symbols::axis_title(spec.x.quantity()),
+        x_title: symbols::axis_title(spec.x.quantity),
         y_title: symbols::title_on(&spec.parameters, spec.probe.section, spec.probe.reading),
     };
     let mut marks = Vec::new();
@@ -82,7 +82,7 @@ fn section_panel(diagram: &Diagram, motions: &Motions) -> Panel {
         marks.extend(chatter.into_iter().map(|x| Mark::Band { x, colour: CHATTERING }));
         marks.extend(sticking.into_iter().map(|x| Mark::Band { x, colour: STICKING }));
     }
-    let diameter = match spec.x.count() {
+    let diameter = match spec.x.count {
         ..=FEW => SINGLE,
         count => (DOTS_ABREAST / f64::from(count)).clamp(*DOT.start(), *DOT.end()),
     };
@@ -185,7 +185,7 @@ pub(super) mod tests {
             capacity: 4,
             spectrum: Some(ExponentUnit::Iterate),
         };
-        let count = spec.x.count();
+        let count = spec.x.count;
         let trace = |i: u32| {
             let regime = Regime::ALL[(8 * i / count) as usize];
             let readings = (0..4).map(|k| level + spread * f64::from((i * k) % 7)).collect();
@@ -229,10 +229,10 @@ pub(super) mod tests {
                 let picture = diagram_figure(&diagram).draw(size, &diagram.config()).unwrap();
                 assert_eq!(faults(&picture, size), [""; 0], "{x}, {size:?}");
                 let mut expected = vec!["λ", "forcing periods", "1-2-2 symmetric<", "chaotic<"];
-                if diagram.spec.x.count() == 1 {
+                if diagram.spec.x.count == 1 {
                     expected.truncate(2);
                 }
-                if diagram.spec.x.count() > 8 {
+                if diagram.spec.x.count > 8 {
                     expected.extend([
                         "Chatter: 5 or more",
                         "first 4 points",

@@ -1,7 +1,6 @@
 //! Which motions a branch shows along the axis: stretches of equal columns, and the windows that get a name.
 
 use crate::analysis::{CHATTER_RUN, Trace};
-use crate::diagram::SweepAxis;
 use crate::figure::{Scale, Stretch, StripLabel};
 use crate::plane::Axis;
 use crate::render::colouring::Colouring;
@@ -36,8 +35,8 @@ pub(super) struct Columns {
 
 impl Columns {
     /// The columns of an axis.
-    pub fn of(axis: &SweepAxis) -> Self {
-        Columns { axis: *axis.axis() }
+    pub fn of(axis: &Axis) -> Self {
+        Columns { axis: *axis }
     }
 
     /// The scale that shows them all.

@@ -12,7 +12,7 @@ use crate::diagram::Diagram;
 /// # Errors
 /// What the file system reports.
 pub fn write_diagram(diagram: &Diagram, to: impl Write + Seek) -> io::Result<()> {
-    let columns = u64::from(diagram.spec.x.count());
+    let columns = u64::from(diagram.spec.x.count);
     let shape = [diagram.branches.len() as u64, columns];
     let traces: Vec<&Trace> = diagram.branches.iter().flat_map(|branch| &branch.traces).collect();
     let mut archive = Archive::new(to);
