@@ -211,6 +211,8 @@ mod tests {
     #[test]
     fn equal_numbers_and_none_have_bars_too() {
         assert_eq!(bar(&[2.0, 2.0], Spread::Ratios).ends(), [1.0, 10.0]);
+        assert_eq!(bar(&[99.0, 101.0], Spread::Ratios).ends(), [10.0, 1000.0]);
+        assert_eq!(bar(&[3.0, 1200.0], Spread::Ratios).ends(), [3.0, 1200.0]);
         let [low, high] = bar(&[0.0, 0.0], Spread::Even).ends();
         assert!(low < 0.0 && high > 0.0);
         assert!(Bar::of(&[f32::NAN], Spread::Even, None, Palette::suiting(Spread::Even)).is_none());

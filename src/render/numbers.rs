@@ -1,4 +1,4 @@
-//! The picture of a layer of numbers.
+//! Pictures of planes of numbers, with a colour bar.
 
 use image::{Rgb, RgbImage};
 
@@ -6,7 +6,7 @@ use crate::figure::{
     Anchor, Bar, Canvas, Colour, Frame, INK, LeftOut, Palette, Picture, Placed, Point, Rect, Size, Text,
     WIDTH, draw_samples,
 };
-use crate::plane::fields::{CELL_FIELDS, CellsError, Drawn, Layer, NOT_COMPUTED};
+use crate::plane::fields::{CELL_FIELDS, CellsError, Layer, NOT_COMPUTED};
 use crate::render::axes::frame_of;
 use crate::render::curves::Overlay;
 use crate::render::regions::{PlanePicture, means, most};
@@ -34,56 +34,87 @@ const NOT_THERE: Colour = Rgb([0xff; 3]);
 /// For the layer of motions.
 pub fn draw_numbers(of: &PlanePicture, overlay: Option<&Overlay>, size: Size) -> Result<Picture, CellsError> {
     let Layer::Number { field, drawn, coordinate, .. } = of.layer else { panic!("motions have no numbers") };
-    let em = size.em();
-    let config = of.configuration().to_string();
-    let frame = frame_of(&of.plane());
-    let layout = Layout { of, frame: &frame };
-    let placed = layout.place(size);
-    let whole = Rect { x: 0.0, y: 0.0, width: f64::from(size.width()), height: f64::from(size.height()) };
-    let plot = placed.as_ref().map_or(whole, |(placed, _)| placed.plot);
-    let extent = [plot.width as u32, plot.height as u32];
-    let shown = Shown::of(of, drawn, extent)?;
-
-    let mut canvas = Canvas::new(size, &config);
-    canvas.image(plot, &shown.image(extent));
-    if let Some(overlay) = overlay {
-        overlay.draw(&mut canvas, plot, &frame, em);
-    }
-    let Some((placed, title)) = placed else {
-        let enough = size.enough(|size| layout.place(size).is_some());
-        let parts = if of.legend { vec!["the axes", "the colour bar"] } else { vec!["the axes"] };
-        return Ok(Picture::new(size, config, canvas.finish()).without(Some(LeftOut { parts, enough })));
+    let about = coordinate.map(|x| format!(" {}", x.name())).unwrap_or_default();
+    let sheet = Sheet {
+        frame: frame_of(&of.plane()),
+        title: of.title(),
+        bar: of.legend.then(|| format!("{}{about}", field.title)),
+        config: of.configuration().to_string(),
     };
-    frame.draw(&mut canvas, &placed, em);
-    for (row, line) in title.iter().enumerate() {
-        let at = Point { x: plot.x, y: (MARGIN + (row as f64 + 0.5) * TITLE_ROW) * em };
-        canvas.text(line, at, Anchor::Start, em, INK);
-    }
-    if of.legend {
-        let about = coordinate.map(|x| format!(" {}", x.name())).unwrap_or_default();
-        shown.draw_key(&mut canvas, plot, &format!("{}{about}", field.title), em);
-    }
-    Ok(Picture::new(size, config, canvas.finish()))
+    sheet.draw(size, overlay, |extent| {
+        let across = extent.map(|length| length as usize);
+        let values = means(of.cells, of.window, &of.layer, across)?;
+        let not_there = most(of.cells, of.window, &CELL_FIELDS[0], NOT_COMPUTED.into(), across)?;
+        let palette = of.palette.unwrap_or_else(|| Palette::suiting(drawn.spread));
+        let bar = Bar::of(&values, drawn.spread, of.range, palette);
+        let (undefined, lost) = ((UNDEFINED, drawn.undefined), (LOST, drawn.lost));
+        Ok(Numbers { extent, values, not_there, bar, undefined, lost })
+    })
 }
 
-/// Where the axes go.
-struct Layout<'a> {
-    of: &'a PlanePicture<'a>,
-    frame: &'a Frame,
+/// What stands around the numbers of a plane.
+pub struct Sheet {
+    /// The axes.
+    pub frame: Frame,
+    /// What stands above, in pieces that belong together.
+    pub title: Vec<Text>,
+    /// What the colour bar says; none where it is left out.
+    pub bar: Option<String>,
+    /// What it takes to make the picture again.
+    pub config: String,
 }
 
-impl Layout<'_> {
+impl Sheet {
+    /// Draws the numbers that `numbers` gives for a plot of so many pixels, and curves over them.
+    ///
+    /// # Errors
+    /// Those of `numbers`.
+    pub fn draw<E>(
+        self,
+        size: Size,
+        overlay: Option<&Overlay>,
+        numbers: impl FnOnce([u32; 2]) -> Result<Numbers, E>,
+    ) -> Result<Picture, E> {
+        let em = size.em();
+        let placed = self.place(size);
+        let (width, height) = (f64::from(size.width()), f64::from(size.height()));
+        let whole = Rect { x: 0.0, y: 0.0, width, height };
+        let plot = placed.as_ref().map_or(whole, |(placed, _)| placed.plot);
+        let numbers = numbers([plot.width as u32, plot.height as u32])?;
+        let mut canvas = Canvas::new(size, &self.config);
+        canvas.image(plot, &numbers.image());
+        if let Some(overlay) = overlay {
+            overlay.draw(&mut canvas, plot, &self.frame, em);
+        }
+        let Some((placed, title)) = placed else {
+            let enough = size.enough(|size| self.place(size).is_some());
+            let parts =
+                if self.bar.is_some() { vec!["the axes", "the colour bar"] } else { vec!["the axes"] };
+            let left_out = Some(LeftOut { parts, enough });
+            return Ok(Picture::new(size, self.config, canvas.finish()).without(left_out));
+        };
+        self.frame.draw(&mut canvas, &placed, em);
+        for (row, line) in title.iter().enumerate() {
+            let at = Point { x: plot.x, y: (MARGIN + (row as f64 + 0.5) * TITLE_ROW) * em };
+            canvas.text(line, at, Anchor::Start, em, INK);
+        }
+        if let Some(title) = &self.bar {
+            numbers.draw_key(&mut canvas, plot, title, em);
+        }
+        Ok(Picture::new(size, self.config, canvas.finish()))
+    }
+
     /// The axes and the lines of the title; none where there is no room for axes.
     fn place(&self, size: Size) -> Option<(Placed, Vec<Text>)> {
         let em = size.em();
         let (width, height) = (f64::from(size.width()), f64::from(size.height()));
         let room = width - (2.0 * MARGIN + 7.0) * em;
-        let mut title = Text::wrap(self.of.title(), em, room);
+        let mut title = Text::wrap(self.title.clone(), em, room);
         if title.len() > MOST_TITLE_LINES || title.iter().any(|line| line.width(em) > room) {
             title.clear();
         }
         let top = (MARGIN + title.len() as f64 * TITLE_ROW) * em;
-        let right = if self.of.legend { RIGHT } else { 0.0 };
+        let right = if self.bar.is_some() { RIGHT } else { 0.0 };
         let space = Rect {
             x: MARGIN * em,
             y: top,
@@ -94,34 +125,33 @@ impl Layout<'_> {
     }
 }
 
-/// The numbers of the pixels, and how they are shown.
-struct Shown {
-    values: Vec<f32>,
-    /// Which pixels show cells that were not computed, where some were not.
-    not_there: Vec<bool>,
-    bar: Option<Bar>,
-    drawn: Drawn,
+/// The numbers of a plane's cells, or of pixels that show them, the upper row first, and how they are shown.
+pub struct Numbers {
+    /// How many stand in a row, and how many rows there are.
+    pub extent: [u32; 2],
+    /// NaN where there is none, infinities as they are.
+    pub values: Vec<f32>,
+    /// Which of them stand for cells that were not computed, where some were not.
+    pub not_there: Vec<bool>,
+    /// Their colours; none where no number is finite.
+    pub bar: Option<Bar>,
+    /// The colour of what has no number, and what it is called.
+    pub undefined: (Colour, &'static str),
+    /// The colour of minus infinity, and what it is called.
+    pub lost: (Colour, &'static str),
 }
 
-impl Shown {
-    fn of(of: &PlanePicture, drawn: Drawn, [width, height]: [u32; 2]) -> Result<Self, CellsError> {
-        let size = [width as usize, height as usize];
-        let values = means(of.cells, of.window, &of.layer, size)?;
-        let not_there = most(of.cells, of.window, &CELL_FIELDS[0], NOT_COMPUTED.into(), size)?;
-        let palette = of.palette.unwrap_or_else(|| Palette::suiting(drawn.spread));
-        let bar = Bar::of(&values, drawn.spread, of.range, palette);
-        Ok(Shown { values, not_there, bar, drawn })
-    }
-
-    fn image(&self, [width, height]: [u32; 2]) -> RgbImage {
+impl Numbers {
+    fn image(&self) -> RgbImage {
+        let [width, height] = self.extent;
         RgbImage::from_fn(width, height, |x, y| {
             let i = y as usize * width as usize + x as usize;
             let value = f64::from(self.values[i]);
             match &self.bar {
                 _ if self.not_there[i] => NOT_THERE,
-                _ if value == f64::NEG_INFINITY => LOST,
+                _ if value == f64::NEG_INFINITY => self.lost.0,
                 Some(bar) if value.is_finite() => bar.colour(value),
-                _ => UNDEFINED,
+                _ => self.undefined.0,
             }
         })
     }
@@ -135,8 +165,8 @@ impl Shown {
         let [below, above] = self.bar.as_ref().map_or([false; 2], |bar| bar.beyond(&self.values));
         samples.extend(above.then_some((Palette::beyond(true), "above the bar")));
         samples.extend(below.then_some((Palette::beyond(false), "below the bar")));
-        samples.extend(any(|value| value == f32::NEG_INFINITY).then_some((LOST, self.drawn.lost)));
-        samples.extend(any(f32::is_nan).then_some((UNDEFINED, self.drawn.undefined)));
+        samples.extend(any(|value| value == f32::NEG_INFINITY).then_some(self.lost));
+        samples.extend(any(f32::is_nan).then_some(self.undefined));
         samples.extend(self.not_there.contains(&true).then_some((NOT_THERE, "not computed")));
         let left = (plot.right() + GAP * em).round();
         let taken = draw_samples(canvas, Point { x: left, y: plot.bottom() }, &samples, em);
