@@ -2,7 +2,7 @@
 
 use super::error::{CellFault, CellProblem, FamilyError, Place, Problem};
 use super::expression::Expression;
-use super::parameter::{Parameter, ParameterId, Values, named};
+use super::parameter::{Parameter, ParameterId, named};
 use super::table::Item;
 
 /// The expressions of a matrix row by row, of a vector, or of one number, each with its place.
@@ -68,9 +68,9 @@ impl Block {
     ///
     /// # Errors
     /// The first expression that has no value, with its place and the values that it names.
-    pub fn evaluate(&self, parameters: &[Parameter], values: &Values) -> Result<Vec<f64>, Box<CellFault>> {
+    pub fn evaluate(&self, parameters: &[Parameter], values: &[f64]) -> Result<Vec<f64>, Box<CellFault>> {
         let number = |(place, expression): &(Place, Expression)| {
-            expression.evaluate(values.as_slice()).map_err(|fault| {
+            expression.evaluate(values).map_err(|fault| {
                 let named = named(parameters, expression.uses(), values);
                 let problem = CellProblem::Expression(fault);
                 Box::new(CellFault { place: place.clone(), problem, values: named })

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::block::Block;
 use super::error::{CellError, CellFault, CellProblem};
-use super::parameter::{Parameter, ParameterError, ParameterId, Values, named};
+use super::parameter::{Parameter, ParameterError, ParameterId, named};
 use super::plant::Plant;
 use super::plant_error::{Part, PlantError};
 use super::stop_place::StopPlace;
@@ -166,8 +166,8 @@ impl Family {
     }
 
     /// The default value of every parameter.
-    pub fn defaults(&self) -> Values {
-        Values(self.parameters.iter().map(|parameter| parameter.default).collect())
+    pub fn defaults(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.default).collect()
     }
 
     /// Checks every value against its parameter's range.
@@ -177,9 +177,9 @@ impl Family {
     ///
     /// # Panics
     /// Where the values are not this family's.
-    pub fn check(&self, values: &Values) -> Result<(), ParameterError> {
-        assert_eq!(values.0.len(), self.parameters.len(), "the values are of another family");
-        self.parameters.iter().zip(&values.0).try_for_each(|(parameter, &value)| parameter.check(value))
+    pub fn check(&self, values: &[f64]) -> Result<(), ParameterError> {
+        assert_eq!(values.len(), self.parameters.len(), "the values are of another family");
+        self.parameters.iter().zip(values).try_for_each(|(parameter, &value)| parameter.check(value))
     }
 
     /// The plant of one cell, checked.
@@ -190,13 +190,13 @@ impl Family {
     ///
     /// # Panics
     /// Where the values are not this family's.
-    pub fn plant(&self, values: &Values) -> Result<Plant, CellError> {
+    pub fn plant(&self, values: &[f64]) -> Result<Plant, CellError> {
         self.check(values)?;
         Ok(self.assemble(values)?)
     }
 
     /// The plant of one cell whose values are within their ranges.
-    pub(super) fn assemble(&self, values: &Values) -> Result<Plant, Box<CellFault>> {
+    pub(super) fn assemble(&self, values: &[f64]) -> Result<Plant, Box<CellFault>> {
         let n = self.n();
         let numbers = |block: &Block| block.evaluate(&self.parameters, values);
         let scalar = |block: &Block| numbers(block).map(|entries| entries[0]);
@@ -258,7 +258,7 @@ impl Family {
     }
 
     /// Finds a refused plant's expressions in the file.
-    fn blame(&self, error: PlantError, values: &Values) -> Box<CellFault> {
+    fn blame(&self, error: PlantError, values: &[f64]) -> Box<CellFault> {
         let parts = error.parts();
         let first = parts.first().copied().unwrap_or(Part::Mass);
         let values = named(&self.parameters, parts.iter().flat_map(|&part| self.block(part).uses()), values);

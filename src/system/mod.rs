@@ -24,7 +24,7 @@ pub use expression::{ExpressionError, Fault};
 pub use family::{DefaultPlane, Family, FamilyStop};
 pub use mirror::Mirror;
 pub use number::{Number, joined, whole};
-pub use parameter::{Bound, Parameter as ParameterRecord, ParameterError, ParameterId, Range, Values};
+pub use parameter::{Bound, Parameter as ParameterRecord, ParameterError, ParameterId, Range};
 pub use plant::Plant;
 pub use plant_error::{Part, PlantError};
 pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting};

@@ -1,4 +1,4 @@
-//! The parameters of a family: names, defaults, ranges; and their values.
+//! The parameters of a family: names, defaults, ranges.
 
 use std::fmt;
 
@@ -117,51 +117,14 @@ pub enum ParameterError {
     },
 }
 
-/// The values of a family's parameters, in its order; not checked, see [`Family::check`](super::Family::check).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Values(pub(super) Vec<f64>);
-
-impl Values {
-    /// The value of one parameter.
-    ///
-    /// # Panics
-    /// Where the parameter is of another family, of more parameters.
-    pub fn get(&self, id: ParameterId) -> f64 {
-        self.0[id.0]
-    }
-
-    /// Changes one parameter.
-    ///
-    /// # Panics
-    /// Where the parameter is of another family, of more parameters.
-    pub fn set(&mut self, id: ParameterId, value: f64) {
-        self.0[id.0] = value;
-    }
-
-    /// The same values with one of them changed.
-    ///
-    /// # Panics
-    /// Where the parameter is of another family, of more parameters.
-    #[must_use]
-    pub fn with(mut self, id: ParameterId, value: f64) -> Self {
-        self.set(id, value);
-        self
-    }
-
-    /// Every value, in the family's order.
-    pub fn as_slice(&self) -> &[f64] {
-        &self.0
-    }
-}
-
 /// Names and values of some of a family's parameters, each once, in the family's order.
 pub(super) fn named(
     parameters: &[Parameter],
     ids: impl Iterator<Item = ParameterId>,
-    values: &Values,
+    values: &[f64],
 ) -> Vec<(String, f64)> {
     let mut ids: Vec<ParameterId> = ids.collect();
     ids.sort();
     ids.dedup();
-    ids.into_iter().map(|id| (parameters[id.0].name.clone(), values.get(id))).collect()
+    ids.into_iter().map(|id| (parameters[id.0].name.clone(), values[id.0])).collect()
 }

@@ -7,7 +7,7 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use super::builtin::builtin;
 use super::error::{CellError, FamilyError};
 use super::family::Family;
-use super::parameter::{ParameterError, ParameterId, Range, Values};
+use super::parameter::{ParameterError, ParameterId, Range};
 use super::plant::Plant;
 
 /// The most parameters of a family.
@@ -163,9 +163,7 @@ impl Setting {
     /// The family's defaults.
     pub fn defaults(family: &'static Family) -> Self {
         let mut values = [0.0; MOST_PARAMETERS];
-        for (value, default) in values.iter_mut().zip(family.defaults().as_slice()) {
-            *value = *default;
-        }
+        values[..family.parameters().len()].copy_from_slice(&family.defaults());
         Setting { family, values }
     }
 
@@ -201,6 +199,11 @@ impl Setting {
         self.with(parameter, value)
     }
 
+    /// The values, in the order of the family's file.
+    fn values(&self) -> &[f64] {
+        &self.values[..self.family.parameters().len()]
+    }
+
     /// Every parameter with its value, in the order of the family's file.
     pub fn entries(&self) -> impl Iterator<Item = (Parameter, f64)> + '_ {
         Parameter::all(self.family).map(|parameter| (parameter, self.get(parameter)))
@@ -211,7 +214,7 @@ impl Setting {
     /// # Errors
     /// The first parameter that is out of range, with its value.
     pub fn check(&self) -> Result<(), ParameterError> {
-        self.entries().try_for_each(|(parameter, value)| parameter.check(value))
+        self.family.check(self.values())
     }
 
     /// The plant of these values, checked.
@@ -219,7 +222,7 @@ impl Setting {
     /// # Errors
     /// As [`Family::plant`].
     pub fn plant(&self) -> Result<Plant, CellError> {
-        self.family.plant(&Values(self.values[..self.family.parameters().len()].to_vec()))
+        self.family.plant(self.values())
     }
 
     /// Whether these values make a plant, and it has a mirror: then there is a symmetric motion to look for.

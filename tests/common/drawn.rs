@@ -40,7 +40,7 @@ fn family(family: &Family, count: usize) -> Vec<Job> {
     let cell = |_| {
         let mut values = family.defaults();
         for (id, first, last) in axes {
-            values.set(id, rng.random_range(first..last));
+            values[id.index()] = rng.random_range(first..last);
         }
         family.plant(&values).ok().and_then(|plant| job(&plant))
     };

@@ -20,7 +20,7 @@ fn family(name: &str, set: &[(&str, f64)]) -> System {
     let family = Family::parse(builtin(name).unwrap(), name).unwrap();
     let mut values = family.defaults();
     for (parameter, value) in set {
-        values.set(family.parameter(parameter).unwrap(), *value);
+        values[family.parameter(parameter).unwrap().index()] = *value;
     }
     System::of_plant(family.plant(&values).unwrap()).unwrap()
 }

@@ -18,7 +18,7 @@ fn plants(family: &Family) -> Vec<Plant> {
     for (s, t) in [(0.02, 0.03), (0.1, 0.9), (0.35, 0.3), (0.6, 0.7), (0.95, 0.1), (0.3, 0.0)] {
         let mut values = family.defaults();
         for ((id, first, last), share) in [(x, s), (y, t)] {
-            values.set(id, first + share * (last - first));
+            values[id.index()] = first + share * (last - first);
         }
         plants.push(family.plant(&values).unwrap());
     }

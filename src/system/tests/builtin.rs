@@ -13,7 +13,7 @@ fn plant(name: &str, changes: &[(&str, f64)]) -> Plant {
     let family = family(name);
     let mut values = family.defaults();
     for (name, value) in changes {
-        values.set(family.find(name).unwrap(), *value);
+        values[family.find(name).unwrap().index()] = *value;
     }
     family.plant(&values).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -59,7 +59,8 @@ fn every_default_plane_has_plants_at_its_corners() {
         };
         let ((x, across), (y, up)) = (ends(&plane.x), ends(&plane.y));
         for (&a, &b) in across.iter().flat_map(|a| up.iter().map(move |b| (a, b))) {
-            let values = family.defaults().with(x, a).with(y, b);
+            let mut values = family.defaults();
+            (values[x.index()], values[y.index()]) = (a, b);
             assert!(family.plant(&values).is_ok(), "{}", known.name);
         }
     }

@@ -1,6 +1,6 @@
 //! A family gives plants: values, ranges, cells without one.
 
-use super::super::{CellError, Family, Number, ParameterError, Plant, Values};
+use super::super::{CellError, Family, Number, ParameterError, Plant};
 
 /// The example of the documentation.
 pub(super) fn example() -> &'static str {
@@ -13,10 +13,12 @@ fn family() -> Family {
     Family::parse(example(), "example.toml").unwrap()
 }
 
-fn with(family: &Family, changes: &[(&str, f64)]) -> Values {
-    let change =
-        |values: Values, (name, value): &(&str, f64)| values.with(family.find(name).unwrap(), *value);
-    changes.iter().fold(family.defaults(), change)
+fn with(family: &Family, changes: &[(&str, f64)]) -> Vec<f64> {
+    let mut values = family.defaults();
+    for (name, value) in changes {
+        values[family.find(name).unwrap().index()] = *value;
+    }
+    values
 }
 
 const RATIO: &str = r#"
@@ -50,7 +52,7 @@ fn the_example_of_the_documentation_is_a_family() {
     assert_eq!((family.origin(), family.text()), ("example.toml", example()));
     let names: Vec<&str> = family.parameters().iter().map(|p| p.name.as_str()).collect();
     assert_eq!(names, ["omega", "zeta", "sigma", "r"], "in the order of the file");
-    assert_eq!(family.defaults().as_slice(), [2.8, 0.0, 0.0, 0.8]);
+    assert_eq!(family.defaults(), [2.8, 0.0, 0.0, 0.8]);
     let symbols: Vec<&str> = family.parameters().iter().map(|p| p.symbol.as_str()).collect();
     assert_eq!(symbols, ["ω", "zeta", "σ", "r"]);
     let omega = family.about(family.parameter("omega").unwrap());
