@@ -14,14 +14,8 @@ struct Action {
     signal: f32,
 }
 
-// What changes of a method as it works: B, α and the last |e|.
-struct Adapted {
-    amplitude: f32,
-    weight: f32,
-    error: f32,
-}
-
 var<private> control: Control;
+// What changes of a method as it works.
 var<private> adapted: Adapted;
 
 fn action_none() -> Action {

@@ -45,7 +45,7 @@ var<private> control_schedule: ControlSchedule;
 fn controlled_begin(start: State) {
     trajectory = trajectory_new(start);
     tangent = tangent_seed();
-    adapted = Adapted(control.amplitude, control.weight, -1.0);
+    adapted = adapted_begin();
     observer.exponent = exponent_over(control_schedule.observed);
     observer.spread = spread_about(trajectory.point);
     deviations_seed();

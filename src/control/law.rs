@@ -7,7 +7,7 @@ use super::option::{Arguments, GivenOptions, MethodOption};
 use super::quantity::ControlQuantity;
 use super::site::Site;
 use super::values::SectionValues;
-use crate::model::{Flight, Real, System};
+use crate::model::{Real, System};
 use crate::system::Family;
 
 /// A control method, as it is known by name.
@@ -29,8 +29,11 @@ pub struct Method {
     pub shader: &'static str,
     /// The numbers that the shader shares with Rust, by name.
     pub constants: &'static [(&'static str, Constant)],
-    /// What the law reads of the shader's `Control`, in the order in which it is written there.
+    /// What the law reads of the shader's `Control`, in the order in which it is written there; the shader puts the method's
+    /// name before each: `control.NAME_gain`.
     pub members: &'static [(&'static str, Member)],
+    /// The numbers of the law that change as it works, and what each begins with: `adapted.NAME_amplitude` in the shader.
+    pub adapted: &'static [(&'static str, Beginning)],
 }
 
 /// The control signal of methods that correct points.
@@ -65,10 +68,15 @@ pub enum Member {
     Number,
     /// A number for each component of a point on the section.
     Components,
-    /// A number for each coordinate.
-    Coordinates,
-    /// A number for each contact normal.
-    Normals,
+}
+
+/// What a number that adapts begins with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Beginning {
+    /// The method's own member of the shader's `Control`.
+    Member(&'static str),
+    /// Always the same number.
+    Number(f64),
 }
 
 /// What a picture says of a setting.
@@ -163,8 +171,8 @@ pub(super) trait Law<T: Real>: Copy {
         Ok(())
     }
 
-    /// The members of [`Method::members`] on a system, in their order; numbers as their bits.
-    fn written<const N: usize>(&self, system: &System, flight: &Flight<f64, N>) -> Vec<u32>;
+    /// The members of [`Method::members`] in their order; numbers as their bits.
+    fn written(&self) -> Vec<u32>;
 }
 
 /// A setting with its value, whether that is admitted, and what is, in words.

@@ -41,7 +41,7 @@ pub use controlled::Controlled;
 pub use deviation::DELAYS;
 pub use error::ControlError;
 pub use history::{History, converged_at};
-pub use law::{Aim, Constant, Member, Method, Shown};
+pub use law::{Aim, Beginning, Constant, Member, Method, Shown};
 pub use memory::{Counts, LONGEST, LONGEST_DELAY, LONGEST_ON_DEVICE, Memory};
 pub use methods::{Controller, METHODS, Scheme};
 pub use multipliers::multipliers;

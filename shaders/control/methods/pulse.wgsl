@@ -4,14 +4,14 @@ fn pulse_act(seen: Seen) -> Action {
     if !pulse_is_due(seen) {
         return action_none();
     }
-    let away = section_minus(section_of_values(control.point), seen.section);
+    let away = section_minus(section_of_values(control.pulse_point), seen.section);
     var errors = section_zero();
     //: each coordinate
     errors.head$c = pulse_uniform(seen.controlled, $iu);
     errors.tail$c = pulse_uniform(seen.controlled, COORDINATES + $iu);
     //: end
     return action_correcting(
-        SectionPoint(away.head - control.noise * errors.head, away.tail - control.noise * errors.tail),
+        SectionPoint(away.head - control.pulse_noise * errors.head, away.tail - control.pulse_noise * errors.tail),
     );
 }
 
@@ -28,12 +28,12 @@ fn pulse_passed(seen: Seen, arrived: SectionPoint) -> SectionPoint {
 }
 
 fn pulse_is_due(seen: Seen) -> bool {
-    return seen.controlled % control.period == 0u;
+    return seen.controlled % control.pulse_period == 0u;
 }
 
 // A number between -1 and 1 that depends on nothing but seed, iterate and component.
 fn pulse_uniform(iterate: u32, component: u32) -> f32 {
-    let mixed = pulse_hash(pulse_hash(control.seed ^ (iterate * ERRORS_APART + component)) + iterate);
+    let mixed = pulse_hash(pulse_hash(control.pulse_seed ^ (iterate * ERRORS_APART + component)) + iterate);
     return f32(mixed >> HASH_DROPPED) * HASH_UNIT - 1.0;
 }
 

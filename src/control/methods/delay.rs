@@ -16,7 +16,7 @@ use crate::control::site::{Site, words};
 use crate::control::surface::section_names;
 use crate::control::values::SectionValues;
 use crate::dynamics::Stop;
-use crate::model::{Flight, Real, System, joined};
+use crate::model::{Real, System, joined};
 use crate::system::Family;
 
 /// Settings of delayed feedback.
@@ -72,7 +72,8 @@ const METHOD: Method = Method {
     signal: CORRECTION,
     shader: include_str!("../../../shaders/control/methods/delay.wgsl"),
     constants: &[],
-    members: &[("delay", Member::Whole), ("gains", Member::Components)],
+    members: &[("iterates", Member::Whole), ("gains", Member::Components)],
+    adapted: &[],
 };
 
 /// The signs by their options and in words, in their order.
@@ -199,7 +200,7 @@ impl<T: Real> Law<T> for Delay<T> {
         self.delay as usize + 1
     }
 
-    fn written<const N: usize>(&self, _: &System, _: &Flight<f64, N>) -> Vec<u32> {
+    fn written(&self) -> Vec<u32> {
         [vec![self.delay], bits(self.gains.to_vec())].concat()
     }
 }

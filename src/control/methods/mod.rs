@@ -24,7 +24,7 @@ use crate::control::quantity::{AIMED, ControlQuantity};
 use crate::control::site::{Site, exists};
 use crate::control::target::TARGET_OPTIONS;
 use crate::dynamics::Stop;
-use crate::model::{Flight, Real, System};
+use crate::model::{Real, System};
 use crate::system::Family;
 
 /// Makes of the list of methods what holds any one of them.
@@ -141,16 +141,10 @@ macro_rules! methods {
             }
 
             /// Its method, if there is one, and what the shader reads of it: [`Method::members`], numbers as their bits.
-            pub fn written<const N: usize>(
-                &self,
-                system: &System,
-                flight: &Flight<f64, N>,
-            ) -> Option<(&'static Method, Vec<u32>)> {
+            pub fn written(&self) -> Option<(&'static Method, Vec<u32>)> {
                 match self {
                     Controller::None(_) => None,
-                    $(Controller::$Name(law) => {
-                        Some((<$Setting as Settings>::METHOD, law.written(system, flight)))
-                    })+
+                    $(Controller::$Name(law) => Some((<$Setting as Settings>::METHOD, law.written())),)+
                 }
             }
 

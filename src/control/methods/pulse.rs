@@ -16,7 +16,7 @@ use crate::control::site::Site;
 use crate::control::target::Target;
 use crate::control::values::SectionValues;
 use crate::dynamics::Stop;
-use crate::model::{Flight, Real, System};
+use crate::model::{Real, System};
 use crate::system::Family;
 
 /// Settings of the period pulse; non-dimensional.
@@ -74,6 +74,7 @@ const METHOD: Method = Method {
         ("noise", Member::Number),
         ("point", Member::Components),
     ],
+    adapted: &[],
 };
 
 impl Settings for PulseSetting {
@@ -179,7 +180,7 @@ impl<T: Real> Law<T> for Pulse<T> {
         Some(self.target.to_vec())
     }
 
-    fn written<const N: usize>(&self, _: &System, _: &Flight<f64, N>) -> Vec<u32> {
+    fn written(&self) -> Vec<u32> {
         [vec![self.period, self.seed], bits([self.noise]), bits(self.target.to_vec())].concat()
     }
 }

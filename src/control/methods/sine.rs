@@ -8,7 +8,7 @@ use crate::control::components::Components;
 use crate::control::law::{Law, bits};
 use crate::control::section_point::{SectionPoint, short_way, sine_and_cosine};
 use crate::dynamics::Stop;
-use crate::model::{Drive, Flight, Real, System};
+use crate::model::Real;
 
 /// The adapted sine force at work.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,18 +142,10 @@ impl<T: Real> Law<T> for Sine<T> {
         }
     }
 
-    fn written<const N: usize>(&self, system: &System, flight: &Flight<f64, N>) -> Vec<u32> {
+    fn written(&self) -> Vec<u32> {
         let Sine { amplitude, weight, dead_band, ratio, phase, target, .. } = *self;
-        let drive = Drive::on(self.coordinate, system, flight, 1.0);
-        [
-            vec![self.convention as u32, self.component as u32],
-            bits([amplitude, weight, dead_band, ratio, phase, target]),
-            bits(drive.push),
-            bits(drive.gamma_sin.values()),
-            bits(drive.gamma_cos.values()),
-            bits(drive.bound[..flight.count].to_vec()),
-        ]
-        .concat()
+        let numbers = bits([amplitude, weight, dead_band, ratio, phase, target]);
+        [vec![self.convention as u32, self.component as u32], numbers].concat()
     }
 }
 

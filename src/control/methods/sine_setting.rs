@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::convention::Convention;
 use super::sine::Sine;
 use crate::control::error::ControlError;
-use crate::control::law::{Aim, Constant, Member, Method, Settings, Shown, check_ranges};
+use crate::control::law::{Aim, Beginning, Constant, Member, Method, Settings, Shown, check_ranges};
 use crate::control::option::{
     Arguments, GivenOptions, MethodOption, OptionKind, OptionKind::Choice, OptionKind::Word,
 };
@@ -114,10 +114,11 @@ const METHOD: Method = Method {
         ("ratio", Member::Number),
         ("phase", Member::Number),
         ("wanted", Member::Number),
-        ("push", Member::Coordinates),
-        ("drive_sin", Member::Components),
-        ("drive_cos", Member::Components),
-        ("drive_bound", Member::Normals),
+    ],
+    adapted: &[
+        ("amplitude", Beginning::Member("amplitude")),
+        ("weight", Beginning::Member("weight")),
+        ("error", Beginning::Number(-1.0)),
     ],
 };
 

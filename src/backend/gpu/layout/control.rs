@@ -2,10 +2,10 @@
 
 use super::follow::Verdict;
 use crate::analysis;
-use crate::control::{self, Controller, METHODS, Member, Method, SectionValues, Surface};
+use crate::control::{self, Beginning, Controller, METHODS, Member, Method, SectionValues, Surface};
 use crate::dynamics::Stop;
 use crate::model::vector::MOST;
-use crate::model::{self, System};
+use crate::model::{self, Drive, System};
 
 shared_struct! {
     /// When control is switched on, and how long a trajectory is followed; lengths in iterates.
@@ -52,20 +52,49 @@ pub fn code(method: &Method) -> u32 {
 }
 
 /// The struct `Control` as a shader declares it: the method, the section's stop, its end of a contact normal, the coordinate
-/// whose velocity comes first, and the mirror image of each stop (MOST where the system has no mirror); then what each method
-/// reads of it.
+/// whose velocity comes first, and the mirror image of each stop (MOST where the system has no mirror); what a force of 1 in
+/// phase with the forcing changes of the constants of flight; then what each method reads of it.
 pub fn declaration_of_control() -> String {
-    let of_section = ["method", "stop", "normal", "side", "own"].map(|name| (name, "u32"));
-    let of_methods = METHODS.iter().flat_map(|method| method.members).map(|&(name, member)| match member {
-        Member::Whole => (name, "u32"),
-        Member::Number => (name, "f32"),
-        Member::Components => (name, "array<f32, COMPONENTS>"),
-        Member::Coordinates => (name, "array<f32, COORDINATES>"),
-        Member::Normals => (name, "array<f32, NORMALS>"),
+    let shared = ["method", "stop", "normal", "side", "own"].map(|name| (name.to_owned(), "u32"));
+    let mirror = ("mirror".to_owned(), "array<u32, MOST>");
+    let driven = [
+        ("push", "array<f32, COORDINATES>"),
+        ("drive_sin", "array<f32, COMPONENTS>"),
+        ("drive_cos", "array<f32, COMPONENTS>"),
+        ("drive_bound", "array<f32, NORMALS>"),
+    ];
+    let of_methods = METHODS.iter().flat_map(|method| {
+        method.members.iter().map(|(name, member)| {
+            let ty = match member {
+                Member::Whole => "u32",
+                Member::Number => "f32",
+                Member::Components => "array<f32, COMPONENTS>",
+            };
+            (format!("{}_{name}", method.name), ty)
+        })
     });
-    let members = of_section.into_iter().chain([("mirror", "array<u32, MOST>")]).chain(of_methods);
-    let members: String = members.map(|(name, ty)| format!("    {name}: {ty},\n")).collect();
+    let members = shared.into_iter().chain([mirror]).chain(driven.map(|(name, ty)| (name.to_owned(), ty)));
+    let members: String =
+        members.chain(of_methods).map(|(name, ty)| format!("    {name}: {ty},\n")).collect();
     format!("struct Control {{\n{members}}}\n")
+}
+
+/// The struct `Adapted`, which is saved with a trajectory: what changes of each method as it works; and the function
+/// `adapted_begin`, which gives what it begins with.
+pub fn declaration_of_adapted() -> String {
+    let (mut members, mut beginnings) = (String::new(), Vec::new());
+    for method in METHODS {
+        for (name, beginning) in method.adapted {
+            members += &format!("    {}_{name}: f32,\n", method.name);
+            beginnings.push(match beginning {
+                Beginning::Member(member) => format!("control.{}_{member}", method.name),
+                Beginning::Number(number) => format!("{number:?}"),
+            });
+        }
+    }
+    let begin =
+        format!("fn adapted_begin() -> Adapted {{\n    return Adapted({});\n}}\n", beginnings.join(", "));
+    format!("struct Adapted {{\n{members}}}\n{begin}")
 }
 
 /// The words of `Control` for a controller on a system.
@@ -81,20 +110,25 @@ pub fn control_words(controller: &Controller<f64>, system: &System) -> Vec<u32> 
 fn words_of<const N: usize>(controller: &Controller<f64>, system: &System) -> Vec<u32> {
     let flight = model::Flight::<f64, N>::new(system);
     let surface = Surface::new(system, &flight, controller.stop());
-    let written = Controller::<f32>::rounded(controller).written(system, &flight);
+    let written = Controller::<f32>::rounded(controller).written();
     let method = written.as_ref().map_or(0, |(method, _)| code(method));
     let section = [surface.stop.index(), surface.end.normal, surface.end.side, surface.eliminated];
     let mirror = surface.mirror.map_or([MOST as u32; MOST], |mirror| mirror.map(|stop| stop.0.into()));
     let mut words = vec![method];
     words.extend(section.map(|place| place as u32));
     words.extend(mirror);
+    match controller.force() {
+        Some((coordinate, _)) => {
+            let drive = Drive::on(coordinate, system, &flight, 1.0);
+            let (sin, cos) = (drive.gamma_sin.values(), drive.gamma_cos.values());
+            let numbers =
+                drive.push.into_iter().chain(sin).chain(cos).chain(drive.bound[..flight.count].to_vec());
+            words.extend(numbers.map(|number| (number as f32).to_bits()));
+        }
+        None => words.extend(vec![0; 5 * N + flight.count]),
+    }
     for own in METHODS {
-        let size = |&(_, member): &(&str, Member)| match member {
-            Member::Whole | Member::Number => 1,
-            Member::Components => 2 * N,
-            Member::Coordinates => N,
-            Member::Normals => flight.count,
-        };
+        let size = |&(_, member): &(&str, Member)| if member == Member::Components { 2 * N } else { 1 };
         match &written {
             Some((method, members)) if method.name == own.name => words.extend(members),
             _ => words.extend(vec![0; own.members.iter().map(size).sum()]),

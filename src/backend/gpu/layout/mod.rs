@@ -14,7 +14,10 @@ mod record;
 mod tests;
 mod trace;
 
-pub use control::{ControlDispatch, ControlSchedule, Outcome, code, control_words, declaration_of_control};
+pub use control::{
+    ControlDispatch, ControlSchedule, Outcome, code, control_words, declaration_of_adapted,
+    declaration_of_control,
+};
 pub use extent::{Extent, ExtentCode, ExtentDispatch};
 pub use flight::{KICK_TERMS, write_cell, write_flight, write_kicks};
 pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};

@@ -89,6 +89,6 @@ fn the_words_of_a_controller_fill_what_the_shader_declares() {
         }
         let naga::TypeInner::Struct { members, .. } = &ty.inner else { panic!("Control is no struct") };
         let offset = |name: &str| members.iter().find(|m| m.name.as_deref() == Some(name)).unwrap().offset;
-        assert_eq!([offset("stop"), offset("mirror"), offset("convention")], [4, 20, 36], "{name}");
+        assert_eq!([offset("stop"), offset("mirror"), offset("push")], [4, 20, 36], "{name}");
     }
 }

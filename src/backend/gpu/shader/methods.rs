@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::backend::gpu::layout::{code, declaration_of_control};
+use crate::backend::gpu::layout::{code, declaration_of_adapted, declaration_of_control};
 use crate::control::METHODS;
 
 /// What each method does under its own name: the head of the function, its arguments, and what there is without control.
@@ -14,9 +14,9 @@ const ACTS: [(&str, &str, &str, &str); 3] = [
     ("passed", "seen: Seen, arrived: SectionPoint) -> SectionPoint", "seen, arrived", "arrived"),
 ];
 
-/// The struct `Control`, and the functions `method_act`, `method_is_at_rest` and `method_passed`.
+/// The structs `Control` and `Adapted`, and the functions `adapted_begin`, `method_act`, `method_is_at_rest` and `method_passed`.
 pub fn source() -> String {
-    let mut source = declaration_of_control();
+    let mut source = declaration_of_control() + &declaration_of_adapted();
     for (name, head, given, without) in ACTS {
         writeln!(source, "fn method_{name}({head} {{").expect("a string takes anything");
         for method in METHODS {
