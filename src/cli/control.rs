@@ -27,7 +27,7 @@ use super::{CliError, defaults, interrupt, note};
 /// The most iterates of one run.
 const MOST: u32 = 2_000_000;
 
-/// Suppresses chaos by one of three methods, and says what is reached and at what cost
+/// Suppresses chaos by one of several methods, and says what is reached and at what cost
 ///
 /// Computed in double precision on the CPU. Control acts at the returns to the impact Poincaré section of a stop (--stop):
 /// just after an impact there; the paper's is that of stop A, x1 = +delta, with X = (v1+, x2, v2, tau). An iterate is one

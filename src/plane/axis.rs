@@ -53,20 +53,24 @@ impl Axis {
         spacing: Spacing,
     ) -> Result<Self, AxisError> {
         let name = quantity.name();
+        let ends = |problem| {
+            let axis = format!("{name}={}:{}", Number(first), Number(last));
+            Err(AxisError::Ends { axis, problem })
+        };
         if !first.is_finite() || !last.is_finite() {
-            return Err(AxisError::NotFinite { name, first, last });
+            return ends("has an end that is not a finite number");
         }
         if !(1..=Self::LARGEST).contains(&count) {
             return Err(AxisError::Count { name, count: u64::from(count) });
         }
         if first == last && count > 1 {
-            return Err(AxisError::Empty { name, first, last });
+            return ends("is empty: give two different ends, or a COUNT of 1");
         }
         if first != last && count == 1 {
-            return Err(AxisError::OneValue { name, first, last });
+            return ends("has two ends but a COUNT of 1: give 2 or more, or equal ends");
         }
         if spacing == Spacing::Log && first.min(last) <= 0.0 {
-            return Err(AxisError::NotPositive { name, first, last });
+            return ends("cannot be logarithmic: give two ends above 0, or drop :log");
         }
         if let Quantity::Parameter(parameter) = quantity {
             parameter.check(first)?;
@@ -75,7 +79,9 @@ impl Axis {
         let axis = Axis { quantity, first, last, count, spacing };
         let whole = axis.control().is_some_and(ControlQuantity::is_whole);
         if whole && axis.values().iter().any(|value| value.fract() != 0.0 || *value < 0.0) {
-            return Err(AxisError::NotWhole { name, first, last, count });
+            let axis = format!("{name}={}:{}:{count}", Number(first), Number(last));
+            let problem = "has values that are not whole numbers: choose a COUNT so that all are";
+            return Err(AxisError::Ends { axis, problem });
         }
         Ok(axis)
     }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::model::{Number, ParameterError};
+use crate::model::ParameterError;
 
 /// The most values an axis may have.
 pub(super) const MOST_VALUES: u32 = 65_536;
@@ -19,44 +19,23 @@ pub enum AxisError {
     /// Neither a parameter nor a component of the start.
     #[error(
         "unknown axis `{name}`; an axis is one of the parameters or a component of the start: {known} (or, with \
-         --control, a setting of the method: gain, delay, amplitude, alpha, dead_band, gamma, phase, period, noise, \
-         target_v1, target_x2, target_v2, target_tau)"
+         --control, a setting of the method: {settings})"
     )]
     UnknownName {
         /// The name.
         name: String,
         /// The names that there are.
         known: String,
+        /// Those of settings.
+        settings: String,
     },
-    /// An end is NaN or infinite.
-    #[error("axis {name}={}:{} has an end that is not a finite number", Number(*first), Number(*last))]
-    NotFinite {
-        /// The axis.
-        name: &'static str,
-        /// Its first value.
-        first: f64,
-        /// Its last value.
-        last: f64,
-    },
-    /// Several values, all alike.
-    #[error("axis {name}={}:{} is empty: give two different ends, or a COUNT of 1", Number(*first), Number(*last))]
-    Empty {
-        /// The axis.
-        name: &'static str,
-        /// Its first value.
-        first: f64,
-        /// Its last value.
-        last: f64,
-    },
-    /// A logarithmic axis through or below zero.
-    #[error("axis {name}={}:{} cannot be logarithmic: give two ends above 0, or drop :log", Number(*first), Number(*last))]
-    NotPositive {
-        /// The axis.
-        name: &'static str,
-        /// Its first value.
-        first: f64,
-        /// Its last value.
-        last: f64,
+    /// Ends and a count that do not fit each other, or the quantity.
+    #[error("axis {axis} {problem}")]
+    Ends {
+        /// The axis as far as it is at fault.
+        axis: String,
+        /// What is wrong with it, and the remedy.
+        problem: &'static str,
     },
     /// Too few or too many values.
     #[error("axis {name} has a COUNT of {count}: give 1 to {}", MOST_VALUES)]
@@ -65,32 +44,6 @@ pub enum AxisError {
         name: &'static str,
         /// The count that was asked for.
         count: u64,
-    },
-    /// Whole numbers are wanted.
-    #[error(
-        "axis {name}={}:{}:{count} has values that are not whole numbers: choose a COUNT so that all are",
-        Number(*first),
-        Number(*last)
-    )]
-    NotWhole {
-        /// The axis.
-        name: &'static str,
-        /// Its first value.
-        first: f64,
-        /// Its last value.
-        last: f64,
-        /// How many values.
-        count: u32,
-    },
-    /// Two ends but one value.
-    #[error("axis {name}={}:{} has two ends but a COUNT of 1: give 2 or more, or equal ends", Number(*first), Number(*last))]
-    OneValue {
-        /// The axis.
-        name: &'static str,
-        /// Its first value.
-        first: f64,
-        /// Its last value.
-        last: f64,
     },
     /// An end is outside the physical range of the parameter.
     #[error("an end of the axis cannot be used")]

@@ -54,7 +54,7 @@ pub enum PlaneError {
     Start(#[from] StartError),
 }
 
-/// The names of the methods, such as sine, pulse or delay.
+/// The names of the methods, with an `or` before the last.
 fn names() -> String {
     let names: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
     let (last, others) = names.split_last().expect("there are methods");

@@ -43,10 +43,12 @@ impl Quantity {
         }
         let setting = ControlQuantity::all().find(|setting| setting.name() == name);
         setting.map(Quantity::Control).ok_or_else(|| {
-            let known: Vec<&str> = (Parameter::all(family).map(Parameter::name))
-                .chain(Component::all(family.n()).map(Component::name))
-                .collect();
-            AxisError::UnknownName { name: name.to_owned(), known: known.join(", ") }
+            let parameters = Parameter::all(family).map(Parameter::name);
+            let known = Vec::from_iter(parameters.chain(Component::all(family.n()).map(Component::name)));
+            let settings =
+                Vec::from_iter(ControlQuantity::of_coordinates(family.n()).map(ControlQuantity::name));
+            let [known, settings] = [known, settings].map(|names| names.join(", "));
+            AxisError::UnknownName { name: name.to_owned(), known, settings }
         })
     }
 }

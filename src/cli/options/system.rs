@@ -7,6 +7,7 @@ use impact_atlas::plane::{Axis, Plane, Quantity, Start};
 use impact_atlas::system::Family;
 use impact_atlas::theory::symmetric_start;
 
+use crate::cli::method::varied;
 use crate::cli::system::{Chosen, parse_system};
 use crate::cli::values::Assignment;
 use crate::cli::{CliError, defaults, note};
@@ -22,11 +23,7 @@ pub struct SystemArgs {
     family: Option<Chosen>,
 
     /// Sets a parameter of the system; may be given for each of them
-    ///
-    /// Those not given have the system's defaults; the paper's are omega=3.7, delta=0.1, zeta=0.1, r=0.8,
-    /// mu_m=mu_k=mu_c=0.5, f20=0. Under control it sets what the method has, too: gain, delay; amplitude, alpha, dead_band,
-    /// gamma, phase; period, noise; target_v1 … target_vn, target_x1 … target_xn, target_tau.
-    #[arg(long = "set", value_name = "NAME=VALUE")]
+    #[arg(long = "set", value_name = "NAME=VALUE", long_help = help_of_set())]
     assignments: Vec<String>,
 }
 
@@ -148,6 +145,16 @@ impl SystemArgs {
         let state = start_state(&system, start);
         Ok((system, state))
     }
+}
+
+/// What is said of the option that sets parameters, and settings of a control method.
+fn help_of_set() -> String {
+    format!(
+        "Sets a parameter of the system; may be given for each of them\n\nThose not given have the system's defaults; the \
+         paper's are omega=3.7, delta=0.1, zeta=0.1, r=0.8, mu_m=mu_k=mu_c=0.5, f20=0. Under control it sets what the \
+         method has, too: {}; target_v1 … target_vn, target_x1 … target_xn, target_tau.",
+        varied()
+    )
 }
 
 /// An option whose value cannot be used.
