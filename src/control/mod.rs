@@ -1,4 +1,4 @@
-//! Suppressing chaos: the three control methods of sections 6 and 8, acting at each return to the section σ.
+//! Suppressing chaos: the control methods of sections 6 and 8 and one more, acting at each return to the section σ.
 //!
 //! A [`Controlled`] trajectory flies from one impact at a stop, the section's, to the next. At each of them its
 //! [`Controller`] sees the point X that it has arrived at ((v1+, x2, v2, τ) on the paper's section, at its first stop) and

@@ -3,6 +3,7 @@
 mod delay;
 mod force;
 mod maps;
+mod ogy;
 mod plants;
 mod pulse;
 mod sine;

@@ -14,7 +14,7 @@ use impact_atlas::validate::{Agreement, Thresholds, compare};
 
 use super::{FIXED_POINT, TARGET, away, delay, sine, system};
 
-fn plane(scheme: Scheme, x: &str, y: &str) -> Plane<Control> {
+pub fn plane(scheme: Scheme, x: &str, y: &str) -> Plane<Control> {
     Plane {
         x: x.parse().unwrap(),
         y: y.parse().unwrap(),
@@ -34,9 +34,14 @@ fn plane(scheme: Scheme, x: &str, y: &str) -> Plane<Control> {
 
 /// (x1, x2, v1, v2) at forcing phase 0 beside the unstable 1-2-1 motion: on it, rounding would decide whether it is left.
 fn beside_the_motion() -> [f64; 4] {
-    let flight = Flight::<f64, 2>::new(&system());
-    let surface = Surface::new(&system(), &flight, Stop::A);
-    let mut trajectory = SectionPoint::new(&FIXED_POINT).trajectory(&flight, &surface, Contact::FREE, ());
+    beside(&system(), FIXED_POINT)
+}
+
+/// The same beside the motion through a point of the section.
+pub fn beside(system: &System, point: [f64; 4]) -> [f64; 4] {
+    let flight = Flight::<f64, 2>::new(system);
+    let surface = Surface::new(system, &flight, Stop::A);
+    let mut trajectory = SectionPoint::new(&point).trajectory(&flight, &surface, Contact::FREE, ());
     while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
     let State { x: [x1, x2], v: [v1, v2] } = trajectory.point.state;
     [x1, x2 + 1e-3, v1, v2]
@@ -52,11 +57,11 @@ fn feedback() -> Plane<Control> {
     plane
 }
 
-fn map(plane: &Plane<Control>, backend: &dyn Backend) -> RegionMap<Control> {
+pub fn map(plane: &Plane<Control>, backend: &dyn Backend) -> RegionMap<Control> {
     sweep(plane, backend, &Unwatched).unwrap()
 }
 
-fn agreement(plane: &Plane<Control>, candidate: &dyn Backend) -> Agreement {
+pub fn agreement(plane: &Plane<Control>, candidate: &dyn Backend) -> Agreement {
     compare(&map(plane, &Cpu), &map(plane, candidate))
 }
 
@@ -99,7 +104,7 @@ fn exact_control_has_the_bits_of_the_twin() {
     }
 }
 
-fn gpu() -> Gpu {
+pub fn gpu() -> Gpu {
     Gpu::open(None).expect("an adapter is there, if only a software one")
 }
 

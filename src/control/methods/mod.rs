@@ -2,12 +2,14 @@
 
 mod convention;
 mod delay;
+mod ogy;
 mod pulse;
 mod sine;
 mod sine_setting;
 
 pub use self::convention::Convention;
 pub use self::delay::{Delay, DelaySetting, Sign};
+pub use self::ogy::{Ogy, OgySetting};
 pub use self::pulse::{Pulse, PulseSetting};
 pub use self::sine::Sine;
 pub use self::sine_setting::SineSetting;
@@ -193,6 +195,8 @@ methods! {
     Pulse(PulseSetting),
     /// Delayed feedback, Eq. (30).
     Delay(DelaySetting),
+    /// Small kicks that hold an unstable motion.
+    Ogy(OgySetting),
 }
 
 impl Scheme {
@@ -269,5 +273,11 @@ impl ControlQuantity {
     /// Every setting that an axis can vary.
     pub fn all() -> impl Iterator<Item = ControlQuantity> {
         METHODS.iter().flat_map(|method| method.varied.iter().copied()).chain(AIMED)
+    }
+
+    /// Those that there are in systems of n coordinates.
+    pub fn of_coordinates(n: usize) -> impl Iterator<Item = ControlQuantity> {
+        let exists = move |aimed: &Self| (0..n).any(|own| aimed.component(n, own).is_some());
+        Self::all().filter(move |setting| !AIMED.contains(setting) || exists(setting))
     }
 }
