@@ -1,6 +1,6 @@
 //! The expressions of one part of a plant: a matrix, a vector or a number.
 
-use super::error::{CellFault, CellProblem, FamilyError, Place, Problem};
+use super::error::{CellFault, CellProblem, FamilyError, Place};
 use super::expression::Expression;
 use super::parameter::{Parameter, ParameterId, named};
 use super::table::Item;
@@ -85,9 +85,15 @@ fn expression(item: &Item, parameters: &[String]) -> Result<Expression, FamilyEr
         return number.map(Expression::number);
     }
     let compiled = Expression::compile(item.text(EXPRESSION)?, parameters);
-    compiled.map_err(|error| item.error(Problem::Expression(error)))
+    compiled.map_err(|error| item.error(error.to_string()))
 }
 
 fn check_count(item: &Item, what: &'static str, found: usize, wanted: usize) -> Result<(), FamilyError> {
-    if found == wanted { Ok(()) } else { Err(item.error(Problem::Shape { found, what, wanted })) }
+    if found == wanted {
+        return Ok(());
+    }
+    let problem = format!(
+        "{found} {what} where {wanted} should be: system.mass has {wanted} rows, one for each coordinate"
+    );
+    Err(item.error(problem))
 }

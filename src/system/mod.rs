@@ -19,7 +19,7 @@ mod struck;
 mod table;
 
 pub use builtin::{BUILTIN, Builtin, builtin};
-pub use error::{CellError, CellFault, CellProblem, FamilyError, Place, Problem};
+pub use error::{CellError, CellFault, FamilyError, Place};
 pub use expression::{ExpressionError, Fault};
 pub use family::{DefaultPlane, Family, FamilyStop};
 pub use mirror::Mirror;

@@ -3,7 +3,7 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::error::{FamilyError, Place, Problem};
+use super::error::{FamilyError, Place};
 
 /// A family's file.
 pub(super) struct Source<'a> {
@@ -22,12 +22,15 @@ impl Source<'_> {
     /// The whole file as a table.
     ///
     /// # Errors
-    /// [`Problem::NotToml`] with the line.
+    /// That it is not TOML, with the line.
     pub fn parse(&self) -> Result<Spanned<DeTable<'_>>, FamilyError> {
         DeTable::parse(self.text).map_err(|error| {
             let at = error.span().map_or(0, |span| span.start);
-            let problem = Problem::NotToml(error.message().lines().collect::<Vec<_>>().join(", "));
-            FamilyError { place: self.place(at, ""), problem: Box::new(problem) }
+            let message = error.message().lines().collect::<Vec<_>>().join(", ");
+            let problem = format!(
+                "this is not TOML: {message}; `impact-atlas systems shaw-holmes` prints a file to begin with"
+            );
+            FamilyError { place: self.place(at, ""), problem }
         })
     }
 }
@@ -46,8 +49,18 @@ impl<'a> Item<'a> {
         self.source.place(self.at, &self.key)
     }
 
-    pub fn error(&self, problem: Problem) -> FamilyError {
-        FamilyError { place: self.place(), problem: Box::new(problem) }
+    pub fn error(&self, problem: impl Into<String>) -> FamilyError {
+        FamilyError { place: self.place(), problem: problem.into() }
+    }
+
+    /// More than this version can follow.
+    pub fn too_many(&self, count: usize, what: &str, most: usize) -> FamilyError {
+        self.error(format!("{count} {what}: this version follows 1 to {most}"))
+    }
+
+    /// A name that cannot be one.
+    pub fn cannot_name(&self, what: &str, name: &str, reason: &str) -> FamilyError {
+        self.error(format!("`{name}` cannot name {what}, {reason}: choose another name"))
     }
 
     fn wrong_kind(&self, wanted: &'static str) -> FamilyError {
@@ -59,13 +72,13 @@ impl<'a> Item<'a> {
             DeValue::Array(_) => "a list",
             DeValue::Table(_) => "a section",
         };
-        self.error(Problem::WrongKind { found, wanted })
+        self.error(format!("this is {found}: write {wanted}"))
     }
 
     /// A text in quotes that is more than blanks.
     pub fn text(&self, wanted: &'static str) -> Result<&'a str, FamilyError> {
         let text = self.value.as_str().ok_or_else(|| self.wrong_kind(wanted))?;
-        if text.trim().is_empty() { Err(self.error(Problem::Empty(wanted))) } else { Ok(text) }
+        if text.trim().is_empty() { Err(self.error(format!("empty: write {wanted}"))) } else { Ok(text) }
     }
 
     /// A number that stands there as such.
@@ -80,7 +93,7 @@ impl<'a> Item<'a> {
             _ => i64::from_str_radix(digits, radix).ok().map(|whole| whole as f64),
         };
         let finite = value.filter(|value: &f64| value.is_finite());
-        Some(finite.ok_or_else(|| self.error(Problem::NotFinite(digits.to_owned()))))
+        Some(finite.ok_or_else(|| self.error(format!("{digits} is not a finite number: write one"))))
     }
 
     /// A finite number.
@@ -98,7 +111,7 @@ impl<'a> Item<'a> {
             value: value.get_ref(),
         };
         if array.is_empty() {
-            return Err(self.error(Problem::Empty(wanted)));
+            return Err(self.error(format!("empty: write {wanted}")));
         }
         Ok(array.iter().enumerate().map(entry).collect())
     }
@@ -149,19 +162,22 @@ impl<'a> Table<'a> {
     }
 
     /// # Errors
-    /// [`Problem::Missing`] at the section's own line, with an example to write.
+    /// That it is missing, at the section's own line, with an example to write.
     pub fn required(&self, name: &str, example: &'static str) -> Result<Item<'a>, FamilyError> {
         self.optional(name).ok_or_else(|| FamilyError {
             place: self.source.place(self.at, &self.key(name)),
-            problem: Box::new(Problem::Missing(example)),
+            problem: format!("missing: write {example}"),
         })
     }
 
     /// # Errors
-    /// [`Problem::UnknownKey`] at the first key that is none of these.
+    /// The first key that is none of these.
     pub fn only(&self, known: &[&str]) -> Result<(), FamilyError> {
         match self.items().into_iter().find(|(key, _)| !known.contains(key)) {
-            Some((_, item)) => Err(item.error(Problem::UnknownKey(known.join(", ")))),
+            Some((_, item)) => {
+                let known = known.join(", ");
+                Err(item.error(format!("unknown key: remove it, or write one of {known}")))
+            }
             None => Ok(()),
         }
     }

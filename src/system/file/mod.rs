@@ -7,7 +7,7 @@ mod stops;
 use sha2::{Digest, Sha256};
 
 use super::block::Block;
-use super::error::{FamilyError, Problem};
+use super::error::FamilyError;
 use super::family::{Equations, Family};
 use super::plant::Plant;
 use super::table::{Source, Table};
@@ -55,14 +55,12 @@ fn read(text: &str, origin: &str) -> Result<Family, FamilyError> {
     };
     let used = |place: usize| family.blocks().flat_map(Block::uses).any(|id| id.index() == place);
     if let Some(unused) = (0..places.len()).find(|&i| !used(i)) {
-        return Err(FamilyError { place: places[unused].clone(), problem: Box::new(Problem::Unused) });
+        let problem =
+            "no expression uses this parameter: use it in [system] or in a [[stop]], or remove it".to_owned();
+        return Err(FamilyError { place: places[unused].clone(), problem });
     }
-    match family.assemble(&family.defaults()) {
-        Ok(_) => Ok(family),
-        Err(fault) => {
-            Err(FamilyError { place: fault.place.clone(), problem: Box::new(Problem::Defaults(fault)) })
-        }
-    }
+    family.assemble(&family.defaults()).map_err(|fault| fault.of_defaults())?;
+    Ok(family)
 }
 
 fn equations(table: &Table, names: &[String]) -> Result<Equations, FamilyError> {
@@ -70,8 +68,7 @@ fn equations(table: &Table, names: &[String]) -> Result<Equations, FamilyError> 
     let mass = table.required("mass", r#"mass = [["1"]]"#)?;
     let n = Block::rows(&mass)?;
     if n > Plant::MOST_COORDINATES {
-        let most = Plant::MOST_COORDINATES;
-        return Err(mass.error(Problem::TooMany { count: n, what: "coordinates", most }));
+        return Err(mass.too_many(n, "coordinates", Plant::MOST_COORDINATES));
     }
     let load = |key: &str| match table.optional(key) {
         Some(item) => Block::vector(&item, n, names),

@@ -1,6 +1,6 @@
 //! The section [parameters].
 
-use super::super::error::{FamilyError, Place, Problem};
+use super::super::error::{FamilyError, Place};
 use super::super::expression;
 use super::super::parameter::{Bound, Parameter, Range};
 use super::super::table::{Item, Table};
@@ -35,7 +35,7 @@ fn clash(name: &str) -> Option<&'static str> {
 
 fn parameter(name: &str, item: &Item) -> Result<Parameter, FamilyError> {
     if let Some(reason) = clash(name) {
-        return Err(item.error(Problem::Name { name: name.to_owned(), reason }));
+        return Err(item.cannot_name("a parameter", name, reason));
     }
     let plain = |default| Parameter {
         name: name.to_owned(),
@@ -55,7 +55,7 @@ fn parameter(name: &str, item: &Item) -> Result<Parameter, FamilyError> {
     parameter.symbol = text("symbol")?.unwrap_or(name).to_owned();
     parameter.about = text("about")?.unwrap_or_default().to_owned();
     parameter.range = range(item, &table)?;
-    parameter.check(parameter.default).map_err(|error| default.error(Problem::Default(error)))?;
+    parameter.check(parameter.default).map_err(|error| default.error(format!("the default {error}")))?;
     Ok(parameter)
 }
 
@@ -66,7 +66,7 @@ fn range(item: &Item, table: &Table) -> Result<Range, FamilyError> {
     };
     let one = |including: Option<Bound>, excluding: Option<Bound>, both: &'static str| {
         if including.is_some() && excluding.is_some() {
-            return Err(item.error(Problem::Bounds(both)));
+            return Err(item.error(both));
         }
         Ok(including.or(excluding))
     };
@@ -77,7 +77,7 @@ fn range(item: &Item, table: &Table) -> Result<Range, FamilyError> {
     if let (Some(low), Some(high)) = (lower, upper) {
         let point = low.value == high.value && low.included && high.included;
         if low.value >= high.value && !point {
-            return Err(item.error(Problem::Bounds("no number lies within these bounds: widen them")));
+            return Err(item.error("no number lies within these bounds: widen them"));
         }
     }
     Ok(Range { lower, upper })

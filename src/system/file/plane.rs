@@ -1,6 +1,6 @@
 //! The section [plane]: the axes of a map where none are given.
 
-use super::super::error::{FamilyError, Problem};
+use super::super::error::FamilyError;
 use super::super::family::DefaultPlane;
 use super::super::parameter::Parameter;
 use super::super::table::Table;
@@ -22,14 +22,14 @@ pub(super) fn read(
     let axis = |key, example| -> Result<(String, String), FamilyError> {
         let item = table.required(key, example)?;
         let text = item.text(WANTED)?;
-        let wrong = |reason| item.error(Problem::Axis { text: text.to_owned(), reason });
+        let wrong = |reason: String| item.error(format!("`{text}` {reason}"));
         Ok((axis_name(text, parameters, n).map_err(wrong)?, text.to_owned()))
     };
     let (across, x) = axis("x", r#"x = "NAME=FIRST:LAST:COUNT""#)?;
     let (up, y) = axis("y", r#"y = "NAME=FIRST:LAST:COUNT""#)?;
     if across == up {
-        let reason = format!("varies {up} as the other axis does: choose another quantity");
-        return Err(table.required("y", WANTED)?.error(Problem::Axis { text: y, reason }));
+        let problem = format!("`{y}` varies {up} as the other axis does: choose another quantity");
+        return Err(table.required("y", WANTED)?.error(problem));
     }
     Ok(Some(DefaultPlane { x, y }))
 }

@@ -1,7 +1,7 @@
 //! The sections [[stop]] and the order in which labels count them.
 
 use super::super::block::Block;
-use super::super::error::{FamilyError, Problem};
+use super::super::error::FamilyError;
 use super::super::family::FamilyStop;
 use super::super::plant::Plant;
 use super::super::table::{Item, Table};
@@ -13,8 +13,7 @@ pub(super) fn read(root: &Table, n: usize, names: &[String]) -> Result<Vec<Famil
     let item = root.required("stop", SECTION)?;
     let items = item.list(SECTION)?;
     if items.len() > Plant::MOST_STOPS {
-        let most = Plant::MOST_STOPS;
-        return Err(item.error(Problem::TooMany { count: items.len(), what: "stops", most }));
+        return Err(item.too_many(items.len(), "stops", Plant::MOST_STOPS));
     }
     let mut stops: Vec<FamilyStop> = Vec::with_capacity(items.len());
     for item in items {
@@ -52,7 +51,7 @@ fn own_name(item: &Item, before: &[FamilyStop]) -> Result<String, FamilyError> {
     } else {
         return Ok(name.to_owned());
     };
-    Err(item.error(Problem::StopName { name: name.to_owned(), reason }))
+    Err(item.cannot_name("a stop", name, reason))
 }
 
 /// Where each stop that labels count first, second, … stands in the order of the file.
@@ -61,7 +60,7 @@ pub(super) fn label_order(root: &Table, stops: &[FamilyStop]) -> Result<Vec<usiz
     let wanted = r#"a list of stops: ["A"]"#;
     let error = |item: &Item, reason: String| {
         let stops: Vec<&str> = stops.iter().map(|stop| stop.name.as_str()).collect();
-        item.error(Problem::LabelOrder { reason, stops: stops.join(", ") })
+        item.error(format!("{reason}: write each of {} once", stops.join(", ")))
     };
     let mut order = Vec::with_capacity(stops.len());
     for entry in item.list(wanted)? {
