@@ -72,16 +72,11 @@ impl Bar {
     pub fn colour(&self, value: f64) -> Colour {
         let [low, high] = self.ends();
         if value < low || value > high {
-            return self.colour_beyond(value > high);
+            return Palette::beyond(value > high);
         }
         let part = self.parts.iter().find(|(scale, _)| value <= scale.ends()[1]).or(self.parts.last());
         let Some((scale, [from, to])) = part else { return self.palette.colour(0.0) };
         self.palette.colour(from + scale.fraction(value) * (to - from))
-    }
-
-    /// The colour of numbers above the bar, or below it.
-    pub fn colour_beyond(&self, above: bool) -> Colour {
-        Palette::beyond(above)
     }
 
     /// Whether some of the numbers lie below the bar, or above it.

@@ -5,7 +5,7 @@ use std::io::Cursor;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{Rgb, RgbImage, RgbaImage};
+use image::{ImageBuffer, PixelWithColorType, Rgb};
 use quick_xml::Writer;
 use quick_xml::events::{BytesEnd, BytesStart, BytesText, Event};
 
@@ -66,12 +66,21 @@ impl Canvas {
 
     /// Draws a line through points, its corners round.
     pub fn polyline(&mut self, points: &[Point], width: f64, colour: Colour) {
+        self.stroke(points, width, colour, &[]);
+    }
+
+    /// Draws a line through points, its corners round, with dashes and gaps of the given lengths unless there are none.
+    pub fn stroke(&mut self, points: &[Point], width: f64, colour: Colour, dashes: &[f64]) {
         let [first, rest @ ..] = points else { return };
         let mut path = format!("M{} {}", number(first.x), number(first.y));
         for point in rest {
             path.push_str(&format!("L{} {}", number(point.x), number(point.y)));
         }
-        self.path(&path, width, colour, &[("stroke-linejoin", "round")]);
+        let lengths: Vec<String> = dashes.iter().map(|&length| number(length)).collect();
+        let lengths = lengths.join(" ");
+        let dashed = (!dashes.is_empty()).then_some(("stroke-dasharray", &*lengths));
+        let more: Vec<_> = [("stroke-linejoin", "round")].into_iter().chain(dashed).collect();
+        self.path(&path, width, colour, &more);
     }
 
     /// Draws dots of one size and colour.
@@ -105,23 +114,15 @@ impl Canvas {
         }
     }
 
-    /// Lays an image into a rectangle, pixel by pixel, without smoothing.
-    pub fn image(&mut self, rect: Rect, image: &RgbImage) {
+    /// Lays an image, which may be transparent in places, into a rectangle, pixel by pixel, without smoothing.
+    pub fn image<P: PixelWithColorType<Subpixel = u8>>(
+        &mut self,
+        rect: Rect,
+        image: &ImageBuffer<P, Vec<u8>>,
+    ) {
         let mut png = Cursor::new(Vec::new());
         let encoder = PngEncoder::new_with_quality(&mut png, CompressionType::Fast, FilterType::Up);
         image.write_with_encoder(encoder).expect(IN_MEMORY);
-        self.png(rect, &png.into_inner());
-    }
-
-    /// Lays an image that is transparent in places over a rectangle, pixel by pixel, without smoothing.
-    pub fn overlay(&mut self, rect: Rect, image: &RgbaImage) {
-        let mut png = Cursor::new(Vec::new());
-        let encoder = PngEncoder::new_with_quality(&mut png, CompressionType::Fast, FilterType::Up);
-        image.write_with_encoder(encoder).expect(IN_MEMORY);
-        self.png(rect, &png.into_inner());
-    }
-
-    fn png(&mut self, rect: Rect, png: &[u8]) {
         let element = self.xml.create_element("image").with_attributes([
             ("x", &*number(rect.x)),
             ("y", &number(rect.y)),
@@ -130,32 +131,8 @@ impl Canvas {
             ("preserveAspectRatio", "none"),
             ("image-rendering", "optimizeSpeed"),
             ("style", "image-rendering:pixelated"),
-            ("href", &format!("data:image/png;base64,{}", BASE64.encode(png))),
+            ("href", &format!("data:image/png;base64,{}", BASE64.encode(png.into_inner()))),
         ]);
-        element.write_empty().expect(IN_MEMORY);
-        self.line_break();
-    }
-
-    /// Draws a line through points, with dashes and gaps of the given lengths unless there are none.
-    pub fn stroke(&mut self, points: &[Point], width: f64, colour: Colour, dashes: &[f64]) {
-        let [first, rest @ ..] = points else { return };
-        let mut path = format!("M{} {}", number(first.x), number(first.y));
-        for point in rest {
-            path.push_str(&format!("L{} {}", number(point.x), number(point.y)));
-        }
-        let lengths: Vec<String> = dashes.iter().map(|&length| number(length)).collect();
-        let (colour, width, lengths) = (hex(colour), number(width), lengths.join(" "));
-        let element = self
-            .xml
-            .create_element("path")
-            .with_attributes([
-                ("d", &*path),
-                ("fill", "none"),
-                ("stroke", &colour),
-                ("stroke-width", &width),
-                ("stroke-linejoin", "round"),
-            ])
-            .with_attributes((!dashes.is_empty()).then_some(("stroke-dasharray", &*lengths)));
         element.write_empty().expect(IN_MEMORY);
         self.line_break();
     }

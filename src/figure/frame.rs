@@ -30,6 +30,11 @@ pub struct AxisTitle {
 }
 
 impl AxisTitle {
+    /// A description and a symbol behind it.
+    pub fn new(description: &str, short: Text) -> Self {
+        AxisTitle { long: Text::from(description).upright(" ").then(short.clone()), short }
+    }
+
     /// The fullest title that is no longer than `room`, in the unit that the labels leave out.
     pub(crate) fn fitting(&self, exponent: i32, size: f64, room: f64) -> Option<Text> {
         let unit = |title: &Text| match exponent {

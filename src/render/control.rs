@@ -68,13 +68,7 @@ impl ControlPicture<'_> {
         let mut key = if switched { vec![self.switch_key()] } else { Vec::new() };
         key.extend(orbit_key(self.setting().family(), &panels[responses.len()..]));
         let time = panels.pop();
-        let mut rows: Vec<Row> = Vec::new();
-        for panel in panels {
-            match rows.last_mut().filter(|row| row.panels.len() < 2) {
-                Some(row) => row.panels.push(panel),
-                None => rows.push(Row { panels: vec![panel], weight: 0.62 }),
-            }
-        }
+        let mut rows = Row::of(panels, 2, 0.62);
         rows.extend(time.map(|panel| Row { panels: vec![panel], weight: 0.62 }));
         Figure { title: self.title(|_| false), rows, key, notes: self.notes(), width: 60.0 }
     }
@@ -99,11 +93,10 @@ impl ControlPicture<'_> {
                 [f64::from(met.iterate), value]
             })
             .collect();
-        let short = Text::new().italic("n");
         let frame = Frame {
             x: Scale::new(f64::from(from), f64::from(until.max(from + 1))),
             y: Scale::around(points.iter().map(|point| point[1]), AROUND),
-            x_title: AxisTitle { long: Text::from("iterate ").then(short.clone()), short },
+            x_title: AxisTitle::new("iterate", Text::new().italic("n")),
             y_title: self.response_title(of),
         };
         let colour = if of == Response::Signal { INK } else { STEADY_BLUE };
@@ -111,7 +104,7 @@ impl ControlPicture<'_> {
             Mark::Upright { x: f64::from(self.schedule.from), width: SWITCH, colour: STRIKING },
             Mark::Dots { points, diameter: DOT, colour },
         ];
-        Panel { caption: None, frame, marks, strips: Vec::new(), weight: 1.0 }
+        Panel::new(frame, marks)
     }
 
     /// The flight after control.
@@ -135,7 +128,7 @@ impl ControlPicture<'_> {
             y_title: self.component_title(y),
         };
         let marks = vec![Mark::Dots { points, diameter: 2.0 * DOT, colour: STEADY_BLUE }];
-        Panel { caption: None, frame, marks, strips: Vec::new(), weight: 1.0 }
+        Panel::new(frame, marks)
     }
 
     /// The coordinate whose velocity is the first component of a point on the section.
@@ -169,7 +162,7 @@ impl ControlPicture<'_> {
         match reading {
             Reading::VAfter if own > 0 => {
                 let short = symbols::reading_symbol(Reading::V(own)).superscript("+");
-                AxisTitle { long: Text::from("velocity after impact ").then(short.clone()), short }
+                AxisTitle::new("velocity after impact", short)
             }
             Reading::VAfter | Reading::Tau => symbols::reading_title(reading),
             _ => symbols::title_on(self.setting(), Section::Impact(self.scheme.stop()), reading),
@@ -177,7 +170,7 @@ impl ControlPicture<'_> {
     }
 
     fn caption(&self, of: Response) -> String {
-        let of_mass = |i: u8, what: &str| format!("{} mass, {what}", ORDINALS[usize::from(i)]);
+        let of_mass = |i: u8, what: &str| format!("{} mass, {what}", symbols::ORDINALS[usize::from(i)]);
         match of {
             Response::Signal => "control signal".to_owned(),
             Response::Component(Reading::Tau) => "forcing phase at impact".to_owned(),
@@ -230,8 +223,6 @@ impl ControlPicture<'_> {
         ]
     }
 }
-
-const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
 
 const AFTER: [&str; 2] = ["phase portrait under control", "time series under control"];
 

@@ -9,30 +9,20 @@ use crate::model::{Setting, StateVector};
 use crate::plane::{Component, Quantity, Start};
 use crate::system::Family;
 
-const START_DISPLACEMENT: [&str; 4] = [
-    "start displacement of the first mass",
-    "start displacement of the second mass",
-    "start displacement of the third mass",
-    "start displacement of the fourth mass",
-];
-
-const START_VELOCITY: [&str; 4] = [
-    "start velocity of the first mass",
-    "start velocity of the second mass",
-    "start velocity of the third mass",
-    "start velocity of the fourth mass",
-];
+/// The masses, by their places.
+pub(super) const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
 
 /// The title of an axis over a quantity.
 pub(super) fn axis_title(quantity: Quantity) -> AxisTitle {
     let description = match quantity {
-        Quantity::Parameter(parameter) => parameter.description(),
-        Quantity::Start(component) if component.is_velocity() => START_VELOCITY[component.coordinate()],
-        Quantity::Start(component) => START_DISPLACEMENT[component.coordinate()],
-        Quantity::Control(setting) => setting.description(),
+        Quantity::Parameter(parameter) => parameter.description().to_owned(),
+        Quantity::Start(component) => {
+            let what = if component.is_velocity() { "velocity" } else { "displacement" };
+            format!("start {what} of the {} mass", ORDINALS[component.coordinate()])
+        }
+        Quantity::Control(setting) => setting.description().to_owned(),
     };
-    let short = symbol(quantity);
-    AxisTitle { long: Text::from(description).upright(" ").then(short.clone()), short }
+    AxisTitle::new(&description, symbol(quantity))
 }
 
 /// The symbol of what is read on a section of the first coordinate.
@@ -49,8 +39,6 @@ pub(super) fn reading_symbol(reading: Reading) -> Text {
     }
 }
 
-const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
-
 /// The title of an axis over what is read on a section of the first coordinate.
 pub(super) fn reading_title(reading: Reading) -> AxisTitle {
     let of_mass = |what: &str, i: u8| format!("{what} of the {} mass", ORDINALS[usize::from(i)]);
@@ -63,11 +51,7 @@ pub(super) fn reading_title(reading: Reading) -> AxisTitle {
         Reading::Gap(stop) => format!("distance left to stop {stop}"),
         Reading::Speed(stop) => format!("velocity towards stop {stop}"),
     };
-    titled(description, reading_symbol(reading))
-}
-
-fn titled(description: String, short: Text) -> AxisTitle {
-    AxisTitle { long: Text::from(description).upright(" ").then(short.clone()), short }
+    AxisTitle::new(&description, reading_symbol(reading))
 }
 
 /// The title of an axis over what is read on a section of a system: named after its own stops and coordinates.
@@ -79,16 +63,16 @@ pub(super) fn title_on(setting: &Setting, section: Section, reading: Reading) ->
         (Reading::VBefore | Reading::VAfter, Section::Impact(stop)) => {
             let before = reading == Reading::VBefore;
             let what = if before { "velocity before impact" } else { "velocity after impact" };
-            titled(what.to_owned(), places::along(setting, stop).superscript(sign(before)))
+            AxisTitle::new(what, places::along(setting, stop).superscript(sign(before)))
         }
-        (Reading::X(_), _) if family.n() == 1 => titled("displacement".to_owned(), reading_symbol(reading)),
-        (Reading::V(_), _) if family.n() == 1 => titled("velocity".to_owned(), reading_symbol(reading)),
-        (Reading::Gap(stop), _) => titled(
-            format!("distance left to stop {}", name(stop)),
+        (Reading::X(_), _) if family.n() == 1 => AxisTitle::new("displacement", reading_symbol(reading)),
+        (Reading::V(_), _) if family.n() == 1 => AxisTitle::new("velocity", reading_symbol(reading)),
+        (Reading::Gap(stop), _) => AxisTitle::new(
+            &format!("distance left to stop {}", name(stop)),
             Text::new().italic("g").subscript(name(stop)),
         ),
-        (Reading::Speed(stop), _) => titled(
-            format!("velocity towards stop {}", name(stop)),
+        (Reading::Speed(stop), _) => AxisTitle::new(
+            &format!("velocity towards stop {}", name(stop)),
             Text::new().italic("u").subscript(name(stop)),
         ),
         _ => reading_title(reading),

@@ -135,13 +135,7 @@ pub(super) fn draw(plots: &[Plot], beside: usize, config: &str) -> Result<Pictur
         panels.push(drawn);
     }
     let key = orbit_key(Family::paper(), &panels);
-    let mut rows: Vec<Row> = Vec::new();
-    for panel in panels {
-        match rows.last_mut().filter(|row| row.panels.len() < beside) {
-            Some(row) => row.panels.push(panel),
-            None => rows.push(Row { panels: vec![panel], weight: 1.0 }),
-        }
-    }
+    let rows = Row::of(panels, beside, 1.0);
     let height = match beside {
         1 => 620,
         2 => 800,

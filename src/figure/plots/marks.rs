@@ -150,6 +150,6 @@ impl Plot<'_> {
                 }
             }
         }
-        canvas.overlay(self.rect, &image);
+        canvas.image(self.rect, &image);
     }
 }

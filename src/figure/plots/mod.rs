@@ -54,6 +54,13 @@ pub struct Panel {
     pub weight: f64,
 }
 
+impl Panel {
+    /// A plot without caption or strips, as wide as others.
+    pub fn new(frame: Frame, marks: Vec<Mark>) -> Self {
+        Panel { caption: None, frame, marks, strips: Vec::new(), weight: 1.0 }
+    }
+}
+
 /// A row of plots.
 #[derive(Clone, Debug)]
 pub struct Row {
@@ -61,6 +68,13 @@ pub struct Row {
     pub panels: Vec<Panel>,
     /// Its share of the figure's height.
     pub weight: f64,
+}
+
+impl Row {
+    /// Plots in rows of so many beside each other, each row of the same height.
+    pub fn of(panels: Vec<Panel>, beside: usize, weight: f64) -> Vec<Row> {
+        panels.chunks(beside).map(|row| Row { panels: row.to_vec(), weight }).collect()
+    }
 }
 
 /// A figure: rows of plots under a title, with a key and notes below.

@@ -37,7 +37,7 @@ pub(super) fn exponent_panels(diagram: &Diagram) -> Vec<Panel> {
         let spectrum = branch.spectrum.as_ref()?;
         let caption = several.then(|| format!("state carried {}", branch.direction.name()).into());
         let marks = marks(&diagram.spec.x.values(), spectrum);
-        Some(Panel { caption, frame: frame.clone(), marks, strips: Vec::new(), weight: 1.0 })
+        Some(Panel { caption, ..Panel::new(frame.clone(), marks) })
     };
     diagram.branches.iter().filter_map(panel).collect()
 }

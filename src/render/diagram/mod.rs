@@ -97,7 +97,7 @@ fn section_panel(diagram: &Diagram, motions: &Motions) -> Panel {
         name: (diagram.branches.len() > 1).then(|| branch.direction.name().into()),
     };
     let strips = diagram.branches.iter().map(strip).collect();
-    Panel { caption: None, frame, marks, strips, weight: 1.0 }
+    Panel { strips, ..Panel::new(frame, marks) }
 }
 
 /// What dots, lines and bands stand for.

@@ -71,7 +71,7 @@ pub fn live_bar(layer: &Layer, values: &[f32], length: f64, em: f64) -> Option<L
         title: field.title,
         parts: parts.collect(),
         colours: shares.map(|share| css(bar.palette().colour(share))).collect(),
-        beyond: [false, true].map(|above| css(bar.colour_beyond(above))),
+        beyond: [false, true].map(|above| css(Palette::beyond(above))),
         undefined: (css(UNDEFINED), drawn.undefined),
         lost: (css(LOST), drawn.lost),
         ticks: apart,

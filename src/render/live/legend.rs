@@ -7,7 +7,7 @@ use super::words::{Word, words};
 use crate::figure::Paint;
 use crate::render::colours::paint_of;
 use crate::render::motion::Motion;
-use crate::render::regions::{Census, definition_of, entries_of};
+use crate::render::regions::{Census, definition, entries_of};
 use crate::system::Family;
 
 /// A row of the legend.
@@ -54,7 +54,7 @@ pub fn live_legend(
     LiveLegend {
         rows: rows.collect(),
         paints: found.iter().map(|(motion, _)| paint(&own(motion))).collect(),
-        notes: definition_of(&census).iter().map(words).collect(),
+        notes: definition(&census).iter().map(words).collect(),
     }
 }
 

@@ -29,19 +29,7 @@ pub fn orbit_figure(orbit: &Orbit<'_>, start: Start, panels: &[OrbitPanel], zoom
         plots.iter_mut().zip(panels).for_each(|(plot, panel)| plot.caption = Some(words(*panel, family)));
     }
     let width = if plots.len() == 1 { 40.0 } else { 60.0 };
-    Figure { title, rows: in_rows(plots), key, notes: Vec::new(), width }
-}
-
-/// Plots in rows of two.
-fn in_rows(plots: Vec<Panel>) -> Vec<Row> {
-    let mut rows: Vec<Row> = Vec::new();
-    for plot in plots {
-        match rows.last_mut().filter(|row| row.panels.len() < BESIDE) {
-            Some(row) => row.panels.push(plot),
-            None => rows.push(Row { panels: vec![plot], weight: 1.0 }),
-        }
-    }
-    rows
+    Figure { title, rows: Row::of(plots, BESIDE, 1.0), key, notes: Vec::new(), width }
 }
 
 /// What the marks of such plots of a family's orbit stand for, as far as they are in view.

@@ -186,15 +186,14 @@ impl Orbit<'_> {
 fn title(setting: &Setting, section: Section, variable: Variable) -> AxisTitle {
     match variable {
         Variable::Time => {
-            let short = Text::new().italic("t").upright("/").italic("T");
-            AxisTitle { long: Text::from("time in forcing periods ").then(short.clone()), short }
+            AxisTitle::new("time in forcing periods", Text::new().italic("t").upright("/").italic("T"))
         }
         Variable::Reading(reading) => symbols::title_on(setting, section, reading),
     }
 }
 
 fn panel(frame: Frame, marks: Vec<Mark>, weight: f64) -> Panel {
-    Panel { caption: None, frame, marks, strips: Vec::new(), weight }
+    Panel { weight, ..Panel::new(frame, marks) }
 }
 
 /// How many dots can be told apart.

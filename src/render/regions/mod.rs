@@ -10,6 +10,7 @@ mod sampling;
 
 pub(super) use self::census::Census;
 use self::layout::Layout;
+pub(super) use self::names::{definition, title};
 use super::axes::frame_of;
 use super::control::describe;
 use super::curves::{Overlay, Shown};
@@ -17,7 +18,7 @@ use super::numbers::draw_numbers;
 use crate::curves::Curve;
 use crate::figure::{Anchor, Canvas, Entry, INK, LeftOut, Picture, Point, Size, Text};
 use crate::plane::fields::{Cells, CellsError, Layer};
-use crate::plane::{Control, Plane, Quantity, RegionMap, Window};
+use crate::plane::{Control, Quantity, RegionMap, Window};
 
 pub use self::picture::{DrawnCurves, PlanePicture};
 pub(super) use self::sampling::{means, most};
@@ -48,7 +49,7 @@ pub fn control_map(map: &RegionMap<Control>, size: Size) -> Picture {
 pub(super) fn control_title(map: &RegionMap<Control>) -> Vec<Text> {
     let plane = &map.plane;
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
-    let mut title = names::title(plane);
+    let mut title = title(plane);
     title.last_mut().into_iter().for_each(|last| *last = last.clone().upright(";"));
     title.extend(describe(&plane.task.scheme, plane.parameters.family(), |setting| {
         varied(Quantity::Control(setting))
@@ -145,16 +146,6 @@ fn draw_motions(what: &What, overlay: Option<&Overlay>, size: Size) -> Result<Pi
         LeftOut { parts: layout.left_out, enough: size.enough(whole) }
     });
     Ok(Picture::new(size, what.config.clone(), canvas.finish()).without(left_out))
-}
-
-/// The title of a plane's picture, in pieces that belong together.
-pub(super) fn title(plane: &Plane) -> Vec<Text> {
-    names::title(plane)
-}
-
-/// The meaning of the labels of a census.
-pub(super) fn definition_of(census: &Census) -> Vec<Text> {
-    names::definition(census)
 }
 
 /// The rows of the legend of a census, `rows` of them, or one more than is not periodic.

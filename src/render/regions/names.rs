@@ -10,7 +10,7 @@ use crate::render::{places, symbols};
 const SAMPLES: usize = 4;
 
 /// The title in pieces that belong together: the fixed parameters and the start.
-pub(super) fn title<T>(plane: &Plane<T>) -> Vec<Text> {
+pub fn title<T>(plane: &Plane<T>) -> Vec<Text> {
     let varied = |quantity| [plane.x.quantity, plane.y.quantity].contains(&quantity);
     let mut title = symbols::equations(&plane.parameters, varied);
     let mirrored = plane.start == Start::Symmetric && is_mirrored(plane);
@@ -74,7 +74,7 @@ fn names(periodic: &[&Region], census: &Census, rows: usize) -> Vec<Motion> {
 }
 
 /// The meaning of the labels, in pieces that belong together; of N = 0 where a region has it.
-pub(super) fn definition(census: &Census) -> Vec<Text> {
+pub fn definition(census: &Census) -> Vec<Text> {
     let mut pieces = places::label_definition(census.family);
     if census.regions.iter().any(|region| region.name.starts_with("0-")) {
         // Only control, which may shift the phase, has motions of less than half a forcing period.

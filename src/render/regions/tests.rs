@@ -162,7 +162,7 @@ fn the_plot_is_shown_pixel_by_pixel() {
         let window = Window::whole(&map.plane);
         let census = Census::of(&map, window).unwrap();
         let frame = frame_of(&map.plane);
-        let plot = Layout::of(true, &names::title(&map.plane), &census, &frame, &Key::default(), size).plot;
+        let plot = Layout::of(true, &title(&map.plane), &census, &frame, &Key::default(), size).plot;
         let [x, y, width, height] = [plot.x, plot.y, plot.width, plot.height].map(|length| length as u32);
         let expected = raster::draw(&map, window, &census, [width, height], size.em()).unwrap();
         let pixels = region_map(&map, size).pixels();

@@ -138,7 +138,7 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &str) -> Result
     let first = plots.first().map(|(run, _)| *run);
     let alike = plots.iter().all(|(run, _)| gain(run) == first.and_then(gain));
     let mut key: Vec<KeyEntry> = Vec::new();
-    let mut rows: Vec<Row> = Vec::new();
+    let mut panels = Vec::new();
     for (letter, (run, plot)) in ('a'..).zip(plots) {
         let picture = run.picture(&system, ["", ""]);
         let mut panel: Panel = match plot {
@@ -163,10 +163,7 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &str) -> Result
             Some(value) => caption.italic("g").upright(value),
             None => caption,
         });
-        match rows.last_mut().filter(|row| row.panels.len() < 2) {
-            Some(row) => row.panels.push(panel),
-            None => rows.push(Row { panels: vec![panel], weight: 0.75 }),
-        }
+        panels.push(panel);
     }
     let mut distinct: Vec<KeyEntry> = Vec::new();
     for entry in key {
@@ -176,7 +173,8 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &str) -> Result
     }
     let varied = |setting: ControlQuantity| !alike && setting.name() == "gain";
     let title = first.map_or_else(Vec::new, |run| run.picture(&system, ["", ""]).title(varied));
-    let figure = Figure { title, rows, key: distinct, notes: Vec::new(), width: 60.0 };
+    let figure =
+        Figure { title, rows: Row::of(panels, 2, 0.75), key: distinct, notes: Vec::new(), width: 60.0 };
     figure.draw(figure.natural_size(WIDTH), config)
 }
 
