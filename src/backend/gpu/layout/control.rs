@@ -2,7 +2,9 @@
 
 use super::follow::Verdict;
 use crate::analysis;
-use crate::control::{self, Beginning, Controller, METHODS, Member, Method, SectionValues, Surface};
+use crate::control::{
+    self, Beginning, Controller, METHODS, MOST_COMPONENTS, Member, Method, SectionValues, Surface,
+};
 use crate::dynamics::Stop;
 use crate::model::vector::MOST;
 use crate::model::{self, Drive, System};
@@ -141,6 +143,8 @@ shared_struct! {
     /// What became of a controlled trajectory.
     pub struct Outcome {
         pub verdict: Verdict,
+        /// The point on σ; the verdict has no state.
+        pub section: [f32; MOST_COMPONENTS],
         pub period: u32,
         pub iterates: u32,
         pub converged_at: u32,
@@ -152,10 +156,12 @@ shared_struct! {
 }
 
 impl Outcome {
-    /// The outcome on the section of a stop with its values widened; the shader writes the point on σ in the place of a state.
+    /// The outcome on the section of a stop with its values widened.
     pub fn widen(&self, system: &System, stop: Stop) -> control::Outcome {
         let verdict = self.verdict.widen(system);
-        let section = SectionValues::from_slice(&verdict.state).expect("a system has 1 to 4 coordinates");
+        let point = self.section.map(f64::from);
+        let section = SectionValues::from_slice(&point[..2 * system.plant().n])
+            .expect("a system has 1 to 4 coordinates");
         control::Outcome {
             verdict: analysis::Verdict { state: section.state(system.plant(), stop), ..verdict },
             section,
