@@ -99,13 +99,8 @@ impl MethodArgs {
             return Err(CliError::Input(anyhow!("--{option} has no effect on {method}: drop it")));
         }
         let mut scheme = Scheme::given(method, &self.given, &site).map_err(CliError::input)?;
-        for (i, one) in set.iter().enumerate() {
-            if let Some(other) = set[..i].iter().find(|other| other.quantity == one.quantity) {
-                return Err(CliError::Input(anyhow!(
-                    "{} is set twice, by --set {other} and --set {one}: drop one of the two",
-                    one.quantity.name()
-                )));
-            }
+        Assignment::refuse_twice(set)?;
+        for one in set {
             let Quantity::Control(setting) = one.quantity else { continue };
             scheme = scheme.with(setting, one.value).ok_or_else(|| {
                 CliError::Input(anyhow!("--set {one} has no effect on {}: drop it", method.name))

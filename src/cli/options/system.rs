@@ -117,13 +117,8 @@ impl SystemArgs {
     /// A setting with what is assigned in place of its own values.
     pub(super) fn assigned_to(&self, mut setting: Setting) -> Result<Setting, CliError> {
         let assignments = self.assignments()?;
-        for (i, set) in assignments.iter().enumerate() {
-            if let Some(other) = assignments[..i].iter().find(|other| other.quantity == set.quantity) {
-                return Err(CliError::Input(anyhow!(
-                    "{} is set twice, by --set {other} and --set {set}: drop one of the two",
-                    set.quantity.name()
-                )));
-            }
+        Assignment::refuse_twice(&assignments)?;
+        for set in assignments {
             let Quantity::Parameter(parameter) = set.quantity else {
                 let known: Vec<&str> = Parameter::all(self.family()).map(Parameter::name).collect();
                 return Err(CliError::Input(anyhow!(

@@ -1,7 +1,7 @@
 //! Why a result is not written.
 
-use std::io;
-use std::path::PathBuf;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
@@ -90,4 +90,17 @@ pub enum OutputError {
         /// What the file system said.
         source: io::Error,
     },
+}
+
+impl OutputError {
+    /// What went wrong as a file was written.
+    pub(in crate::store) fn of_writing(path: &Path, source: io::Error) -> Self {
+        let path = path.to_owned();
+        match source.kind() {
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded => OutputError::DiskFull { path, source },
+            ErrorKind::FileTooLarge => OutputError::TooLarge { path, source },
+            ErrorKind::AlreadyExists => OutputError::Exists { path },
+            _ => OutputError::Write { path, source },
+        }
+    }
 }

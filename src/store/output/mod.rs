@@ -137,13 +137,7 @@ impl Output {
     }
 
     fn failed(&self, source: io::Error) -> OutputError {
-        let path = self.path.clone();
-        match source.kind() {
-            ErrorKind::StorageFull | ErrorKind::QuotaExceeded => OutputError::DiskFull { path, source },
-            ErrorKind::FileTooLarge => OutputError::TooLarge { path, source },
-            ErrorKind::AlreadyExists => OutputError::Exists { path },
-            _ => OutputError::Write { path, source },
-        }
+        OutputError::of_writing(&self.path, source)
     }
 }
 

@@ -116,7 +116,7 @@ impl ZarrStore {
     fn write_shard(&self, field: &'static CellField, tile: u32, values: &Values) -> Result<(), StoreError> {
         let path = self.shard(field, tile);
         let bytes = self.encoded(field, tile, values).map_err(|error| self.io(error))?;
-        self.show(&path, &bytes).map_err(|source| StoreError::Output(output_error(&path, source)))
+        self.show(&path, &bytes).map_err(|source| StoreError::Output(OutputError::of_writing(&path, source)))
     }
 
     /// Puts bytes into a file that appears whole.
@@ -283,14 +283,4 @@ fn padded<T: Copy>(values: &[T], window: Window, inner: usize, side: u32, nothin
         to[..row].copy_from_slice(from);
     }
     square
-}
-
-/// What went wrong with a file of a store.
-fn output_error(path: &Path, source: io::Error) -> OutputError {
-    let path = path.to_owned();
-    match source.kind() {
-        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => OutputError::DiskFull { path, source },
-        ErrorKind::FileTooLarge => OutputError::TooLarge { path, source },
-        _ => OutputError::Write { path, source },
-    }
 }
