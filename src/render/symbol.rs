@@ -8,6 +8,9 @@ use crate::plane::Quantity;
 pub(super) fn symbol(quantity: Quantity) -> Text {
     match quantity {
         Quantity::Parameter(parameter) => {
+            if parameter.symbol() == parameter.name() {
+                return of_name(parameter.name());
+            }
             let (letter, subscript) = split_symbol(parameter.symbol());
             Text::new().italic(letter).subscript(subscript)
         }
@@ -17,6 +20,17 @@ pub(super) fn symbol(quantity: Quantity) -> Text {
         }
         Quantity::Control(setting) => control_symbol(setting),
     }
+}
+
+/// What stands for a parameter whose file gives no symbol: its name, with what follows an underscore or the digits at its end
+/// as the subscript.
+fn of_name(name: &str) -> Text {
+    let (word, subscript) = match name.split_once('_') {
+        Some((word, subscript)) if !word.is_empty() => (word, subscript),
+        _ => name.split_at(name.trim_end_matches(|c: char| c.is_ascii_digit()).len()),
+    };
+    let text = Text::new().italic(word);
+    if subscript.is_empty() { text } else { text.subscript(subscript) }
 }
 
 /// A symbol as its letter and its subscript: everything after the first letter.
@@ -31,4 +45,21 @@ pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
     let text = Text::new().italic(letter);
     let text = if subscript.is_empty() { text } else { text.subscript(subscript) };
     if superscript.is_empty() { text } else { text.superscript(superscript) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parameter_without_a_symbol_is_called_by_its_name() {
+        let plain = |name: &str| Text::new().italic(name);
+        assert_eq!(of_name("omega"), plain("omega"));
+        assert_eq!(of_name("mu_m"), plain("mu").subscript("m"));
+        assert_eq!(of_name("k12"), plain("k").subscript("12"));
+        assert_eq!(of_name("r"), plain("r"));
+        assert_eq!(of_name("_a"), plain("_a"));
+        let mu = split_symbol("µm");
+        assert_eq!(mu, ("µ", "m"));
+    }
 }
