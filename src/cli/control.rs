@@ -42,6 +42,7 @@ Examples:
   impact-atlas control pulse --set omega=2.83 --reference 3.7 --out pulse.png --data pulse.npz
   impact-atlas control sine --set omega=2.83 --alpha 0.1 --dead-band 0.0055 --iterates 12000 --out sine.png
   impact-atlas control sine --set omega=2.83 --convention force --alpha 0.05 --dead-band 0.0001 --iterates 8000 --json
+  impact-atlas control ogy --set omega=2.6 --target=-0.418,-0.031,0.027,1.71 --window 0.05 --out kicks.png
   impact-atlas control delay --system bouncing-ball --set Gamma=1.6 --start 0,2 --gain 0.4 --out ball.png")]
 pub struct ControlArgs {
     /// The method

@@ -75,7 +75,7 @@ fn a_control_method_consists_of_the_files_that_the_page_names() {
     let touched = touched(&page);
     assert_eq!(touched, ["src/control/methods/NAME.rs", "shaders/control/methods/NAME.wgsl", LIST]);
     let methods = methods(&fs::read_to_string(root().join(LIST)).unwrap());
-    assert_eq!(methods, ["Sine", "Pulse", "Delay"]);
+    assert_eq!(methods, ["Sine", "Pulse", "Delay", "Ogy"]);
     let sources = sources();
     assert!(sources.len() > 300, "{} files are found", sources.len());
     for method in methods {

@@ -12,7 +12,7 @@ use impact_atlas::theory::impact_map;
 use impact_atlas::validate::Thresholds;
 
 use super::maps::{agreement, beside, gpu, map, plane};
-use super::{FIXED_POINT, Returns, TARGET, away, delay, run, starts};
+use super::{Returns, TARGET, away, delay};
 
 /// Where the 1-2-1 motion has the multiplier −3.9.
 const OMEGA: f64 = 2.5;
@@ -72,17 +72,25 @@ fn kicks_hold_what_delayed_feedback_cannot() {
     }
 }
 
-/// Some chaotic motion comes near by itself, and is caught there by kicks that are never larger than the window.
+/// At ω = 2.6 the chaotic motion comes near the unstable one by itself, and is caught there by kicks that are never larger
+/// than the window.
 #[test]
 fn a_chaotic_motion_is_caught_where_it_comes_near() {
-    let window = 0.05;
-    let mut runs = starts(12).map(|start| run(&kicks(window, FIXED_POINT), 6000, start));
-    let is_held = |(outcome, _): &(Outcome, _)| outcome.verdict.label() == "1-2-1";
-    let (outcome, returns) = runs.find(is_held).expect("a start is caught");
-    assert!(away(outcome.section, FIXED_POINT) < 1e-7, "{outcome:?}");
-    assert!(returns.iter().all(|met| met.signal <= window));
-    let (missed, _) = run(&kicks(1e-9, FIXED_POINT), 4000, [0.0; 4]);
-    assert!(away(missed.section, FIXED_POINT) > 1e-3 && missed.period == 0, "{missed:?}");
+    let system = System::new(Parameters { omega: 2.6, ..Parameters::default() }).unwrap();
+    let near = [-0.418, -0.031, 0.027, 1.71];
+    let schedule =
+        ControlSchedule { from: 1000, iterates: 8000, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
+    let reached = |window: f64| {
+        let controller = kicks(window, near).resolve(&system).unwrap();
+        let mut returns = Returns::default();
+        let outcome = control::<f64, _>(&system, &[0.0; 4], &controller, &schedule, &mut returns).unwrap();
+        (outcome, returns.0)
+    };
+    let (outcome, returns) = reached(0.05);
+    assert_eq!((outcome.verdict.label().as_str(), outcome.period), ("1-2-1", 1));
+    assert!(away(outcome.section, held_point(&system, near)) < 1e-9, "{outcome:?}");
+    assert!(returns.iter().all(|met| met.signal <= 0.05));
+    assert_eq!(reached(1e-9).0.verdict.label(), "chaotic");
 }
 
 #[test]
