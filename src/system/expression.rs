@@ -31,59 +31,15 @@ type Formula = Program<'static, 'static, f64>;
 /// long as the process lives, once.
 static FORMULAS: Mutex<BTreeMap<&'static str, Formula>> = Mutex::new(BTreeMap::new());
 
-/// Why a text is no expression in the parameters.
+/// Why a text is no expression in the parameters, and what to write.
 #[derive(Clone, Debug, PartialEq, Error)]
-pub enum ExpressionError {
-    /// It breaks off, or something stands where it cannot.
-    #[error("`{text}` is not an expression, {reason} at character {at}: write one such as 2*zeta/(1 - mu)")]
-    Syntax {
-        /// The text.
-        text: String,
-        /// What is wrong.
-        reason: &'static str,
-        /// Where, characters counted from 1.
-        at: usize,
-    },
-    /// It names something that is no parameter.
-    #[error("`{name}` in `{text}` is not a parameter: add it to [parameters], or write one of {known}")]
-    UnknownName {
-        /// The text.
-        text: String,
-        /// The name.
-        name: String,
-        /// The parameters.
-        known: String,
-    },
-    /// It calls something that is no function.
-    #[error(
-        "`{name}` in `{text}` is not a function: sqrt, exp, ln, sin, cos, tan, abs, min, max and others are; a \
-         product needs its *"
-    )]
-    UnknownFunction {
-        /// The text.
-        text: String,
-        /// The name.
-        name: String,
-    },
-    /// A function with too many or too few arguments.
-    #[error("`{call}` in `{text}` has the wrong number of arguments: give it as many as the function takes")]
-    Arguments {
-        /// The text.
-        text: String,
-        /// The call as it is written.
-        call: String,
-    },
-    /// A comparison, a condition or a factorial.
-    #[error(
-        "`{text}` compares: expressions are smooth pieces made of + - * / ^ and functions; abs, min and max join them"
-    )]
-    Comparison {
-        /// The text.
-        text: String,
-    },
-    /// It names no parameter and has no value.
-    #[error("{0}: correct it")]
-    NoValue(#[from] Fault),
+#[error("{0}")]
+pub struct ExpressionError(String);
+
+impl From<Fault> for ExpressionError {
+    fn from(fault: Fault) -> Self {
+        ExpressionError(format!("{fault}: correct it"))
+    }
 }
 
 /// Why an expression has no value.
@@ -199,7 +155,10 @@ fn formula(text: &str) -> Result<Formula, ExpressionError> {
 
 fn syntax(text: &str, kind: ErrorKind, span: Span) -> ExpressionError {
     let at = text[..span.start].chars().count() + 1;
-    ExpressionError::Syntax { text: text.to_owned(), reason: kind.description(), at }
+    let reason = kind.description();
+    ExpressionError(format!(
+        "`{text}` is not an expression, {reason} at character {at}: write one such as 2*zeta/(1 - mu)"
+    ))
 }
 
 /// A value of which only the name matters: everything can be computed with it but a comparison.
@@ -273,17 +232,24 @@ fn names(text: &str, parameters: &[String]) -> Result<Vec<(String, ParameterId)>
     let Err(nanoexpr::Error { kind, span }) = Evaluator::<_>::new(&names).evaluate::<Symbol>(text) else {
         return Ok(names.found.into_inner());
     };
-    let piece = text[span.start..span.end].to_owned();
-    let text = text.to_owned();
-    Err(match kind {
+    let piece = &text[span.start..span.end];
+    Err(ExpressionError(match kind {
         ErrorKind::UnknownVariable => {
-            ExpressionError::UnknownName { text, name: piece, known: parameters.join(", ") }
+            let known = parameters.join(", ");
+            format!(
+                "`{piece}` in `{text}` is not a parameter: add it to [parameters], or write one of {known}"
+            )
         }
-        ErrorKind::UnknownFunction => ExpressionError::UnknownFunction { text, name: piece },
-        ErrorKind::ArgumentCount | ErrorKind::TooManyArguments => {
-            ExpressionError::Arguments { text, call: piece }
-        }
-        ErrorKind::Unsupported => ExpressionError::Comparison { text },
-        _ => syntax(&text, kind, span),
-    })
+        ErrorKind::UnknownFunction => format!(
+            "`{piece}` in `{text}` is not a function: sqrt, exp, ln, sin, cos, tan, abs, min, max and others are; a \
+             product needs its *"
+        ),
+        ErrorKind::ArgumentCount | ErrorKind::TooManyArguments => format!(
+            "`{piece}` in `{text}` has the wrong number of arguments: give it as many as the function takes"
+        ),
+        ErrorKind::Unsupported => format!(
+            "`{text}` compares: expressions are smooth pieces made of + - * / ^ and functions; abs, min and max join them"
+        ),
+        _ => return Err(syntax(text, kind, span)),
+    }))
 }
