@@ -28,11 +28,10 @@ use std::time::Instant;
 
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{
-    Backend, BackendError, Cpu, Gpu, Job, Spent, Unwatched, Width, follow, follow_counted,
+    Backend, BackendError, Cpu, CpuSingle, Gpu, Job, Spent, Unwatched, Width, follow_counted,
 };
 use impact_atlas::dynamics::Usage;
 use impact_atlas::model::{Flights, Flows, Parameters, System};
-use rayon::prelude::*;
 use serde::Serialize;
 
 const PERIODS: u32 = 200;
@@ -181,7 +180,7 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
         "f32" => {
             let what = format!("{} f32", std::env::consts::ARCH);
             let run = |jobs: &[Job], schedule: &Schedule| {
-                let verdicts = jobs.par_iter().map(|job| follow::<f32>(job, schedule)).collect();
+                let verdicts = CpuSingle.run(jobs, schedule, &Unwatched)?;
                 Ok(Told { verdicts, usage: Usage::default(), spent: None })
             };
             (what, Box::new(run))

@@ -5,8 +5,8 @@ use clap::Args;
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::control::Method;
 use impact_atlas::curves::{self, bifurcation_curves};
-use impact_atlas::plane::Plane;
-use impact_atlas::sweep::{measure_extents, sweep};
+use impact_atlas::plane::{Plane, RegionMap};
+use impact_atlas::sweep::{Swept, measure_extents, sweep};
 use impact_atlas::validate::{Thresholds, boundaries, compare, compare_continued, continue_strays, tipped};
 
 use super::compared::Compared;
@@ -84,13 +84,8 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
         return bits::hold(&plane, &*candidate, args.json);
     }
     let reference = backend::open(Choice::Cpu, None)?;
-    note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
-
-    estimate::of_plane("the candidate's map", &plane, &*candidate)?;
-    let mut theirs = sweep(&plane, &*candidate, &Progress::of_cells("candidate", plane.cells()))?;
+    let [mut theirs, mut ours] = computed(&plane, [&*candidate, &*reference])?;
     measure_extents(&mut theirs, &*candidate, &Interruptible)?;
-    estimate::of_plane("the reference's map", &plane, &*reference)?;
-    let mut ours = sweep(&plane, &*reference, &Progress::of_cells("reference", plane.cells()))?;
     measure_extents(&mut ours, &*reference, &Interruptible)?;
     let strays = impact_atlas::validate::strays(&ours, &theirs).len() as u64;
     let continued = continue_strays(&ours, &theirs, &*reference, &Progress::of_cells("continuing", strays))?;
@@ -118,18 +113,25 @@ fn controlled(args: &ValidateArgs, method: &Method) -> Result<(), CliError> {
     plane.check().map_err(CliError::input)?;
     let candidate = args.candidate.open()?;
     let reference = backend::open(Choice::Cpu, None)?;
-    note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
-
-    let cells = plane.cells();
-    estimate::of_plane("the candidate's map", &plane, &*candidate)?;
-    let theirs = sweep(&plane, &*candidate, &Progress::of_cells("candidate", cells))?;
-    estimate::of_plane("the reference's map", &plane, &*reference)?;
-    let ours = sweep(&plane, &*reference, &Progress::of_cells("reference", cells))?;
+    let [theirs, ours] = computed(&plane, [&*candidate, &*reference])?;
     let agreement = compare(&ours, &theirs);
     let made = [&ours.provenance, &theirs.provenance];
     let asked = Compared::Controlled(&plane);
     let adapter = args.candidate.adapter.as_deref();
     told(&Report::new(asked, made, &agreement, &Thresholds::default(), adapter), args.json)
+}
+
+/// A plane as the candidate computes it, and as the reference does.
+fn computed<T: Swept>(
+    plane: &Plane<T>,
+    [candidate, reference]: [&dyn Backend; 2],
+) -> Result<[RegionMap<T>; 2], CliError> {
+    note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
+    let map = |what: &'static str, backend: &dyn Backend| -> Result<RegionMap<T>, CliError> {
+        estimate::of_plane(&format!("the {what}'s map"), plane, backend)?;
+        Ok(sweep(plane, backend, &Progress::of_cells(what, plane.cells()))?)
+    };
+    Ok([map("candidate", candidate)?, map("reference", reference)?])
 }
 
 /// Prints a report; success if every check in it holds.
