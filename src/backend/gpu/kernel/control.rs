@@ -13,14 +13,14 @@ use crate::control::{self, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
 use crate::model::Real;
 
 /// Loop iterations in one move under control: beyond those without it, a return to the section sums three more series,
-/// moves what is remembered, and compares.
-fn iterations(schedule: &control::ControlSchedule) -> u32 {
+/// moves what is remembered, and compares; what begins and ends a trajectory is taken as part of a move.
+pub(super) fn iterations(schedule: &control::ControlSchedule) -> u32 {
     let reach = schedule.max_period;
     let kept = reach.max(LONGEST_DELAY as u32) + 1;
     MOVE + 4 * <f32 as Real>::ORDER as u32
         + kept
-        + 4 * DELAYS as u32
-        + 5 * reach
+        + 7 * DELAYS as u32
+        + 8 * reach
         + 2 * LONGEST_ON_DEVICE as u32
 }
 

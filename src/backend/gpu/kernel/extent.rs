@@ -11,7 +11,7 @@ use crate::backend::{BackendError, Job, Watch};
 use crate::model::Real;
 
 /// A move, and the two flights that measure it.
-const WITH_FLIGHTS: u32 = MOVE + 2 * <f32 as Real>::ORDER as u32;
+pub(super) const WITH_FLIGHTS: u32 = MOVE + 2 * <f32 as Real>::ORDER as u32;
 
 impl Kernel {
     /// Follows one tile of trajectories, each for so many forcing periods.

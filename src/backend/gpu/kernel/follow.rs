@@ -11,7 +11,7 @@ use crate::backend::{BackendError, Job, Watch};
 
 /// Loop iterations in what the kernel counts as one move: turns of rounds in the transient, others under observation, and
 /// what is rare after them.
-const TURN: u32 = 2 * TURNS * (1 + ROUNDS * (2 + CLEAR_STEPS)) + MOVE;
+pub(super) const ITERATIONS: u32 = 2 * TURNS * (1 + ROUNDS * (2 + CLEAR_STEPS)) + MOVE + SQUARES;
 
 impl Kernel {
     /// Follows one tile of trajectories.
@@ -28,8 +28,12 @@ impl Kernel {
             begin,
             row: ROW * WORKGROUP,
         };
-        let iterations = TURN + SQUARES;
-        let program = Program { kernel: shader::Kernel::Follow, iterations, more: &[], dispatch: &dispatch };
+        let program = Program {
+            kernel: shader::Kernel::Follow,
+            iterations: ITERATIONS,
+            more: &[],
+            dispatch: &dispatch,
+        };
         let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
         Ok(verdicts.iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect())
     }

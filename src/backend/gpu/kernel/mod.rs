@@ -9,6 +9,8 @@ mod device;
 mod drive;
 mod extent;
 mod follow;
+#[cfg(test)]
+mod loops;
 mod program;
 mod spent;
 mod tile;

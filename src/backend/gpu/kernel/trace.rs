@@ -9,6 +9,9 @@ use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
 use crate::backend::gpu::shader::{self, WORKGROUP};
 use crate::backend::{BackendError, Job, Watch};
 
+/// Loop iterations in one move.
+pub(super) const ITERATIONS: u32 = MOVE + SQUARES;
+
 impl Kernel {
     /// Trajectories that one call of [`Kernel::trace`] takes at most.
     pub fn trace_tile(&self, capacity: u32) -> usize {
@@ -44,8 +47,12 @@ impl Kernel {
             unused: 0,
         };
         let more = [&traces, &readings];
-        let iterations = MOVE + SQUARES;
-        let program = Program { kernel: shader::Kernel::Trace, iterations, more: &more, dispatch: &dispatch };
+        let program = Program {
+            kernel: shader::Kernel::Trace,
+            iterations: ITERATIONS,
+            more: &more,
+            dispatch: &dispatch,
+        };
         let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
         let traces: Vec<Trace> = guarded(&self.device, || fetch(&self.device, &self.queue, &traces))??;
         let readings: Vec<f32> = guarded(&self.device, || fetch(&self.device, &self.queue, &readings))??;
