@@ -19,7 +19,7 @@
 //! | [`dynamics`] | flight, contact, impact, chatter, sticking: a [`Trajectory`](dynamics::Trajectory) moves from event to event |
 //! | [`analysis`] | periodicity, the largest Lyapunov exponent, regimes |
 //! | [`theory`] | exact periodic motions, multipliers, normal forms, Lyapunov spectra |
-//! | [`control`] | suppressing chaos: sine force, period pulse, delayed feedback, at each return to the section σ |
+//! | [`control`] | suppressing chaos: sine force, period pulse, delayed feedback, small kicks, at each return to the section σ |
 //! | [`plane`] | axes, starts, planes, region maps |
 //! | [`curves`] | bifurcation curves of a plane, by continuation |
 //! | [`paper`] | what the paper calls the curves and regions of its plane |
@@ -60,7 +60,7 @@
 //! # How a trajectory is followed
 //!
 //! *Flight.* Free flight is linear, so a step of length h = T/M is one matrix: the exponential of the generator with
-//! the forcing phasor in it, computed once per cell in f64. No modes are formed: any damping is covered, proportional
+//! the forcing phasor in it, computed in f64, once for all cells that differ in gaps and restitutions alone. No modes are formed: any damping is covered, proportional
 //! or not, over- or underdamped, and resonance at ζ = 0 is no special case. M is even, and the phasor is set exactly at
 //! phases 0 and π, so that rounding cannot drift; ωt is never formed. Shorter flights are Taylor polynomials of the
 //! equation of motion, of an order that rounding cannot tell from infinite.
@@ -79,10 +79,10 @@
 //! *Side by side.* With one or two coordinates, the CPU path follows as many trajectories at once as fit two of the
 //! processor's registers (sixteen with AVX-512, eight with AVX2), from the same source as a single one and with the same
 //! bits: no operation is contracted, and every machine rounds alike. The lanes take a few steps together; contacts are found
-//! when half of them wait for one, and what is rare is left to the single trajectory. The GPU's kernel goes in the same
-//! rounds.
+//! when half of them wait for one, impacts are tallied lane by lane and noted at the next phase 0 or π, and what is rare is
+//! left to the single trajectory. The GPU's kernel goes in the same rounds.
 //!
-//! *Impacts* change the velocities along M⁻¹d. What the change does to the end of the step is a polynomial that is known per cell, so
+//! *Impacts* change the velocities along M⁻¹d. What the change does to the end of the step is a polynomial that is known beforehand, so
 //! the rest of the step need not be flown again.
 //!
 //! *Chatter and sticking.* Rebounds against a pressing force shrink geometrically. Once the effect of the rest of

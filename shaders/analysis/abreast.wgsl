@@ -64,11 +64,7 @@ fn pace_cross(carry: bool) {
     pace.rare = !met.certain | (trajectory.kicks >= MOST_KICKS);
     if !pace.rare {
         trajectory_cross(met, carry);
-        let stop = flight.normals[met.end.normal].stop[met.end.side];
-        observer_impact(stop, met.velocity, false);
-        if carry {
-            loss_take(stop, met.velocity, met.rebound);
-        }
+        tally_count(met.end, met.velocity, met.rebound, carry);
         pace_rest(carry);
     }
 }
@@ -92,5 +88,24 @@ fn pace_rounds(carry: bool) {
         if pace.arrived | pace.rare {
             break;
         }
+    }
+}
+
+// Notes the impacts that were counted.
+fn observer_pass_impacts() {
+    //: each normal
+    observer_pass_impacts_at(flight.normals[$k].stop[0], tally.impacts[$k].x);
+    observer_pass_impacts_at(flight.normals[$k].stop[1], tally.impacts[$k].y);
+    //: end
+    observer.peak = tally.fastest;
+    observer.loss.energy = tally.energy;
+}
+
+fn observer_pass_impacts_at(stop: u32, impacts: u32) {
+    if impacts > 0u {
+        observer.moves = observer.moves + impacts;
+        recurrence_count_finite(stop, impacts);
+        observer.impacts = observer.impacts + impacts;
+        observer.impacts_total = observer.impacts_total + impacts;
     }
 }

@@ -20,17 +20,26 @@ fn recurrence_anchored(state: State) -> Recurrence {
     return Recurrence(state, 0u, 0u, 0u, none, none, 0.0, 0.0, 0u, FARTHEST, 0u);
 }
 
-fn counted(running: u32, complete_chatter: bool) -> u32 {
-    if complete_chatter {
-        return INFINITELY_MANY;
-    }
-    return select(running, running + 1u, running < INFINITELY_MANY - 1u);
-}
-
+// Counts an impact; infinitely many if it ends a complete chatter sequence.
 fn recurrence_count(stop: u32, complete_chatter: bool) {
+    if !complete_chatter {
+        recurrence_count_finite(stop, 1u);
+        return;
+    }
     //: each stop
     if stop == $ku {
-        observer.recurrence.running[$k] = counted(observer.recurrence.running[$k], complete_chatter);
+        observer.recurrence.running[$k] = INFINITELY_MANY;
+    }
+    //: end
+}
+
+// Counts impacts none of which ends a complete chatter sequence.
+fn recurrence_count_finite(stop: u32, impacts: u32) {
+    //: each stop
+    if stop == $ku {
+        let running = observer.recurrence.running[$k];
+        let most = INFINITELY_MANY - 1u;
+        observer.recurrence.running[$k] = select(running, min(running + impacts, most), running < most);
     }
     //: end
 }

@@ -21,6 +21,8 @@ struct Face {
     opposite_clear: bool,
 }
 
+// The lanes of a processor keep what each leg stays off since it was found not to clear; here registers are dearer than the
+// few operations that find it anew.
 fn crossing_face(before: Point, after: Point, window: f32) -> Face {
     var found = false;
     var only = true;

@@ -16,7 +16,9 @@ fn follow_stage(stage: u32, carry: bool) {
             break;
         }
         pace_begin();
+        tally_begin(observer.peak, observer.loss.energy);
         pace_rounds(carry);
+        observer_pass_impacts();
         if pace.arrived {
             observer_note(Move(EVENT_STROBE, 0u, 0.0, 0.0, CONTACT_FREE));
         }

@@ -1,6 +1,6 @@
 //! Where a kernel reads the constants of its cell, and keeps what it notes about its trajectory.
 
-use super::Kernel;
+use super::kernel::Kernel;
 
 /// Where the constants of a cell, and its observer, are while its trajectory is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
