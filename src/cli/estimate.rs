@@ -49,6 +49,10 @@ fn of_cells(
     // most lanes wait for the last of them: the more cells, the less that counts, and only the latest are reckoned with.
     let lanes = Width::available()[0].lanes() * rayon::current_num_threads();
     let first = if backend.name() == "cpu" { lanes } else { MOST as usize };
+    if backend.name() != "cpu" {
+        // A shader is compiled once, however many cells there are.
+        compute(&cells[..1], &Interruptible)?;
+    }
     let began = Instant::now();
     let mut measured = 0;
     let mut estimate = Duration::ZERO;

@@ -19,8 +19,8 @@ pub(crate) struct OfFlow {
 }
 
 impl OfFlow {
-    /// Several systems have it from now on.
-    pub(super) fn is_now_shared(&self) {
+    /// Several systems have it from now on: what is large is kept.
+    pub(super) fn share(&self) {
         self.is_shared.store(true, Ordering::Relaxed);
     }
 

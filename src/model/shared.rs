@@ -22,7 +22,7 @@ impl Flows {
         let flow = flow(&system);
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(of_flow) = known.get(&flow) {
-            of_flow.is_now_shared();
+            of_flow.share();
             system.of_flow.0 = Arc::clone(of_flow);
         } else {
             known.insert(flow, Arc::clone(&system.of_flow.0));
