@@ -33,5 +33,5 @@ fn loss_take(stop: u32, before: f32, after: f32) {
         mass = flight.normals[$k].mass;
     }
     //: end
-    observer.loss.energy = observer.loss.energy + 0.5 * mass * (before * before - after * after);
+    observer.loss.energy = observer.loss.energy + energy_taken(mass, before, after);
 }

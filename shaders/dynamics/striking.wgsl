@@ -1,5 +1,10 @@
 // Impacts that are approached from the safe side: restitution, and what follows where chatter is complete.
 
+// The energy that an impact takes.
+fn energy_taken(mass: f32, before: f32, after: f32) -> f32 {
+    return 0.5 * mass * (before * before - after * after);
+}
+
 fn strike(carry: bool, reached: Reached) -> Move {
     let end = reached.end;
     let direction = flight.normals[end.normal].direction;

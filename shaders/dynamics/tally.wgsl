@@ -25,6 +25,6 @@ fn tally_count(end: End, before: f32, after: f32, observed: bool) {
     //: end
     tally.fastest = max(tally.fastest, abs(before));
     if observed {
-        tally.energy = tally.energy + 0.5 * mass * (before * before - after * after);
+        tally.energy = tally.energy + energy_taken(mass, before, after);
     }
 }

@@ -1,6 +1,6 @@
 //! What impacts take from a trajectory, and how long contacts hold.
 
-use crate::dynamics::{Event, Impact, Stop, Trajectory};
+use crate::dynamics::{Event, Impact, Stop, Trajectory, energy_taken};
 use crate::model::{Flight, Real};
 
 /// The energy that impacts took, and the time in contact, since an observation began at phase 0.
@@ -56,6 +56,6 @@ impl<T: Real> Loss<T> {
                 mass = normal.mass;
             }
         }
-        self.energy = self.energy + T::of(0.5) * mass * (before * before - after * after);
+        self.energy = self.energy + energy_taken(mass, before, after);
     }
 }

@@ -195,8 +195,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 if impacts > 0 {
                     self.moves.add_many(impacts);
                     self.recurrence.count_finite(Stop(stop), impacts);
-                    self.impacts += impacts;
-                    self.impacts_total = self.impacts_total.saturating_add(impacts);
+                    self.count_impacts(impacts);
                 }
             }
         }

@@ -67,10 +67,15 @@ impl<T: Real, const N: usize> Observer<T, N> {
     #[inline(always)]
     fn impact(&mut self, stop: Stop, velocity: T, complete_chatter: bool) {
         self.recurrence.count(stop, complete_chatter);
-        self.impacts += 1;
-        self.impacts_total = self.impacts_total.saturating_add(1);
+        self.count_impacts(1);
         let speed = velocity.abs();
         self.peak = if speed > self.peak { speed } else { self.peak };
+    }
+
+    #[inline(always)]
+    pub(super) fn count_impacts(&mut self, impacts: u32) {
+        self.impacts += impacts;
+        self.impacts_total = self.impacts_total.saturating_add(impacts);
     }
 
     #[inline(always)]

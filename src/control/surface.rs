@@ -38,7 +38,7 @@ impl Surface {
             stop,
             end: ends.find(is_there).expect("the system has the stop"),
             eliminated: own_coordinate(plant, stop),
-            mirror: plant.mirror().map(|mirror| {
+            mirror: system.mirror().map(|mirror| {
                 std::array::from_fn(|stop| Stop(mirror.stops.get(stop).map_or(stop, |&image| image) as u8))
             }),
         }

@@ -3,6 +3,7 @@
 use super::crossing::{Crossing, crossing};
 use super::leg::{Clearance, Clearances, Leg};
 use super::point::Point;
+use super::striking::energy_taken;
 use super::tally::Tally;
 use super::tangent::Tangent;
 use super::trajectory::{MOST_KICKS, Trajectory};
@@ -239,7 +240,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             mass = L::select(met.normals[k], self.flight.normals[k].mass, mass);
         }
         *fastest = L::select(struck, before.magnitude().larger(*fastest), *fastest);
-        let taken = before.all(0.5) * mass * (before * before - met.rebound * met.rebound);
+        let taken = energy_taken(mass, before, met.rebound);
         *energy = L::select(struck.and(observed), *energy + taken, *energy);
     }
 

@@ -39,6 +39,7 @@ pub(crate) use moves::Moves;
 pub use point::{Motion, Point};
 pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record, resting_on};
 pub use stop::{Contact, End, Stop};
+pub(crate) use striking::energy_taken;
 pub(crate) use tally::Tally;
 pub use tangent::{Saltation, Tangent, Variation};
 pub use trajectory::{Event, Impact, Move, Trajectory};

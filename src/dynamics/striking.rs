@@ -10,10 +10,16 @@ use super::stop::{Contact, End, Stop};
 use super::tangent::{Saltation, Variation};
 use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
 use crate::model::vector::{added, applied, axpy, dot};
-use crate::model::{Flight, Real, State};
+use crate::model::{Flight, Lanes, Real, State};
 
 /// Roundings of a kick by which a speed that it does not change may seem changed.
 pub const KICK_ROUNDINGS: f64 = 4.0;
+
+/// The energy that an impact takes, ½ m ((d·v−)² − (d·v+)²) with m = 1/(dᵀM⁻¹d).
+#[inline(always)]
+pub fn energy_taken<L: Lanes>(mass: L, before: L, after: L) -> L {
+    mass.all(0.5) * mass * (before * before - after * after)
+}
 
 impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     /// An impact, a time `left` ahead: restitution, and sticking where the rebounds that follow can be closed.
