@@ -28,7 +28,7 @@ use rayon::prelude::*;
 
 use super::shader::Shape;
 use crate::backend::Job;
-use crate::model::{self, vector::MOST};
+use crate::model;
 
 /// The structs of one size that the shaders share, as they declare them.
 pub const STRUCTS: [&str; 11] = [
@@ -96,10 +96,8 @@ impl Cells {
         let beside = jobs.par_chunks(CHUNK).enumerate().map(|(chunk, jobs)| {
             let mut words = Vec::new();
             for (job, cell) in jobs.iter().zip(chunk * CHUNK..) {
-                let mut stops = [model::StopsAlong::default(); MOST];
-                let normals = stops.iter_mut().zip(shared.stops(cell, &job.system));
-                let count = normals.map(|(along, given)| *along = given).count();
-                write_cell::<N>(shared.flow_of(cell), &stops[..count], &job.start, &mut words);
+                let stops = Vec::from_iter(shared.stops(cell, &job.system));
+                write_cell::<N>(shared.flow_of(cell), &stops, &job.start, &mut words);
             }
             words
         });
