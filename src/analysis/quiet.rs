@@ -11,10 +11,13 @@ use crate::model::{Flight, Real};
 /// the forced response.
 #[inline(always)]
 pub fn is_quiet<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>) -> bool {
+    flight.quiet.exists && T::fused(|| stays_between(flight, point))
+}
+
+/// See [`is_quiet`].
+#[inline(always)]
+fn stays_between<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>) -> bool {
     let quiet = &flight.quiet;
-    if !quiet.exists {
-        return false;
-    }
     let away = point.state.plus(-T::one(), &quiet.forced);
     let first = added(&applied(&quiet.xx, &away.x), &applied(&quiet.xv, &away.v));
     let second = applied(&quiet.vv, &away.v);

@@ -84,7 +84,7 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Leg<'_, L, N, D> {
         let square = window * window;
         let margin = (square * square) * (window.all(SWELLING) * from.bound(flight, k));
         let second = leaves.times_plus(quarter, begins);
-        let fourth = ends - arrives * quarter;
+        let fourth = (-arrives).times_plus(quarter, ends);
         let turn = (leaves - arrives) * (window * window.all(1.0 / 6.0));
         let middle = (begins + ends).times_plus(window.all(0.5), turn);
         let highest = second.larger(fourth).larger(ends).larger(middle + margin);

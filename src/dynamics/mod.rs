@@ -7,6 +7,7 @@
 //! stop to the other, infinitely many in finite time, end with the masses at rest on all of these stops.
 
 mod abreast;
+mod advance;
 mod chatter;
 mod contact;
 mod corner;

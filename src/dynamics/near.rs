@@ -60,8 +60,8 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
                 x: axpy(s, &mean, &self.state.x),
                 v: axpy(s, &axpy(half, jerk, acceleration), &self.state.v),
             },
-            sin: turn.times_plus(self.cos - half_turn * self.sin, self.sin),
-            cos: (-turn).times_plus(self.sin + half_turn * self.cos, self.cos),
+            sin: turn.times_plus((-half_turn).times_plus(self.sin, self.cos), self.sin),
+            cos: (-turn).times_plus(half_turn.times_plus(self.cos, self.sin), self.cos),
             one: self.one,
             drive: self.drive.slid(s),
         };

@@ -183,10 +183,11 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
         let shift = dot(&struck.direction, &self.0.x) / struck.velocity;
         // −(1 + r), as it acted.
         let factor = struck.kick / struck.velocity;
-        let along = dot(&struck.direction, &self.0.v) - dot(&struck.direction, &struck.before) * shift;
+        let along =
+            (-dot(&struck.direction, &struck.before)).times_plus(shift, dot(&struck.direction, &self.0.v));
         let mut v = axpy(factor * along, &struck.response, &self.0.v);
         for (v, (after, before)) in v.iter_mut().zip(struck.after.iter().zip(&struck.before)) {
-            *v = *v + (*after - *before) * shift;
+            *v = (*after - *before).times_plus(shift, *v);
         }
         Tangent(State { x: axpy(struck.kick * shift, &struck.response, &self.0.x), v })
     }
@@ -194,7 +195,7 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
 
 impl<T: Real, const N: usize> Tangent<T, N> {
     /// See [`Point::flown`](super::Point::flown).
-    #[inline(never)]
+    #[inline(always)]
     fn flown_held(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
         let series = Series::new(flight, s);
         let mut before = self.0.v;

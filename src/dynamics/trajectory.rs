@@ -121,48 +121,15 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         Trajectory { point, ahead, kicks: 0, contact, step, offset }
     }
 
-    /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none.
-    #[inline(never)]
-    pub fn advance<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
-        let taken =
-            if self.contact.is_free() { self.fly(flight, variation) } else { self.rest(flight, variation) };
-        debug_assert!(contact::holds(flight, &self.point), "beyond a stop after {taken:?}: {self:?}");
-        taken
-    }
-
     /// Whether it is at the beginning of a step of free flight.
     pub fn begins_free_step(&self) -> bool {
         self.contact.is_free() && self.offset == T::zero()
     }
 
-    /// Moves on like [`Trajectory::advance`] where the contact ahead is known not to be certain.
-    #[inline(never)]
-    pub(crate) fn advance_warily<V: Variation<T, N>>(
-        &mut self,
-        flight: &Flight<T, N>,
-        variation: &mut V,
-    ) -> Move<T> {
-        self.approach(flight, variation)
-    }
-
-    /// Moves on like [`Trajectory::advance`], but passes over the ends of steps at which nothing happens.
-    pub fn advance_to_event<V: Variation<T, N>>(
-        &mut self,
-        flight: &Flight<T, N>,
-        variation: &mut V,
-    ) -> Move<T> {
-        loop {
-            let taken = self.advance(flight, variation);
-            if taken.event != Event::StepEnd {
-                return taken;
-            }
-        }
-    }
-
     /// Free flight: the rest of the step where it provably clears the stops, else up to the contact where that is found directly, else as far
     /// as is safe.
     #[inline(always)]
-    fn fly<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
+    pub(super) fn fly<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
         let window = flight.h - self.offset;
         if self.offset == T::zero() {
             self.ahead = self.point.stepped(flight);
@@ -209,7 +176,11 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
 
     /// Free flight towards a stop, as far as is safe.
     #[inline(always)]
-    fn approach<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
+    pub(super) fn approach<V: Variation<T, N>>(
+        &mut self,
+        flight: &Flight<T, N>,
+        variation: &mut V,
+    ) -> Move<T> {
         let window = flight.h - self.offset;
         let contact = Contact::FREE;
         let motion = self.point.motion(flight, contact);

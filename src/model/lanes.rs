@@ -25,7 +25,7 @@ impl Mask for bool {
 }
 
 macro_rules! one_lane {
-    ($real:ty) => {
+    ($real:ty, $times_plus:expr) => {
         impl Lanes for $real {
             type Real = $real;
             type Mask = bool;
@@ -34,6 +34,11 @@ macro_rules! one_lane {
             #[inline(always)]
             fn all(self, value: f64) -> Self {
                 value as $real
+            }
+
+            #[inline(always)]
+            fn times_plus(self, factor: Self, term: Self) -> Self {
+                $times_plus(self, factor, term)
             }
 
             #[inline(always)]
@@ -69,5 +74,10 @@ macro_rules! one_lane {
     };
 }
 
-one_lane!(f64);
-one_lane!(f32);
+one_lane!(f64, f64::mul_add);
+one_lane!(f32, rounded_twice);
+
+#[inline(always)]
+fn rounded_twice(a: f32, factor: f32, term: f32) -> f32 {
+    a * factor + term
+}

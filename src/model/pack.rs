@@ -66,6 +66,11 @@ impl<S: Simd> Lanes for Pack<S> {
     }
 
     #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        Pack { values: self.simd.mul_add_f64s(self.values, factor.values, term.values), ..self }
+    }
+
+    #[inline(always)]
     fn magnitude(self) -> Self {
         Pack { values: self.simd.abs_f64s(self.values), ..self }
     }
@@ -170,6 +175,11 @@ impl<L: Lanes> Lanes for Twin<L> {
     #[inline(always)]
     fn all(self, value: f64) -> Self {
         Twin(self.0.all(value), self.1.all(value))
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        Twin(self.0.times_plus(factor.0, term.0), self.1.times_plus(factor.1, term.1))
     }
 
     #[inline(always)]

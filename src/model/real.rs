@@ -5,6 +5,7 @@ use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::Float;
+use pulp::NullaryFnOnce;
 
 /// A floating-point type that trajectories are computed in.
 ///
@@ -43,6 +44,15 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
 
     /// ln of a positive, finite value.
     fn logarithm(self) -> Self;
+
+    /// Computes something with the instructions of the processor that [`Lanes::times_plus`] asks for, where it has them: the
+    /// bits are the same without, each such operation is a call then.
+    ///
+    /// What is computed has these instructions as far as it is inlined.
+    #[inline(always)]
+    fn fused<C: NullaryFnOnce>(computation: C) -> C::Output {
+        computation.call()
+    }
 }
 
 /// Numbers side by side, one in each lane, that one operation works on together.
@@ -72,12 +82,9 @@ pub trait Lanes:
     #[must_use]
     fn all(self, value: f64) -> Self;
 
-    /// self · factor + term, rounded twice: so the bits do not depend on whether a processor multiplies and adds at once.
-    #[inline(always)]
+    /// self · factor + term: rounded once in f64, on every processor; rounded twice in f32, as any adapter can.
     #[must_use]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
-        self * factor + term
-    }
+    fn times_plus(self, factor: Self, term: Self) -> Self;
 
     /// |self|.
     #[must_use]
@@ -158,6 +165,15 @@ impl Real for f64 {
 
     fn logarithm(self) -> Self {
         self.ln()
+    }
+
+    #[inline(always)]
+    fn fused<C: NullaryFnOnce>(computation: C) -> C::Output {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = pulp::x86::V3::try_new() {
+            return simd.vectorize(computation);
+        }
+        computation.call()
     }
 }
 

@@ -15,7 +15,7 @@ pub const MOST: usize = 4;
 pub fn dot<T: Lanes, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
     let mut sum = a[0] * b[0];
     for i in 1..N {
-        sum = sum + a[i] * b[i];
+        sum = a[i].times_plus(b[i], sum);
     }
     sum
 }
@@ -25,7 +25,7 @@ pub fn dot<T: Lanes, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
 pub fn dot_absolute<T: Real, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
     let mut sum = a[0] * b[0].abs();
     for i in 1..N {
-        sum = sum + a[i] * b[i].abs();
+        sum = a[i].times_plus(b[i].abs(), sum);
     }
     sum
 }
@@ -35,7 +35,7 @@ pub fn dot_absolute<T: Real, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
 pub fn axpy<T: Lanes, const N: usize>(a: T, x: &[T; N], y: &[T; N]) -> [T; N] {
     let mut sum = *y;
     for i in 0..N {
-        sum[i] = y[i] + a * x[i];
+        sum[i] = a.times_plus(x[i], y[i]);
     }
     sum
 }
@@ -89,7 +89,7 @@ pub fn applied_onto<L: Lanes, const N: usize, const M: usize>(
 pub fn absolute_onto<L: Lanes, const N: usize>(a: &[L; N], x: &[L; N], y: L) -> L {
     let mut sum = y;
     for i in 0..N {
-        sum = sum + a[i] * x[i].magnitude();
+        sum = a[i].times_plus(x[i].magnitude(), sum);
     }
     sum
 }
