@@ -4,7 +4,7 @@
 mod drawn;
 
 use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Job, Unwatched, Width, follow, follow_all};
+use impact_atlas::backend::{Job, Unwatched, Width, follow, follow_all, follow_counted};
 use impact_atlas::model::{Parameters, System};
 use impact_atlas::validate::are_same;
 
@@ -73,4 +73,15 @@ fn a_start_moved_a_little_is_noticed() {
     let runs = 2 * Width::available().len();
     let noticed = differ(&jobs, &FIXED, moved);
     assert!(2 * noticed > runs * jobs.len(), "{noticed} of {}", runs * jobs.len());
+}
+
+/// What lanes are made for: a contact that is not certain is followed by itself.
+#[test]
+fn nearly_every_contact_is_found_directly() {
+    let Some(&width) = Width::available().iter().find(|width| width.lanes() > 1) else { return };
+    let jobs = paper(300);
+    let usage = follow_counted(&jobs, &FIXED, &Unwatched, width).unwrap().1;
+    assert!(usage.contacts > 10_000, "{usage:?}");
+    let share = usage.share_of_fallbacks();
+    assert!(0.0 < share && share < 0.015, "{share}");
 }

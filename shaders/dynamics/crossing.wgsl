@@ -95,7 +95,11 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let result = point_accelerations(point);
     let close = abs(slide) * flight.rate < STRAIGHT;
     let within = (0.0 < time) & (time < window);
-    let first = crossing_is_first(face, speeds.x, sign * velocity, pulls, time, point_bound(before, normal), window);
+    let ways = vec2(speeds.x, sign * velocity);
+    let bound = point_bound(before, normal);
+    let width = stops.gap[normal][0] + stops.gap[normal][1];
+    let first = crossing_is_first(face, ways, pulls, time, bound, window)
+        | crossing_stays_off(face, gaps.x, width, ways, time, bound);
     let force = sign * along(direction, result);
     let parts = crossing_parts(face.end, restitution, rebound, point.state, force);
     let size = abs(gap) + abs(window * velocity) + along(abs(direction), abs(slid.point.state.x));
@@ -107,13 +111,14 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
 // Whether a contact is the first: the way to it is monotone, or bends towards the stop while it stays off the other one.
 fn crossing_is_first(
     face: Face,
-    leaves: f32,
-    arrives: f32,
+    ways: vec2<f32>,
     pulls: vec2<f32>,
     time: f32,
     bound: f32,
     window: f32,
 ) -> bool {
+    let leaves = ways.x;
+    let arrives = ways.y;
     let swelling = (window * window) * (bound * 0.125);
     let least = min(pulls.x, pulls.y) - swelling;
     let most = max(pulls.x, pulls.y) + swelling;
@@ -121,6 +126,24 @@ fn crossing_is_first(
     let comes_in = 0.0 < arrives - max(most, 0.0) * time;
     let bends = (0.0 < least) & face.opposite_clear;
     return (0.0 < arrives) & (sets_out | comes_in | bends);
+}
+
+// Whether a contact is the first since what bounds the gap lies within the hull of its five Bernstein coefficients on the
+// way there, and these lie between the stops.
+fn crossing_stays_off(face: Face, gap: f32, width: f32, ways: vec2<f32>, time: f32, bound: f32) -> bool {
+    let leaves = ways.x;
+    let arrives = ways.y;
+    let quarter = time * 0.25;
+    let square = time * time;
+    let margin = (square * square) * (SWELLING * bound);
+    let second = -leaves * quarter + gap;
+    let fourth = arrives * quarter;
+    let turn = (arrives - leaves) * (time * SIXTH);
+    let middle = gap * 0.5 + turn;
+    let nearest = min(min(second, fourth), middle - margin);
+    let farthest = max(max(second, fourth), middle + margin);
+    let sound = 0.0 < middle - margin;
+    return sound & (0.0 < nearest) & (face.opposite_clear | (farthest < width));
 }
 
 // Whether the rebounds that follow an impact can surely not be closed, so that it ends in flight.

@@ -3,7 +3,7 @@
 use super::chatter::{FADING, STEADY};
 use super::contact::ROUNDINGS;
 use super::drive::Drive;
-use super::leg::{Clearances, Leg};
+use super::leg::{Clearances, Leg, SWELLING};
 use super::point::Point;
 use super::quintic::Quintic;
 use super::tangent::Struck;
@@ -42,6 +42,8 @@ struct Face<L: Lanes, const N: usize> {
     /// +1 at the upper end, −1 at the lower one.
     sign: L,
     gap: L,
+    /// From there to the stop at the other end of the normal.
+    width: L,
     restitution: L,
     direction: [L; N],
     response: [L; N],
@@ -67,6 +69,7 @@ impl<L: Lanes, const N: usize> Face<L, N> {
             upper: never,
             sign: zero,
             gap: first.gap[0],
+            width: zero,
             restitution: first.restitution[0],
             direction: first.direction,
             response: first.response,
@@ -90,6 +93,7 @@ impl<L: Lanes, const N: usize> Face<L, N> {
             let gap = L::select(upper, normal.gap[0], normal.gap[1]);
             let restitution = L::select(upper, normal.restitution[0], normal.restitution[1]);
             face.gap = L::select(beyond, gap, face.gap);
+            face.width = L::select(beyond, normal.gap[0] + normal.gap[1], face.width);
             face.restitution = L::select(beyond, restitution, face.restitution);
             face.bound = L::select(beyond, leg.from.bound(flight, k), face.bound);
             face.coupling = L::select(beyond, normal.coupling, face.coupling);
@@ -157,7 +161,7 @@ pub fn crossing<L: Lanes, const N: usize, D: Drive<L, N>>(
     let nearly = left / (bend * zero.all(0.5)).times_plus(straight, speed);
     let far = (turn * zero.all(1.0 / 3.0)).times_plus(nearly, bend * zero.all(0.5)).times_plus(nearly, speed);
     let steep = turn.times_plus(nearly, bend).times_plus(nearly, speed);
-    let slide = nearly - (far * nearly - left) / steep;
+    let slide = nearly - far.times_plus(nearly, -left) / steep;
     let (arrived, before) = reached.slid(flight, slide, &acceleration, &jerk);
     let time = u.times_plus(window, slide);
 
@@ -168,7 +172,13 @@ pub fn crossing<L: Lanes, const N: usize, D: Drive<L, N>>(
     let after = point.accelerations(flight);
     let close = (slide.magnitude() * flight.rate).below(zero.all(L::Real::STRAIGHT));
     let within = zero.below(time).and(time.below(window));
-    let first = is_first(&face, speeds[0], face.sign * velocity, pulls, time, window);
+    let arrives = face.sign * velocity;
+    let first = is_first(&face, [speeds[0], arrives], pulls, time, window).or(stays_off(
+        &face,
+        gaps[0],
+        [speeds[0], arrives],
+        time,
+    ));
     let parts = parts_for_good(&face, flight, rebound, &point.state.v, face.towards(&after));
     let certain = face.only.and(close).and(within).and(first).and(parts);
     let certain = certain.and(face.meets(&arrived.state, window * velocity));
@@ -191,8 +201,7 @@ pub fn crossing<L: Lanes, const N: usize, D: Drive<L, N>>(
 #[inline(always)]
 fn is_first<L: Lanes, const N: usize>(
     face: &Face<L, N>,
-    leaves: L,
-    arrives: L,
+    [leaves, arrives]: [L; 2],
     pulls: [L; 2],
     time: L,
     window: L,
@@ -202,9 +211,34 @@ fn is_first<L: Lanes, const N: usize>(
     let least = pulls[0].smaller(pulls[1]) - swelling;
     let most = pulls[0].larger(pulls[1]) + swelling;
     let sets_out = zero.below(least.smaller(zero).times_plus(time, leaves));
-    let comes_in = zero.below(arrives - most.larger(zero) * time);
+    let comes_in = zero.below((-most.larger(zero)).times_plus(time, arrives));
     let bends = zero.below(least).and(face.opposite_clear);
     zero.below(arrives).and(sets_out.or(comes_in).or(bends))
+}
+
+/// Where a contact after `time` is the first since what bounds the gap lies within the hull of its five Bernstein
+/// coefficients on the way there, and these lie between the stops; see [`Leg::clearance`]. The first of them is where the
+/// trajectory is, the last one the contact.
+#[inline(always)]
+fn stays_off<L: Lanes, const N: usize>(
+    face: &Face<L, N>,
+    gap: L,
+    [leaves, arrives]: [L; 2],
+    time: L,
+) -> L::Mask {
+    let zero = time.all(0.0);
+    let quarter = time * time.all(0.25);
+    let square = time * time;
+    let margin = (square * square) * (time.all(SWELLING) * face.bound);
+    let second = (-leaves).times_plus(quarter, gap);
+    let fourth = arrives * quarter;
+    let turn = (arrives - leaves) * (time * time.all(1.0 / 6.0));
+    let middle = gap.times_plus(time.all(0.5), turn);
+    let nearest = second.smaller(fourth).smaller(middle - margin);
+    let farthest = second.larger(fourth).larger(middle + margin);
+    // A NaN anywhere makes `middle` a NaN, and no comparison holds.
+    let sound = zero.below(middle - margin);
+    sound.and(zero.below(nearest)).and(face.opposite_clear.or(farthest.below(face.width)))
 }
 
 /// Where the rebounds that follow an impact can surely not be closed, so that it ends in flight; see

@@ -161,3 +161,55 @@ fn what_is_not_certain_is_refused() {
     refuses::<f64>();
     refuses::<f32>();
 }
+
+/// A way to the stop that the certificates are asked about: from rest at `gap` with the speed and the accelerations at both
+/// ends of a step of length 1, between which the acceleration changes steadily.
+struct Way {
+    speed: f64,
+    pulls: [f64; 2],
+    time: f64,
+}
+
+impl Way {
+    fn place(&self, s: f64) -> f64 {
+        let [first, last] = self.pulls;
+        s * (self.speed + s * (0.5 * first + s * (last - first) / 6.0))
+    }
+
+    /// Whether the contact after `time` is known to be the first, by either certificate, with the other stop as far away.
+    fn certified(&self, bound: f64, width: f64) -> [bool; 2] {
+        let [first, last] = self.pulls;
+        let arrives = self.speed + self.time * (first + 0.5 * self.time * (last - first));
+        let gap = self.place(self.time);
+        let face = Face::<f64, 1> {
+            only: true,
+            opposite_clear: false,
+            normals: [true, false, false, false],
+            upper: true,
+            sign: 1.0,
+            gap,
+            width,
+            restitution: 1.0,
+            direction: [1.0],
+            response: [1.0],
+            bound,
+            coupling: 0.0,
+        };
+        [
+            is_first(&face, [self.speed, arrives], self.pulls, self.time, 1.0),
+            stays_off(&face, gap, [self.speed, arrives], self.time),
+        ]
+    }
+}
+
+#[test]
+fn a_way_that_slows_down_and_speeds_up_again_is_certified_by_its_hull() {
+    let slows = Way { speed: 0.3, pulls: [-1.0, 3.0], time: 0.9 };
+    assert_eq!(slows.certified(0.0, 1.0), [false, true]);
+    assert_eq!(slows.certified(1e3, 1.0), [false, false], "what bounds it is too far away");
+    assert_eq!(slows.certified(0.0, 0.3), [false, false], "the other stop lies on the way");
+    // It would meet the stop before, and turn: the contact is the second.
+    let turns = Way { speed: 2.0, pulls: [-14.0, 20.0], time: 0.85 };
+    assert!(turns.place(0.184) > turns.place(turns.time), "the stop is passed before");
+    assert_eq!(turns.certified(0.0, 10.0), [false, false]);
+}
