@@ -22,7 +22,8 @@ fn rest(carry: bool) -> Move {
         let slope = sign * motion.pressing_rate[$k];
         let bound = point_bound(trajectory.point, $ku);
         let lost = unresolved(end, trajectory.point.state);
-        if (force <= lost && slope < 0.0) || force < -lost {
+        // What would open just before the step's end opens in the next one.
+        if window > least && ((force <= lost && slope < 0.0) || force < -lost) {
             return release(carry, end, bound);
         }
         time = min(time, max(contact_pressed_time(force, slope, bound, window), least));

@@ -52,12 +52,14 @@ fn strike(carry: bool, reached: Reached) -> Move {
         bounce(end.normal, kick, before_contact);
         return Move(EVENT_IMPACT, stop, velocity, rebound, CONTACT_FREE);
     }
+    // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
+    let still = abs(velocity) <= unresolved(end, arrived.state);
     come_to_rest(end, closure.gap_integral);
     if carry {
         tangent = tangent_caught(tangent, trajectory.contact);
     }
-    let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, abs(rebound) > 0.0);
-    return Move(event, stop, velocity, rebound, CONTACT_FREE);
+    let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, !still && abs(rebound) > 0.0);
+    return Move(event, stop, select(velocity, 0.0, still), rebound, CONTACT_FREE);
 }
 
 // The closure of the rebounds that follow an impact, if that is as good as following them.

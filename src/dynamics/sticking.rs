@@ -30,7 +30,8 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
             let (force, slope) = (sign * motion.pressing[k], sign * motion.pressing_rate[k]);
             let bound = self.point.bound(flight, k);
             let unresolved = contact::unresolved(&flight.normals[k], end.side, &self.point.state);
-            if (force <= unresolved && slope < T::zero()) || force < -unresolved {
+            // What would open just before the step's end opens in the next one.
+            if window > least && ((force <= unresolved && slope < T::zero()) || force < -unresolved) {
                 return self.release(flight, variation, end, bound);
             }
             let pressed = contact::pressed_time(force, slope, bound, window);
@@ -46,7 +47,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     }
 
     /// A contact opens, from rest and without acceleration; the jerk alone pulls the masses off.
-    #[inline(never)]
+    #[inline(always)]
     fn release<V: Variation<T, N>>(
         &mut self,
         flight: &Flight<T, N>,

@@ -73,9 +73,13 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
             self.bounce(flight, end.normal, kick, held);
             return Event::Impact(impact);
         };
+        // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
+        let still = velocity.abs() <= contact::unresolved(normal, end.side, &arrived.state);
+        let impact = if still { Impact { velocity_before: T::zero(), ..impact } } else { impact };
         self.come_to_rest(flight, end, closure.gap_integral);
         *variation = variation.caught(flight, self.contact);
-        Event::Caught { impact, complete_chatter: rebound.abs() > T::zero(), beside: Contact::FREE }
+        let complete_chatter = !still && rebound.abs() > T::zero();
+        Event::Caught { impact, complete_chatter, beside: Contact::FREE }
     }
 
     /// The closure of the rebounds that follow an impact, if that is as good as following them.
