@@ -85,14 +85,15 @@ fn observer_settle(state: State) {
             observer.stage = STAGE_QUIET;
             return;
         }
-        recurrence_at_strobe(state, SETTLED, false);
+        let patience = max(min(observer.periods / PATIENCE_SHARE, schedule.max_period), 1u);
+        recurrence_at_strobe(state, SETTLED, patience, false);
         let at_rest = observer.recurrence.worst <= AT_REST;
         let still = at_rest && recurrence_holds_for(SETTLING_AT_REST);
         if still || (!at_rest && recurrence_kept_for(SETTLING)) {
             observer_begin_settled(at_rest);
             return;
         }
-        recurrence_follow_along(state, SETTLING_AT_REST);
+        recurrence_follow_along(state, FOLLOWING);
     }
     if observer.periods >= schedule.transient {
         observer_begin_observation(schedule.observe);
@@ -141,7 +142,7 @@ fn observer_observe(state: State) {
     observer.observed = observer.observed + 1u;
     let half = observer.observe / 2u;
     let growth = observer_measure_growth();
-    recurrence_at_strobe(state, RETURNED, observer.observed >= half);
+    recurrence_at_strobe(state, RETURNED, schedule.max_period, observer.observed >= half);
     observer.grown = select(observer.grown + growth, 0.0, observer.recurrence.since == 0u);
     if observer.observed <= 2u * half {
         spread_at_strobe(trajectory.point, observer.observed > half);

@@ -10,6 +10,8 @@ struct Recurrence {
     running: array<u32, STOPS>,
     worst: f32,
     early: f32,
+    // Whether the last return went hardly farther than those before.
+    quickly: u32,
     moved: u32,
     apart: f32,
     symmetric: u32,
@@ -17,7 +19,7 @@ struct Recurrence {
 
 fn recurrence_anchored(state: State) -> Recurrence {
     let none = array<u32, STOPS>();
-    return Recurrence(state, 0u, 0u, 0u, none, none, 0.0, 0.0, 0u, FARTHEST, 0u);
+    return Recurrence(state, 0u, 0u, 0u, none, none, 0.0, 0.0, 0u, 0u, FARTHEST, 0u);
 }
 
 // Counts an impact; infinitely many if it ends a complete chatter sequence.
@@ -54,7 +56,7 @@ fn recurrence_at_half_period(state: State, tolerance: f32) {
     }
 }
 
-fn recurrence_at_strobe(state: State, tolerance: f32, late: bool) {
+fn recurrence_at_strobe(state: State, tolerance: f32, max_period: u32, late: bool) {
     observer.recurrence.since = observer.recurrence.since + 1u;
     let away = anchor_distance(state);
     if observer.recurrence.n == 0u {
@@ -62,7 +64,7 @@ fn recurrence_at_strobe(state: State, tolerance: f32, late: bool) {
             observer.recurrence.n = observer.recurrence.since;
             observer.recurrence.impacts = observer.recurrence.running;
             recurrence_returned(away);
-        } else if observer.recurrence.since >= schedule.max_period {
+        } else if observer.recurrence.since >= max_period {
             recurrence_start_over(state, late);
         }
         return;
@@ -86,9 +88,12 @@ fn recurrence_at_strobe(state: State, tolerance: f32, late: bool) {
     }
 }
 
-// In the transient: the motion is compared with its present self after so many periods of returns.
+// In the transient: the motion is compared with its present self after so many periods of returns, or a few where it comes
+// closer quickly.
 fn recurrence_follow_along(state: State, periods: u32) {
-    if recurrence_holds_for(periods) && observer.recurrence.since % observer.recurrence.n == 0u {
+    let due = recurrence_holds_for(periods) || recurrence_holds_for(0u) && observer.recurrence.quickly == 1u;
+    let moves = observer.recurrence.worst > AT_REST;
+    if due && moves && observer.recurrence.since % observer.recurrence.n == 0u {
         let nearer = observer.recurrence.early == 0.0 || observer.recurrence.worst <= observer.recurrence.early;
         observer.recurrence.kept = select(0u, observer.recurrence.kept + observer.recurrence.since, nearer);
         observer.recurrence.since = 0u;
@@ -116,7 +121,9 @@ fn recurrence_move_along(state: State) {
 
 fn recurrence_returned(away: f32) {
     observer.recurrence.running = array<u32, STOPS>();
-    observer.recurrence.worst = max(observer.recurrence.worst, away);
+    let worst = max(observer.recurrence.worst, away);
+    observer.recurrence.quickly = select(0u, 1u, worst - observer.recurrence.worst <= QUICKLY * worst);
+    observer.recurrence.worst = worst;
 }
 
 fn recurrence_holds_for(periods: u32) -> bool {

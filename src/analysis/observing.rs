@@ -19,7 +19,12 @@ pub const RETURNED: f64 = 1e-4;
 /// Periods for which a trajectory must have returned, in the transient, before it finishes early.
 pub const SETTLING: u32 = 64;
 /// The same for a trajectory that returns far closer still, to [`Real::AT_REST`].
-pub const SETTLING_AT_REST: u32 = 16;
+pub const SETTLING_AT_REST: u32 = 4;
+/// Periods of returns in the transient after which the motion is compared with its present self.
+pub const FOLLOWING: u32 = 16;
+/// The share of the time since the start, one in so many, for which a state's return is waited for in the transient: what
+/// was met early is no part of the motion that is reached.
+pub const PATIENCE_SHARE: u32 = 4;
 /// Periods for which a settled trajectory is still observed.
 pub const SETTLED_OBSERVATION: u32 = 48;
 /// The exponent per forcing period below which a motion that is observed turn by turn neither attracts nor repels: over
@@ -109,7 +114,8 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 self.stage = Stage::Quiet;
                 return;
             }
-            self.recurrence.at_strobe(&point, T::of(T::SETTLED), schedule.max_period, false);
+            let patience = (self.periods / PATIENCE_SHARE).min(schedule.max_period).max(1);
+            self.recurrence.at_strobe(&point, T::of(T::SETTLED), patience, false);
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
             let settled = if at_rest {
                 self.recurrence.holds_for(SETTLING_AT_REST)
@@ -120,7 +126,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 self.begin_settled(flight, schedule, at_rest);
                 return;
             }
-            self.recurrence.follow_along(&point, SETTLING_AT_REST);
+            self.recurrence.follow_along(&point, FOLLOWING);
         }
         if self.periods >= schedule.transient {
             self.begin_observation(flight, schedule.observe);

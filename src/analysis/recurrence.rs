@@ -9,6 +9,10 @@ use crate::model::{Flight, Real, State};
 /// returns within 1 − μᵏ of its size over k periods.
 pub const DISTINCT: f64 = 1e3;
 
+/// The share of its largest distance from the anchor by which a return may go farther than those before, for the motion to
+/// come closer quickly: the present is then that much closer to where it goes than the anchor was.
+pub const QUICKLY: f64 = 0.25;
+
 /// How many times a state must have returned before it counts as periodic.
 pub const LEAST_RETURNS: u32 = 3;
 
@@ -40,6 +44,8 @@ pub struct Recurrence<T, const N: usize> {
     worst: T,
     /// The same before the anchor moved along with the motion.
     early: T,
+    /// Whether the last return went hardly farther than those before; see [`QUICKLY`].
+    quickly: bool,
     /// Whether the anchor has moved along with the motion, or began in the later half.
     moved: bool,
     /// The smallest distance from the anchor after a proper divisor of N.
@@ -60,6 +66,7 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
             running: [0; MOST],
             worst: T::zero(),
             early: T::zero(),
+            quickly: false,
             moved: false,
             apart: T::of(FARTHEST),
             symmetric: false,
@@ -121,11 +128,12 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         }
     }
 
-    /// In the transient: after `periods` of returns the motion is compared with its present self, so that one that comes closer
-    /// is seen to come to rest. Returns that go farther than before do not count.
+    /// In the transient: after `periods` of returns, or a few where it comes closer quickly, the motion is compared with its
+    /// present self, so that one that comes closer is seen to come to rest. Returns that go farther than before do not count.
     #[inline(always)]
     pub fn follow_along(&mut self, point: &Point<T, N>, periods: u32) {
-        if self.holds_for(periods) && self.since.is_multiple_of(self.n) {
+        let due = self.holds_for(periods) || self.holds_for(0) && self.quickly;
+        if due && !self.is_within(T::of(T::AT_REST)) && self.since.is_multiple_of(self.n) {
             let nearer = self.early == T::zero() || self.worst <= self.early;
             self.kept = if nearer { self.kept + self.since } else { 0 };
             self.since = 0;
@@ -157,7 +165,9 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
     #[inline(always)]
     fn returned(&mut self, away: T) {
         self.running = [0; MOST];
-        self.worst = if away > self.worst { away } else { self.worst };
+        let worst = if away > self.worst { away } else { self.worst };
+        self.quickly = worst - self.worst <= T::of(QUICKLY) * worst;
+        self.worst = worst;
     }
 
     /// Whether the state has kept returning for at least `periods`, and at least [`LEAST_RETURNS`] times.
