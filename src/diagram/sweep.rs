@@ -4,10 +4,10 @@ use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
-use strum::IntoStaticStr;
 
 use super::error::DiagramError;
 use crate::plane::{Start, StartError};
+use crate::system::named;
 
 /// How the columns of a diagram begin.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -82,22 +82,15 @@ impl TryFrom<String> for Sweep {
     }
 }
 
-/// How the columns of a branch follow each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
-#[serde(rename_all = "lowercase")]
-#[strum(serialize_all = "lowercase")]
-pub enum Direction {
-    /// They do not: each begins by itself.
-    Each,
-    /// With falling values of the axis.
-    Down,
-    /// With rising values of the axis.
-    Up,
-}
-
-impl Direction {
-    /// The name used in files, in keys and on the terminal.
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// How the columns of a branch follow each other.
+    #[derive(serde::Deserialize)]
+    pub enum Direction {
+        /// They do not: each begins by itself.
+        Each = "each",
+        /// With falling values of the axis.
+        Down = "down",
+        /// With rising values of the axis.
+        Up = "up",
     }
 }

@@ -1,27 +1,20 @@
 //! The values of a field, with their type.
 
-use strum::IntoStaticStr;
+use crate::system::named;
 
-/// The type of a field's values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, IntoStaticStr)]
-#[strum(serialize_all = "lowercase")]
-pub enum Kind {
-    /// Whole numbers from 0 to 255.
-    U8,
-    /// Whole numbers from 0 to 65535.
-    U16,
-    /// Whole numbers of 32 bits.
-    U32,
-    /// Single precision.
-    F32,
-    /// Double precision.
-    F64,
-}
-
-impl Kind {
-    /// The name in the documentation.
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// The type of a field's values.
+    pub enum Kind {
+        /// Whole numbers from 0 to 255.
+        U8 = "u8",
+        /// Whole numbers from 0 to 65535.
+        U16 = "u16",
+        /// Whole numbers of 32 bits.
+        U32 = "u32",
+        /// Single precision.
+        F32 = "f32",
+        /// Double precision.
+        F64 = "f64",
     }
 }
 
