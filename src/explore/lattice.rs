@@ -168,6 +168,8 @@ impl Window {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::Schedule;
+    use crate::plane::Start;
 
     fn axis(text: &str) -> Axis {
         text.parse().unwrap()
@@ -201,18 +203,9 @@ mod tests {
 
     #[test]
     fn the_window_of_all_cells_is_the_plane() {
-        let plane = Plane {
-            x: axis("omega=0.2:5:80"),
-            y: axis("delta=0.02:0.8:60"),
-            parameters: crate::model::Parameters::default().into(),
-            start: crate::plane::Start::Symmetric,
-            task: crate::analysis::Schedule {
-                transient: 300,
-                observe: 150,
-                max_period: 32,
-                fixed_periods: false,
-            },
-        };
+        let schedule = Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false };
+        let plane =
+            Plane::of_paper("omega=0.2:5:80", "delta=0.02:0.8:60", Start::Symmetric, schedule).unwrap();
         let all = Window { z: 0, columns: [0, 79], rows: [0, 59] };
         assert_eq!(all.plane(&plane).unwrap(), plane);
         let part = Window { z: 1, columns: [-2, 10], rows: [3, 9] }.plane(&plane).unwrap();

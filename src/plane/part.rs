@@ -75,17 +75,11 @@ pub struct PartError(pub String);
 mod tests {
     use super::*;
     use crate::analysis::Schedule;
-    use crate::model::Parameters;
     use crate::plane::Start;
 
     fn plane() -> Plane {
-        Plane {
-            x: "omega=0.1:5:400".parse().unwrap(),
-            y: "delta=0.02:0.8:300".parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Rest,
-            task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
-        }
+        let schedule = Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false };
+        Plane::of_paper("omega=0.1:5:400", "delta=0.02:0.8:300", Start::Rest, schedule).unwrap()
     }
 
     #[test]

@@ -55,13 +55,7 @@ pub fn sweep<T: Swept>(
     }
     match missing {
         Some(why) if !any => Err(why),
-        _ => Ok(RegionMap {
-            plane: plane.clone(),
-            provenance: provenance(backend),
-            verdicts,
-            multipliers: None,
-            extents: None,
-        }),
+        _ => Ok(RegionMap::new(plane.clone(), provenance(backend), verdicts)),
     }
 }
 
@@ -145,7 +139,6 @@ mod tests {
     use super::*;
     use crate::analysis::{Regime, Schedule};
     use crate::backend::Unwatched;
-    use crate::model::Parameters;
     use crate::plane::Start;
 
     /// Gives back each job's parameters and start in the verdict's state.
@@ -198,13 +191,8 @@ mod tests {
     }
 
     fn plane(x: &str, y: &str, start: Start) -> Plane {
-        Plane {
-            x: x.parse().unwrap(),
-            y: y.parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start,
-            task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
-        }
+        let schedule = Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false };
+        Plane::of_paper(x, y, start, schedule).unwrap()
     }
 
     #[test]

@@ -146,20 +146,14 @@ mod tests {
     use super::*;
     use crate::analysis::{Schedule, Verdict};
     use crate::backend::{Cpu, Job, Unwatched};
-    use crate::model::Parameters;
     use crate::plane::fields::Extras;
     use crate::plane::{Part, Plane, Start, Window};
     use crate::store::Wanted;
     use crate::sweep::{provenance, sweep};
 
     fn plane() -> Plane {
-        Plane {
-            x: "omega=2:4:11".parse().unwrap(),
-            y: "delta=0.05:0.3:7".parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Symmetric,
-            task: Schedule { transient: 40, observe: 40, max_period: 8, fixed_periods: false },
-        }
+        let schedule = Schedule { transient: 40, observe: 40, max_period: 8, fixed_periods: false };
+        Plane::of_paper("omega=2:4:11", "delta=0.05:0.3:7", Start::Symmetric, schedule).unwrap()
     }
 
     fn store(folder: &tempfile::TempDir) -> ZarrStore {

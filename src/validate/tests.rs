@@ -3,7 +3,6 @@
 use super::*;
 use crate::analysis::{Regime, Schedule, Verdict};
 use crate::backend::{Backend, BackendError, Job, Unwatched, Watch};
-use crate::model::Parameters;
 use crate::plane::{Plane, Provenance, RegionMap, Start};
 
 const COLUMNS: u32 = 20;
@@ -32,17 +31,11 @@ fn of_regime(regime: Regime) -> Verdict {
 
 /// A map whose left half is 1-1-1 symmetric and whose right half is what is given.
 fn halves(right: Verdict) -> RegionMap {
-    let plane = Plane {
-        x: format!("omega=1:3:{COLUMNS}").parse().unwrap(),
-        y: format!("delta=0.1:0.4:{ROWS}").parse().unwrap(),
-        parameters: Parameters::default().into(),
-        start: Start::Rest,
-        task: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
-    };
+    let schedule = Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false };
+    let (x, y) = (format!("omega=1:3:{COLUMNS}"), format!("delta=0.1:0.4:{ROWS}"));
+    let plane = Plane::of_paper(&x, &y, Start::Rest, schedule).unwrap();
     let verdict = |index| if index % COLUMNS < COLUMNS / 2 { motion(1, true) } else { right };
-    let provenance = Provenance { version: String::new(), backend: String::new(), adapter: String::new() };
-    let verdicts = (0..COLUMNS * ROWS).map(verdict).collect();
-    RegionMap { plane, provenance, verdicts, multipliers: None, extents: None }
+    RegionMap::new(plane, Provenance::default(), (0..COLUMNS * ROWS).map(verdict).collect())
 }
 
 /// The thresholds that are not met.

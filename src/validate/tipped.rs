@@ -127,13 +127,8 @@ mod tests {
 
     #[test]
     fn copies_are_a_rounding_away_and_what_is_zero_stays_zero() {
-        let plane = Plane {
-            x: "omega=2:3:2".parse().unwrap(),
-            y: "f20=0:0.5:2".parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Rest,
-            task: Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: true },
-        };
+        let schedule = Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: true };
+        let plane = Plane::of_paper("omega=2:3:2", "f20=0:0.5:2", Start::Rest, schedule).unwrap();
         let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
         let copies: Vec<Job> = copies(&map, 0).collect();
         assert_eq!(copies.len(), COPIES as usize);
