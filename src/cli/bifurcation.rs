@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Probe, Reading, Section};
 use impact_atlas::backend::{self, Backend, Choice};
@@ -20,7 +19,7 @@ use super::options::{BackendArgs, OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse, parse_size};
-use super::{CliError, defaults, note};
+use super::{CliError, defaults, note, wrong};
 
 /// How many entries of a key stand side by side, about.
 const KEY_IN_A_ROW: u32 = 5;
@@ -157,11 +156,11 @@ impl BifurcationArgs {
     /// The checked specification.
     fn spec(&self) -> Result<DiagramSpec, CliError> {
         if let (Some(start), false) = (self.start, self.sweep.is_carried()) {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "--start {start} has no effect, since --sweep {} starts every column by itself: drop it, or give the \
                  start to --sweep",
                 self.sweep
-            )));
+            ));
         }
         let section = match &self.section {
             Some(name) => self.system.named("--section <SECTION>", name, Section::named)?,
@@ -198,10 +197,10 @@ impl BifurcationArgs {
             (None, Choice::Auto | Choice::Cpu) => None,
         };
         if let Some(asked) = asked {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "--sweep {} is a sequence and computed on the CPU: drop {asked}, or choose --sweep rest or symmetric",
                 self.sweep
-            )));
+            ));
         }
         let cpu = backend::open(Choice::Cpu, None)?;
         note(&format!("computing on {}: {}; a carried sweep is a sequence", cpu.name(), cpu.adapter()));

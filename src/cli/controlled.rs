@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::control::{ControlSchedule, Method};
 use impact_atlas::plane::{Control, Plane};
@@ -10,7 +9,7 @@ use impact_atlas::plane::{Control, Plane};
 use super::method::{MethodArgs, method, varied};
 use super::options::PlaneArgs;
 use super::values::count;
-use super::{CliError, defaults};
+use super::{CliError, defaults, wrong};
 
 /// Control of every cell of a plane.
 #[derive(Debug, Args)]
@@ -42,9 +41,9 @@ impl ControlledArgs {
     /// Refuses settings of a method where there is none.
     pub fn refuse_settings(&self) -> Result<(), CliError> {
         match self.settings.any() {
-            Some(option) => Err(CliError::Input(anyhow!(
+            Some(option) => Err(wrong!(
                 "--{option} has no effect without control: drop it or choose a method with --control"
-            ))),
+            )),
             None => Ok(()),
         }
     }
@@ -58,10 +57,10 @@ impl ControlledArgs {
     fn first(&self) -> Result<u32, CliError> {
         let Some(text) = &self.from else { return Ok(defaults::CONTROL_MAP_FROM) };
         count(text).map_err(|error| {
-            CliError::Input(anyhow!(
+            wrong!(
                 "invalid value '{text}' for '--from <N|FILE>': with --control it is the first iterate that is controlled: \
                  {error}"
-            ))
+            )
         })
     }
 

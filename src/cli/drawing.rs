@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::curves::Curve;
@@ -12,7 +11,7 @@ use impact_atlas::plane::{Axis, RegionMap, Window};
 use impact_atlas::render::{DrawnCurves, PlanePicture, Shown};
 
 use super::values::{counted, parse, parse_size, parse_span};
-use super::{CliError, curve_list, curves, defaults};
+use super::{CliError, curve_list, curves, defaults, wrong};
 
 /// Curves are read off a map of so many cells at most, those of a larger one in equal steps.
 const MOST_CELLS_OF_CURVES: usize = 480_000;
@@ -77,9 +76,9 @@ impl DrawingArgs {
         if layer == Layer::Motion {
             let given = [("--palette", self.palette.is_some()), ("--range", self.range.is_some())];
             if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "{option} is for layers of numbers, and motions have colours of their own: choose a --layer"
-                )));
+                ));
             }
         }
         if let Layer::Number { drawn, .. } = layer
@@ -87,10 +86,10 @@ impl DrawingArgs {
             && drawn.spread == Spread::Ratios
             && low <= 0.0
         {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "the colour bar of {} has equal ratios: --range must begin above 0, not at {low}",
                 self.layer
-            )));
+            ));
         }
         Ok(layer)
     }
@@ -101,10 +100,7 @@ impl DrawingArgs {
         if layer.is_with(cells.extras()) {
             return Ok(());
         }
-        Err(CliError::Input(anyhow!(
-            "these data do not have the layer {}: compute them with `map --extents`",
-            self.layer
-        )))
+        Err(wrong!("these data do not have the layer {}: compute them with `map --extents`", self.layer))
     }
 
     /// The curves over a window.
@@ -166,9 +162,9 @@ pub fn window(cells: &dyn Cells, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> Re
     let plane = cells.plane();
     let on = |option: &str, axis: &Axis, range: Option<[f64; 2]>| match range {
         None => Ok((0, axis.count)),
-        Some([a, b]) => axis.between(a, b).ok_or_else(|| {
-            CliError::Input(anyhow!("{option} {a}:{b} holds none of the cells, whose axis is {axis}"))
-        }),
+        Some([a, b]) => axis
+            .between(a, b)
+            .ok_or_else(|| wrong!("{option} {a}:{b} holds none of the cells, whose axis is {axis}")),
     };
     let ((column, columns), (row, rows)) = (on("--x", &plane.x, x)?, on("--y", &plane.y, y)?);
     Ok(Window { column, row, columns, rows })

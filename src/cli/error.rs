@@ -35,6 +35,12 @@ pub enum CliError {
     Interrupted,
 }
 
+/// Wrong input, in words as `format!` takes them.
+macro_rules! wrong {
+    ($($words:tt)+) => { $crate::cli::CliError::Input(anyhow::anyhow!($($words)+)) };
+}
+pub(super) use wrong;
+
 impl CliError {
     /// Wrong input.
     pub fn input(error: impl Into<anyhow::Error>) -> Self {

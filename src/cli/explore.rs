@@ -13,7 +13,7 @@ use impact_atlas::store::{ZarrStore, read_map};
 
 use super::options::{BackendArgs, PlaneArgs};
 use super::terminal::print;
-use super::{CliError, interrupt, note};
+use super::{CliError, interrupt, note, wrong};
 
 /// How often the server looks for Ctrl-C.
 const GLANCE: Duration = Duration::from_millis(50);
@@ -114,16 +114,16 @@ fn server(
 /// The back end that is asked for.
 fn computing(args: &BackendArgs) -> Result<Computing, CliError> {
     if args.reproducible {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "--reproducible is for results in files, and the explorer's back end can be changed in the page: use map \
              --reproducible"
-        )));
+        ));
     }
     let asked = match (args.backend, &args.adapter) {
         (Choice::Cpu, Some(adapter)) => {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "--adapter {adapter} chooses an adapter of the GPU back end: drop it or --backend cpu"
-            )));
+            ));
         }
         (_, Some(adapter)) => Asked::adapter(adapter)?,
         (Choice::Auto, None) => Asked::Auto,
@@ -144,8 +144,8 @@ fn read(path: &Path) -> Result<Known, CliError> {
             "`{name}` cannot be explored: give an npz file or a store that `map` wrote, of a plane without control"
         )))
     };
-    let file = File::open(path)
-        .map_err(|error| CliError::Input(anyhow!("cannot read `{name}`: {error}; is the name right?")))?;
+    let file =
+        File::open(path).map_err(|error| wrong!("cannot read `{name}`: {error}; is the name right?"))?;
     let map = read_map(file).map_err(|error| wrong(error.into()))?;
     map.plane.check().map_err(|error| wrong(error.into()))?;
     small_enough(&name.to_string(), &map.plane)?;
@@ -157,10 +157,10 @@ fn small_enough(name: &str, plane: &Plane) -> Result<(), CliError> {
     if plane.cells() <= Known::MOST {
         return Ok(());
     }
-    Err(CliError::Input(anyhow!(
+    Err(wrong!(
         "`{name}` has {} cells, and at most {} of an archive are explored: put the plane into a store, with `map --from` it \
          and --data STORE.zarr",
         plane.cells(),
         Known::MOST
-    )))
+    ))
 }

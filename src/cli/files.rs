@@ -3,13 +3,12 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use anyhow::anyhow;
 use impact_atlas::figure::Picture;
 use impact_atlas::store::{Filled, Output};
 use serde::Serialize;
 
 use super::options::OverwriteArgs;
-use super::{CliError, interrupt, note, pictures, terminal};
+use super::{CliError, interrupt, note, pictures, terminal, wrong};
 
 /// What a file holds, which its name must not contradict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,13 +63,11 @@ pub fn prepare<const N: usize>(
         let place = place(path);
         if places.contains(&place) {
             let more = complaint.map(|complaint| format!(" ({complaint})")).unwrap_or_default();
-            return Err(CliError::Input(anyhow!(
-                "two results are to be written to `{name}`: name another file{more}"
-            )));
+            return Err(wrong!("two results are to be written to `{name}`: name another file{more}"));
         }
         places.push(place);
         if let Some(complaint) = complaint {
-            return Err(CliError::Input(anyhow!("cannot write to `{name}`: {complaint}")));
+            return Err(wrong!("cannot write to `{name}`: {complaint}"));
         }
     }
     for (output, wanted) in outputs.iter_mut().zip(wanted) {

@@ -4,9 +4,9 @@ use std::env;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 
-use super::CliError;
+use super::{CliError, wrong};
 
 /// The most threads that are started.
 pub const MOST_THREADS: u32 = 1024;
@@ -37,9 +37,7 @@ fn threads_of(variable: Option<&str>) -> Result<u32, CliError> {
         return Ok(0);
     }
     text.parse().ok().filter(|&threads| threads <= MOST_THREADS).ok_or_else(|| {
-        CliError::Input(anyhow!(
-            "{THREADS}={text} cannot be used: set it to 1 to {MOST_THREADS}, unset it, or give --threads"
-        ))
+        wrong!("{THREADS}={text} cannot be used: set it to 1 to {MOST_THREADS}, unset it, or give --threads")
     })
 }
 

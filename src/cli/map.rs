@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use anyhow::anyhow;
 use impact_atlas::backend::Backend;
 use impact_atlas::plane::fields::Extras;
 use impact_atlas::plane::{Plane, RegionMap, Window};
@@ -17,7 +16,7 @@ use super::map_args::MapArgs;
 use super::options::BackendArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, cell, control_map, curve_list, defaults, estimate, stored};
+use super::{CliError, cell, control_map, curve_list, defaults, estimate, stored, wrong};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -97,16 +96,16 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
 /// A plane whose cells are all held at once, and written into one file.
 fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extras) -> Result<(), CliError> {
     if args.part.is_some() || args.tile.is_some() {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "--part and --tile are for stores: give --data DATA.zarr in place of an npz file"
-        )));
+        ));
     }
     if plane.cells() > Plane::LARGEST_AT_ONCE {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "a plane of {} cells is too large for one file: at most {} cells are accepted; give --data DATA.zarr",
             plane.cells(),
             Plane::LARGEST_AT_ONCE
-        )));
+        ));
     }
     let out = args.out.clone().unwrap_or_else(|| defaults::PICTURE.into());
     let npz = files::data_beside(&out, args.data.as_deref());

@@ -1,6 +1,5 @@
 //! The options of the control methods, which `control` and `map` share: made of the table of methods.
 
-use anyhow::anyhow;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use impact_atlas::control::{
@@ -9,8 +8,8 @@ use impact_atlas::control::{
 use impact_atlas::model::Setting;
 use impact_atlas::plane::Quantity;
 
-use super::CliError;
 use super::values::{Assignment, count};
+use super::{CliError, wrong};
 
 /// Reads the name of a method.
 pub fn method() -> impl TypedValueParser<Value = &'static Method> {
@@ -96,15 +95,15 @@ impl MethodArgs {
         let site = Site::new(setting, self.given.word("stop")).map_err(CliError::input)?;
         if let Some(option) = self.options.iter().find(|option| !method.has(option.name)) {
             let (option, method) = (option.name, method.name);
-            return Err(CliError::Input(anyhow!("--{option} has no effect on {method}: drop it")));
+            return Err(wrong!("--{option} has no effect on {method}: drop it"));
         }
         let mut scheme = Scheme::given(method, &self.given, &site).map_err(CliError::input)?;
         Assignment::refuse_twice(set)?;
         for one in set {
             let Quantity::Control(setting) = one.quantity else { continue };
-            scheme = scheme.with(setting, one.value).ok_or_else(|| {
-                CliError::Input(anyhow!("--set {one} has no effect on {}: drop it", method.name))
-            })?;
+            scheme = scheme
+                .with(setting, one.value)
+                .ok_or_else(|| wrong!("--set {one} has no effect on {}: drop it", method.name))?;
         }
         scheme.check().map_err(CliError::input)?;
         Ok(scheme)
@@ -115,10 +114,7 @@ impl MethodArgs {
         for (words, quantity) in by {
             let Quantity::Control(setting) = quantity else { continue };
             if let Some(given) = self.options.iter().find(|option| method.replaces(*setting, option)) {
-                return Err(CliError::Input(anyhow!(
-                    "--{} has no effect, since {words} it: drop one of the two",
-                    given.name
-                )));
+                return Err(wrong!("--{} has no effect, since {words} it: drop one of the two", given.name));
             }
         }
         Ok(())

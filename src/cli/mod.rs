@@ -56,6 +56,7 @@ use std::ffi::OsString;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub use error::CliError;
+use error::wrong;
 pub use machine::hush_drivers;
 pub use terminal::{complain, note};
 

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::dynamics::{self, Recording};
@@ -20,7 +19,7 @@ use super::orbit_table::Columns;
 use super::progress::Progress;
 use super::terminal::print;
 use super::values::{counted, parse, parse_size};
-use super::{CliError, defaults, interrupt};
+use super::{CliError, defaults, interrupt, wrong};
 
 /// The most points of a trajectory.
 const LARGEST: u64 = 20_000_000;
@@ -137,9 +136,9 @@ pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
     let (transient, periods) = (args.transient, args.periods);
     let samples = args.samples();
     if u64::from(periods) * u64::from(samples) > LARGEST {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "{periods} periods with {samples} points each are too many: at most {LARGEST} points are accepted"
-        )));
+        ));
     }
     let wanted = [
         Kind::Picture.at(args.out.as_deref()),
@@ -261,15 +260,15 @@ impl Shown {
             let name = zoom.name(family);
             let of = zoom.variable.name(family);
             if !self.panels.iter().any(|panel| panel.axes().contains(&zoom.variable)) {
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "--zoom {name} has no effect, since no panel has an axis over {of}: drop it or add a --panel"
-                )));
+                ));
             }
             if let Some(other) = self.zooms[..i].iter().find(|other| other.variable == zoom.variable) {
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "{of} has two ranges, --zoom {} and --zoom {name}: drop one of the two",
                     other.name(family)
-                )));
+                ));
             }
         }
         Ok(())

@@ -3,17 +3,16 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::plane::fields::Cells;
 use impact_atlas::render::Shown;
 use impact_atlas::store::{ReadError, ZarrStore, read_map};
 
-use super::CliError;
 use super::drawing::{CurveSource, DrawingArgs, window};
 use super::files::{self, Batch, Kind};
 use super::options::OverwriteArgs;
 use super::values::parse_span;
+use super::{CliError, wrong};
 
 /// Draws a plane that `map` computed, from its data; nothing is computed again
 ///
@@ -77,13 +76,13 @@ pub fn opened(path: &Path) -> Result<Box<dyn Cells>, CliError> {
     if path.is_dir() {
         return Ok(Box::new(ZarrStore::open(path).map_err(CliError::from)?));
     }
-    let file = File::open(path).map_err(|error| CliError::Input(anyhow!("cannot read `{name}`: {error}")))?;
+    let file = File::open(path).map_err(|error| wrong!("cannot read `{name}`: {error}"))?;
     let refused = |error: ReadError| {
         let why = anyhow::Error::new(error);
-        CliError::Input(anyhow!(
+        wrong!(
             "`{name}` cannot be drawn: {why:#}; give an npz file or a store that `map` of this version wrote, of a \
              plane without control"
-        ))
+        )
     };
     Ok(Box::new(read_map(file).map_err(refused)?))
 }

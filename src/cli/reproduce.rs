@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 use clap::Args;
 use impact_atlas::reproduce::{Claim, FIGURES, Finished, Outcome, PaperFigure, ReproduceError, markdown};
 use impact_atlas::store::Output;
@@ -15,7 +15,7 @@ use super::options::OverwriteArgs;
 use super::pictures::{self, Format};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, defaults, note};
+use super::{CliError, defaults, note, wrong};
 
 /// Makes the paper's figures again and checks what it prints
 ///
@@ -56,15 +56,13 @@ pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
     let wanted = args.wanted()?;
     let folder = &args.out;
     if folder.as_os_str() == Output::STANDARD {
-        return Err(CliError::Input(anyhow!(
-            "the figures are files, which standard output cannot hold: name a folder"
-        )));
+        return Err(wrong!("the figures are files, which standard output cannot hold: name a folder"));
     }
     if folder.exists() && !folder.is_dir() {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "cannot write to `{}`: it is not a directory; give another --out",
             folder.display()
-        )));
+        ));
     }
     fs::create_dir_all(folder)
         .with_context(|| format!("cannot make the directory `{}`", folder.display()))
@@ -99,9 +97,7 @@ impl ReproduceArgs {
         let known = |number: &u32| FIGURES.iter().any(|figure| figure.number == *number);
         if let Some(unknown) = self.figures.iter().find(|number| !known(number)) {
             let numbers = FIGURES.each_ref().map(|figure| figure.number.to_string()).join(", ");
-            return Err(CliError::Input(anyhow!(
-                "there is no figure {unknown} to make: choose from {numbers}"
-            )));
+            return Err(wrong!("there is no figure {unknown} to make: choose from {numbers}"));
         }
         let asked = |figure: &&PaperFigure| self.figures.is_empty() || self.figures.contains(&figure.number);
         Ok(FIGURES.iter().filter(asked).collect())

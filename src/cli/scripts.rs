@@ -2,11 +2,11 @@
 
 use std::io;
 
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 use clap::{Args, Command};
 use clap_complete::Shell;
 
-use super::CliError;
+use super::{CliError, wrong};
 
 /// Prints completions for a shell
 #[derive(Debug, Args)]
@@ -51,7 +51,7 @@ pub fn manual(args: &ManArgs, mut program: Command) -> Result<(), CliError> {
             None => {
                 let names: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
                 let names = names.join(", ");
-                return Err(CliError::Input(anyhow!("there is no command `{wanted}`: choose from {names}")));
+                return Err(wrong!("there is no command `{wanted}`: choose from {names}"));
             }
         },
     };

@@ -16,7 +16,7 @@ use super::map_args::MapArgs;
 use super::options::BackendArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, curve_list, estimate, note};
+use super::{CliError, curve_list, estimate, note, wrong};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -49,10 +49,10 @@ pub fn run(
 ) -> Result<(), CliError> {
     let part = args.part.unwrap_or(Part::WHOLE);
     if args.part.is_some() && (args.out.is_some() || args.curves.is_some()) {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "--part {part} computes a part of the plane and draws nothing: drop --out and --curves, and use `render` once \
              all parts are there"
-        )));
+        ));
     }
     let wanted = [Kind::Picture.at(args.out.as_deref()), Kind::Table.at(args.curves_out.as_deref())];
     let [picture, table] = files::prepare(args.overwrite, wanted)?;

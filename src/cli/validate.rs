@@ -1,6 +1,5 @@
 //! `impact-atlas validate`: one back end against the reference.
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::control::Method;
@@ -17,7 +16,7 @@ use super::progress::Progress;
 use super::report::Report;
 use super::terminal::{print, print_json};
 use super::values::counted;
-use super::{CliError, bits, defaults, estimate, note};
+use super::{CliError, bits, defaults, estimate, note, wrong};
 
 /// Computes the same cells on the CPU's reference and on another back end, and says how well they agree
 ///
@@ -69,10 +68,10 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
     }
     args.control.refuse_settings()?;
     if let Some(from) = args.control.again() {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "--from {} has no effect without control: drop it or choose a method with --control",
             from.display()
-        )));
+        ));
     }
     let plane = args.plane.plane_of(args.cells, defaults::VALIDATED_CELLS)?;
     plane.check().map_err(CliError::input)?;
@@ -168,9 +167,9 @@ impl CandidateArgs {
     fn check(&self) -> Result<(), CliError> {
         match self.backend {
             Choice::Auto | Choice::Gpu => Ok(()),
-            Choice::Cpu => Err(CliError::Input(anyhow!(
+            Choice::Cpu => Err(wrong!(
                 "--backend cpu would hold the CPU's reference against itself: drop it, or choose --backend gpu"
-            ))),
+            )),
         }
     }
 

@@ -4,14 +4,13 @@ use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 
-use anyhow::anyhow;
 use impact_atlas::figure::Size;
 use impact_atlas::model::{Number, Parameter, ParameterError, whole};
 use impact_atlas::plane::Quantity;
 use impact_atlas::system::Family;
 use thiserror::Error;
 
-use super::CliError;
+use super::{CliError, wrong};
 
 /// Reads a value for clap, with the whole chain of causes in the message.
 pub fn parse<T>(text: &str) -> Result<T, String>
@@ -66,10 +65,10 @@ impl Assignment {
     pub fn refuse_twice(all: &[Assignment]) -> Result<(), CliError> {
         for (i, set) in all.iter().enumerate() {
             if let Some(other) = all[..i].iter().find(|other| other.quantity == set.quantity) {
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "{} is set twice, by --set {other} and --set {set}: drop one of the two",
                     set.quantity.name()
-                )));
+                ));
             }
         }
         Ok(())

@@ -1,6 +1,5 @@
 //! The axes of a plane, what is fixed on it, and how its cells begin.
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::control::ControlQuantity;
@@ -8,7 +7,7 @@ use impact_atlas::plane::{Axis, Plane, Quantity, Start};
 
 use super::system::SystemArgs;
 use crate::cli::values::parse;
-use crate::cli::{CliError, defaults};
+use crate::cli::{CliError, defaults, wrong};
 
 /// The axes of a plane, what is fixed on it, and how its cells begin.
 #[derive(Debug, Args)]
@@ -80,10 +79,10 @@ impl AxesArgs {
             |option: &str, given: &Option<String>, default: Option<&String>| match given.as_ref().or(default)
             {
                 Some(text) => self.system.axis(&format!("{option} <NAME=FIRST:LAST:COUNT[:log]>"), text),
-                None => Err(CliError::Input(anyhow!(
+                None => Err(wrong!(
                     "the system {} has no default plane: give {option} NAME=FIRST:LAST:COUNT",
                     self.system.family().origin()
-                ))),
+                )),
             };
         Ok([
             axis("--x", &self.x, plane.map(|plane| &plane.x))?,

@@ -1,6 +1,5 @@
 //! The system and its fixed parameters.
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::model::{Parameter, Setting, StateVector, System};
 use impact_atlas::plane::{Axis, Plane, Quantity, Start};
@@ -10,7 +9,7 @@ use impact_atlas::theory::symmetric_start;
 use crate::cli::method::varied;
 use crate::cli::system::{Chosen, parse_system};
 use crate::cli::values::Assignment;
-use crate::cli::{CliError, defaults, note};
+use crate::cli::{CliError, defaults, note, wrong};
 
 /// The system and its fixed parameters.
 #[derive(Clone, Debug, Args)]
@@ -37,10 +36,10 @@ impl SystemArgs {
     pub(super) fn of_family_of(&self, plane: &Plane) -> Result<SystemArgs, CliError> {
         let family = plane.parameters.family();
         if self.family.is_some_and(|chosen| chosen.0.hash() != family.hash()) {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "the plane of --from is of the system {}: drop --system, or --from",
                 family.origin()
-            )));
+            ));
         }
         Ok(SystemArgs { family: Some(Chosen(family)), assignments: self.assignments.clone() })
     }
@@ -92,10 +91,10 @@ impl SystemArgs {
 
     pub(super) fn check_beside(&self, option: &str, axis: &str, quantity: Quantity) -> Result<(), CliError> {
         match self.assignments()?.iter().find(|set| set.quantity == quantity) {
-            Some(set) => Err(CliError::Input(anyhow!(
+            Some(set) => Err(wrong!(
                 "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
                 quantity.name()
-            ))),
+            )),
             None => Ok(()),
         }
     }
@@ -121,12 +120,12 @@ impl SystemArgs {
         for set in assignments {
             let Quantity::Parameter(parameter) = set.quantity else {
                 let known: Vec<&str> = Parameter::all(self.family()).map(Parameter::name).collect();
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "--set {set} has no effect without control: {} is a setting of a control method (see `control` \
                      and `map --control`); the parameters are {}",
                     set.quantity.name(),
                     known.join(", ")
-                )));
+                ));
             };
             setting = setting.with(parameter, set.value);
         }
@@ -154,7 +153,7 @@ fn help_of_set() -> String {
 
 /// An option whose value cannot be used.
 fn invalid(text: &str, option: &str, error: impl std::error::Error + Send + Sync + 'static) -> CliError {
-    CliError::Input(anyhow!("invalid value '{text}' for '{option}': {:#}", anyhow::Error::new(error)))
+    wrong!("invalid value '{text}' for '{option}': {:#}", anyhow::Error::new(error))
 }
 
 /// The state that a start means for a system, which is told where it is not the one named.
