@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{SweepError, provenance};
+use super::{Result, provenance};
 use crate::analysis::Trace;
 use crate::backend::{Backend, BackendError, Cpu, Job, Watch, trace};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
@@ -18,7 +18,7 @@ use crate::theory::{Spectrum, confirmed};
 /// # Errors
 /// A specification or a system that cannot be used, or what the back end could not do; nothing is kept of a diagram that
 /// the watch ended.
-pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> Result<Diagram, SweepError> {
+pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> Result<Diagram> {
     spec.check()?;
     let systems: Vec<System> =
         (0..spec.x.count).map(|column| System::new(spec.parameters_at(column))).collect::<Result<_, _>>()?;
@@ -35,7 +35,7 @@ pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> 
             }
             Ok(Branch { direction, traces, spectrum: None })
         })
-        .collect::<Result<_, SweepError>>()?;
+        .collect::<Result<_>>()?;
     let branches = match spec.spectrum {
         Some(unit) => with_spectra(spec, unit, &systems, branches, watch)?,
         None => branches,
@@ -49,7 +49,7 @@ fn each(
     systems: &[System],
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<Vec<Trace>, SweepError> {
+) -> Result<Vec<Trace>> {
     let jobs: Vec<Job> = (0..)
         .zip(systems)
         .map(|(column, system)| Job { system: system.clone(), start: spec.start_at(column).state(system) })
@@ -65,12 +65,7 @@ fn each(
 }
 
 /// Every column begins where the one before it ended; where that is beyond a stop of this column, on the stop.
-fn carried(
-    spec: &DiagramSpec,
-    systems: &[System],
-    falling: bool,
-    watch: &dyn Watch,
-) -> Result<Vec<Trace>, SweepError> {
+fn carried(spec: &DiagramSpec, systems: &[System], falling: bool, watch: &dyn Watch) -> Result<Vec<Trace>> {
     let mut traces: Vec<Option<Trace>> = vec![None; systems.len()];
     let mut last: Option<StateVector> = None;
     for column in spec.x.order(falling) {
@@ -96,7 +91,7 @@ fn with_spectra(
     systems: &[System],
     branches: Vec<Branch>,
     watch: &dyn Watch,
-) -> Result<Vec<Branch>, SweepError> {
+) -> Result<Vec<Branch>> {
     let spectra = |branch: Branch| {
         let spectrum = systems
             .par_iter()
@@ -109,7 +104,7 @@ fn with_spectra(
                 watch.finished(1);
                 Ok(exponents)
             })
-            .collect::<Result<_, SweepError>>()?;
+            .collect::<Result<_>>()?;
         Ok(Branch { spectrum: Some(spectrum), ..branch })
     };
     branches.into_iter().map(spectra).collect()

@@ -33,6 +33,9 @@ pub fn provenance(backend: &dyn Backend) -> Provenance {
     }
 }
 
+/// A plane or a diagram, or a part of it.
+pub type Result<T, E = SweepError> = std::result::Result<T, E>;
+
 /// Why a plane or a diagram was not computed.
 #[derive(Debug, Error)]
 pub enum SweepError {

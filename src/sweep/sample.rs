@@ -1,7 +1,7 @@
 //! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
-use super::SweepError;
 use super::swept::{Swept, asked_of};
+use super::{Result, SweepError};
 use crate::backend::{Backend, Watch};
 use crate::model::Flows;
 use crate::plane::Plane;
@@ -29,7 +29,7 @@ pub fn sample<T: Swept>(
     backend: &dyn Backend,
     cells: &[u64],
     watch: &dyn Watch,
-) -> Result<Vec<T::Cell>, SweepError> {
+) -> Result<Vec<T::Cell>> {
     let flows = Flows::default();
     let jobs: Result<Vec<_>, _> = (cells.iter().map(|&cell| asked_of(plane, cell, &flows)))
         .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::analysis::{Regime, Schedule, Verdict};
-use crate::backend::{Backend, BackendError, Job, Unwatched, Watch};
+use crate::backend::{self, Backend, Job, Unwatched, Watch};
 use crate::plane::{Plane, Provenance, RegionMap, Start};
 
 const COLUMNS: u32 = 20;
@@ -10,18 +10,12 @@ const ROWS: u32 = 10;
 
 fn motion(n: u16, symmetric: bool) -> Verdict {
     Verdict {
-        regime: Regime::Periodic,
-        n,
-        counts: crate::analysis::Counts::new(&[n, n]),
-        symmetric,
         lyapunov: -0.25,
         state: [0.05, -0.01, 0.3, 0.02].into(),
         impacts: 400,
-        impacts_total: 1200,
         peak_impact_velocity: 0.4,
         periods: 600,
-        returning: 0,
-        measures: crate::analysis::Measures::default(),
+        ..Verdict::of_motion(Regime::Periodic, [n; 3], symmetric)
     }
 }
 
@@ -188,7 +182,7 @@ impl Backend for Attractor {
         7
     }
 
-    fn run(&self, jobs: &[Job], schedule: &Schedule, _: &dyn Watch) -> Result<Vec<Verdict>, BackendError> {
+    fn run(&self, jobs: &[Job], schedule: &Schedule, _: &dyn Watch) -> backend::Result<Vec<Verdict>> {
         assert!(jobs.len() <= self.tile());
         assert_eq!((schedule.transient, schedule.observe % 2, schedule.fixed_periods), (0, 0, true));
         Ok(jobs.iter().map(|job| self.follow(job)).collect())

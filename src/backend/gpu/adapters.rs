@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::backend::BackendError;
+use crate::backend::{BackendError, Result};
 
 /// The graphics interfaces that are asked for; never GL, which wgpu would otherwise fall back to in silence.
 const INTERFACES: wgpu::Backends =
@@ -93,7 +93,7 @@ fn all() -> Vec<Found> {
 }
 
 /// The best adapter that a text means: see [`AdapterReport::is_meant`].
-pub fn find(text: Option<&str>) -> Result<Found, BackendError> {
+pub fn find(text: Option<&str>) -> Result<Found> {
     let mut found = all();
     let listed: Vec<String> = found.iter().map(|found| found.report.to_string()).collect();
     let is_meant = |(i, found): (usize, &Found)| text.is_none_or(|text| found.report.is_meant(i, text));
