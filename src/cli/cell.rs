@@ -13,7 +13,7 @@ use impact_atlas::store::{ZarrStore, read_config};
 use serde::Serialize;
 use thiserror::Error;
 
-use super::{CliError, wrong};
+use super::{CliError, Result, wrong};
 
 /// A place on a plane, `NAME=VALUE,NAME=VALUE`: a value for either axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +55,7 @@ pub struct Cell {
 }
 
 /// Reads the configuration that a map's picture or data carry.
-pub fn made(path: &Path) -> Result<Made, CliError> {
+pub fn made(path: &Path) -> Result<Made> {
     let name = path.display();
     if path.is_dir() {
         let store = ZarrStore::open(path)?;
@@ -86,7 +86,7 @@ pub fn made(path: &Path) -> Result<Made, CliError> {
 
 impl Cell {
     /// The cell of a plane that holds a place.
-    pub fn holding(Place(values): &Place, Plane { x, y, .. }: &Plane) -> Result<Self, CliError> {
+    pub fn holding(Place(values): &Place, Plane { x, y, .. }: &Plane) -> Result<Self> {
         let on = |axis: &Axis| {
             let value = values.iter().find(|(name, _)| name == axis.quantity.name()).map(|(_, value)| *value);
             value.ok_or_else(|| {
@@ -103,7 +103,7 @@ impl Cell {
 }
 
 /// The index of the cell that holds a value.
-fn index(axis: &Axis, value: f64) -> Result<u32, CliError> {
+fn index(axis: &Axis, value: f64) -> Result<u32> {
     let steps = f64::from(axis.count - 1);
     let at = if axis.count == 1 { value - axis.first } else { axis.place(value) };
     let rounding = 1e-9 * (1.0 + value.abs());

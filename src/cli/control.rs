@@ -22,7 +22,7 @@ use super::options::{OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, counted, parse, parse_range, parse_size};
-use super::{CliError, defaults, interrupt, note, wrong};
+use super::{CliError, Result, defaults, interrupt, note, wrong};
 
 /// The most iterates of one run.
 const MOST: u32 = 2_000_000;
@@ -112,7 +112,7 @@ struct Config<'a> {
 }
 
 /// Runs the command.
-pub fn run(args: &ControlArgs) -> Result<(), CliError> {
+pub fn run(args: &ControlArgs) -> Result<()> {
     let (system_args, set) = args.system.split()?;
     let scheme = args.settings.scheme(args.method, &set, &system_args.parameters(&[])?)?;
     let schedule = ControlSchedule {
@@ -160,7 +160,6 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
         ));
     }
     let report = Report::of(Ran {
-        family,
         method: args.method,
         from: args.from,
         tolerance: args.tolerance,
@@ -198,7 +197,7 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     if args.json { print_json(&report) } else { print(&report.text()) }
 }
 
-fn check_lengths(args: &ControlArgs) -> Result<(), CliError> {
+fn check_lengths(args: &ControlArgs) -> Result<()> {
     if args.iterates > MOST {
         return Err(wrong!(
             "{} iterates are too many for one recorded run: at most {MOST} are accepted",

@@ -14,7 +14,7 @@ use super::files::{self, Batch, Kind};
 use super::map_args::MapArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, defaults, estimate, wrong};
+use super::{Result, defaults, estimate, wrong};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -36,7 +36,7 @@ struct Summary<'a> {
 }
 
 /// Runs the command.
-pub fn run(method: &Method, args: &MapArgs) -> Result<(), CliError> {
+pub fn run(method: &Method, args: &MapArgs) -> Result<()> {
     let plane = args.control.cells.plane(method, &args.plane)?;
     if let Some(store) = args.data.as_deref().filter(|path| files::is_store(path)) {
         return Err(wrong!(

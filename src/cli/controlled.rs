@@ -9,7 +9,7 @@ use impact_atlas::plane::{Control, Plane};
 use super::method::{MethodArgs, method, varied};
 use super::options::PlaneArgs;
 use super::values::count;
-use super::{CliError, defaults, wrong};
+use super::{Result, defaults, wrong};
 
 /// Control of every cell of a plane.
 #[derive(Debug, Args)]
@@ -39,7 +39,7 @@ Axes may vary the settings of the method too: {}; target_v1 … target_vn, targe
 
 impl ControlledArgs {
     /// Refuses settings of a method where there is none.
-    pub fn refuse_settings(&self) -> Result<(), CliError> {
+    pub fn refuse_settings(&self) -> Result<()> {
         match self.settings.any() {
             Some(option) => Err(wrong!(
                 "--{option} has no effect without control: drop it or choose a method with --control"
@@ -54,7 +54,7 @@ impl ControlledArgs {
     }
 
     /// The first iterate that is controlled.
-    fn first(&self) -> Result<u32, CliError> {
+    fn first(&self) -> Result<u32> {
         let Some(text) = &self.from else { return Ok(defaults::CONTROL_MAP_FROM) };
         count(text).map_err(|error| {
             wrong!(
@@ -65,7 +65,7 @@ impl ControlledArgs {
     }
 
     /// The checked plane under control.
-    pub fn plane(&self, method: &Method, plane: &PlaneArgs) -> Result<Plane<Control>, CliError> {
+    pub fn plane(&self, method: &Method, plane: &PlaneArgs) -> Result<Plane<Control>> {
         let max_period = plane.max_period.unwrap_or(ControlSchedule::MAX_PERIOD);
         let from = self.first()?;
         let schedule = ControlSchedule { from, iterates: self.iterates, fixed: false, max_period };

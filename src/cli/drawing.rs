@@ -11,7 +11,7 @@ use impact_atlas::plane::{Axis, RegionMap, Window};
 use impact_atlas::render::{DrawnCurves, PlanePicture, Shown};
 
 use super::values::{counted, parse, parse_size, parse_span};
-use super::{CliError, curve_list, curves, defaults, wrong};
+use super::{CliError, Result, curve_list, curves, defaults, wrong};
 
 /// Curves are read off a map of so many cells at most, those of a larger one in equal steps.
 const MOST_CELLS_OF_CURVES: usize = 480_000;
@@ -71,7 +71,7 @@ pub struct Curves {
 
 impl DrawingArgs {
     /// Refuses what does not fit a plane.
-    pub fn check(&self, family: &'static impact_atlas::system::Family) -> Result<Layer, CliError> {
+    pub fn check(&self, family: &'static impact_atlas::system::Family) -> Result<Layer> {
         let layer = Layer::named(&self.layer, family).map_err(CliError::input)?;
         if layer == Layer::Motion {
             let given = [("--palette", self.palette.is_some()), ("--range", self.range.is_some())];
@@ -95,7 +95,7 @@ impl DrawingArgs {
     }
 
     /// Refuses a layer that some cells do not have.
-    pub fn check_there(&self, cells: &dyn Cells) -> Result<(), CliError> {
+    pub fn check_there(&self, cells: &dyn Cells) -> Result<()> {
         let layer = self.check(cells.plane().parameters.family())?;
         if layer.is_with(cells.extras()) {
             return Ok(());
@@ -109,7 +109,7 @@ impl DrawingArgs {
         cells: &dyn Cells,
         window: Window,
         source: Option<CurveSource>,
-    ) -> Result<Option<Curves>, CliError> {
+    ) -> Result<Option<Curves>> {
         let Some(source) = source else { return Ok(None) };
         let map = thinned(cells, window, MOST_CELLS_OF_CURVES).map_err(CliError::input)?;
         Ok(Some(match source {
@@ -129,12 +129,7 @@ impl DrawingArgs {
     }
 
     /// Draws a window of a plane.
-    pub fn draw(
-        &self,
-        cells: &dyn Cells,
-        window: Window,
-        curves: Option<&Curves>,
-    ) -> Result<Picture, CliError> {
+    pub fn draw(&self, cells: &dyn Cells, window: Window, curves: Option<&Curves>) -> Result<Picture> {
         let layer = self.check(cells.plane().parameters.family())?;
         self.check_there(cells)?;
         let curves = curves.map(|found| DrawnCurves {
@@ -158,7 +153,7 @@ impl DrawingArgs {
 }
 
 /// The part of a plane between given values.
-pub fn window(cells: &dyn Cells, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> Result<Window, CliError> {
+pub fn window(cells: &dyn Cells, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> Result<Window> {
     let plane = cells.plane();
     let on = |option: &str, axis: &Axis, range: Option<[f64; 2]>| match range {
         None => Ok((0, axis.count)),

@@ -35,6 +35,9 @@ pub enum CliError {
     Interrupted,
 }
 
+/// What a command comes to, or one of its steps.
+pub type Result<T, E = CliError> = std::result::Result<T, E>;
+
 /// Wrong input, in words as `format!` takes them.
 macro_rules! wrong {
     ($($words:tt)+) => { $crate::cli::CliError::Input(anyhow::anyhow!($($words)+)) };

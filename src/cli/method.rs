@@ -9,7 +9,7 @@ use impact_atlas::model::Setting;
 use impact_atlas::plane::Quantity;
 
 use super::values::{Assignment, count};
-use super::{CliError, wrong};
+use super::{CliError, Result, wrong};
 
 /// Reads the name of a method.
 pub fn method() -> impl TypedValueParser<Value = &'static Method> {
@@ -89,7 +89,7 @@ impl FromArgMatches for MethodArgs {
 
 impl MethodArgs {
     /// The checked scheme of a method with what was set of it, on a system; options of another method are refused.
-    pub fn scheme(&self, method: &Method, set: &[Assignment], setting: &Setting) -> Result<Scheme, CliError> {
+    pub fn scheme(&self, method: &Method, set: &[Assignment], setting: &Setting) -> Result<Scheme> {
         let replaced: Vec<_> = set.iter().map(|set| (format!("--set {set} sets"), set.quantity)).collect();
         self.refuse_replaced(method, &replaced)?;
         let site = Site::new(setting, self.given.word("stop")).map_err(CliError::input)?;
@@ -110,7 +110,7 @@ impl MethodArgs {
     }
 
     /// Refuses options of a method that something else replaces, told in words.
-    pub fn refuse_replaced(&self, method: &Method, by: &[(String, Quantity)]) -> Result<(), CliError> {
+    pub fn refuse_replaced(&self, method: &Method, by: &[(String, Quantity)]) -> Result<()> {
         for (words, quantity) in by {
             let Quantity::Control(setting) = quantity else { continue };
             if let Some(given) = self.options.iter().find(|option| method.replaces(*setting, option)) {

@@ -19,7 +19,7 @@ use super::orbit_table::Columns;
 use super::progress::Progress;
 use super::terminal::print;
 use super::values::{counted, parse, parse_size};
-use super::{CliError, defaults, interrupt, wrong};
+use super::{CliError, Result, defaults, interrupt, wrong};
 
 /// The most points of a trajectory.
 const LARGEST: u64 = 20_000_000;
@@ -130,7 +130,7 @@ struct Shown {
 }
 
 /// Runs the command.
-pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
+pub fn run(args: &OrbitArgs) -> Result<()> {
     let shown = args.shown()?;
     let (system, start) = args.system.system_and_start(args.start)?;
     let (transient, periods) = (args.transient, args.periods);
@@ -190,7 +190,7 @@ impl OrbitArgs {
         self.samples.unwrap_or(default)
     }
 
-    fn shown(&self) -> Result<Shown, CliError> {
+    fn shown(&self) -> Result<Shown> {
         let family = self.system.family();
         let panel = |text: &String| self.system.named("--panel <NAME[:X,Y]>", text, OrbitPanel::of_family);
         let zoom = |text: &String| self.system.named("--zoom <NAME=LOW:HIGH>", text, Zoom::of_family);
@@ -204,7 +204,7 @@ impl OrbitArgs {
         Ok(shown)
     }
 
-    fn picture(&self, orbit: &Orbit<'_>, Shown { panels, zooms }: &Shown) -> Result<Picture, CliError> {
+    fn picture(&self, orbit: &Orbit<'_>, Shown { panels, zooms }: &Shown) -> Result<Picture> {
         let family = self.system.family();
         let figure = orbit_figure(orbit, self.start, panels, zooms);
         let width = if panels.len() == 1 { defaults::NARROW_FIGURE } else { defaults::WIDE_FIGURE };
@@ -255,7 +255,7 @@ impl OrbitArgs {
 
 impl Shown {
     /// A range that no plot shows is a mistake.
-    fn check(&self, family: &Family) -> Result<(), CliError> {
+    fn check(&self, family: &Family) -> Result<()> {
         for (i, zoom) in self.zooms.iter().enumerate() {
             let name = zoom.name(family);
             let of = zoom.variable.name(family);

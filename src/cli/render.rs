@@ -12,7 +12,7 @@ use super::drawing::{CurveSource, DrawingArgs, window};
 use super::files::{self, Batch, Kind};
 use super::options::OverwriteArgs;
 use super::values::parse_span;
-use super::{CliError, wrong};
+use super::{CliError, Result, wrong};
 
 /// Draws a plane that `map` computed, from its data; nothing is computed again
 ///
@@ -53,7 +53,7 @@ pub struct RenderArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &RenderArgs) -> Result<(), CliError> {
+pub fn run(args: &RenderArgs) -> Result<()> {
     let cells = opened(&args.data)?;
     let cells = &*cells;
     args.drawing.check_there(cells)?;
@@ -71,7 +71,7 @@ pub fn run(args: &RenderArgs) -> Result<(), CliError> {
 }
 
 /// The cells of an archive or of a store.
-pub fn opened(path: &Path) -> Result<Box<dyn Cells>, CliError> {
+pub fn opened(path: &Path) -> Result<Box<dyn Cells>> {
     let name = path.display();
     if path.is_dir() {
         return Ok(Box::new(ZarrStore::open(path).map_err(CliError::from)?));

@@ -16,7 +16,7 @@ use super::map_args::MapArgs;
 use super::options::BackendArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, curve_list, estimate, note, wrong};
+use super::{CliError, Result, curve_list, estimate, note, wrong};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -40,13 +40,7 @@ struct Summary<'a> {
 }
 
 /// Runs the command.
-pub fn run(
-    args: &MapArgs,
-    plane: &Plane,
-    path: &Path,
-    options: &BackendArgs,
-    extras: Extras,
-) -> Result<(), CliError> {
+pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, extras: Extras) -> Result<()> {
     let part = args.part.unwrap_or(Part::WHOLE);
     if args.part.is_some() && (args.out.is_some() || args.curves.is_some()) {
         return Err(wrong!(
@@ -108,7 +102,7 @@ fn draw(
     store: &ZarrStore,
     picture: &Option<impact_atlas::store::Output>,
     table: &Option<impact_atlas::store::Output>,
-) -> Result<(), CliError> {
+) -> Result<()> {
     let whole = Window::whole(store.plane());
     let curves = args.drawing.curves(store, whole, args.curves.map(CurveSource::Computed))?;
     let drawn = args.drawing.draw(store, whole, curves.as_ref())?;

@@ -9,7 +9,7 @@ use super::interrupt::abandonable;
 use super::multipliers::{self, note_cpu, pairs};
 use super::options::SystemArgs;
 use super::terminal::{print, print_json};
-use super::{CliError, wrong};
+use super::{CliError, Result, wrong};
 
 /// Computes the symmetric 1-1-1 motion in closed form, with its Floquet multipliers
 ///
@@ -63,7 +63,7 @@ struct Solution {
 }
 
 /// Runs the command.
-pub fn run(args: &SymmetricArgs) -> Result<(), CliError> {
+pub fn run(args: &SymmetricArgs) -> Result<()> {
     let system = System::new(args.system.parameters(&[])?).map_err(CliError::input)?;
     note_cpu();
     let result = abandonable(move || Solutions::of(&system))??;
@@ -71,7 +71,7 @@ pub fn run(args: &SymmetricArgs) -> Result<(), CliError> {
 }
 
 impl Solutions {
-    fn of(system: &System) -> Result<Self, CliError> {
+    fn of(system: &System) -> Result<Self> {
         match symmetric_motions(system) {
             Ok(solutions) => Ok(Solutions {
                 solutions: solutions.iter().map(|solution| Solution::new(system, solution)).collect(),

@@ -10,7 +10,7 @@ use impact_atlas::plane::Quantity;
 use impact_atlas::system::Family;
 use thiserror::Error;
 
-use super::{CliError, wrong};
+use super::{Result, wrong};
 
 /// Reads a value for clap, with the whole chain of causes in the message.
 pub fn parse<T>(text: &str) -> Result<T, String>
@@ -62,7 +62,7 @@ impl Assignment {
     }
 
     /// Refuses a quantity that is set twice.
-    pub fn refuse_twice(all: &[Assignment]) -> Result<(), CliError> {
+    pub fn refuse_twice(all: &[Assignment]) -> Result<()> {
         for (i, set) in all.iter().enumerate() {
             if let Some(other) = all[..i].iter().find(|other| other.quantity == set.quantity) {
                 return Err(wrong!(

@@ -7,7 +7,10 @@ use impact_atlas::plane::{Axis, Plane, Quantity, Start};
 
 use super::system::SystemArgs;
 use crate::cli::values::parse;
-use crate::cli::{CliError, defaults, wrong};
+use crate::cli::{CliError, Result, defaults, wrong};
+
+/// What the options of the axes take.
+const AXIS: &str = "<NAME=FIRST:LAST:COUNT[:log]>";
 
 /// The axes of a plane, what is fixed on it, and how its cells begin.
 #[derive(Debug, Args)]
@@ -37,7 +40,7 @@ pub struct AxesArgs {
 
 impl AxesArgs {
     /// The checked plane whose cells run by `schedule`.
-    pub fn plane(&self, schedule: Schedule) -> Result<Plane, CliError> {
+    pub fn plane(&self, schedule: Schedule) -> Result<Plane> {
         let [x, y] = self.axes()?;
         let plane = Plane {
             x,
@@ -51,16 +54,14 @@ impl AxesArgs {
     }
 
     /// A plane that was computed before, with the axes, parameters and the start that are given in place of its own.
-    pub(super) fn again(&self, plane: &Plane, schedule: Schedule) -> Result<Plane, CliError> {
+    pub(super) fn again(&self, plane: &Plane, schedule: Schedule) -> Result<Plane> {
         let system = self.system.of_family_of(plane)?;
         let axis = |option: &str, given: &Option<String>, own: Axis| match given {
-            Some(text) => system.axis(&format!("{option} <NAME=FIRST:LAST:COUNT[:log]>"), text),
+            Some(text) => system.named(&format!("{option} {AXIS}"), text, Axis::of_family),
             None => Ok(own),
         };
         let (x, y) = (axis("--x", &self.x, plane.x)?, axis("--y", &self.y, plane.y)?);
-        for (option, axis) in [("--x", x), ("--y", y)] {
-            system.check_beside(option, &axis.to_string(), axis.quantity)?;
-        }
+        system.check_beside(&[("--x", x), ("--y", y)])?;
         let start = match self.start {
             Some(start) => start,
             None if plane.start == Start::Symmetric => default_start(&[x, y]),
@@ -73,12 +74,12 @@ impl AxesArgs {
     }
 
     /// The axes as given, or those of the system's default plane.
-    pub(super) fn axes(&self) -> Result<[Axis; 2], CliError> {
+    pub(super) fn axes(&self) -> Result<[Axis; 2]> {
         let plane = self.system.family().plane();
         let axis =
             |option: &str, given: &Option<String>, default: Option<&String>| match given.as_ref().or(default)
             {
-                Some(text) => self.system.axis(&format!("{option} <NAME=FIRST:LAST:COUNT[:log]>"), text),
+                Some(text) => self.system.named(&format!("{option} {AXIS}"), text, Axis::of_family),
                 None => Err(wrong!(
                     "the system {} has no default plane: give {option} NAME=FIRST:LAST:COUNT",
                     self.system.family().origin()
@@ -90,13 +91,8 @@ impl AxesArgs {
         ])
     }
 
-    /// The checked plane whose cells run by `schedule`, as large as [`AxesArgs::resized`] makes it.
-    pub fn plane_of(&self, schedule: Schedule, cells: Option<u32>, default: u32) -> Result<Plane, CliError> {
-        Ok(self.resized(self.plane(schedule)?, cells, default))
-    }
-
     /// The plane with about `cells` cells; where there is no such number and no axis is given, with `default` ones.
-    pub(super) fn resized<T>(&self, plane: Plane<T>, cells: Option<u32>, default: u32) -> Plane<T> {
+    pub fn resized<T>(&self, plane: Plane<T>, cells: Option<u32>, default: u32) -> Plane<T> {
         let cells = cells.or((self.x.is_none() && self.y.is_none()).then_some(default));
         let Some(cells) = cells else { return plane };
         let [x, y] = with_cells([plane.x, plane.y], cells);

@@ -4,7 +4,7 @@ use clap::Args;
 use impact_atlas::backend::{self, Backend, BackendError, Choice, REPRODUCIBLE};
 use impact_atlas::plane::Provenance;
 
-use crate::cli::{CliError, note, wrong};
+use crate::cli::{Result, note, wrong};
 
 /// What computes.
 #[derive(Clone, Debug, Args)]
@@ -45,7 +45,7 @@ impl BackendArgs {
     }
 
     /// Opens the back end and says which one it is.
-    pub fn open(&self) -> Result<Box<dyn Backend>, CliError> {
+    pub fn open(&self) -> Result<Box<dyn Backend>> {
         if let (Choice::Cpu, Some(adapter)) = (self.backend, &self.adapter) {
             return Err(wrong!(
                 "--adapter {adapter} chooses an adapter of the GPU back end: drop it or --backend cpu"

@@ -9,7 +9,7 @@ use impact_atlas::theory::symmetric_start;
 use crate::cli::method::varied;
 use crate::cli::system::{Chosen, parse_system};
 use crate::cli::values::Assignment;
-use crate::cli::{CliError, defaults, note, wrong};
+use crate::cli::{CliError, Result, defaults, note, wrong};
 
 /// The system and its fixed parameters.
 #[derive(Clone, Debug, Args)]
@@ -33,7 +33,7 @@ impl SystemArgs {
     }
 
     /// The same options for the system of a plane that was computed before.
-    pub(super) fn of_family_of(&self, plane: &Plane) -> Result<SystemArgs, CliError> {
+    pub(super) fn of_family_of(&self, plane: &Plane) -> Result<SystemArgs> {
         let family = plane.parameters.family();
         if self.family.is_some_and(|chosen| chosen.0.hash() != family.hash()) {
             return Err(wrong!(
@@ -44,44 +44,26 @@ impl SystemArgs {
         Ok(SystemArgs { family: Some(Chosen(family)), assignments: self.assignments.clone() })
     }
 
-    /// An axis of the system, given as `option`.
-    pub fn axis(&self, option: &str, text: &str) -> Result<Axis, CliError> {
-        Axis::of_family(text, self.family()).map_err(|error| invalid(text, option, error))
-    }
-
-    /// What an option names by the words of the system: a section, a quantity, a panel, a label.
+    /// What an option names by the words of the system: an axis, a section, a quantity, a panel, a label.
     pub fn named<T, E>(
         &self,
         option: &str,
         text: &str,
         read: impl Fn(&str, &'static Family) -> Result<T, E>,
-    ) -> Result<T, CliError>
+    ) -> Result<T>
     where
         E: std::error::Error + Send + Sync + 'static,
     {
         read(text, self.family()).map_err(|error| invalid(text, option, error))
     }
 
-    /// The parameters as set; those of `axes` are left to the axes.
-    pub fn parameters(&self, axes: &[(&str, Axis)]) -> Result<Setting, CliError> {
-        for (option, axis) in axes {
-            self.check_beside(option, &axis.to_string(), axis.quantity)?;
-        }
-        self.assigned()
+    /// The parameters as set; those that `axes` vary, each with the option that gives it, are left to them.
+    pub fn parameters(&self, axes: &[(&str, Axis)]) -> Result<Setting> {
+        self.check_beside(axes)?;
+        self.assigned_to(Setting::defaults(self.family()))
     }
 
-    /// The parameters as set; the quantity that `axis`, given as `option`, varies is left to it.
-    pub fn parameters_beside(
-        &self,
-        option: &str,
-        axis: &str,
-        quantity: Quantity,
-    ) -> Result<Setting, CliError> {
-        self.check_beside(option, axis, quantity)?;
-        self.assigned()
-    }
-
-    fn assignments(&self) -> Result<Vec<Assignment>, CliError> {
+    fn assignments(&self) -> Result<Vec<Assignment>> {
         let read = |text: &String| {
             Assignment::of_family(text, self.family())
                 .map_err(|error| invalid(text, "--set <NAME=VALUE>", error))
@@ -89,18 +71,21 @@ impl SystemArgs {
         self.assignments.iter().map(read).collect()
     }
 
-    pub(super) fn check_beside(&self, option: &str, axis: &str, quantity: Quantity) -> Result<(), CliError> {
-        match self.assignments()?.iter().find(|set| set.quantity == quantity) {
-            Some(set) => Err(wrong!(
-                "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
-                quantity.name()
-            )),
-            None => Ok(()),
+    /// Refuses to set what an axis varies.
+    pub(super) fn check_beside(&self, axes: &[(&str, Axis)]) -> Result<()> {
+        for (option, axis) in axes {
+            if let Some(set) = self.assignments()?.iter().find(|set| set.quantity == axis.quantity) {
+                return Err(wrong!(
+                    "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
+                    axis.quantity.name()
+                ));
+            }
         }
+        Ok(())
     }
 
     /// The parameters of the system alone, and the settings of a control method that were set beside them.
-    pub fn split(&self) -> Result<(SystemArgs, Vec<Assignment>), CliError> {
+    pub fn split(&self) -> Result<(SystemArgs, Vec<Assignment>)> {
         let of_method = |set: &Assignment| matches!(set.quantity, Quantity::Control(_));
         let all = self.assignments()?;
         let texts = self.assignments.iter().zip(&all).filter(|(_, set)| !of_method(set));
@@ -109,12 +94,8 @@ impl SystemArgs {
         Ok((SystemArgs { family: self.family, assignments }, settings))
     }
 
-    fn assigned(&self) -> Result<Setting, CliError> {
-        self.assigned_to(Setting::defaults(self.family()))
-    }
-
     /// A setting with what is assigned in place of its own values.
-    pub(super) fn assigned_to(&self, mut setting: Setting) -> Result<Setting, CliError> {
+    pub(super) fn assigned_to(&self, mut setting: Setting) -> Result<Setting> {
         let assignments = self.assignments()?;
         Assignment::refuse_twice(&assignments)?;
         for set in assignments {
@@ -133,7 +114,7 @@ impl SystemArgs {
     }
 
     /// The system, with a start that lies between its stops.
-    pub fn system_and_start(&self, start: Start) -> Result<(System, StateVector), CliError> {
+    pub fn system_and_start(&self, start: Start) -> Result<(System, StateVector)> {
         let system = System::new(self.parameters(&[])?).map_err(CliError::input)?;
         start.check(system.plant(), self.family()).map_err(CliError::input)?;
         let state = start_state(&system, start);
