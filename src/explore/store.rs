@@ -59,29 +59,13 @@ impl Tiles {
 
     /// How far the motion of a cell goes, where that was measured at its own level or at a coarser one that has it too.
     pub fn extent(&self, scene: u32, cell: Cell) -> Option<Extent> {
-        let mut next = Some(cell);
-        while let Some(cell) = next {
-            let (key, at) = cell.tile();
-            if let Some(extents) = self.extents(scene, key) {
-                return Some(extents[at]);
-            }
-            next = cell.coarser();
-        }
-        None
+        cell.levels().find_map(|(key, at)| Some(self.extents(scene, key)?[at]))
     }
 
     /// What is known of a cell: of its own level, or of a coarser one that has it too. `Some(None)` where there is no such
     /// system.
     pub fn cell(&self, scene: u32, cell: Cell) -> Option<Option<Verdict>> {
-        let mut next = Some(cell);
-        while let Some(cell) = next {
-            let (key, at) = cell.tile();
-            if let Some(cells) = self.get(scene, key) {
-                return Some(cells[at]);
-            }
-            next = cell.coarser();
-        }
-        None
+        cell.levels().find_map(|(key, at)| Some(self.get(scene, key)?[at]))
     }
 
     /// Keeps a tile.

@@ -33,6 +33,19 @@ pub enum Values {
     F64(Vec<f64>),
 }
 
+/// The same of the values of any type.
+macro_rules! of_any {
+    ($all:expr, $values:ident => $result:expr) => {
+        match $all {
+            Values::U8($values) => $result,
+            Values::U16($values) => $result,
+            Values::U32($values) => $result,
+            Values::F32($values) => $result,
+            Values::F64($values) => $result,
+        }
+    };
+}
+
 impl Values {
     /// Their type.
     pub fn kind(&self) -> Kind {
@@ -47,13 +60,7 @@ impl Values {
 
     /// How many there are.
     pub fn len(&self) -> usize {
-        match self {
-            Values::U8(values) => values.len(),
-            Values::U16(values) => values.len(),
-            Values::U32(values) => values.len(),
-            Values::F32(values) => values.len(),
-            Values::F64(values) => values.len(),
-        }
+        of_any!(self, values => values.len())
     }
 
     /// Whether there are none.
@@ -78,23 +85,11 @@ impl Values {
 
     /// One of them as a real number.
     pub fn real(&self, i: usize) -> f64 {
-        match self {
-            Values::U8(values) => values[i].into(),
-            Values::U16(values) => values[i].into(),
-            Values::U32(values) => values[i].into(),
-            Values::F32(values) => values[i].into(),
-            Values::F64(values) => values[i],
-        }
+        of_any!(self, values => values[i].into())
     }
 
     /// One of them as a whole number; what is none is 0.
     pub fn whole(&self, i: usize) -> u32 {
-        match self {
-            Values::U8(values) => values[i].into(),
-            Values::U16(values) => values[i].into(),
-            Values::U32(values) => values[i],
-            Values::F32(values) => values[i] as u32,
-            Values::F64(values) => values[i] as u32,
-        }
+        of_any!(self, values => values[i] as u32)
     }
 }

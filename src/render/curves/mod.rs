@@ -6,6 +6,7 @@ mod major;
 mod regions;
 mod style;
 
+pub use self::drawn::{LiveLine, live_lines};
 pub(super) use self::key::Key;
 
 use self::major::major;
