@@ -1,8 +1,8 @@
 //! From what a page asks for to a plane that can be computed, within the limits of the command line and narrower ones.
 
 use std::collections::HashSet;
-use std::sync::{Mutex, PoisonError};
 
+use parking_lot::Mutex;
 use thiserror::Error;
 
 use super::limits;
@@ -56,7 +56,7 @@ pub fn family(asked: &AskedSystem, own: &'static Family) -> Result<&'static Fami
             check_lines(text)?;
             Family::parse(text, OWN_SYSTEM)
                 .map_err(|error| Refused { line: Some(error.place.line), message: error.to_string() })?;
-            let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut texts = TEXTS.lock();
             let texts = texts.get_or_insert_default();
             if !texts.contains(text) && texts.len() >= limits::SYSTEM_TEXTS {
                 return Err(refused("too many systems were described: start the program again"));

@@ -1,7 +1,9 @@
 //! The tiles that were computed, as long as there is room for them.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
+
+use parking_lot::Mutex;
 
 use super::lattice::{Cell, TileKey};
 use super::limits;
@@ -35,7 +37,7 @@ struct Tile {
 impl Tiles {
     /// A tile, if it is there.
     pub fn get(&self, scene: u32, key: TileKey) -> Option<Arc<Cells>> {
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.kept.lock();
         kept.asked += 1;
         let now = kept.asked;
         let tile = kept.tiles.get_mut(&(scene, key))?;
@@ -45,13 +47,13 @@ impl Tiles {
 
     /// How far the motions of a tile go, if it is there and that was measured.
     pub fn extents(&self, scene: u32, key: TileKey) -> Option<Arc<Extents>> {
-        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let kept = self.kept.lock();
         kept.tiles.get(&(scene, key))?.extents.clone()
     }
 
     /// Keeps with a tile how far its motions go.
     pub fn put_extents(&self, scene: u32, key: TileKey, extents: Arc<Extents>) {
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.kept.lock();
         if let Some(tile) = kept.tiles.get_mut(&(scene, key)) {
             tile.extents = Some(extents);
         }
@@ -70,7 +72,7 @@ impl Tiles {
 
     /// Keeps a tile.
     pub fn put(&self, scene: u32, key: TileKey, cells: Arc<Cells>) {
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.kept.lock();
         kept.asked += 1;
         let now = kept.asked;
         kept.tiles.insert((scene, key), Tile { cells, extents: None, last: now });
@@ -84,13 +86,13 @@ impl Tiles {
 
     /// Forgets the tiles of a plane.
     pub fn forget(&self, scene: u32) {
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.kept.lock();
         kept.tiles.retain(|(of, _), _| *of != scene);
     }
 
     /// How many there are.
     pub fn count(&self) -> usize {
-        self.kept.lock().unwrap_or_else(PoisonError::into_inner).tiles.len()
+        self.kept.lock().tiles.len()
     }
 }
 

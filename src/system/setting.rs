@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 use std::fmt;
-use std::sync::{LazyLock, Mutex, PoisonError};
+use std::sync::LazyLock;
+
+use parking_lot::Mutex;
 
 use super::builtin::builtin;
 use super::error::{CellError, FamilyError};
@@ -25,7 +27,7 @@ impl Family {
     /// # Errors
     /// As [`Family::parse`].
     pub fn kept(text: &str, origin: &str) -> Result<&'static Family, FamilyError> {
-        let mut families = FAMILIES.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut families = FAMILIES.lock();
         if let Some(family) = families.get(text) {
             return Ok(family);
         }

@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
+use parking_lot::Mutex;
 use wgpu::ShaderSource;
 
 use super::device::compiled;
@@ -32,7 +33,7 @@ impl Library {
 
     /// The kernel for a shape, compiled if it is needed for the first time.
     pub fn get(&self, device: &wgpu::Device, kernel: shader::Kernel, shape: Shape) -> Result<Arc<Compiled>> {
-        let mut library = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut library = self.compiled.lock();
         if let Some(compiled) = library.get(&(kernel, shape)) {
             return Ok(compiled.clone());
         }
