@@ -77,6 +77,11 @@ impl Run {
         runs.find(wanted).unwrap_or_else(|| Run::new(scheme, iterates, Start::Rest))
     }
 
+    /// Whether it ends on the motion that the paper shows.
+    fn is_captured(&self) -> bool {
+        self.outcome.verdict.label() == "1-2-1"
+    }
+
     fn label(&self) -> String {
         if self.outcome.runaway { "runaway".to_owned() } else { self.outcome.verdict.label() }
     }
