@@ -80,7 +80,7 @@ impl From<SweepError> for CliError {
         match error {
             SweepError::Backend(error @ BackendError::Unsupported(_)) => CliError::input(error),
             SweepError::Backend(error) => error.into(),
-            SweepError::Memory { .. } => CliError::machine(error),
+            SweepError::Memory(_) => CliError::machine(error),
             SweepError::Plane(_)
             | SweepError::Diagram(_)
             | SweepError::System(_)

@@ -28,7 +28,7 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
     let cells = plane.cells();
     let tile = backend.tile().max(1);
     let mut verdicts = Vec::new();
-    verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory { cells })?;
+    verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory(cells))?;
     let prepare = |first: u64| Prepared::of(plane, first..cells.min(first.saturating_add(tile as u64)));
     let (mut missing, mut any) = (None, false);
     let (mut first, mut next) = (0, prepare(0));

@@ -52,11 +52,8 @@ pub enum SweepError {
     #[error(transparent)]
     Control(#[from] ControlError),
     /// The verdicts do not fit into memory.
-    #[error("the results of {cells} cells do not fit into this machine's memory: compute fewer")]
-    Memory {
-        /// The cells of the plane.
-        cells: u64,
-    },
+    #[error("the results of {0} cells do not fit into this machine's memory: compute fewer")]
+    Memory(u64),
     /// The back end gave no verdicts.
     #[error(transparent)]
     Backend(#[from] BackendError),
