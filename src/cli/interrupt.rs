@@ -61,8 +61,6 @@ pub fn check() -> Result<()> {
 pub struct Interruptible;
 
 impl Watch for Interruptible {
-    fn finished(&self, _cells: u64) {}
-
     fn cancelled(&self) -> bool {
         requested()
     }

@@ -13,7 +13,7 @@ use super::Result;
 use super::map::window_jobs;
 use super::swept::cell_job;
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
-use crate::backend::{self, Backend, BackendError, Job, Silent, Watch, decide, second_look};
+use crate::backend::{self, Backend, Job, Silent, Watch, decide, second_look};
 use crate::model::Flows;
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
 use crate::theory::{StrobeMotion, approached, approached_from, with_motion};
@@ -72,9 +72,7 @@ pub fn certify_window(
             (!watch.cancelled()).then(|| by_itself(job, verdict)).flatten()
         })
         .collect();
-    if watch.cancelled() {
-        return Err(BackendError::Cancelled.into());
-    }
+    watch.check()?;
     let by_neighbours: Vec<(usize, Certified)> = {
         let open = open(&before, &found);
         let around =

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::{Result, provenance};
 use crate::analysis::Trace;
-use crate::backend::{Backend, BackendError, Cpu, Job, Watch, trace};
+use crate::backend::{Backend, Cpu, Job, Watch, trace};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
 use crate::model::{StateVector, System};
 use crate::theory::{Spectrum, confirmed};
@@ -56,9 +56,7 @@ fn each(
         .collect();
     let mut traces = Vec::new();
     for tile in jobs.chunks(backend.tile().max(1)) {
-        if watch.cancelled() {
-            return Err(BackendError::Cancelled.into());
-        }
+        watch.check()?;
         traces.extend(backend.trace(tile, &spec.schedule, spec.probe, spec.capacity, watch)?);
     }
     Ok(traces)
@@ -69,9 +67,7 @@ fn carried(spec: &DiagramSpec, systems: &[System], falling: bool, watch: &dyn Wa
     let mut traces: Vec<Option<Trace>> = vec![None; systems.len()];
     let mut last: Option<StateVector> = None;
     for column in spec.x.order(falling) {
-        if watch.cancelled() {
-            return Err(BackendError::Cancelled.into());
-        }
+        watch.check()?;
         let system = systems[column as usize].clone();
         let start = match last.filter(|state| state.iter().all(|value| value.is_finite())) {
             Some(state) => system.between_stops(state),
@@ -97,9 +93,7 @@ fn with_spectra(
             .par_iter()
             .zip(&branch.traces)
             .map(|(system, trace)| {
-                if watch.cancelled() {
-                    return Err(BackendError::Cancelled.into());
-                }
+                watch.check()?;
                 let exponents = exponents(system, trace, spec, unit);
                 watch.finished(1);
                 Ok(exponents)

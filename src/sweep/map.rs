@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::swept::{Swept, asked_of, cell_job};
 use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
-use crate::backend::{Backend, BackendError, Job, Watch, decide};
+use crate::backend::{Backend, Job, Watch, decide};
 use crate::model::{Flows, System, SystemError};
 use crate::plane::{Plane, Reached, RegionMap, Window};
 
@@ -33,9 +33,7 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
     let (mut missing, mut any) = (None, false);
     let (mut first, mut next) = (0, prepare(0));
     while first < cells {
-        if watch.cancelled() {
-            return Err(BackendError::Cancelled.into());
-        }
+        watch.check()?;
         let Prepared { jobs, is_there, missing: missing_here } = next?;
         missing = missing.or(missing_here);
         any |= !jobs.is_empty();
@@ -120,9 +118,7 @@ pub fn sweep_window(
     let jobs = window_jobs(plane, window)?;
     let mut verdicts = Vec::with_capacity(jobs.len());
     for jobs in jobs.chunks(backend.tile().max(1)) {
-        if watch.cancelled() {
-            return Err(BackendError::Cancelled.into());
-        }
+        watch.check()?;
         verdicts.extend(decide(backend, jobs, &plane.task, watch)?);
     }
     Ok(verdicts)
@@ -134,7 +130,7 @@ mod tests {
 
     use super::*;
     use crate::analysis::{Regime, Schedule};
-    use crate::backend::{self, Unwatched};
+    use crate::backend::{self, BackendError, Unwatched};
     use crate::plane::Start;
 
     /// Gives back each job's parameters and start in the verdict's state.

@@ -110,15 +110,13 @@ fn once(store: &ZarrStore, tile: u32, backend: &dyn Backend, watch: &dyn Watch) 
     let (plane, window) = (store.plane(), store.tiling().window(tile));
     let mut verdicts = sweep_window(plane, window, backend, watch)?;
     let (extras, silent) = (store.extras(), Silent(watch));
-    let multipliers = match extras.certified {
-        true => Some(certify_window(plane, window, &mut verdicts, backend, &silent)?.0),
-        false => None,
-    };
-    let extents = match extras.extents {
-        true => Some(window_extents(plane, window, &verdicts, backend, &silent)?),
-        false => None,
-    };
-    Ok(Assembled { verdicts, multipliers, extents })
+    let certified = extras
+        .certified
+        .then(|| certify_window(plane, window, &mut verdicts, backend, &silent))
+        .transpose()?;
+    let extents =
+        extras.extents.then(|| window_extents(plane, window, &verdicts, backend, &silent)).transpose()?;
+    Ok(Assembled { verdicts, multipliers: certified.map(|(multipliers, _)| multipliers), extents })
 }
 
 /// Why a plane was not computed into a store.

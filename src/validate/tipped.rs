@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::agreement::{Agreement, Tipped};
 use super::alike::{is_inside, same_label};
 use crate::analysis::Regime;
-use crate::backend::{Backend, Job, Watch, decide};
+use crate::backend::{Backend, Job, Silent, Watch, decide};
 use crate::model::System;
 use crate::plane::RegionMap;
 use crate::sweep::SweepError;
@@ -51,7 +51,7 @@ pub fn tipped(
     let mut found = BTreeSet::new();
     for some in jobs.chunks(backend.tile().max(1)) {
         let alone: Vec<Job> = some.iter().map(|(_, job)| job.clone()).collect();
-        let verdicts = decide(backend, &alone, &reference.plane.task, &Unheard(watch))?;
+        let verdicts = decide(backend, &alone, &reference.plane.task, &Silent(watch))?;
         let moved = some
             .iter()
             .zip(&verdicts)
@@ -102,17 +102,6 @@ impl Agreement {
             non_chaotic: count(&|index| reference.verdicts[index].regime != Regime::Chaotic),
         };
         Agreement { tipped, ..self }
-    }
-}
-
-/// Counts no cell, and is cancelled as the other is.
-struct Unheard<'a>(&'a dyn Watch);
-
-impl Watch for Unheard<'_> {
-    fn finished(&self, _: u64) {}
-
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
     }
 }
 

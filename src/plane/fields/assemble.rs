@@ -68,10 +68,7 @@ pub fn assembled<E: From<CellsError>>(
     };
     let verdicts: Result<Vec<Verdict>, CellsError> = (0..cells).map(verdict).collect();
     let verdicts = verdicts?;
-    let multipliers = match extras.certified {
-        true => Some(get("multipliers")?),
-        false => None,
-    };
+    let multipliers = extras.certified.then(|| get("multipliers")).transpose()?;
     let multipliers = multipliers.map(|numbers| {
         let of_cell = |i: usize| {
             let of = |k: usize, part: usize| numbers.real(2 * (components * i + k) + part);
@@ -79,10 +76,7 @@ pub fn assembled<E: From<CellsError>>(
         };
         (0..cells).map(of_cell).collect()
     });
-    let extents = match extras.extents {
-        true => Some((get("rms")?, get("peak")?)),
-        false => None,
-    };
+    let extents = extras.extents.then(|| Ok::<_, E>((get("rms")?, get("peak")?))).transpose()?;
     let extents = extents.map(|(rms, peak)| {
         let n = family.n();
         let of_cell = |values: &Values, i: usize| {

@@ -50,9 +50,7 @@ impl Kernel {
         let mut unfinished = cells.order;
         let mut begin = 1;
         while !unfinished.is_empty() {
-            if watch.cancelled() {
-                return Err(BackendError::Cancelled);
-            }
+            watch.check()?;
             let portion = Portion { count: unfinished.len() as u32, budget, begin };
             let before = unfinished.len();
             let dispatch = || tile.dispatch(self, program, portion, &unfinished);
