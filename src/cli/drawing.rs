@@ -60,11 +60,9 @@ pub enum CurveSource<'a> {
 }
 
 /// Curves, and the map that they are drawn over.
-#[derive(Debug)]
-pub struct Curves {
+struct Curves {
     map: RegionMap,
-    /// All of them.
-    pub curves: Vec<Curve>,
+    curves: Vec<Curve>,
     which: Shown,
     max_period: Option<u32>,
 }
@@ -95,24 +93,18 @@ impl DrawingArgs {
     }
 
     /// Refuses a layer that some cells do not have.
-    pub fn check_there(&self, cells: &dyn Cells) -> Result<()> {
+    pub fn check_there(&self, cells: &dyn Cells) -> Result<Layer> {
         let layer = self.check(cells.plane().parameters.family())?;
         if layer.is_with(cells.extras()) {
-            return Ok(());
+            return Ok(layer);
         }
         Err(wrong!("these data do not have the layer {}: compute them with `map --extents`", self.layer))
     }
 
     /// The curves over a window.
-    pub fn curves(
-        &self,
-        cells: &dyn Cells,
-        window: Window,
-        source: Option<CurveSource>,
-    ) -> Result<Option<Curves>> {
-        let Some(source) = source else { return Ok(None) };
+    fn curves(&self, cells: &dyn Cells, window: Window, source: CurveSource) -> Result<Curves> {
         let map = thinned(cells, window, MOST_CELLS_OF_CURVES).map_err(CliError::input)?;
-        Ok(Some(match source {
+        Ok(match source {
             CurveSource::Table(path) => Curves {
                 curves: curve_list::read(path, &map.plane)?,
                 map,
@@ -125,14 +117,19 @@ impl DrawingArgs {
                 curve_list::note_left_out(&found.left_out);
                 Curves { map, curves: found.curves, which, max_period: Some(self.curves_max_period) }
             }
-        }))
+        })
     }
 
-    /// Draws a window of a plane.
-    pub fn draw(&self, cells: &dyn Cells, window: Window, curves: Option<&Curves>) -> Result<Picture> {
-        let layer = self.check(cells.plane().parameters.family())?;
-        self.check_there(cells)?;
-        let curves = curves.map(|found| DrawnCurves {
+    /// Draws a window of a plane, with the curves of a source over it; gives these as well.
+    pub fn draw(
+        &self,
+        cells: &dyn Cells,
+        window: Window,
+        source: Option<CurveSource>,
+    ) -> Result<(Picture, Vec<Curve>)> {
+        let layer = self.check_there(cells)?;
+        let found = source.map(|source| self.curves(cells, window, source)).transpose()?;
+        let curves = found.as_ref().map(|found| DrawnCurves {
             map: &found.map,
             curves: &found.curves,
             shown: found.which,
@@ -148,7 +145,8 @@ impl DrawingArgs {
             range: self.range,
             legend: !self.no_legend,
         };
-        picture.draw(self.size).map_err(CliError::input)
+        let drawn = picture.draw(self.size).map_err(CliError::input)?;
+        Ok((drawn, found.map(|found| found.curves).unwrap_or_default()))
     }
 }
 

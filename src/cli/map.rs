@@ -120,15 +120,12 @@ fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extra
         let progress = Progress::of_cells("measuring", plane.cells());
         measure_extents(&mut map, &*backend, &progress)?;
     }
-    let whole = Window::whole(plane);
-    let curves = args.drawing.curves(&map, whole, args.curves.map(CurveSource::Computed))?;
-    let drawn = args.drawing.draw(&map, whole, curves.as_ref())?;
+    let source = args.curves.map(CurveSource::Computed);
+    let (drawn, curves) = args.drawing.draw(&map, Window::whole(plane), source)?;
     let mut batch = Batch::default();
     batch.picture(&picture, &drawn)?;
     batch.add(&data, |file| store::write_map(&map, file))?;
-    if let Some(found) = &curves {
-        curve_list::add_table(&mut batch, &table, &found.curves, plane)?;
-    }
+    curve_list::add_table(&mut batch, &table, &curves, plane)?;
     batch.show()?;
     let summary = Summary { certified, ..Summary::new(&map, seconds) };
     if args.json { print_json(&summary) } else { print(&summary.text()) }

@@ -63,8 +63,7 @@ pub fn run(args: &RenderArgs) -> Result<()> {
         Some("compute") => CurveSource::Computed(Shown::Bounding),
         _ => CurveSource::Table(curves),
     });
-    let curves = args.drawing.curves(cells, window, source)?;
-    let drawn = args.drawing.draw(cells, window, curves.as_ref())?;
+    let (drawn, _) = args.drawing.draw(cells, window, source)?;
     let mut batch = Batch::default();
     batch.picture(&picture, &drawn)?;
     batch.show()

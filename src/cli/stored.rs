@@ -84,7 +84,12 @@ pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, ex
         adapter: &adapter,
     };
     if missing == 0 && args.out.is_some() {
-        draw(args, &store, &picture, &table)?;
+        let source = args.curves.map(CurveSource::Computed);
+        let (drawn, curves) = args.drawing.draw(&store, Window::whole(plane), source)?;
+        let mut batch = Batch::default();
+        batch.picture(&picture, &drawn)?;
+        curve_list::add_table(&mut batch, &table, &curves, plane)?;
+        batch.show()?;
     }
     if args.json { print_json(&summary) } else { print(&summary.text(path)) }?;
     match run.failed.first() {
@@ -95,23 +100,6 @@ pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, ex
             tiles.len()
         ))),
     }
-}
-
-fn draw(
-    args: &MapArgs,
-    store: &ZarrStore,
-    picture: &Option<impact_atlas::store::Output>,
-    table: &Option<impact_atlas::store::Output>,
-) -> Result<()> {
-    let whole = Window::whole(store.plane());
-    let curves = args.drawing.curves(store, whole, args.curves.map(CurveSource::Computed))?;
-    let drawn = args.drawing.draw(store, whole, curves.as_ref())?;
-    let mut batch = Batch::default();
-    batch.picture(picture, &drawn)?;
-    if let Some(found) = &curves {
-        curve_list::add_table(&mut batch, table, &found.curves, store.plane())?;
-    }
-    batch.show()
 }
 
 impl Summary<'_> {
