@@ -1,9 +1,9 @@
 //! Typed values of options.
 
 use std::error::Error;
-use std::fmt;
 use std::str::FromStr;
 
+use derive_more::Display;
 use impact_atlas::figure::Size;
 use impact_atlas::model::{Number, Parameter, ParameterError, whole};
 use impact_atlas::plane::Quantity;
@@ -22,18 +22,13 @@ where
 }
 
 /// A value for a parameter, or for a setting of a control method, `NAME=VALUE`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Display)]
+#[display("{}={}", quantity.name(), Number(*value))]
 pub struct Assignment {
     /// What is set.
     pub quantity: Quantity,
     /// The value that it is set to; non-dimensional.
     pub value: f64,
-}
-
-impl fmt::Display for Assignment {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}", self.quantity.name(), Number(self.value))
-    }
 }
 
 impl Assignment {

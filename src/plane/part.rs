@@ -1,9 +1,9 @@
 //! A plane divided into parts that independent processes compute.
 
 use std::cmp::Reverse;
-use std::fmt;
 use std::str::FromStr;
 
+use derive_more::Display;
 use thiserror::Error;
 
 use super::spec::Plane;
@@ -11,7 +11,8 @@ use super::window::Tiling;
 use crate::model::System;
 
 /// Part K of M.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Display)]
+#[display("{number}/{of}")]
 pub struct Part {
     number: u32,
     of: u32,
@@ -47,12 +48,6 @@ pub fn cost(plane: &Plane, tiling: &Tiling, tile: u32) -> u64 {
     let middle = (window.column + window.columns / 2, window.row + window.rows / 2);
     let steps = System::new(plane.parameters_at(middle.0, middle.1)).map_or(1, |system| system.steps());
     window.cells() as u64 * u64::from(steps)
-}
-
-impl fmt::Display for Part {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}/{}", self.number, self.of)
-    }
 }
 
 impl FromStr for Part {

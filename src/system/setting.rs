@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::LazyLock;
 
+use derive_more::{Debug, Display};
 use parking_lot::Mutex;
 
 use super::builtin::builtin;
@@ -74,7 +75,9 @@ impl Family {
 }
 
 /// A parameter of a family, by which settings are asked and changed.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, Display)]
+#[display("{}", self.name())]
+#[debug("{self}")]
 pub struct Parameter {
     family: &'static Family,
     id: ParameterId,
@@ -139,18 +142,6 @@ impl Eq for Parameter {}
 impl std::hash::Hash for Parameter {
     fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
         self.id.hash(state);
-    }
-}
-
-impl fmt::Debug for Parameter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl fmt::Display for Parameter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

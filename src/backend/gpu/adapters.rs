@@ -1,7 +1,6 @@
 //! Adapters: what this machine offers, and the one that was asked for.
 
-use std::fmt;
-
+use derive_more::Display;
 use serde::Serialize;
 
 use crate::backend::{BackendError, Result};
@@ -11,7 +10,8 @@ const INTERFACES: wgpu::Backends =
     wgpu::Backends::VULKAN.union(wgpu::Backends::METAL).union(wgpu::Backends::DX12);
 
 /// What an adapter says of itself.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Display)]
+#[display("{name} ({api}, {driver}, {kind})")]
 pub struct AdapterReport {
     /// The device's name.
     pub name: String,
@@ -51,12 +51,6 @@ impl AdapterReport {
         let at = |address: &str| address.to_lowercase().trim_start_matches('0').to_owned();
         (!self.pci.is_empty() && at(&self.pci) == at(text))
             || self.to_string().to_lowercase().contains(&text.to_lowercase())
-    }
-}
-
-impl fmt::Display for AdapterReport {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({}, {}, {})", self.name, self.api, self.driver, self.kind)
     }
 }
 

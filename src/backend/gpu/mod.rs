@@ -7,7 +7,7 @@ mod kernel;
 mod layout;
 mod shader;
 
-use std::fmt;
+use derive_more::Debug;
 
 use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Result, Watch};
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
@@ -26,16 +26,12 @@ pub fn hardware_shader(system: &System) -> String {
 }
 
 /// Follows trajectories on an adapter.
+#[derive(Debug)]
 pub struct Gpu {
     report: AdapterReport,
     arithmetic: Arithmetic,
+    #[debug(skip)]
     kernel: Kernel,
-}
-
-impl fmt::Debug for Gpu {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Gpu").field("report", &self.report).finish_non_exhaustive()
-    }
 }
 
 impl Gpu {

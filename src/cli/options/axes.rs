@@ -3,6 +3,7 @@
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::control::ControlQuantity;
+use impact_atlas::figure::Steps;
 use impact_atlas::plane::{Axis, Plane, Quantity, Start};
 
 use super::system::SystemArgs;
@@ -106,7 +107,10 @@ fn with_cells([x, y]: [Axis; 2], cells: u32) -> [Axis; 2] {
     let kept = |axis: Axis| axis.count == 1 || axis.control().is_some_and(ControlQuantity::is_whole);
     let resized = |axis: Axis, count: f64| match kept(axis) {
         true => axis,
-        false => Axis { count: (count.round() as u32).clamp(2, Axis::LARGEST), ..axis },
+        false => {
+            let count = (count.round() as u32).clamp(2, Axis::LARGEST);
+            Axis { steps: Steps { count, ..axis.steps }, ..axis }
+        }
     };
     let (cells, columns) = (f64::from(cells), f64::from(x.count));
     let rows = if kept(x) { cells / columns } else { (cells * f64::from(y.count) / columns).sqrt() };

@@ -3,7 +3,8 @@
 use super::{CellField, CellsError, Extras, Values};
 use crate::analysis::{Counts, Extent, Measures, Regime, Verdict};
 use crate::model::StateVector;
-use crate::plane::region_map::Multipliers;
+use crate::plane::region_map::{Multipliers, Provenance, RegionMap};
+use crate::plane::spec::Plane;
 use crate::system::Family;
 
 /// The results of some cells, those beyond verdicts where there are any.
@@ -15,6 +16,14 @@ pub struct Assembled {
     pub multipliers: Option<Vec<Option<Multipliers>>>,
     /// How far the motions go.
     pub extents: Option<Vec<Extent>>,
+}
+
+impl Assembled {
+    /// The map of a plane with these results.
+    pub fn map(self, plane: Plane, provenance: Provenance) -> RegionMap {
+        let Assembled { verdicts, multipliers, extents } = self;
+        RegionMap { plane, provenance, verdicts, multipliers, extents }
+    }
 }
 
 impl From<Vec<Verdict>> for Assembled {

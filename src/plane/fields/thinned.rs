@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use super::{CellField, Cells, CellsError, Extras, assembled};
+use crate::figure::Steps;
 use crate::plane::{Axis, Made, Plane, RegionMap, Window};
 
 /// A window of a plane as a map: all of its cells, or where they are more than `most` every second, third … of each row and
@@ -38,7 +39,7 @@ pub fn thinned(cells: &dyn Cells, window: Window, most: usize) -> Result<RegionM
     }
     let axis = |axis: Axis| {
         let count = axis.count.div_ceil(step);
-        Axis { last: axis.value((count - 1) * step), count, ..axis }
+        Axis { steps: Steps { last: axis.value((count - 1) * step), count, ..axis.steps }, ..axis }
     };
     let plane = Plane { x: axis(plane.x), y: axis(plane.y), ..plane };
     Ok(RegionMap::new(plane, provenance, verdicts))

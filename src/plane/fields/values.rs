@@ -37,14 +37,15 @@ pub enum Values {
 macro_rules! of_any {
     ($all:expr, $values:ident => $result:expr) => {
         match $all {
-            Values::U8($values) => $result,
-            Values::U16($values) => $result,
-            Values::U32($values) => $result,
-            Values::F32($values) => $result,
-            Values::F64($values) => $result,
+            $crate::plane::fields::Values::U8($values) => $result,
+            $crate::plane::fields::Values::U16($values) => $result,
+            $crate::plane::fields::Values::U32($values) => $result,
+            $crate::plane::fields::Values::F32($values) => $result,
+            $crate::plane::fields::Values::F64($values) => $result,
         }
     };
 }
+pub(crate) use of_any;
 
 impl Values {
     /// Their type.

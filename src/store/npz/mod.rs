@@ -133,8 +133,8 @@ mod tests {
     /// An archive whose arrays are one cell short, in one row.
     fn written_raw(map: &RegionMap) -> Vec<u8> {
         let mut short = map.clone();
-        short.plane.x.count = 5;
-        short.plane.y.count = 1;
+        short.plane.x.steps.count = 5;
+        short.plane.y.steps.count = 1;
         let mut config = map.clone();
         config.verdicts.clear();
         let mut file = Cursor::new(Vec::new());

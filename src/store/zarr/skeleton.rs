@@ -185,15 +185,20 @@ pub fn shard_of<T: Element>(
     Ok(shard)
 }
 
+/// What stands in a field for cells that were not computed; as a whole number NaN is 0.
+pub fn nothing(field: &CellField) -> f64 {
+    if field.name == "regime" { NOT_COMPUTED.into() } else { f64::NAN }
+}
+
 /// The type of a field in a store, and what stands in it for cells that were not computed.
 pub fn kind_and_fill(field: &CellField) -> (DataType, FillValue) {
+    let nothing = nothing(field);
     match field.kind() {
-        Kind::U8 if field.name == "regime" => (DataType::UInt8, NOT_COMPUTED.into()),
-        Kind::U8 => (DataType::UInt8, 0u8.into()),
-        Kind::U16 => (DataType::UInt16, 0u16.into()),
-        Kind::U32 => (DataType::UInt32, 0u32.into()),
-        Kind::F32 => (DataType::Float32, f32::NAN.into()),
-        Kind::F64 => (DataType::Float64, f64::NAN.into()),
+        Kind::U8 => (DataType::UInt8, (nothing as u8).into()),
+        Kind::U16 => (DataType::UInt16, (nothing as u16).into()),
+        Kind::U32 => (DataType::UInt32, (nothing as u32).into()),
+        Kind::F32 => (DataType::Float32, (nothing as f32).into()),
+        Kind::F64 => (DataType::Float64, nothing.into()),
     }
 }
 
