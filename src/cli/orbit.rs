@@ -234,7 +234,7 @@ impl OrbitArgs {
         let mut command = String::from("impact-atlas orbit");
         let family = self.system.family();
         if !family.is_paper() {
-            command.push_str(&format!(" --system {}", family.origin()));
+            command.push_str(&format!(" --system {}", family.origin));
         }
         for (parameter, value) in parameters.entries() {
             command.push_str(&format!(" --set {parameter}={}", Number(value)));

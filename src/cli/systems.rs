@@ -51,12 +51,12 @@ impl Entry {
         let family = Family::builtin(name);
         Entry {
             name,
-            title: family.name(),
-            source: family.source(),
+            title: &family.name,
+            source: family.source.as_deref(),
             coordinates: family.n(),
             stops: family.stops().iter().map(|stop| stop.name.as_str()).collect(),
-            parameters: family.parameters().iter().map(|parameter| parameter.name.as_str()).collect(),
-            plane: family.plane().map(|plane| [plane.x.as_str(), plane.y.as_str()]),
+            parameters: family.parameters.iter().map(|parameter| parameter.name.as_str()).collect(),
+            plane: family.plane.as_ref().map(|plane| [plane.x.as_str(), plane.y.as_str()]),
         }
     }
 }

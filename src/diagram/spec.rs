@@ -46,7 +46,7 @@ impl DiagramSpec {
     pub fn check(&self) -> Result<(), DiagramError> {
         self.schedule.check()?;
         if !self.probe.fits(self.parameters.family()) {
-            return Err(DiagramError::Probe(self.parameters.family().name()));
+            return Err(DiagramError::Probe(&self.parameters.family().name));
         }
         let branches = self.sweep.branches().len() as u64;
         let readings = branches * u64::from(self.x.count) * u64::from(self.capacity);

@@ -48,9 +48,9 @@ fn system(family: &Family) -> Vec<String> {
     if family.is_paper() {
         return Vec::new();
     }
-    let known = BUILTIN.iter().any(|builtin| builtin.name == family.origin());
-    let described = family.origin() == super::asked::OWN_SYSTEM;
-    let name = if described && !known { SYSTEM_FILE } else { family.origin() };
+    let known = BUILTIN.iter().any(|builtin| builtin.name == family.origin);
+    let described = family.origin == super::asked::OWN_SYSTEM;
+    let name = if described && !known { SYSTEM_FILE } else { &family.origin };
     vec!["--system".into(), name.into()]
 }
 

@@ -49,10 +49,10 @@ impl WrittenSystem {
     /// A family as it is written.
     pub fn of(family: &Family) -> Self {
         WrittenSystem {
-            name: family.name().to_owned(),
-            origin: family.origin().to_owned(),
-            hash: family.hash().to_owned(),
-            text: family.text().to_owned(),
+            name: family.name.clone(),
+            origin: family.origin.clone(),
+            hash: family.hash.clone(),
+            text: family.text.clone(),
         }
     }
 
@@ -63,7 +63,7 @@ impl WrittenSystem {
     pub fn read(written: Option<&WrittenSystem>) -> Result<&'static Family, String> {
         let Some(WrittenSystem { origin, hash, text, .. }) = written else { return Ok(Family::paper()) };
         let family = Family::kept(text, origin).map_err(|error| error.to_string())?;
-        if family.hash() == hash {
+        if family.hash == *hash {
             return Ok(family);
         }
         Err(format!("the family {origin} does not have the hash that is written with it"))

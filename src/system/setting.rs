@@ -59,7 +59,7 @@ impl Family {
             let name = axis.split_once('=').map_or(axis, |(name, _)| name);
             Parameter::of(self, name.trim()).ok()
         };
-        match self.plane() {
+        match &self.plane {
             Some(plane) => [named(&plane.x), named(&plane.y)],
             None => {
                 let mut all = Parameter::all(self);
@@ -156,7 +156,7 @@ impl Setting {
     /// The family's defaults.
     pub fn defaults(family: &'static Family) -> Self {
         let mut values = [0.0; MOST_PARAMETERS];
-        values[..family.parameters().len()].copy_from_slice(&family.defaults());
+        values[..family.parameters.len()].copy_from_slice(&family.defaults());
         Setting { family, values }
     }
 
@@ -194,7 +194,7 @@ impl Setting {
 
     /// The values, in the order of the family's file.
     fn values(&self) -> &[f64] {
-        &self.values[..self.family.parameters().len()]
+        &self.values[..self.family.parameters.len()]
     }
 
     /// Every parameter with its value, in the order of the family's file.

@@ -76,14 +76,14 @@ impl AxesArgs {
 
     /// The axes as given, or those of the system's default plane.
     pub(super) fn axes(&self) -> Result<[Axis; 2]> {
-        let plane = self.system.family().plane();
+        let plane = self.system.family().plane.as_ref();
         let axis =
             |option: &str, given: &Option<String>, default: Option<&String>| match given.as_ref().or(default)
             {
                 Some(text) => self.system.named(&format!("{option} {AXIS}"), text, Axis::of_family),
                 None => Err(wrong!(
                     "the system {} has no default plane: give {option} NAME=FIRST:LAST:COUNT",
-                    self.system.family().origin()
+                    self.system.family().origin
                 )),
             };
         Ok([

@@ -35,10 +35,10 @@ impl SystemArgs {
     /// The same options for the system of a plane that was computed before.
     pub(super) fn of_family_of(&self, plane: &Plane) -> Result<SystemArgs> {
         let family = plane.parameters.family();
-        if self.family.is_some_and(|chosen| chosen.0.hash() != family.hash()) {
+        if self.family.is_some_and(|chosen| chosen.0.hash != family.hash) {
             return Err(wrong!(
                 "the plane of --from is of the system {}: drop --system, or --from",
-                family.origin()
+                family.origin
             ));
         }
         Ok(SystemArgs { family: Some(Chosen(family)), assignments: self.assignments.clone() })

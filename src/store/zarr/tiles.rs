@@ -132,11 +132,9 @@ impl ZarrStore {
 
     /// The bytes of a shard: the tile's values, and where the tile reaches beyond the plane what stands for nothing.
     fn encoded(&self, field: &'static CellField, tile: u32, values: &Values) -> io::Result<Vec<u8>> {
-        let family = self.plane.parameters.family();
         let (window, side) = (self.tiling.window(tile), self.tiling.side);
-        let sizes = field.inner.dimensions(family).into_iter().map(|(_, size)| size as u64);
-        let shape: Vec<u64> = [side.into(), side.into()].into_iter().chain(sizes).collect();
-        let inner = field.inner.len(family);
+        let shape = [&[u64::from(side); 2][..], &field.shape(&self.plane)[2..]].concat();
+        let inner = field.inner.len(self.plane.parameters.family());
         let (kind, fill) = kind_and_fill(field);
         let nothing = nothing(field);
         of_any!(values, values => shard_of(&padded(values, window, inner, side, nothing as _), &shape, kind, fill))
