@@ -33,9 +33,9 @@ fn described(family: &'static Family) -> String {
     let defaults = Setting::defaults(family);
     for parameter in Parameter::all(family) {
         let value = Number(defaults.get(parameter));
-        let about = parameter.description();
+        let about = &parameter.about().about;
         let about = if about.is_empty() { String::new() } else { format!("{about}; ") };
-        lines.push(format!("  {} = {value}: {about}{}", parameter.name(), parameter.range()));
+        lines.push(format!("  {} = {value}: {about}{}", parameter.name(), parameter.about().range));
     }
     let components: Vec<&str> = Component::all(family.n()).map(Component::name).collect();
     lines.push(format!("  state and start: {}", components.join(",")));

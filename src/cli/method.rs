@@ -19,7 +19,7 @@ pub fn method() -> impl TypedValueParser<Value = &'static Method> {
 
 /// The settings that axes can vary, by name, method by method.
 pub fn varied() -> String {
-    let of = |method: &&Method| method.varied.iter().map(|q| q.name()).collect::<Vec<_>>().join(", ");
+    let of = |method: &&Method| method.varied.iter().map(|q| q.name).collect::<Vec<_>>().join(", ");
     METHODS.iter().map(of).collect::<Vec<_>>().join("; ")
 }
 

@@ -48,7 +48,7 @@ impl Assignment {
         let value = value.trim().parse().map_err(|_| malformed())?;
         match quantity {
             Quantity::Parameter(parameter) => parameter.check(value)?,
-            Quantity::Control(setting) if setting.is_whole() && !is_count(value) => {
+            Quantity::Control(setting) if setting.is_whole && !is_count(value) => {
                 return Err(AssignmentError::NotWhole(text.to_owned()));
             }
             Quantity::Control(_) | Quantity::Start(_) => {}
@@ -159,7 +159,7 @@ mod tests {
         );
         assert_eq!(Assignment::of_family("mu_m=1e-100", Family::paper()).unwrap().to_string(), "mu_m=1e-100");
         let gain = Assignment::of_family("gain=0.3", Family::paper()).unwrap();
-        let of_gain = ControlQuantity::all().find(|setting| setting.name() == "gain").unwrap();
+        let of_gain = ControlQuantity::all().find(|setting| setting.name == "gain").unwrap();
         assert_eq!(gain, Assignment { quantity: Quantity::Control(of_gain), value: 0.3 });
         let refused = [
             ("omega", "NAME=VALUE"),

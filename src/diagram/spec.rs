@@ -55,7 +55,7 @@ impl DiagramSpec {
         }
         self.parameters.check()?;
         if let Quantity::Control(setting) = self.x.quantity {
-            return Err(DiagramError::Control(setting.name()));
+            return Err(DiagramError::Control(setting.name));
         }
         let varies_start = matches!(self.x.quantity, Quantity::Start(_));
         if varies_start && self.sweep.is_carried() {

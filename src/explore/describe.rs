@@ -25,7 +25,7 @@ struct Described {
 
 /// The ends of a slider: the parameter's own where it has any, else about the value.
 fn slider(parameter: Parameter, value: f64) -> [f64; 2] {
-    let range = parameter.range();
+    let range = parameter.about().range;
     let reach = if value == 0.0 { 1.0 } else { 2.0 * value.abs() };
     let shy = |end: f64, included: bool, inwards: f64| if included { end } else { end + inwards };
     // A bound far away, such as the largest frequency, is no use as the end of a slider.
@@ -44,11 +44,11 @@ fn slider(parameter: Parameter, value: f64) -> [f64; 2] {
 fn parameters(plane: &Plane) -> Vec<Described> {
     let described = |(parameter, value): (Parameter, f64)| Described {
         name: parameter.name(),
-        symbol: parameter.symbol(),
-        about: parameter.description(),
+        symbol: &parameter.about().symbol,
+        about: &parameter.about().about,
         value,
         slider: slider(parameter, value),
-        range: parameter.range().to_string(),
+        range: parameter.about().range.to_string(),
     };
     plane.parameters.entries().map(described).collect()
 }

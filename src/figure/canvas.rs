@@ -38,8 +38,7 @@ impl Canvas {
         let metadata = canvas.xml.create_element("metadata").with_attribute(("id", "impact-atlas"));
         metadata.write_text_content(BytesText::new(config)).expect(IN_MEMORY);
         canvas.line_break();
-        let (width, height) = (size.width().into(), size.height().into());
-        canvas.fill(Rect { x: 0.0, y: 0.0, width, height }, Rgb([255; 3]));
+        canvas.fill(Rect::whole(size), Rgb([255; 3]));
         canvas
     }
 
@@ -63,11 +62,6 @@ impl Canvas {
             .map(|(a, b)| format!("M{} {}L{} {}", number(a.x), number(a.y), number(b.x), number(b.y)))
             .collect();
         self.path(&path.concat(), width, colour, &[]);
-    }
-
-    /// Draws a line through points, its corners round.
-    pub fn polyline(&mut self, points: &[Point], width: f64, colour: Colour) {
-        self.stroke(points, width, colour, &[]);
     }
 
     /// Draws a line through points, its corners round, with dashes and gaps of the given lengths unless there are none.

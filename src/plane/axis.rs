@@ -73,7 +73,7 @@ impl Axis {
             parameter.check(last)?;
         }
         let axis = Axis { quantity, steps: Steps { first, last, count, spacing } };
-        let whole = axis.control().is_some_and(ControlQuantity::is_whole);
+        let whole = axis.control().is_some_and(|setting| setting.is_whole);
         if whole && axis.values().iter().any(|value| value.fract() != 0.0 || *value < 0.0) {
             let axis = format!("{name}={}:{}:{count}", Number(first), Number(last));
             let problem = "has values that are not whole numbers: choose a COUNT so that all are";

@@ -10,7 +10,7 @@ use parking_lot::Mutex;
 use super::builtin::builtin;
 use super::error::{CellError, FamilyError};
 use super::family::Family;
-use super::parameter::{ParameterError, ParameterId, Range};
+use super::parameter::{Parameter as ParameterRecord, ParameterError, ParameterId};
 use super::plant::Plant;
 
 /// The most parameters of a family.
@@ -104,22 +104,12 @@ impl Parameter {
 
     /// The name used on the command line and in files.
     pub fn name(self) -> &'static str {
-        &self.family.about(self.id).name
+        &self.about().name
     }
 
-    /// The symbol, for axis titles.
-    pub fn symbol(self) -> &'static str {
-        &self.family.about(self.id).symbol
-    }
-
-    /// What the parameter is, for help texts and axis titles; may be empty.
-    pub fn description(self) -> &'static str {
-        &self.family.about(self.id).about
-    }
-
-    /// The values that it may take.
-    pub fn range(self) -> Range {
-        self.family.about(self.id).range
+    /// What the file says about it.
+    pub fn about(self) -> &'static ParameterRecord {
+        self.family.about(self.id)
     }
 
     /// Checks one value against the range.
@@ -127,7 +117,7 @@ impl Parameter {
     /// # Errors
     /// [`ParameterError::OutOfRange`] names the parameter, the value and the range.
     pub fn check(self, value: f64) -> Result<(), ParameterError> {
-        self.family.about(self.id).check(value)
+        self.about().check(value)
     }
 }
 

@@ -2,7 +2,6 @@
 
 use clap::Args;
 use impact_atlas::analysis::Schedule;
-use impact_atlas::control::ControlQuantity;
 use impact_atlas::figure::Steps;
 use impact_atlas::plane::{Axis, Plane, Quantity, Start};
 
@@ -104,7 +103,7 @@ impl AxesArgs {
 /// The same axes with about so many cells, in about the same proportion; one of one value, or of whole numbers, keeps
 /// its values.
 fn with_cells([x, y]: [Axis; 2], cells: u32) -> [Axis; 2] {
-    let kept = |axis: Axis| axis.count == 1 || axis.control().is_some_and(ControlQuantity::is_whole);
+    let kept = |axis: Axis| axis.count == 1 || axis.control().is_some_and(|setting| setting.is_whole);
     let resized = |axis: Axis, count: f64| match kept(axis) {
         true => axis,
         false => {

@@ -176,7 +176,7 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &str) -> Result
             distinct.push(entry);
         }
     }
-    let varied = |setting: ControlQuantity| !alike && setting.name() == "gain";
+    let varied = |setting: ControlQuantity| !alike && setting.name == "gain";
     let title = first.map_or_else(Vec::new, |run| run.picture(&system, ["", ""]).title(varied));
     let figure =
         Figure { title, rows: Row::of(panels, 2, 0.75), key: distinct, notes: Vec::new(), width: 60.0 };

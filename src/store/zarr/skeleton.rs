@@ -191,9 +191,9 @@ pub fn kind_and_fill(field: &CellField) -> (DataType, FillValue) {
 fn coordinates(name: &str, axis: &Axis, store: Arc<FilesystemStore>) -> Result<Array<FilesystemStore>> {
     let count = u64::from(axis.count);
     let description = match axis.quantity {
-        Quantity::Parameter(parameter) => parameter.description().to_owned(),
+        Quantity::Parameter(parameter) => parameter.about().about.to_owned(),
         Quantity::Start(component) => format!("{} at the start", component.name()),
-        Quantity::Control(setting) => setting.description().to_owned(),
+        Quantity::Control(setting) => setting.description.to_owned(),
     };
     let about = json!({ "long_name": description, "quantity": axis.quantity.name(), "units": "1" });
     let Value::Object(about) = about else { unreachable!("it is written as an object") };
