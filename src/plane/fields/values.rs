@@ -1,5 +1,7 @@
 //! The values of a field, with their type.
 
+use num_traits::AsPrimitive;
+
 use crate::system::named;
 
 named! {
@@ -86,11 +88,11 @@ impl Values {
 
     /// One of them as a real number.
     pub fn real(&self, i: usize) -> f64 {
-        of_any!(self, values => values[i].into())
+        of_any!(self, values => values[i].as_())
     }
 
     /// One of them as a whole number; what is none is 0.
     pub fn whole(&self, i: usize) -> u32 {
-        of_any!(self, values => values[i] as u32)
+        of_any!(self, values => values[i].as_())
     }
 }
