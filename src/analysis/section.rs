@@ -1,8 +1,8 @@
 //! Sections: where a motion is looked at, and what is read there.
 
-use std::fmt;
 use std::str::FromStr;
 
+use derive_more::Display;
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 
@@ -65,8 +65,9 @@ impl Section {
     }
 }
 
-/// A quantity that is read on a section, or in flight; non-dimensional.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// A quantity that is read on a section, or in flight; non-dimensional. Displayed by its name in the paper's family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display)]
+#[display("{}", self.name(Family::paper()))]
 pub enum Reading {
     /// d·v−, the velocity before the impact along the direction of the first stop on the same line; v1− of the paper's.
     VBefore,
@@ -178,13 +179,6 @@ impl Reading {
     /// Whether it is a quantity of impacts, and not of the state.
     pub fn is_of_impacts(self) -> bool {
         matches!(self, Reading::VBefore | Reading::VAfter | Reading::Tau)
-    }
-}
-
-/// The name in the paper's family.
-impl fmt::Display for Reading {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.name(Family::paper()))
     }
 }
 

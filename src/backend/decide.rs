@@ -11,7 +11,7 @@
 
 use rayon::prelude::*;
 
-use super::{Backend, BackendError, Job, Silent, Watch};
+use super::{Backend, Job, Result, Silent, Watch};
 use crate::analysis::{Regime, Schedule, Verdict};
 use crate::theory::confirmed;
 
@@ -36,7 +36,7 @@ pub fn decide(
     jobs: &[Job],
     schedule: &Schedule,
     watch: &dyn Watch,
-) -> Result<Vec<Verdict>, BackendError> {
+) -> Result<Vec<Verdict>> {
     let mut verdicts = backend.run(jobs, schedule, watch)?;
     confirm(jobs, &mut verdicts);
     if !schedule.fixed_periods {
@@ -101,7 +101,7 @@ impl Look {
         jobs: &[Job],
         verdicts: &mut [Verdict],
         watch: &dyn Watch,
-    ) -> Result<(), BackendError> {
+    ) -> Result<()> {
         let open: Vec<usize> = (0..verdicts.len()).filter(|&i| (self.in_doubt)(&verdicts[i])).collect();
         let again: Vec<Job> =
             open.iter().map(|&i| Job { system: jobs[i].system.clone(), start: verdicts[i].state }).collect();

@@ -2,6 +2,9 @@
 
 use thiserror::Error;
 
+/// What a back end comes to.
+pub type Result<T, E = BackendError> = std::result::Result<T, E>;
+
 /// Why a back end gave no verdicts.
 #[derive(Debug, Error)]
 pub enum BackendError {

@@ -1,6 +1,6 @@
 //! How far the motions go that trajectories settled on.
 
-use super::{Backend, BackendError, Job, Watch};
+use super::{Backend, Job, Result, Watch};
 use crate::analysis::{Extent, Regime, Schedule, Verdict};
 
 /// A periodic motion is followed for at least about so many forcing periods, and whole periods of its own.
@@ -20,7 +20,7 @@ pub fn extents(
     verdicts: &[Verdict],
     schedule: &Schedule,
     watch: &dyn Watch,
-) -> Result<Vec<Extent>, BackendError> {
+) -> Result<Vec<Extent>> {
     let open: Vec<usize> = (0..jobs.len()).filter(|&i| verdicts[i].regime != Regime::Failed).collect();
     let again: Vec<Job> =
         open.iter().map(|&i| Job { system: jobs[i].system.clone(), start: verdicts[i].state }).collect();

@@ -14,7 +14,7 @@ pub use cpu::{
     Cpu, CpuSingle, Precision, Width, extent, follow, follow_all, follow_controlled, follow_counted, trace,
 };
 pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
-pub use error::BackendError;
+pub use error::{BackendError, Result};
 pub use extents::extents;
 pub use gpu::{AdapterReport, Gpu, Spent, adapters, hardware_shader};
 pub use job::{ControlJob, Job};
@@ -45,8 +45,7 @@ pub trait Backend: Debug + Sync {
     ///
     /// # Errors
     /// [`BackendError::Cancelled`] when the watch asked for it, otherwise what the machine could not do.
-    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch)
-    -> Result<Vec<Verdict>, BackendError>;
+    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>>;
 
     /// Follows every job under control and gives one outcome per job, in order.
     ///
@@ -57,7 +56,7 @@ pub trait Backend: Debug + Sync {
         _jobs: &[ControlJob],
         _schedule: &ControlSchedule,
         _watch: &dyn Watch,
-    ) -> Result<Vec<Outcome>, BackendError> {
+    ) -> Result<Vec<Outcome>> {
         Err(BackendError::Unsupported(format!("{} follows nothing under control", self.name())))
     }
 
@@ -73,7 +72,7 @@ pub trait Backend: Debug + Sync {
         _probe: Probe,
         _capacity: u32,
         _watch: &dyn Watch,
-    ) -> Result<Vec<Trace>, BackendError> {
+    ) -> Result<Vec<Trace>> {
         Err(BackendError::Unsupported(format!("{} reads no sections", self.name())))
     }
 
@@ -82,7 +81,7 @@ pub trait Backend: Debug + Sync {
     ///
     /// # Errors
     /// Those of [`Backend::run`].
-    fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>, BackendError> {
+    fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>> {
         cpu::extents::<f64>(jobs, periods, watch)
     }
 }

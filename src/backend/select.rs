@@ -1,6 +1,6 @@
 //! Which back end runs.
 
-use super::{Backend, BackendError, Cpu, CpuSingle, Gpu};
+use super::{Backend, Cpu, CpuSingle, Gpu, Result};
 
 /// Which back end is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,9 +20,8 @@ pub enum Choice {
 /// throughput example), and f64 is more exact.
 ///
 /// # Errors
-/// [`BackendError::NoAdapter`] where an adapter is asked for and none matches, [`BackendError::Device`] where it
-/// refuses a device or the shader.
-pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, BackendError> {
+/// No adapter where one is asked for and none matches, and one that refuses a device or the shader.
+pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>> {
     opened(choice, adapter, Box::new(Cpu), Gpu::open, Gpu::open_hardware)
 }
 
@@ -31,7 +30,7 @@ pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, B
 ///
 /// # Errors
 /// As [`open()`].
-pub fn open_reproducible(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>, BackendError> {
+pub fn open_reproducible(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>> {
     opened(choice, adapter, Box::new(CpuSingle), Gpu::open_exact, Gpu::open_hardware_exact)
 }
 
@@ -40,9 +39,9 @@ fn opened(
     choice: Choice,
     adapter: Option<&str>,
     cpu: Box<dyn Backend>,
-    any: fn(Option<&str>) -> Result<Gpu, BackendError>,
-    hardware: fn() -> Result<Option<Gpu>, BackendError>,
-) -> Result<Box<dyn Backend>, BackendError> {
+    any: fn(Option<&str>) -> Result<Gpu>,
+    hardware: fn() -> Result<Option<Gpu>>,
+) -> Result<Box<dyn Backend>> {
     match (choice, adapter) {
         (Choice::Cpu, _) => Ok(cpu),
         (Choice::Gpu, text) | (Choice::Auto, text @ Some(_)) => Ok(Box::new(any(text)?)),

@@ -3,7 +3,7 @@
 use clap::Args;
 use impact_atlas::backend::{self, Backend, Cpu, Width};
 
-use super::CliError;
+use super::Result;
 use super::terminal::{print, print_json};
 
 /// Lists the adapters that the GPU back end can run on
@@ -19,7 +19,7 @@ pub struct AdaptersArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &AdaptersArgs) -> Result<(), CliError> {
+pub fn run(args: &AdaptersArgs) -> Result<()> {
     let adapters = backend::adapters();
     if args.json {
         return print_json(&adapters);

@@ -3,13 +3,12 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Probe, Reading, Section};
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::diagram::{Diagram, DiagramSpec, ExponentUnit, Sweep};
 use impact_atlas::figure::{Figure, Size};
-use impact_atlas::plane::Start;
+use impact_atlas::plane::{Axis, Start};
 use impact_atlas::render::diagram_figure;
 use impact_atlas::store::write_diagram;
 use impact_atlas::sweep::diagram;
@@ -20,7 +19,7 @@ use super::options::{BackendArgs, OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse, parse_size};
-use super::{CliError, defaults, note};
+use super::{CliError, Result, defaults, note, wrong};
 
 /// How many entries of a key stand side by side, about.
 const KEY_IN_A_ROW: u32 = 5;
@@ -124,7 +123,7 @@ pub struct BifurcationArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &BifurcationArgs) -> Result<(), CliError> {
+pub fn run(args: &BifurcationArgs) -> Result<()> {
     let spec = args.spec()?;
     let npz = files::data_beside(&args.out, args.data.as_deref());
     let wanted = [Kind::Picture.at(Some(&args.out)), Kind::Archive.at(npz.as_deref())];
@@ -155,13 +154,13 @@ fn diagram_size(diagram: &Diagram, figure: &Figure) -> Size {
 
 impl BifurcationArgs {
     /// The checked specification.
-    fn spec(&self) -> Result<DiagramSpec, CliError> {
+    fn spec(&self) -> Result<DiagramSpec> {
         if let (Some(start), false) = (self.start, self.sweep.is_carried()) {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "--start {start} has no effect, since --sweep {} starts every column by itself: drop it, or give the \
                  start to --sweep",
                 self.sweep
-            )));
+            ));
         }
         let section = match &self.section {
             Some(name) => self.system.named("--section <SECTION>", name, Section::named)?,
@@ -172,10 +171,10 @@ impl BifurcationArgs {
             None => Reading::usual(section, self.system.family()),
         };
         let probe = Probe::new(section, reading).map_err(CliError::input)?;
-        let x = self.system.axis("--x <NAME=FIRST:LAST:COUNT>", &self.x)?;
+        let x = self.system.named("--x <NAME=FIRST:LAST:COUNT>", &self.x, Axis::of_family)?;
         let spec = DiagramSpec {
             x,
-            parameters: self.system.parameters_beside("--x", &x.to_string(), x.quantity)?,
+            parameters: self.system.parameters(&[("--x", x)])?,
             sweep: self.sweep,
             start: self.start.unwrap_or(Start::Rest),
             probe,
@@ -188,7 +187,7 @@ impl BifurcationArgs {
     }
 
     /// The back end; a carried sweep is computed on the CPU.
-    fn open(&self) -> Result<Box<dyn Backend>, CliError> {
+    fn open(&self) -> Result<Box<dyn Backend>> {
         if !self.sweep.is_carried() {
             return self.backend.open();
         }
@@ -198,10 +197,10 @@ impl BifurcationArgs {
             (None, Choice::Auto | Choice::Cpu) => None,
         };
         if let Some(asked) = asked {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "--sweep {} is a sequence and computed on the CPU: drop {asked}, or choose --sweep rest or symmetric",
                 self.sweep
-            )));
+            ));
         }
         let cpu = backend::open(Choice::Cpu, None)?;
         note(&format!("computing on {}: {}; a carried sweep is a sequence", cpu.name(), cpu.adapter()));

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::interrupt::Interruptible;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, estimate, note};
+use super::{CliError, Result, estimate, note};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -28,10 +28,10 @@ struct Bits<'a> {
 ///
 /// # Errors
 /// Cells that differ, or what could not be computed.
-pub fn hold(plane: &Plane, candidate: &dyn Backend, json: bool) -> Result<(), CliError> {
+pub fn hold(plane: &Plane, candidate: &dyn Backend, json: bool) -> Result<()> {
     let reference = backend::open_reproducible(Choice::Cpu, None)?;
     note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
-    let computed = |what: &str, backend: &dyn Backend| -> Result<_, CliError> {
+    let computed = |what: &str, backend: &dyn Backend| -> Result<_> {
         estimate::of_plane(&format!("the {what}'s map"), plane, backend)?;
         let mut map = sweep(plane, backend, &Progress::of_cells(what, plane.cells()))?;
         measure_extents(&mut map, backend, &Interruptible)?;

@@ -5,7 +5,7 @@ use std::io::Cursor;
 use std::path::Path;
 use std::str::FromStr;
 
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 use impact_atlas::figure::carried_configuration;
 use impact_atlas::plane::fields::{Cells, Extras};
 use impact_atlas::plane::{Axis, Made, Plane};
@@ -13,7 +13,7 @@ use impact_atlas::store::{ZarrStore, read_config};
 use serde::Serialize;
 use thiserror::Error;
 
-use super::CliError;
+use super::{CliError, Result, wrong};
 
 /// A place on a plane, `NAME=VALUE,NAME=VALUE`: a value for either axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +55,7 @@ pub struct Cell {
 }
 
 /// Reads the configuration that a map's picture or data carry.
-pub fn made(path: &Path) -> Result<Made, CliError> {
+pub fn made(path: &Path) -> Result<Made> {
     let name = path.display();
     if path.is_dir() {
         let store = ZarrStore::open(path)?;
@@ -69,16 +69,16 @@ pub fn made(path: &Path) -> Result<Made, CliError> {
     } else {
         carried_configuration(&bytes)
     };
-    let none = || CliError::Input(anyhow!("`{name}` carries no configuration: give a file that `map` wrote"));
+    let none = || wrong!("`{name}` carries no configuration: give a file that `map` wrote");
     let value: serde_json::Value =
         carried.and_then(|text| serde_json::from_str(&text).ok()).ok_or_else(none)?;
     if value.get("control").is_some() {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "`{name}` is a map under control: `classify` answers for maps without; follow a cell with `control`"
-        )));
+        ));
     }
     let Ok(made) = serde_json::from_value::<Made>(value) else {
-        return Err(CliError::Input(anyhow!("`{name}` is no map: give a file that `map` wrote")));
+        return Err(wrong!("`{name}` is no map: give a file that `map` wrote"));
     };
     made.plane.check().map_err(CliError::input)?;
     Ok(made)
@@ -86,15 +86,15 @@ pub fn made(path: &Path) -> Result<Made, CliError> {
 
 impl Cell {
     /// The cell of a plane that holds a place.
-    pub fn holding(Place(values): &Place, Plane { x, y, .. }: &Plane) -> Result<Self, CliError> {
+    pub fn holding(Place(values): &Place, Plane { x, y, .. }: &Plane) -> Result<Self> {
         let on = |axis: &Axis| {
             let value = values.iter().find(|(name, _)| name == axis.quantity.name()).map(|(_, value)| *value);
             value.ok_or_else(|| {
-                CliError::Input(anyhow!(
+                wrong!(
                     "the map's axes are {} and {}: --at must give a value for either",
                     x.quantity.name(),
                     y.quantity.name()
-                ))
+                )
             })
         };
         let (column, row) = (index(x, on(x)?)?, index(y, on(y)?)?);
@@ -103,16 +103,13 @@ impl Cell {
 }
 
 /// The index of the cell that holds a value.
-fn index(axis: &Axis, value: f64) -> Result<u32, CliError> {
+fn index(axis: &Axis, value: f64) -> Result<u32> {
     let steps = f64::from(axis.count - 1);
     let at = if axis.count == 1 { value - axis.first } else { axis.place(value) };
     let rounding = 1e-9 * (1.0 + value.abs());
     let half = if axis.count == 1 { rounding } else { 0.5 };
     if !(-half..=steps + half).contains(&at) {
-        return Err(CliError::Input(anyhow!(
-            "{} = {value} lies outside the map, whose axis is {axis}",
-            axis.quantity.name()
-        )));
+        return Err(wrong!("{} = {value} lies outside the map, whose axis is {axis}", axis.quantity.name()));
     }
     Ok(at.round().clamp(0.0, steps) as u32)
 }

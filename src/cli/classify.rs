@@ -17,7 +17,7 @@ use super::options::{BackendArgs, SystemArgs, start_state};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse};
-use super::{CliError, defaults, note};
+use super::{CliError, Result, defaults, note};
 
 /// Follows one trajectory and says what it settles on
 ///
@@ -121,13 +121,13 @@ struct Asked {
 }
 
 /// Runs the command.
-pub fn run(args: &ClassifyArgs) -> Result<(), CliError> {
+pub fn run(args: &ClassifyArgs) -> Result<()> {
     let (asked, options) = match (&args.from, &args.at) {
         (Some(from), Some(at)) => of_map(from, at, &args.backend)?,
         _ => (args.asked()?, args.backend.clone()),
     };
     let progress = Progress::of_trajectory();
-    let classification = abandonable(move || -> Result<_, CliError> {
+    let classification = abandonable(move || -> Result<_> {
         let backend = options.open()?;
         let jobs = [asked.job.clone()];
         let mut verdicts = decide(&*backend, &jobs, &asked.schedule, &Interruptible)?;
@@ -143,11 +143,7 @@ pub fn run(args: &ClassifyArgs) -> Result<(), CliError> {
 }
 
 /// A cell of a map that was computed before, on the back end that computed it unless another is asked for.
-fn of_map(
-    from: &std::path::Path,
-    at: &Place,
-    backend: &BackendArgs,
-) -> Result<(Asked, BackendArgs), CliError> {
+fn of_map(from: &std::path::Path, at: &Place, backend: &BackendArgs) -> Result<(Asked, BackendArgs)> {
     let made = made(from)?;
     let cell = Cell::holding(at, &made.plane)?;
     let Cell { column, row, .. } = cell;
@@ -168,7 +164,7 @@ fn of_map(
 }
 
 impl ClassifyArgs {
-    fn asked(&self) -> Result<Asked, CliError> {
+    fn asked(&self) -> Result<Asked> {
         let schedule = Schedule {
             transient: self.transient,
             observe: self.observe,

@@ -38,7 +38,7 @@ impl Compared<'_> {
         };
         let family = parameters.family();
         let defaults = Setting::defaults(family);
-        let system = if family.is_paper() { String::new() } else { format!(" --system {}", family.origin()) };
+        let system = if family.is_paper() { String::new() } else { format!(" --system {}", family.origin) };
         let sets: String = parameters
             .entries()
             .filter(|&(p, value)| !varied(Quantity::Parameter(p)) && value != defaults.get(p))

@@ -22,7 +22,7 @@ use super::options::{OverwriteArgs, SystemArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, counted, parse, parse_range, parse_size};
-use super::{CliError, defaults, interrupt, note};
+use super::{CliError, Result, defaults, interrupt, note, wrong};
 
 /// The most iterates of one run.
 const MOST: u32 = 2_000_000;
@@ -112,7 +112,7 @@ struct Config<'a> {
 }
 
 /// Runs the command.
-pub fn run(args: &ControlArgs) -> Result<(), CliError> {
+pub fn run(args: &ControlArgs) -> Result<()> {
     let (system_args, set) = args.system.split()?;
     let scheme = args.settings.scheme(args.method, &set, &system_args.parameters(&[])?)?;
     let schedule = ControlSchedule {
@@ -152,15 +152,14 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     drop(progress);
     let outcome = outcome.map_err(CliError::input)?;
     if history.returns.len() <= args.from as usize {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "control from iterate {} was never switched on: the motion ({before}) reaches stop {} only {} times",
             args.from,
             family.stops()[scheme.stop().index()].name,
             history.returns.len()
-        )));
+        ));
     }
     let report = Report::of(Ran {
-        family,
         method: args.method,
         from: args.from,
         tolerance: args.tolerance,
@@ -198,24 +197,21 @@ pub fn run(args: &ControlArgs) -> Result<(), CliError> {
     if args.json { print_json(&report) } else { print(&report.text()) }
 }
 
-fn check_lengths(args: &ControlArgs) -> Result<(), CliError> {
+fn check_lengths(args: &ControlArgs) -> Result<()> {
     if args.iterates > MOST {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "{} iterates are too many for one recorded run: at most {MOST} are accepted",
             args.iterates
-        )));
+        ));
     }
     if !(args.tolerance > 0.0 && args.tolerance < 1.0) {
-        return Err(CliError::Input(anyhow!(
-            "--tolerance {} is out of range: it must be between 0 and 1",
-            args.tolerance
-        )));
+        return Err(wrong!("--tolerance {} is out of range: it must be between 0 and 1", args.tolerance));
     }
     match args.range {
-        Some([_, last]) if last >= args.iterates => Err(CliError::Input(anyhow!(
+        Some([_, last]) if last >= args.iterates => Err(wrong!(
             "--range ends at iterate {last}, but the run has only iterates 0 to {}",
             args.iterates - 1
-        ))),
+        )),
         _ => Ok(()),
     }
 }

@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use anyhow::anyhow;
 use impact_atlas::control::{Method, NEVER};
 use impact_atlas::plane::{Control, RegionMap};
 use impact_atlas::render;
@@ -15,7 +14,7 @@ use super::files::{self, Batch, Kind};
 use super::map_args::MapArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, defaults, estimate};
+use super::{Result, defaults, estimate, wrong};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -37,14 +36,14 @@ struct Summary<'a> {
 }
 
 /// Runs the command.
-pub fn run(method: &Method, args: &MapArgs) -> Result<(), CliError> {
+pub fn run(method: &Method, args: &MapArgs) -> Result<()> {
     let plane = args.control.cells.plane(method, &args.plane)?;
     if let Some(store) = args.data.as_deref().filter(|path| files::is_store(path)) {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "a map under control has no store, which holds motions and not the outcomes of control: name `{}` with .npz, or \
              compute parts of its plane into files of their own",
             store.display()
-        )));
+        ));
     }
     let out = args.out.clone().unwrap_or_else(|| defaults::PICTURE.into());
     let npz = files::data_beside(&out, args.data.as_deref());

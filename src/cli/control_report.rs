@@ -4,10 +4,9 @@ use impact_atlas::control::{
     Controller, History, Method, Outcome, SectionValues, converged_at, multipliers, section_names,
 };
 use impact_atlas::model::System;
-use impact_atlas::system::Family;
 use serde::Serialize;
 
-use super::CliError;
+use super::{CliError, Result};
 
 /// What is printed; every quantity non-dimensional.
 #[derive(Debug, Serialize)]
@@ -45,8 +44,6 @@ pub struct Report {
 
 /// A run under control, as it is reported.
 pub struct Ran<'a> {
-    /// The family of its system.
-    pub family: &'static Family,
     /// The method.
     pub method: &'static Method,
     /// The first iterate that is controlled.
@@ -66,8 +63,8 @@ pub struct Ran<'a> {
 }
 
 impl Report {
-    pub fn of(ran: Ran) -> Result<Self, CliError> {
-        let Ran { family, method, from, tolerance, system, controller, history, outcome, before } = ran;
+    pub fn of(ran: Ran) -> Result<Self> {
+        let Ran { method, from, tolerance, system, controller, history, outcome, before } = ran;
         let returns = &history.returns;
         let point = |back: usize| returns[returns.len() - 1 - back].section;
         let fixed_point = (outcome.period == 1).then(|| point(0));
@@ -79,7 +76,7 @@ impl Report {
         Ok(Report {
             method: method.name,
             label_before: before,
-            stop: &family.stops()[controller.stop().index()].name,
+            stop: system.stop_name(controller.stop().index()),
             section_names: section_names(system.plant(), controller.stop()),
             label_after: if outcome.runaway { "runaway".to_owned() } else { outcome.verdict.label() },
             fixed_point,

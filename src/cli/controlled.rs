@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::control::{ControlSchedule, Method};
 use impact_atlas::plane::{Control, Plane};
@@ -10,7 +9,7 @@ use impact_atlas::plane::{Control, Plane};
 use super::method::{MethodArgs, method, varied};
 use super::options::PlaneArgs;
 use super::values::count;
-use super::{CliError, defaults};
+use super::{Result, defaults, wrong};
 
 /// Control of every cell of a plane.
 #[derive(Debug, Args)]
@@ -40,11 +39,11 @@ Axes may vary the settings of the method too: {}; target_v1 … target_vn, targe
 
 impl ControlledArgs {
     /// Refuses settings of a method where there is none.
-    pub fn refuse_settings(&self) -> Result<(), CliError> {
+    pub fn refuse_settings(&self) -> Result<()> {
         match self.settings.any() {
-            Some(option) => Err(CliError::Input(anyhow!(
+            Some(option) => Err(wrong!(
                 "--{option} has no effect without control: drop it or choose a method with --control"
-            ))),
+            )),
             None => Ok(()),
         }
     }
@@ -55,18 +54,18 @@ impl ControlledArgs {
     }
 
     /// The first iterate that is controlled.
-    fn first(&self) -> Result<u32, CliError> {
+    fn first(&self) -> Result<u32> {
         let Some(text) = &self.from else { return Ok(defaults::CONTROL_MAP_FROM) };
         count(text).map_err(|error| {
-            CliError::Input(anyhow!(
+            wrong!(
                 "invalid value '{text}' for '--from <N|FILE>': with --control it is the first iterate that is controlled: \
                  {error}"
-            ))
+            )
         })
     }
 
     /// The checked plane under control.
-    pub fn plane(&self, method: &Method, plane: &PlaneArgs) -> Result<Plane<Control>, CliError> {
+    pub fn plane(&self, method: &Method, plane: &PlaneArgs) -> Result<Plane<Control>> {
         let max_period = plane.max_period.unwrap_or(ControlSchedule::MAX_PERIOD);
         let from = self.first()?;
         let schedule = ControlSchedule { from, iterates: self.iterates, fixed: false, max_period };

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use anyhow::anyhow;
 use impact_atlas::analysis::Regime;
 use impact_atlas::curves::{Criticality, Curve, CurveMotion, CurvePoint, End, Kind, LeftOut, Why};
 use impact_atlas::paper::{Named, named};
@@ -12,7 +11,7 @@ use serde::Serialize;
 use strum::VariantArray;
 
 use super::files::Batch;
-use super::{CliError, note};
+use super::{Result, note, wrong};
 
 /// Motions whose N was not asked for are named from so many cells on.
 const NAMED: usize = 4;
@@ -187,7 +186,7 @@ pub fn add_table<'a>(
     output: &'a Option<Output>,
     curves: &[Curve],
     plane: &Plane,
-) -> Result<(), CliError> {
+) -> Result<()> {
     let stretches = named(curves, plane);
     let rows = stretches.iter().flat_map(|stretch| {
         let curve = &curves[stretch.curve];
@@ -212,13 +211,10 @@ pub fn add_table<'a>(
 const CONTINUED: f64 = 3.0;
 
 /// Reads a table of curves of a plane that [`add_table`] wrote.
-pub fn read(path: &Path, plane: &Plane) -> Result<Vec<Curve>, CliError> {
+pub fn read(path: &Path, plane: &Plane) -> Result<Vec<Curve>> {
     let name = path.display();
-    let refused = |why: String| {
-        CliError::Input(anyhow!(
-            "`{name}` is no table of curves: {why}; give a file that `curves --out` wrote"
-        ))
-    };
+    let refused =
+        |why: String| wrong!("`{name}` is no table of curves: {why}; give a file that `curves --out` wrote");
     let mut table = csv::Reader::from_path(path).map_err(|error| refused(error.to_string()))?;
     let headers = table.headers().map_err(|error| refused(error.to_string()))?;
     if headers.iter().ne(COLUMNS) {

@@ -13,7 +13,7 @@ use super::options::{AxesArgs, BackendArgs, OverwriteArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, counted};
-use super::{CliError, curve_list, defaults, estimate, interrupt, note};
+use super::{CliError, Result, curve_list, defaults, estimate, interrupt, note};
 
 /// Computes the bifurcation curves of a plane of two parameters
 ///
@@ -70,14 +70,14 @@ pub struct CurvesArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &CurvesArgs) -> Result<(), CliError> {
+pub fn run(args: &CurvesArgs) -> Result<()> {
     let schedule = Schedule {
         transient: args.transient,
         observe: args.observe,
         max_period: defaults::MAX_PERIOD.max(args.max_period),
         fixed_periods: false,
     };
-    let plane = args.axes.plane_of(schedule, args.cells, defaults::CURVES_CELLS)?;
+    let plane = args.axes.resized(args.axes.plane(schedule)?, args.cells, defaults::CURVES_CELLS);
     curves::check(&plane).map_err(CliError::input)?;
     let [output] = files::prepare(args.overwrite, [Kind::Table.at(args.out.as_deref())])?;
     let backend = args.backend.open()?;
@@ -109,8 +109,8 @@ fn tell_of_rest(plane: &Plane) {
 }
 
 /// The curves of a map, which is handed back.
-pub fn of_map(map: RegionMap, max_period: u32) -> Result<(RegionMap, PlaneCurves), CliError> {
-    let progress = Progress::of_curves();
+pub fn of_map(map: RegionMap, max_period: u32) -> Result<(RegionMap, PlaneCurves)> {
+    let progress = Progress::of_unknown("following the bifurcation curves");
     let (map, found) = interrupt::abandonable(move || {
         let found = curves::bifurcation_curves(&map, max_period);
         (map, found)

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::curves::Curve;
@@ -12,7 +11,7 @@ use impact_atlas::plane::{Axis, RegionMap, Window};
 use impact_atlas::render::{DrawnCurves, PlanePicture, Shown};
 
 use super::values::{counted, parse, parse_size, parse_span};
-use super::{CliError, curve_list, curves, defaults};
+use super::{CliError, Result, curve_list, curves, defaults, wrong};
 
 /// Curves are read off a map of so many cells at most, those of a larger one in equal steps.
 const MOST_CELLS_OF_CURVES: usize = 480_000;
@@ -61,25 +60,23 @@ pub enum CurveSource<'a> {
 }
 
 /// Curves, and the map that they are drawn over.
-#[derive(Debug)]
-pub struct Curves {
+struct Curves {
     map: RegionMap,
-    /// All of them.
-    pub curves: Vec<Curve>,
+    curves: Vec<Curve>,
     which: Shown,
     max_period: Option<u32>,
 }
 
 impl DrawingArgs {
     /// Refuses what does not fit a plane.
-    pub fn check(&self, family: &'static impact_atlas::system::Family) -> Result<Layer, CliError> {
+    pub fn check(&self, family: &'static impact_atlas::system::Family) -> Result<Layer> {
         let layer = Layer::named(&self.layer, family).map_err(CliError::input)?;
         if layer == Layer::Motion {
             let given = [("--palette", self.palette.is_some()), ("--range", self.range.is_some())];
             if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "{option} is for layers of numbers, and motions have colours of their own: choose a --layer"
-                )));
+                ));
             }
         }
         if let Layer::Number { drawn, .. } = layer
@@ -87,36 +84,27 @@ impl DrawingArgs {
             && drawn.spread == Spread::Ratios
             && low <= 0.0
         {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "the colour bar of {} has equal ratios: --range must begin above 0, not at {low}",
                 self.layer
-            )));
+            ));
         }
         Ok(layer)
     }
 
     /// Refuses a layer that some cells do not have.
-    pub fn check_there(&self, cells: &dyn Cells) -> Result<(), CliError> {
+    pub fn check_there(&self, cells: &dyn Cells) -> Result<Layer> {
         let layer = self.check(cells.plane().parameters.family())?;
         if layer.is_with(cells.extras()) {
-            return Ok(());
+            return Ok(layer);
         }
-        Err(CliError::Input(anyhow!(
-            "these data do not have the layer {}: compute them with `map --extents`",
-            self.layer
-        )))
+        Err(wrong!("these data do not have the layer {}: compute them with `map --extents`", self.layer))
     }
 
     /// The curves over a window.
-    pub fn curves(
-        &self,
-        cells: &dyn Cells,
-        window: Window,
-        source: Option<CurveSource>,
-    ) -> Result<Option<Curves>, CliError> {
-        let Some(source) = source else { return Ok(None) };
+    fn curves(&self, cells: &dyn Cells, window: Window, source: CurveSource) -> Result<Curves> {
         let map = thinned(cells, window, MOST_CELLS_OF_CURVES).map_err(CliError::input)?;
-        Ok(Some(match source {
+        Ok(match source {
             CurveSource::Table(path) => Curves {
                 curves: curve_list::read(path, &map.plane)?,
                 map,
@@ -129,19 +117,19 @@ impl DrawingArgs {
                 curve_list::note_left_out(&found.left_out);
                 Curves { map, curves: found.curves, which, max_period: Some(self.curves_max_period) }
             }
-        }))
+        })
     }
 
-    /// Draws a window of a plane.
+    /// Draws a window of a plane, with the curves of a source over it; gives these as well.
     pub fn draw(
         &self,
         cells: &dyn Cells,
         window: Window,
-        curves: Option<&Curves>,
-    ) -> Result<Picture, CliError> {
-        let layer = self.check(cells.plane().parameters.family())?;
-        self.check_there(cells)?;
-        let curves = curves.map(|found| DrawnCurves {
+        source: Option<CurveSource>,
+    ) -> Result<(Picture, Vec<Curve>)> {
+        let layer = self.check_there(cells)?;
+        let found = source.map(|source| self.curves(cells, window, source)).transpose()?;
+        let curves = found.as_ref().map(|found| DrawnCurves {
             map: &found.map,
             curves: &found.curves,
             shown: found.which,
@@ -157,18 +145,19 @@ impl DrawingArgs {
             range: self.range,
             legend: !self.no_legend,
         };
-        picture.draw(self.size).map_err(CliError::input)
+        let drawn = picture.draw(self.size).map_err(CliError::input)?;
+        Ok((drawn, found.map(|found| found.curves).unwrap_or_default()))
     }
 }
 
 /// The part of a plane between given values.
-pub fn window(cells: &dyn Cells, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> Result<Window, CliError> {
+pub fn window(cells: &dyn Cells, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> Result<Window> {
     let plane = cells.plane();
     let on = |option: &str, axis: &Axis, range: Option<[f64; 2]>| match range {
         None => Ok((0, axis.count)),
-        Some([a, b]) => axis.between(a, b).ok_or_else(|| {
-            CliError::Input(anyhow!("{option} {a}:{b} holds none of the cells, whose axis is {axis}"))
-        }),
+        Some([a, b]) => axis
+            .between(a, b)
+            .ok_or_else(|| wrong!("{option} {a}:{b} holds none of the cells, whose axis is {axis}")),
     };
     let ((column, columns), (row, rows)) = (on("--x", &plane.x, x)?, on("--y", &plane.y, y)?);
     Ok(Window { column, row, columns, rows })

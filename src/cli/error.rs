@@ -35,6 +35,15 @@ pub enum CliError {
     Interrupted,
 }
 
+/// What a command comes to, or one of its steps.
+pub type Result<T, E = CliError> = std::result::Result<T, E>;
+
+/// Wrong input, in words as `format!` takes them.
+macro_rules! wrong {
+    ($($words:tt)+) => { $crate::cli::CliError::Input(anyhow::anyhow!($($words)+)) };
+}
+pub(super) use wrong;
+
 impl CliError {
     /// Wrong input.
     pub fn input(error: impl Into<anyhow::Error>) -> Self {
@@ -71,7 +80,7 @@ impl From<SweepError> for CliError {
         match error {
             SweepError::Backend(error @ BackendError::Unsupported(_)) => CliError::input(error),
             SweepError::Backend(error) => error.into(),
-            SweepError::Memory { .. } => CliError::machine(error),
+            SweepError::Memory(_) => CliError::machine(error),
             SweepError::Plane(_)
             | SweepError::Diagram(_)
             | SweepError::System(_)

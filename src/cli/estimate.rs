@@ -7,7 +7,7 @@ use impact_atlas::plane::Plane;
 use impact_atlas::sweep::{Swept, sample, spread};
 
 use super::interrupt::{self, Interruptible};
-use super::{CliError, note, spans};
+use super::{CliError, Result, note, spans};
 
 /// The most cells that are measured.
 const MOST: u32 = 512;
@@ -28,7 +28,7 @@ const LONGEST: Duration = Duration::from_secs(1);
 pub const WORTH_SAYING: Duration = Duration::from_secs(10);
 
 /// Says how long a plane will take on a back end, if that is long.
-pub fn of_plane<T: Swept>(what: &str, plane: &Plane<T>, backend: &dyn Backend) -> Result<(), CliError> {
+pub fn of_plane<T: Swept>(what: &str, plane: &Plane<T>, backend: &dyn Backend) -> Result<()> {
     of_cells(what, [plane.x.count, plane.y.count], backend, |cells, watch| {
         sample(plane, backend, cells, watch).map(drop).map_err(CliError::from)
     })
@@ -38,8 +38,8 @@ fn of_cells(
     what: &str,
     [columns, rows]: [u32; 2],
     backend: &dyn Backend,
-    compute: impl Fn(&[u64], &dyn Watch) -> Result<(), CliError>,
-) -> Result<(), CliError> {
+    compute: impl Fn(&[u64], &dyn Watch) -> Result<()>,
+) -> Result<()> {
     let all = u64::from(columns) * u64::from(rows);
     if all < FEWEST {
         return Ok(());

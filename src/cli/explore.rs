@@ -13,7 +13,7 @@ use impact_atlas::store::{ZarrStore, read_map};
 
 use super::options::{BackendArgs, PlaneArgs};
 use super::terminal::print;
-use super::{CliError, interrupt, note};
+use super::{CliError, Result, interrupt, note, wrong};
 
 /// How often the server looks for Ctrl-C.
 const GLANCE: Duration = Duration::from_millis(50);
@@ -63,7 +63,7 @@ pub struct ExploreArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &ExploreArgs) -> Result<(), CliError> {
+pub fn run(args: &ExploreArgs) -> Result<()> {
     let (plane, known) = match &args.data {
         Some(path) => {
             let known = read(path)?;
@@ -93,12 +93,7 @@ pub fn run(args: &ExploreArgs) -> Result<(), CliError> {
     interrupt::check()
 }
 
-fn server(
-    args: &ExploreArgs,
-    plane: Plane,
-    computing: Computing,
-    known: Option<Known>,
-) -> Result<Server, CliError> {
+fn server(args: &ExploreArgs, plane: Plane, computing: Computing, known: Option<Known>) -> Result<Server> {
     let guard = Guard::new(&args.hosts)
         .map_err(|error| CliError::Machine(anyhow!("the machine gives no chance for a token: {error}")))?;
     let served = Served::new(plane, computing, known).map_err(CliError::machine)?;
@@ -112,18 +107,18 @@ fn server(
 }
 
 /// The back end that is asked for.
-fn computing(args: &BackendArgs) -> Result<Computing, CliError> {
+fn computing(args: &BackendArgs) -> Result<Computing> {
     if args.reproducible {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "--reproducible is for results in files, and the explorer's back end can be changed in the page: use map \
              --reproducible"
-        )));
+        ));
     }
     let asked = match (args.backend, &args.adapter) {
         (Choice::Cpu, Some(adapter)) => {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "--adapter {adapter} chooses an adapter of the GPU back end: drop it or --backend cpu"
-            )));
+            ));
         }
         (_, Some(adapter)) => Asked::adapter(adapter)?,
         (Choice::Auto, None) => Asked::Auto,
@@ -134,7 +129,7 @@ fn computing(args: &BackendArgs) -> Result<Computing, CliError> {
 }
 
 /// The cells of an archive, or of a store as far as they are there.
-fn read(path: &Path) -> Result<Known, CliError> {
+fn read(path: &Path) -> Result<Known> {
     let name = path.display();
     if path.is_dir() {
         return Ok(Known::of_store(ZarrStore::open(path)?)?);
@@ -144,8 +139,8 @@ fn read(path: &Path) -> Result<Known, CliError> {
             "`{name}` cannot be explored: give an npz file or a store that `map` wrote, of a plane without control"
         )))
     };
-    let file = File::open(path)
-        .map_err(|error| CliError::Input(anyhow!("cannot read `{name}`: {error}; is the name right?")))?;
+    let file =
+        File::open(path).map_err(|error| wrong!("cannot read `{name}`: {error}; is the name right?"))?;
     let map = read_map(file).map_err(|error| wrong(error.into()))?;
     map.plane.check().map_err(|error| wrong(error.into()))?;
     small_enough(&name.to_string(), &map.plane)?;
@@ -153,14 +148,14 @@ fn read(path: &Path) -> Result<Known, CliError> {
 }
 
 /// Refuses planes that do not fit into memory with their tiles.
-fn small_enough(name: &str, plane: &Plane) -> Result<(), CliError> {
+fn small_enough(name: &str, plane: &Plane) -> Result<()> {
     if plane.cells() <= Known::MOST {
         return Ok(());
     }
-    Err(CliError::Input(anyhow!(
+    Err(wrong!(
         "`{name}` has {} cells, and at most {} of an archive are explored: put the plane into a store, with `map --from` it \
          and --data STORE.zarr",
         plane.cells(),
         Known::MOST
-    )))
+    ))
 }

@@ -3,13 +3,12 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use anyhow::anyhow;
 use impact_atlas::figure::Picture;
 use impact_atlas::store::{Filled, Output};
 use serde::Serialize;
 
 use super::options::OverwriteArgs;
-use super::{CliError, interrupt, note, pictures, terminal};
+use super::{CliError, Result, interrupt, note, pictures, terminal, wrong};
 
 /// What a file holds, which its name must not contradict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +54,7 @@ pub struct Wanted<'a> {
 pub fn prepare<const N: usize>(
     overwrite: OverwriteArgs,
     wanted: [Option<Wanted<'_>>; N],
-) -> Result<[Option<Output>; N], CliError> {
+) -> Result<[Option<Output>; N]> {
     let mut outputs = [const { None }; N];
     let mut places: Vec<PathBuf> = Vec::new();
     for Wanted { kind, path } in wanted.iter().flatten() {
@@ -64,13 +63,11 @@ pub fn prepare<const N: usize>(
         let place = place(path);
         if places.contains(&place) {
             let more = complaint.map(|complaint| format!(" ({complaint})")).unwrap_or_default();
-            return Err(CliError::Input(anyhow!(
-                "two results are to be written to `{name}`: name another file{more}"
-            )));
+            return Err(wrong!("two results are to be written to `{name}`: name another file{more}"));
         }
         places.push(place);
         if let Some(complaint) = complaint {
-            return Err(CliError::Input(anyhow!("cannot write to `{name}`: {complaint}")));
+            return Err(wrong!("cannot write to `{name}`: {complaint}"));
         }
     }
     for (output, wanted) in outputs.iter_mut().zip(wanted) {
@@ -127,7 +124,7 @@ impl<'a> Batch<'a> {
         &mut self,
         output: &'a Option<Output>,
         content: impl FnOnce(&mut dyn File) -> io::Result<()>,
-    ) -> Result<(), CliError> {
+    ) -> Result<()> {
         if let Some(output) = output {
             self.filled.push(output.fill(|file| content(file)).map_err(CliError::machine)?);
         }
@@ -135,7 +132,7 @@ impl<'a> Batch<'a> {
     }
 
     /// A picture in the format that its file asks for.
-    pub fn picture(&mut self, output: &'a Option<Output>, picture: &Picture) -> Result<(), CliError> {
+    pub fn picture(&mut self, output: &'a Option<Output>, picture: &Picture) -> Result<()> {
         let Some(format) = output.as_ref().map(|output| pictures::format_of(output.path())) else {
             return Ok(());
         };
@@ -149,7 +146,7 @@ impl<'a> Batch<'a> {
         output: &'a Option<Output>,
         columns: &[impl AsRef<str>],
         rows: impl Iterator<Item = impl Serialize>,
-    ) -> Result<(), CliError> {
+    ) -> Result<()> {
         self.add(output, |file| {
             let mut table = csv::WriterBuilder::new().has_headers(false).from_writer(file);
             table.write_record(columns.iter().map(AsRef::as_ref))?;
@@ -161,7 +158,7 @@ impl<'a> Batch<'a> {
     }
 
     /// Puts every file where it belongs, unless Ctrl-C was pressed, and lists them.
-    pub fn show(self) -> Result<(), CliError> {
+    pub fn show(self) -> Result<()> {
         interrupt::check()?;
         let mut names = Vec::new();
         for filled in self.filled {
@@ -183,7 +180,7 @@ mod tests {
 
     const NEW: OverwriteArgs = OverwriteArgs { force: false };
 
-    fn tables<const N: usize>(paths: [Option<&Path>; N]) -> Result<[Option<Output>; N], CliError> {
+    fn tables<const N: usize>(paths: [Option<&Path>; N]) -> Result<[Option<Output>; N]> {
         prepare(NEW, paths.map(|path| Kind::Table.at(path)))
     }
 

@@ -29,13 +29,13 @@ pub fn about_system(command: Command, arguments: &[OsString]) -> Command {
 
 /// What a family names.
 fn described(family: &'static Family) -> String {
-    let mut lines = vec![format!("The system {}: {}", family.origin(), family.name())];
+    let mut lines = vec![format!("The system {}: {}", family.origin, family.name)];
     let defaults = Setting::defaults(family);
     for parameter in Parameter::all(family) {
         let value = Number(defaults.get(parameter));
-        let about = parameter.description();
+        let about = &parameter.about().about;
         let about = if about.is_empty() { String::new() } else { format!("{about}; ") };
-        lines.push(format!("  {} = {value}: {about}{}", parameter.name(), parameter.range()));
+        lines.push(format!("  {} = {value}: {about}{}", parameter.name(), parameter.about().range));
     }
     let components: Vec<&str> = Component::all(family.n()).map(Component::name).collect();
     lines.push(format!("  state and start: {}", components.join(",")));
@@ -45,7 +45,7 @@ fn described(family: &'static Family) -> String {
     let order = family.label_order().iter().map(|&stop| family.stops()[stop].plain_name());
     let order = order.collect::<Vec<_>>().join(", ");
     lines.push(format!("  labels: {}, impacts at {order}", Label::form(family.stops().len())));
-    if let Some(plane) = family.plane() {
+    if let Some(plane) = &family.plane {
         lines.push(format!("  default plane of `map`: --x {} --y {}", plane.x, plane.y));
     }
     lines.join("\n")

@@ -10,8 +10,8 @@ use std::time::Duration;
 use anyhow::Context;
 use impact_atlas::backend::Watch;
 
-use super::CliError;
 use super::error::INTERRUPTED;
+use super::{CliError, Result};
 
 /// How often a wait looks at the flag.
 const GLANCE: Duration = Duration::from_millis(20);
@@ -26,7 +26,7 @@ static REQUESTED: AtomicBool = AtomicBool::new(false);
 
 /// Turns Ctrl-C (and a request to terminate) into a flag. What does not look at it in good time, or is asked a second
 /// time, is ended.
-pub fn listen() -> Result<(), CliError> {
+pub fn listen() -> Result<()> {
     ctrlc::set_handler(|| {
         if REQUESTED.swap(true, Ordering::Relaxed) {
             end();
@@ -52,7 +52,7 @@ pub fn requested() -> bool {
 }
 
 /// Ends the command here if Ctrl-C was pressed.
-pub fn check() -> Result<(), CliError> {
+pub fn check() -> Result<()> {
     if requested() { Err(CliError::Interrupted) } else { Ok(()) }
 }
 
@@ -61,15 +61,13 @@ pub fn check() -> Result<(), CliError> {
 pub struct Interruptible;
 
 impl Watch for Interruptible {
-    fn finished(&self, _cells: u64) {}
-
     fn cancelled(&self) -> bool {
         requested()
     }
 }
 
 /// Does something on a thread that Ctrl-C leaves behind if it does not end soon; it must not write anything.
-pub fn abandonable<T: Send + 'static>(action: impl FnOnce() -> T + Send + 'static) -> Result<T, CliError> {
+pub fn abandonable<T: Send + 'static>(action: impl FnOnce() -> T + Send + 'static) -> Result<T> {
     let (result, arrived) = mpsc::channel();
     let worker = thread::spawn(move || {
         let _ = result.send(action());

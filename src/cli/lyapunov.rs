@@ -14,7 +14,7 @@ use super::options::SystemArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse};
-use super::{CliError, defaults};
+use super::{CliError, Result, defaults};
 
 /// Measures all 2n Lyapunov exponents of one trajectory of a system with n coordinates
 ///
@@ -83,7 +83,7 @@ struct Exponents {
 }
 
 /// Runs the command.
-pub fn run(args: &LyapunovArgs) -> Result<(), CliError> {
+pub fn run(args: &LyapunovArgs) -> Result<()> {
     let (transient, observe) = (args.transient, args.observe);
     let schedule = Schedule { transient, observe, max_period: defaults::MAX_PERIOD, fixed_periods: true };
     schedule.check().map_err(CliError::input)?;

@@ -4,9 +4,9 @@ use std::env;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 
-use super::CliError;
+use super::{CliError, Result, wrong};
 
 /// The most threads that are started.
 pub const MOST_THREADS: u32 = 1024;
@@ -18,7 +18,7 @@ const THREADS: &str = "RAYON_NUM_THREADS";
 ///
 /// # Errors
 /// A number in the environment that cannot be used, or threads that the machine does not give.
-pub fn start_threads(asked: Option<u32>) -> Result<(), CliError> {
+pub fn start_threads(asked: Option<u32>) -> Result<()> {
     let threads = match asked {
         Some(threads) => threads,
         None => threads_of(env::var(THREADS).ok().as_deref())?,
@@ -31,21 +31,19 @@ pub fn start_threads(asked: Option<u32>) -> Result<(), CliError> {
 }
 
 /// The number of threads that the environment asks for; 0 where it leaves that open.
-fn threads_of(variable: Option<&str>) -> Result<u32, CliError> {
+fn threads_of(variable: Option<&str>) -> Result<u32> {
     let text = variable.map_or("", str::trim);
     if text.is_empty() {
         return Ok(0);
     }
     text.parse().ok().filter(|&threads| threads <= MOST_THREADS).ok_or_else(|| {
-        CliError::Input(anyhow!(
-            "{THREADS}={text} cannot be used: set it to 1 to {MOST_THREADS}, unset it, or give --threads"
-        ))
+        wrong!("{THREADS}={text} cannot be used: set it to 1 to {MOST_THREADS}, unset it, or give --threads")
     })
 }
 
 /// Lets a file that grows beyond the shell's limit be an error of writing instead of the end of the process.
 #[cfg(unix)]
-pub fn outlive_large_files() -> Result<(), CliError> {
+pub fn outlive_large_files() -> Result<()> {
     let unread = Arc::new(AtomicBool::new(false));
     signal_hook::flag::register(signal_hook::consts::SIGXFSZ, unread)
         .context("cannot listen for the limit on the size of files")
@@ -55,7 +53,7 @@ pub fn outlive_large_files() -> Result<(), CliError> {
 
 /// There is no such limit elsewhere.
 #[cfg(not(unix))]
-pub fn outlive_large_files() -> Result<(), CliError> {
+pub fn outlive_large_files() -> Result<()> {
     Ok(())
 }
 

@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use anyhow::anyhow;
 use impact_atlas::backend::Backend;
 use impact_atlas::plane::fields::Extras;
 use impact_atlas::plane::{Plane, RegionMap, Window};
@@ -17,7 +16,7 @@ use super::map_args::MapArgs;
 use super::options::BackendArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, cell, control_map, curve_list, defaults, estimate, stored};
+use super::{CliError, Result, cell, control_map, curve_list, defaults, estimate, stored, wrong};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -35,38 +34,33 @@ struct Summary<'a> {
 }
 
 /// How certifying went.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Debug, Serialize)]
 struct Certified {
-    periodic: u64,
-    confirmed: u64,
-    relabelled: u64,
-    reexamined: u64,
-    unresolved: u64,
+    #[serde(flatten)]
+    cells: Certification,
     seconds: f64,
 }
 
 impl Certified {
     fn text(&self) -> String {
+        let Certification { periodic, confirmed, relabelled, reexamined, unresolved } = self.cells;
         format!(
-            "certified: of {} periodic cells {} confirmed and {} relabelled by their exact orbit, {} looked at for longer, \
-             {} unresolved, in {:.2} s",
-            self.periodic, self.confirmed, self.relabelled, self.reexamined, self.unresolved, self.seconds
+            "certified: of {periodic} periodic cells {confirmed} confirmed and {relabelled} relabelled by their exact orbit, \
+             {reexamined} looked at for longer, {unresolved} unresolved, in {:.2} s",
+            self.seconds
         )
     }
 }
 
 /// Certifies a map.
-fn certified(map: &mut RegionMap, backend: &dyn Backend) -> Result<Certified, CliError> {
+fn certified(map: &mut RegionMap, backend: &dyn Backend) -> Result<Certified> {
     let began = Instant::now();
-    let progress = Progress::of_cells("certifying", map.plane.cells());
-    let Certification { periodic, confirmed, relabelled, reexamined, unresolved } =
-        certify(map, backend, &progress)?;
-    let seconds = began.elapsed().as_secs_f64();
-    Ok(Certified { periodic, confirmed, relabelled, reexamined, unresolved, seconds })
+    let cells = certify(map, backend, &Progress::of_cells("certifying", map.plane.cells()))?;
+    Ok(Certified { cells, seconds: began.elapsed().as_secs_f64() })
 }
 
 /// Runs the command.
-pub fn run(args: &MapArgs) -> Result<(), CliError> {
+pub fn run(args: &MapArgs) -> Result<()> {
     if let Some(method) = args.control.cells.control {
         return control_map::run(method, args);
     }
@@ -95,18 +89,18 @@ pub fn run(args: &MapArgs) -> Result<(), CliError> {
 }
 
 /// A plane whose cells are all held at once, and written into one file.
-fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extras) -> Result<(), CliError> {
+fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extras) -> Result<()> {
     if args.part.is_some() || args.tile.is_some() {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "--part and --tile are for stores: give --data DATA.zarr in place of an npz file"
-        )));
+        ));
     }
     if plane.cells() > Plane::LARGEST_AT_ONCE {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "a plane of {} cells is too large for one file: at most {} cells are accepted; give --data DATA.zarr",
             plane.cells(),
             Plane::LARGEST_AT_ONCE
-        )));
+        ));
     }
     let out = args.out.clone().unwrap_or_else(|| defaults::PICTURE.into());
     let npz = files::data_beside(&out, args.data.as_deref());
@@ -126,15 +120,12 @@ fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extra
         let progress = Progress::of_cells("measuring", plane.cells());
         measure_extents(&mut map, &*backend, &progress)?;
     }
-    let whole = Window::whole(plane);
-    let curves = args.drawing.curves(&map, whole, args.curves.map(CurveSource::Computed))?;
-    let drawn = args.drawing.draw(&map, whole, curves.as_ref())?;
+    let source = args.curves.map(CurveSource::Computed);
+    let (drawn, curves) = args.drawing.draw(&map, Window::whole(plane), source)?;
     let mut batch = Batch::default();
     batch.picture(&picture, &drawn)?;
     batch.add(&data, |file| store::write_map(&map, file))?;
-    if let Some(found) = &curves {
-        curve_list::add_table(&mut batch, &table, &found.curves, plane)?;
-    }
+    curve_list::add_table(&mut batch, &table, &curves, plane)?;
     batch.show()?;
     let summary = Summary { certified, ..Summary::new(&map, seconds) };
     if args.json { print_json(&summary) } else { print(&summary.text()) }

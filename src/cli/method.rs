@@ -1,6 +1,5 @@
 //! The options of the control methods, which `control` and `map` share: made of the table of methods.
 
-use anyhow::anyhow;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use impact_atlas::control::{
@@ -9,8 +8,8 @@ use impact_atlas::control::{
 use impact_atlas::model::Setting;
 use impact_atlas::plane::Quantity;
 
-use super::CliError;
 use super::values::{Assignment, count};
+use super::{CliError, Result, wrong};
 
 /// Reads the name of a method.
 pub fn method() -> impl TypedValueParser<Value = &'static Method> {
@@ -20,7 +19,7 @@ pub fn method() -> impl TypedValueParser<Value = &'static Method> {
 
 /// The settings that axes can vary, by name, method by method.
 pub fn varied() -> String {
-    let of = |method: &&Method| method.varied.iter().map(|q| q.name()).collect::<Vec<_>>().join(", ");
+    let of = |method: &&Method| method.varied.iter().map(|q| q.name).collect::<Vec<_>>().join(", ");
     METHODS.iter().map(of).collect::<Vec<_>>().join("; ")
 }
 
@@ -90,35 +89,32 @@ impl FromArgMatches for MethodArgs {
 
 impl MethodArgs {
     /// The checked scheme of a method with what was set of it, on a system; options of another method are refused.
-    pub fn scheme(&self, method: &Method, set: &[Assignment], setting: &Setting) -> Result<Scheme, CliError> {
+    pub fn scheme(&self, method: &Method, set: &[Assignment], setting: &Setting) -> Result<Scheme> {
         let replaced: Vec<_> = set.iter().map(|set| (format!("--set {set} sets"), set.quantity)).collect();
         self.refuse_replaced(method, &replaced)?;
         let site = Site::new(setting, self.given.word("stop")).map_err(CliError::input)?;
         if let Some(option) = self.options.iter().find(|option| !method.has(option.name)) {
             let (option, method) = (option.name, method.name);
-            return Err(CliError::Input(anyhow!("--{option} has no effect on {method}: drop it")));
+            return Err(wrong!("--{option} has no effect on {method}: drop it"));
         }
         let mut scheme = Scheme::given(method, &self.given, &site).map_err(CliError::input)?;
         Assignment::refuse_twice(set)?;
         for one in set {
             let Quantity::Control(setting) = one.quantity else { continue };
-            scheme = scheme.with(setting, one.value).ok_or_else(|| {
-                CliError::Input(anyhow!("--set {one} has no effect on {}: drop it", method.name))
-            })?;
+            scheme = scheme
+                .with(setting, one.value)
+                .ok_or_else(|| wrong!("--set {one} has no effect on {}: drop it", method.name))?;
         }
         scheme.check().map_err(CliError::input)?;
         Ok(scheme)
     }
 
     /// Refuses options of a method that something else replaces, told in words.
-    pub fn refuse_replaced(&self, method: &Method, by: &[(String, Quantity)]) -> Result<(), CliError> {
+    pub fn refuse_replaced(&self, method: &Method, by: &[(String, Quantity)]) -> Result<()> {
         for (words, quantity) in by {
             let Quantity::Control(setting) = quantity else { continue };
             if let Some(given) = self.options.iter().find(|option| method.replaces(*setting, option)) {
-                return Err(CliError::Input(anyhow!(
-                    "--{} has no effect, since {words} it: drop one of the two",
-                    given.name
-                )));
+                return Err(wrong!("--{} has no effect, since {words} it: drop one of the two", given.name));
             }
         }
         Ok(())

@@ -55,7 +55,8 @@ use std::ffi::OsString;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
-pub use error::CliError;
+use error::wrong;
+pub use error::{CliError, Result};
 pub use machine::hush_drivers;
 pub use terminal::{complain, note};
 
@@ -120,7 +121,7 @@ pub fn parsed() -> Cli {
 }
 
 /// Does what the arguments ask for.
-pub fn run(cli: &Cli) -> Result<(), CliError> {
+pub fn run(cli: &Cli) -> Result<()> {
     if cli.quiet {
         terminal::hush();
     }

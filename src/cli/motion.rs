@@ -17,7 +17,7 @@ use super::options::SystemArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse};
-use super::{CliError, defaults};
+use super::{CliError, Result, defaults};
 
 /// Solves for a periodic motion, stable or not, with its Floquet multipliers
 ///
@@ -103,7 +103,7 @@ struct Motion {
 }
 
 /// Runs the command.
-pub fn run(args: &MotionArgs) -> Result<(), CliError> {
+pub fn run(args: &MotionArgs) -> Result<()> {
     let schedule = Schedule {
         transient: args.transient,
         observe: args.observe,
@@ -125,7 +125,7 @@ pub fn run(args: &MotionArgs) -> Result<(), CliError> {
 }
 
 /// The motion of a label.
-fn named(system: &System, start: StateVector, schedule: &Schedule, label: Label) -> Result<Motion, CliError> {
+fn named(system: &System, start: StateVector, schedule: &Schedule, label: Label) -> Result<Motion> {
     if system.is_clamped() && system.normals() == 1 {
         let closed = system.closed();
         return Err(CliError::NotFound(format!("there is no {label} motion: {closed}; open the gap")));
@@ -137,7 +137,7 @@ fn named(system: &System, start: StateVector, schedule: &Schedule, label: Label)
 }
 
 /// The motion that a start leads to.
-fn reached(system: &System, start: StateVector, schedule: &Schedule) -> Result<Motion, CliError> {
+fn reached(system: &System, start: StateVector, schedule: &Schedule) -> Result<Motion> {
     let verdicts = decide(&Cpu, &[Job { system: system.clone(), start }], schedule, &Interruptible)?;
     let verdict =
         verdicts.first().ok_or_else(|| CliError::Machine(anyhow!("the back end gave no verdict")))?;

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::dynamics::{self, Recording};
@@ -20,7 +19,7 @@ use super::orbit_table::Columns;
 use super::progress::Progress;
 use super::terminal::print;
 use super::values::{counted, parse, parse_size};
-use super::{CliError, defaults, interrupt};
+use super::{CliError, Result, defaults, interrupt, wrong};
 
 /// The most points of a trajectory.
 const LARGEST: u64 = 20_000_000;
@@ -131,15 +130,15 @@ struct Shown {
 }
 
 /// Runs the command.
-pub fn run(args: &OrbitArgs) -> Result<(), CliError> {
+pub fn run(args: &OrbitArgs) -> Result<()> {
     let shown = args.shown()?;
     let (system, start) = args.system.system_and_start(args.start)?;
     let (transient, periods) = (args.transient, args.periods);
     let samples = args.samples();
     if u64::from(periods) * u64::from(samples) > LARGEST {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "{periods} periods with {samples} points each are too many: at most {LARGEST} points are accepted"
-        )));
+        ));
     }
     let wanted = [
         Kind::Picture.at(args.out.as_deref()),
@@ -191,7 +190,7 @@ impl OrbitArgs {
         self.samples.unwrap_or(default)
     }
 
-    fn shown(&self) -> Result<Shown, CliError> {
+    fn shown(&self) -> Result<Shown> {
         let family = self.system.family();
         let panel = |text: &String| self.system.named("--panel <NAME[:X,Y]>", text, OrbitPanel::of_family);
         let zoom = |text: &String| self.system.named("--zoom <NAME=LOW:HIGH>", text, Zoom::of_family);
@@ -205,7 +204,7 @@ impl OrbitArgs {
         Ok(shown)
     }
 
-    fn picture(&self, orbit: &Orbit<'_>, Shown { panels, zooms }: &Shown) -> Result<Picture, CliError> {
+    fn picture(&self, orbit: &Orbit<'_>, Shown { panels, zooms }: &Shown) -> Result<Picture> {
         let family = self.system.family();
         let figure = orbit_figure(orbit, self.start, panels, zooms);
         let width = if panels.len() == 1 { defaults::NARROW_FIGURE } else { defaults::WIDE_FIGURE };
@@ -235,7 +234,7 @@ impl OrbitArgs {
         let mut command = String::from("impact-atlas orbit");
         let family = self.system.family();
         if !family.is_paper() {
-            command.push_str(&format!(" --system {}", family.origin()));
+            command.push_str(&format!(" --system {}", family.origin));
         }
         for (parameter, value) in parameters.entries() {
             command.push_str(&format!(" --set {parameter}={}", Number(value)));
@@ -256,20 +255,20 @@ impl OrbitArgs {
 
 impl Shown {
     /// A range that no plot shows is a mistake.
-    fn check(&self, family: &Family) -> Result<(), CliError> {
+    fn check(&self, family: &Family) -> Result<()> {
         for (i, zoom) in self.zooms.iter().enumerate() {
             let name = zoom.name(family);
             let of = zoom.variable.name(family);
             if !self.panels.iter().any(|panel| panel.axes().contains(&zoom.variable)) {
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "--zoom {name} has no effect, since no panel has an axis over {of}: drop it or add a --panel"
-                )));
+                ));
             }
             if let Some(other) = self.zooms[..i].iter().find(|other| other.variable == zoom.variable) {
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "{of} has two ranges, --zoom {} and --zoom {name}: drop one of the two",
                     other.name(family)
-                )));
+                ));
             }
         }
         Ok(())

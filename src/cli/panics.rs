@@ -3,13 +3,13 @@
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::sync::Mutex;
 
-use super::CliError;
+use super::{CliError, Result};
 
 /// The first panic, which the others may be a consequence of.
 static FIRST: Mutex<Option<String>> = Mutex::new(None);
 
 /// Runs something, a panic of which becomes [`CliError::Bug`].
-pub fn shielded(action: impl FnOnce() -> Result<(), CliError>) -> Result<(), CliError> {
+pub fn shielded(action: impl FnOnce() -> Result<()>) -> Result<()> {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(remember));
     let result = panic::catch_unwind(AssertUnwindSafe(action));

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use impact_atlas::figure::Picture;
 
-use super::{CliError, note};
+use super::{CliError, Result, note};
 
 /// The formats that pictures are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ pub fn format_of(path: &Path) -> Format {
 }
 
 /// The bytes of a picture's file; says what there was no room for.
-pub fn encoded(picture: &Picture, format: Format) -> Result<Vec<u8>, CliError> {
+pub fn encoded(picture: &Picture, format: Format) -> Result<Vec<u8>> {
     if let Some(left_out) = picture.left_out() {
         note(&left_out.to_string());
     }

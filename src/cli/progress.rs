@@ -40,19 +40,13 @@ impl Progress {
 
     /// A sign of life while one trajectory is followed.
     pub fn of_trajectory() -> Self {
-        // It may settle at any time, so that its length is not known beforehand.
-        Progress::new(None, UNKNOWN, "following the trajectory")
+        // It may settle at any time.
+        Progress::of_unknown("following the trajectory")
     }
 
-    /// A sign of life while figure after figure is made.
-    pub fn of_figure(message: &str) -> Self {
+    /// A sign of life while something is done whose length is not known beforehand.
+    pub fn of_unknown(message: &str) -> Self {
         Progress::new(None, UNKNOWN, message)
-    }
-
-    /// A sign of life while bifurcation curves are followed.
-    pub fn of_curves() -> Self {
-        // Their length is not known beforehand.
-        Progress::new(None, UNKNOWN, "following the bifurcation curves")
     }
 
     fn new(length: Option<u64>, template: &str, message: &str) -> Self {

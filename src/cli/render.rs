@@ -3,17 +3,16 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::plane::fields::Cells;
 use impact_atlas::render::Shown;
 use impact_atlas::store::{ReadError, ZarrStore, read_map};
 
-use super::CliError;
 use super::drawing::{CurveSource, DrawingArgs, window};
 use super::files::{self, Batch, Kind};
 use super::options::OverwriteArgs;
 use super::values::parse_span;
+use super::{CliError, Result, wrong};
 
 /// Draws a plane that `map` computed, from its data; nothing is computed again
 ///
@@ -54,7 +53,7 @@ pub struct RenderArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &RenderArgs) -> Result<(), CliError> {
+pub fn run(args: &RenderArgs) -> Result<()> {
     let cells = opened(&args.data)?;
     let cells = &*cells;
     args.drawing.check_there(cells)?;
@@ -64,26 +63,25 @@ pub fn run(args: &RenderArgs) -> Result<(), CliError> {
         Some("compute") => CurveSource::Computed(Shown::Bounding),
         _ => CurveSource::Table(curves),
     });
-    let curves = args.drawing.curves(cells, window, source)?;
-    let drawn = args.drawing.draw(cells, window, curves.as_ref())?;
+    let (drawn, _) = args.drawing.draw(cells, window, source)?;
     let mut batch = Batch::default();
     batch.picture(&picture, &drawn)?;
     batch.show()
 }
 
 /// The cells of an archive or of a store.
-pub fn opened(path: &Path) -> Result<Box<dyn Cells>, CliError> {
+pub fn opened(path: &Path) -> Result<Box<dyn Cells>> {
     let name = path.display();
     if path.is_dir() {
         return Ok(Box::new(ZarrStore::open(path).map_err(CliError::from)?));
     }
-    let file = File::open(path).map_err(|error| CliError::Input(anyhow!("cannot read `{name}`: {error}")))?;
+    let file = File::open(path).map_err(|error| wrong!("cannot read `{name}`: {error}"))?;
     let refused = |error: ReadError| {
         let why = anyhow::Error::new(error);
-        CliError::Input(anyhow!(
+        wrong!(
             "`{name}` cannot be drawn: {why:#}; give an npz file or a store that `map` of this version wrote, of a \
              plane without control"
-        ))
+        )
     };
     Ok(Box::new(read_map(file).map_err(refused)?))
 }

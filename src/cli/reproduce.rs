@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 use clap::Args;
 use impact_atlas::reproduce::{Claim, FIGURES, Finished, Outcome, PaperFigure, ReproduceError, markdown};
 use impact_atlas::store::Output;
@@ -15,7 +15,7 @@ use super::options::OverwriteArgs;
 use super::pictures::{self, Format};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, defaults, note};
+use super::{CliError, Result, defaults, note, wrong};
 
 /// Makes the paper's figures again and checks what it prints
 ///
@@ -52,19 +52,17 @@ pub struct ReproduceArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
+pub fn run(args: &ReproduceArgs) -> Result<()> {
     let wanted = args.wanted()?;
     let folder = &args.out;
     if folder.as_os_str() == Output::STANDARD {
-        return Err(CliError::Input(anyhow!(
-            "the figures are files, which standard output cannot hold: name a folder"
-        )));
+        return Err(wrong!("the figures are files, which standard output cannot hold: name a folder"));
     }
     if folder.exists() && !folder.is_dir() {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "cannot write to `{}`: it is not a directory; give another --out",
             folder.display()
-        )));
+        ));
     }
     fs::create_dir_all(folder)
         .with_context(|| format!("cannot make the directory `{}`", folder.display()))
@@ -95,13 +93,11 @@ pub fn run(args: &ReproduceArgs) -> Result<(), CliError> {
 
 impl ReproduceArgs {
     /// The figures that are asked for, each once.
-    fn wanted(&self) -> Result<Vec<&'static PaperFigure>, CliError> {
+    fn wanted(&self) -> Result<Vec<&'static PaperFigure>> {
         let known = |number: &u32| FIGURES.iter().any(|figure| figure.number == *number);
         if let Some(unknown) = self.figures.iter().find(|number| !known(number)) {
             let numbers = FIGURES.each_ref().map(|figure| figure.number.to_string()).join(", ");
-            return Err(CliError::Input(anyhow!(
-                "there is no figure {unknown} to make: choose from {numbers}"
-            )));
+            return Err(wrong!("there is no figure {unknown} to make: choose from {numbers}"));
         }
         let asked = |figure: &&PaperFigure| self.figures.is_empty() || self.figures.contains(&figure.number);
         Ok(FIGURES.iter().filter(asked).collect())
@@ -125,13 +121,8 @@ fn finished(folder: &Path, figure: &PaperFigure, format: Option<Format>) -> Opti
     (finished.config == figure.config() && finished.pictures.iter().all(there)).then_some(finished)
 }
 
-fn make(
-    book: &mut Book<'_>,
-    figure: &'static PaperFigure,
-    format: Format,
-    place: &str,
-) -> Result<(), CliError> {
-    let progress = Progress::of_figure(place);
+fn make(book: &mut Book<'_>, figure: &'static PaperFigure, format: Format, place: &str) -> Result<()> {
+    let progress = Progress::of_unknown(place);
     let produced = interrupt::abandonable(move || figure.produce(&Interruptible))?;
     let produced = produced.map_err(|error| match error {
         ReproduceError::Sweep(error) => error.into(),
@@ -168,12 +159,12 @@ struct Book<'a> {
 
 impl Book<'_> {
     /// One of the reports, which are replaced where the claims are those of an earlier run.
-    fn report(&self, name: &str) -> Result<Output, CliError> {
+    fn report(&self, name: &str) -> Result<Output> {
         self.output(name, self.holds::<Vec<Claim>>("report.json"))
     }
 
     /// A file of a figure, which is replaced where an earlier run made that figure.
-    fn of_figure(&self, figure: u32, file: &str) -> Result<Output, CliError> {
+    fn of_figure(&self, figure: u32, file: &str) -> Result<Output> {
         self.output(file, self.holds::<Finished>(&name(figure, "", "json")))
     }
 
@@ -181,12 +172,12 @@ impl Book<'_> {
         fs::read(self.folder.join(name)).is_ok_and(|bytes| serde_json::from_slice::<T>(&bytes).is_ok())
     }
 
-    fn output(&self, name: &str, ours: bool) -> Result<Output, CliError> {
+    fn output(&self, name: &str, ours: bool) -> Result<Output> {
         let output = Output::prepare(self.folder.join(name)).map_err(CliError::input)?;
         if ours || self.force { Ok(output) } else { output.keeping().map_err(CliError::input) }
     }
 
-    fn write(&mut self, output: &Output, bytes: &[u8]) -> Result<(), CliError> {
+    fn write(&mut self, output: &Output, bytes: &[u8]) -> Result<()> {
         output.write(|file| file.write_all(bytes)).map_err(CliError::machine)?;
         self.written.push(output.path().display().to_string());
         Ok(())

@@ -1,12 +1,11 @@
 //! `impact-atlas completions` and `impact-atlas man`: what shells and manuals want to know of the command line.
 
-use std::io;
-
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 use clap::{Args, Command};
 use clap_complete::Shell;
 
-use super::CliError;
+use super::terminal::write;
+use super::{CliError, Result, wrong};
 
 /// Prints completions for a shell
 #[derive(Debug, Args)]
@@ -34,15 +33,15 @@ pub struct ManArgs {
 }
 
 /// Prints a shell's completions.
-pub fn complete(args: &CompletionsArgs, mut program: Command) -> Result<(), CliError> {
+pub fn complete(args: &CompletionsArgs, mut program: Command) -> Result<()> {
     let name = program.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut program, name, &mut script);
-    written(&script)
+    write(&script)
 }
 
 /// Prints a manual page.
-pub fn manual(args: &ManArgs, mut program: Command) -> Result<(), CliError> {
+pub fn manual(args: &ManArgs, mut program: Command) -> Result<()> {
     program.build();
     let page = match &args.command {
         None => program,
@@ -51,7 +50,7 @@ pub fn manual(args: &ManArgs, mut program: Command) -> Result<(), CliError> {
             None => {
                 let names: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
                 let names = names.join(", ");
-                return Err(CliError::Input(anyhow!("there is no command `{wanted}`: choose from {names}")));
+                return Err(wrong!("there is no command `{wanted}`: choose from {names}"));
             }
         },
     };
@@ -60,15 +59,5 @@ pub fn manual(args: &ManArgs, mut program: Command) -> Result<(), CliError> {
         .render(&mut text)
         .context("cannot make the page")
         .map_err(CliError::Machine)?;
-    written(&text)
-}
-
-/// On standard output, from which a reader may go away.
-fn written(bytes: &[u8]) -> Result<(), CliError> {
-    match io::copy(&mut &*bytes, &mut io::stdout()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(error).context("cannot write to standard output").map_err(CliError::Machine)
-        }
-        _ => Ok(()),
-    }
+    write(&text)
 }

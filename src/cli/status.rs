@@ -7,7 +7,7 @@ use clap::Args;
 use impact_atlas::store::{Status, ZarrStore};
 
 use super::terminal::{print, print_json};
-use super::{CliError, spans};
+use super::{Result, spans};
 
 /// Says how far a plane in a store is: its tiles, those missing and failed, and the time left
 #[derive(Debug, Args)]
@@ -27,7 +27,7 @@ pub struct StatusArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &StatusArgs) -> Result<(), CliError> {
+pub fn run(args: &StatusArgs) -> Result<()> {
     let status = ZarrStore::open(&args.data)?.status()?;
     if args.json { print_json(&status) } else { print(&text(&status)) }
 }

@@ -16,7 +16,7 @@ use super::map_args::MapArgs;
 use super::options::BackendArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, curve_list, estimate, note};
+use super::{CliError, Result, curve_list, estimate, note, wrong};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -40,19 +40,13 @@ struct Summary<'a> {
 }
 
 /// Runs the command.
-pub fn run(
-    args: &MapArgs,
-    plane: &Plane,
-    path: &Path,
-    options: &BackendArgs,
-    extras: Extras,
-) -> Result<(), CliError> {
+pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, extras: Extras) -> Result<()> {
     let part = args.part.unwrap_or(Part::WHOLE);
     if args.part.is_some() && (args.out.is_some() || args.curves.is_some()) {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "--part {part} computes a part of the plane and draws nothing: drop --out and --curves, and use `render` once \
              all parts are there"
-        )));
+        ));
     }
     let wanted = [Kind::Picture.at(args.out.as_deref()), Kind::Table.at(args.curves_out.as_deref())];
     let [picture, table] = files::prepare(args.overwrite, wanted)?;
@@ -90,7 +84,12 @@ pub fn run(
         adapter: &adapter,
     };
     if missing == 0 && args.out.is_some() {
-        draw(args, &store, &picture, &table)?;
+        let source = args.curves.map(CurveSource::Computed);
+        let (drawn, curves) = args.drawing.draw(&store, Window::whole(plane), source)?;
+        let mut batch = Batch::default();
+        batch.picture(&picture, &drawn)?;
+        curve_list::add_table(&mut batch, &table, &curves, plane)?;
+        batch.show()?;
     }
     if args.json { print_json(&summary) } else { print(&summary.text(path)) }?;
     match run.failed.first() {
@@ -101,23 +100,6 @@ pub fn run(
             tiles.len()
         ))),
     }
-}
-
-fn draw(
-    args: &MapArgs,
-    store: &ZarrStore,
-    picture: &Option<impact_atlas::store::Output>,
-    table: &Option<impact_atlas::store::Output>,
-) -> Result<(), CliError> {
-    let whole = Window::whole(store.plane());
-    let curves = args.drawing.curves(store, whole, args.curves.map(CurveSource::Computed))?;
-    let drawn = args.drawing.draw(store, whole, curves.as_ref())?;
-    let mut batch = Batch::default();
-    batch.picture(picture, &drawn)?;
-    if let Some(found) = &curves {
-        curve_list::add_table(&mut batch, table, &found.curves, store.plane())?;
-    }
-    batch.show()
 }
 
 impl Summary<'_> {

@@ -1,16 +1,15 @@
 //! `impact-atlas symmetric`: the symmetric motion of period one in closed form.
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::model::System;
 use impact_atlas::theory::{NoSymmetricMotion, SymmetricMotion, section_names, symmetric_motions};
 use serde::Serialize;
 
-use super::CliError;
 use super::interrupt::abandonable;
 use super::multipliers::{self, note_cpu, pairs};
 use super::options::SystemArgs;
 use super::terminal::{print, print_json};
+use super::{CliError, Result, wrong};
 
 /// Computes the symmetric 1-1-1 motion in closed form, with its Floquet multipliers
 ///
@@ -64,7 +63,7 @@ struct Solution {
 }
 
 /// Runs the command.
-pub fn run(args: &SymmetricArgs) -> Result<(), CliError> {
+pub fn run(args: &SymmetricArgs) -> Result<()> {
     let system = System::new(args.system.parameters(&[])?).map_err(CliError::input)?;
     note_cpu();
     let result = abandonable(move || Solutions::of(&system))??;
@@ -72,16 +71,16 @@ pub fn run(args: &SymmetricArgs) -> Result<(), CliError> {
 }
 
 impl Solutions {
-    fn of(system: &System) -> Result<Self, CliError> {
+    fn of(system: &System) -> Result<Self> {
         match symmetric_motions(system) {
             Ok(solutions) => Ok(Solutions {
                 solutions: solutions.iter().map(|solution| Solution::new(system, solution)).collect(),
                 reason: None,
             }),
-            Err(reason @ NoSymmetricMotion::NoMirror) => Err(CliError::Input(anyhow!(
+            Err(reason @ NoSymmetricMotion::NoMirror) => Err(wrong!(
                 "the symmetric motion {reason}: choose a system whose stops and matrices are their own mirror image, or \
                  `motion --label` for any other motion"
-            ))),
+            )),
             Err(reason) => Ok(Solutions { solutions: Vec::new(), reason: Some(reason.to_string()) }),
         }
     }

@@ -4,7 +4,7 @@ use clap::Args;
 use impact_atlas::system::{BUILTIN, Family, builtin};
 use serde::Serialize;
 
-use super::CliError;
+use super::Result;
 use super::terminal::{print, print_json};
 
 /// Lists the systems that come with the program, or prints the file of one, to be copied and changed
@@ -38,7 +38,7 @@ struct Entry {
 }
 
 /// Runs the command.
-pub fn run(args: &SystemsArgs) -> Result<(), CliError> {
+pub fn run(args: &SystemsArgs) -> Result<()> {
     if let Some(text) = args.name.as_deref().and_then(builtin) {
         return print(text.trim_end());
     }
@@ -51,12 +51,12 @@ impl Entry {
         let family = Family::builtin(name);
         Entry {
             name,
-            title: family.name(),
-            source: family.source(),
+            title: &family.name,
+            source: family.source.as_deref(),
             coordinates: family.n(),
             stops: family.stops().iter().map(|stop| stop.name.as_str()).collect(),
-            parameters: family.parameters().iter().map(|parameter| parameter.name.as_str()).collect(),
-            plane: family.plane().map(|plane| [plane.x.as_str(), plane.y.as_str()]),
+            parameters: family.parameters.iter().map(|parameter| parameter.name.as_str()).collect(),
+            plane: family.plane.as_ref().map(|plane| [plane.x.as_str(), plane.y.as_str()]),
         }
     }
 }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use anyhow::Context;
 use serde::Serialize;
 
-use super::CliError;
+use super::{CliError, Result};
 
 /// Whether nothing but results and errors is to be said.
 static QUIET: AtomicBool = AtomicBool::new(false);
@@ -41,14 +41,19 @@ pub fn complain(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
-/// Prints a result on standard output. A reader that has gone away is content.
-pub fn print(text: &str) -> Result<(), CliError> {
+/// Prints a result on standard output.
+pub fn print(text: &str) -> Result<()> {
     if TAKEN.load(Ordering::Relaxed) {
         note(text);
         return Ok(());
     }
+    write(format!("{text}\n").as_bytes())
+}
+
+/// Writes to standard output. A reader that has gone away is content.
+pub fn write(bytes: &[u8]) -> Result<()> {
     let mut stdout = io::stdout().lock();
-    match writeln!(stdout, "{text}").and_then(|()| stdout.flush()) {
+    match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(error).context("cannot write to standard output").map_err(CliError::Machine)
         }
@@ -57,7 +62,7 @@ pub fn print(text: &str) -> Result<(), CliError> {
 }
 
 /// Prints a result as JSON on standard output.
-pub fn print_json(result: &impl Serialize) -> Result<(), CliError> {
+pub fn print_json(result: &impl Serialize) -> Result<()> {
     let text = serde_json::to_string_pretty(result).context("cannot put the result into JSON");
     let text = text.map_err(CliError::Machine)?;
     if TAKEN.load(Ordering::Relaxed) {

@@ -1,6 +1,5 @@
 //! `impact-atlas validate`: one back end against the reference.
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::backend::{self, Backend, Choice};
 use impact_atlas::control::Method;
@@ -17,7 +16,7 @@ use super::progress::Progress;
 use super::report::Report;
 use super::terminal::{print, print_json};
 use super::values::counted;
-use super::{CliError, bits, defaults, estimate, note};
+use super::{CliError, Result, bits, defaults, estimate, note, wrong};
 
 /// Computes the same cells on the CPU's reference and on another back end, and says how well they agree
 ///
@@ -62,19 +61,19 @@ pub struct ValidateArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
+pub fn run(args: &ValidateArgs) -> Result<()> {
     args.candidate.check()?;
     if let Some(method) = args.control.control {
         return controlled(args, method);
     }
     args.control.refuse_settings()?;
     if let Some(from) = args.control.again() {
-        return Err(CliError::Input(anyhow!(
+        return Err(wrong!(
             "--from {} has no effect without control: drop it or choose a method with --control",
             from.display()
-        )));
+        ));
     }
-    let plane = args.plane.plane_of(args.cells, defaults::VALIDATED_CELLS)?;
+    let plane = args.plane.axes.resized(args.plane.plane()?, args.cells, defaults::VALIDATED_CELLS);
     plane.check().map_err(CliError::input)?;
     if args.curves {
         curves::check(&plane).map_err(CliError::input)?;
@@ -107,9 +106,9 @@ pub fn run(args: &ValidateArgs) -> Result<(), CliError> {
 }
 
 /// The same under control.
-fn controlled(args: &ValidateArgs, method: &Method) -> Result<(), CliError> {
+fn controlled(args: &ValidateArgs, method: &Method) -> Result<()> {
     let plane = args.control.plane(method, &args.plane)?;
-    let plane = args.plane.resized(plane, args.cells, defaults::VALIDATED_CELLS);
+    let plane = args.plane.axes.resized(plane, args.cells, defaults::VALIDATED_CELLS);
     plane.check().map_err(CliError::input)?;
     let candidate = args.candidate.open()?;
     let reference = backend::open(Choice::Cpu, None)?;
@@ -125,9 +124,9 @@ fn controlled(args: &ValidateArgs, method: &Method) -> Result<(), CliError> {
 fn computed<T: Swept>(
     plane: &Plane<T>,
     [candidate, reference]: [&dyn Backend; 2],
-) -> Result<[RegionMap<T>; 2], CliError> {
+) -> Result<[RegionMap<T>; 2]> {
     note(&format!("reference on {}: {}", reference.name(), reference.adapter()));
-    let map = |what: &'static str, backend: &dyn Backend| -> Result<RegionMap<T>, CliError> {
+    let map = |what: &'static str, backend: &dyn Backend| -> Result<RegionMap<T>> {
         estimate::of_plane(&format!("the {what}'s map"), plane, backend)?;
         Ok(sweep(plane, backend, &Progress::of_cells(what, plane.cells()))?)
     };
@@ -135,7 +134,7 @@ fn computed<T: Swept>(
 }
 
 /// Prints a report; success if every check in it holds.
-fn told(report: &Report, json: bool) -> Result<(), CliError> {
+fn told(report: &Report, json: bool) -> Result<()> {
     if json {
         print_json(report)?
     } else {
@@ -165,16 +164,16 @@ struct CandidateArgs {
 }
 
 impl CandidateArgs {
-    fn check(&self) -> Result<(), CliError> {
+    fn check(&self) -> Result<()> {
         match self.backend {
             Choice::Auto | Choice::Gpu => Ok(()),
-            Choice::Cpu => Err(CliError::Input(anyhow!(
+            Choice::Cpu => Err(wrong!(
                 "--backend cpu would hold the CPU's reference against itself: drop it, or choose --backend gpu"
-            ))),
+            )),
         }
     }
 
-    fn open(&self) -> Result<Box<dyn Backend>, CliError> {
+    fn open(&self) -> Result<Box<dyn Backend>> {
         let (adapter, reproducible) = (self.adapter.clone(), self.reproducible);
         BackendArgs { backend: Choice::Gpu, adapter, reproducible }.open()
     }
@@ -195,7 +194,8 @@ mod tests {
     fn counts(options: &[&str]) -> (u32, u32) {
         let wrapper = Wrapper::parse_from([&["validate"], options].concat());
         let args = wrapper.args;
-        let plane = args.plane.plane_of(args.cells, defaults::VALIDATED_CELLS).unwrap();
+        let plane = args.plane.plane().unwrap();
+        let plane = args.plane.axes.resized(plane, args.cells, defaults::VALIDATED_CELLS);
         (plane.x.count, plane.y.count)
     }
 

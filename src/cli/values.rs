@@ -1,17 +1,16 @@
 //! Typed values of options.
 
 use std::error::Error;
-use std::fmt;
 use std::str::FromStr;
 
-use anyhow::anyhow;
+use derive_more::Display;
 use impact_atlas::figure::Size;
 use impact_atlas::model::{Number, Parameter, ParameterError, whole};
 use impact_atlas::plane::Quantity;
 use impact_atlas::system::Family;
 use thiserror::Error;
 
-use super::CliError;
+use super::{Result, wrong};
 
 /// Reads a value for clap, with the whole chain of causes in the message.
 pub fn parse<T>(text: &str) -> Result<T, String>
@@ -23,18 +22,13 @@ where
 }
 
 /// A value for a parameter, or for a setting of a control method, `NAME=VALUE`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Display)]
+#[display("{}={}", quantity.name(), Number(*value))]
 pub struct Assignment {
     /// What is set.
     pub quantity: Quantity,
     /// The value that it is set to; non-dimensional.
     pub value: f64,
-}
-
-impl fmt::Display for Assignment {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}", self.quantity.name(), Number(self.value))
-    }
 }
 
 impl Assignment {
@@ -54,7 +48,7 @@ impl Assignment {
         let value = value.trim().parse().map_err(|_| malformed())?;
         match quantity {
             Quantity::Parameter(parameter) => parameter.check(value)?,
-            Quantity::Control(setting) if setting.is_whole() && !is_count(value) => {
+            Quantity::Control(setting) if setting.is_whole && !is_count(value) => {
                 return Err(AssignmentError::NotWhole(text.to_owned()));
             }
             Quantity::Control(_) | Quantity::Start(_) => {}
@@ -63,13 +57,13 @@ impl Assignment {
     }
 
     /// Refuses a quantity that is set twice.
-    pub fn refuse_twice(all: &[Assignment]) -> Result<(), CliError> {
+    pub fn refuse_twice(all: &[Assignment]) -> Result<()> {
         for (i, set) in all.iter().enumerate() {
             if let Some(other) = all[..i].iter().find(|other| other.quantity == set.quantity) {
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "{} is set twice, by --set {other} and --set {set}: drop one of the two",
                     set.quantity.name()
-                )));
+                ));
             }
         }
         Ok(())
@@ -165,7 +159,7 @@ mod tests {
         );
         assert_eq!(Assignment::of_family("mu_m=1e-100", Family::paper()).unwrap().to_string(), "mu_m=1e-100");
         let gain = Assignment::of_family("gain=0.3", Family::paper()).unwrap();
-        let of_gain = ControlQuantity::all().find(|setting| setting.name() == "gain").unwrap();
+        let of_gain = ControlQuantity::all().find(|setting| setting.name == "gain").unwrap();
         assert_eq!(gain, Assignment { quantity: Quantity::Control(of_gain), value: 0.3 });
         let refused = [
             ("omega", "NAME=VALUE"),

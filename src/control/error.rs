@@ -30,15 +30,12 @@ pub enum ControlError {
         /// The gap of the stop: δ, the half clearance, of the paper's.
         gap: f64,
     },
-    /// No motion of the system is known that could be the target.
+    /// No motion of the system is known that could be the target; with the components by name.
     #[error(
-        "there is no symmetric 1-1-1 motion of this system to take as the target: give the target itself, {names} \
+        "there is no symmetric 1-1-1 motion of this system to take as the target: give the target itself, {0} \
          (--target)"
     )]
-    TargetNeeded {
-        /// The components by name.
-        names: String,
-    },
+    TargetNeeded(String),
     /// Not as many values as a point on the section has components.
     #[error(
         "{what}: {given} numbers are given, but a point on this section has {wanted} components: {names}"

@@ -182,7 +182,7 @@ pub(super) type Range = (ControlQuantity, f64, bool, &'static str);
 pub(super) fn check_ranges(ranges: &[Range]) -> Result<(), ControlError> {
     match ranges.iter().find(|(_, _, admitted, _)| !admitted) {
         Some(&(quantity, value, _, range)) => {
-            Err(ControlError::OutOfRange { name: quantity.name(), value, range })
+            Err(ControlError::OutOfRange { name: quantity.name, value, range })
         }
         None => Ok(()),
     }

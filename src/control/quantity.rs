@@ -3,10 +3,14 @@
 /// A setting of a control method that an axis can vary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ControlQuantity {
-    name: &'static str,
-    description: &'static str,
-    symbol: [&'static str; 3],
-    is_whole: bool,
+    /// The name used on the command line and in files.
+    pub name: &'static str,
+    /// What the setting is, for axis titles.
+    pub description: &'static str,
+    /// The letter of its symbol, the subscript and the superscript.
+    pub symbol: [&'static str; 3],
+    /// Whether only whole numbers make sense.
+    pub is_whole: bool,
 }
 
 impl ControlQuantity {
@@ -22,26 +26,6 @@ impl ControlQuantity {
 
     const fn aimed(name: &'static str, symbol: [&'static str; 3], description: &'static str) -> Self {
         ControlQuantity { name, description, symbol, is_whole: false }
-    }
-
-    /// The name used on the command line and in files.
-    pub fn name(self) -> &'static str {
-        self.name
-    }
-
-    /// What the setting is, for axis titles.
-    pub fn description(self) -> &'static str {
-        self.description
-    }
-
-    /// The letter of its symbol, the subscript and the superscript.
-    pub fn symbol(self) -> [&'static str; 3] {
-        self.symbol
-    }
-
-    /// Whether only whole numbers make sense.
-    pub fn is_whole(self) -> bool {
-        self.is_whole
     }
 
     /// The name of the option that sets it.
@@ -108,7 +92,7 @@ mod tests {
             let plant = Setting::defaults(Family::builtin(family)).plant().unwrap();
             for (i, name) in section_names(&plant, Stop::A).iter().enumerate() {
                 let setting = ControlQuantity::of_component(i, plant.n, own);
-                assert_eq!(setting.name(), format!("target_{}", name.trim_end_matches('+')), "{family}");
+                assert_eq!(setting.name, format!("target_{}", name.trim_end_matches('+')), "{family}");
                 assert_eq!(setting.component(plant.n, own), Some(i), "{family}");
             }
             let there = AIMED.into_iter().filter(|s| s.component(plant.n, own).is_some());

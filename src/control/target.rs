@@ -130,7 +130,7 @@ impl Target {
     /// The point of the 1-1-1 motion at the reference frequency.
     fn reference_motion(&self, system: &System, stop: Stop) -> Result<SectionValues<f64>, ControlError> {
         let plant = system.plant();
-        let needed = || ControlError::TargetNeeded { names: section_names(plant, stop).join(", ") };
+        let needed = || ControlError::TargetNeeded(section_names(plant, stop).join(", "));
         let exchanged = |mirror: &Mirror| is_met(mirror, stop);
         plant.mirror().filter(exchanged).ok_or_else(needed)?;
         let missing = ControlError::NoTarget { omega: self.reference, gap: plant.stops[stop.index()].gap };

@@ -1,11 +1,10 @@
 //! All bifurcation curves of a region map.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use rayon::prelude::*;
 
 use super::branch::{Event, Followed, followed};
-use super::condition::Kind;
 use super::curve::{Curve, CurveMotion};
 use super::left_out::{LeftOut, Why, left_out};
 use super::no_impact::no_impact_curves;
@@ -17,7 +16,7 @@ use super::trace::{Traced, trace};
 use super::unknowns::Span;
 use super::until::Until;
 use crate::plane::RegionMap;
-use crate::theory::{Pattern, StopSet};
+use crate::theory::StopSet;
 
 /// A motion that is followed is followed again, across, from one place in each of so many parts of either axis.
 const PARTS: f64 = 5.0;
@@ -101,12 +100,10 @@ fn trace_all(curves: &mut Vec<Curve>, mut open: Vec<Event>, spans: [Span; 2], un
 
 /// Whether an event lies on a curve of its kind and motion, or of its motion's mirror image.
 fn lies_on(event: &Event, curves: &[Curve], spans: [Span; 2]) -> bool {
-    let place = spans.map(|span| span.share(event.parameters.get(span.parameter)));
-    let found = CurveMotion::of(&event.pattern);
-    let is_of = |curve: &&Curve| {
-        curve.kind == event.kind && (curve.motion == found || curve.motion == found.mirror_image())
-    };
-    curves.iter().filter(is_of).any(|curve| distance(curve, place, spans) < SAME)
+    let motion = CurveMotion::of(&event.pattern);
+    let motions = [motion.mirror_image(), motion];
+    let mut own = curves.iter().filter(|curve| curve.kind == event.kind && motions.contains(&curve.motion));
+    own.any(|curve| meets(curve, event, spans))
 }
 
 /// Follows motions along both axes.
@@ -150,13 +147,12 @@ fn sought(
 /// Events of one kind and motion together, in the order of their first.
 fn grouped(events: Vec<Event>) -> Vec<Vec<Event>> {
     let mut groups: Vec<Vec<Event>> = Vec::new();
-    let mut index: HashMap<(Kind, Pattern), usize> = HashMap::new();
     for event in events {
-        let group = *index.entry((event.kind, event.pattern.clone())).or_insert_with(|| {
-            groups.push(Vec::new());
-            groups.len() - 1
-        });
-        groups[group].push(event);
+        let alike = |first: &Event| first.kind == event.kind && first.pattern == event.pattern;
+        match groups.iter_mut().find(|group| alike(&group[0])) {
+            Some(group) => group.push(event),
+            None => groups.push(vec![event]),
+        }
     }
     groups
 }
@@ -165,36 +161,30 @@ fn grouped(events: Vec<Event>) -> Vec<Vec<Event>> {
 fn traced(events: &[Event], known: &[Curve], spans: [Span; 2], until: Until<'_>) -> Vec<Traced> {
     let mut found: Vec<Traced> = Vec::new();
     for event in events {
-        let place = spans.map(|span| span.share(event.parameters.get(span.parameter)));
-        let own = known.iter().filter(|curve| is_of(curve, event));
-        if own
-            .chain(found.iter().map(|traced| &traced.curve))
-            .any(|curve| distance(curve, place, spans) < SAME)
-        {
-            continue;
+        let motion = CurveMotion::of(&event.pattern);
+        let own = known.iter().filter(|curve| curve.kind == event.kind && curve.motion == motion);
+        if !own.chain(found.iter().map(|traced| &traced.curve)).any(|curve| meets(curve, event, spans)) {
+            found.extend(trace(event, spans, until));
         }
-        found.extend(trace(event, spans, until));
     }
     found
 }
 
-/// Whether a curve is of an event's kind and motion.
-fn is_of(curve: &Curve, event: &Event) -> bool {
-    curve.kind == event.kind && curve.motion == CurveMotion::of(&event.pattern)
+/// Whether a curve leads through the place of an event.
+fn meets(curve: &Curve, event: &Event, spans: [Span; 2]) -> bool {
+    distance(curve, spans.map(|span| span.share(event.parameters.get(span.parameter))), spans) < SAME
 }
 
 /// Mirrored motions have the same curves; one of each is kept.
 fn without_twins(curves: Vec<Curve>, spans: [Span; 2]) -> Vec<Curve> {
     let mut kept: Vec<Curve> = Vec::new();
     for curve in curves {
+        let place = |i: usize| [spans[0].share(curve.points[i].x), spans[1].share(curve.points[i].y)];
+        let samples = (0..=8).map(|k| place(k * (curve.points.len() - 1) / 8));
         let twin = kept.iter().any(|other| {
-            let alike = other.kind == curve.kind
-                && (other.motion == curve.motion || other.motion == curve.motion.mirror_image());
-            let samples = (0..=8).map(|k| &curve.points[k * (curve.points.len() - 1) / 8]);
-            alike
-                && samples
-                    .map(|point| [spans[0].share(point.x), spans[1].share(point.y)])
-                    .all(|place| distance(other, place, spans) < SAME)
+            let alike = other.motion == curve.motion || other.motion == curve.motion.mirror_image();
+            let near = |place: [f64; 2]| distance(other, place, spans) < SAME;
+            other.kind == curve.kind && alike && samples.clone().all(near)
         });
         if !twin {
             kept.push(curve);

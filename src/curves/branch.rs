@@ -202,38 +202,30 @@ fn birth(branch: &Branch, here: &PathPoint, next: &PathPoint, ds: f64) -> Option
         }
     }
     let system = unknowns.system(&last)?;
-    let event = Event {
-        kind: Kind::Fold,
-        pattern: unknowns.pattern.clone(),
-        sections: unknowns.sections(&last),
-        parameters: *system.setting().expect("a curve's systems are made of settings"),
-        touch: None,
-    };
+    let event = Event::smooth(Kind::Fold, branch.seed(&last));
     Some(event.of_simpler_motion(&system)).filter(|event| event.kind != Kind::Fold)
 }
 
 /// A smooth bifurcation, if it is one of stability.
 fn smooth_event(branch: &Branch, y: &DVector<f64>, kind: Kind) -> Option<Event> {
-    let unknowns = &branch.0;
-    let system = unknowns.system(y)?;
-    let sections = unknowns.sections(y);
-    let multipliers = eigenvalues(&turn(&Flow::new(&system), &unknowns.pattern, &sections)?)?;
+    let system = branch.0.system(y)?;
+    let seed = branch.seed(y);
+    let multipliers = eigenvalues(&seed.motion.jacobian(&system)?)?;
     let (critical, others) = split(kind, &multipliers);
     let neutral_saddle = kind == Kind::NeimarkSacker && critical[0].im.abs() < 1e-9;
     if neutral_saddle || others.iter().any(|value| value.norm() > STABLE) {
         return None;
     }
-    let event = Event {
-        kind,
-        pattern: unknowns.pattern.clone(),
-        sections,
-        parameters: *system.setting().expect("a curve's systems are made of settings"),
-        touch: None,
-    };
+    let event = Event::smooth(kind, seed);
     Some(if kind == Kind::Fold { event.of_simpler_motion(&system) } else { event })
 }
 
 impl Event {
+    fn smooth(kind: Kind, Seed { motion, parameters }: Seed) -> Self {
+        let PeriodicMotion { pattern, sections, .. } = motion;
+        Event { kind, pattern, sections, parameters, touch: None }
+    }
+
     /// The motion at its bifurcation.
     pub fn seed(&self) -> Seed {
         let (pattern, sections) = (self.pattern.clone(), self.sections.clone());
@@ -243,14 +235,11 @@ impl Event {
     /// A branch that is born in a pitchfork or a period doubling turns around there, as if at a fold: the motion is the
     /// simpler one then, and the bifurcation is that one's.
     fn of_simpler_motion(self, system: &System) -> Self {
-        let motion =
-            PeriodicMotion { pattern: self.pattern.clone(), sections: self.sections.clone(), residual: 0.0 };
-        let Some((pattern, differences)) = parting(system, &motion) else { return self };
+        let Some((pattern, differences)) = parting(system, &self.seed().motion) else { return self };
         let count = pattern.stops.len();
         let near =
             |(a, difference): (&SectionVector, &SectionVector)| difference.amax() < 1e-3 * (1.0 + a.amax());
-        let repeats = self.sections.iter().zip(&differences).all(near);
-        if !repeats {
+        if !self.sections.iter().zip(&differences).all(near) {
             return self;
         }
         let kind = if pattern.mirrored { Kind::Pitchfork } else { Kind::PeriodDoubling };

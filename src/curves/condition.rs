@@ -1,36 +1,28 @@
 //! What defines a bifurcation: a function of a motion that vanishes there.
 
 use nalgebra::{Complex, DMatrix};
-use serde::Serialize;
-use strum::{EnumString, IntoStaticStr};
 
+use crate::system::named;
 use crate::theory::{Flow, Pattern, SectionVector, turn};
 
-/// The kind of a bifurcation; of a symmetric motion in terms of its half map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, EnumString, IntoStaticStr)]
-#[serde(into = "&'static str")]
-#[strum(serialize_all = "lowercase")]
-pub enum Kind {
-    /// A multiplier +1: the motion ends, in a saddle-node.
-    Fold,
-    /// A multiplier −1.
-    #[strum(serialize = "period doubling")]
-    PeriodDoubling,
-    /// A multiplier −1 of the half map: a symmetric motion gives rise to two mirrored ones.
-    Pitchfork,
-    /// A complex pair of multipliers of modulus 1.
-    #[strum(serialize = "Neimark-Sacker")]
-    NeimarkSacker,
-    /// The orbit just touches a stop.
-    Grazing,
+named! {
+    /// The kind of a bifurcation; of a symmetric motion in terms of its half map.
+    #[derive(Hash)]
+    pub enum Kind {
+        /// A multiplier +1: the motion ends, in a saddle-node.
+        Fold = "fold",
+        /// A multiplier −1.
+        PeriodDoubling = "period doubling",
+        /// A multiplier −1 of the half map: a symmetric motion gives rise to two mirrored ones.
+        Pitchfork = "pitchfork",
+        /// A complex pair of multipliers of modulus 1.
+        NeimarkSacker = "Neimark-Sacker",
+        /// The orbit just touches a stop.
+        Grazing = "grazing",
+    }
 }
 
 impl Kind {
-    /// The name in files and legends.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-
     /// The smooth bifurcations of a motion.
     pub fn smooth(pattern: &Pattern) -> [Kind; 3] {
         let flip = if pattern.mirrored { Kind::Pitchfork } else { Kind::PeriodDoubling };

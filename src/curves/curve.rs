@@ -1,14 +1,12 @@
 //! A bifurcation curve, point by point.
 
-use serde::Serialize;
-use strum::{EnumString, IntoStaticStr};
-
 use super::condition::Kind;
 use super::spans::spans;
 use super::symmetry::stops_of;
 use crate::analysis::{Regime, Verdict, motion_label};
 use crate::dynamics::Stop;
 use crate::plane::Plane;
+use crate::system::named;
 use crate::theory::{Pattern, StopSet};
 
 /// A bifurcation curve in the plane of two parameters; non-dimensional.
@@ -143,113 +141,75 @@ pub struct CurvePoint {
     pub special: Option<Special>,
 }
 
-/// Super- or subcritical, from the sign of the normal-form coefficient.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, EnumString, IntoStaticStr)]
-#[serde(rename_all = "lowercase")]
-#[strum(serialize_all = "lowercase")]
-pub enum Criticality {
-    /// Something stable takes over: the loss is soft.
-    Supercritical,
-    /// Nothing stable is near: the loss is hard.
-    Subcritical,
-}
-
-impl Criticality {
-    /// The name in files.
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// Super- or subcritical, from the sign of the normal-form coefficient.
+    #[derive(Hash)]
+    pub enum Criticality {
+        /// Something stable takes over: the loss is soft.
+        Supercritical = "supercritical",
+        /// Nothing stable is near: the loss is hard.
+        Subcritical = "subcritical",
     }
 }
 
-/// A point of codimension two on a curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, EnumString, IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
-pub enum Special {
-    /// Two folds meet.
-    Cusp,
-    /// Two multipliers +1.
-    #[strum(serialize = "1:1 resonance")]
-    Resonance11,
-    /// Two multipliers −1.
-    #[strum(serialize = "1:2 resonance")]
-    Resonance12,
-    /// Multipliers e^(±2πi/3).
-    #[strum(serialize = "1:3 resonance")]
-    Resonance13,
-    /// Multipliers ±i.
-    #[strum(serialize = "1:4 resonance")]
-    Resonance14,
-    /// Multipliers +1 and −1.
-    FoldFlip,
-    /// A multiplier +1 beside a pair on the unit circle.
-    #[strum(serialize = "fold-Neimark-Sacker")]
-    FoldNeimarkSacker,
-    /// A multiplier −1 beside a pair on the unit circle.
-    #[strum(serialize = "flip-Neimark-Sacker")]
-    FlipNeimarkSacker,
-    /// Two pairs on the unit circle.
-    #[strum(serialize = "double Neimark-Sacker")]
-    DoubleNeimarkSacker,
-    /// A Neimark–Sacker bifurcation turns from super- to subcritical.
-    #[strum(serialize = "Chenciner")]
-    Chenciner,
-    /// A period doubling, or pitchfork, turns from super- to subcritical.
-    #[strum(serialize = "generalised flip")]
-    GeneralisedFlip,
-    /// The motion touches a stop: a smooth curve ends, and a grazing curve passes.
-    Grazing,
-    /// On a grazing curve, a multiplier is +1.
-    GrazingFold,
-    /// On a grazing curve, a multiplier is −1.
-    GrazingFlip,
-    /// On a grazing curve, a pair lies on the unit circle.
-    #[strum(serialize = "grazing-Neimark-Sacker")]
-    GrazingNeimarkSacker,
-}
-
-impl Special {
-    /// The name in files and legends.
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// A point of codimension two on a curve.
+    #[derive(Hash)]
+    pub enum Special {
+        /// Two folds meet.
+        Cusp = "cusp",
+        /// Two multipliers +1.
+        Resonance11 = "1:1 resonance",
+        /// Two multipliers −1.
+        Resonance12 = "1:2 resonance",
+        /// Multipliers e^(±2πi/3).
+        Resonance13 = "1:3 resonance",
+        /// Multipliers ±i.
+        Resonance14 = "1:4 resonance",
+        /// Multipliers +1 and −1.
+        FoldFlip = "fold-flip",
+        /// A multiplier +1 beside a pair on the unit circle.
+        FoldNeimarkSacker = "fold-Neimark-Sacker",
+        /// A multiplier −1 beside a pair on the unit circle.
+        FlipNeimarkSacker = "flip-Neimark-Sacker",
+        /// Two pairs on the unit circle.
+        DoubleNeimarkSacker = "double Neimark-Sacker",
+        /// A Neimark–Sacker bifurcation turns from super- to subcritical.
+        Chenciner = "Chenciner",
+        /// A period doubling, or pitchfork, turns from super- to subcritical.
+        GeneralisedFlip = "generalised flip",
+        /// The motion touches a stop: a smooth curve ends, and a grazing curve passes.
+        Grazing = "grazing",
+        /// On a grazing curve, a multiplier is +1.
+        GrazingFold = "grazing-fold",
+        /// On a grazing curve, a multiplier is −1.
+        GrazingFlip = "grazing-flip",
+        /// On a grazing curve, a pair lies on the unit circle.
+        GrazingNeimarkSacker = "grazing-Neimark-Sacker",
     }
 }
 
-/// Why a curve ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, IntoStaticStr)]
-#[serde(into = "&'static str")]
-pub enum End {
-    /// It leaves the plane.
-    #[strum(serialize = "leaves the plane")]
-    LeavesPlane,
-    /// It comes back to where it began.
-    #[strum(serialize = "closes on itself")]
-    Closes,
-    /// A Neimark–Sacker pair meets at +1.
-    #[strum(serialize = "1:1 resonance: the pair of multipliers meets at +1")]
-    Resonance11,
-    /// A Neimark–Sacker pair meets at −1.
-    #[strum(serialize = "1:2 resonance: the pair of multipliers meets at -1")]
-    Resonance12,
-    /// Its motion touches a stop on the way.
-    #[strum(serialize = "the motion grazes a stop in flight")]
-    Grazes,
-    /// One of its impacts comes to nothing.
-    #[strum(serialize = "an impact of the motion comes to nothing")]
-    ImpactVanishes,
-    /// Its motion goes over into the simpler one that it was born from, and the path into its twin's.
-    #[strum(serialize = "the motion becomes a simpler one")]
-    Simplifies,
-    /// Newton's method does not converge however short the step.
-    #[strum(serialize = "cannot be followed further")]
-    Stalled,
-    /// It has more points than are computed.
-    #[strum(serialize = "longer than is computed")]
-    TooLong,
-}
-
-impl End {
-    /// Why, in words.
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// Why a curve ends.
+    #[derive(Hash)]
+    pub enum End {
+        /// It leaves the plane.
+        LeavesPlane = "leaves the plane",
+        /// It comes back to where it began.
+        Closes = "closes on itself",
+        /// A Neimark–Sacker pair meets at +1.
+        Resonance11 = "1:1 resonance: the pair of multipliers meets at +1",
+        /// A Neimark–Sacker pair meets at −1.
+        Resonance12 = "1:2 resonance: the pair of multipliers meets at -1",
+        /// Its motion touches a stop on the way.
+        Grazes = "the motion grazes a stop in flight",
+        /// One of its impacts comes to nothing.
+        ImpactVanishes = "an impact of the motion comes to nothing",
+        /// Its motion goes over into the simpler one that it was born from, and the path into its twin's.
+        Simplifies = "the motion becomes a simpler one",
+        /// Newton's method does not converge however short the step.
+        Stalled = "cannot be followed further",
+        /// It has more points than are computed.
+        TooLong = "longer than is computed",
     }
 }

@@ -66,18 +66,14 @@ fn key(verdict: &Verdict, stops: &StopSet) -> Option<Key> {
 mod tests {
     use super::*;
     use crate::analysis::Schedule;
-    use crate::model::{Parameters, System};
+    use crate::model::System;
     use crate::plane::{Plane, Provenance, Start};
 
     /// A map of one letter a cell, the last line first: u and d are mirror images, s another motion, dots chaos.
     fn map(lines: &[&str]) -> RegionMap {
-        let plane = Plane {
-            x: format!("omega=1:2:{}", lines[0].len()).parse().unwrap(),
-            y: format!("delta=0.1:0.5:{}", lines.len()).parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Symmetric,
-            task: Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: false },
-        };
+        let schedule = Schedule { transient: 1, observe: 1, max_period: 8, fixed_periods: false };
+        let (x, y) = (format!("omega=1:2:{}", lines[0].len()), format!("delta=0.1:0.5:{}", lines.len()));
+        let plane = Plane::of_paper(&x, &y, Start::Symmetric, schedule).unwrap();
         let verdict = |letter: char| {
             let (regime, counts) = match letter {
                 'u' => (Regime::Periodic, [1, 2, 1]),
@@ -87,10 +83,8 @@ mod tests {
             };
             Verdict::of_motion(regime, counts, letter == 's')
         };
-        let provenance =
-            Provenance { version: String::new(), backend: String::new(), adapter: String::new() };
         let verdicts = lines.iter().rev().flat_map(|line| line.chars()).map(verdict).collect();
-        RegionMap { plane, provenance, verdicts, multipliers: None, extents: None }
+        RegionMap::new(plane, Provenance::default(), verdicts)
     }
 
     fn sizes(lines: &[&str]) -> Vec<(String, Vec<usize>)> {

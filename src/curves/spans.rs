@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::unknowns::Span;
+use crate::figure::Steps;
 use crate::plane::{Axis, Plane, Quantity};
 
 /// Why there are no curves.
@@ -39,7 +40,7 @@ fn span(axis: &Axis) -> Result<Span, CurvesError> {
     match axis.quantity {
         Quantity::Parameter(_) if axis.first == axis.last => Err(CurvesError::SingleValue(name)),
         Quantity::Parameter(parameter) => {
-            let Axis { first, last, spacing, .. } = *axis;
+            let Steps { first, last, spacing, .. } = axis.steps;
             Ok(Span { parameter, first, last, spacing })
         }
         Quantity::Start(_) | Quantity::Control(_) => Err(CurvesError::NotAParameter(name)),

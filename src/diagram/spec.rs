@@ -46,7 +46,7 @@ impl DiagramSpec {
     pub fn check(&self) -> Result<(), DiagramError> {
         self.schedule.check()?;
         if !self.probe.fits(self.parameters.family()) {
-            return Err(DiagramError::Probe(self.parameters.family().name()));
+            return Err(DiagramError::Probe(&self.parameters.family().name));
         }
         let branches = self.sweep.branches().len() as u64;
         let readings = branches * u64::from(self.x.count) * u64::from(self.capacity);
@@ -55,7 +55,7 @@ impl DiagramSpec {
         }
         self.parameters.check()?;
         if let Quantity::Control(setting) = self.x.quantity {
-            return Err(DiagramError::Control(setting.name()));
+            return Err(DiagramError::Control(setting.name));
         }
         let varies_start = matches!(self.x.quantity, Quantity::Start(_));
         if varies_start && self.sweep.is_carried() {

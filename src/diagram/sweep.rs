@@ -1,19 +1,21 @@
 //! How the columns of a diagram begin.
 
-use std::fmt;
 use std::str::FromStr;
 
+use derive_more::Display;
 use serde::{Deserialize, Serialize};
-use strum::IntoStaticStr;
 
 use super::error::DiagramError;
 use crate::plane::{Start, StartError};
+use crate::system::named;
 
 /// How the columns of a diagram begin.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Display, Serialize, Deserialize)]
+#[display(rename_all = "lowercase")]
 #[serde(into = "String", try_from = "String")]
 pub enum Sweep {
     /// Every column by itself, from the same kind of start.
+    #[display("{_0}")]
     Each(Start),
     /// With falling values, each column where the one before it ended.
     Down,
@@ -37,17 +39,6 @@ impl Sweep {
     /// Whether the state is carried from column to column.
     pub fn is_carried(self) -> bool {
         !matches!(self, Sweep::Each(_))
-    }
-}
-
-impl fmt::Display for Sweep {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Sweep::Each(start) => start.fmt(f),
-            Sweep::Down => f.write_str("down"),
-            Sweep::Up => f.write_str("up"),
-            Sweep::Both => f.write_str("both"),
-        }
     }
 }
 
@@ -82,22 +73,15 @@ impl TryFrom<String> for Sweep {
     }
 }
 
-/// How the columns of a branch follow each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
-#[serde(rename_all = "lowercase")]
-#[strum(serialize_all = "lowercase")]
-pub enum Direction {
-    /// They do not: each begins by itself.
-    Each,
-    /// With falling values of the axis.
-    Down,
-    /// With rising values of the axis.
-    Up,
-}
-
-impl Direction {
-    /// The name used in files, in keys and on the terminal.
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// How the columns of a branch follow each other.
+    #[derive(serde::Deserialize)]
+    pub enum Direction {
+        /// They do not: each begins by itself.
+        Each = "each",
+        /// With falling values of the axis.
+        Down = "down",
+        /// With rising values of the axis.
+        Up = "up",
     }
 }

@@ -1,8 +1,8 @@
 //! From what a page asks for to a plane that can be computed, within the limits of the command line and narrower ones.
 
 use std::collections::HashSet;
-use std::sync::{Mutex, PoisonError};
 
+use parking_lot::Mutex;
 use thiserror::Error;
 
 use super::limits;
@@ -42,7 +42,7 @@ pub fn because(error: impl std::error::Error + Send + Sync + 'static) -> Refused
 pub fn family(asked: &AskedSystem, own: &'static Family) -> Result<&'static Family, Refused> {
     static TEXTS: Mutex<Option<HashSet<String>>> = Mutex::new(None);
     match asked {
-        AskedSystem::Name(name) if name == own.origin() => Ok(own),
+        AskedSystem::Name(name) if *name == own.origin => Ok(own),
         AskedSystem::Name(name) => match BUILTIN.iter().find(|builtin| builtin.name == name) {
             Some(builtin) => Ok(Family::builtin(builtin.name)),
             None => Err(refused("this system does not come with the program: choose one of the list")),
@@ -56,7 +56,7 @@ pub fn family(asked: &AskedSystem, own: &'static Family) -> Result<&'static Fami
             check_lines(text)?;
             Family::parse(text, OWN_SYSTEM)
                 .map_err(|error| Refused { line: Some(error.place.line), message: error.to_string() })?;
-            let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut texts = TEXTS.lock();
             let texts = texts.get_or_insert_default();
             if !texts.contains(text) && texts.len() >= limits::SYSTEM_TEXTS {
                 return Err(refused("too many systems were described: start the program again"));
@@ -86,8 +86,8 @@ fn check_lines(text: &str) -> Result<(), Refused> {
 /// # Errors
 /// [`Refused`] with what cannot be used.
 pub fn plane(asked: &AskedPlane, family: &'static Family) -> Result<Plane, Refused> {
-    let x = axis(asked.x.as_deref(), family, family.plane().map(|plane| &*plane.x), "horizontal")?;
-    let y = axis(asked.y.as_deref(), family, family.plane().map(|plane| &*plane.y), "vertical")?;
+    let x = axis(asked.x.as_deref(), family, family.plane.as_ref().map(|plane| &*plane.x), "horizontal")?;
+    let y = axis(asked.y.as_deref(), family, family.plane.as_ref().map(|plane| &*plane.y), "vertical")?;
     let periods = [("transient", asked.transient), ("observation", asked.observe)];
     if let Some((name, periods)) = periods.into_iter().find(|(_, periods)| *periods > limits::PERIODS) {
         return Err(refused(format!(

@@ -1,7 +1,8 @@
 //! The back ends that pages may choose, each opened once.
 
-use std::sync::{LazyLock, Mutex, PoisonError};
+use std::sync::LazyLock;
 
+use parking_lot::Mutex;
 use serde::Serialize;
 
 use crate::backend::{self, AdapterReport, Backend, BackendError, Choice};
@@ -110,7 +111,7 @@ pub fn choosable() -> Vec<Choosable> {
 /// What the machine does not have.
 pub fn open(asked: Asked) -> Result<Computing, BackendError> {
     static OPEN: Mutex<Vec<Computing>> = Mutex::new(Vec::new());
-    let mut open = OPEN.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut open = OPEN.lock();
     if let Some(computing) = open.iter().find(|computing| computing.asked == asked) {
         return Ok(*computing);
     }

@@ -65,8 +65,6 @@ pub enum Stopped {
 pub struct Flag<'a>(pub &'a AtomicBool);
 
 impl Watch for Flag<'_> {
-    fn finished(&self, _: u64) {}
-
     fn cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

@@ -34,16 +34,12 @@ pub fn map(
     line(&words)
 }
 
-/// `classify` of one cell of a plane, at two values of its axes.
-pub fn classify(plane: &Plane, values: [(Quantity, f64); 2], start: Start, computing: Asked) -> String {
-    let setting = values.into_iter().fold(plane.parameters, |setting, (quantity, value)| match quantity {
-        Quantity::Parameter(parameter) => setting.with(parameter, value),
-        Quantity::Start(_) | Quantity::Control(_) => setting,
-    });
+/// `classify` of the one cell of a plane.
+pub fn classify(plane: &Plane, computing: Asked) -> String {
     let mut words = vec!["impact-atlas".to_owned(), "classify".to_owned()];
     words.extend(system(plane.parameters.family()));
-    words.extend(set(&setting, |_| false));
-    words.extend(lengths(plane, start));
+    words.extend(set(&plane.parameters_at(0, 0), |_| false));
+    words.extend(lengths(plane, plane.start_at(0, 0)));
     words.extend(computing.options());
     line(&words)
 }
@@ -52,9 +48,9 @@ fn system(family: &Family) -> Vec<String> {
     if family.is_paper() {
         return Vec::new();
     }
-    let known = BUILTIN.iter().any(|builtin| builtin.name == family.origin());
-    let described = family.origin() == super::asked::OWN_SYSTEM;
-    let name = if described && !known { SYSTEM_FILE } else { family.origin() };
+    let known = BUILTIN.iter().any(|builtin| builtin.name == family.origin);
+    let described = family.origin == super::asked::OWN_SYSTEM;
+    let name = if described && !known { SYSTEM_FILE } else { &family.origin };
     vec!["--system".into(), name.into()]
 }
 

@@ -25,7 +25,7 @@ struct Described {
 
 /// The ends of a slider: the parameter's own where it has any, else about the value.
 fn slider(parameter: Parameter, value: f64) -> [f64; 2] {
-    let range = parameter.range();
+    let range = parameter.about().range;
     let reach = if value == 0.0 { 1.0 } else { 2.0 * value.abs() };
     let shy = |end: f64, included: bool, inwards: f64| if included { end } else { end + inwards };
     // A bound far away, such as the largest frequency, is no use as the end of a slider.
@@ -44,11 +44,11 @@ fn slider(parameter: Parameter, value: f64) -> [f64; 2] {
 fn parameters(plane: &Plane) -> Vec<Described> {
     let described = |(parameter, value): (Parameter, f64)| Described {
         name: parameter.name(),
-        symbol: parameter.symbol(),
-        about: parameter.description(),
+        symbol: &parameter.about().symbol,
+        about: &parameter.about().about,
         value,
         slider: slider(parameter, value),
-        range: parameter.range().to_string(),
+        range: parameter.about().range.to_string(),
     };
     plane.parameters.entries().map(described).collect()
 }
@@ -68,10 +68,10 @@ fn axis(axis: &Axis) -> Value {
 /// A plane as a page asks for it.
 pub fn asked(plane: &Plane, backend: &str, own: &'static Family) -> Value {
     let family = plane.parameters.family();
-    let known = std::ptr::eq(family, own) || BUILTIN.iter().any(|builtin| builtin.name == family.origin());
+    let known = std::ptr::eq(family, own) || BUILTIN.iter().any(|builtin| builtin.name == family.origin);
     let system = match known {
-        true => json!({ "name": family.origin() }),
-        false => json!({ "text": family.text() }),
+        true => json!({ "name": family.origin }),
+        false => json!({ "text": family.text }),
     };
     let varied =
         |parameter: Parameter| [plane.x.quantity, plane.y.quantity].contains(&Quantity::Parameter(parameter));
@@ -108,7 +108,7 @@ pub fn scene(scene: &Scene, own: &'static Family) -> Value {
         "parameters": parameters(plane),
         "components": components,
         "stops": stops,
-        "system": { "name": family.name(), "origin": family.origin(), "text": family.text(), "source": family.source() },
+        "system": { "name": family.name, "origin": family.origin, "text": family.text, "source": family.source },
         "layers": super::layer::layers(family),
         "start": plane.start.to_string(),
         "starts_symmetric": family.is_paper(),
@@ -120,11 +120,11 @@ pub fn scene(scene: &Scene, own: &'static Family) -> Value {
 
 /// What every page is told first: the systems, the back ends, the plane to begin with.
 pub fn hello(first: &Plane, backend: &str, own: &'static Family) -> Value {
-    let entry = |name: &str, family: &'static Family| json!({ "name": name, "title": family.name(), "text": family.text() });
+    let entry = |name: &str, family: &'static Family| json!({ "name": name, "title": family.name, "text": family.text });
     let mut systems: Vec<Value> =
         BUILTIN.iter().map(|builtin| entry(builtin.name, Family::builtin(builtin.name))).collect();
-    if !BUILTIN.iter().any(|builtin| builtin.name == own.origin()) {
-        systems.insert(0, entry(own.origin(), own));
+    if !BUILTIN.iter().any(|builtin| builtin.name == own.origin) {
+        systems.insert(0, entry(&own.origin, own));
     }
     json!({
         "type": "hello",

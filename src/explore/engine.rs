@@ -1,10 +1,12 @@
 //! The one worker that computes tiles: those that are wanted most, a batch at a time, and none that is out of sight on every page.
 
 use std::collections::{HashMap, VecDeque};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
+
+use parking_lot::{Condvar, Mutex};
 
 use super::batch::{self, Batch};
 use super::lattice::TileKey;
@@ -99,7 +101,7 @@ impl Engine {
     ///
     /// Tiles carry the numbers of `layer`.
     pub fn want(&self, page: u64, to: &Page, scene: &Arc<Scene>, layer: Option<Layer>, tiles: Vec<TileKey>) {
-        let mut state = self.shared.lock();
+        let mut state = self.shared.state.lock();
         if let Some(running) = &state.running
             && running.page == page
             && (running.scene != scene.id || !running.tiles.iter().any(|key| tiles.contains(key)))
@@ -128,7 +130,7 @@ impl Engine {
 
     /// Forgets a page that is gone.
     pub fn leave(&self, page: u64) {
-        let mut state = self.shared.lock();
+        let mut state = self.shared.state.lock();
         state.wanted.remove(&page);
         state.turns.retain(|&other| other != page);
         if let Some(running) = state.running.as_ref().filter(|running| running.page == page) {
@@ -145,7 +147,7 @@ impl Engine {
     /// Ends the worker, and what it computes.
     pub fn end(&self) {
         self.shared.ended.store(true, Ordering::Relaxed);
-        if let Some(running) = &self.shared.lock().running {
+        if let Some(running) = &self.shared.state.lock().running {
             running.cancelled.store(true, Ordering::Relaxed);
         }
         self.shared.changed.notify_all();
@@ -164,10 +166,6 @@ impl Drop for Urgent {
 }
 
 impl Shared {
-    fn lock(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     fn work(&self) {
         // The tiles of a first, coarse look together.
         let mut per_tile = BATCH / 4;
@@ -182,7 +180,7 @@ impl Shared {
                 let message = format!("{error}; what is computed here is no longer kept in the store");
                 let _ = page.send(Outgoing::failed(scene.id, &message));
             }
-            let mut state = self.lock();
+            let mut state = self.state.lock();
             state.running = None;
             match computed {
                 Ok(done) => {
@@ -208,7 +206,7 @@ impl Shared {
 
     /// Waits for the next batch; none at the end.
     fn next(&self, per_tile: Duration) -> Option<Next> {
-        let mut state = self.lock();
+        let mut state = self.state.lock();
         let mut patience = WAIT;
         loop {
             if self.ended.load(Ordering::Relaxed) {
@@ -235,7 +233,7 @@ impl Shared {
             }
             let pause = if busy { Duration::from_millis(50) } else { Duration::from_secs(1) };
             patience = if busy { patience.saturating_sub(pause) } else { WAIT };
-            (state, _) = self.changed.wait_timeout(state, pause).unwrap_or_else(PoisonError::into_inner);
+            self.changed.wait_for(&mut state, pause);
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::io::Cursor;
 use std::panic::{self, AssertUnwindSafe};
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::asked::{Refused, because, refused};
 use super::gather;
@@ -39,16 +39,10 @@ pub fn curves(
     let found = followed(&map, max_period, task)?;
     let shown = if all { Shown::All } else { Shown::Bounding };
     let (x, y) = (&scene.plane.x, &scene.plane.y);
-    let lines: Vec<Value> = live_lines(&map, &found, shown)
-        .into_iter()
-        .map(|line| {
-            let points: Vec<[f64; 2]> = line.points.iter().map(|[a, b]| [x.place(*a), y.place(*b)]).collect();
-            json!({
-                "about": line.about, "name": line.name, "colour": line.colour, "widths": line.widths,
-                "dashes": line.dashes, "points": points,
-            })
-        })
-        .collect();
+    let mut lines = live_lines(&map, &found, shown);
+    for [a, b] in lines.iter_mut().flat_map(|line| &mut line.points) {
+        (*a, *b) = (x.place(*a), y.place(*b));
+    }
     task.answer("curves", json!({ "lines": lines, "of": found.len() }));
     Ok(())
 }

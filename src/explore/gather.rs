@@ -61,13 +61,7 @@ pub fn map(
     let verdicts: Option<Vec<Verdict>> = found.into_iter().collect();
     let nowhere = || Stopped::Failed("a part of the window has no such system: move it off the edge".into());
     let verdicts = verdicts.ok_or_else(nowhere)?;
-    Ok(RegionMap {
-        plane,
-        provenance: provenance(scene.computing.backend),
-        verdicts,
-        multipliers: None,
-        extents: None,
-    })
+    Ok(RegionMap::new(plane, provenance(scene.computing.backend), verdicts))
 }
 
 /// For each column and each row, whether the window's plane has the very value of the lattice there.

@@ -3,7 +3,7 @@
 //! The plane that was asked for has level 0. A cell of level z, counted from the plane's first cell, stands at i·2^−z
 //! cells of level 0; every other cell of a level is one of the level below, so that a finer look keeps what is known.
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use super::limits;
 use crate::plane::{Axis, AxisError, Plane};
@@ -11,9 +11,8 @@ use crate::plane::{Axis, AxisError, Plane};
 /// Cells along either side of a tile.
 pub const SIDE: u32 = 16;
 
-/// Which tile: its level, and its column and row in tiles of that level.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(from = "(i32, i64, i64)", into = "(i32, i64, i64)")]
+/// Which tile: its level, and its column and row in tiles of that level; pages write the three as a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize)]
 pub struct TileKey {
     /// The level.
     pub z: i32,
@@ -21,18 +20,6 @@ pub struct TileKey {
     pub i: i64,
     /// The row.
     pub j: i64,
-}
-
-impl From<(i32, i64, i64)> for TileKey {
-    fn from((z, i, j): (i32, i64, i64)) -> Self {
-        TileKey { z, i, j }
-    }
-}
-
-impl From<TileKey> for (i32, i64, i64) {
-    fn from(TileKey { z, i, j }: TileKey) -> Self {
-        (z, i, j)
-    }
 }
 
 impl TileKey {
@@ -50,9 +37,8 @@ impl TileKey {
     }
 }
 
-/// A cell: its level, and its column and row among the cells of that level.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(from = "(i32, i64, i64)", into = "(i32, i64, i64)")]
+/// A cell: its level, and its column and row among the cells of that level; pages write the three as a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
 pub struct Cell {
     /// The level.
     pub z: i32,
@@ -60,18 +46,6 @@ pub struct Cell {
     pub i: i64,
     /// The row.
     pub j: i64,
-}
-
-impl From<(i32, i64, i64)> for Cell {
-    fn from((z, i, j): (i32, i64, i64)) -> Self {
-        Cell { z, i, j }
-    }
-}
-
-impl From<Cell> for (i32, i64, i64) {
-    fn from(Cell { z, i, j }: Cell) -> Self {
-        (z, i, j)
-    }
 }
 
 impl Cell {
@@ -92,6 +66,11 @@ impl Cell {
     pub fn coarser(self) -> Option<Cell> {
         let even = self.i % 2 == 0 && self.j % 2 == 0 && self.z > limits::COARSEST;
         even.then_some(Cell { z: self.z - 1, i: self.i / 2, j: self.j / 2 })
+    }
+
+    /// The tiles that hold this place as a cell of theirs, its own level's first, each with the cell's place in it.
+    pub fn levels(self) -> impl Iterator<Item = (TileKey, usize)> {
+        std::iter::successors(Some(self), |cell| cell.coarser()).map(Cell::tile)
     }
 
     /// The cell of the plane that was asked for at this place, if there is one: its column and its row.
@@ -168,6 +147,8 @@ impl Window {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::Schedule;
+    use crate::plane::Start;
 
     fn axis(text: &str) -> Axis {
         text.parse().unwrap()
@@ -201,18 +182,9 @@ mod tests {
 
     #[test]
     fn the_window_of_all_cells_is_the_plane() {
-        let plane = Plane {
-            x: axis("omega=0.2:5:80"),
-            y: axis("delta=0.02:0.8:60"),
-            parameters: crate::model::Parameters::default().into(),
-            start: crate::plane::Start::Symmetric,
-            task: crate::analysis::Schedule {
-                transient: 300,
-                observe: 150,
-                max_period: 32,
-                fixed_periods: false,
-            },
-        };
+        let schedule = Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false };
+        let plane =
+            Plane::of_paper("omega=0.2:5:80", "delta=0.02:0.8:60", Start::Symmetric, schedule).unwrap();
         let all = Window { z: 0, columns: [0, 79], rows: [0, 59] };
         assert_eq!(all.plane(&plane).unwrap(), plane);
         let part = Window { z: 1, columns: [-2, 10], rows: [3, 9] }.plane(&plane).unwrap();

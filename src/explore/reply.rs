@@ -4,7 +4,8 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::analysis::Verdict;
-use crate::render::{Motion, css, paint_of};
+use crate::figure::css;
+use crate::render::{Motion, paint_of};
 
 /// A message to a page.
 #[derive(Clone, Debug, PartialEq)]

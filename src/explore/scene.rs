@@ -1,7 +1,9 @@
 //! A plane that is looked at: what is asked of its cells, what computes them, and the motions met so far.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
+
+use parking_lot::Mutex;
 
 use super::backends::Computing;
 use super::known::Known;
@@ -11,7 +13,7 @@ use super::stored::Stored;
 use crate::analysis::Verdict;
 use crate::backend::Job;
 use crate::model::System;
-use crate::plane::{Axis, Plane, Quantity, Start};
+use crate::plane::{Axis, Plane};
 use crate::render::Motion;
 
 /// A plane that is looked at.
@@ -71,38 +73,26 @@ impl Scene {
         self.job_at(x, y)
     }
 
-    /// What is to be followed at two values of the axes; none where there is no such system.
-    pub fn job_at(&self, x: f64, y: f64) -> Option<Job> {
+    /// The plane of the one cell at two values of the axes; none where they are out of range.
+    pub fn alone(&self, x: f64, y: f64) -> Option<Plane> {
         let one = |axis: &Axis, value: f64| {
             Axis::spaced(axis.quantity, value, value, 1, axis.spacing).ok().filter(|_| value.is_finite())
         };
-        let plane = Plane { x: one(&self.plane.x, x)?, y: one(&self.plane.y, y)?, ..self.plane.clone() };
+        Some(Plane { x: one(&self.plane.x, x)?, y: one(&self.plane.y, y)?, ..self.plane.clone() })
+    }
+
+    /// What is to be followed at two values of the axes; none where there is no such system.
+    pub fn job_at(&self, x: f64, y: f64) -> Option<Job> {
+        let plane = self.alone(x, y)?;
         let system = System::new(plane.parameters_at(0, 0)).ok()?;
         let start = plane.start_at(0, 0);
         start.check(system.plant(), plane.parameters.family()).ok()?;
         Some(Job { start: start.state(&system), system })
     }
 
-    /// What the cell at two values begins with, in words.
-    pub fn start_at(&self, x: f64, y: f64) -> Start {
-        let values = [(self.plane.x.quantity, x), (self.plane.y.quantity, y)];
-        let n = self.plane.parameters.family().n();
-        values.into_iter().fold(self.plane.start, |start, (quantity, value)| match (quantity, start) {
-            (Quantity::Start(component), start) => {
-                let mut state = match start {
-                    Start::State(state) => state,
-                    Start::Rest | Start::Symmetric => crate::model::StateVector::zeros(n),
-                };
-                state[component.index()] = value;
-                Start::State(state)
-            }
-            (_, start) => start,
-        })
-    }
-
     /// The numbers of the motions of some cells.
     pub fn numbered(&self, cells: &[Option<Verdict>]) -> Vec<u16> {
-        let mut motions = self.motions.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut motions = self.motions.lock();
         let number = |cell: &Option<Verdict>| {
             let Some(verdict) = cell else { return super::tile::NOWHERE };
             let motion = Motion::of(verdict);
@@ -121,13 +111,13 @@ impl Scene {
 
     /// An example of every motion from a number on.
     pub fn motions_from(&self, first: usize) -> Vec<Verdict> {
-        let motions = self.motions.lock().unwrap_or_else(PoisonError::into_inner);
+        let motions = self.motions.lock();
         motions.examples.get(first..).map(<[Verdict]>::to_vec).unwrap_or_default()
     }
 
     /// An example of a motion.
     pub fn motion(&self, number: u16) -> Option<Verdict> {
-        let motions = self.motions.lock().unwrap_or_else(PoisonError::into_inner);
+        let motions = self.motions.lock();
         motions.examples.get(usize::from(number)).copied()
     }
 }

@@ -1,8 +1,10 @@
 //! What all pages share: the planes that are open, and the worker that computes their tiles.
 
 use std::collections::VecDeque;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+
+use parking_lot::Mutex;
 
 use super::asked::{Refused, because, check, family, plane, refused};
 use super::backends::{self, Asked, Computing};
@@ -97,7 +99,7 @@ impl Served {
         let known = self.known.clone().filter(|known| *known.plane() == plane);
         let id = self.next_scene.fetch_add(1, Ordering::Relaxed);
         let scene = Arc::new(Scene::new(id, plane, computing, known));
-        let mut scenes = self.scenes.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut scenes = self.scenes.lock();
         scenes.push_back(scene.clone());
         if scenes.len() > limits::SCENES
             && let Some(oldest) = scenes.pop_front()
@@ -118,7 +120,7 @@ impl Served {
 
     /// An open plane, which becomes the one that is kept longest.
     fn found(&self, wanted: impl Fn(&Arc<Scene>) -> bool) -> Option<Arc<Scene>> {
-        let mut scenes = self.scenes.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut scenes = self.scenes.lock();
         let at = scenes.iter().position(wanted)?;
         let scene = scenes.remove(at)?;
         scenes.push_back(scene.clone());

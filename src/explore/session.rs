@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 use std::panic::{self, AssertUnwindSafe};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
+use parking_lot::Mutex;
 use serde_json::json;
 
 use super::asked::{Refused, refused};
@@ -76,7 +77,7 @@ impl Session {
                 self.reply("scene", ask, describe::scene(&scene, served.own()));
             }
             (Request::Cancel { ask }, _) => {
-                if let Some(flag) = self.tasks().get(&ask) {
+                if let Some(flag) = self.tasks.lock().get(&ask) {
                     flag.store(true, Ordering::Relaxed);
                 }
             }
@@ -137,10 +138,6 @@ impl Session {
         Ok(())
     }
 
-    fn tasks(&self) -> std::sync::MutexGuard<'_, HashMap<u32, Arc<AtomicBool>>> {
-        self.tasks.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// Begins something on a thread of its own; `urgent` keeps tiles waiting meanwhile.
     fn begin_task(
         &self,
@@ -150,7 +147,7 @@ impl Session {
     ) -> Result<(), Refused> {
         let cancelled = Arc::new(AtomicBool::new(false));
         {
-            let mut tasks = self.tasks();
+            let mut tasks = self.tasks.lock();
             if tasks.len() >= limits::TASKS {
                 return Err(refused("too much is under way: wait for something, or give it up"));
             }
@@ -164,7 +161,7 @@ impl Session {
             let urgent = urgent.then(|| engine.urgent());
             let done = panic::catch_unwind(AssertUnwindSafe(|| work(&task)));
             drop(urgent);
-            tasks.lock().unwrap_or_else(PoisonError::into_inner).remove(&ask);
+            tasks.lock().remove(&ask);
             task.end(done.unwrap_or_else(|_| {
                 Err(refused("internal error: a mistake in the program; please report it").into())
             }));
@@ -176,7 +173,7 @@ impl Session {
 
 impl Drop for Session {
     fn drop(&mut self) {
-        for flag in self.tasks().values() {
+        for flag in self.tasks.lock().values() {
             flag.store(true, Ordering::Relaxed);
         }
     }

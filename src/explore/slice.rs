@@ -46,8 +46,8 @@ impl Line {
         let (over, other) = if reach(0) >= reach(1) { (0, 1) } else { (1, 0) };
         let share = |i: u32| f64::from(i) / f64::from(columns - 1);
         let at = |k: usize, i: u32| axes[k].at(from[k] + share(i) * (to[k] - from[k]));
-        let Axis { quantity, spacing, .. } = axes[over];
-        let axis = Axis::spaced(quantity, at(over, 0), at(over, columns - 1), columns, spacing);
+        let (quantity, ends) = (axes[over].quantity, [0, columns - 1].map(|i| at(over, i)));
+        let axis = Axis::spaced(quantity, ends[0], ends[1], columns, axes[over].spacing);
         let axis = axis.map_err(because)?;
         let job = |i: u32| match over {
             0 => scene.job_at(axis.value(i), at(1, i)),

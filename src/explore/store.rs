@@ -1,7 +1,9 @@
 //! The tiles that were computed, as long as there is room for them.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
+
+use parking_lot::Mutex;
 
 use super::lattice::{Cell, TileKey};
 use super::limits;
@@ -35,7 +37,7 @@ struct Tile {
 impl Tiles {
     /// A tile, if it is there.
     pub fn get(&self, scene: u32, key: TileKey) -> Option<Arc<Cells>> {
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.kept.lock();
         kept.asked += 1;
         let now = kept.asked;
         let tile = kept.tiles.get_mut(&(scene, key))?;
@@ -45,13 +47,13 @@ impl Tiles {
 
     /// How far the motions of a tile go, if it is there and that was measured.
     pub fn extents(&self, scene: u32, key: TileKey) -> Option<Arc<Extents>> {
-        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let kept = self.kept.lock();
         kept.tiles.get(&(scene, key))?.extents.clone()
     }
 
     /// Keeps with a tile how far its motions go.
     pub fn put_extents(&self, scene: u32, key: TileKey, extents: Arc<Extents>) {
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.kept.lock();
         if let Some(tile) = kept.tiles.get_mut(&(scene, key)) {
             tile.extents = Some(extents);
         }
@@ -59,34 +61,18 @@ impl Tiles {
 
     /// How far the motion of a cell goes, where that was measured at its own level or at a coarser one that has it too.
     pub fn extent(&self, scene: u32, cell: Cell) -> Option<Extent> {
-        let mut next = Some(cell);
-        while let Some(cell) = next {
-            let (key, at) = cell.tile();
-            if let Some(extents) = self.extents(scene, key) {
-                return Some(extents[at]);
-            }
-            next = cell.coarser();
-        }
-        None
+        cell.levels().find_map(|(key, at)| Some(self.extents(scene, key)?[at]))
     }
 
     /// What is known of a cell: of its own level, or of a coarser one that has it too. `Some(None)` where there is no such
     /// system.
     pub fn cell(&self, scene: u32, cell: Cell) -> Option<Option<Verdict>> {
-        let mut next = Some(cell);
-        while let Some(cell) = next {
-            let (key, at) = cell.tile();
-            if let Some(cells) = self.get(scene, key) {
-                return Some(cells[at]);
-            }
-            next = cell.coarser();
-        }
-        None
+        cell.levels().find_map(|(key, at)| Some(self.get(scene, key)?[at]))
     }
 
     /// Keeps a tile.
     pub fn put(&self, scene: u32, key: TileKey, cells: Arc<Cells>) {
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.kept.lock();
         kept.asked += 1;
         let now = kept.asked;
         kept.tiles.insert((scene, key), Tile { cells, extents: None, last: now });
@@ -100,13 +86,13 @@ impl Tiles {
 
     /// Forgets the tiles of a plane.
     pub fn forget(&self, scene: u32) {
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.kept.lock();
         kept.tiles.retain(|(of, _), _| *of != scene);
     }
 
     /// How many there are.
     pub fn count(&self) -> usize {
-        self.kept.lock().unwrap_or_else(PoisonError::into_inner).tiles.len()
+        self.kept.lock().tiles.len()
     }
 }
 

@@ -1,8 +1,10 @@
 //! The cells of a store: its tiles are read as they are looked at, and kept there once all their cells were computed.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use parking_lot::Mutex;
 
 use super::lattice::{Cell, SIDE, TileKey};
 use super::limits::HELD_CELLS;
@@ -65,10 +67,6 @@ impl Stored {
         Ok(Stored { store, held, keeps: AtomicBool::new(true) })
     }
 
-    fn held(&self) -> MutexGuard<'_, Held> {
-        self.held.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// The tile that holds a cell.
     fn tile(&self, column: u32, row: u32) -> u32 {
         let tiling = self.store.tiling();
@@ -78,10 +76,10 @@ impl Stored {
 
     /// Whether a tile is there, perhaps since another process put it there.
     fn is_there(&self, tile: u32) -> bool {
-        let known = self.held().there[tile as usize];
+        let known = self.held.lock().there[tile as usize];
         let there = known || self.store.is_there(tile);
         if there && !known {
-            self.held().there[tile as usize] = true;
+            self.held.lock().there[tile as usize] = true;
         }
         there
     }
@@ -101,11 +99,11 @@ impl Stored {
         for (tile, count) in wanted {
             let window = self.store.tiling().window(tile);
             let worth = small || count * SPARSE >= window.cells();
-            if !worth || self.held().tiles.contains_key(&tile) || !self.is_there(tile) {
+            if !worth || self.held.lock().tiles.contains_key(&tile) || !self.is_there(tile) {
                 continue;
             }
             let map = self.store.map_of(window).map_err(|error| error.to_string())?;
-            self.held().put(tile, map.verdicts);
+            self.held.lock().put(tile, map.verdicts);
         }
         Ok(())
     }
@@ -113,7 +111,7 @@ impl Stored {
     /// A cell, if its tile is in memory.
     pub fn at(&self, column: u32, row: u32) -> Option<Verdict> {
         let tile = self.tile(column, row);
-        let mut held = self.held();
+        let mut held = self.held.lock();
         held.looked += 1;
         let now = held.looked;
         let (cells, looked) = held.tiles.get_mut(&tile)?;
@@ -154,7 +152,7 @@ impl Stored {
                 self.keeps.store(false, Ordering::Relaxed);
                 return Err(error);
             }
-            let mut held = self.held();
+            let mut held = self.held.lock();
             held.there[tile as usize] = true;
             held.put(tile, verdicts);
             written += 1;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+use derive_more::From;
 use serde::Serialize;
 
 use super::asked::Refused;
@@ -16,18 +17,12 @@ use crate::backend::Watch;
 const EVERY: Duration = Duration::from_millis(200);
 
 /// Why a task came to nothing.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, From)]
 pub enum Ended {
     /// The request was cancelled.
     Cancelled,
     /// It cannot be done, and why.
     Refused(Refused),
-}
-
-impl From<Refused> for Ended {
-    fn from(refused: Refused) -> Self {
-        Ended::Refused(refused)
-    }
 }
 
 impl From<Stopped> for Ended {

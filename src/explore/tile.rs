@@ -64,27 +64,15 @@ pub fn file(task: u32, content: &[u8]) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::{Counts, Measures, Regime};
+    use crate::analysis::Regime;
     use crate::explore::lattice::SIDE;
 
     const SCRIPT: &str = include_str!("page/protocol.js");
     const DOCUMENT: &str = include_str!("protocol.md");
 
     fn verdict() -> Verdict {
-        Verdict {
-            regime: Regime::Periodic,
-            n: 2,
-            counts: Counts::new(&[3, 4]),
-            symmetric: false,
-            lyapunov: -0.25,
-            state: [0.0; 4].into(),
-            impacts: 70,
-            impacts_total: 90,
-            peak_impact_velocity: 1.5,
-            periods: 450,
-            returning: 0,
-            measures: Measures::default(),
-        }
+        let motion = Verdict::of_motion(Regime::Periodic, [2, 3, 4], false);
+        Verdict { lyapunov: -0.25, impacts: 70, peak_impact_velocity: 1.5, periods: 450, ..motion }
     }
 
     #[test]

@@ -9,6 +9,7 @@ use image::{ImageBuffer, PixelWithColorType, Rgb};
 use quick_xml::Writer;
 use quick_xml::events::{BytesEnd, BytesStart, BytesText, Event};
 
+use super::ink::css;
 use super::paint::{Hatch, Paint};
 use super::shapes::{Colour, Point, Rect};
 use super::size::Size;
@@ -37,19 +38,18 @@ impl Canvas {
         let metadata = canvas.xml.create_element("metadata").with_attribute(("id", "impact-atlas"));
         metadata.write_text_content(BytesText::new(config)).expect(IN_MEMORY);
         canvas.line_break();
-        let (width, height) = (size.width().into(), size.height().into());
-        canvas.fill(Rect { x: 0.0, y: 0.0, width, height }, Rgb([255; 3]));
+        canvas.fill(Rect::whole(size), Rgb([255; 3]));
         canvas
     }
 
     /// Fills a rectangle.
     pub fn fill(&mut self, rect: Rect, colour: Colour) {
-        self.rect(rect, &[("fill", &hex(colour))]);
+        self.rect(rect, &[("fill", &css(colour))]);
     }
 
     /// Draws the edge of a rectangle.
     pub fn outline(&mut self, rect: Rect, width: f64, colour: Colour) {
-        self.rect(rect, &[("fill", "none"), ("stroke", &hex(colour)), ("stroke-width", &number(width))]);
+        self.rect(rect, &[("fill", "none"), ("stroke", &css(colour)), ("stroke-width", &number(width))]);
     }
 
     /// Draws straight lines of one width and colour.
@@ -62,11 +62,6 @@ impl Canvas {
             .map(|(a, b)| format!("M{} {}L{} {}", number(a.x), number(a.y), number(b.x), number(b.y)))
             .collect();
         self.path(&path.concat(), width, colour, &[]);
-    }
-
-    /// Draws a line through points, its corners round.
-    pub fn polyline(&mut self, points: &[Point], width: f64, colour: Colour) {
-        self.stroke(points, width, colour, &[]);
     }
 
     /// Draws a line through points, its corners round, with dashes and gaps of the given lengths unless there are none.
@@ -98,7 +93,7 @@ impl Canvas {
         let element = self.xml.create_element("path").with_attributes([
             ("d", path),
             ("fill", "none"),
-            ("stroke", &hex(colour)),
+            ("stroke", &css(colour)),
             ("stroke-width", &number(width)),
         ]);
         element.with_attributes(more.iter().copied()).write_empty().expect(IN_MEMORY);
@@ -143,8 +138,8 @@ impl Canvas {
             ("cx", &*number(at.x)),
             ("cy", &number(at.y)),
             ("r", &number(radius)),
-            ("fill", &hex(fill)),
-            ("stroke", &hex(edge)),
+            ("fill", &css(fill)),
+            ("stroke", &css(edge)),
             ("stroke-width", &number(width)),
         ]);
         element.write_empty().expect(IN_MEMORY);
@@ -173,10 +168,6 @@ impl Canvas {
     pub(super) fn line_break(&mut self) {
         self.xml.get_mut().push(b'\n');
     }
-}
-
-pub(super) fn hex(Rgb([r, g, b]): Colour) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 /// A coordinate to a hundredth of a pixel.

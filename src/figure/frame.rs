@@ -104,12 +104,7 @@ impl Frame {
     pub(crate) fn draw(&self, canvas: &mut Canvas, placed: &Placed, em: f64) {
         let Placed { plot, x_ticks, y_ticks, .. } = placed;
         let line = line_width(em);
-        let edge = Rect {
-            x: plot.x - line / 2.0,
-            y: plot.y - line / 2.0,
-            width: plot.width + line,
-            height: plot.height + line,
-        };
+        let edge = plot.grown(line / 2.0);
         let x_of = |value: f64| on_pixel(plot.x + self.x.fraction(value) * plot.width, line);
         let y_of = |value: f64| on_pixel(plot.bottom() - self.y.fraction(value) * plot.height, line);
         let below = |value: f64, length: f64| {

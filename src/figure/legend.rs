@@ -121,13 +121,7 @@ fn draw_swatch(canvas: &mut Canvas, corner: Point, paints: &[Paint], em: f64) {
         canvas.paint(Rect { x, y: corner.y, width: part, height }, *paint, em);
     }
     let line = line_width(em);
-    let edge = Rect {
-        x: corner.x - line / 2.0,
-        y: corner.y - line / 2.0,
-        width: width + line,
-        height: height + line,
-    };
-    canvas.outline(edge, line, INK);
+    canvas.outline(Rect { x: corner.x, y: corner.y, width, height }.grown(line / 2.0), line, INK);
 }
 
 #[cfg(test)]

@@ -40,6 +40,7 @@ pub use carried::carried_configuration;
 pub(crate) use font::database;
 pub use frame::{AxisTitle, Frame};
 pub(crate) use frame::{Placed, TITLE, fitting_ticks, line_width, widest};
+pub use ink::css;
 pub(crate) use ink::{INK, MUTED, hex};
 pub use legend::{Entry, Legend};
 pub(crate) use number::number;

@@ -1,9 +1,9 @@
 //! Palettes of numbers: maps in which equal steps look equal, from the crate `colorous`.
 
-use std::fmt;
 use std::str::FromStr;
 
 use colorous::Gradient;
+use derive_more::Display;
 use image::Rgb;
 use thiserror::Error;
 
@@ -28,7 +28,8 @@ const BELOW: Colour = Rgb([0x00, 0xc8, 0xff]);
 const ABOVE: Colour = Rgb([0xff, 0x00, 0xc8]);
 
 /// The colours of numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Display)]
+#[display("{}", self.name())]
 pub struct Palette(usize);
 
 impl Palette {
@@ -59,12 +60,6 @@ impl Palette {
     /// The colour of what lies below the least number, or above the greatest: no palette ends in either.
     pub fn beyond(above: bool) -> Colour {
         if above { ABOVE } else { BELOW }
-    }
-}
-
-impl fmt::Display for Palette {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

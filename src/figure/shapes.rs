@@ -2,6 +2,8 @@
 
 use image::Rgb;
 
+use super::size::Size;
+
 /// An opaque colour, sRGB.
 pub type Colour = Rgb<u8>;
 
@@ -28,6 +30,18 @@ pub struct Rect {
 }
 
 impl Rect {
+    /// A whole picture.
+    pub fn whole(size: Size) -> Self {
+        Rect { x: 0.0, y: 0.0, width: size.width().into(), height: size.height().into() }
+    }
+
+    /// Larger on every side.
+    #[must_use]
+    pub fn grown(self, by: f64) -> Self {
+        let Rect { x, y, width, height } = self;
+        Rect { x: x - by, y: y - by, width: width + 2.0 * by, height: height + 2.0 * by }
+    }
+
     /// The right edge.
     pub fn right(&self) -> f64 {
         self.x + self.width

@@ -1,9 +1,11 @@
 //! Values in equal steps or at equal ratios.
 
+use serde::{Deserialize, Serialize};
+
 use super::spacing::Spacing;
 
 /// `count` values from `first` to `last`, both included; they may rise or fall.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Steps {
     /// The first value.
     pub first: f64,
@@ -12,6 +14,7 @@ pub struct Steps {
     /// How many values.
     pub count: u32,
     /// How they are spaced.
+    #[serde(default, skip_serializing_if = "Spacing::is_linear")]
     pub spacing: Spacing,
 }
 

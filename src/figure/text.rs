@@ -95,17 +95,10 @@ impl Text {
     pub fn wrap(pieces: impl IntoIterator<Item = Text>, size: f64, width: f64) -> Vec<Text> {
         let mut lines: Vec<Text> = Vec::new();
         for piece in pieces {
-            match lines.last() {
-                Some(line) => {
-                    let longer = line.clone().upright(" ").then(piece.clone());
-                    if longer.width(size) <= width {
-                        lines.pop();
-                        lines.push(longer);
-                    } else {
-                        lines.push(piece);
-                    }
-                }
-                None => lines.push(piece),
+            let longer = lines.last().map(|line| line.clone().upright(" ").then(piece.clone()));
+            match (lines.last_mut(), longer) {
+                (Some(line), Some(longer)) if longer.width(size) <= width => *line = longer,
+                _ => lines.push(piece),
             }
         }
         lines
@@ -128,14 +121,8 @@ impl Text {
     }
 }
 
-impl From<&str> for Text {
-    fn from(content: &str) -> Self {
-        Text::new().upright(content)
-    }
-}
-
-impl From<String> for Text {
-    fn from(content: String) -> Self {
+impl<T: Into<String>> From<T> for Text {
+    fn from(content: T) -> Self {
         Text::new().upright(content)
     }
 }

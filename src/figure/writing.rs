@@ -5,8 +5,9 @@ use std::io::{self, Write};
 use quick_xml::Writer;
 use quick_xml::events::BytesText;
 
-use super::canvas::{Canvas, IN_MEMORY, hex, number};
+use super::canvas::{Canvas, IN_MEMORY, number};
 use super::font::{CAPITALS, FAMILY};
+use super::ink::css;
 use super::shapes::{Anchor, Colour, Point};
 use super::text::{Span, Style, Text};
 
@@ -32,7 +33,7 @@ impl Canvas {
         colour: Colour,
         (rim, around): (f64, Colour),
     ) {
-        let (rim, around) = (number(rim), hex(around));
+        let (rim, around) = (number(rim), css(around));
         let halo = [
             ("stroke", &*around),
             ("stroke-width", &*rim),
@@ -61,7 +62,7 @@ impl Canvas {
                 ("x", &*number(at.x)),
                 ("y", &number(at.y + CAPITALS / 2.0 * size)),
                 ("font-size", &number(size)),
-                ("fill", &hex(colour)),
+                ("fill", &css(colour)),
                 ("text-anchor", anchor.into()),
                 ("font-family", FAMILY),
                 ("xml:space", "preserve"),

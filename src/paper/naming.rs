@@ -88,13 +88,9 @@ mod tests {
     use crate::plane::Start;
 
     fn plane(x: &str, parameters: Parameters) -> Plane {
-        Plane {
-            x: x.parse().unwrap(),
-            y: "delta=0.1:0.5:5".parse().unwrap(),
-            parameters: parameters.into(),
-            start: Start::Symmetric,
-            task: Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: false },
-        }
+        let schedule = Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: false };
+        let plane = Plane::of_paper(x, "delta=0.1:0.5:5", Start::Symmetric, schedule).unwrap();
+        Plane { parameters: parameters.into(), ..plane }
     }
 
     /// A level curve; subcritical up to `turn`.

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use derive_more::Deref;
 use serde::Serialize;
 
 use super::axis_error::{AxisError, MOST_VALUES};
@@ -12,20 +13,15 @@ use crate::figure::{Spacing, Steps};
 use crate::model::{Number, whole};
 use crate::system::Family;
 
-/// An axis of a plane: `count` values from `first` to `last`, both included; they may rise or fall.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+/// An axis of a plane: what is varied, in some steps.
+#[derive(Clone, Copy, Debug, PartialEq, Deref, Serialize)]
 pub struct Axis {
     /// What is varied.
     pub quantity: Quantity,
-    /// The first value.
-    pub first: f64,
-    /// The last value; another than the first, or equal to it where there is but one.
-    pub last: f64,
-    /// How many values.
-    pub count: u32,
-    /// How they are spaced.
-    #[serde(skip_serializing_if = "Spacing::is_linear")]
-    pub spacing: Spacing,
+    /// Its values.
+    #[deref]
+    #[serde(flatten)]
+    pub steps: Steps,
 }
 
 impl Axis {
@@ -76,44 +72,14 @@ impl Axis {
             parameter.check(first)?;
             parameter.check(last)?;
         }
-        let axis = Axis { quantity, first, last, count, spacing };
-        let whole = axis.control().is_some_and(ControlQuantity::is_whole);
+        let axis = Axis { quantity, steps: Steps { first, last, count, spacing } };
+        let whole = axis.control().is_some_and(|setting| setting.is_whole);
         if whole && axis.values().iter().any(|value| value.fract() != 0.0 || *value < 0.0) {
             let axis = format!("{name}={}:{}:{count}", Number(first), Number(last));
             let problem = "has values that are not whole numbers: choose a COUNT so that all are";
             return Err(AxisError::Ends { axis, problem });
         }
         Ok(axis)
-    }
-
-    /// Its values.
-    pub fn steps(&self) -> Steps {
-        Steps { first: self.first, last: self.last, count: self.count, spacing: self.spacing }
-    }
-
-    /// The value at index `i`; the ends are exact.
-    pub fn value(&self, i: u32) -> f64 {
-        self.steps().value(i)
-    }
-
-    /// The value at a place counted in values from the first one; it may lie between two of them, or beyond the ends.
-    pub fn at(&self, place: f64) -> f64 {
-        self.steps().at(place)
-    }
-
-    /// Where a value stands, counted in values from the first one.
-    pub fn place(&self, value: f64) -> f64 {
-        self.steps().place(value)
-    }
-
-    /// The share of the way from the first to the last value at which a value stands.
-    pub fn share(&self, value: f64) -> f64 {
-        self.steps().share(value)
-    }
-
-    /// All values, in order.
-    pub fn values(&self) -> Vec<f64> {
-        self.steps().values()
     }
 
     /// The values that lie between two, both included: the index of the first, and how many; none if there are none.
@@ -134,7 +100,9 @@ impl Axis {
     #[must_use]
     pub fn part(&self, first: u32, count: u32) -> Axis {
         assert!(count > 0 && first + count <= self.count, "{count} values from {first} on of {self}");
-        Axis { first: self.value(first), last: self.value(first + count - 1), count, ..*self }
+        let steps =
+            Steps { first: self.value(first), last: self.value(first + count - 1), count, ..self.steps };
+        Axis { steps, ..*self }
     }
 
     /// The indices in order of falling, or of rising, values.

@@ -1,9 +1,9 @@
 //! A plane divided into parts that independent processes compute.
 
 use std::cmp::Reverse;
-use std::fmt;
 use std::str::FromStr;
 
+use derive_more::Display;
 use thiserror::Error;
 
 use super::spec::Plane;
@@ -11,7 +11,8 @@ use super::window::Tiling;
 use crate::model::System;
 
 /// Part K of M.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Display)]
+#[display("{number}/{of}")]
 pub struct Part {
     number: u32,
     of: u32,
@@ -49,12 +50,6 @@ pub fn cost(plane: &Plane, tiling: &Tiling, tile: u32) -> u64 {
     window.cells() as u64 * u64::from(steps)
 }
 
-impl fmt::Display for Part {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}/{}", self.number, self.of)
-    }
-}
-
 impl FromStr for Part {
     type Err = PartError;
 
@@ -75,17 +70,11 @@ pub struct PartError(pub String);
 mod tests {
     use super::*;
     use crate::analysis::Schedule;
-    use crate::model::Parameters;
     use crate::plane::Start;
 
     fn plane() -> Plane {
-        Plane {
-            x: "omega=0.1:5:400".parse().unwrap(),
-            y: "delta=0.02:0.8:300".parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Rest,
-            task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
-        }
+        let schedule = Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false };
+        Plane::of_paper("omega=0.1:5:400", "delta=0.02:0.8:300", Start::Rest, schedule).unwrap()
     }
 
     #[test]

@@ -25,7 +25,7 @@ impl Quantity {
         match self {
             Quantity::Parameter(parameter) => parameter.name(),
             Quantity::Start(component) => component.name(),
-            Quantity::Control(setting) => setting.name(),
+            Quantity::Control(setting) => setting.name,
         }
     }
 
@@ -41,12 +41,12 @@ impl Quantity {
         if let Ok(parameter) = Parameter::of(family, name) {
             return Ok(Quantity::Parameter(parameter));
         }
-        let setting = ControlQuantity::all().find(|setting| setting.name() == name);
+        let setting = ControlQuantity::all().find(|setting| setting.name == name);
         setting.map(Quantity::Control).ok_or_else(|| {
             let parameters = Parameter::all(family).map(Parameter::name);
             let known = Vec::from_iter(parameters.chain(Component::all(family.n()).map(Component::name)));
             let settings =
-                Vec::from_iter(ControlQuantity::of_coordinates(family.n()).map(ControlQuantity::name));
+                Vec::from_iter(ControlQuantity::of_coordinates(family.n()).map(|setting| setting.name));
             let [known, settings] = [known, settings].map(|names| names.join(", "));
             AxisError::UnknownName { name: name.to_owned(), known, settings }
         })

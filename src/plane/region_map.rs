@@ -8,7 +8,7 @@ use super::task::{Reached, Task};
 use crate::analysis::{Extent, Regime, Schedule};
 
 /// What computed a result.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Provenance {
     /// The version of this crate.
     pub version: String,
@@ -71,6 +71,11 @@ pub struct RegionMap<T: Task = Schedule> {
 }
 
 impl<T: Task> RegionMap<T> {
+    /// What came out of each cell of a plane, and nothing beyond.
+    pub fn new(plane: Plane<T>, provenance: Provenance, verdicts: Vec<T::Cell>) -> Self {
+        RegionMap { plane, provenance, verdicts, multipliers: None, extents: None }
+    }
+
     /// What came out of the cell in column `column` of row `row`.
     pub fn at(&self, column: u32, row: u32) -> &T::Cell {
         &self.verdicts[row as usize * self.plane.x.count as usize + column as usize]

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::axis::Axis;
+use super::axis_error::AxisError;
 use super::error::PlaneError;
 use super::quantity::Quantity;
 use super::start::Start;
@@ -11,6 +12,7 @@ use super::written::{WrittenAxis, WrittenParameters, WrittenSystem, parameters, 
 use crate::analysis::Schedule;
 use crate::control::Scheme;
 use crate::model::{Setting, StateVector};
+use crate::system::Family;
 
 /// A plane of parameter pairs (or of start components, or of settings of a control method), cell by cell in rows of equal y,
 /// of each of which the same is asked: a [`Task`], or nothing (`()`) where only the plane itself matters.
@@ -66,6 +68,15 @@ impl<T: Task> Plane<T> {
 }
 
 impl<T> Plane<T> {
+    /// A plane of the paper's oscillator over two axes, NAME=FIRST:LAST:COUNT; the parameters that they leave are the paper's.
+    ///
+    /// # Errors
+    /// What is wrong with an axis.
+    pub fn of_paper(x: &str, y: &str, start: Start, task: T) -> Result<Self, AxisError> {
+        let parameters = Setting::defaults(Family::paper());
+        Ok(Plane { x: x.parse()?, y: y.parse()?, parameters, start, task })
+    }
+
     /// The same plane, of whose cells something else is asked.
     pub fn asking<U>(&self, task: U) -> Plane<U> {
         let Plane { x, y, parameters, start, .. } = *self;

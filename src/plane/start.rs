@@ -1,8 +1,8 @@
 //! How a cell's trajectory begins; part of every result, since the plane is multistable.
 
-use std::fmt;
 use std::str::FromStr;
 
+use derive_more::Display;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -11,7 +11,8 @@ use crate::system::{Family, Plant};
 use crate::theory::symmetric_start;
 
 /// How a trajectory begins, at forcing phase 0.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Display, Serialize, Deserialize)]
+#[display(rename_all = "lowercase")]
 #[serde(rename_all = "lowercase")]
 pub enum Start {
     /// Both masses at rest at their equilibrium.
@@ -20,6 +21,7 @@ pub enum Start {
     /// where a system has no mirror.
     Symmetric,
     /// The given (x1 … xn, v1 … vn); non-dimensional.
+    #[display("{}", joined(_0, ","))]
     State(StateVector),
 }
 
@@ -61,10 +63,8 @@ impl Start {
     /// # Errors
     /// [`StartError::OutsideStops`] with the place, and [`StartError::Components`].
     pub fn check(&self, plant: &Plant, family: &Family) -> Result<(), StartError> {
+        self.fits(family)?;
         let Start::State(state) = *self else { return Ok(()) };
-        if state.coordinates() != plant.n {
-            return Err(StartError::Components { given: state.len(), needed: 2 * plant.n });
-        }
         for (number, stop) in plant.stops.iter().enumerate() {
             let place: f64 = stop.direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum();
             if place > stop.gap {
@@ -88,16 +88,6 @@ impl Start {
             }
         }
         Ok(())
-    }
-}
-
-impl fmt::Display for Start {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Start::Rest => f.write_str("rest"),
-            Start::Symmetric => f.write_str("symmetric"),
-            Start::State(state) => f.write_str(&joined(state, ",")),
-        }
     }
 }
 

@@ -103,7 +103,7 @@ impl Task for Schedule {
 
     fn check(&self, axes: [&Axis; 2]) -> Result<(), PlaneError> {
         if let Some(setting) = axes.into_iter().find_map(Axis::control) {
-            return Err(PlaneError::NoControl(setting.name()));
+            return Err(PlaneError::NoControl(setting.name));
         }
         Ok(self.check()?)
     }
@@ -127,7 +127,7 @@ pub struct Control {
 impl Control {
     /// The scheme with one setting changed.
     fn varied(&self, setting: ControlQuantity, value: f64) -> Result<Scheme, PlaneError> {
-        let (name, method) = (setting.name(), self.scheme.method().name);
+        let (name, method) = (setting.name, self.scheme.method().name);
         self.scheme.with(setting, value).ok_or(PlaneError::NoSuchSetting { name, method })
     }
 }

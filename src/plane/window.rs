@@ -141,17 +141,12 @@ impl Tiling {
 mod tests {
     use super::*;
     use crate::analysis::Schedule;
-    use crate::model::Parameters;
     use crate::plane::Start;
 
     fn plane(columns: u32, rows: u32) -> Plane {
-        Plane {
-            x: format!("omega=1:3:{columns}").parse().unwrap(),
-            y: format!("delta=0.1:0.4:{rows}").parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Rest,
-            task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
-        }
+        let schedule = Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false };
+        let (x, y) = (format!("omega=1:3:{columns}"), format!("delta=0.1:0.4:{rows}"));
+        Plane::of_paper(&x, &y, Start::Rest, schedule).unwrap()
     }
 
     #[test]

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::axis::Axis;
 use super::quantity::Quantity;
-use crate::figure::Spacing;
+use crate::figure::Steps;
 use crate::model::{Parameter, Setting};
 use crate::system::Family;
 
@@ -14,18 +14,14 @@ use crate::system::Family;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct WrittenAxis {
     quantity: String,
-    first: f64,
-    last: f64,
-    count: u32,
-    #[serde(default, skip_serializing_if = "Spacing::is_linear")]
-    spacing: Spacing,
+    #[serde(flatten)]
+    steps: Steps,
 }
 
 impl WrittenAxis {
     /// An axis as it is written.
     pub fn of(axis: &Axis) -> Self {
-        let Axis { quantity, first, last, count, spacing } = *axis;
-        WrittenAxis { quantity: quantity.name().to_owned(), first, last, count, spacing }
+        WrittenAxis { quantity: axis.quantity.name().to_owned(), steps: axis.steps }
     }
 
     /// The axis of a family.
@@ -33,8 +29,9 @@ impl WrittenAxis {
     /// # Errors
     /// What is wrong with it, in words.
     pub fn read(&self, family: &'static Family) -> Result<Axis, String> {
+        let Steps { first, last, count, spacing } = self.steps;
         let axis = Quantity::named(&self.quantity, family)
-            .and_then(|quantity| Axis::spaced(quantity, self.first, self.last, self.count, self.spacing));
+            .and_then(|quantity| Axis::spaced(quantity, first, last, count, spacing));
         axis.map_err(|error| error.to_string())
     }
 }
@@ -52,10 +49,10 @@ impl WrittenSystem {
     /// A family as it is written.
     pub fn of(family: &Family) -> Self {
         WrittenSystem {
-            name: family.name().to_owned(),
-            origin: family.origin().to_owned(),
-            hash: family.hash().to_owned(),
-            text: family.text().to_owned(),
+            name: family.name.clone(),
+            origin: family.origin.clone(),
+            hash: family.hash.clone(),
+            text: family.text.clone(),
         }
     }
 
@@ -66,7 +63,7 @@ impl WrittenSystem {
     pub fn read(written: Option<&WrittenSystem>) -> Result<&'static Family, String> {
         let Some(WrittenSystem { origin, hash, text, .. }) = written else { return Ok(Family::paper()) };
         let family = Family::kept(text, origin).map_err(|error| error.to_string())?;
-        if family.hash() == hash {
+        if family.hash == *hash {
             return Ok(family);
         }
         Err(format!("the family {origin} does not have the hash that is written with it"))

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::colours::{SHARED, SPARE, paint_of};
 use super::motion::Motion;
 use crate::analysis::Regime;
-use crate::figure::{Colour, DISTINCT, Paint, Seen};
+use crate::figure::{Colour, DISTINCT, Paint, Seen, hex};
 
 /// The paints of the motions of one picture.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ impl Colouring {
                 own.insert(motion, steady);
                 continue;
             }
-            let spare = SPARE.into_iter().map(|fill| Paint { fill, ..steady });
+            let spare = SPARE.into_iter().map(|spare| Paint { fill: hex(spare), ..steady });
             let free = std::iter::once(steady).chain(spare).find_map(|paint| {
                 let seen = Seen::of(paint.fill);
                 let alike = |(hatch, other): &(Option<Colour>, Seen)| {

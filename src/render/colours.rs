@@ -70,32 +70,10 @@ pub(super) const NOT_THERE: Paint = Paint::hatched(hex(0xffffff), hex(0xc9c9c9))
 
 /// Colours for motions whose own would be taken for another one's; distinct from each other, from the common hues and from
 /// what is not periodic, to every eye.
-pub(super) const SPARE: [Colour; 25] = [
-    hex(0x8282ca),
-    hex(0x82a6a6),
-    hex(0xeeee94),
-    hex(0xca04a6),
-    hex(0x284c5e),
-    hex(0x94b8ee),
-    hex(0x943a4c),
-    hex(0x0404ee),
-    hex(0xeedcee),
-    hex(0xee164c),
-    hex(0x3a5e28),
-    hex(0x5e8228),
-    hex(0xb8b804),
-    hex(0x82043a),
-    hex(0xdcb8dc),
-    hex(0xa6cab8),
-    hex(0x94a65e),
-    hex(0x5e4c82),
-    hex(0xdc4c94),
-    hex(0x040470),
-    hex(0x284cee),
-    hex(0x163a16),
-    hex(0x282870),
-    hex(0x0404b8),
-    hex(0x3a043a),
+pub(super) const SPARE: [u32; 25] = [
+    0x8282ca, 0x82a6a6, 0xeeee94, 0xca04a6, 0x284c5e, 0x94b8ee, 0x943a4c, 0x0404ee, 0xeedcee, 0xee164c,
+    0x3a5e28, 0x5e8228, 0xb8b804, 0x82043a, 0xdcb8dc, 0xa6cab8, 0x94a65e, 0x5e4c82, 0xdc4c94, 0x040470,
+    0x284cee, 0x163a16, 0x282870, 0x0404b8, 0x3a043a,
 ];
 
 /// What the region of a motion is filled with where nothing else is to be told from it; depends on nothing else.
@@ -223,7 +201,7 @@ mod tests {
                 .filter(|(label, _)| label[2] != INFINITELY_MANY)
                 .flat_map(|(label, tones)| tones.map(|tone| (format!("{label:?}"), tone))),
         );
-        for spare in SPARE {
+        for spare in SPARE.map(hex) {
             for (name, colour) in &taken {
                 let found = Seen::of(spare).difference(&Seen::of(*colour));
                 assert!(found >= DISTINCT, "{spare:?} and {name} differ by {found}");

@@ -2,28 +2,15 @@
 
 use crate::analysis::{INFINITELY_MANY, Regime, Schedule, Verdict};
 use crate::curves::{Criticality, Curve, CurveMotion, CurvePoint, End, Kind, Special};
-use crate::model::Parameters;
-use crate::plane::{Plane, Provenance, RegionMap, Start};
+use crate::plane::{Plane, Provenance, RegionMap, Start, Window};
 
 /// A plane over the forcing frequency and the clearance with the given verdicts.
 pub(super) fn of(columns: u32, rows: u32, cell: impl Fn(u32, u32) -> Verdict) -> RegionMap {
-    let axis = |name, count| format!("{name}:{count}").parse().unwrap();
-    RegionMap {
-        plane: Plane {
-            x: axis("omega=0.2:5", columns),
-            y: axis("delta=0.02:0.8", rows),
-            parameters: Parameters::default().into(),
-            start: Start::Symmetric,
-            task: Schedule { transient: 500, observe: 500, max_period: 64, fixed_periods: false },
-        },
-        provenance: Provenance { version: "0.1.0".into(), backend: "cpu".into(), adapter: "example".into() },
-        verdicts: (0..rows)
-            .flat_map(|row| (0..columns).map(move |column| (column, row)))
-            .map(|(c, r)| cell(c, r))
-            .collect(),
-        multipliers: None,
-        extents: None,
-    }
+    let schedule = Schedule { transient: 500, observe: 500, max_period: 64, fixed_periods: false };
+    let (x, y) = (format!("omega=0.2:5:{columns}"), format!("delta=0.02:0.8:{rows}"));
+    let plane = Plane::of_paper(&x, &y, Start::Symmetric, schedule).unwrap();
+    let verdicts = Window::whole(&plane).places().map(|(column, row)| cell(column, row)).collect();
+    RegionMap::new(plane, Provenance::default(), verdicts)
 }
 
 /// A plane that looks a little like the one of the paper.

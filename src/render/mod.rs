@@ -23,11 +23,11 @@ mod symbols;
 pub use colours::paint_of;
 pub use control::{ControlPicture, Response};
 pub use convergence::convergence_map;
-pub use curves::Shown;
+pub use curves::{LiveLine, Shown, live_lines};
 pub use diagram::diagram_figure;
 pub use live::{
-    LiveAxis, LiveBar, LiveLegend, LiveLine, LivePart, LiveRow, Word, css, live_axis, live_bar, live_hatch,
-    live_legend, live_lines, live_title, slice_figure, words,
+    LiveAxis, LiveBar, LiveLegend, LivePart, LiveRow, Word, live_axis, live_bar, live_hatch, live_legend,
+    live_title, slice_figure, words,
 };
 pub use motion::Motion;
 pub use orbit::{Orbit, OrbitPanel, PanelError, Variable, Zoom, orbit_figure, orbit_key};

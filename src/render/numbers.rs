@@ -77,9 +77,7 @@ impl Sheet {
     ) -> Result<Picture, E> {
         let em = size.em();
         let placed = self.place(size);
-        let (width, height) = (f64::from(size.width()), f64::from(size.height()));
-        let whole = Rect { x: 0.0, y: 0.0, width, height };
-        let plot = placed.as_ref().map_or(whole, |(placed, _)| placed.plot);
+        let plot = placed.as_ref().map_or(Rect::whole(size), |(placed, _)| placed.plot);
         let numbers = numbers([plot.width as u32, plot.height as u32])?;
         let mut canvas = Canvas::new(size, &self.config);
         canvas.image(plot, &numbers.image());

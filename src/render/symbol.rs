@@ -8,10 +8,10 @@ use crate::plane::Quantity;
 pub(super) fn symbol(quantity: Quantity) -> Text {
     match quantity {
         Quantity::Parameter(parameter) => {
-            if parameter.symbol() == parameter.name() {
+            if parameter.about().symbol == parameter.name() {
                 return of_name(parameter.name());
             }
-            let (letter, subscript) = split_symbol(parameter.symbol());
+            let (letter, subscript) = split_symbol(&parameter.about().symbol);
             Text::new().italic(letter).subscript(subscript)
         }
         Quantity::Start(component) => {
@@ -29,8 +29,7 @@ fn of_name(name: &str) -> Text {
         Some((word, subscript)) if !word.is_empty() => (word, subscript),
         _ => name.split_at(name.trim_end_matches(|c: char| c.is_ascii_digit()).len()),
     };
-    let text = Text::new().italic(word);
-    if subscript.is_empty() { text } else { text.subscript(subscript) }
+    Text::new().italic(word).subscript(subscript)
 }
 
 /// A symbol as its letter and its subscript: everything after the first letter.
@@ -41,10 +40,8 @@ fn split_symbol(symbol: &str) -> (&str, &str) {
 
 /// The symbol of a setting of a control method.
 pub(super) fn control_symbol(setting: ControlQuantity) -> Text {
-    let [letter, subscript, superscript] = setting.symbol();
-    let text = Text::new().italic(letter);
-    let text = if subscript.is_empty() { text } else { text.subscript(subscript) };
-    if superscript.is_empty() { text } else { text.superscript(superscript) }
+    let [letter, subscript, superscript] = setting.symbol;
+    Text::new().italic(letter).subscript(subscript).superscript(superscript)
 }
 
 #[cfg(test)]

@@ -15,12 +15,12 @@ pub(super) const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
 /// The title of an axis over a quantity.
 pub(super) fn axis_title(quantity: Quantity) -> AxisTitle {
     let description = match quantity {
-        Quantity::Parameter(parameter) => parameter.description().to_owned(),
+        Quantity::Parameter(parameter) => parameter.about().about.to_owned(),
         Quantity::Start(component) => {
             let what = if component.is_velocity() { "velocity" } else { "displacement" };
             format!("start {what} of the {} mass", ORDINALS[component.coordinate()])
         }
-        Quantity::Control(setting) => setting.description().to_owned(),
+        Quantity::Control(setting) => setting.description.to_owned(),
     };
     AxisTitle::new(&description, symbol(quantity))
 }

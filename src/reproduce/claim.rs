@@ -2,29 +2,22 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Whether a claim of the paper holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, strum::IntoStaticStr)]
-pub enum Outcome {
-    /// It does.
-    #[serde(rename = "agrees")]
-    #[strum(serialize = "agrees")]
-    Agrees,
-    /// It does not.
-    #[serde(rename = "differs")]
-    #[strum(serialize = "differs")]
-    Differs,
-    /// It cannot be checked.
-    #[serde(rename = "not checked")]
-    #[strum(serialize = "not checked")]
-    NotChecked,
+use crate::system::named;
+
+named! {
+    /// Whether a claim of the paper holds.
+    #[derive(Deserialize)]
+    pub enum Outcome {
+        /// It does.
+        Agrees = "agrees",
+        /// It does not.
+        Differs = "differs",
+        /// It cannot be checked.
+        NotChecked = "not checked",
+    }
 }
 
 impl Outcome {
-    /// The name in reports.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-
     fn of(holds: bool) -> Self {
         if holds { Outcome::Agrees } else { Outcome::Differs }
     }

@@ -163,20 +163,15 @@ mod tests {
     use crate::analysis::Schedule;
     use crate::backend::{Cpu, Unwatched};
     use crate::curves::bifurcation_curves;
-    use crate::model::Parameters;
     use crate::plane::{Plane, Start};
     use crate::reproduce::Outcome;
     use crate::sweep::sweep;
 
     #[test]
     fn a_curve_elsewhere_does_not_part_its_regions() {
-        let plane = Plane {
-            x: "omega=3.3:4.1:40".parse().unwrap(),
-            y: "delta=0.08:0.14:20".parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Symmetric,
-            task: Schedule { transient: 200, observe: 100, max_period: 8, fixed_periods: false },
-        };
+        let schedule = Schedule { transient: 200, observe: 100, max_period: 8, fixed_periods: false };
+        let plane =
+            Plane::of_paper("omega=3.3:4.1:40", "delta=0.08:0.14:20", Start::Symmetric, schedule).unwrap();
         let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
         let mut curves = bifurcation_curves(&map, 1).unwrap().curves;
         let verdict = |curves: &[Curve]| {

@@ -10,7 +10,6 @@ use crate::analysis::{Schedule, Verdict};
 use crate::backend::Cpu;
 use crate::curves::bifurcation_curves;
 use crate::figure::Size;
-use crate::model::Parameters;
 use crate::plane::{Plane, Start};
 use crate::render::{Shown, region_map_with_curves};
 use crate::sweep::sweep;
@@ -19,13 +18,8 @@ use crate::sweep::sweep;
 const CURVES: u32 = 2;
 
 fn plane() -> Plane {
-    Plane {
-        x: "omega=0.2:5:400".parse().expect("an axis"),
-        y: "delta=0.02:0.8:300".parse().expect("an axis"),
-        parameters: Parameters::default().into(),
-        start: Start::Symmetric,
-        task: Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false },
-    }
+    let schedule = Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false };
+    Plane::of_paper("omega=0.2:5:400", "delta=0.02:0.8:300", Start::Symmetric, schedule).expect("two axes")
 }
 
 /// The parameter plane.

@@ -4,34 +4,25 @@ use nalgebra::Complex;
 
 use super::paper_point::PaperPoint;
 use crate::model::{Parameters, System};
+use crate::system::named;
 use crate::theory::{
     PeriodicMotion, SymmetricMotion, flip_coefficient, neimark_sacker_coefficient, settled_motion,
     symmetric_motions,
 };
 
-/// What the motion is like.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, strum::IntoStaticStr)]
-pub(super) enum State {
-    /// No physical motion.
-    #[strum(serialize = "none")]
-    None,
-    /// Every multiplier of the half map within the unit circle.
-    #[strum(serialize = "stable")]
-    Stable,
-    /// A real one beyond −1: the pitchfork was passed.
-    #[strum(serialize = "unstable, multiplier beyond −1")]
-    BeyondMinusOne,
-    /// A real one beyond +1.
-    #[strum(serialize = "unstable, multiplier beyond +1")]
-    BeyondOne,
-    /// A complex pair outside: the Neimark–Sacker bifurcation was passed.
-    #[strum(serialize = "unstable, complex pair outside")]
-    PairOutside,
-}
-
-impl State {
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// What the motion is like.
+    pub(super) enum State {
+        /// No physical motion.
+        None = "none",
+        /// Every multiplier of the half map within the unit circle.
+        Stable = "stable",
+        /// A real one beyond −1: the pitchfork was passed.
+        BeyondMinusOne = "unstable, multiplier beyond −1",
+        /// A real one beyond +1.
+        BeyondOne = "unstable, multiplier beyond +1",
+        /// A complex pair outside: the Neimark–Sacker bifurcation was passed.
+        PairOutside = "unstable, complex pair outside",
     }
 }
 

@@ -9,17 +9,17 @@ use std::collections::HashMap;
 
 use rayon::prelude::*;
 
-use super::SweepError;
+use super::Result;
 use super::map::window_jobs;
 use super::swept::cell_job;
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
-use crate::backend::{Backend, BackendError, Job, Silent, Watch, decide, second_look};
+use crate::backend::{self, Backend, Job, Silent, Watch, decide, second_look};
 use crate::model::Flows;
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
 use crate::theory::{StrobeMotion, approached, approached_from, with_motion};
 
 /// How many cells of a map were certified.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Certification {
     /// Periodic cells before.
     pub periodic: u64,
@@ -44,11 +44,7 @@ struct Certified {
 ///
 /// # Errors
 /// A system that cannot be used, or what the back end could not do.
-pub fn certify(
-    map: &mut RegionMap,
-    backend: &dyn Backend,
-    watch: &dyn Watch,
-) -> Result<Certification, SweepError> {
+pub fn certify(map: &mut RegionMap, backend: &dyn Backend, watch: &dyn Watch) -> Result<Certification> {
     let whole = Window::whole(&map.plane);
     let (certified, counts) = certify_window(&map.plane, whole, &mut map.verdicts, backend, watch)?;
     map.multipliers = Some(certified);
@@ -67,7 +63,7 @@ pub fn certify_window(
     verdicts: &mut [Verdict],
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<(Vec<Option<Multipliers>>, Certification), SweepError> {
+) -> Result<(Vec<Option<Multipliers>>, Certification)> {
     let (jobs, schedule) = (&window_jobs(plane, window)?[..], &plane.task);
     let before: Vec<Verdict> = verdicts.to_vec();
     let mut found: Vec<Option<Certified>> = (jobs.par_iter().zip(&before))
@@ -76,9 +72,7 @@ pub fn certify_window(
             (!watch.cancelled()).then(|| by_itself(job, verdict)).flatten()
         })
         .collect();
-    if watch.cancelled() {
-        return Err(BackendError::Cancelled.into());
-    }
+    watch.check()?;
     let by_neighbours: Vec<(usize, Certified)> = {
         let open = open(&before, &found);
         let around =
@@ -158,7 +152,7 @@ fn beyond(
     cells: &[usize],
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<HashMap<(u32, u32), Certified>, SweepError> {
+) -> Result<HashMap<(u32, u32), Certified>> {
     let mut places: Vec<(u32, u32)> = (cells.iter())
         .flat_map(|&cell| neighbours(plane, window, cell))
         .filter(|&place| !window.contains(place))
@@ -192,7 +186,7 @@ fn reexamined(
     schedule: &Schedule,
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<Vec<Verdict>, BackendError> {
+) -> backend::Result<Vec<Verdict>> {
     let longer = Schedule { fixed_periods: false, ..second_look(schedule) };
     let again: Vec<Job> = cells
         .iter()

@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::{SweepError, provenance};
+use super::{Result, provenance};
 use crate::analysis::Trace;
-use crate::backend::{Backend, BackendError, Cpu, Job, Watch, trace};
+use crate::backend::{Backend, Cpu, Job, Watch, trace};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
 use crate::model::{StateVector, System};
 use crate::theory::{Spectrum, confirmed};
@@ -18,7 +18,7 @@ use crate::theory::{Spectrum, confirmed};
 /// # Errors
 /// A specification or a system that cannot be used, or what the back end could not do; nothing is kept of a diagram that
 /// the watch ended.
-pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> Result<Diagram, SweepError> {
+pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> Result<Diagram> {
     spec.check()?;
     let systems: Vec<System> =
         (0..spec.x.count).map(|column| System::new(spec.parameters_at(column))).collect::<Result<_, _>>()?;
@@ -35,7 +35,7 @@ pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> 
             }
             Ok(Branch { direction, traces, spectrum: None })
         })
-        .collect::<Result<_, SweepError>>()?;
+        .collect::<Result<_>>()?;
     let branches = match spec.spectrum {
         Some(unit) => with_spectra(spec, unit, &systems, branches, watch)?,
         None => branches,
@@ -49,34 +49,25 @@ fn each(
     systems: &[System],
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<Vec<Trace>, SweepError> {
+) -> Result<Vec<Trace>> {
     let jobs: Vec<Job> = (0..)
         .zip(systems)
         .map(|(column, system)| Job { system: system.clone(), start: spec.start_at(column).state(system) })
         .collect();
     let mut traces = Vec::new();
     for tile in jobs.chunks(backend.tile().max(1)) {
-        if watch.cancelled() {
-            return Err(BackendError::Cancelled.into());
-        }
+        watch.check()?;
         traces.extend(backend.trace(tile, &spec.schedule, spec.probe, spec.capacity, watch)?);
     }
     Ok(traces)
 }
 
 /// Every column begins where the one before it ended; where that is beyond a stop of this column, on the stop.
-fn carried(
-    spec: &DiagramSpec,
-    systems: &[System],
-    falling: bool,
-    watch: &dyn Watch,
-) -> Result<Vec<Trace>, SweepError> {
+fn carried(spec: &DiagramSpec, systems: &[System], falling: bool, watch: &dyn Watch) -> Result<Vec<Trace>> {
     let mut traces: Vec<Option<Trace>> = vec![None; systems.len()];
     let mut last: Option<StateVector> = None;
     for column in spec.x.order(falling) {
-        if watch.cancelled() {
-            return Err(BackendError::Cancelled.into());
-        }
+        watch.check()?;
         let system = systems[column as usize].clone();
         let start = match last.filter(|state| state.iter().all(|value| value.is_finite())) {
             Some(state) => system.between_stops(state),
@@ -96,20 +87,18 @@ fn with_spectra(
     systems: &[System],
     branches: Vec<Branch>,
     watch: &dyn Watch,
-) -> Result<Vec<Branch>, SweepError> {
+) -> Result<Vec<Branch>> {
     let spectra = |branch: Branch| {
         let spectrum = systems
             .par_iter()
             .zip(&branch.traces)
             .map(|(system, trace)| {
-                if watch.cancelled() {
-                    return Err(BackendError::Cancelled.into());
-                }
+                watch.check()?;
                 let exponents = exponents(system, trace, spec, unit);
                 watch.finished(1);
                 Ok(exponents)
             })
-            .collect::<Result<_, SweepError>>()?;
+            .collect::<Result<_>>()?;
         Ok(Branch { spectrum: Some(spectrum), ..branch })
     };
     branches.into_iter().map(spectra).collect()

@@ -1,6 +1,6 @@
 //! How far the motions of a map go.
 
-use super::SweepError;
+use super::Result;
 use super::map::window_jobs;
 use crate::analysis::{Extent, Verdict};
 use crate::backend::{self, Backend, Silent, Watch};
@@ -10,11 +10,7 @@ use crate::plane::{Plane, RegionMap, Window};
 ///
 /// # Errors
 /// What the back end could not do.
-pub fn measure_extents(
-    map: &mut RegionMap,
-    backend: &dyn Backend,
-    watch: &dyn Watch,
-) -> Result<(), SweepError> {
+pub fn measure_extents(map: &mut RegionMap, backend: &dyn Backend, watch: &dyn Watch) -> Result<()> {
     map.extents = Some(window_extents(&map.plane, Window::whole(&map.plane), &map.verdicts, backend, watch)?);
     Ok(())
 }
@@ -29,7 +25,7 @@ pub(super) fn window_extents(
     verdicts: &[Verdict],
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<Vec<Extent>, SweepError> {
+) -> Result<Vec<Extent>> {
     let mut extents = Vec::with_capacity(verdicts.len());
     // Some rows at a time: jobs take more memory than what becomes of them.
     let columns = window.columns.max(1) as usize;

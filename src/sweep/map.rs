@@ -8,9 +8,9 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::swept::{Swept, asked_of, cell_job};
-use super::{SweepError, provenance};
+use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
-use crate::backend::{Backend, BackendError, Job, Watch, decide};
+use crate::backend::{Backend, Job, Watch, decide};
 use crate::model::{Flows, System, SystemError};
 use crate::plane::{Plane, Reached, RegionMap, Window};
 
@@ -22,24 +22,18 @@ use crate::plane::{Plane, Reached, RegionMap, Window};
 /// # Errors
 /// A plane, a system or a method that cannot be used, a target that exists in no cell, or what the back end could not do;
 /// nothing is kept of a sweep that the watch ended.
-pub fn sweep<T: Swept>(
-    plane: &Plane<T>,
-    backend: &dyn Backend,
-    watch: &dyn Watch,
-) -> Result<RegionMap<T>, SweepError> {
+pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watch) -> Result<RegionMap<T>> {
     plane.check()?;
     check_border(plane)?;
     let cells = plane.cells();
     let tile = backend.tile().max(1);
     let mut verdicts = Vec::new();
-    verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory { cells })?;
+    verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory(cells))?;
     let prepare = |first: u64| Prepared::of(plane, first..cells.min(first.saturating_add(tile as u64)));
     let (mut missing, mut any) = (None, false);
     let (mut first, mut next) = (0, prepare(0));
     while first < cells {
-        if watch.cancelled() {
-            return Err(BackendError::Cancelled.into());
-        }
+        watch.check()?;
         let Prepared { jobs, is_there, missing: missing_here } = next?;
         missing = missing.or(missing_here);
         any |= !jobs.is_empty();
@@ -55,13 +49,7 @@ pub fn sweep<T: Swept>(
     }
     match missing {
         Some(why) if !any => Err(why),
-        _ => Ok(RegionMap {
-            plane: plane.clone(),
-            provenance: provenance(backend),
-            verdicts,
-            multipliers: None,
-            extents: None,
-        }),
+        _ => Ok(RegionMap::new(plane.clone(), provenance(backend), verdicts)),
     }
 }
 
@@ -76,7 +64,7 @@ struct Prepared<J> {
 
 impl<J> Prepared<J> {
     /// Of some cells of a plane, row by row.
-    fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: Range<u64>) -> Result<Self, SweepError>
+    fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: Range<u64>) -> Result<Self>
     where
         J: Send,
     {
@@ -126,13 +114,11 @@ pub fn sweep_window(
     window: Window,
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<Vec<Verdict>, SweepError> {
+) -> Result<Vec<Verdict>> {
     let jobs = window_jobs(plane, window)?;
     let mut verdicts = Vec::with_capacity(jobs.len());
     for jobs in jobs.chunks(backend.tile().max(1)) {
-        if watch.cancelled() {
-            return Err(BackendError::Cancelled.into());
-        }
+        watch.check()?;
         verdicts.extend(decide(backend, jobs, &plane.task, watch)?);
     }
     Ok(verdicts)
@@ -144,8 +130,7 @@ mod tests {
 
     use super::*;
     use crate::analysis::{Regime, Schedule};
-    use crate::backend::Unwatched;
-    use crate::model::Parameters;
+    use crate::backend::{self, BackendError, Unwatched};
     use crate::plane::Start;
 
     /// Gives back each job's parameters and start in the verdict's state.
@@ -172,7 +157,7 @@ mod tests {
             jobs: &[Job],
             _schedule: &Schedule,
             watch: &dyn Watch,
-        ) -> Result<Vec<Verdict>, BackendError> {
+        ) -> backend::Result<Vec<Verdict>> {
             assert!(jobs.len() <= self.tile.max(1), "a tile of {} jobs", jobs.len());
             watch.finished(jobs.len() as u64);
             Ok(jobs.iter().map(echo).collect())
@@ -181,30 +166,13 @@ mod tests {
 
     fn echo(job: &Job) -> Verdict {
         let parameters = job.system.parameters();
-        Verdict {
-            regime: Regime::NoImpact,
-            n: 0,
-            counts: crate::analysis::Counts::new(&[0, 0]),
-            symmetric: false,
-            lyapunov: 0.0,
-            state: [parameters.omega, parameters.delta, job.start[0], job.start[2]].into(),
-            impacts: 0,
-            impacts_total: 0,
-            peak_impact_velocity: 0.0,
-            periods: 0,
-            returning: 0,
-            measures: crate::analysis::Measures::default(),
-        }
+        let state = [parameters.omega, parameters.delta, job.start[0], job.start[2]].into();
+        Verdict { state, ..Verdict::of_motion(Regime::NoImpact, [0; 3], false) }
     }
 
     fn plane(x: &str, y: &str, start: Start) -> Plane {
-        Plane {
-            x: x.parse().unwrap(),
-            y: y.parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start,
-            task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
-        }
+        let schedule = Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false };
+        Plane::of_paper(x, y, start, schedule).unwrap()
     }
 
     #[test]

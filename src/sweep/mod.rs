@@ -33,6 +33,9 @@ pub fn provenance(backend: &dyn Backend) -> Provenance {
     }
 }
 
+/// A plane or a diagram, or a part of it.
+pub type Result<T, E = SweepError> = std::result::Result<T, E>;
+
 /// Why a plane or a diagram was not computed.
 #[derive(Debug, Error)]
 pub enum SweepError {
@@ -49,11 +52,8 @@ pub enum SweepError {
     #[error(transparent)]
     Control(#[from] ControlError),
     /// The verdicts do not fit into memory.
-    #[error("the results of {cells} cells do not fit into this machine's memory: compute fewer")]
-    Memory {
-        /// The cells of the plane.
-        cells: u64,
-    },
+    #[error("the results of {0} cells do not fit into this machine's memory: compute fewer")]
+    Memory(u64),
     /// The back end gave no verdicts.
     #[error(transparent)]
     Backend(#[from] BackendError),

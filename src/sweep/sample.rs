@@ -1,7 +1,7 @@
 //! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
-use super::SweepError;
 use super::swept::{Swept, asked_of};
+use super::{Result, SweepError};
 use crate::backend::{Backend, Watch};
 use crate::model::Flows;
 use crate::plane::Plane;
@@ -29,7 +29,7 @@ pub fn sample<T: Swept>(
     backend: &dyn Backend,
     cells: &[u64],
     watch: &dyn Watch,
-) -> Result<Vec<T::Cell>, SweepError> {
+) -> Result<Vec<T::Cell>> {
     let flows = Flows::default();
     let jobs: Result<Vec<_>, _> = (cells.iter().map(|&cell| asked_of(plane, cell, &flows)))
         .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))
@@ -43,7 +43,6 @@ mod tests {
     use super::*;
     use crate::analysis::Schedule;
     use crate::backend::{Cpu, Unwatched};
-    use crate::model::Parameters;
     use crate::plane::Start;
     use crate::sweep::sweep;
 
@@ -68,13 +67,8 @@ mod tests {
 
     #[test]
     fn a_cell_alone_is_the_cell_of_the_plane() {
-        let plane = Plane {
-            x: "omega=2:4:6".parse().unwrap(),
-            y: "delta=0.05:0.3:5".parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Symmetric,
-            task: Schedule { transient: 60, observe: 40, max_period: 8, fixed_periods: false },
-        };
+        let schedule = Schedule { transient: 60, observe: 40, max_period: 8, fixed_periods: false };
+        let plane = Plane::of_paper("omega=2:4:6", "delta=0.05:0.3:5", Start::Symmetric, schedule).unwrap();
         let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
         let cells = spread(6, 5, 9);
         let alone = sample(&plane, &Cpu, &cells, &Unwatched).unwrap();

@@ -4,16 +4,16 @@ use std::time::Instant;
 
 use thiserror::Error;
 
-use super::SweepError;
 use super::certify::certify_window;
 use super::extents::window_extents;
 use super::map::{check_border, sweep_window};
-use crate::backend::{Backend, BackendError, Silent, Watch};
+use super::{Result, SweepError};
+use crate::backend::{self, Backend, BackendError, Silent, Watch};
 use crate::plane::fields::{Assembled, Cells};
 use crate::store::{Failure, Log, StoreError, ZarrStore};
 
 /// Opens the back end anew, after it failed.
-pub type Reopen<'a> = dyn Fn() -> Result<Box<dyn Backend>, BackendError> + 'a;
+pub type Reopen<'a> = dyn Fn() -> backend::Result<Box<dyn Backend>> + 'a;
 
 /// What became of the tiles that a run was to compute.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -106,24 +106,17 @@ fn computed(
     Ok(Err(message))
 }
 
-fn once(
-    store: &ZarrStore,
-    tile: u32,
-    backend: &dyn Backend,
-    watch: &dyn Watch,
-) -> Result<Assembled, SweepError> {
+fn once(store: &ZarrStore, tile: u32, backend: &dyn Backend, watch: &dyn Watch) -> Result<Assembled> {
     let (plane, window) = (store.plane(), store.tiling().window(tile));
     let mut verdicts = sweep_window(plane, window, backend, watch)?;
     let (extras, silent) = (store.extras(), Silent(watch));
-    let multipliers = match extras.certified {
-        true => Some(certify_window(plane, window, &mut verdicts, backend, &silent)?.0),
-        false => None,
-    };
-    let extents = match extras.extents {
-        true => Some(window_extents(plane, window, &verdicts, backend, &silent)?),
-        false => None,
-    };
-    Ok(Assembled { verdicts, multipliers, extents })
+    let certified = extras
+        .certified
+        .then(|| certify_window(plane, window, &mut verdicts, backend, &silent))
+        .transpose()?;
+    let extents =
+        extras.extents.then(|| window_extents(plane, window, &verdicts, backend, &silent)).transpose()?;
+    Ok(Assembled { verdicts, multipliers: certified.map(|(multipliers, _)| multipliers), extents })
 }
 
 /// Why a plane was not computed into a store.
@@ -146,20 +139,14 @@ mod tests {
     use super::*;
     use crate::analysis::{Schedule, Verdict};
     use crate::backend::{Cpu, Job, Unwatched};
-    use crate::model::Parameters;
     use crate::plane::fields::Extras;
     use crate::plane::{Part, Plane, Start, Window};
     use crate::store::Wanted;
     use crate::sweep::{provenance, sweep};
 
     fn plane() -> Plane {
-        Plane {
-            x: "omega=2:4:11".parse().unwrap(),
-            y: "delta=0.05:0.3:7".parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Symmetric,
-            task: Schedule { transient: 40, observe: 40, max_period: 8, fixed_periods: false },
-        }
+        let schedule = Schedule { transient: 40, observe: 40, max_period: 8, fixed_periods: false };
+        Plane::of_paper("omega=2:4:11", "delta=0.05:0.3:7", Start::Symmetric, schedule).unwrap()
     }
 
     fn store(folder: &tempfile::TempDir) -> ZarrStore {
@@ -168,7 +155,7 @@ mod tests {
         ZarrStore::of(&folder.path().join("plane.zarr"), &wanted).unwrap()
     }
 
-    fn cpu() -> Result<Box<dyn Backend>, BackendError> {
+    fn cpu() -> backend::Result<Box<dyn Backend>> {
         Ok(Box::new(Cpu))
     }
 
@@ -208,12 +195,7 @@ mod tests {
             1 << 14
         }
 
-        fn run(
-            &self,
-            jobs: &[Job],
-            schedule: &Schedule,
-            watch: &dyn Watch,
-        ) -> Result<Vec<Verdict>, BackendError> {
+        fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> backend::Result<Vec<Verdict>> {
             let left =
                 self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1));
             match left {
@@ -230,7 +212,7 @@ mod tests {
         let folder = tempdir().unwrap();
         let store = store(&folder);
         let tiles = Part::WHOLE.tiles(store.plane(), &store.tiling());
-        let lost = || -> Result<Box<dyn Backend>, BackendError> { Ok(Box::new(Lost { left: &NONE })) };
+        let lost = || -> backend::Result<Box<dyn Backend>> { Ok(Box::new(Lost { left: &NONE })) };
         let run = sweep_stored(&store, &tiles, Box::new(Lost { left: &SOME }), &lost, &Unwatched).unwrap();
         assert!(run.computed > 0 && !run.failed.is_empty(), "{run:?}");
         assert_eq!(run.computed as usize + run.failed.len(), 6);

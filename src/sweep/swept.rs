@@ -1,8 +1,8 @@
 //! How back ends do what is asked of a cell.
 
-use super::SweepError;
+use super::Result;
 use crate::analysis::Schedule;
-use crate::backend::{Backend, BackendError, ControlJob, Job, Watch, decide};
+use crate::backend::{self, Backend, ControlJob, Job, Watch, decide};
 use crate::model::{Flows, System, SystemError};
 use crate::plane::{Control, Plane, Task};
 
@@ -16,7 +16,7 @@ pub trait Swept: Task {
     ///
     /// # Errors
     /// What cannot be used.
-    fn job(plane: &Plane<Self>, at: (u32, u32), job: Job) -> Result<Option<Self::Job>, SweepError>;
+    fn job(plane: &Plane<Self>, at: (u32, u32), job: Job) -> Result<Option<Self::Job>>;
 
     /// What a back end finds, one result for each job.
     ///
@@ -27,13 +27,13 @@ pub trait Swept: Task {
         backend: &dyn Backend,
         jobs: &[Self::Job],
         watch: &dyn Watch,
-    ) -> Result<Vec<Self::Cell>, BackendError>;
+    ) -> backend::Result<Vec<Self::Cell>>;
 }
 
 impl Swept for Schedule {
     type Job = Job;
 
-    fn job(_: &Plane, _: (u32, u32), job: Job) -> Result<Option<Job>, SweepError> {
+    fn job(_: &Plane, _: (u32, u32), job: Job) -> Result<Option<Job>> {
         Ok(Some(job))
     }
 
@@ -42,7 +42,7 @@ impl Swept for Schedule {
         backend: &dyn Backend,
         jobs: &[Job],
         watch: &dyn Watch,
-    ) -> Result<Vec<Self::Cell>, BackendError> {
+    ) -> backend::Result<Vec<Self::Cell>> {
         decide(backend, jobs, self, watch)
     }
 }
@@ -50,11 +50,7 @@ impl Swept for Schedule {
 impl Swept for Control {
     type Job = ControlJob;
 
-    fn job(
-        plane: &Plane<Self>,
-        (column, row): (u32, u32),
-        job: Job,
-    ) -> Result<Option<ControlJob>, SweepError> {
+    fn job(plane: &Plane<Self>, (column, row): (u32, u32), job: Job) -> Result<Option<ControlJob>> {
         if job.system.is_clamped() {
             return Ok(None);
         }
@@ -70,7 +66,7 @@ impl Swept for Control {
         backend: &dyn Backend,
         jobs: &[ControlJob],
         watch: &dyn Watch,
-    ) -> Result<Vec<Self::Cell>, BackendError> {
+    ) -> backend::Result<Vec<Self::Cell>> {
         backend.control(jobs, &self.schedule, watch)
     }
 }
@@ -90,10 +86,6 @@ pub(super) fn cell_job<T>(plane: &Plane<T>, cell: u64, flows: &Flows) -> Result<
 }
 
 /// What a back end is given for a cell, counted row by row.
-pub(super) fn asked_of<T: Swept>(
-    plane: &Plane<T>,
-    cell: u64,
-    flows: &Flows,
-) -> Result<Option<T::Job>, SweepError> {
+pub(super) fn asked_of<T: Swept>(plane: &Plane<T>, cell: u64, flows: &Flows) -> Result<Option<T::Job>> {
     T::job(plane, place(plane, cell), cell_job(plane, cell, flows)?)
 }

@@ -2,9 +2,9 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
 
 use nanoexpr::{Context, ErrorKind, Evaluator, Instruction, Math, Number, Program, Span};
+use parking_lot::Mutex;
 use thiserror::Error;
 
 use super::parameter::ParameterId;
@@ -141,7 +141,7 @@ impl Context<f64> for Scope<'_> {
 }
 
 fn formula(text: &str) -> Result<Formula, ExpressionError> {
-    let mut formulas = FORMULAS.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut formulas = FORMULAS.lock();
     if let Some(formula) = formulas.get(text) {
         return Ok(*formula);
     }

@@ -13,16 +13,23 @@ use super::stops::PlantStop;
 /// A linear oscillator with rigid stops whose numbers are expressions in named parameters, as its file gives it.
 #[derive(Clone, Debug)]
 pub struct Family {
-    pub(super) name: String,
-    pub(super) source: Option<String>,
-    pub(super) origin: String,
-    pub(super) text: String,
-    pub(super) hash: String,
-    pub(super) parameters: Vec<Parameter>,
+    /// What the family is called in titles.
+    pub name: String,
+    /// Where the system is from, where the file says so.
+    pub source: Option<String>,
+    /// The file that the family was read from, or the name of a built-in one.
+    pub origin: String,
+    /// The file, as it was read.
+    pub text: String,
+    /// The SHA-256 of the text, 64 hexadecimal digits.
+    pub hash: String,
+    /// The parameters, in the order of the file.
+    pub parameters: Vec<Parameter>,
     pub(super) equations: Equations,
     pub(super) stops: Vec<FamilyStop>,
     pub(super) label_order: Vec<usize>,
-    pub(super) plane: Option<DefaultPlane>,
+    /// The axes of a map where none are given.
+    pub plane: Option<DefaultPlane>,
 }
 
 /// The expressions of the equations of motion.
@@ -67,39 +74,9 @@ impl FamilyStop {
 }
 
 impl Family {
-    /// What the family is called in titles.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// Where the system is from, where the file says so.
-    pub fn source(&self) -> Option<&str> {
-        self.source.as_deref()
-    }
-
-    /// The file that the family was read from, or the name of a built-in one.
-    pub fn origin(&self) -> &str {
-        &self.origin
-    }
-
-    /// The file, as it was read.
-    pub fn text(&self) -> &str {
-        &self.text
-    }
-
-    /// The SHA-256 of [`Family::text`], 64 hexadecimal digits.
-    pub fn hash(&self) -> &str {
-        &self.hash
-    }
-
     /// The coordinates, 1 to [`Plant::MOST_COORDINATES`].
     pub fn n(&self) -> usize {
         self.equations.n
-    }
-
-    /// The parameters, in the order of the file.
-    pub fn parameters(&self) -> &[Parameter] {
-        &self.parameters
     }
 
     /// Every parameter, in the order of the file.
@@ -158,11 +135,6 @@ impl Family {
     /// The stops in the order in which labels count their impacts.
     pub fn label_order(&self) -> &[usize] {
         &self.label_order
-    }
-
-    /// The axes of a map where none are given.
-    pub fn plane(&self) -> Option<&DefaultPlane> {
-        self.plane.as_ref()
     }
 
     /// The default value of every parameter.

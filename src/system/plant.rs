@@ -68,7 +68,7 @@ impl Plant {
     fn inverse_mass(&self) -> Result<DMatrix<f64>, PlantError> {
         let condition = condition(&self.mass);
         if condition.is_nan() || condition < Self::LEAST_CONDITION {
-            return Err(PlantError::SingularMass { condition });
+            return Err(PlantError::SingularMass(condition));
         }
         let inverse = self.mass.clone().try_inverse();
         inverse.filter(|inverse| inverse.iter().all(|entry| entry.is_finite())).ok_or(PlantError::LightMass)

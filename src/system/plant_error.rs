@@ -79,16 +79,13 @@ pub enum PlantError {
     /// ω is not positive.
     #[error("the frequency is {0}, it must be greater than 0")]
     Frequency(f64),
-    /// M has no inverse, or rounding would spoil it.
+    /// M has no inverse, or rounding would spoil it; with its reciprocal condition, rows and columns brought to the same size.
     #[error(
-        "the mass matrix is singular (reciprocal condition {condition:.1e}, at least {least:.0e} is needed): every \
+        "the mass matrix is singular (reciprocal condition {0:.1e}, at least {least:.0e} is needed): every \
          coordinate needs a mass of its own, so give it one or leave the coordinate out",
         least = LEAST_CONDITION
     )]
-    SingularMass {
-        /// The reciprocal condition of M with rows and columns brought to the same size.
-        condition: f64,
-    },
+    SingularMass(f64),
     /// M⁻¹ is too large for a number.
     #[error("the mass matrix is so small that its inverse is no number: give every coordinate a larger mass")]
     LightMass,
@@ -101,11 +98,8 @@ pub enum PlantError {
         value: f64,
     },
     /// A direction that is zero.
-    #[error("the direction of stop {} is zero: at least one component must differ from 0", stop + 1)]
-    NoDirection {
-        /// The stop.
-        stop: usize,
-    },
+    #[error("the direction of stop {} is zero: at least one component must differ from 0", .0 + 1)]
+    NoDirection(usize),
     /// dᵀM⁻¹d is not positive.
     #[error(
         "dᵀM⁻¹d = {value} for the direction d of stop {}, so that an impact could not turn it back: it must be \
@@ -150,32 +144,29 @@ pub enum PlantError {
     #[error(
         "the direction of stop {} is a combination of those of the stops before it without being parallel to one of \
          them: contacts at once would not determine their forces, which is out of reach in this version",
-        stop + 1
+        .0 + 1
     )]
-    Dependent {
-        /// The first stop whose direction depends on those before it.
-        stop: usize,
-    },
+    Dependent(usize),
 }
 
 impl PlantError {
     /// The parts that are at fault together, the one to blame first.
     pub fn parts(&self) -> Vec<Part> {
         match *self {
-            PlantError::Coordinates(_) | PlantError::SingularMass { .. } | PlantError::LightMass => {
+            PlantError::Coordinates(_) | PlantError::SingularMass(_) | PlantError::LightMass => {
                 vec![Part::Mass]
             }
             PlantError::Stops(_) => Vec::new(),
             PlantError::Shape { part, .. } | PlantError::NotFinite { part, .. } => vec![part],
             PlantError::Frequency(_) => vec![Part::Frequency],
             PlantError::Restitution { stop, .. } => vec![Part::Restitution(stop)],
-            PlantError::NoDirection { stop } => vec![Part::Direction(stop)],
+            PlantError::NoDirection(stop) => vec![Part::Direction(stop)],
             PlantError::NoImpulse { stop, .. } => vec![Part::Direction(stop), Part::Mass],
             PlantError::SameSide { first, second } => vec![Part::Direction(second), Part::Direction(first)],
             PlantError::NoRoom { first, second, .. } => {
                 vec![Part::Gap(second), Part::Gap(first), Part::Direction(second), Part::Direction(first)]
             }
-            PlantError::Dependent { stop } => (0..=stop).rev().map(Part::Direction).collect(),
+            PlantError::Dependent(stop) => (0..=stop).rev().map(Part::Direction).collect(),
         }
     }
 }

@@ -2,12 +2,15 @@
 
 use std::collections::HashMap;
 use std::fmt;
-use std::sync::{LazyLock, Mutex, PoisonError};
+use std::sync::LazyLock;
+
+use derive_more::{Debug, Display};
+use parking_lot::Mutex;
 
 use super::builtin::builtin;
 use super::error::{CellError, FamilyError};
 use super::family::Family;
-use super::parameter::{ParameterError, ParameterId, Range};
+use super::parameter::{Parameter as ParameterRecord, ParameterError, ParameterId};
 use super::plant::Plant;
 
 /// The most parameters of a family.
@@ -25,7 +28,7 @@ impl Family {
     /// # Errors
     /// As [`Family::parse`].
     pub fn kept(text: &str, origin: &str) -> Result<&'static Family, FamilyError> {
-        let mut families = FAMILIES.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut families = FAMILIES.lock();
         if let Some(family) = families.get(text) {
             return Ok(family);
         }
@@ -56,7 +59,7 @@ impl Family {
             let name = axis.split_once('=').map_or(axis, |(name, _)| name);
             Parameter::of(self, name.trim()).ok()
         };
-        match self.plane() {
+        match &self.plane {
             Some(plane) => [named(&plane.x), named(&plane.y)],
             None => {
                 let mut all = Parameter::all(self);
@@ -72,7 +75,9 @@ impl Family {
 }
 
 /// A parameter of a family, by which settings are asked and changed.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, Display)]
+#[display("{}", self.name())]
+#[debug("{self}")]
 pub struct Parameter {
     family: &'static Family,
     id: ParameterId,
@@ -99,22 +104,12 @@ impl Parameter {
 
     /// The name used on the command line and in files.
     pub fn name(self) -> &'static str {
-        &self.family.about(self.id).name
+        &self.about().name
     }
 
-    /// The symbol, for axis titles.
-    pub fn symbol(self) -> &'static str {
-        &self.family.about(self.id).symbol
-    }
-
-    /// What the parameter is, for help texts and axis titles; may be empty.
-    pub fn description(self) -> &'static str {
-        &self.family.about(self.id).about
-    }
-
-    /// The values that it may take.
-    pub fn range(self) -> Range {
-        self.family.about(self.id).range
+    /// What the file says about it.
+    pub fn about(self) -> &'static ParameterRecord {
+        self.family.about(self.id)
     }
 
     /// Checks one value against the range.
@@ -122,7 +117,7 @@ impl Parameter {
     /// # Errors
     /// [`ParameterError::OutOfRange`] names the parameter, the value and the range.
     pub fn check(self, value: f64) -> Result<(), ParameterError> {
-        self.family.about(self.id).check(value)
+        self.about().check(value)
     }
 }
 
@@ -140,18 +135,6 @@ impl std::hash::Hash for Parameter {
     }
 }
 
-impl fmt::Debug for Parameter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl fmt::Display for Parameter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
 /// The values of a family's parameters; everything is non-dimensional unless the family says otherwise.
 #[derive(Clone, Copy)]
 pub struct Setting {
@@ -163,7 +146,7 @@ impl Setting {
     /// The family's defaults.
     pub fn defaults(family: &'static Family) -> Self {
         let mut values = [0.0; MOST_PARAMETERS];
-        values[..family.parameters().len()].copy_from_slice(&family.defaults());
+        values[..family.parameters.len()].copy_from_slice(&family.defaults());
         Setting { family, values }
     }
 
@@ -201,7 +184,7 @@ impl Setting {
 
     /// The values, in the order of the family's file.
     fn values(&self) -> &[f64] {
-        &self.values[..self.family.parameters().len()]
+        &self.values[..self.family.parameters.len()]
     }
 
     /// Every parameter with its value, in the order of the family's file.

@@ -39,7 +39,7 @@ pub(super) fn check(stops: &[PlantStop], inverse_mass: &DMatrix<f64>) -> Result<
     for (stop, PlantStop { direction, gap, .. }) in stops.iter().enumerate() {
         let size = direction.amax();
         if size == 0.0 {
-            return Err(PlantError::NoDirection { stop });
+            return Err(PlantError::NoDirection(stop));
         }
         let scaled = direction / size;
         let value = (scaled.transpose() * inverse_mass * &scaled)[0];
@@ -90,7 +90,7 @@ fn check_independence(lines: &[Line]) -> Result<(), PlantError> {
             rest -= axis * along;
         }
         if rest.norm() <= INDEPENDENT {
-            return Err(PlantError::Dependent { stop });
+            return Err(PlantError::Dependent(stop));
         }
         basis.push(rest.normalize());
     }

@@ -1,7 +1,6 @@
 //! Whether the system really moves like a solution of the matching equations.
 
-use std::fmt;
-
+use derive_more::Display;
 use thiserror::Error;
 
 use super::flow::Flow;
@@ -16,7 +15,8 @@ use crate::model::System;
 const TOLERANCE: f64 = 1e-8;
 
 /// A stop with its name in the family.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Display)]
+#[display("{name}")]
 pub struct NamedStop {
     /// The stop.
     pub stop: Stop,
@@ -28,12 +28,6 @@ impl NamedStop {
     /// A stop of a system.
     pub fn of(system: &System, stop: Stop) -> Self {
         NamedStop { stop, name: system.stop_name(stop.index()) }
-    }
-}
-
-impl fmt::Display for NamedStop {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)
     }
 }
 

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use derive_more::Display;
 use thiserror::Error;
 
 use crate::analysis::{INFINITELY_MANY, Schedule};
@@ -10,7 +11,8 @@ use crate::model::vector::MOST;
 use crate::system::Family;
 
 /// The label of a periodic motion that is asked for.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Display)]
+#[display("{}", spelled(n, impacts))]
 pub struct Label {
     /// N, forcing periods.
     pub n: u32,
@@ -98,12 +100,6 @@ impl Label {
 /// N and the impacts at each stop, in the order of labels, as text.
 pub(super) fn spelled<T: fmt::Display>(n: impl fmt::Display, impacts: impl IntoIterator<Item = T>) -> String {
     impacts.into_iter().fold(n.to_string(), |text, count| format!("{text}-{count}"))
-}
-
-impl fmt::Display for Label {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&spelled(self.n, &self.impacts))
-    }
 }
 
 /// As [`Label::read`] for two stops.

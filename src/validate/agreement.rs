@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::layers::LayerAgreement;
 use super::spread::{Share, Spread};
 use crate::analysis::Verdict;
+use crate::system::named;
 
 /// How well a candidate's map agrees with the reference's.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -74,27 +75,18 @@ pub struct FailedCells {
     pub candidate: u64,
 }
 
-/// What is wrong with a cell, the gravest first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, strum::IntoStaticStr, strum::VariantArray)]
-pub enum Fault {
-    /// A back end failed on it.
-    #[strum(serialize = "failed")]
-    Failed,
-    /// Another regime or label, inside a region.
-    #[strum(serialize = "another label inside a region")]
-    LabelInside,
-    /// The same periodic motion, but far apart.
-    #[strum(serialize = "another end state")]
-    EndState,
-    /// Another regime or label, on a boundary.
-    #[strum(serialize = "another label on a boundary")]
-    LabelOnBoundary,
-}
-
-impl Fault {
-    /// The fault in words.
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// What is wrong with a cell, the gravest first.
+    #[derive(strum::VariantArray)]
+    pub enum Fault {
+        /// A back end failed on it.
+        Failed = "failed",
+        /// Another regime or label, inside a region.
+        LabelInside = "another label inside a region",
+        /// The same periodic motion, but far apart.
+        EndState = "another end state",
+        /// Another regime or label, on a boundary.
+        LabelOnBoundary = "another label on a boundary",
     }
 }
 

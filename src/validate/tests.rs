@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::analysis::{Regime, Schedule, Verdict};
-use crate::backend::{Backend, BackendError, Job, Unwatched, Watch};
-use crate::model::Parameters;
+use crate::backend::{self, Backend, Job, Unwatched, Watch};
 use crate::plane::{Plane, Provenance, RegionMap, Start};
 
 const COLUMNS: u32 = 20;
@@ -11,18 +10,12 @@ const ROWS: u32 = 10;
 
 fn motion(n: u16, symmetric: bool) -> Verdict {
     Verdict {
-        regime: Regime::Periodic,
-        n,
-        counts: crate::analysis::Counts::new(&[n, n]),
-        symmetric,
         lyapunov: -0.25,
         state: [0.05, -0.01, 0.3, 0.02].into(),
         impacts: 400,
-        impacts_total: 1200,
         peak_impact_velocity: 0.4,
         periods: 600,
-        returning: 0,
-        measures: crate::analysis::Measures::default(),
+        ..Verdict::of_motion(Regime::Periodic, [n; 3], symmetric)
     }
 }
 
@@ -32,17 +25,11 @@ fn of_regime(regime: Regime) -> Verdict {
 
 /// A map whose left half is 1-1-1 symmetric and whose right half is what is given.
 fn halves(right: Verdict) -> RegionMap {
-    let plane = Plane {
-        x: format!("omega=1:3:{COLUMNS}").parse().unwrap(),
-        y: format!("delta=0.1:0.4:{ROWS}").parse().unwrap(),
-        parameters: Parameters::default().into(),
-        start: Start::Rest,
-        task: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
-    };
+    let schedule = Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false };
+    let (x, y) = (format!("omega=1:3:{COLUMNS}"), format!("delta=0.1:0.4:{ROWS}"));
+    let plane = Plane::of_paper(&x, &y, Start::Rest, schedule).unwrap();
     let verdict = |index| if index % COLUMNS < COLUMNS / 2 { motion(1, true) } else { right };
-    let provenance = Provenance { version: String::new(), backend: String::new(), adapter: String::new() };
-    let verdicts = (0..COLUMNS * ROWS).map(verdict).collect();
-    RegionMap { plane, provenance, verdicts, multipliers: None, extents: None }
+    RegionMap::new(plane, Provenance::default(), (0..COLUMNS * ROWS).map(verdict).collect())
 }
 
 /// The thresholds that are not met.
@@ -195,7 +182,7 @@ impl Backend for Attractor {
         7
     }
 
-    fn run(&self, jobs: &[Job], schedule: &Schedule, _: &dyn Watch) -> Result<Vec<Verdict>, BackendError> {
+    fn run(&self, jobs: &[Job], schedule: &Schedule, _: &dyn Watch) -> backend::Result<Vec<Verdict>> {
         assert!(jobs.len() <= self.tile());
         assert_eq!((schedule.transient, schedule.observe % 2, schedule.fixed_periods), (0, 0, true));
         Ok(jobs.iter().map(|job| self.follow(job)).collect())

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::agreement::{Agreement, Tipped};
 use super::alike::{is_inside, same_label};
 use crate::analysis::Regime;
-use crate::backend::{Backend, Job, Watch, decide};
+use crate::backend::{Backend, Job, Silent, Watch, decide};
 use crate::model::System;
 use crate::plane::RegionMap;
 use crate::sweep::SweepError;
@@ -51,7 +51,7 @@ pub fn tipped(
     let mut found = BTreeSet::new();
     for some in jobs.chunks(backend.tile().max(1)) {
         let alone: Vec<Job> = some.iter().map(|(_, job)| job.clone()).collect();
-        let verdicts = decide(backend, &alone, &reference.plane.task, &Unheard(watch))?;
+        let verdicts = decide(backend, &alone, &reference.plane.task, &Silent(watch))?;
         let moved = some
             .iter()
             .zip(&verdicts)
@@ -105,17 +105,6 @@ impl Agreement {
     }
 }
 
-/// Counts no cell, and is cancelled as the other is.
-struct Unheard<'a>(&'a dyn Watch);
-
-impl Watch for Unheard<'_> {
-    fn finished(&self, _: u64) {}
-
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,13 +116,8 @@ mod tests {
 
     #[test]
     fn copies_are_a_rounding_away_and_what_is_zero_stays_zero() {
-        let plane = Plane {
-            x: "omega=2:3:2".parse().unwrap(),
-            y: "f20=0:0.5:2".parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::Rest,
-            task: Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: true },
-        };
+        let schedule = Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: true };
+        let plane = Plane::of_paper("omega=2:3:2", "f20=0:0.5:2", Start::Rest, schedule).unwrap();
         let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
         let copies: Vec<Job> = copies(&map, 0).collect();
         assert_eq!(copies.len(), COPIES as usize);

@@ -30,7 +30,7 @@ pub fn families(count: usize) -> Vec<Vec<Job>> {
 
 fn family(family: &Family, count: usize) -> Vec<Job> {
     let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0041);
-    let plane = family.plane().expect("built-in families have a plane");
+    let plane = family.plane.as_ref().expect("built-in families have a plane");
     let axis = |text: &str| {
         let (name, range) = text.split_once('=').unwrap();
         let numbers: Vec<f64> = range.split(':').map(|number| number.parse().unwrap()).collect();

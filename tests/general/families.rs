@@ -8,7 +8,7 @@ use crate::subject::follow;
 /// Some cells of a family: the defaults, and values spread over the axes of its default plane.
 fn plants(family: &Family) -> Vec<Plant> {
     let mut plants = vec![family.plant(&family.defaults()).unwrap()];
-    let Some(plane) = family.plane() else { return plants };
+    let Some(plane) = &family.plane else { return plants };
     let axis = |text: &str| {
         let (name, range) = text.split_once('=').unwrap();
         let numbers: Vec<f64> = range.split(':').map(|number| number.parse().unwrap()).collect();

@@ -148,7 +148,7 @@ impl Subject {
             option,
             file,
             sound: true,
-            parameters: family.parameters().iter().map(|p| (p.name.clone(), p.default)).collect(),
+            parameters: family.parameters.iter().map(|p| (p.name.clone(), p.default)).collect(),
             stops: family.stops().iter().map(|stop| stop.plain_name().to_owned()).collect(),
             n: family.n(),
         }

@@ -1,17 +1,17 @@
 //! Adapters: what this machine offers, and the one that was asked for.
 
-use std::fmt;
-
+use derive_more::Display;
 use serde::Serialize;
 
-use crate::backend::BackendError;
+use crate::backend::{BackendError, Result};
 
 /// The graphics interfaces that are asked for; never GL, which wgpu would otherwise fall back to in silence.
 const INTERFACES: wgpu::Backends =
     wgpu::Backends::VULKAN.union(wgpu::Backends::METAL).union(wgpu::Backends::DX12);
 
 /// What an adapter says of itself.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Display)]
+#[display("{name} ({api}, {driver}, {kind})")]
 pub struct AdapterReport {
     /// The device's name.
     pub name: String,
@@ -54,12 +54,6 @@ impl AdapterReport {
     }
 }
 
-impl fmt::Display for AdapterReport {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({}, {}, {})", self.name, self.api, self.driver, self.kind)
-    }
-}
-
 /// An adapter and what it says of itself.
 pub struct Found {
     /// The adapter.
@@ -93,7 +87,7 @@ fn all() -> Vec<Found> {
 }
 
 /// The best adapter that a text means: see [`AdapterReport::is_meant`].
-pub fn find(text: Option<&str>) -> Result<Found, BackendError> {
+pub fn find(text: Option<&str>) -> Result<Found> {
     let mut found = all();
     let listed: Vec<String> = found.iter().map(|found| found.report.to_string()).collect();
     let is_meant = |(i, found): (usize, &Found)| text.is_none_or(|text| found.report.is_meant(i, text));

@@ -7,9 +7,9 @@ mod kernel;
 mod layout;
 mod shader;
 
-use std::fmt;
+use derive_more::Debug;
 
-use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Watch};
+use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Result, Watch};
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, LONGEST_ON_DEVICE, Outcome};
 use crate::model::System;
@@ -26,16 +26,12 @@ pub fn hardware_shader(system: &System) -> String {
 }
 
 /// Follows trajectories on an adapter.
+#[derive(Debug)]
 pub struct Gpu {
     report: AdapterReport,
     arithmetic: Arithmetic,
+    #[debug(skip)]
     kernel: Kernel,
-}
-
-impl fmt::Debug for Gpu {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Gpu").field("report", &self.report).finish_non_exhaustive()
-    }
 }
 
 impl Gpu {
@@ -44,7 +40,7 @@ impl Gpu {
     /// # Errors
     /// [`BackendError::NoAdapter`] where none matches, listing what there is; [`BackendError::Device`] where the
     /// adapter refuses a device or the shader.
-    pub fn open(text: Option<&str>) -> Result<Self, BackendError> {
+    pub fn open(text: Option<&str>) -> Result<Self> {
         Self::on(adapters::find(text)?, Arithmetic::Native)
     }
 
@@ -52,7 +48,7 @@ impl Gpu {
     ///
     /// # Errors
     /// As [`Gpu::open`].
-    pub fn open_exact(text: Option<&str>) -> Result<Self, BackendError> {
+    pub fn open_exact(text: Option<&str>) -> Result<Self> {
         Self::on(adapters::find(text)?, Arithmetic::Exact)
     }
 
@@ -60,7 +56,7 @@ impl Gpu {
     ///
     /// # Errors
     /// [`BackendError::Device`] where the adapter refuses a device or the shader.
-    pub fn open_hardware() -> Result<Option<Self>, BackendError> {
+    pub fn open_hardware() -> Result<Option<Self>> {
         adapters::find_hardware().map(|found| Self::on(found, Arithmetic::Native)).transpose()
     }
 
@@ -68,11 +64,11 @@ impl Gpu {
     ///
     /// # Errors
     /// As [`Gpu::open_hardware`].
-    pub fn open_hardware_exact() -> Result<Option<Self>, BackendError> {
+    pub fn open_hardware_exact() -> Result<Option<Self>> {
         adapters::find_hardware().map(|found| Self::on(found, Arithmetic::Exact)).transpose()
     }
 
-    fn on(found: adapters::Found, arithmetic: Arithmetic) -> Result<Self, BackendError> {
+    fn on(found: adapters::Found, arithmetic: Arithmetic) -> Result<Self> {
         let kernel = Kernel::new(&found, arithmetic)?;
         Ok(Gpu { report: found.report, arithmetic, kernel })
     }
@@ -104,12 +100,7 @@ impl Backend for Gpu {
         self.kernel.tile()
     }
 
-    fn run(
-        &self,
-        jobs: &[Job],
-        schedule: &Schedule,
-        watch: &dyn Watch,
-    ) -> Result<Vec<Verdict>, BackendError> {
+    fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>> {
         in_tiles(jobs, self.kernel.tile(), |tile| self.kernel.run(tile, schedule, watch))
     }
 
@@ -118,7 +109,7 @@ impl Backend for Gpu {
         jobs: &[ControlJob],
         schedule: &ControlSchedule,
         watch: &dyn Watch,
-    ) -> Result<Vec<Outcome>, BackendError> {
+    ) -> Result<Vec<Outcome>> {
         if self.arithmetic == Arithmetic::Exact && self.is_software() {
             return Err(BackendError::Unsupported(
                 "a software adapter's compiler does not always come to an end with the kernel of control in exact \
@@ -147,23 +138,19 @@ impl Backend for Gpu {
         probe: Probe,
         capacity: u32,
         watch: &dyn Watch,
-    ) -> Result<Vec<Trace>, BackendError> {
+    ) -> Result<Vec<Trace>> {
         let size = self.kernel.trace_tile(capacity);
         in_tiles(jobs, size, |tile| self.kernel.trace(tile, schedule, probe, capacity, watch))
     }
 
-    fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>, BackendError> {
+    fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>> {
         let followed: Vec<(&Job, u32)> = jobs.iter().zip(periods.iter().copied()).collect();
         in_tiles(&followed, self.kernel.tile(), |tile| self.kernel.extents(tile, watch))
     }
 }
 
 /// The results of some jobs, tile by tile.
-fn in_tiles<J, R>(
-    jobs: &[J],
-    size: usize,
-    compute: impl Fn(&[J]) -> Result<Vec<R>, BackendError>,
-) -> Result<Vec<R>, BackendError> {
+fn in_tiles<J, R>(jobs: &[J], size: usize, compute: impl Fn(&[J]) -> Result<Vec<R>>) -> Result<Vec<R>> {
     let tiles: Result<Vec<Vec<R>>, _> = jobs.chunks(size).map(compute).collect();
     Ok(tiles?.into_iter().flatten().collect())
 }

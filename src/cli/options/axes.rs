@@ -1,14 +1,16 @@
 //! The axes of a plane, what is fixed on it, and how its cells begin.
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
-use impact_atlas::control::ControlQuantity;
+use impact_atlas::figure::Steps;
 use impact_atlas::plane::{Axis, Plane, Quantity, Start};
 
 use super::system::SystemArgs;
 use crate::cli::values::parse;
-use crate::cli::{CliError, defaults};
+use crate::cli::{CliError, Result, defaults, wrong};
+
+/// What the options of the axes take.
+const AXIS: &str = "<NAME=FIRST:LAST:COUNT[:log]>";
 
 /// The axes of a plane, what is fixed on it, and how its cells begin.
 #[derive(Debug, Args)]
@@ -38,7 +40,7 @@ pub struct AxesArgs {
 
 impl AxesArgs {
     /// The checked plane whose cells run by `schedule`.
-    pub fn plane(&self, schedule: Schedule) -> Result<Plane, CliError> {
+    pub fn plane(&self, schedule: Schedule) -> Result<Plane> {
         let [x, y] = self.axes()?;
         let plane = Plane {
             x,
@@ -52,16 +54,14 @@ impl AxesArgs {
     }
 
     /// A plane that was computed before, with the axes, parameters and the start that are given in place of its own.
-    pub(super) fn again(&self, plane: &Plane, schedule: Schedule) -> Result<Plane, CliError> {
+    pub(super) fn again(&self, plane: &Plane, schedule: Schedule) -> Result<Plane> {
         let system = self.system.of_family_of(plane)?;
         let axis = |option: &str, given: &Option<String>, own: Axis| match given {
-            Some(text) => system.axis(&format!("{option} <NAME=FIRST:LAST:COUNT[:log]>"), text),
+            Some(text) => system.named(&format!("{option} {AXIS}"), text, Axis::of_family),
             None => Ok(own),
         };
         let (x, y) = (axis("--x", &self.x, plane.x)?, axis("--y", &self.y, plane.y)?);
-        for (option, axis) in [("--x", x), ("--y", y)] {
-            system.check_beside(option, &axis.to_string(), axis.quantity)?;
-        }
+        system.check_beside(&[("--x", x), ("--y", y)])?;
         let start = match self.start {
             Some(start) => start,
             None if plane.start == Start::Symmetric => default_start(&[x, y]),
@@ -74,16 +74,16 @@ impl AxesArgs {
     }
 
     /// The axes as given, or those of the system's default plane.
-    pub(super) fn axes(&self) -> Result<[Axis; 2], CliError> {
-        let plane = self.system.family().plane();
+    pub(super) fn axes(&self) -> Result<[Axis; 2]> {
+        let plane = self.system.family().plane.as_ref();
         let axis =
             |option: &str, given: &Option<String>, default: Option<&String>| match given.as_ref().or(default)
             {
-                Some(text) => self.system.axis(&format!("{option} <NAME=FIRST:LAST:COUNT[:log]>"), text),
-                None => Err(CliError::Input(anyhow!(
+                Some(text) => self.system.named(&format!("{option} {AXIS}"), text, Axis::of_family),
+                None => Err(wrong!(
                     "the system {} has no default plane: give {option} NAME=FIRST:LAST:COUNT",
-                    self.system.family().origin()
-                ))),
+                    self.system.family().origin
+                )),
             };
         Ok([
             axis("--x", &self.x, plane.map(|plane| &plane.x))?,
@@ -91,13 +91,8 @@ impl AxesArgs {
         ])
     }
 
-    /// The checked plane whose cells run by `schedule`, as large as [`AxesArgs::resized`] makes it.
-    pub fn plane_of(&self, schedule: Schedule, cells: Option<u32>, default: u32) -> Result<Plane, CliError> {
-        Ok(self.resized(self.plane(schedule)?, cells, default))
-    }
-
     /// The plane with about `cells` cells; where there is no such number and no axis is given, with `default` ones.
-    pub(super) fn resized<T>(&self, plane: Plane<T>, cells: Option<u32>, default: u32) -> Plane<T> {
+    pub fn resized<T>(&self, plane: Plane<T>, cells: Option<u32>, default: u32) -> Plane<T> {
         let cells = cells.or((self.x.is_none() && self.y.is_none()).then_some(default));
         let Some(cells) = cells else { return plane };
         let [x, y] = with_cells([plane.x, plane.y], cells);
@@ -108,10 +103,13 @@ impl AxesArgs {
 /// The same axes with about so many cells, in about the same proportion; one of one value, or of whole numbers, keeps
 /// its values.
 fn with_cells([x, y]: [Axis; 2], cells: u32) -> [Axis; 2] {
-    let kept = |axis: Axis| axis.count == 1 || axis.control().is_some_and(ControlQuantity::is_whole);
+    let kept = |axis: Axis| axis.count == 1 || axis.control().is_some_and(|setting| setting.is_whole);
     let resized = |axis: Axis, count: f64| match kept(axis) {
         true => axis,
-        false => Axis { count: (count.round() as u32).clamp(2, Axis::LARGEST), ..axis },
+        false => {
+            let count = (count.round() as u32).clamp(2, Axis::LARGEST);
+            Axis { steps: Steps { count, ..axis.steps }, ..axis }
+        }
     };
     let (cells, columns) = (f64::from(cells), f64::from(x.count));
     let rows = if kept(x) { cells / columns } else { (cells * f64::from(y.count) / columns).sqrt() };

@@ -1,11 +1,10 @@
 //! What computes.
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::backend::{self, Backend, BackendError, Choice, REPRODUCIBLE};
 use impact_atlas::plane::Provenance;
 
-use crate::cli::{CliError, note};
+use crate::cli::{Result, note, wrong};
 
 /// What computes.
 #[derive(Clone, Debug, Args)]
@@ -46,11 +45,11 @@ impl BackendArgs {
     }
 
     /// Opens the back end and says which one it is.
-    pub fn open(&self) -> Result<Box<dyn Backend>, CliError> {
+    pub fn open(&self) -> Result<Box<dyn Backend>> {
         if let (Choice::Cpu, Some(adapter)) = (self.backend, &self.adapter) {
-            return Err(CliError::Input(anyhow!(
+            return Err(wrong!(
                 "--adapter {adapter} chooses an adapter of the GPU back end: drop it or --backend cpu"
-            )));
+            ));
         }
         let backend = self.reopen()?;
         let fallback = self.backend == Choice::Auto && backend.name() == "cpu";

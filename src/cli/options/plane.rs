@@ -8,13 +8,13 @@ use impact_atlas::plane::{Control, Plane, Quantity};
 use super::axes::{AxesArgs, default_start};
 use crate::cli::method::MethodArgs;
 use crate::cli::values::count;
-use crate::cli::{CliError, defaults};
+use crate::cli::{CliError, Result, defaults};
 
 /// A plane and how long its cells run.
 #[derive(Debug, Args)]
 pub struct PlaneArgs {
     #[command(flatten)]
-    axes: AxesArgs,
+    pub axes: AxesArgs,
 
     /// Forcing periods before the observation
     ///
@@ -42,12 +42,17 @@ pub struct PlaneArgs {
 
 impl PlaneArgs {
     /// The checked plane.
-    pub fn plane(&self) -> Result<Plane, CliError> {
-        self.axes.plane(self.schedule())
+    pub fn plane(&self) -> Result<Plane> {
+        self.axes.plane(Schedule {
+            transient: self.transient.unwrap_or(defaults::TRANSIENT),
+            observe: self.observe.unwrap_or(defaults::OBSERVE),
+            max_period: self.max_period.unwrap_or(defaults::MAX_PERIOD),
+            fixed_periods: self.fixed_periods,
+        })
     }
 
     /// A plane that was computed before, with what is given in place of its own.
-    pub fn again(&self, plane: &Plane) -> Result<Plane, CliError> {
+    pub fn again(&self, plane: &Plane) -> Result<Plane> {
         let own = plane.task;
         let schedule = Schedule {
             transient: self.transient.unwrap_or(own.transient),
@@ -64,14 +69,12 @@ impl PlaneArgs {
         method: &Method,
         settings: &MethodArgs,
         schedule: ControlSchedule,
-    ) -> Result<Plane<Control>, CliError> {
+    ) -> Result<Plane<Control>> {
         let [x, y] = self.axes.axes()?;
         let axes = [("--x", x), ("--y", y)];
         let varied = axes.map(|(option, axis)| (format!("{option} {axis} varies"), axis.quantity));
         settings.refuse_replaced(method, &varied)?;
-        for (option, axis) in axes {
-            self.axes.system.check_beside(option, &axis.to_string(), axis.quantity)?;
-        }
+        self.axes.system.check_beside(&axes)?;
         let (system, set) = self.axes.system.split()?;
         let parameters = system.parameters(&axes)?;
         let first = [x, y].iter().fold(parameters, |setting, axis| match axis.quantity {
@@ -87,24 +90,5 @@ impl PlaneArgs {
         };
         plane.check().map_err(CliError::input)?;
         Ok(plane)
-    }
-
-    /// See [`AxesArgs::resized`].
-    pub fn resized<T>(&self, plane: Plane<T>, cells: Option<u32>, default: u32) -> Plane<T> {
-        self.axes.resized(plane, cells, default)
-    }
-
-    /// See [`AxesArgs::plane_of`].
-    pub fn plane_of(&self, cells: Option<u32>, default: u32) -> Result<Plane, CliError> {
-        self.axes.plane_of(self.schedule(), cells, default)
-    }
-
-    fn schedule(&self) -> Schedule {
-        Schedule {
-            transient: self.transient.unwrap_or(defaults::TRANSIENT),
-            observe: self.observe.unwrap_or(defaults::OBSERVE),
-            max_period: self.max_period.unwrap_or(defaults::MAX_PERIOD),
-            fixed_periods: self.fixed_periods,
-        }
     }
 }

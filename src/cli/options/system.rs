@@ -1,6 +1,5 @@
 //! The system and its fixed parameters.
 
-use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::model::{Parameter, Setting, StateVector, System};
 use impact_atlas::plane::{Axis, Plane, Quantity, Start};
@@ -10,7 +9,7 @@ use impact_atlas::theory::symmetric_start;
 use crate::cli::method::varied;
 use crate::cli::system::{Chosen, parse_system};
 use crate::cli::values::Assignment;
-use crate::cli::{CliError, defaults, note};
+use crate::cli::{CliError, Result, defaults, note, wrong};
 
 /// The system and its fixed parameters.
 #[derive(Clone, Debug, Args)]
@@ -34,55 +33,37 @@ impl SystemArgs {
     }
 
     /// The same options for the system of a plane that was computed before.
-    pub(super) fn of_family_of(&self, plane: &Plane) -> Result<SystemArgs, CliError> {
+    pub(super) fn of_family_of(&self, plane: &Plane) -> Result<SystemArgs> {
         let family = plane.parameters.family();
-        if self.family.is_some_and(|chosen| chosen.0.hash() != family.hash()) {
-            return Err(CliError::Input(anyhow!(
+        if self.family.is_some_and(|chosen| chosen.0.hash != family.hash) {
+            return Err(wrong!(
                 "the plane of --from is of the system {}: drop --system, or --from",
-                family.origin()
-            )));
+                family.origin
+            ));
         }
         Ok(SystemArgs { family: Some(Chosen(family)), assignments: self.assignments.clone() })
     }
 
-    /// An axis of the system, given as `option`.
-    pub fn axis(&self, option: &str, text: &str) -> Result<Axis, CliError> {
-        Axis::of_family(text, self.family()).map_err(|error| invalid(text, option, error))
-    }
-
-    /// What an option names by the words of the system: a section, a quantity, a panel, a label.
+    /// What an option names by the words of the system: an axis, a section, a quantity, a panel, a label.
     pub fn named<T, E>(
         &self,
         option: &str,
         text: &str,
         read: impl Fn(&str, &'static Family) -> Result<T, E>,
-    ) -> Result<T, CliError>
+    ) -> Result<T>
     where
         E: std::error::Error + Send + Sync + 'static,
     {
         read(text, self.family()).map_err(|error| invalid(text, option, error))
     }
 
-    /// The parameters as set; those of `axes` are left to the axes.
-    pub fn parameters(&self, axes: &[(&str, Axis)]) -> Result<Setting, CliError> {
-        for (option, axis) in axes {
-            self.check_beside(option, &axis.to_string(), axis.quantity)?;
-        }
-        self.assigned()
+    /// The parameters as set; those that `axes` vary, each with the option that gives it, are left to them.
+    pub fn parameters(&self, axes: &[(&str, Axis)]) -> Result<Setting> {
+        self.check_beside(axes)?;
+        self.assigned_to(Setting::defaults(self.family()))
     }
 
-    /// The parameters as set; the quantity that `axis`, given as `option`, varies is left to it.
-    pub fn parameters_beside(
-        &self,
-        option: &str,
-        axis: &str,
-        quantity: Quantity,
-    ) -> Result<Setting, CliError> {
-        self.check_beside(option, axis, quantity)?;
-        self.assigned()
-    }
-
-    fn assignments(&self) -> Result<Vec<Assignment>, CliError> {
+    fn assignments(&self) -> Result<Vec<Assignment>> {
         let read = |text: &String| {
             Assignment::of_family(text, self.family())
                 .map_err(|error| invalid(text, "--set <NAME=VALUE>", error))
@@ -90,18 +71,21 @@ impl SystemArgs {
         self.assignments.iter().map(read).collect()
     }
 
-    pub(super) fn check_beside(&self, option: &str, axis: &str, quantity: Quantity) -> Result<(), CliError> {
-        match self.assignments()?.iter().find(|set| set.quantity == quantity) {
-            Some(set) => Err(CliError::Input(anyhow!(
-                "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
-                quantity.name()
-            ))),
-            None => Ok(()),
+    /// Refuses to set what an axis varies.
+    pub(super) fn check_beside(&self, axes: &[(&str, Axis)]) -> Result<()> {
+        for (option, axis) in axes {
+            if let Some(set) = self.assignments()?.iter().find(|set| set.quantity == axis.quantity) {
+                return Err(wrong!(
+                    "--set {set} has no effect, since {option} {axis} varies {}: drop one of the two",
+                    axis.quantity.name()
+                ));
+            }
         }
+        Ok(())
     }
 
     /// The parameters of the system alone, and the settings of a control method that were set beside them.
-    pub fn split(&self) -> Result<(SystemArgs, Vec<Assignment>), CliError> {
+    pub fn split(&self) -> Result<(SystemArgs, Vec<Assignment>)> {
         let of_method = |set: &Assignment| matches!(set.quantity, Quantity::Control(_));
         let all = self.assignments()?;
         let texts = self.assignments.iter().zip(&all).filter(|(_, set)| !of_method(set));
@@ -110,23 +94,19 @@ impl SystemArgs {
         Ok((SystemArgs { family: self.family, assignments }, settings))
     }
 
-    fn assigned(&self) -> Result<Setting, CliError> {
-        self.assigned_to(Setting::defaults(self.family()))
-    }
-
     /// A setting with what is assigned in place of its own values.
-    pub(super) fn assigned_to(&self, mut setting: Setting) -> Result<Setting, CliError> {
+    pub(super) fn assigned_to(&self, mut setting: Setting) -> Result<Setting> {
         let assignments = self.assignments()?;
         Assignment::refuse_twice(&assignments)?;
         for set in assignments {
             let Quantity::Parameter(parameter) = set.quantity else {
                 let known: Vec<&str> = Parameter::all(self.family()).map(Parameter::name).collect();
-                return Err(CliError::Input(anyhow!(
+                return Err(wrong!(
                     "--set {set} has no effect without control: {} is a setting of a control method (see `control` \
                      and `map --control`); the parameters are {}",
                     set.quantity.name(),
                     known.join(", ")
-                )));
+                ));
             };
             setting = setting.with(parameter, set.value);
         }
@@ -134,7 +114,7 @@ impl SystemArgs {
     }
 
     /// The system, with a start that lies between its stops.
-    pub fn system_and_start(&self, start: Start) -> Result<(System, StateVector), CliError> {
+    pub fn system_and_start(&self, start: Start) -> Result<(System, StateVector)> {
         let system = System::new(self.parameters(&[])?).map_err(CliError::input)?;
         start.check(system.plant(), self.family()).map_err(CliError::input)?;
         let state = start_state(&system, start);
@@ -154,7 +134,7 @@ fn help_of_set() -> String {
 
 /// An option whose value cannot be used.
 fn invalid(text: &str, option: &str, error: impl std::error::Error + Send + Sync + 'static) -> CliError {
-    CliError::Input(anyhow!("invalid value '{text}' for '{option}': {:#}", anyhow::Error::new(error)))
+    wrong!("invalid value '{text}' for '{option}': {:#}", anyhow::Error::new(error))
 }
 
 /// The state that a start means for a system, which is told where it is not the one named.

@@ -11,8 +11,8 @@ use impact_atlas::validate::{Agreement, Boundaries, Check, Thresholds, WorstCell
 use serde::Serialize;
 
 use self::figures::{bound, figure};
-use super::CliError;
 use super::compared::Compared;
+use super::{CliError, Result};
 
 /// Everything that `validate` says.
 #[derive(Debug, Serialize)]
@@ -91,7 +91,7 @@ impl<'a> Report<'a> {
     }
 
     /// Success if every check holds, otherwise which do not.
-    pub fn verdict(&self) -> Result<(), CliError> {
+    pub fn verdict(&self) -> Result<()> {
         if self.holds {
             return Ok(());
         }

@@ -29,14 +29,11 @@ fn verdict(n: u16) -> Verdict {
 fn map(backend: &str) -> RegionMap {
     let provenance =
         Provenance { version: "1".to_owned(), backend: backend.to_owned(), adapter: "some".to_owned() };
-    let plane = Plane {
-        x: "x1=-0.05:0.05:5".parse().unwrap(),
-        y: "r=0.5:0.75:4".parse().unwrap(),
-        parameters: Parameters { zeta: 0.025, ..Parameters::default() }.into(),
-        start: Start::State([0.0, 0.5, -0.25, 1e-7].into()),
-        task: Schedule { transient: 40, observe: 20, max_period: 8, fixed_periods: true },
-    };
-    RegionMap { plane, provenance, verdicts: vec![verdict(1); 20], multipliers: None, extents: None }
+    let schedule = Schedule { transient: 40, observe: 20, max_period: 8, fixed_periods: true };
+    let start = Start::State([0.0, 0.5, -0.25, 1e-7].into());
+    let mut plane = Plane::of_paper("x1=-0.05:0.05:5", "r=0.5:0.75:4", start, schedule).unwrap();
+    plane.parameters = Parameters { zeta: 0.025, ..Parameters::default() }.into();
+    RegionMap::new(plane, provenance, vec![verdict(1); 20])
 }
 
 fn report<'a>(

@@ -165,7 +165,7 @@ impl Settings for SineSetting {
             "component",
             match self.component {
                 0 => "v_after",
-                _ => aimed.name().trim_start_matches("target_"),
+                _ => aimed.name.trim_start_matches("target_"),
             },
         );
         if self.coordinate > 0 {

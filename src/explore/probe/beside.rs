@@ -7,9 +7,10 @@ use crate::backend::{Job, Watch, decide};
 use crate::explore::limits;
 use crate::explore::scene::Scene;
 use crate::explore::task::{Ended, Task};
+use crate::figure::css;
 use crate::model::{StateVector, System};
 use crate::plane::Start;
-use crate::render::{Motion, css, paint_of};
+use crate::render::{Motion, paint_of};
 
 /// Starts that are tried besides rest and the cell's own.
 const SCATTERED: u32 = 22;

@@ -14,7 +14,7 @@ use super::store::Tiles;
 use super::task::{Ended, Task};
 use crate::analysis::Verdict;
 use crate::model::{Number, System};
-use crate::plane::{Component, Quantity, Start};
+use crate::plane::{Axis, Component, Plane, Quantity};
 use crate::render::{Motion, words};
 use crate::theory::{SettledMotion, Spectrum};
 
@@ -27,7 +27,7 @@ const EXPONENTS_OVER: u32 = 2000;
 /// [`Ended`], also where there is no such system.
 pub fn probe(scene: &Scene, tiles: &Tiles, cell: Cell, width: u32, task: &Task) -> Result<(), Ended> {
     let [x, y] = scene.values(cell);
-    let job = scene.job(cell).ok_or_else(|| {
+    let (job, alone) = scene.job(cell).zip(scene.alone(x, y)).ok_or_else(|| {
         let (a, b) = (scene.plane.x.quantity.name(), scene.plane.y.quantity.name());
         let place = format!("{a} = {}, {b} = {}", Number(x), Number(y));
         refused(format!("there is no such system at {place}: outside the range of its parameters"))
@@ -38,8 +38,8 @@ pub fn probe(scene: &Scene, tiles: &Tiles, cell: Cell, width: u32, task: &Task) 
         Some(verdict) => verdict,
         None => verdicts(scene, &[cell], task)?.pop().flatten().ok_or(Ended::Cancelled)?,
     };
-    let start = scene.start_at(x, y);
-    task.answer("motion", motion(scene, [x, y], start, &verdict));
+    let start = alone.start_at(0, 0);
+    task.answer("motion", motion(scene, &alone, &verdict));
     task.check()?;
     figures::portrait(&job.system, &verdict, width, task);
     task.check()?;
@@ -53,10 +53,10 @@ pub fn probe(scene: &Scene, tiles: &Tiles, cell: Cell, width: u32, task: &Task) 
 }
 
 /// The place and the motion in words and numbers.
-fn motion(scene: &Scene, [x, y]: [f64; 2], start: Start, verdict: &Verdict) -> Value {
+fn motion(scene: &Scene, alone: &Plane, verdict: &Verdict) -> Value {
     let plane = &scene.plane;
     let family = plane.parameters.family();
-    let place = |quantity: Quantity, value: f64| json!({ "name": quantity.name(), "value": value });
+    let place = |axis: &Axis| json!({ "name": axis.quantity.name(), "value": axis.first });
     let fixed: Vec<Value> = (plane.parameters.entries())
         .filter(|(parameter, _)| {
             ![plane.x.quantity, plane.y.quantity].contains(&Quantity::Parameter(*parameter))
@@ -67,7 +67,7 @@ fn motion(scene: &Scene, [x, y]: [f64; 2], start: Start, verdict: &Verdict) -> V
         .map(|(component, value)| json!({ "name": component.name(), "value": value }))
         .collect();
     json!({
-        "place": [place(plane.x.quantity, x), place(plane.y.quantity, y)],
+        "place": [place(&alone.x), place(&alone.y)],
         "fixed": fixed,
         "name": Motion::name(verdict, plane.has_mirror()),
         "regime": verdict.regime.name(),
@@ -77,15 +77,9 @@ fn motion(scene: &Scene, [x, y]: [f64; 2], start: Start, verdict: &Verdict) -> V
         "impacts": verdict.impacts,
         "periods": verdict.periods,
         "state": state,
-        "start": start_words(start),
-        "command": classify(scene, [x, y], start),
+        "start": start_words(alone.start_at(0, 0)),
+        "command": super::command::classify(alone, scene.computing.asked),
     })
-}
-
-/// The command line that follows the same cell.
-fn classify(scene: &Scene, [x, y]: [f64; 2], start: Start) -> String {
-    let values = [(scene.plane.x.quantity, x), (scene.plane.y.quantity, y)];
-    super::command::classify(&scene.plane, values, start, scene.computing.asked)
 }
 
 /// The Floquet multipliers of a periodic motion, or why there are none.

@@ -99,7 +99,7 @@ impl Plot<'_> {
             Mark::Line { points, width, colour } => {
                 let places = points.iter().map(|&point| self.at(point));
                 for part in clip::polyline(self.rect, places, STEP) {
-                    canvas.polyline(&part, width * self.em, *colour);
+                    canvas.stroke(&part, width * self.em, *colour, &[]);
                 }
             }
             Mark::Dots { points, diameter, colour } => self.dots(canvas, points, diameter * self.em, *colour),

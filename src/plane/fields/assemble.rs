@@ -3,7 +3,8 @@
 use super::{CellField, CellsError, Extras, Values};
 use crate::analysis::{Counts, Extent, Measures, Regime, Verdict};
 use crate::model::StateVector;
-use crate::plane::region_map::Multipliers;
+use crate::plane::region_map::{Multipliers, Provenance, RegionMap};
+use crate::plane::spec::Plane;
 use crate::system::Family;
 
 /// The results of some cells, those beyond verdicts where there are any.
@@ -15,6 +16,14 @@ pub struct Assembled {
     pub multipliers: Option<Vec<Option<Multipliers>>>,
     /// How far the motions go.
     pub extents: Option<Vec<Extent>>,
+}
+
+impl Assembled {
+    /// The map of a plane with these results.
+    pub fn map(self, plane: Plane, provenance: Provenance) -> RegionMap {
+        let Assembled { verdicts, multipliers, extents } = self;
+        RegionMap { plane, provenance, verdicts, multipliers, extents }
+    }
 }
 
 impl From<Vec<Verdict>> for Assembled {
@@ -68,10 +77,7 @@ pub fn assembled<E: From<CellsError>>(
     };
     let verdicts: Result<Vec<Verdict>, CellsError> = (0..cells).map(verdict).collect();
     let verdicts = verdicts?;
-    let multipliers = match extras.certified {
-        true => Some(get("multipliers")?),
-        false => None,
-    };
+    let multipliers = extras.certified.then(|| get("multipliers")).transpose()?;
     let multipliers = multipliers.map(|numbers| {
         let of_cell = |i: usize| {
             let of = |k: usize, part: usize| numbers.real(2 * (components * i + k) + part);
@@ -79,10 +85,7 @@ pub fn assembled<E: From<CellsError>>(
         };
         (0..cells).map(of_cell).collect()
     });
-    let extents = match extras.extents {
-        true => Some((get("rms")?, get("peak")?)),
-        false => None,
-    };
+    let extents = extras.extents.then(|| Ok::<_, E>((get("rms")?, get("peak")?))).transpose()?;
     let extents = extents.map(|(rms, peak)| {
         let n = family.n();
         let of_cell = |values: &Values, i: usize| {

@@ -1,8 +1,11 @@
 //! A field: one number, or a few, of every cell, with its name, its meaning and how it is drawn.
 
+use derive_more::Debug;
+
 use super::cell::CellResult;
 use super::values::{Kind, Values};
 use crate::figure::Spread;
+use crate::plane::spec::Plane;
 use crate::system::Family;
 
 /// What a field has of every cell.
@@ -77,7 +80,8 @@ impl Extras {
 }
 
 /// A field: one array of a file, of the shape rows, columns, and whatever [`Inner`] adds.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
+#[debug("{name}")]
 pub struct CellField {
     /// The name in files, and of the layer.
     pub name: &'static str,
@@ -94,12 +98,6 @@ pub struct CellField {
     /// How it is drawn, if it is a layer.
     pub drawn: Option<Drawn>,
     pub(super) source: Source,
-}
-
-impl std::fmt::Debug for CellField {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name)
-    }
 }
 
 impl PartialEq for CellField {
@@ -123,6 +121,12 @@ impl CellField {
     /// Whether a plane that has so much beyond verdicts has it.
     pub fn is_with(&self, extras: Extras) -> bool {
         (extras.certified || !self.needs.certified) && (extras.extents || !self.needs.extents)
+    }
+
+    /// The sizes of its array over a whole plane.
+    pub fn shape<T>(&self, plane: &Plane<T>) -> Vec<u64> {
+        let inner = self.inner.dimensions(plane.parameters.family()).into_iter().map(|(_, size)| size as u64);
+        [plane.y.count.into(), plane.x.count.into()].into_iter().chain(inner).collect()
     }
 
     /// The values of some cells, `inner` of them each.

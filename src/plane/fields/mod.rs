@@ -16,4 +16,5 @@ pub use field::{CellField, Drawn, Extras, Inner};
 pub use layer::{Layer, LayerError};
 pub use table::{CELL_FIELDS, NOT_COMPUTED};
 pub use thinned::thinned;
+pub(crate) use values::of_any;
 pub use values::{Kind, Values};

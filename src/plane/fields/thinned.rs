@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use super::{CellField, Cells, CellsError, Extras, assembled};
+use crate::figure::Steps;
 use crate::plane::{Axis, Made, Plane, RegionMap, Window};
 
 /// A window of a plane as a map: all of its cells, or where they are more than `most` every second, third … of each row and
@@ -38,10 +39,10 @@ pub fn thinned(cells: &dyn Cells, window: Window, most: usize) -> Result<RegionM
     }
     let axis = |axis: Axis| {
         let count = axis.count.div_ceil(step);
-        Axis { last: axis.value((count - 1) * step), count, ..axis }
+        Axis { steps: Steps { last: axis.value((count - 1) * step), count, ..axis.steps }, ..axis }
     };
     let plane = Plane { x: axis(plane.x), y: axis(plane.y), ..plane };
-    Ok(RegionMap { plane, provenance, verdicts, multipliers: None, extents: None })
+    Ok(RegionMap::new(plane, provenance, verdicts))
 }
 
 /// Columns and rows of a window in steps.
@@ -53,25 +54,14 @@ fn sparse(window: Window, step: u32) -> (usize, usize) {
 mod tests {
     use super::*;
     use crate::analysis::{Regime, Schedule, Verdict};
-    use crate::model::Parameters;
-    use crate::plane::Provenance;
-    use crate::plane::Start;
+    use crate::plane::{Provenance, Start};
 
     fn map(columns: u32, rows: u32) -> RegionMap {
         let of = |i: u32| Verdict { periods: i, ..Verdict::of_motion(Regime::Periodic, [1, 1, 1], true) };
-        RegionMap {
-            plane: Plane {
-                x: format!("omega=1:3:{columns}").parse().unwrap(),
-                y: format!("delta=0.1:0.4:{rows}").parse().unwrap(),
-                parameters: Parameters::default().into(),
-                start: Start::Rest,
-                task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
-            },
-            provenance: Provenance { version: "1".into(), backend: "cpu".into(), adapter: "test".into() },
-            verdicts: (0..columns * rows).map(of).collect(),
-            multipliers: None,
-            extents: None,
-        }
+        let schedule = Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false };
+        let (x, y) = (format!("omega=1:3:{columns}"), format!("delta=0.1:0.4:{rows}"));
+        let plane = Plane::of_paper(&x, &y, Start::Rest, schedule).unwrap();
+        RegionMap::new(plane, Provenance::default(), (0..columns * rows).map(of).collect())
     }
 
     #[test]

@@ -1,27 +1,22 @@
 //! The values of a field, with their type.
 
-use strum::IntoStaticStr;
+use num_traits::AsPrimitive;
 
-/// The type of a field's values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, IntoStaticStr)]
-#[strum(serialize_all = "lowercase")]
-pub enum Kind {
-    /// Whole numbers from 0 to 255.
-    U8,
-    /// Whole numbers from 0 to 65535.
-    U16,
-    /// Whole numbers of 32 bits.
-    U32,
-    /// Single precision.
-    F32,
-    /// Double precision.
-    F64,
-}
+use crate::system::named;
 
-impl Kind {
-    /// The name in the documentation.
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// The type of a field's values.
+    pub enum Kind {
+        /// Whole numbers from 0 to 255.
+        U8 = "u8",
+        /// Whole numbers from 0 to 65535.
+        U16 = "u16",
+        /// Whole numbers of 32 bits.
+        U32 = "u32",
+        /// Single precision.
+        F32 = "f32",
+        /// Double precision.
+        F64 = "f64",
     }
 }
 
@@ -40,6 +35,20 @@ pub enum Values {
     F64(Vec<f64>),
 }
 
+/// The same of the values of any type.
+macro_rules! of_any {
+    ($all:expr, $values:ident => $result:expr) => {
+        match $all {
+            $crate::plane::fields::Values::U8($values) => $result,
+            $crate::plane::fields::Values::U16($values) => $result,
+            $crate::plane::fields::Values::U32($values) => $result,
+            $crate::plane::fields::Values::F32($values) => $result,
+            $crate::plane::fields::Values::F64($values) => $result,
+        }
+    };
+}
+pub(crate) use of_any;
+
 impl Values {
     /// Their type.
     pub fn kind(&self) -> Kind {
@@ -54,13 +63,7 @@ impl Values {
 
     /// How many there are.
     pub fn len(&self) -> usize {
-        match self {
-            Values::U8(values) => values.len(),
-            Values::U16(values) => values.len(),
-            Values::U32(values) => values.len(),
-            Values::F32(values) => values.len(),
-            Values::F64(values) => values.len(),
-        }
+        of_any!(self, values => values.len())
     }
 
     /// Whether there are none.
@@ -85,23 +88,11 @@ impl Values {
 
     /// One of them as a real number.
     pub fn real(&self, i: usize) -> f64 {
-        match self {
-            Values::U8(values) => values[i].into(),
-            Values::U16(values) => values[i].into(),
-            Values::U32(values) => values[i].into(),
-            Values::F32(values) => values[i].into(),
-            Values::F64(values) => values[i],
-        }
+        of_any!(self, values => values[i].as_())
     }
 
     /// One of them as a whole number; what is none is 0.
     pub fn whole(&self, i: usize) -> u32 {
-        match self {
-            Values::U8(values) => values[i].into(),
-            Values::U16(values) => values[i].into(),
-            Values::U32(values) => values[i],
-            Values::F32(values) => values[i] as u32,
-            Values::F64(values) => values[i] as u32,
-        }
+        of_any!(self, values => values[i].as_())
     }
 }

@@ -6,6 +6,7 @@ mod major;
 mod regions;
 mod style;
 
+pub use self::drawn::{LiveLine, live_lines};
 pub(super) use self::key::Key;
 
 use self::major::major;
@@ -16,6 +17,7 @@ use crate::figure::labels::{self, Wanted};
 use crate::figure::{Anchor, Canvas, Frame, INK, Point, Rect, Text, clip};
 use crate::paper::{Named, named};
 use crate::plane::RegionMap;
+use crate::system::named;
 
 /// The sizes of names: the paper's, other curves' and regions', in em.
 const PAPER_SIZE: f64 = 1.0;
@@ -37,21 +39,14 @@ const TOGETHER: f64 = 0.8;
 const LEADER: [f64; 2] = [0.06, 0.2];
 const END_OF_LEADER: f64 = 0.13;
 
-/// Which parts of the curves are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, strum::IntoStaticStr)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-#[strum(serialize_all = "lowercase")]
-pub enum Shown {
-    /// Those of motions that fill 0.3 % of the plane, and the paper's, where the motion is stable on one side of the curve.
-    Bounding,
-    /// All of every curve.
-    All,
-}
-
-impl Shown {
-    /// The name in configurations, and on the command line.
-    pub fn name(self) -> &'static str {
-        self.into()
+named! {
+    /// Which parts of the curves are drawn.
+    #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+    pub enum Shown {
+        /// Those of motions that fill 0.3 % of the plane, and the paper's, where the motion is stable on one side of the curve.
+        Bounding = "bounding",
+        /// All of every curve.
+        All = "all",
     }
 }
 

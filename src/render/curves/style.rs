@@ -50,7 +50,7 @@ pub(super) fn is_thin(curve: &Curve) -> bool {
 
 /// A line, in pixels.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::render) struct Line {
+pub(super) struct Line {
     pub colour: Colour,
     pub width: f64,
     /// What the line and its casing take together.

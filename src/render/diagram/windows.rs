@@ -41,7 +41,7 @@ impl Columns {
 
     /// The scale that shows them all.
     pub fn scale(&self) -> Scale {
-        Scale::of(&self.axis.steps())
+        Scale::of(&self.axis.steps)
     }
 
     fn span(&self, first: usize, last: usize) -> [f64; 2] {

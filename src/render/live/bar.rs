@@ -2,8 +2,7 @@
 
 use serde::Serialize;
 
-use super::css;
-use crate::figure::{Bar, Palette, fitting_ticks, widest};
+use crate::figure::{Bar, Palette, css, fitting_ticks, widest};
 use crate::plane::fields::Layer;
 use crate::render::numbers::{LOST, UNDEFINED};
 

@@ -2,9 +2,8 @@
 
 use serde::Serialize;
 
-use super::css;
 use super::words::{Word, words};
-use crate::figure::Paint;
+use crate::figure::{Paint, css};
 use crate::render::colours::paint_of;
 use crate::render::motion::Motion;
 use crate::render::regions::{Census, definition, entries_of};

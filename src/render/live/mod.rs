@@ -5,27 +5,19 @@
 mod axis;
 mod bar;
 mod legend;
-mod lines;
 mod slice;
 mod words;
 
 pub use axis::{LiveAxis, live_axis, live_title};
 pub use bar::{LiveBar, LivePart, live_bar};
 pub use legend::{LiveLegend, LiveRow, live_legend};
-pub use lines::{LiveLine, live_lines};
 pub use slice::slice_figure;
 pub use words::{Word, words};
 
-use crate::figure::{Colour, Hatch};
+use crate::figure::Hatch;
 
 /// The spacing and the thickness of a hatch for a text size, all in pixels: a pixel is hatched where
 /// (x + y) mod spacing < thickness.
 pub fn live_hatch(em: f64) -> [u32; 2] {
     Hatch::new(em).lengths()
-}
-
-/// A colour as style sheets write it.
-pub fn css(colour: Colour) -> String {
-    let [r, g, b] = colour.0;
-    format!("#{r:02x}{g:02x}{b:02x}")
 }

@@ -1,7 +1,8 @@
 //! The kinds of plots of an orbit, by name.
 
-use std::fmt;
 use std::str::FromStr;
+
+use derive_more::Display;
 
 use super::panel_error::PanelError;
 use super::variable::Variable;
@@ -9,8 +10,9 @@ use crate::analysis::{Reading, Section, SectionError};
 use crate::dynamics::Stop;
 use crate::system::Family;
 
-/// A plot of an orbit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A plot of an orbit; displayed with the names of the paper's family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Display)]
+#[display("{}", self.name(Family::paper()))]
 pub enum OrbitPanel {
     /// A phase portrait: two quantities of the state against each other.
     Portrait([Reading; 2]),
@@ -148,13 +150,6 @@ impl Asked<'_> {
             Some(reading) => Err(SectionError::NotThere(reading.name(self.family)).into()),
             None => Ok(OrbitPanel::Section(section, axes)),
         }
-    }
-}
-
-/// With the names of the paper's family.
-impl fmt::Display for OrbitPanel {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.name(Family::paper()))
     }
 }
 

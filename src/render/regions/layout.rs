@@ -113,9 +113,8 @@ impl Layout {
 
     /// The regions alone.
     fn bare(size: Size) -> Self {
-        let (width, height) = (size.width().into(), size.height().into());
-        let plot = Rect { x: 0.0, y: 0.0, width, height };
         let left_out = vec![LEGEND, TITLE, AXIS_TITLES, AXES];
+        let plot = Rect::whole(size);
         Layout { margin: 0.0, title: Vec::new(), plot, frame: None, legend: None, left_out }
     }
 }

@@ -31,10 +31,6 @@ const fn stabilising(gain: f64) -> Scheme {
     feedback(gain, Sign::Stabilising)
 }
 
-fn is_captured(run: &Run) -> bool {
-    run.outcome.verdict.label() == "1-2-1"
-}
-
 /// How many of the starts end like that, of trajectories of so many iterates.
 fn ends(gain: f64, iterates: u32, like: impl Fn(&Run) -> bool + Sync) -> usize {
     let run = |number| Run::new(stabilising(gain), iterates, start(number));
@@ -44,11 +40,11 @@ fn ends(gain: f64, iterates: u32, like: impl Fn(&Run) -> bool + Sync) -> usize {
 /// The run that is shown of those with the gain of Figs. 19 and 20, where several motions are stable and which of them chaos
 /// ends on depends on the start.
 fn shown_run() -> Run {
-    Run::first(stabilising(HALF), ITERATES, STARTS, is_captured)
+    Run::first(stabilising(HALF), ITERATES, STARTS, Run::is_captured)
 }
 
 fn captured(gain: f64, iterates: u32) -> String {
-    format!("{} of {STARTS} starts are captured", ends(gain, iterates, is_captured))
+    format!("{} of {STARTS} starts are captured", ends(gain, iterates, Run::is_captured))
 }
 
 fn shown(time: Option<u32>) -> String {
@@ -63,7 +59,7 @@ pub(in super::super) const FIGURE_19: PaperFigure = PaperFigure {
     settings: || settings(&[stabilising(HALF), feedback(HALF, Sign::Printed)], ITERATES),
     make: |config, _| {
         let run = shown_run();
-        let point = is_captured(&run).then(|| run.point());
+        let point = run.is_captured().then(|| run.point());
         let captured = captured(HALF, ITERATES);
         let mut claims: Vec<Claim> = components(19, "fixed point X*", PRINTED, point, 5e-6)
             .into_iter()
@@ -82,8 +78,7 @@ pub(in super::super) const FIGURE_19: PaperFigure = PaperFigure {
             )
             .noted("the opposite sign, G (X(n) − X(n−p)), stabilises and is used everywhere here"),
         );
-        let plots: Vec<_> = RESPONSES.iter().map(|&plot| (&run, plot)).collect();
-        Ok(Produced::one(draw(&plots, None, config)?, claims))
+        Ok(Produced::one(draw(&RESPONSES.map(|plot| (&run, plot)), None, config)?, claims))
     },
 };
 
@@ -109,7 +104,7 @@ pub(in super::super) const FIGURE_21: PaperFigure = PaperFigure {
     settings: || settings(&GAINS.map(stabilising), LONG),
     make: |config, _| {
         // The largest gain captures the fewest starts: the others follow it.
-        let first = Run::first(stabilising(GAINS[0]), LONG, STARTS, is_captured);
+        let first = Run::first(stabilising(GAINS[0]), LONG, STARTS, Run::is_captured);
         let runs: Vec<Run> =
             GAINS.iter().map(|&gain| Run::new(stabilising(gain), LONG, first.start)).collect();
         let time = |gain: f64| Run::new(stabilising(gain), LONG, first.start).time();
@@ -152,7 +147,7 @@ pub(in super::super) const FIGURE_22: PaperFigure = PaperFigure {
               iterates under control; (d) phase portrait at the end.",
     settings: || settings(&[stabilising(LARGE)], LONG),
     make: |config, _| {
-        let run = Run::first(stabilising(LARGE), LONG, STARTS, is_captured);
+        let run = Run::first(stabilising(LARGE), LONG, STARTS, Run::is_captured);
         let fixed = shown_run().point();
         let modulus = |gain: f64| Run::largest_multiplier(&stabilising(gain), fixed).unwrap_or(f64::NAN);
         let largest: f64 = LARGEST.parse().expect("a printed number is a number");
@@ -170,7 +165,7 @@ pub(in super::super) const FIGURE_22: PaperFigure = PaperFigure {
                 .noted(format!(
                     "{} of {STARTS} starts are captured, {} run away; the run shown converged after {} iterates: cut \
                      short, its slow spiral looks like a circle",
-                    ends(LARGE, LONG, is_captured),
+                    ends(LARGE, LONG, Run::is_captured),
                     ends(LARGE, LONG, |run| run.outcome.runaway),
                     shown(run.time())
                 )),

@@ -77,6 +77,11 @@ impl Run {
         runs.find(wanted).unwrap_or_else(|| Run::new(scheme, iterates, Start::Rest))
     }
 
+    /// Whether it ends on the motion that the paper shows.
+    fn is_captured(&self) -> bool {
+        self.outcome.verdict.label() == "1-2-1"
+    }
+
     fn label(&self) -> String {
         if self.outcome.runaway { "runaway".to_owned() } else { self.outcome.verdict.label() }
     }
@@ -171,7 +176,7 @@ fn draw(plots: &[(&Run, Plot)], range: Option<[u32; 2]>, config: &str) -> Result
             distinct.push(entry);
         }
     }
-    let varied = |setting: ControlQuantity| !alike && setting.name() == "gain";
+    let varied = |setting: ControlQuantity| !alike && setting.name == "gain";
     let title = first.map_or_else(Vec::new, |run| run.picture(&system, ["", ""]).title(varied));
     let figure =
         Figure { title, rows: Row::of(panels, 2, 0.75), key: distinct, notes: Vec::new(), width: 60.0 };

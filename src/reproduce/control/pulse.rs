@@ -39,8 +39,7 @@ pub(in super::super) const FIGURE_17: PaperFigure = PaperFigure {
                     run.outcome.signal
                 )),
         );
-        let plots: Vec<_> = RESPONSES.iter().map(|&plot| (&run, plot)).collect();
-        let picture = draw(&plots, Some([FROM - 100, FROM + 100]), config)?;
+        let picture = draw(&RESPONSES.map(|plot| (&run, plot)), Some([FROM - 100, FROM + 100]), config)?;
         Ok(Produced::one(picture, claims))
     },
 };

@@ -34,12 +34,8 @@ const fn scheme(convention: Convention, alpha: f64, dead_band: f64) -> SineSetti
 const KICK: SineSetting = scheme(Convention::Kick, 0.1, 0.0055);
 const FORCE: SineSetting = scheme(Convention::Force, 0.05, 1e-4);
 
-fn is_captured(run: &Run) -> bool {
-    run.outcome.verdict.label() == "1-2-1"
-}
-
 fn captured() -> Run {
-    Run::first(Scheme::Sine(KICK), ITERATES, TRIED, is_captured)
+    Run::first(Scheme::Sine(KICK), ITERATES, TRIED, Run::is_captured)
 }
 
 /// The amplitudes at which adaptation has come to rest after so many iterates, for every start that is captured then.
@@ -47,7 +43,7 @@ fn amplitudes(iterates: u32) -> Vec<f64> {
     (0..TRIED)
         .into_par_iter()
         .map(|number| Run::new(Scheme::Sine(KICK), iterates, super::start(number)))
-        .filter(is_captured)
+        .filter(Run::is_captured)
         .map(|run| f64::from(run.outcome.signal))
         .collect()
 }
@@ -77,7 +73,7 @@ pub(in super::super) const FIGURE_15: PaperFigure = PaperFigure {
     settings: || settings(&[Scheme::Sine(KICK), Scheme::Sine(FORCE)], ITERATES),
     make: |config, _| {
         let run = captured();
-        let held = is_captured(&run);
+        let held = run.is_captured();
         let point = held.then(|| run.point());
         let [amplitudes, longer] = [ITERATES, LONGER].map(amplitudes);
         let [least, most] = longer
@@ -125,8 +121,7 @@ pub(in super::super) const FIGURE_15: PaperFigure = PaperFigure {
             )
             .noted("another reading of Eq. (21), whose convention is not printed"),
         );
-        let plots: Vec<_> = RESPONSES.iter().map(|&plot| (&run, plot)).collect();
-        Ok(Produced::one(draw(&plots, None, config)?, claims))
+        Ok(Produced::one(draw(&RESPONSES.map(|plot| (&run, plot)), None, config)?, claims))
     },
 };
 

@@ -19,18 +19,12 @@ mod tests {
 
     use super::*;
     use crate::analysis::{INFINITELY_MANY, Regime, Schedule, Verdict};
-    use crate::model::Parameters;
     use crate::plane::{Plane, Provenance, RegionMap, Start};
 
     fn example() -> RegionMap {
         let schedule = Schedule { transient: 500, observe: 100, max_period: 16, fixed_periods: false };
-        let plane = Plane {
-            x: "omega=0.2:5:3".parse().unwrap(),
-            y: "x1=-0.05:0.05:2".parse().unwrap(),
-            parameters: Parameters::default().into(),
-            start: Start::State([0.0, 0.1, -0.2, 1.0 / 3.0].into()),
-            task: schedule,
-        };
+        let start = Start::State([0.0, 0.1, -0.2, 1.0 / 3.0].into());
+        let plane = Plane::of_paper("omega=0.2:5:3", "x1=-0.05:0.05:2", start, schedule).unwrap();
         let provenance =
             Provenance { version: "0.1.0".into(), backend: "cpu".into(), adapter: "Prüfstand ∞".into() };
         let verdict = |i: u16| Verdict {
@@ -51,13 +45,7 @@ mod tests {
                 contact: 0.125,
             },
         };
-        RegionMap {
-            plane,
-            provenance,
-            verdicts: (0..6).map(verdict).collect(),
-            multipliers: None,
-            extents: None,
-        }
+        RegionMap::new(plane, provenance, (0..6).map(verdict).collect())
     }
 
     fn written(map: &RegionMap) -> Vec<u8> {
@@ -145,8 +133,8 @@ mod tests {
     /// An archive whose arrays are one cell short, in one row.
     fn written_raw(map: &RegionMap) -> Vec<u8> {
         let mut short = map.clone();
-        short.plane.x.count = 5;
-        short.plane.y.count = 1;
+        short.plane.x.steps.count = 5;
+        short.plane.y.steps.count = 1;
         let mut config = map.clone();
         config.verdicts.clear();
         let mut file = Cursor::new(Vec::new());

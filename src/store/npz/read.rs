@@ -6,7 +6,7 @@ use npyz::{Deserialize as FromNpy, NpyFile};
 use thiserror::Error;
 use zip::ZipArchive;
 
-use crate::plane::fields::{Assembled, CellField, CellsError, Extras, Kind, Values, assembled};
+use crate::plane::fields::{CellField, CellsError, Extras, Kind, Values, assembled};
 use crate::plane::{Made, Plane, RegionMap, Window};
 
 /// Reads a map that [`write_map`](super::write_map) wrote.
@@ -23,9 +23,8 @@ pub fn read_map(from: impl Read + Seek) -> Result<RegionMap, ReadError> {
     let extras = Extras { certified: has("multipliers"), extents: has("rms") };
     let cells = Window::whole(&plane).cells();
     let family = plane.parameters.family();
-    let Assembled { verdicts, multipliers, extents } =
-        assembled::<ReadError>(family, cells, extras, |of| field(&mut zip, &plane, of))?;
-    Ok(RegionMap { plane, provenance, verdicts, multipliers, extents })
+    let assembled = assembled::<ReadError>(family, cells, extras, |of| field(&mut zip, &plane, of))?;
+    Ok(assembled.map(plane, provenance))
 }
 
 /// Reads the configuration text of an archive of this crate.
@@ -43,9 +42,7 @@ fn field(
     plane: &Plane,
     field: &'static CellField,
 ) -> Result<Values, ReadError> {
-    let family = plane.parameters.family();
-    let mut shape = vec![u64::from(plane.y.count), u64::from(plane.x.count)];
-    shape.extend(field.inner.dimensions(family).iter().map(|(_, size)| *size as u64));
+    let shape = field.shape(plane);
     Ok(match field.kind() {
         Kind::U8 => Values::U8(values(zip, field.name, &shape)?),
         Kind::U16 => Values::U16(values(zip, field.name, &shape)?),

@@ -7,7 +7,7 @@ use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use super::fused::Fused;
-use crate::plane::fields::{CellField, CellResult, Cells, Values};
+use crate::plane::fields::{CellField, CellResult, Cells, of_any};
 use crate::plane::{Plane, RegionMap};
 
 /// Writes a map as a NumPy archive; `numpy.load` reads it, without pickles.
@@ -56,15 +56,8 @@ impl<W: Write + Seek> Archive<W> {
     ) -> io::Result<()> {
         let family = plane.parameters.family();
         for field in fields {
-            let mut shape = vec![u64::from(plane.y.count), u64::from(plane.x.count)];
-            shape.extend(field.inner.dimensions(family).iter().map(|(_, size)| *size as u64));
-            match field.values(cells.clone(), field.inner.len(family)) {
-                Values::U8(values) => self.array(field.name, &shape, values),
-                Values::U16(values) => self.array(field.name, &shape, values),
-                Values::U32(values) => self.array(field.name, &shape, values),
-                Values::F32(values) => self.array(field.name, &shape, values),
-                Values::F64(values) => self.array(field.name, &shape, values),
-            }?;
+            let values = field.values(cells.clone(), field.inner.len(family));
+            of_any!(values, values => self.array(field.name, &field.shape(plane), values))?;
         }
         Ok(())
     }

@@ -5,45 +5,27 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-/// Why an output file cannot be, or was not, written.
+/// Why an output file cannot be, or was not, written; with the path that was given.
 #[derive(Debug, Error)]
 pub enum OutputError {
     /// The path is a directory.
-    #[error("cannot write to `{}`: it is a directory; give the name of a file in it", path.display())]
-    Directory {
-        /// The path that was given.
-        path: PathBuf,
-    },
+    #[error("cannot write to `{}`: it is a directory; give the name of a file in it", .0.display())]
+    Directory(PathBuf),
     /// The path has no file name.
-    #[error("cannot write to `{}`: it names no file", path.display())]
-    NoName {
-        /// The path that was given.
-        path: PathBuf,
-    },
+    #[error("cannot write to `{}`: it names no file", .0.display())]
+    NoName(PathBuf),
     /// Symbolic links lead to each other.
-    #[error("cannot write to `{}`: symbolic links lead in a circle; give another name", path.display())]
-    Circle {
-        /// The path that was given.
-        path: PathBuf,
-    },
+    #[error("cannot write to `{}`: symbolic links lead in a circle; give another name", .0.display())]
+    Circle(PathBuf),
     /// A file is there that was not to be replaced.
-    #[error("`{}` is there already: give --force to replace it, or another name", path.display())]
-    Exists {
-        /// The path that was given.
-        path: PathBuf,
-    },
+    #[error("`{}` is there already: give --force to replace it, or another name", .0.display())]
+    Exists(PathBuf),
     /// A device, a pipe or a socket is there.
-    #[error("cannot write to `{}`: it is not a regular file; give another name, or - for standard output", path.display())]
-    Special {
-        /// The path that was given.
-        path: PathBuf,
-    },
+    #[error("cannot write to `{}`: it is not a regular file; give another name, or - for standard output", .0.display())]
+    Special(PathBuf),
     /// A write-protected file is there.
-    #[error("cannot write to `{}`: it is write-protected; remove it or give another name", path.display())]
-    ReadOnly {
-        /// The path that was given.
-        path: PathBuf,
-    },
+    #[error("cannot write to `{}`: it is write-protected; remove it or give another name", .0.display())]
+    ReadOnly(PathBuf),
     /// The directory is missing, or is no directory.
     #[error("cannot write to `{}`: there is no directory `{}`; create it first", path.display(), parent.display())]
     NoParent {
@@ -99,7 +81,7 @@ impl OutputError {
         match source.kind() {
             ErrorKind::StorageFull | ErrorKind::QuotaExceeded => OutputError::DiskFull { path, source },
             ErrorKind::FileTooLarge => OutputError::TooLarge { path, source },
-            ErrorKind::AlreadyExists => OutputError::Exists { path },
+            ErrorKind::AlreadyExists => OutputError::Exists(path),
             _ => OutputError::Write { path, source },
         }
     }

@@ -46,18 +46,18 @@ impl Output {
         }
         let ends_in_separator = path.as_os_str().to_string_lossy().ends_with(std::path::is_separator);
         if path.is_dir() || ends_in_separator {
-            return Err(OutputError::Directory { path });
+            return Err(OutputError::Directory(path));
         }
         if path.file_name().is_none() {
-            return Err(OutputError::NoName { path });
+            return Err(OutputError::NoName(path));
         }
-        let Some(target) = followed(&path) else { return Err(OutputError::Circle { path }) };
+        let Some(target) = followed(&path) else { return Err(OutputError::Circle(path)) };
         if let Ok(existing) = fs::metadata(&target) {
             if !existing.is_file() {
-                return Err(OutputError::Special { path });
+                return Err(OutputError::Special(path));
             }
             if existing.permissions().readonly() {
-                return Err(OutputError::ReadOnly { path });
+                return Err(OutputError::ReadOnly(path));
             }
         }
         let parent = parent(&target);
@@ -76,7 +76,7 @@ impl Output {
     /// [`OutputError::Exists`] where there is one now.
     pub fn keeping(self) -> Result<Self, OutputError> {
         match &self.target {
-            Target::File(target) if target.exists() => Err(OutputError::Exists { path: self.path }),
+            Target::File(target) if target.exists() => Err(OutputError::Exists(self.path)),
             _ => Ok(Output { keeping: true, ..self }),
         }
     }

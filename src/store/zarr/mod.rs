@@ -157,7 +157,7 @@ impl ZarrStore {
 
 /// Makes an empty store, which appears whole. Where another process was faster, its store stays.
 fn create(path: &Path, wanted: &Wanted) -> Result<(), StoreError> {
-    let name = path.file_name().ok_or_else(|| OutputError::NoName { path: path.to_owned() })?;
+    let name = path.file_name().ok_or_else(|| OutputError::NoName(path.to_owned()))?;
     let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !parent.is_dir() {
         return Err(OutputError::NoParent { path: path.to_owned(), parent: parent.to_owned() }.into());

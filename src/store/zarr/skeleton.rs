@@ -23,7 +23,7 @@ pub const FORMAT: u64 = 1;
 /// How hard shards are compressed: hardly, since writing must not cost computing time.
 const COMPRESSION: u32 = 1;
 
-type Failure = Box<dyn std::error::Error + Send + Sync>;
+type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>>;
 
 /// What makes a store.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +42,7 @@ pub struct Skeleton<'a> {
 
 impl Skeleton<'_> {
     /// Writes an empty store into a folder that is there.
-    pub fn write(&self, folder: &Path) -> Result<(), Failure> {
+    pub fn write(&self, folder: &Path) -> Result<()> {
         let store = Arc::new(FilesystemStore::new(folder)?);
         let mut consolidated = Map::new();
         for field in CellField::of_plane(self.extras) {
@@ -71,9 +71,8 @@ impl Skeleton<'_> {
         let parameters: Map<String, Value> =
             self.plane.parameters.entries().map(|(p, value)| (p.name().to_owned(), value.into())).collect();
         let title = format!(
-            "{}: {} over {} and {}",
-            family.name(),
-            "what every cell's trajectory settles on",
+            "{}: what every cell's trajectory settles on over {} and {}",
+            family.name,
             self.plane.x.quantity.name(),
             self.plane.y.quantity.name()
         );
@@ -84,7 +83,7 @@ impl Skeleton<'_> {
             "version": self.provenance.version,
             "backend": self.provenance.backend,
             "adapter": self.provenance.adapter,
-            "system": family.name(),
+            "system": family.name,
             "parameters": parameters,
             "start": self.plane.start.to_string(),
             "tile": self.tiling.side,
@@ -95,29 +94,21 @@ impl Skeleton<'_> {
     }
 
     /// The array of a field: a shard for every tile, of one chunk, with checksums.
-    fn field(
-        &self,
-        field: &CellField,
-        store: Arc<FilesystemStore>,
-    ) -> Result<Array<FilesystemStore>, Failure> {
+    fn field(&self, field: &CellField, store: Arc<FilesystemStore>) -> Result<Array<FilesystemStore>> {
         let family = self.plane.parameters.family();
         let inner = field.inner.dimensions(family);
-        let with_inner = |rows: u32, columns: u32| -> Vec<u64> {
-            [rows.into(), columns.into()].into_iter().chain(inner.iter().map(|(_, n)| *n as u64)).collect()
-        };
-        let shape = with_inner(self.plane.y.count, self.plane.x.count);
-        let shard = with_inner(self.tiling.side, self.tiling.side);
+        let shape = field.shape(self.plane);
+        let shard = [&[u64::from(self.tiling.side); 2][..], &shape[2..]].concat();
         let chunk: ChunkShape = shard.as_slice().try_into()?;
         let mut sharding = ShardingCodecBuilder::new(chunk);
         sharding.bytes_to_bytes_codecs(of_chunks()?);
         let (kind, fill) = kind_and_fill(field);
         let names: Vec<&str> = ["y", "x"].into_iter().chain(inner.iter().map(|(name, _)| *name)).collect();
-        let array = ArrayBuilder::new(shape, shard, kind, fill)
+        Ok(ArrayBuilder::new(shape, shard, kind, fill)
             .array_to_bytes_codec(Arc::new(sharding.build()))
             .dimension_names(Some(names))
             .attributes(self.about(field))
-            .build(store, &format!("/{}", field.name))?;
-        Ok(array)
+            .build(store, &format!("/{}", field.name))?)
     }
 
     /// The attributes of a field, by the names that the CF conventions have for them.
@@ -159,19 +150,14 @@ impl Skeleton<'_> {
 }
 
 /// How the bytes of a chunk become those of its place in a shard.
-fn of_chunks() -> Result<Vec<Arc<dyn BytesToBytesCodecTraits>>, Failure> {
+fn of_chunks() -> Result<Vec<Arc<dyn BytesToBytesCodecTraits>>> {
     Ok(vec![Arc::new(GzipCodec::new(COMPRESSION)?), Arc::new(Crc32cCodec::new())])
 }
 
 /// The bytes of a shard of one chunk: the chunk's, and the index with its place and checksum.
 ///
 /// The sharding codec of zarrs 0.22 reserves for a chunk what it takes to be the most, which noise exceeds.
-pub fn shard_of<T: Element>(
-    values: &[T],
-    shape: &[u64],
-    kind: DataType,
-    fill: FillValue,
-) -> Result<Vec<u8>, Failure> {
+pub fn shard_of<T: Element>(values: &[T], shape: &[u64], kind: DataType, fill: FillValue) -> Result<Vec<u8>> {
     let alone = ArrayBuilder::new(shape.to_vec(), shape.to_vec(), kind, fill)
         .bytes_to_bytes_codecs(of_chunks()?)
         .build(Arc::new(MemoryStore::new()), "/")?;
@@ -185,34 +171,34 @@ pub fn shard_of<T: Element>(
     Ok(shard)
 }
 
+/// What stands in a field for cells that were not computed; as a whole number NaN is 0.
+pub fn nothing(field: &CellField) -> f64 {
+    if field.name == "regime" { NOT_COMPUTED.into() } else { f64::NAN }
+}
+
 /// The type of a field in a store, and what stands in it for cells that were not computed.
 pub fn kind_and_fill(field: &CellField) -> (DataType, FillValue) {
+    let nothing = nothing(field);
     match field.kind() {
-        Kind::U8 if field.name == "regime" => (DataType::UInt8, NOT_COMPUTED.into()),
-        Kind::U8 => (DataType::UInt8, 0u8.into()),
-        Kind::U16 => (DataType::UInt16, 0u16.into()),
-        Kind::U32 => (DataType::UInt32, 0u32.into()),
-        Kind::F32 => (DataType::Float32, f32::NAN.into()),
-        Kind::F64 => (DataType::Float64, f64::NAN.into()),
+        Kind::U8 => (DataType::UInt8, (nothing as u8).into()),
+        Kind::U16 => (DataType::UInt16, (nothing as u16).into()),
+        Kind::U32 => (DataType::UInt32, (nothing as u32).into()),
+        Kind::F32 => (DataType::Float32, (nothing as f32).into()),
+        Kind::F64 => (DataType::Float64, nothing.into()),
     }
 }
 
-fn coordinates(
-    name: &str,
-    axis: &Axis,
-    store: Arc<FilesystemStore>,
-) -> Result<Array<FilesystemStore>, Failure> {
+fn coordinates(name: &str, axis: &Axis, store: Arc<FilesystemStore>) -> Result<Array<FilesystemStore>> {
     let count = u64::from(axis.count);
     let description = match axis.quantity {
-        Quantity::Parameter(parameter) => parameter.description().to_owned(),
+        Quantity::Parameter(parameter) => parameter.about().about.to_owned(),
         Quantity::Start(component) => format!("{} at the start", component.name()),
-        Quantity::Control(setting) => setting.description().to_owned(),
+        Quantity::Control(setting) => setting.description.to_owned(),
     };
     let about = json!({ "long_name": description, "quantity": axis.quantity.name(), "units": "1" });
     let Value::Object(about) = about else { unreachable!("it is written as an object") };
-    let array = ArrayBuilder::new(vec![count], vec![count], DataType::Float64, f64::NAN)
+    Ok(ArrayBuilder::new(vec![count], vec![count], DataType::Float64, f64::NAN)
         .dimension_names(Some([name]))
         .attributes(about)
-        .build(store, &format!("/{name}"))?;
-    Ok(array)
+        .build(store, &format!("/{name}"))?)
 }

@@ -6,18 +6,12 @@ use tempfile::tempdir;
 
 use super::*;
 use crate::analysis::{Regime, Schedule, Verdict};
-use crate::model::Parameters;
 use crate::plane::fields::{CELL_FIELDS, Cells, CellsError, Extras, NOT_COMPUTED, Values};
 use crate::plane::{Start, Window};
 
 fn plane() -> Plane {
-    Plane {
-        x: "omega=1:3:10".parse().unwrap(),
-        y: "delta=0.1:0.4:7".parse().unwrap(),
-        parameters: Parameters::default().into(),
-        start: Start::Rest,
-        task: Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false },
-    }
+    let schedule = Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false };
+    Plane::of_paper("omega=1:3:10", "delta=0.1:0.4:7", Start::Rest, schedule).unwrap()
 }
 
 fn provenance() -> Provenance {

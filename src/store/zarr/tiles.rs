@@ -12,11 +12,10 @@ use zarrs::array::codec::CodecOptions;
 use zarrs::array::{Array, ArrayError, ElementOwned};
 use zarrs::filesystem::FilesystemStore;
 
-use super::skeleton::{kind_and_fill, shard_of};
+use super::skeleton::{kind_and_fill, nothing, shard_of};
 use super::{HIDDEN, StoreError, ZarrStore};
 use crate::plane::fields::{
-    Assembled, CELL_FIELDS, CellField, CellResult, Cells, CellsError, Extras, Kind, NOT_COMPUTED, Values,
-    assembled,
+    Assembled, CELL_FIELDS, CellField, CellResult, Cells, CellsError, Extras, Kind, Values, assembled, of_any,
 };
 use crate::plane::{Plane, RegionMap, Window};
 use crate::store::OutputError;
@@ -78,15 +77,8 @@ impl ZarrStore {
     pub fn map_of(&self, window: Window) -> Result<RegionMap, CellsError> {
         let family = self.plane.parameters.family();
         let read = |field: &'static CellField| self.read(field, window);
-        let Assembled { verdicts, multipliers, extents } =
-            assembled::<CellsError>(family, window.cells(), self.extras, read)?;
-        Ok(RegionMap {
-            plane: window.plane(&self.plane),
-            provenance: self.provenance.clone(),
-            verdicts,
-            multipliers,
-            extents,
-        })
+        let assembled = assembled::<CellsError>(family, window.cells(), self.extras, read)?;
+        Ok(assembled.map(window.plane(&self.plane), self.provenance.clone()))
     }
 
     /// Removes what interrupted processes left out of sight, and nothing else has been using for a day.
@@ -140,25 +132,13 @@ impl ZarrStore {
 
     /// The bytes of a shard: the tile's values, and where the tile reaches beyond the plane what stands for nothing.
     fn encoded(&self, field: &'static CellField, tile: u32, values: &Values) -> io::Result<Vec<u8>> {
-        let family = self.plane.parameters.family();
         let (window, side) = (self.tiling.window(tile), self.tiling.side);
-        let sizes = field.inner.dimensions(family).into_iter().map(|(_, size)| size as u64);
-        let shape: Vec<u64> = [side.into(), side.into()].into_iter().chain(sizes).collect();
-        let inner = field.inner.len(family);
+        let shape = [&[u64::from(side); 2][..], &field.shape(&self.plane)[2..]].concat();
+        let inner = field.inner.len(self.plane.parameters.family());
         let (kind, fill) = kind_and_fill(field);
-        let nothing = if field.name == "regime" { NOT_COMPUTED } else { 0 };
-        match values {
-            Values::U8(values) => shard_of(&padded(values, window, inner, side, nothing), &shape, kind, fill),
-            Values::U16(values) => shard_of(&padded(values, window, inner, side, 0), &shape, kind, fill),
-            Values::U32(values) => shard_of(&padded(values, window, inner, side, 0), &shape, kind, fill),
-            Values::F32(values) => {
-                shard_of(&padded(values, window, inner, side, f32::NAN), &shape, kind, fill)
-            }
-            Values::F64(values) => {
-                shard_of(&padded(values, window, inner, side, f64::NAN), &shape, kind, fill)
-            }
-        }
-        .map_err(io::Error::other)
+        let nothing = nothing(field);
+        of_any!(values, values => shard_of(&padded(values, window, inner, side, nothing as _), &shape, kind, fill))
+            .map_err(io::Error::other)
     }
 
     fn indices(&self, field: &CellField, tile: u32) -> Vec<u64> {
@@ -232,16 +212,13 @@ impl Cells for ZarrStore {
     }
 
     fn read(&self, field: &'static CellField, window: Window) -> Result<Values, CellsError> {
+        let nothing = nothing(field);
         Ok(match field.kind() {
-            Kind::U8 => Values::U8(self.elements(
-                field,
-                window,
-                if field.name == "regime" { NOT_COMPUTED } else { 0 },
-            )?),
-            Kind::U16 => Values::U16(self.elements(field, window, 0)?),
-            Kind::U32 => Values::U32(self.elements(field, window, 0)?),
-            Kind::F32 => Values::F32(self.elements(field, window, f32::NAN)?),
-            Kind::F64 => Values::F64(self.elements(field, window, f64::NAN)?),
+            Kind::U8 => Values::U8(self.elements(field, window, nothing as u8)?),
+            Kind::U16 => Values::U16(self.elements(field, window, nothing as u16)?),
+            Kind::U32 => Values::U32(self.elements(field, window, nothing as u32)?),
+            Kind::F32 => Values::F32(self.elements(field, window, nothing as f32)?),
+            Kind::F64 => Values::F64(self.elements(field, window, nothing)?),
         })
     }
 

@@ -37,13 +37,13 @@ fn every_family_is_complete() {
     for known in BUILTIN {
         let family = family(known.name);
         assert!(known.text.starts_with("# "), "{}: the derivation stands at the top", known.name);
-        assert!(family.parameters().iter().all(|parameter| !parameter.about.is_empty()), "{}", known.name);
-        assert!(family.plane().is_some(), "{}", known.name);
+        assert!(family.parameters.iter().all(|parameter| !parameter.about.is_empty()), "{}", known.name);
+        assert!(family.plane.is_some(), "{}", known.name);
         let plant = family.plant(&family.defaults()).unwrap();
         assert!(plant.stops.iter().all(|stop| stop.gap >= 0.0), "{}: rest is between the stops", known.name);
     }
     assert_eq!(builtin("no-such"), None);
-    let sources = BUILTIN.iter().filter(|known| family(known.name).source().is_some()).count();
+    let sources = BUILTIN.iter().filter(|known| family(known.name).source.is_some()).count();
     assert!(sources >= 6);
 }
 
@@ -51,7 +51,7 @@ fn every_family_is_complete() {
 fn every_default_plane_has_plants_at_its_corners() {
     for known in BUILTIN {
         let family = family(known.name);
-        let plane = family.plane().unwrap();
+        let plane = family.plane.as_ref().unwrap();
         let ends = |axis: &str| {
             let (name, range) = axis.split_once('=').unwrap();
             let ends: Vec<f64> = range.split(':').take(2).map(|end| end.parse().unwrap()).collect();
@@ -84,7 +84,7 @@ fn mirrors_are_where_they_should_be() {
 fn the_oscillator_of_luo_ma_and_lv() {
     let family = family("luo-ma-lv");
     let table: Vec<(&str, &str, f64, String)> = family
-        .parameters()
+        .parameters
         .iter()
         .map(|p| (p.name.as_str(), p.symbol.as_str(), p.default, p.range.to_string()))
         .collect();

@@ -67,7 +67,7 @@ fn frequency_and_restitution_have_their_ranges() {
 fn the_mass_matrix_must_be_invertible_in_any_units() {
     let refused = [[0.0; 4], [1.0, 2.0, 2.0, 4.0], [1.0, 1.0, 1.0, 1.0 + 1e-12], [1.0, 0.0, 0.0, 0.0]];
     for entries in refused {
-        assert!(matches!(with_mass(&entries), Err(PlantError::SingularMass { .. })), "{entries:?}");
+        assert!(matches!(with_mass(&entries), Err(PlantError::SingularMass(_))), "{entries:?}");
     }
     for entries in [[1.0, 0.0, 0.0, 1e-20], [2.0, 1.0, 1.0, 2.0], [1e20, 0.0, 0.0, 1e-20]] {
         assert_eq!(with_mass(&entries), Ok(()), "{entries:?}");
@@ -77,7 +77,7 @@ fn the_mass_matrix_must_be_invertible_in_any_units() {
 
 #[test]
 fn an_impact_must_turn_its_stop_back() {
-    assert_eq!(with_stops(2, vec![stop(&[0.0, 0.0], 1.0)]), Err(PlantError::NoDirection { stop: 0 }));
+    assert_eq!(with_stops(2, vec![stop(&[0.0, 0.0], 1.0)]), Err(PlantError::NoDirection(0)));
     let negative = Plant { mass: -DMatrix::<f64>::identity(2, 2), ..plain(2) };
     assert!(matches!(negative.check(), Err(PlantError::NoImpulse { stop: 0, value: -1.0 })));
     let exchange = Plant { mass: DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]), ..plain(2) };
@@ -110,11 +110,11 @@ fn one_side_of_a_line_holds_one_stop() {
 fn dependent_directions_are_refused_and_parallel_ones_allowed() {
     let relative = [stop(&[1.0, 0.0], 1.0), stop(&[0.0, 1.0], 1.0), stop(&[1.0, -1.0], 1.0)];
     let error = with_stops(2, relative.to_vec()).unwrap_err();
-    assert_eq!(error, PlantError::Dependent { stop: 2 });
+    assert_eq!(error, PlantError::Dependent(2));
     assert_eq!(error.parts(), [Part::Direction(2), Part::Direction(1), Part::Direction(0)]);
     assert_eq!(with_stops(2, relative[1..].to_vec()), Ok(()));
     let box_of_four = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].map(|d| stop(&d, 1.0));
     assert_eq!(with_stops(2, box_of_four.to_vec()), Ok(()));
     let chain = [[1.0, -1.0, 0.0], [0.0, 1.0, -1.0], [1.0, 0.0, -1.0]].map(|d| stop(&d, 1.0));
-    assert_eq!(with_stops(3, chain.to_vec()), Err(PlantError::Dependent { stop: 2 }));
+    assert_eq!(with_stops(3, chain.to_vec()), Err(PlantError::Dependent(2)));
 }

@@ -1,7 +1,7 @@
 //! The adapter's own clock.
 
 use super::device::{empty, mapped};
-use crate::backend::BackendError;
+use crate::backend::Result;
 
 /// Two readings.
 const BYTES: u64 = 2 * size_of::<u64>() as u64;
@@ -46,7 +46,7 @@ impl Clock {
     }
 
     /// The seconds of the last pass.
-    pub fn took(&self, device: &wgpu::Device) -> Result<f64, BackendError> {
+    pub fn took(&self, device: &wgpu::Device) -> Result<f64> {
         let readings: Vec<u64> = mapped(device, &self.readback, BYTES)?;
         let ticks = readings[1].saturating_sub(readings[0]);
         Ok(ticks as f64 * f64::from(self.tick) * 1e-9)

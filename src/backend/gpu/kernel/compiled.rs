@@ -2,13 +2,14 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
+use parking_lot::Mutex;
 use wgpu::ShaderSource;
 
 use super::device::compiled;
-use crate::backend::BackendError;
 use crate::backend::gpu::shader::{self, Arithmetic, Residence, Shape};
+use crate::backend::{BackendError, Result};
 
 /// A compiled kernel, and the size of what it keeps of a trajectory.
 pub struct Compiled {
@@ -31,13 +32,8 @@ impl Library {
     }
 
     /// The kernel for a shape, compiled if it is needed for the first time.
-    pub fn get(
-        &self,
-        device: &wgpu::Device,
-        kernel: shader::Kernel,
-        shape: Shape,
-    ) -> Result<Arc<Compiled>, BackendError> {
-        let mut library = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+    pub fn get(&self, device: &wgpu::Device, kernel: shader::Kernel, shape: Shape) -> Result<Arc<Compiled>> {
+        let mut library = self.compiled.lock();
         if let Some(compiled) = library.get(&(kernel, shape)) {
             return Ok(compiled.clone());
         }

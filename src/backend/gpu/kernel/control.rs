@@ -8,7 +8,7 @@ use super::drive::{MOVE, shape_of};
 use super::program::{Portion, Program, ROW};
 use crate::backend::gpu::layout::{ControlDispatch, ControlSchedule, Outcome, control_words};
 use crate::backend::gpu::shader::{self, WORKGROUP};
-use crate::backend::{BackendError, ControlJob, Job, Watch};
+use crate::backend::{ControlJob, Job, Result, Watch};
 use crate::control::{self, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
 use crate::model::Real;
 
@@ -29,7 +29,7 @@ impl Kernel {
     ///
     /// # Errors
     /// Where the jobs differ in shape, or their kernel cannot be compiled.
-    pub fn control_tile(&self, jobs: &[ControlJob]) -> Result<usize, BackendError> {
+    pub fn control_tile(&self, jobs: &[ControlJob]) -> Result<usize> {
         if jobs.is_empty() {
             return Ok(self.tile());
         }
@@ -45,7 +45,7 @@ impl Kernel {
         jobs: &[ControlJob],
         schedule: &control::ControlSchedule,
         watch: &dyn Watch,
-    ) -> Result<Vec<control::Outcome>, BackendError> {
+    ) -> Result<Vec<control::Outcome>> {
         let words = |job: &ControlJob| control_words(&job.controller, &job.job.system);
         let controls: Vec<Vec<u32>> = jobs.par_iter().map(words).collect();
         let controls = filled(&self.device, &controls.concat())?;

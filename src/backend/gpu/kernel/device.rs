@@ -5,14 +5,10 @@ use std::sync::mpsc;
 use bytemuck::Pod;
 use wgpu::util::DeviceExt;
 
-use crate::backend::BackendError;
+use crate::backend::{BackendError, Result};
 
 /// Reads a buffer of the device.
-pub fn fetch<T: Pod>(
-    device: &wgpu::Device,
-    queue: &wgpu::Queue,
-    buffer: &wgpu::Buffer,
-) -> Result<Vec<T>, BackendError> {
+pub fn fetch<T: Pod>(device: &wgpu::Device, queue: &wgpu::Queue, buffer: &wgpu::Buffer) -> Result<Vec<T>> {
     let readback = empty(device, buffer.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, buffer.size());
@@ -21,11 +17,7 @@ pub fn fetch<T: Pod>(
 }
 
 /// What the first bytes of a buffer hold that can be mapped, once everything submitted is done.
-pub fn mapped<T: Pod>(
-    device: &wgpu::Device,
-    readback: &wgpu::Buffer,
-    bytes: u64,
-) -> Result<Vec<T>, BackendError> {
+pub fn mapped<T: Pod>(device: &wgpu::Device, readback: &wgpu::Buffer, bytes: u64) -> Result<Vec<T>> {
     let (sender, receiver) = mpsc::channel();
     readback.map_async(wgpu::MapMode::Read, ..bytes, move |result| {
         // The receiver is gone only if waiting failed, which is reported by itself.
@@ -50,7 +42,7 @@ pub fn compiled(
     device: &wgpu::Device,
     name: &str,
     source: wgpu::ShaderSource<'_>,
-) -> Result<wgpu::ComputePipeline, BackendError> {
+) -> Result<wgpu::ComputePipeline> {
     guarded(device, || {
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(name), source });
         device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
@@ -65,7 +57,7 @@ pub fn compiled(
 }
 
 /// A buffer of numbers that a kernel reads.
-pub fn filled<T: Pod>(device: &wgpu::Device, numbers: &[T]) -> Result<wgpu::Buffer, BackendError> {
+pub fn filled<T: Pod>(device: &wgpu::Device, numbers: &[T]) -> Result<wgpu::Buffer> {
     guarded(device, || {
         device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: None,
@@ -80,7 +72,7 @@ pub fn empty(device: &wgpu::Device, size: u64, usage: wgpu::BufferUsages) -> wgp
 }
 
 /// Runs something on a device, and turns what it refuses into an error instead of a panic.
-pub fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> R) -> Result<R, BackendError> {
+pub fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> R) -> Result<R> {
     let invalid = device.push_error_scope(wgpu::ErrorFilter::Validation);
     let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
     let result = work();

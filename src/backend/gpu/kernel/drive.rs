@@ -10,7 +10,7 @@ use super::tile::Tile;
 use crate::analysis::constants::SQUARINGS;
 use crate::backend::gpu::layout::{Cells, KICK_TERMS};
 use crate::backend::gpu::shader::Shape;
-use crate::backend::{BackendError, Job, Watch};
+use crate::backend::{BackendError, Job, Result, Watch};
 use crate::model::Real;
 use crate::model::vector::MOST;
 
@@ -38,7 +38,7 @@ impl Kernel {
         jobs: &[&Job],
         program: &Program<'_, D>,
         watch: &dyn Watch,
-    ) -> Result<Vec<R>, BackendError> {
+    ) -> Result<Vec<R>> {
         let compiled = self.library.get(&self.device, program.kernel, shape_of(jobs)?)?;
         let (cells, preparing) = timed(|| Cells::of(jobs));
         let holding = || Tile::new(self, compiled, program, &cells, jobs.len(), size_of::<R>() as u64);
@@ -50,9 +50,7 @@ impl Kernel {
         let mut unfinished = cells.order;
         let mut begin = 1;
         while !unfinished.is_empty() {
-            if watch.cancelled() {
-                return Err(BackendError::Cancelled);
-            }
+            watch.check()?;
             let portion = Portion { count: unfinished.len() as u32, budget, begin };
             let before = unfinished.len();
             let dispatch = || tile.dispatch(self, program, portion, &unfinished);
@@ -80,7 +78,7 @@ fn next_budget(budget: u32, took: f64, most: u32) -> u32 {
 ///
 /// # Errors
 /// [`BackendError::Unsupported`] where they differ: a direction that turns parallel to another within a plane.
-pub fn shape_of(jobs: &[&Job]) -> Result<Shape, BackendError> {
+pub fn shape_of(jobs: &[&Job]) -> Result<Shape> {
     let expected = Shape::of(&jobs[0].system);
     if jobs.iter().all(|job| Shape::of(&job.system) == expected) {
         return Ok(expected);

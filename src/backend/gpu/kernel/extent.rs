@@ -7,7 +7,7 @@ use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::backend::gpu::layout::{Extent, ExtentDispatch};
 use crate::backend::gpu::shader::{self, WORKGROUP};
-use crate::backend::{BackendError, Job, Watch};
+use crate::backend::{Job, Result, Watch};
 use crate::model::Real;
 
 /// A move, and the two flights that measure it.
@@ -15,11 +15,7 @@ pub(super) const WITH_FLIGHTS: u32 = MOVE + 2 * <f32 as Real>::ORDER as u32;
 
 impl Kernel {
     /// Follows one tile of trajectories, each for so many forcing periods.
-    pub fn extents(
-        &self,
-        followed: &[(&Job, u32)],
-        watch: &dyn Watch,
-    ) -> Result<Vec<analysis::Extent>, BackendError> {
+    pub fn extents(&self, followed: &[(&Job, u32)], watch: &dyn Watch) -> Result<Vec<analysis::Extent>> {
         let (jobs, periods): (Vec<&Job>, Vec<u32>) = followed.iter().copied().unzip();
         let periods = filled(&self.device, &periods)?;
         let dispatch =

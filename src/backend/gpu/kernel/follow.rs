@@ -7,7 +7,7 @@ use crate::analysis;
 use crate::analysis::constants::{CLEAR_STEPS, ROUNDS, TURNS};
 use crate::backend::gpu::layout::{Dispatch, Schedule, Verdict};
 use crate::backend::gpu::shader::{self, WORKGROUP};
-use crate::backend::{BackendError, Job, Watch};
+use crate::backend::{Job, Result, Watch};
 
 /// Loop iterations in what the kernel counts as one move: turns of rounds in the transient, others under observation, and
 /// what is rare after them.
@@ -20,7 +20,7 @@ impl Kernel {
         jobs: &[Job],
         schedule: &analysis::Schedule,
         watch: &dyn Watch,
-    ) -> Result<Vec<analysis::Verdict>, BackendError> {
+    ) -> Result<Vec<analysis::Verdict>> {
         let dispatch = |Portion { count, budget, begin }| Dispatch {
             schedule: Schedule::new(schedule),
             count,

@@ -17,8 +17,8 @@ mod tile;
 mod trace;
 
 use super::adapters::Found;
-use crate::backend::BackendError;
 use crate::backend::gpu::shader::{Arithmetic, Residence};
+use crate::backend::{BackendError, Result};
 
 use std::sync::Mutex;
 
@@ -40,7 +40,7 @@ pub struct Kernel {
 
 impl Kernel {
     /// Opens a device on the adapter.
-    pub fn new(found: &Found, arithmetic: Arithmetic) -> Result<Self, BackendError> {
+    pub fn new(found: &Found, arithmetic: Arithmetic) -> Result<Self> {
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("impact-atlas"),
             // Only measured with.

@@ -9,7 +9,7 @@ use super::clock::Clock;
 use super::compiled::Compiled;
 use super::device::{empty, fetch, filled, mapped};
 use super::program::{Portion, Program, ROW};
-use crate::backend::BackendError;
+use crate::backend::Result;
 use crate::backend::gpu::layout::{Cells, FINISHED};
 use crate::backend::gpu::shader::WORKGROUP;
 
@@ -33,7 +33,7 @@ impl Tile {
         Cells { flights, kicks, cells, .. }: &Cells,
         count: usize,
         result: u64,
-    ) -> Result<Self, BackendError> {
+    ) -> Result<Self> {
         let device = &kernel.device;
         let storage = wgpu::BufferUsages::STORAGE;
         let count = count as u64;
@@ -68,7 +68,7 @@ impl Tile {
         program: &Program<'_, D>,
         portion: Portion,
         unfinished: &[u32],
-    ) -> Result<(Vec<u32>, Option<f64>), BackendError> {
+    ) -> Result<(Vec<u32>, Option<f64>)> {
         kernel.queue.write_buffer(&self.dispatch, 0, bytemuck::bytes_of(&(program.dispatch)(portion)));
         kernel.queue.write_buffer(&self.unfinished, 0, bytemuck::cast_slice(unfinished));
         let mut encoder = kernel.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -95,7 +95,7 @@ impl Tile {
     }
 
     /// The results of all its trajectories.
-    pub fn results<R: Pod>(&self, kernel: &Kernel) -> Result<Vec<R>, BackendError> {
+    pub fn results<R: Pod>(&self, kernel: &Kernel) -> Result<Vec<R>> {
         fetch(&kernel.device, &kernel.queue, &self.results)
     }
 }

@@ -7,7 +7,7 @@ use super::program::{Portion, Program, ROW};
 use crate::analysis;
 use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
 use crate::backend::gpu::shader::{self, WORKGROUP};
-use crate::backend::{BackendError, Job, Watch};
+use crate::backend::{Job, Result, Watch};
 
 /// Loop iterations in one move.
 pub(super) const ITERATIONS: u32 = MOVE + SQUARES;
@@ -28,7 +28,7 @@ impl Kernel {
         probe: analysis::Probe,
         capacity: u32,
         watch: &dyn Watch,
-    ) -> Result<Vec<analysis::Trace>, BackendError> {
+    ) -> Result<Vec<analysis::Trace>> {
         let cells = jobs.len() as u64;
         let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let [traces, readings] = guarded(&self.device, || {

@@ -1,29 +1,84 @@
 //! The constants of a flow, and what a cell has beside them: one list of members each says how the shader declares them and
 //! how they are written.
 
+use std::fmt::Display;
+
 use crate::backend::gpu::shader::Shape;
 use crate::model::{ContactNormal, Flight, Real, State, StopsAlong};
 
 /// Terms of the kick polynomial in f32: up to the order of a flight.
 pub const KICK_TERMS: usize = <f32 as Real>::ORDER + 1;
 
-/// Takes the members of a struct in their order.
-trait Members<const N: usize> {
-    fn number(&mut self, name: &str, value: f32);
-    fn integer(&mut self, name: &str, value: u32);
-    fn numbers(&mut self, name: &str, values: &[f32]);
-    fn integers(&mut self, name: &str, values: &[u32]);
-    fn pairs(&mut self, name: &str, values: &[[f32; 2]]);
+/// Writes the members of a struct in their order: their words and, where wanted, their declarations in WGSL.
+struct Members<'a, const N: usize> {
+    words: &'a mut Vec<u32>,
+    declared: Option<&'a mut String>,
+}
+
+impl<const N: usize> Members<'_, N> {
+    fn member(&mut self, name: impl Display, kind: impl Display, words: impl IntoIterator<Item = u32>) {
+        if let Some(text) = &mut self.declared {
+            text.push_str(&format!("    {name}: {kind},\n"));
+        }
+        self.words.extend(words);
+    }
+
+    fn number(&mut self, name: &str, value: f32) {
+        self.member(name, "f32", [value.to_bits()]);
+    }
+
+    fn integer(&mut self, name: &str, value: u32) {
+        self.member(name, "u32", [value]);
+    }
+
+    fn numbers(&mut self, name: &str, values: &[f32]) {
+        let kind = format_args!("array<f32, {}>", values.len());
+        self.member(name, kind, values.iter().map(|value| value.to_bits()));
+    }
+
+    fn integers(&mut self, name: &str, values: &[u32]) {
+        self.member(name, format_args!("array<u32, {}>", values.len()), values.iter().copied());
+    }
+
+    fn pairs(&mut self, name: &str, values: &[[f32; 2]]) {
+        let kind = format_args!("array<array<f32, 2>, {}>", values.len());
+        self.member(name, kind, values.as_flattened().iter().map(|value| value.to_bits()));
+    }
+
     /// Fills up to the alignment of vectors.
-    fn align(&mut self);
-    fn vector(&mut self, name: &str, value: &[f32; N]);
-    fn vectors(&mut self, name: &str, values: &[[f32; N]; N]);
-    fn state(&mut self, name: &str, value: &State<f32, N>);
-    fn states(&mut self, name: &str, values: &[State<f32, N>; N]);
+    fn align(&mut self) {
+        let missing = self.words.len().next_multiple_of(vector_words::<N>()) - self.words.len();
+        (0..missing).for_each(|filler| self.member(format_args!("unused{filler}"), "u32", [0]));
+    }
+
+    fn vector(&mut self, name: &str, value: &[f32; N]) {
+        self.aligned(name, "X", [value]);
+    }
+
+    fn vectors(&mut self, name: &str, values: &[[f32; N]; N]) {
+        self.aligned(name, "array<X, COORDINATES>", values);
+    }
+
+    fn state(&mut self, name: &str, State { x, v }: &State<f32, N>) {
+        self.aligned(name, "State", [x, v]);
+    }
+
+    fn states(&mut self, name: &str, values: &[State<f32, N>; N]) {
+        self.aligned(name, "array<State, COORDINATES>", values.iter().flat_map(|State { x, v }| [x, v]));
+    }
+
+    /// Vectors, each up to the alignment of the next.
+    fn aligned<'v>(&mut self, name: &str, kind: &str, vectors: impl IntoIterator<Item = &'v [f32; N]>) {
+        self.member(name, kind, []);
+        for vector in vectors {
+            self.words.extend(vector.iter().map(|value| value.to_bits()));
+            self.words.resize(self.words.len().next_multiple_of(vector_words::<N>()), 0);
+        }
+    }
 }
 
 /// Scalars first, then vectors, so that no member needs padding but those of vectors themselves.
-fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut impl Members<N>) {
+fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut Members<N>) {
     members.integer("steps", flight.steps);
     members.integer("quiet_exists", u32::from(flight.quiet.exists));
     members.integer("quiet_decays", u32::from(flight.quiet.decays));
@@ -64,7 +119,7 @@ fn pressing<const N: usize>(flight: &Flight<f32, N>) -> Vec<f32> {
         .collect()
 }
 
-fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut impl Members<N>) {
+fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut Members<N>) {
     members.integers("stop", &normal.stop.map(u32::from));
     members.numbers("reach", &normal.reach);
     members.number("bound_forcing", normal.bound_forcing);
@@ -80,133 +135,13 @@ fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut 
 }
 
 /// What a cell has beside its flow: the stops at both ends of each normal, and the start.
-fn cell_members<const N: usize>(
-    flow: u32,
-    stops: &[StopsAlong],
-    start: &[f64],
-    members: &mut impl Members<N>,
-) {
+fn cell_members<const N: usize>(flow: u32, stops: &[StopsAlong], start: &[f64], members: &mut Members<N>) {
     let ends =
         |of: fn(&StopsAlong) -> [f64; 2]| stops.iter().map(|s| of(s).map(|v| v as f32)).collect::<Vec<_>>();
     members.integer("flow", flow);
     members.pairs("gap", &ends(|along| along.gap));
     members.pairs("restitution", &ends(|along| along.restitution));
     members.numbers("start", &start.iter().map(|&value| value as f32).collect::<Vec<_>>());
-}
-
-/// Writes WGSL declarations.
-#[derive(Default)]
-struct Declaration {
-    text: String,
-    words: usize,
-    fillers: usize,
-}
-
-impl Declaration {
-    fn member(&mut self, name: &str, kind: &str) {
-        self.text.push_str(&format!("    {name}: {kind},\n"));
-    }
-}
-
-impl<const N: usize> Members<N> for Declaration {
-    fn number(&mut self, name: &str, _: f32) {
-        self.member(name, "f32");
-        self.words += 1;
-    }
-
-    fn integer(&mut self, name: &str, _: u32) {
-        self.member(name, "u32");
-        self.words += 1;
-    }
-
-    fn numbers(&mut self, name: &str, values: &[f32]) {
-        self.member(name, &format!("array<f32, {}>", values.len()));
-        self.words += values.len();
-    }
-
-    fn integers(&mut self, name: &str, values: &[u32]) {
-        self.member(name, &format!("array<u32, {}>", values.len()));
-        self.words += values.len();
-    }
-
-    fn pairs(&mut self, name: &str, values: &[[f32; 2]]) {
-        self.member(name, &format!("array<array<f32, 2>, {}>", values.len()));
-        self.words += 2 * values.len();
-    }
-
-    fn align(&mut self) {
-        while !self.words.is_multiple_of(vector_words::<N>()) {
-            let name = format!("unused{}", self.fillers);
-            self.member(&name, "u32");
-            self.fillers += 1;
-            self.words += 1;
-        }
-    }
-
-    fn vector(&mut self, name: &str, _: &[f32; N]) {
-        self.member(name, "X");
-    }
-
-    fn vectors(&mut self, name: &str, _: &[[f32; N]; N]) {
-        self.member(name, "array<X, COORDINATES>");
-    }
-
-    fn state(&mut self, name: &str, _: &State<f32, N>) {
-        self.member(name, "State");
-    }
-
-    fn states(&mut self, name: &str, _: &[State<f32, N>; N]) {
-        self.member(name, "array<State, COORDINATES>");
-    }
-}
-
-/// Writes the values, word by word.
-struct Values<'a>(&'a mut Vec<u32>);
-
-impl<const N: usize> Members<N> for Values<'_> {
-    fn number(&mut self, _: &str, value: f32) {
-        self.0.push(value.to_bits());
-    }
-
-    fn integer(&mut self, _: &str, value: u32) {
-        self.0.push(value);
-    }
-
-    fn numbers(&mut self, _: &str, values: &[f32]) {
-        self.0.extend(values.iter().map(|value| value.to_bits()));
-    }
-
-    fn integers(&mut self, _: &str, values: &[u32]) {
-        self.0.extend(values);
-    }
-
-    fn pairs(&mut self, _: &str, values: &[[f32; 2]]) {
-        self.0.extend(values.as_flattened().iter().map(|value| value.to_bits()));
-    }
-
-    fn align(&mut self) {
-        while !self.0.len().is_multiple_of(vector_words::<N>()) {
-            self.0.push(0);
-        }
-    }
-
-    fn vector(&mut self, _: &str, value: &[f32; N]) {
-        self.0.extend(value.iter().map(|value| value.to_bits()));
-        <Self as Members<N>>::align(self);
-    }
-
-    fn vectors(&mut self, name: &str, values: &[[f32; N]; N]) {
-        values.iter().for_each(|value| self.vector(name, value));
-    }
-
-    fn state(&mut self, name: &str, value: &State<f32, N>) {
-        self.vector(name, &value.x);
-        self.vector(name, &value.v);
-    }
-
-    fn states(&mut self, name: &str, values: &[State<f32, N>; N]) {
-        values.iter().for_each(|value| self.state(name, value));
-    }
 }
 
 /// Words from one vector to the next in a buffer.
@@ -216,39 +151,40 @@ const fn vector_words<const N: usize>() -> usize {
 
 /// The structs `ContactNormal`, `Flight` and `Cell` as the shader declares them.
 pub fn declarations<const N: usize>(shape: &Shape) -> String {
+    let declared = |write: &dyn Fn(&mut Members<N>)| {
+        let mut text = String::new();
+        write(&mut Members { words: &mut Vec::new(), declared: Some(&mut text) });
+        text
+    };
     let none = Flight::<f32, N>::blank(shape.normals, 0.0);
-    let mut normal = Declaration::default();
-    normal_members(&none.normals[0], &mut normal);
-    let mut flight = Declaration::default();
-    flight_members(&none, &mut flight);
-    let mut cell = Declaration::default();
     let stops = vec![StopsAlong::default(); shape.normals];
-    cell_members::<N>(0, &stops, &vec![0.0; 2 * N], &mut cell);
+    let normal = declared(&|members| normal_members(&none.normals[0], members));
+    let flight = declared(&|members| flight_members(&none, members));
+    let cell = declared(&|members| cell_members(0, &stops, &vec![0.0; 2 * N], members));
     format!(
-        "struct ContactNormal {{\n{}}}\n\nstruct Flight {{\n{}    normals: array<ContactNormal, NORMALS>,\n}}\n\n\
-         struct Cell {{\n{}}}\n",
-        normal.text, flight.text, cell.text
+        "struct ContactNormal {{\n{normal}}}\n\nstruct Flight {{\n{flight}    normals: array<ContactNormal, NORMALS>,\n}}\n\n\
+         struct Cell {{\n{cell}}}\n"
     )
 }
 
 /// What a cell has beside its flow, as the shader reads it.
 pub fn write_cell<const N: usize>(flow: u32, stops: &[StopsAlong], start: &[f64], into: &mut Vec<u32>) {
-    cell_members::<N>(flow, stops, start, &mut Values(into));
+    cell_members::<N>(flow, stops, start, &mut Members { words: into, declared: None });
 }
 
 /// The constants of a flow as the shader reads them.
 pub fn write_flight<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>) {
-    flight_members(flight, &mut Values(into));
+    let members = &mut Members { words: into, declared: None };
+    flight_members(flight, members);
     for normal in flight.normals() {
-        normal_members(normal, &mut Values(into));
+        normal_members(normal, members);
     }
 }
 
 /// The kick polynomials of a flow, normal by normal.
 pub fn write_kicks<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>) {
-    for normal in flight.normals() {
-        for term in &normal.kick[..KICK_TERMS] {
-            Values(into).state("", term);
-        }
+    let mut members = Members { words: into, declared: None };
+    for term in flight.normals().iter().flat_map(|normal| &normal.kick[..KICK_TERMS]) {
+        members.state("", term);
     }
 }
