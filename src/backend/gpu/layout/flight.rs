@@ -4,8 +4,8 @@
 use crate::backend::gpu::shader::Shape;
 use crate::model::{ContactNormal, Flight, Real, State, StopsAlong};
 
-/// Terms of the kick polynomial in f32: up to the order of a flight.
-pub const KICK_TERMS: usize = <f32 as Real>::ORDER + 1;
+/// Terms of the kick polynomial in f32: up to its order.
+pub const KICK_TERMS: usize = <f32 as Real>::KICK_ORDER + 1;
 
 /// Takes the members of a struct in their order.
 trait Members<const N: usize> {
