@@ -1,5 +1,6 @@
 //! A system: a plant at one place of its parameters, with the steps in which it is followed.
 
+use std::any::Any;
 use std::sync::Arc;
 
 use nalgebra::DVector;
@@ -233,6 +234,14 @@ impl System {
     /// What follows from its flow alone.
     pub(crate) fn of_flow(&self) -> &Arc<OfFlow> {
         &self.of_flow.0
+    }
+
+    /// What follows from its flow and its coefficients of restitution, whatever its gaps: found once for all systems that
+    /// share the flow.
+    pub(crate) fn whatever_gaps<C: Any + Send + Sync>(&self, compute: impl FnOnce() -> C) -> Arc<C> {
+        let stops = &self.plant.stops;
+        let bits = |i: usize| stops.get(i).map_or(0, |stop| stop.restitution.to_bits());
+        self.of_flow.0.of_restitutions(std::array::from_fn(bits), compute)
     }
 
     /// Which stops have the same gap, per length of their direction, and the same restitution, within a few ulps: one value
