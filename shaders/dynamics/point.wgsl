@@ -107,7 +107,7 @@ fn point_flown(point: Point, s: f32, contact: u32) -> Point {
 fn point_kicked(point: Point, normal: u32, kick: f32, s: f32) -> Point {
     let u = s * flight.inverse_h;
     let first = normal * KICK_TERMS;
-    var sum = kick_term(first + ORDER);
+    var sum = kick_term(first + KICK_ORDER);
     //: each kick term
     sum = state_plus(kick_term(first + $ku), u, sum);
     //: end

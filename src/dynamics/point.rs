@@ -92,8 +92,8 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
     pub fn kicked(&self, flight: &Flight<L, N>, normal: usize, kick: L, s: L) -> Self {
         let u = s * flight.inverse_h;
         let terms = &flight.normals[normal].kick;
-        let mut sum = terms[L::Real::ORDER];
-        for k in (0..L::Real::ORDER).rev() {
+        let mut sum = terms[L::Real::KICK_ORDER];
+        for k in (0..L::Real::KICK_ORDER).rev() {
             sum = terms[k].plus(u, &sum);
         }
         Point { state: self.state.plus(kick, &sum), ..*self }

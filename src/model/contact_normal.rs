@@ -3,8 +3,9 @@
 use nalgebra::SVector;
 
 use super::equations::{Equations, Normal};
-use super::flow::{self, Augmented, Functional, mechanical};
+use super::flow::{self, Functional};
 use super::forced::{ForcedResponse, Trap};
+use super::kick::{KICK_TERMS, kick, rounded};
 use super::real::Real;
 use super::state::State;
 
@@ -30,7 +31,7 @@ pub struct ContactNormal<T, const N: usize> {
     pub bound_v: [T; N],
     /// See `bound_x`.
     pub bound_forcing: T,
-    /// What a change of d·v by 1 has become a time s later: Σ kickₖ (s/h)ᵏ, 0 ≤ s ≤ h.
+    /// What a change of d·v by 1 has become a time s later: Σ kickₖ (s/h)ᵏ, 0 ≤ s ≤ h, up to [`Real::KICK_ORDER`].
     pub kick: [State<T, N>; KICK_TERMS],
     /// How fast damping alone takes speed along the normal: −d·(−M⁻¹C)·response.
     pub drag: T,
@@ -41,9 +42,6 @@ pub struct ContactNormal<T, const N: usize> {
     /// The farthest |d·x| of a deviation from it, per square root of the trap's form.
     pub stretch: T,
 }
-
-/// Terms of the polynomial [`ContactNormal::kick`].
-pub const KICK_TERMS: usize = 18;
 
 /// What stands for a stop where a normal has none.
 pub const NO_STOP: u8 = u8::MAX;
@@ -89,7 +87,7 @@ impl<const N: usize> ContactNormal<f64, N> {
             bound_x: self.bound_x.map(T::of),
             bound_v: self.bound_v.map(T::of),
             bound_forcing: T::of(self.bound_forcing),
-            kick: self.kick.map(|term| term.map(T::of)),
+            kick: rounded(&self.kick),
             drag: T::of(self.drag),
             coupling: T::of(self.coupling),
             reach: self.reach.map(|reach| T::of(reach.min(FAR))),
@@ -106,8 +104,6 @@ pub(super) fn contact_normal<const N: usize>(
     response: Option<&ForcedResponse<N>>,
     trap: Option<&Trap<N>>,
 ) -> ContactNormal<f64, N> {
-    let unit = Augmented { v: normal.response, ..Augmented::zeros() };
-    let mut terms = flow::series(equations, h, unit);
     let bound = bound(equations, k, h);
     let damped = equations.damping * normal.response;
     let rest = |v: SVector<f64, N>| v - normal.response * normal.direction.dot(&v);
@@ -125,7 +121,7 @@ pub(super) fn contact_normal<const N: usize>(
         bound_x: bound.x.into(),
         bound_v: bound.v.into(),
         bound_forcing: bound.sin.hypot(bound.cos) + bound.one,
-        kick: std::array::from_fn(|_| terms.next().map_or(State::zero(), |term| mechanical(&term))),
+        kick: kick(equations, h, normal.response),
         drag: -normal.direction.dot(&damped),
         coupling: push.norm() + pull.norm(),
         reach: [normal.direction, -normal.direction]

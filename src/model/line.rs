@@ -49,6 +49,29 @@ impl System {
         }
     }
 
+    /// Whether two opposed stops leave no room between them: the limit of a closing clearance.
+    pub fn is_clamped(&self) -> bool {
+        self.plant().stops.iter().enumerate().any(|(i, stop)| {
+            self.plant().stops[..i].iter().any(|other| {
+                let scale = stop.direction.dot(&other.direction) / other.direction.norm_squared();
+                are_parallel(&stop.direction, &other.direction)
+                    && scale < 0.0
+                    && stop.gap == scale * other.gap
+            })
+        })
+    }
+
+    /// How many contact normals the stops have: parallel directions share one.
+    pub fn normals(&self) -> usize {
+        let mut found: Vec<&DVector<f64>> = Vec::new();
+        for stop in &self.plant().stops {
+            if !found.iter().any(|other| are_parallel(&stop.direction, other)) {
+                found.push(&stop.direction);
+            }
+        }
+        found.len()
+    }
+
     /// The contact normal on which a stop stands, by its place in the plant's order.
     ///
     /// # Panics

@@ -7,6 +7,7 @@ mod equations;
 mod flight;
 mod flow;
 mod forced;
+mod kick;
 mod lanes;
 mod line;
 mod logarithm;

@@ -1,12 +1,19 @@
 //! What follows from the flow of a system alone: from everything but gaps and restitutions, and which of those are alike.
 
-use std::any::Any;
-use std::sync::OnceLock;
+use std::any::{Any, TypeId};
+use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock, PoisonError, RwLock};
 
 use nalgebra::DMatrix;
 
-use crate::system::Mirror;
+use crate::system::{Mirror, Plant};
+
+/// The bits of the coefficient of restitution of every stop; 0 from the last stop on.
+pub(super) type Restitutions = [u64; Plant::MOST_STOPS];
+
+/// What was found for some coefficients of restitution, by its type.
+type Found = HashMap<(TypeId, Restitutions), Arc<dyn Any + Send + Sync>>;
 
 /// What follows from a flow, found when it is first asked for.
 #[derive(Debug, Default)]
@@ -16,6 +23,7 @@ pub(crate) struct OfFlow {
     mirror: OnceLock<Option<Mirror>>,
     constants: OnceLock<Box<dyn Any + Send + Sync>>,
     half_period: OnceLock<DMatrix<f64>>,
+    of_restitutions: RwLock<Found>,
 }
 
 impl OfFlow {
@@ -39,5 +47,22 @@ impl OfFlow {
     /// exp(Gπ/ω), half a forcing period of the flow z' = G z of z = (x, v, sin φ, cos φ, 1).
     pub fn half_period(&self, compute: impl FnOnce() -> DMatrix<f64>) -> &DMatrix<f64> {
         self.half_period.get_or_init(compute)
+    }
+
+    /// What follows from it and the coefficients of restitution, whatever the gaps: of each type C one thing for each of them.
+    pub(super) fn of_restitutions<C: Any + Send + Sync>(
+        &self,
+        restitutions: Restitutions,
+        compute: impl FnOnce() -> C,
+    ) -> Arc<C> {
+        let key = (TypeId::of::<C>(), restitutions);
+        let known = self.of_restitutions.read().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
+        if let Some(Ok(known)) = known.map(Arc::downcast) {
+            return known;
+        }
+        let found = Arc::new(compute());
+        let kept: Arc<dyn Any + Send + Sync> = found.clone();
+        self.of_restitutions.write().unwrap_or_else(PoisonError::into_inner).insert(key, kept);
+        found
     }
 }

@@ -17,6 +17,8 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const TRUNCATION: f64;
     /// The largest order of a flight's Taylor polynomial.
     const ORDER: usize;
+    /// The order of the polynomial by which a kick changes the end of a step: what it leaves out there is lost in rounding.
+    const KICK_ORDER: usize;
     /// The order of the Taylor polynomial by which a contact is reached from the nearer end of a step.
     const CONTACT_ORDER: usize;
     /// What may be left of the way to a contact after that, in units of the fastest motion's time scale: its cube is lost in
@@ -144,6 +146,7 @@ impl Real for f64 {
     const EPSILON: f64 = f64::EPSILON;
     const TRUNCATION: f64 = 2e-16;
     const ORDER: usize = 17;
+    const KICK_ORDER: usize = 11;
     const CONTACT_ORDER: usize = 13;
     const STRAIGHT: f64 = 1e-5;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
@@ -181,6 +184,7 @@ impl Real for f32 {
     const EPSILON: f64 = f32::EPSILON as f64;
     const TRUNCATION: f64 = 1e-8;
     const ORDER: usize = 10;
+    const KICK_ORDER: usize = 6;
     const CONTACT_ORDER: usize = 8;
     const STRAIGHT: f64 = 3e-3;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;

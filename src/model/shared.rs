@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::hash::Hash;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
 use rayon::prelude::*;
 
@@ -10,17 +10,54 @@ use super::flight::Flight;
 use super::of_flow::OfFlow;
 use super::stops_along::StopsAlong;
 use super::system::System;
+use super::system_error::SystemError;
+use crate::system::Setting;
+
+/// The most systems that are kept to make others of: as many flows as there are columns in large planes.
+const MOST_SYSTEMS: usize = 1 << 14;
 
 /// Finds systems with the same flow, so that what follows from it is found once for all of them.
 #[derive(Debug, Default)]
-pub struct Flows(Mutex<HashMap<Vec<u64>, Arc<OfFlow>>>);
+pub struct Flows {
+    flows: Mutex<HashMap<Vec<u64>, Arc<OfFlow>>>,
+    /// One system of each family and of each set of values on which more depends than gaps and restitutions.
+    systems: RwLock<HashMap<(usize, Vec<u64>), System>>,
+}
 
 impl Flows {
+    /// The system of a setting, sharing what follows from its flow with those before it: what it has in common with one of
+    /// them is not computed anew.
+    ///
+    /// # Errors
+    /// As [`System::new`].
+    pub fn system(&self, setting: Setting) -> Result<System, SystemError> {
+        // A family is kept for the life of the process.
+        let key = (std::ptr::from_ref(setting.family()).addr(), setting.flow_bits());
+        {
+            let known = self.systems.read().unwrap_or_else(PoisonError::into_inner);
+            if let Some((known, system)) =
+                known.get(&key).and_then(|known| Some((known, known.restopped(setting)?)))
+            {
+                if system.mirrored_stops().eq(known.mirrored_stops()) {
+                    system.of_flow.0.share();
+                    return Ok(system);
+                }
+                return Ok(self.share(system.alone()));
+            }
+        }
+        let system = self.share(System::new(setting)?);
+        let mut known = self.systems.write().unwrap_or_else(PoisonError::into_inner);
+        if known.len() < MOST_SYSTEMS {
+            known.entry(key).or_insert_with(|| system.clone());
+        }
+        Ok(system)
+    }
+
     /// The same system, sharing what follows from its flow with those before it.
     #[must_use]
     pub fn share(&self, mut system: System) -> System {
         let flow = flow(&system);
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = self.flows.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(of_flow) = known.get(&flow) {
             of_flow.share();
             system.of_flow.0 = Arc::clone(of_flow);
@@ -115,7 +152,8 @@ fn flow(system: &System) -> Vec<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Parameters;
+    use crate::model::{Parameter, Parameters};
+    use crate::system::Family;
 
     fn system(omega: f64, delta: f64, r: f64) -> System {
         System::new(Parameters { omega, delta, r, ..Parameters::default() }).unwrap()
@@ -151,7 +189,49 @@ mod tests {
                 assert_eq!(shares.mirror(), alone.mirror());
             }
         }
-        assert_eq!(flows.0.lock().unwrap().len(), 2);
+        assert_eq!(flows.flows.lock().unwrap().len(), 2);
+    }
+
+    #[test]
+    fn a_system_made_from_another_is_the_one_that_its_setting_makes() {
+        for builtin in &crate::system::BUILTIN {
+            let family = Family::builtin(builtin.name);
+            let (flows, mut found) = (Flows::default(), 0);
+            for parameter in Parameter::all(family) {
+                for factor in [1.0, 0.5, 0.9, 0.5] {
+                    let defaults = Setting::defaults(family);
+                    let setting = defaults.with(parameter, factor * defaults.get(parameter));
+                    let (own, alone) = (flows.system(setting), System::new(setting));
+                    assert_eq!(own, alone, "{}: {parameter} by {factor}", builtin.name);
+                    if let (Ok(own), Ok(alone)) = (own, alone) {
+                        assert_eq!(own.mirror(), alone.mirror(), "{}: {parameter} by {factor}", builtin.name);
+                        found += 1;
+                    }
+                }
+            }
+            let kept = flows.systems.read().unwrap().len();
+            assert!(kept > 0 && kept < found, "{}: {kept} of {found}", builtin.name);
+        }
+        let paper = Setting::defaults(Family::paper());
+        let flows = Flows::default();
+        let [first, second, third] = [("delta", 0.2), ("r", 0.5), ("zeta", 0.3)]
+            .map(|(name, value)| flows.system(paper.with_named(name, value)).unwrap());
+        assert!(Arc::ptr_eq(first.of_flow(), second.of_flow()));
+        assert!(!Arc::ptr_eq(first.of_flow(), third.of_flow()));
+        for (name, value) in [("delta", -0.1), ("r", 1.1), ("omega", 1e-12)] {
+            let refused = paper.with_named(name, value);
+            assert_eq!(flows.system(refused).unwrap_err(), System::new(refused).unwrap_err(), "{name}");
+        }
+    }
+
+    #[test]
+    fn stops_that_are_no_longer_alike_take_the_mirror_away() {
+        let flows = Flows::default();
+        let at = |beta: f64| {
+            flows.system(Setting::defaults(Family::builtin("two-sided")).with_named("beta", beta)).unwrap()
+        };
+        assert!(at(1.0).mirror().is_some() && at(2.0).mirror().is_none() && at(1.0).mirror().is_some());
+        assert!(Arc::ptr_eq(at(2.0).of_flow(), at(3.0).of_flow()));
     }
 
     #[test]

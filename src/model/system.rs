@@ -1,5 +1,6 @@
 //! A system: a plant at one place of its parameters, with the steps in which it is followed.
 
+use std::any::Any;
 use std::sync::Arc;
 
 use nalgebra::DVector;
@@ -70,6 +71,15 @@ impl System {
             System { setting: None, plant, label_order, rate, steps: 0, of_flow: Kept::default() };
         system.divide()?;
         Ok(system)
+    }
+
+    /// The system of a setting of the same family with the same flow: its plant differs from this one's in gaps and
+    /// restitutions alone. None where all of the plant has to be looked at.
+    pub(super) fn restopped(&self, setting: Setting) -> Option<Self> {
+        let plant = setting.restopped(&self.plant)?;
+        let label_order = self.label_order.clone();
+        let of_flow = Kept(Arc::clone(&self.of_flow.0));
+        Some(System { setting: Some(setting), plant, label_order, of_flow, ..*self })
     }
 
     /// The system of another plant with the same stops, its labels in the same order.
@@ -155,6 +165,12 @@ impl System {
         &self.label_order
     }
 
+    /// The same system, which shares nothing with others.
+    #[must_use]
+    pub(super) fn alone(self) -> Self {
+        System { of_flow: Kept::default(), ..self }
+    }
+
     /// The setting that the system was made from; none where it was made from a plant.
     pub fn setting(&self) -> Option<&Setting> {
         self.setting.as_ref()
@@ -196,29 +212,6 @@ impl System {
         state
     }
 
-    /// Whether two opposed stops leave no room between them: the limit of a closing clearance.
-    pub fn is_clamped(&self) -> bool {
-        self.plant.stops.iter().enumerate().any(|(i, stop)| {
-            self.plant.stops[..i].iter().any(|other| {
-                let scale = stop.direction.dot(&other.direction) / other.direction.norm_squared();
-                super::equations::are_parallel(&stop.direction, &other.direction)
-                    && scale < 0.0
-                    && stop.gap == scale * other.gap
-            })
-        })
-    }
-
-    /// How many contact normals the stops have: parallel directions share one.
-    pub fn normals(&self) -> usize {
-        let mut found: Vec<&DVector<f64>> = Vec::new();
-        for stop in &self.plant.stops {
-            if !found.iter().any(|other| super::equations::are_parallel(&stop.direction, other)) {
-                found.push(&stop.direction);
-            }
-        }
-        found.len()
-    }
-
     /// The accelerations of a unit force on one coordinate: a column of M⁻¹.
     pub fn unit_force(&self, coordinate: usize) -> DVector<f64> {
         let unit = DVector::from_fn(self.plant.n, |i, _| if i == coordinate { 1.0 } else { 0.0 });
@@ -235,12 +228,21 @@ impl System {
         &self.of_flow.0
     }
 
+    /// What follows from its flow and its coefficients of restitution, whatever its gaps: found once for all systems that
+    /// share the flow.
+    pub(crate) fn whatever_gaps<C: Any + Send + Sync>(&self, compute: impl FnOnce() -> C) -> Arc<C> {
+        let stops = &self.plant.stops;
+        let bits = |i: usize| stops.get(i).map_or(0, |stop| stop.restitution.to_bits());
+        self.of_flow.0.of_restitutions(std::array::from_fn(bits), compute)
+    }
+
     /// Which stops have the same gap, per length of their direction, and the same restitution, within a few ulps: one value
     /// for each pair. Systems with the same flow and the same values have the same mirror.
     pub(super) fn mirrored_stops(&self) -> impl Iterator<Item = u64> + '_ {
-        let measures: Vec<[f64; 2]> = (self.plant.stops.iter())
-            .map(|stop| [stop.gap / stop.direction.norm(), stop.restitution])
-            .collect();
+        let stops = &self.plant.stops;
+        let measures: [_; Plant::MOST_STOPS] = std::array::from_fn(|i| {
+            stops.get(i).map_or([0.0; 2], |stop| [stop.gap / stop.direction.norm(), stop.restitution])
+        });
         let alike = move |i: usize, j: usize| {
             let near = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
             near(measures[i][0], measures[j][0]) && near(measures[i][1], measures[j][1])

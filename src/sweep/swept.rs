@@ -3,7 +3,7 @@
 use super::Result;
 use crate::analysis::Schedule;
 use crate::backend::{self, Backend, ControlJob, Job, Watch, decide};
-use crate::model::{Flows, System, SystemError};
+use crate::model::{Flows, SystemError};
 use crate::plane::{Control, Plane, Task};
 
 /// A task that back ends do.
@@ -80,7 +80,7 @@ fn place<T>(plane: &Plane<T>, cell: u64) -> (u32, u32) {
 /// The system and the start of a cell, counted row by row; it shares what follows from its flow with cells before it.
 pub(super) fn cell_job<T>(plane: &Plane<T>, cell: u64, flows: &Flows) -> Result<Job, SystemError> {
     let (column, row) = place(plane, cell);
-    let system = flows.share(System::new(plane.parameters_at(column, row))?);
+    let system = flows.system(plane.parameters_at(column, row))?;
     let start = plane.start_at(column, row).state(&system);
     Ok(Job { system, start })
 }

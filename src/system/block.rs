@@ -64,6 +64,11 @@ impl Block {
         self.entries.iter().map(|(_, expression)| expression.text())
     }
 
+    /// The first number, if it has a value where a family's parameters have some values.
+    pub fn number(&self, values: &[f64]) -> Option<f64> {
+        self.entries.first().and_then(|(_, expression)| expression.evaluate(values).ok())
+    }
+
     /// The numbers, in the order of the file, where a family's parameters have some values.
     ///
     /// # Errors

@@ -13,6 +13,7 @@ mod number;
 mod parameter;
 mod plant;
 mod plant_error;
+mod restopped;
 mod setting;
 mod stop_place;
 mod stops;

@@ -208,6 +208,18 @@ impl Setting {
         self.family.plant(self.values())
     }
 
+    /// The bits of the values on which more depends than gaps and restitutions: settings of one family in which they are the
+    /// same have plants that differ in those alone.
+    pub fn flow_bits(&self) -> Vec<u64> {
+        self.family.flow_bits(self.values())
+    }
+
+    /// The plant of these values from that of another setting of the family with the same [`Setting::flow_bits`]; none where
+    /// [`Setting::plant`] has to look at all of it.
+    pub fn restopped(&self, plant: &Plant) -> Option<Plant> {
+        self.family.restopped(plant, self.values())
+    }
+
     /// Whether these values make a plant, and it has a mirror: then there is a symmetric motion to look for.
     pub fn has_mirror(&self) -> bool {
         self.plant().is_ok_and(|plant| plant.mirror().is_some())

@@ -108,6 +108,21 @@ pub(super) fn fly_by(
     Ok(flown)
 }
 
+/// Refuses a section that leaves its stop outwards.
+pub(super) fn leaves_inwards(
+    system: &System,
+    flow: &Flow,
+    stop: Stop,
+    section: &SectionVector,
+) -> Result<(), Inadmissible> {
+    let face = flow.face(stop);
+    if !face.is_left_outwards(section) {
+        return Ok(());
+    }
+    let (coordinate, velocity) = (face.coordinate, section[0]);
+    Err(Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity })
+}
+
 /// An arc that is to be followed.
 struct Passage<'a> {
     system: &'a System,
@@ -122,13 +137,8 @@ struct Passage<'a> {
 
 impl<'a> Passage<'a> {
     fn new(system: &'a System, flow: &'a Flow, from: &Node, due: Node) -> Result<Self, Inadmissible> {
-        let face = flow.face(from.stop);
-        let speed = face.speed(&from.section);
-        if face.is_left_outwards(&from.section) {
-            let (coordinate, velocity) = (face.coordinate, from.section[0]);
-            let stop = NamedStop::of(system, from.stop);
-            return Err(Inadmissible::WrongVelocity { stop, coordinate, velocity });
-        }
+        leaves_inwards(system, flow, from.stop, &from.section)?;
+        let speed = flow.face(from.stop).speed(&from.section);
         let due_face = flow.face(due.stop);
         let due_speed = due_face.speed(&due.section);
         let arrival = (due_speed / due_face.restitution.max(0.1)).abs() + TOLERANCE;

@@ -1,5 +1,8 @@
 //! A stop as the theory sees it: the section just after an impact there, and the law of the impact.
 
+use std::ops::Deref;
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::section_vector::SectionVector;
@@ -14,16 +17,20 @@ use crate::system::PlantStop;
 /// d·x = gap. Lifted, it is z = (x, v, sin φ, cos φ, 1).
 #[derive(Clone, Debug)]
 pub(crate) struct Face {
-    /// d.
-    pub direction: DVector<f64>,
+    side: Arc<Side>,
     /// d·x at contact.
     pub gap: f64,
+}
+
+/// What a face is whatever its gap.
+#[derive(Clone, Debug)]
+pub(crate) struct Side {
+    /// d.
+    pub direction: DVector<f64>,
     /// r.
     pub restitution: f64,
     /// The contact's own coordinate: the first of those with the largest |d_c|.
     pub coordinate: usize,
-    /// z of the section 0, without forcing.
-    pub origin: DVector<f64>,
     /// How z grows with the section, without forcing: (2n + 3) × 2n, its last column 0.
     pub lift: DMatrix<f64>,
     /// What z at arrival becomes: the section just after the impact, with d·x in place of the phase; 2n × (2n + 3).
@@ -39,9 +46,6 @@ impl Face {
         let response = inverse_mass * &direction;
         let response = &response / direction.dot(&response);
         let coordinate = own_coordinate(&direction);
-        let mut origin = DVector::zeros(size);
-        origin[coordinate] = stop.gap / direction[coordinate];
-        origin[2 * n + 2] = 1.0;
         let mut lift = DMatrix::zeros(size, 2 * n);
         let mut restituted = DMatrix::zeros(2 * n, size);
         for (k, slot) in slots(n, coordinate).into_iter().enumerate() {
@@ -61,7 +65,22 @@ impl Face {
         for j in 0..n {
             restituted[(last, j)] = direction[j];
         }
-        Face { direction, gap: stop.gap, restitution: stop.restitution, coordinate, origin, lift, restituted }
+        let side = Side { direction, restitution: stop.restitution, coordinate, lift, restituted };
+        Face { side: Arc::new(side), gap: stop.gap }
+    }
+
+    /// The face of a stop that differs from this one in its gap alone.
+    pub fn at_gap(&self, gap: f64) -> Self {
+        Face { side: Arc::clone(&self.side), gap }
+    }
+
+    /// z of a section, without forcing.
+    pub fn lifted(&self, section: &SectionVector) -> DVector<f64> {
+        let mut z = &self.lift * section;
+        let last = z.len() - 1;
+        z[self.coordinate] += self.gap / self.direction[self.coordinate];
+        z[last] = 1.0;
+        z
     }
 
     /// The section of a state on the stop, just after an impact.
@@ -108,6 +127,14 @@ impl Face {
     }
 }
 
+impl Deref for Face {
+    type Target = Side;
+
+    fn deref(&self) -> &Side {
+        &self.side
+    }
+}
+
 /// The contact's own coordinate: the first of those with the largest |d_c|.
 fn own_coordinate(direction: &DVector<f64>) -> usize {
     (1..direction.len()).fold(0, |c, j| if direction[j].abs() > direction[c].abs() { j } else { c })
@@ -145,7 +172,7 @@ mod tests {
         let face = Face::new(&stop(), &DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 0.5, 2.0])));
         assert_eq!((face.coordinate, slots(3, 1)), (1, vec![4, 0, 2, 3, 5]));
         let section = DVector::from_row_slice(&[-0.4, 0.1, 0.2, 0.6, -0.7, 1.1]);
-        let z = &face.origin + &face.lift * &section;
+        let z = face.lifted(&section);
         assert!((face.direction.dot(&z.rows(0, 3)) - 0.3).abs() < 1e-15);
         assert_eq!(face.section(z.rows(0, 3).as_slice(), z.rows(3, 3).as_slice(), 1.1), section);
         assert!((face.speed(&section) - (0.5 * 0.6 + 2.0 * 0.4) / 4.25f64.sqrt()).abs() < 1e-15);

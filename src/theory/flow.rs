@@ -16,18 +16,25 @@ use crate::system::Mirror;
 pub(crate) struct Flow {
     /// n, the coordinates.
     pub n: usize,
-    /// G, (2n + 3) × (2n + 3).
-    pub generator: DMatrix<f64>,
     /// ω.
     pub omega: f64,
+    /// The stops.
     faces: Vec<Face>,
-    mirror: Option<Mirror>,
+    whatever_gaps: Arc<WhateverGaps>,
     kept: Arc<OfFlow>,
 }
 
-impl Flow {
-    /// The flow of a system.
-    pub fn new(system: &System) -> Self {
+/// What does not depend on the gaps.
+#[derive(Clone, Debug)]
+struct WhateverGaps {
+    generator: DMatrix<f64>,
+    /// The stops, those of any one of the systems.
+    faces: Vec<Face>,
+    mirror: Option<Mirror>,
+}
+
+impl WhateverGaps {
+    fn new(system: &System) -> Self {
         let plant = system.plant();
         let n = plant.n;
         let inverse =
@@ -42,8 +49,28 @@ impl Flow {
         g[(2 * n, 2 * n + 1)] = plant.omega;
         g[(2 * n + 1, 2 * n)] = -plant.omega;
         let faces = plant.stops.iter().map(|stop| Face::new(stop, &inverse)).collect();
-        let kept = Arc::clone(system.of_flow());
-        Flow { n, generator: g, omega: plant.omega, faces, mirror: system.mirror().cloned(), kept }
+        WhateverGaps { generator: g, faces, mirror: system.mirror().cloned() }
+    }
+}
+
+impl Flow {
+    /// The flow of a system.
+    pub fn new(system: &System) -> Self {
+        let plant = system.plant();
+        let whatever_gaps = system.whatever_gaps(|| WhateverGaps::new(system));
+        let faces = whatever_gaps.faces.iter().zip(&plant.stops).map(|(face, stop)| face.at_gap(stop.gap));
+        Flow {
+            n: plant.n,
+            omega: plant.omega,
+            faces: faces.collect(),
+            whatever_gaps,
+            kept: Arc::clone(system.of_flow()),
+        }
+    }
+
+    /// G, (2n + 3) × (2n + 3).
+    pub fn generator(&self) -> &DMatrix<f64> {
+        &self.whatever_gaps.generator
     }
 
     /// A stop.
@@ -60,15 +87,14 @@ impl Flow {
     pub fn over(&self, time: f64) -> DMatrix<f64> {
         let half = PI / self.omega;
         if (time - half).abs() <= 4.0 * f64::EPSILON * half {
-            return self.kept.half_period(|| exponential(&(&self.generator * half))).clone();
+            return self.kept.half_period(|| exponential(&(self.generator() * half))).clone();
         }
-        exponential(&(&self.generator * time))
+        exponential(&(self.generator() * time))
     }
 
     /// The whole state z just after an impact.
     pub fn lifted(&self, stop: Stop, section: &SectionVector) -> DVector<f64> {
-        let face = self.face(stop);
-        let mut z = &face.origin + &face.lift * section;
+        let mut z = self.face(stop).lifted(section);
         let (sin, cos) = phase(section).sin_cos();
         z[2 * self.n] = sin;
         z[2 * self.n + 1] = cos;
@@ -88,7 +114,7 @@ impl Flow {
     /// # Panics
     /// If the system has none.
     fn mirror(&self) -> &Mirror {
-        self.mirror.as_ref().expect("a mirrored motion belongs to a system with a mirror")
+        self.whatever_gaps.mirror.as_ref().expect("a mirrored motion belongs to a system with a mirror")
     }
 
     /// P x of displacements, or P v of velocities.

@@ -86,10 +86,7 @@ fn arc(flow: &Flow, from: Stop, sections: &Jets, time: f64, to: Stop) -> Option<
     let over = flow.over(time);
     let (departure, arrived) = (flow.face(from), flow.face(to));
     let arrival: Jets = std::array::from_fn(|k| {
-        let mut z = &departure.lift * &sections[k];
-        if k == 0 {
-            z += &departure.origin;
-        }
+        let mut z = if k == 0 { departure.lifted(&sections[k]) } else { &departure.lift * &sections[k] };
         z[2 * flow.n] = sin.0[k];
         z[2 * flow.n + 1] = cos.0[k];
         &over * z
@@ -121,7 +118,7 @@ fn flown(flow: &Flow, z: &Jets, sigma: Jet) -> Jets {
     let mut sum = z.clone();
     let mut term = z.clone();
     for k in 1..TERMS {
-        let rate = term.map(|z| &flow.generator * z / k as f64);
+        let rate = term.map(|z| flow.generator() * z / k as f64);
         term = std::array::from_fn(|k| {
             (0..=k).fold(DVector::zeros(z[0].len()), |sum, i| sum + &rate[i] * sigma.0[k - i])
         });

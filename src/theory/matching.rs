@@ -26,7 +26,7 @@ impl Arc {
         let time = (phase(&to.section) - phase(&from.section)) / flow.omega;
         let over = flow.over(time);
         let arrival = &over * &start;
-        let rate = &flow.generator * &arrival / flow.omega;
+        let rate = flow.generator() * &arrival / flow.omega;
         let face = flow.face(to.stop);
         let last = 2 * flow.n - 1;
         let mut target = to.section.clone();

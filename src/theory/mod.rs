@@ -19,6 +19,7 @@ mod impact_map;
 mod jet;
 mod label;
 mod matching;
+mod matching_line;
 mod motion;
 mod multipliers;
 pub(crate) mod newton;

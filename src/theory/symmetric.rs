@@ -1,16 +1,13 @@
 //! The period-one double-impact symmetric motion of section 3, in closed form, of any system with a mirror.
 
-use std::f64::consts::PI;
-
-use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-use super::admissible::{Inadmissible, NamedStop, fly_by};
+use super::admissible::{Inadmissible, NamedStop, fly_by, leaves_inwards};
 use super::face::Face;
 use super::flow::Flow;
 use super::follower::{Follower, follower};
+use super::matching_line::{MatchingLine, distance};
 use super::motion::PeriodicMotion;
-use super::newton;
 use super::pattern::{Pattern, StopSet};
 use super::section_vector::{SectionVector, phase, wrapped};
 use crate::dynamics::Stop;
@@ -93,8 +90,10 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
     }
     let flow = Flow::new(system);
     let face = flow.face(stop);
-    let line = Line::of_matching(&flow, stop, among.image(stop)).ok_or(NoSymmetricMotion::Singular)?;
-    let nearest = line.nearest();
+    let line = system.whatever_gaps(|| MatchingLine::of(&flow, stop, among.image(stop)));
+    let line = line.as_ref().as_ref().ok_or(NoSymmetricMotion::Singular)?;
+    let point = line.at_gap(face.gap);
+    let nearest = distance(&point);
     if nearest > 1.0 {
         let load = system.plant().load.amax() > 0.0;
         let (amplitude, delta) = (face.gap / nearest, face.gap);
@@ -103,12 +102,9 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
             true => NoSymmetricMotion::TooWeak { factor: nearest },
         });
     }
-    let half_chord = (1.0 - nearest * nearest).sqrt();
-    let mut sections = [-half_chord, half_chord].map(|along| {
-        let values = line.at(along);
-        let last = 2 * flow.n - 1;
-        let mut section = values.rows(0, 2 * flow.n).into_owned();
-        section[last] = wrapped(values[last].atan2(values[last + 1]));
+    let mut sections = line.meeting(&point).map(|mut section| {
+        let last = section.len() - 1;
+        section[last] = wrapped(section[last]);
         if face.restitution == 0.0 {
             // Without restitution the speed after the impact is exactly zero; rounding may have left another value.
             section[0] = face.resting_speed(&section);
@@ -116,8 +112,14 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
         section
     });
     sections.sort_by(|a, b| phase(a).total_cmp(&phase(b)));
-    let mut follower = follower(system);
-    let solutions = sections.map(|section| solution(system, &flow, follower.as_mut(), stop, section));
+    let pattern = Pattern { stops: vec![stop], half_turns: 1, mirrored: true, among };
+    let mut kept = None;
+    let solutions = sections.map(|section| {
+        let residual = line.residual(&section, face.gap);
+        let motion = PeriodicMotion { pattern: pattern.clone(), sections: vec![section], residual };
+        let at_phase_zero = followed(system, &flow, &mut kept, &motion);
+        SymmetricMotion { motion, at_phase_zero }
+    });
     let scale = |section: &SectionVector| 1.0 + section.amax();
     let solved = |solution: &SymmetricMotion| {
         solution.motion.residual <= ACCEPTED * scale(&solution.motion.sections[0])
@@ -141,81 +143,25 @@ fn exchanged_stop(system: &System) -> Option<Stop> {
 /// The largest residual of the matching equations that a solution in closed form may leave, for states of order one.
 const ACCEPTED: f64 = 1e-8;
 
-/// The solutions of the matching equations before sin² τ + cos² τ = 1: the section without its phase, then sin τ and
-/// cos τ, 2n + 1 numbers.
-struct Line {
-    /// Its point nearest to (sin τ, cos τ) = 0 in those two.
-    point: DVector<f64>,
-    /// Its direction, of unit length in (sin τ, cos τ).
-    direction: DVector<f64>,
-}
-
-impl Line {
-    fn of_matching(flow: &Flow, from: Stop, to: Stop) -> Option<Self> {
-        let (n, face, image) = (flow.n, flow.face(from), flow.face(to));
-        let size = 2 * n;
-        let half = flow.over(PI / flow.omega);
-        // After the impact, as components of the section there; the last one is d·x.
-        let arrived = &image.restituted * &half;
-        // The same of the mirror image.
-        let due = |z: &DVector<f64>| {
-            let y = flow.mirrored(&z.rows(0, size).into_owned());
-            let mut section = image.section(y.rows(0, n).as_slice(), y.rows(n, n).as_slice(), 0.0);
-            section[size - 1] = image.along(&y)[0];
-            section
-        };
-        let defect = |z: &DVector<f64>| &arrived * z - due(z);
-        let mut columns: Vec<DVector<f64>> =
-            (0..size - 1).map(|k| defect(&face.lift.column(k).into_owned())).collect();
-        columns.extend([size, size + 1].map(|k| arrived.column(k).into_owned()));
-        let matrix = DMatrix::from_columns(&columns);
-        let point = matrix.clone().svd(true, true).solve(&-defect(&face.origin), 0.0).ok()?;
-        // The null vector of 2n rows in 2n + 1 dimensions: their cross product.
-        let minor = |j: usize| matrix.clone().remove_column(j).determinant();
-        let null = DVector::from_fn(size + 1, |j, _| if j % 2 == 0 { minor(j) } else { -minor(j) });
-        let direction = &null / null[size - 1].hypot(null[size]);
-        if !direction.iter().chain(point.iter()).all(|value| value.is_finite()) {
-            return None;
-        }
-        let along = direction[size - 1] * point[size - 1] + direction[size] * point[size];
-        let point = point - &direction * along;
-        Some(Line { point, direction })
-    }
-
-    /// How near it comes to (sin τ, cos τ) = 0.
-    fn nearest(&self) -> f64 {
-        let size = self.point.len();
-        self.point[size - 2].hypot(self.point[size - 1])
-    }
-
-    fn at(&self, along: f64) -> DVector<f64> {
-        &self.point + &self.direction * along
-    }
-}
-
-/// One solution, and whether the system follows it.
-fn solution(
+/// (x, v) at forcing phase 0 if the system follows a solution; `kept` is a follower of it, once there is one.
+fn followed(
     system: &System,
     flow: &Flow,
-    follower: &mut dyn Follower,
-    stop: Stop,
-    section: SectionVector,
-) -> SymmetricMotion {
-    let pattern = Pattern::new(system, vec![stop], 1, true);
-    let image = pattern.closing_stop();
+    kept: &mut Option<Box<dyn Follower>>,
+    motion: &PeriodicMotion,
+) -> Result<Vec<f64>, Inadmissible> {
+    let (pattern, section) = (&motion.pattern, &motion.sections[0]);
+    let stop = pattern.stops[0];
     let face = flow.face(stop);
-    let (coordinate, velocity) = (face.coordinate, section[0]);
-    let rests = face.speed(&section) == 0.0 && face.restitution > 0.0;
-    let sections = vec![section];
-    let residual = newton::residual(&newton::arcs(flow, &pattern, &sections)).amax();
-    let motion = PeriodicMotion { pattern, sections, residual };
-    let at_phase_zero = if rests {
-        Err(Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity })
-    } else {
-        fly_by(system, flow, follower, &motion.pattern, &motion.sections)
-            .and_then(|flown| flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, image))))
-    };
-    SymmetricMotion { motion, at_phase_zero }
+    // Without restitution the mass rests as the impact ends.
+    if face.speed(section) == 0.0 && face.restitution > 0.0 {
+        let (coordinate, velocity) = (face.coordinate, section[0]);
+        return Err(Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity });
+    }
+    leaves_inwards(system, flow, stop, section)?;
+    let follower = kept.get_or_insert_with(|| follower(system));
+    let flown = fly_by(system, flow, follower.as_mut(), pattern, &motion.sections)?;
+    flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, pattern.closing_stop())))
 }
 
 /// (x, v) at forcing phase 0 on the stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical.

@@ -41,7 +41,7 @@ fn read(text: &str, origin: &str) -> Result<Family, FamilyError> {
     let stops = stops::read(&root, equations.n, &names)?;
     let label_order = stops::label_order(&root, &stops)?;
     let plane = plane::read(&root, &parameters, equations.n)?;
-    let family = Family {
+    let mut family = Family {
         name: name.to_owned(),
         source: from.map(str::to_owned),
         origin: origin.to_owned(),
@@ -51,8 +51,10 @@ fn read(text: &str, origin: &str) -> Result<Family, FamilyError> {
         equations,
         stops,
         label_order,
+        of_flow: Vec::new(),
         plane,
     };
+    family.of_flow = family.parameters_of_flow();
     let used = |place: usize| family.blocks().flat_map(Block::uses).any(|id| id.index() == place);
     if let Some(unused) = (0..places.len()).find(|&i| !used(i)) {
         let problem =

@@ -6,8 +6,8 @@ use std::fmt::Display;
 use crate::backend::gpu::shader::Shape;
 use crate::model::{ContactNormal, Flight, Real, State, StopsAlong};
 
-/// Terms of the kick polynomial in f32: up to the order of a flight.
-pub const KICK_TERMS: usize = <f32 as Real>::ORDER + 1;
+/// Terms of the kick polynomial in f32: up to its order.
+pub const KICK_TERMS: usize = <f32 as Real>::KICK_ORDER + 1;
 
 /// Writes the members of a struct in their order: their words and, where wanted, their declarations in WGSL.
 struct Members<'a, const N: usize> {

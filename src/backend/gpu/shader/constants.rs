@@ -28,6 +28,7 @@ pub fn source(shape: &Shape) -> String {
         ("CONTACT_FREE", Contact::FREE.code()),
         ("KICK_TERMS", KICK_TERMS as u32),
         ("ORDER", <f32 as Real>::ORDER as u32),
+        ("KICK_ORDER", <f32 as Real>::KICK_ORDER as u32),
         ("INFINITELY_MANY", u32::from(INFINITELY_MANY)),
         ("BATCHES", analysis::BATCHES),
         ("ALIGNING", analysis::ALIGNING),
@@ -124,7 +125,7 @@ pub fn source(shape: &Shape) -> String {
         .expect("a string takes anything");
     }
     let arrays = [
-        ("INVERSE_FACTORIALS", &dynamics::INVERSE_FACTORIALS[..KICK_TERMS + 1]),
+        ("INVERSE_FACTORIALS", &dynamics::INVERSE_FACTORIALS[..<f32 as Real>::ORDER + 2]),
         ("INVERSE_ODD", &INVERSE_ODD[..]),
     ];
     for (name, values) in arrays {

@@ -85,7 +85,7 @@ impl Shape {
             }
             // Horner's scheme, from the highest order below the last.
             "kick term" => {
-                (0..<f32 as Real>::ORDER).rev().for_each(|k| push(block.replace("$k", &k.to_string())));
+                (0..<f32 as Real>::KICK_ORDER).rev().for_each(|k| push(block.replace("$k", &k.to_string())));
             }
             counted if COUNTED.iter().any(|(name, ..)| *name == counted) => {
                 let (_, first, last) = COUNTED[COUNTED.iter().position(|(n, ..)| *n == counted).unwrap_or(0)];

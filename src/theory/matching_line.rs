@@ -1,0 +1,196 @@
+//! The straight line on which the matching conditions (5) hold but for sin² τ + cos² τ = 1, for every gap at once.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::flow::Flow;
+use super::section_vector::{SectionVector, phase};
+use crate::dynamics::Stop;
+
+/// The matching conditions (5) between a stop and its image, of one flow and one restitution.
+///
+/// They are linear in 2n + 1 unknowns u, the section just after the impact without its phase, then sin τ and cos τ, and in
+/// the gap δ: matrix · u + constant + δ growth = 0, 2n equations. The gap is in the last part alone, so that what solves them
+/// is found once for all gaps: u = point + δ slope + s direction for any s. Everything is non-dimensional.
+#[derive(Clone, Debug)]
+pub(super) struct MatchingLine {
+    matrix: DMatrix<f64>,
+    constant: DVector<f64>,
+    growth: DVector<f64>,
+    /// At a gap of 0 the point nearest to (sin τ, cos τ) = 0 in those two.
+    point: DVector<f64>,
+    /// How that grows with the gap.
+    slope: DVector<f64>,
+    /// Of unit length in (sin τ, cos τ).
+    direction: DVector<f64>,
+}
+
+impl MatchingLine {
+    /// The line of the flow from one stop to its mirror image; none where the conditions are singular.
+    pub fn of(flow: &Flow, from: Stop, to: Stop) -> Option<Self> {
+        let (n, face, image) = (flow.n, flow.face(from), flow.face(to));
+        let size = 2 * n;
+        let half = flow.over(PI / flow.omega);
+        // After the impact, as components of the section there; the last one is d·x.
+        let arrived = &image.restituted * &half;
+        // The same of the mirror image.
+        let due = |z: &DVector<f64>| {
+            let y = flow.mirrored(&z.rows(0, size).into_owned());
+            let mut section = image.section(y.rows(0, n).as_slice(), y.rows(n, n).as_slice(), 0.0);
+            section[size - 1] = image.along(&y)[0];
+            section
+        };
+        let defect = |z: &DVector<f64>| &arrived * z - due(z);
+        let mut columns: Vec<DVector<f64>> =
+            (0..size - 1).map(|k| defect(&face.lift.column(k).into_owned())).collect();
+        columns.extend([size, size + 1].map(|k| arrived.column(k).into_owned()));
+        let matrix = DMatrix::from_columns(&columns);
+        let nothing = SectionVector::zeros(size);
+        let constant = defect(&face.at_gap(0.0).lifted(&nothing));
+        let growth = defect(&face.at_gap(1.0).lifted(&nothing)) - &constant;
+        let right = -DMatrix::from_columns(&[constant.clone(), growth.clone()]);
+        let solved = matrix.clone().svd(true, true).solve(&right, 0.0).ok()?;
+        // The null vector of 2n rows in 2n + 1 dimensions: their cross product.
+        let minor = |j: usize| matrix.clone().remove_column(j).determinant();
+        let null = DVector::from_fn(size + 1, |j, _| if j % 2 == 0 { minor(j) } else { -minor(j) });
+        let direction = &null / null[size - 1].hypot(null[size]);
+        if !direction.iter().chain(solved.iter()).all(|value| value.is_finite()) {
+            return None;
+        }
+        let nearest = |k: usize| {
+            let point = solved.column(k);
+            let along = direction[size - 1] * point[size - 1] + direction[size] * point[size];
+            point - &direction * along
+        };
+        let (point, slope) = (nearest(0), nearest(1));
+        Some(MatchingLine { matrix, constant, growth, point, slope, direction })
+    }
+
+    /// Its point nearest to (sin τ, cos τ) = 0 for a gap, in those two.
+    pub fn at_gap(&self, gap: f64) -> DVector<f64> {
+        &self.point + &self.slope * gap
+    }
+
+    /// The two points with sin² τ + cos² τ = 1, each as a section with τ in [−π, π]; `nearest` is the point of their gap, and
+    /// not more than 1 from (sin τ, cos τ) = 0.
+    pub fn meeting(&self, nearest: &DVector<f64>) -> [SectionVector; 2] {
+        let distance = distance(nearest);
+        let half_chord = (1.0 - distance * distance).sqrt();
+        [-half_chord, half_chord].map(|along| {
+            let values = nearest + &self.direction * along;
+            let last = values.len() - 2;
+            let tau = values[last].atan2(values[last + 1]);
+            SectionVector::from_fn(last + 1, |k, _| if k == last { tau } else { values[k] })
+        })
+    }
+
+    /// The largest residual that a section leaves of the conditions with a gap.
+    pub fn residual(&self, section: &SectionVector, gap: f64) -> f64 {
+        let last = section.len() - 1;
+        let (sin, cos) = phase(section).sin_cos();
+        let mut residual = &self.constant + &self.growth * gap;
+        for (k, column) in self.matrix.column_iter().enumerate() {
+            let value = if k < last { section[k] } else { [sin, cos][k - last] };
+            residual.axpy(value, &column, 1.0);
+        }
+        residual.amax()
+    }
+}
+
+/// How far a point of the line is from (sin τ, cos τ) = 0 in those two.
+pub(super) fn distance(point: &DVector<f64>) -> f64 {
+    let last = point.len() - 1;
+    point[last - 1].hypot(point[last])
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{Rng, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::model::{Flows, Setting, System};
+    use crate::system::{BUILTIN, Family, Plant};
+    use crate::theory::newton;
+    use crate::theory::symmetric_motions;
+
+    /// The same plant with one gap and one restitution for all its stops, per unit of their directions.
+    fn with_stops(plant: &Plant, gap: f64, restitution: f64) -> Plant {
+        let mut plant = plant.clone();
+        for stop in &mut plant.stops {
+            (stop.gap, stop.restitution) = (gap * stop.direction.norm(), restitution);
+        }
+        plant
+    }
+
+    /// The plants of the families that have a mirror once their stops are alike.
+    fn mirrored() -> Vec<Plant> {
+        let plants = BUILTIN.iter().map(|builtin| Setting::defaults(Family::builtin(builtin.name)).plant());
+        let exchanges = |plant: &Plant| {
+            let mirror = with_stops(plant, 0.2, 0.7).mirror();
+            mirror.is_some_and(|mirror| mirror.stops.iter().enumerate().any(|(i, &image)| i != image))
+        };
+        plants.map(Result::unwrap).filter(exchanges).collect()
+    }
+
+    #[test]
+    fn one_line_holds_the_motions_of_every_gap() {
+        let mut random = ChaCha8Rng::seed_from_u64(5);
+        let (mut compared, mut families) = (0, 0);
+        for plant in mirrored() {
+            families += 1;
+            let flows = Flows::default();
+            for _ in 0..60 {
+                let restitution = [0.0, 0.3, 0.8, 0.95][random.random_range(0..4)];
+                let gap = random.random_range(0.0..1.5);
+                let system = System::of_plant(with_stops(&plant, gap, restitution)).unwrap();
+                let shares = flows.share(system.clone());
+                let (Ok(alone), Ok(shared)) = (symmetric_motions(&system), symmetric_motions(&shares)) else {
+                    let reasons = [&system, &shares].map(|system| symmetric_motions(system).err());
+                    assert_eq!(reasons[0].is_some(), reasons[1].is_some(), "{reasons:?}");
+                    continue;
+                };
+                for (alone, shared) in alone.iter().zip(&shared) {
+                    let (section, other) = (&shared.motion.sections[0], &alone.motion.sections[0]);
+                    let size = 1.0 + section.amax();
+                    assert!((section - other).amax() < 1e-9 * size, "δ = {gap}: {section} for {other}");
+                    // What joins two impacts is written by itself, for any motion.
+                    let arcs =
+                        newton::arcs(&Flow::new(&system), &shared.motion.pattern, &shared.motion.sections);
+                    let left = newton::residual(&arcs).amax();
+                    assert!(left < 1e-12 * size * size, "δ = {gap}, r = {restitution}: {left}");
+                    assert!((left - shared.motion.residual).abs() < 1e-12 * size * size);
+                    compared += 1;
+                }
+            }
+        }
+        println!("{families} families, {compared} motions");
+        assert!(families >= 4 && compared > 100, "{families} families, {compared} motions");
+    }
+
+    #[test]
+    fn another_restitution_or_gap_is_another_motion() {
+        for plant in mirrored() {
+            let line = |restitution: f64| {
+                let flow = Flow::new(&System::of_plant(with_stops(&plant, 0.2, restitution)).unwrap());
+                let mirror = with_stops(&plant, 0.2, restitution).mirror().unwrap();
+                let from = mirror.stops.iter().enumerate().position(|(i, &image)| i != image).unwrap();
+                let (from, to) = (Stop(from as u8), Stop(mirror.stops[from] as u8));
+                (MatchingLine::of(&flow, from, to).unwrap(), flow.face(from).direction.norm())
+            };
+            let ((own, unit), (other, _)) = (line(0.8), line(0.75));
+            let gap = 0.05 * unit;
+            let nearest = own.at_gap(gap);
+            if distance(&nearest) > 1.0 {
+                continue;
+            }
+            for section in own.meeting(&nearest) {
+                let size = 1.0 + section.amax();
+                assert!(own.residual(&section, gap) < 1e-12 * size * size);
+                assert!(other.residual(&section, gap) > 1e-4, "{}", other.residual(&section, gap));
+                assert!(own.residual(&section, 1.1 * gap) > 1e-4 * unit);
+            }
+        }
+    }
+}
