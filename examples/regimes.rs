@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use impact_atlas::analysis::{Regime, Schedule, Verdict};
 use impact_atlas::backend::{Backend, BackendError, Cpu, Job, Unwatched, decide};
-use impact_atlas::model::{Flows, Parameters, System};
+use impact_atlas::model::Flows;
 use impact_atlas::plane::{Plane, Start};
 use serde::Serialize;
 
@@ -32,13 +32,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         std::env::args().skip(1).partition(|a| a.starts_with("--"));
     let number = |i: usize, usual: u32| words.get(i).map_or(Ok(usual), |text| text.parse());
     let (columns, rows, repeats) = (number(0, 190)?, number(1, 130)?, number(2, 3)?.max(1));
-    let plane = Plane {
-        x: format!("omega=0.5:4.4:{columns}").parse()?,
-        y: format!("delta=0.02:0.6:{rows}").parse()?,
-        parameters: Parameters::default().into(),
-        start: Start::Symmetric,
-        task: Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false },
-    };
+    let (x, y) = (format!("omega=0.2:5:{columns}"), format!("delta=0.02:0.8:{rows}"));
+    let schedule = Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false };
+    let plane = Plane::of_paper(&x, &y, Start::Symmetric, schedule)?;
     let (jobs, making) = fastest(repeats, || made(&plane))?;
     let (verdicts, whole) = fastest(repeats, || followed(&jobs, &plane.task))?;
     let mut measured = Vec::new();
@@ -96,7 +92,7 @@ fn made(plane: &Plane) -> Result<Vec<Job>, Box<dyn std::error::Error>> {
     let mut jobs = Vec::new();
     for row in 0..plane.y.count {
         for column in 0..plane.x.count {
-            let system = flows.share(System::new(plane.parameters_at(column, row))?);
+            let system = flows.system(plane.parameters_at(column, row))?;
             let start = plane.start_at(column, row).state(&system);
             jobs.push(Job { system, start });
         }

@@ -260,8 +260,7 @@ fn jobs(workload: &Workload, side: u32) -> Result<Vec<Job>, Box<dyn std::error::
     for row in 0..side {
         for column in 0..side {
             let (omega, delta) = (value(workload.omega, column), value(workload.delta, row));
-            let system = System::new(Parameters { omega, delta, ..Parameters::default() })?;
-            let system = flows.share(system);
+            let system = flows.system(Parameters { omega, delta, ..Parameters::default() }.into())?;
             jobs.push(Job { system, start: [0.0; 4].into() });
         }
     }

@@ -12,7 +12,7 @@ use super::files;
 const ARITHMETIC: [f64; 4] = [0.0, 1.0, 2.0, 0.5];
 
 /// Numbers that a formula consists of: the file, the number, how often it is there, and the formula.
-const FORMULAS: [(&str, &str, usize, &str); 31] = [
+const FORMULAS: [(&str, &str, usize, &str); 32] = [
     ("analysis/extent.wgsl", "16.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/30"),
     ("analysis/extent.wgsl", "3.0", 1, "the cubic through two values and slopes: s²(3 − 2s)"),
     ("analysis/extent.wgsl", "30.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/30"),
@@ -24,6 +24,7 @@ const FORMULAS: [(&str, &str, usize, &str); 31] = [
     ("dynamics/chatter.wgsl", "3.0", 1, "u falls like exp(−ct/3)"),
     ("dynamics/contact.wgsl", "4.0", 1, "the discriminant b² − 4ac"),
     ("dynamics/crossing.wgsl", "0.125", 1, "s(w − s)/2 is w²/8 at most"),
+    ("dynamics/crossing.wgsl", "0.25", 1, "the second and the fourth of five Bernstein coefficients"),
     ("dynamics/leg.wgsl", "0.25", 1, "the middle of four Bernstein coefficients"),
     ("dynamics/quintic.wgsl", "10.0", 1, "the quintic through two values, slopes and curvatures"),
     ("dynamics/quintic.wgsl", "15.0", 1, "the quintic through two values, slopes and curvatures"),
