@@ -42,7 +42,8 @@ fn feedback_reports_what_it_reaches() {
     });
     assert!(once || twice, "{two}");
     assert!(two["fixed_point"].is_null());
-    let more = ["--gain", "0.9", "--json"];
+    // Just below this gain some starts in the chaos are still captured.
+    let more = ["--gain", "1", "--json"];
     assert_eq!(json(&run(&control("delay", &more)))["label_after"], "runaway");
 }
 
