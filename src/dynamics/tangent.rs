@@ -77,26 +77,42 @@ impl<T, const N: usize> Variation<T, N> for () {
     fn caught(&self, _: &Flight<T, N>, _: Contact) -> Self {}
 }
 
-/// Several tangent vectors.
+/// Several tangent vectors: loops, since what a closure does has not its caller's instructions.
 impl<T: Real, const N: usize, const M: usize> Variation<T, N> for [Tangent<T, N>; M] {
     #[inline(always)]
     fn stepped(&self, flight: &Flight<T, N>) -> Self {
-        self.map(|tangent| tangent.stepped(flight))
+        let mut later = *self;
+        for tangent in &mut later {
+            *tangent = tangent.stepped(flight);
+        }
+        later
     }
 
     #[inline(always)]
     fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
-        self.map(|tangent| tangent.flown(flight, s, contact))
+        let mut later = *self;
+        for tangent in &mut later {
+            *tangent = tangent.flown(flight, s, contact);
+        }
+        later
     }
 
     #[inline(always)]
     fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self {
-        self.map(|tangent| tangent.struck(flight, impact))
+        let mut later = *self;
+        for tangent in &mut later {
+            *tangent = tangent.struck(flight, impact);
+        }
+        later
     }
 
     #[inline(always)]
     fn caught(&self, flight: &Flight<T, N>, contact: Contact) -> Self {
-        self.map(|tangent| tangent.caught(flight, contact))
+        let mut later = *self;
+        for tangent in &mut later {
+            *tangent = tangent.caught(flight, contact);
+        }
+        later
     }
 }
 

@@ -1,6 +1,6 @@
 //! Points at which a look at the returns alone goes wrong.
 
-use impact_atlas::analysis::{Regime, Verdict};
+use impact_atlas::analysis::Regime;
 use impact_atlas::backend::{Backend, Cpu, Gpu, follow};
 use impact_atlas::model::Parameters;
 use impact_atlas::theory::SettledMotion;
