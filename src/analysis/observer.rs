@@ -53,7 +53,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             recurrence: Recurrence::anchored(trajectory.point.state),
             exponent: Exponent::over(schedule.observe),
             turn: Turn::none(),
-            spread: Spread::about(&trajectory.point),
+            spread: Spread::about(&trajectory.point.state),
             grown: T::zero(),
             stage: Stage::Transient,
             periods: 0,

@@ -165,7 +165,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.recurrence = Recurrence::anchored(point.state);
         self.exponent = Exponent::over(observe);
         self.turn = Turn::none();
-        self.spread = Spread::about(&point);
+        self.spread = Spread::about(&point.state);
         self.grown = T::zero();
     }
 
@@ -179,7 +179,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period, self.observed >= half);
         self.grown = if self.recurrence.since == 0 { T::zero() } else { self.grown + growth };
         if self.observed <= 2 * half {
-            self.spread.at_strobe(&point, self.observed > half);
+            self.spread.at_strobe(&point.state, self.observed > half);
         }
         if self.observed < self.observe {
             return;

@@ -1,6 +1,5 @@
 //! Whether the motion is stationary: the spread of its strobe points early in the observation against that late in it.
 
-use crate::dynamics::Point;
 use crate::model::{Real, State};
 
 /// First and second moments of the strobe points, about a reference point.
@@ -25,15 +24,15 @@ pub const STATIONARY: f64 = 1.25;
 
 impl<T: Real, const N: usize> Spread<T, N> {
     /// Begins at a strobe point.
-    pub fn about<D>(point: &Point<T, N, D>) -> Self {
+    pub fn about(point: &State<T, N>) -> Self {
         let none = Moments { sum: State::zero(), square: T::zero() };
-        Spread { about: point.state, early: none, late: none }
+        Spread { about: *point, early: none, late: none }
     }
 
     /// Adds a strobe point to the earlier or the later half.
     #[inline(always)]
-    pub fn at_strobe<D>(&mut self, point: &Point<T, N, D>, late: bool) {
-        let away = point.state.plus(-T::one(), &self.about);
+    pub fn at_strobe(&mut self, point: &State<T, N>, late: bool) {
+        let away = point.plus(-T::one(), &self.about);
         let moments = if late { &mut self.late } else { &mut self.early };
         moments.sum = moments.sum.added(&away);
         moments.square = moments.square + square(&away);

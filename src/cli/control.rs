@@ -134,9 +134,7 @@ pub fn run(args: &ControlArgs) -> Result<()> {
         }));
     }
     let controller = scheme.resolve(&system).map_err(CliError::input)?;
-    if let Some((_, ratio)) = controller.force() {
-        system.following(ratio).map_err(CliError::input)?;
-    }
+    controller.flown(&system).map_err(CliError::input)?;
     let wanted = [Kind::Picture.at(args.out.as_deref()), Kind::Archive.at(args.data.as_deref())];
     let [out, data] = files::prepare(args.overwrite, wanted)?;
     note("computing on cpu: f64");

@@ -1,9 +1,9 @@
 //! A trajectory under control: what each of its moves and its returns to σ changes.
 
 use super::action::{Action, Seen};
-use super::actuated::Actuated;
 use super::components::Components;
 use super::deviation::Deviations;
+use super::force::under;
 use super::memory::{Counts, Memory, added};
 use super::methods::Controller;
 use super::progress::Progress;
@@ -23,14 +23,14 @@ pub const LONGEST_PASSAGE: u32 = 1000;
 /// Iterates for which a settled motion must have kept returning before it finishes early.
 pub const SETTLING: u32 = 64;
 
-/// A trajectory under control.
+/// A trajectory under control, of a system with N coordinates: it flies in M, one of which may be the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Controlled<T: Real, const N: usize, D: Actuated<T, N> = ()> {
+pub struct Controlled<T, const N: usize, const M: usize> {
     /// The trajectory.
-    pub trajectory: Trajectory<T, N, D>,
-    pub(super) tangent: D::Deviation,
+    pub trajectory: Trajectory<T, M>,
+    pub(super) tangent: Tangent<T, M>,
     pub(super) surface: Surface,
-    controller: Controller<T>,
+    pub(super) controller: Controller<T>,
     /// The last points on σ.
     pub memory: Memory<T, N>,
     deviations: Deviations<T, N>,
@@ -66,23 +66,23 @@ pub struct Controlled<T: Real, const N: usize, D: Actuated<T, N> = ()> {
     pub(super) signal: T,
 }
 
-impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
+impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
     /// Begins with a trajectory; `surface` is that of the controller's stop.
     pub fn new(
-        trajectory: Trajectory<T, N, D>,
+        trajectory: Trajectory<T, M>,
         surface: Surface,
         controller: Controller<T>,
         schedule: &ControlSchedule,
     ) -> Self {
         Controlled {
             trajectory,
-            tangent: trajectory.point.drive.deviating(Tangent::seed(), T::zero()),
+            tangent: Tangent::seed(),
             surface,
             controller,
             memory: Memory::new(schedule.max_period),
             deviations: Deviations::seed(),
             exponent: Exponent::over(schedule.observed()),
-            spread: Spread::about(&trajectory.point),
+            spread: Spread::about(&trajectory.point.state.first()),
             progress: Progress::Settling,
             iterates: 0,
             observed: 0,
@@ -104,20 +104,25 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     }
 
     /// Applies the force that the controller sets at the present point, and nothing else.
-    pub fn force(&mut self, flight: &Flight<T, N>) {
+    pub fn force(&mut self, flight: &Flight<T, M>) {
         let section = SectionPoint::of(flight, &self.surface, &self.trajectory);
         let turns = T::zero();
         let seen = Seen { section, turns, periods: 0, controlled: 0, memory: &self.memory };
-        let Action { force, phase, .. } = self.controller.act(&seen);
+        let action = self.controller.act(&seen);
+        self.set_force(flight, &action);
+    }
+
+    /// Goes on from the present point under the force of an action.
+    pub(super) fn set_force(&mut self, flight: &Flight<T, M>, action: &Action<T, N>) {
         let Trajectory { mut point, contact, step, offset, .. } = self.trajectory;
-        point.drive = point.drive.actuated(force, phase);
+        point.state = under(action, point.state, self.controller.frequency(flight.omega));
         self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
     }
 
     #[inline(always)]
     pub(super) fn note(
         &mut self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         schedule: &ControlSchedule,
         taken: &Move<T>,
         witness: &mut impl Witness<T>,
@@ -143,7 +148,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     #[inline(always)]
     fn impact(
         &mut self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         schedule: &ControlSchedule,
         impact: &Impact<T>,
         complete: bool,
@@ -187,7 +192,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
 
     /// A return to σ.
     #[inline(always)]
-    fn arrive(&mut self, flight: &Flight<T, N>, schedule: &ControlSchedule, witness: &mut impl Witness<T>) {
+    fn arrive(&mut self, flight: &Flight<T, M>, schedule: &ControlSchedule, witness: &mut impl Witness<T>) {
         let arrived = SectionPoint::of(flight, &self.surface, &self.trajectory);
         if !arrived.is_finite() {
             self.progress = Progress::Failed;
@@ -206,8 +211,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
             memory: &self.memory,
         };
         let observing = self.progress == Progress::Observed;
-        let tangent = D::tangent(&self.tangent);
-        let deviation = self.deviations.arrived(flight, &self.surface, &self.trajectory, &tangent);
+        let deviation = self.deviations.arrived(flight, &self.surface, &self.trajectory, &self.tangent);
         let mut action = if on { self.controller.act(&seen) } else { Action::none() };
         let mut section = arrived.plus(&action.correction);
         let escaped = !action.correction.is_zero() && !self.admits(flight, &section);
@@ -262,7 +266,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     }
 
     /// Adds an iterate to the exponent.
-    fn observe(&mut self, flight: &Flight<T, N>, turns: T, schedule: &ControlSchedule) {
+    fn observe(&mut self, flight: &Flight<T, M>, turns: T, schedule: &ControlSchedule) {
         self.observed += 1;
         self.observed_turns = self.observed_turns + turns;
         match self.deviations.growth() {
@@ -271,13 +275,13 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
         }
         let half = schedule.observed() / 2;
         if self.observed <= 2 * half {
-            self.spread.at_strobe(&self.trajectory.point, self.observed > half);
+            self.spread.at_strobe(&self.trajectory.point.state.first(), self.observed > half);
         }
         self.tangent = self.deviations.leaving(flight, &self.surface, &self.trajectory, &self.controller);
     }
 
     /// Goes on to the next part of the schedule where it is due.
-    fn schedule_on(&mut self, flight: &Flight<T, N>, schedule: &ControlSchedule) {
+    fn schedule_on(&mut self, flight: &Flight<T, M>, schedule: &ControlSchedule) {
         let settled = !schedule.fixed && self.controller.is_at_rest() && self.memory.is_settled(SETTLING);
         if self.iterates >= schedule.iterates || settled {
             self.progress = Progress::Done;
@@ -289,7 +293,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
             self.peak = T::zero();
             self.deviations = Deviations::seed();
             self.tangent = self.deviations.leaving(flight, &self.surface, &self.trajectory, &self.controller);
-            self.spread = Spread::about(&self.trajectory.point);
+            self.spread = Spread::about(&self.trajectory.point.state.first());
         }
     }
 }

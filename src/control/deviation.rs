@@ -1,12 +1,12 @@
 //! A small deviation of the points on σ, carried through flight and control: whether neighbours part.
 
 use super::action::Seen;
-use super::actuated::Actuated;
 use super::components::Components;
+use super::force::behind;
 use super::memory::LONGEST_DELAY;
 use super::methods::Controller;
 use super::surface::Surface;
-use crate::dynamics::{Drive, Tangent, Trajectory};
+use crate::dynamics::{Tangent, Trajectory};
 use crate::model::vector::dot;
 use crate::model::{Flight, Real, State};
 
@@ -34,26 +34,27 @@ impl<T: Real, const N: usize> Deviations<T, N> {
     ///
     /// A point met later by δτ/ω was, at the same time, that much of its motion behind; and so was a force that begins
     /// with it.
-    pub fn leaving<D: Actuated<T, N>>(
+    pub fn leaving<const M: usize>(
         &self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         surface: &Surface,
-        trajectory: &Trajectory<T, N, D>,
+        trajectory: &Trajectory<T, M>,
         controller: &Controller<T>,
-    ) -> D::Deviation {
+    ) -> Tangent<T, M> {
         let tau = self.points[0][Components::<T, N>::TAU];
         let within = surface.deviation(flight, &self.points[0]);
-        let tangent = Tangent(within.plus(-(tau / flight.omega), &rates(flight, trajectory)));
-        trajectory.point.drive.deviating(tangent, controller.lag(tau))
+        let state = within.plus(-(tau / flight.omega), &rates(flight, trajectory));
+        let frequency = controller.frequency(flight.omega);
+        behind::<T, N, M>(controller.lag(tau), &trajectory.point.state, state, frequency)
     }
 
     /// The deviation of the point at which a trajectory with this tangent vector arrives.
-    pub fn arrived<D: Drive<T, N>>(
+    pub fn arrived<const M: usize>(
         &self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         surface: &Surface,
-        trajectory: &Trajectory<T, N, D>,
-        tangent: &Tangent<T, N>,
+        trajectory: &Trajectory<T, M>,
+        tangent: &Tangent<T, M>,
     ) -> Components<T, N> {
         let rate = rates(flight, trajectory);
         let direction = &flight.normals[surface.end.normal].direction;
@@ -101,10 +102,7 @@ impl<T: Real, const N: usize> Deviations<T, N> {
 
 /// The rates of displacements and velocities at a trajectory's present point.
 #[inline(always)]
-fn rates<T: Real, const N: usize, D: Drive<T, N>>(
-    flight: &Flight<T, N>,
-    trajectory: &Trajectory<T, N, D>,
-) -> State<T, N> {
+fn rates<T: Real, const M: usize>(flight: &Flight<T, M>, trajectory: &Trajectory<T, M>) -> State<T, M> {
     let point = &trajectory.point;
     State { x: point.state.v, v: point.motion(flight, trajectory.contact).acceleration }
 }

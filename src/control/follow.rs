@@ -1,6 +1,5 @@
 //! The loop that takes a controlled trajectory from move to move.
 
-use super::actuated::Actuated;
 use super::controlled::Controlled;
 use super::progress::Progress;
 use super::schedule::ControlSchedule;
@@ -8,12 +7,12 @@ use super::witness::Witness;
 use crate::dynamics::Variation;
 use crate::model::{Flight, Real};
 
-impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
+impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
     /// Follows the trajectory to its end.
     #[inline(always)]
     pub fn follow(
         &mut self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         schedule: &ControlSchedule,
         witness: &mut impl Witness<T>,
     ) {
@@ -34,7 +33,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     /// Follows the trajectory for so many returns at most, without observing it; whether it made them.
     pub fn iterate(
         &mut self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         schedule: &ControlSchedule,
         returns: u32,
         witness: &mut impl Witness<T>,
@@ -47,9 +46,9 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     }
 
     #[inline(always)]
-    fn advance<V: Variation<T, N>>(
+    fn advance<V: Variation<T, M>>(
         &mut self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         schedule: &ControlSchedule,
         mut variation: V,
         keep: impl Fn(&mut Self, V),
@@ -57,7 +56,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     ) {
         let mut trajectory = self.trajectory;
         let taken = trajectory.advance(flight, &mut variation);
-        witness.moved(flight, &self.trajectory, &taken, &trajectory);
+        witness.moved::<N, M>(flight, &self.trajectory, &taken, &trajectory);
         self.trajectory = trajectory;
         keep(self, variation);
         self.note(flight, schedule, &taken, witness);

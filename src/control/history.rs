@@ -1,9 +1,7 @@
 //! A controlled trajectory written down: every return to σ, and its flight at the end.
 
 use super::witness::{Return, Witness};
-use crate::dynamics::{
-    Drive, Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Trajectory, resting_on,
-};
+use crate::dynamics::{Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Trajectory, resting_on};
 use crate::model::{Flight, StateVector};
 
 /// Samples nearer to an impact than this, in units of their distance, are left out.
@@ -33,11 +31,11 @@ impl History {
         self.returns.last().is_some_and(|last| last.iterate >= self.from)
     }
 
-    fn impact<const N: usize, D>(
+    fn impact<const N: usize, const M: usize>(
         &mut self,
         impact: Impact<f64>,
-        flight: &Flight<f64, N>,
-        after: &Trajectory<f64, N, D>,
+        flight: &Flight<f64, M>,
+        after: &Trajectory<f64, M>,
     ) {
         if impact.velocity_before != 0.0 {
             self.recording.impacts.push(ImpactEvent {
@@ -45,7 +43,7 @@ impl History {
                 stop: impact.stop,
                 velocity_before: impact.velocity_before,
                 velocity_after: impact.velocity_after,
-                state: StateVector::of(&after.point.state),
+                state: StateVector::of(&after.point.state.first::<N>()),
                 phase: super::section_point::phase_of(flight, after.step, after.offset),
             });
         }
@@ -53,12 +51,12 @@ impl History {
 }
 
 impl Witness<f64> for History {
-    fn moved<const N: usize, D: Drive<f64, N>>(
+    fn moved<const N: usize, const M: usize>(
         &mut self,
-        flight: &Flight<f64, N>,
-        before: &Trajectory<f64, N, D>,
+        flight: &Flight<f64, M>,
+        before: &Trajectory<f64, M>,
         taken: &Move<f64>,
-        after: &Trajectory<f64, N, D>,
+        after: &Trajectory<f64, M>,
     ) {
         if !self.is_recording() {
             return;
@@ -75,7 +73,7 @@ impl Witness<f64> for History {
                 continue;
             }
             let state = before.point.flown(flight, (at - self.time).max(0.0), taken.contact).state;
-            self.recording.samples.push(Sample { time: at, state: StateVector::of(&state) });
+            self.recording.samples.push(Sample { time: at, state: StateVector::of(&state.first::<N>()) });
         }
         self.time = end;
         if let (Some(stop), None) = (resting_on(flight, before.contact), self.recording.sticks.last()) {
@@ -85,9 +83,9 @@ impl Witness<f64> for History {
             stick.until = end;
         }
         match taken.event {
-            Event::Impact(impact) => self.impact(impact, flight, after),
+            Event::Impact(impact) => self.impact::<N, M>(impact, flight, after),
             Event::Caught { impact, .. } => {
-                self.impact(impact, flight, after);
+                self.impact::<N, M>(impact, flight, after);
                 self.recording.sticks.push(Stick { stop: impact.stop, from: end, until: end });
             }
             _ => {}

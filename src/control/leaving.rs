@@ -1,29 +1,28 @@
 //! How a trajectory leaves σ: from where, with which contacts, under which force.
 
 use super::action::Action;
-use super::actuated::Actuated;
 use super::components::Components;
 use super::controlled::Controlled;
+use super::force::under;
 use super::progress::Progress;
 use super::section_point::SectionPoint;
-use crate::dynamics::{Contact, Point, Trajectory, holds};
+use crate::dynamics::{Contact, Point, holds};
 use crate::model::vector::dot;
 use crate::model::{Flight, Real};
 
 /// A component of a point on σ larger than this is beyond all bounds: static deflections are of order one.
 pub const RUNAWAY: f64 = 1e3;
 
-impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
+impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
     /// Whether a corrected point is on the section: the masses do not move into its stop, and are beyond no other.
-    pub(super) fn admits(&self, flight: &Flight<T, N>, section: &SectionPoint<T, N>) -> bool {
+    pub(super) fn admits(&self, flight: &Flight<T, M>, section: &SectionPoint<T, N>) -> bool {
         let state = self.surface.state(flight, &section.components);
         let zero = T::zero();
-        self.surface.approach(flight, &state) <= zero
-            && holds(flight, &Point { state, sin: zero, cos: zero, one: zero, drive: () })
+        self.surface.approach(flight, &state) <= zero && holds(flight, &Point::at_phase_zero(state))
     }
 
     /// d·v+ at a point on the section, d being the direction of the first stop on its normal.
-    pub(super) fn velocity_along(&self, flight: &Flight<T, N>, section: &SectionPoint<T, N>) -> T {
+    pub(super) fn velocity_along(&self, flight: &Flight<T, M>, section: &SectionPoint<T, N>) -> T {
         let state = self.surface.state(flight, &section.components);
         dot(&flight.normals[self.surface.end.normal].direction, &state.v)
     }
@@ -32,7 +31,7 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     /// those from which the correction moves nothing.
     fn kept(
         &self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         section: &SectionPoint<T, N>,
         correction: &Components<T, N>,
     ) -> Contact {
@@ -55,28 +54,23 @@ impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
     /// Leaves σ from a corrected point, under a force.
     pub(super) fn go_on_from(
         &mut self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         section: &SectionPoint<T, N>,
         action: &Action<T, N>,
     ) {
-        let drive = self.trajectory.point.drive.actuated(action.force, action.phase);
         if section.distance(&SectionPoint::zero()) > T::of(RUNAWAY) {
             self.progress = Progress::Runaway;
             return;
         }
-        let unchanged = action.correction.is_zero();
-        if unchanged && drive == self.trajectory.point.drive {
-            return;
-        }
-        if unchanged {
-            let Trajectory { mut point, contact, step, offset, .. } = self.trajectory;
-            point.drive = drive;
-            self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
-        } else {
+        if !action.correction.is_zero() {
             let contact = self.kept(flight, section, &action.correction);
-            self.trajectory = section.trajectory(flight, &self.surface, contact, drive);
+            self.trajectory = section.trajectory(flight, &self.surface, contact);
             // A phase that is set back at every return never reaches a strobe.
             self.moves.pass_period();
+        }
+        let state = self.trajectory.point.state;
+        if under(action, state, self.controller.frequency(flight.omega)) != state {
+            self.set_force(flight, action);
         }
     }
 }

@@ -9,12 +9,12 @@
 //! coordinates is known at run time only.
 
 mod action;
-mod actuated;
 mod components;
 mod controlled;
 mod deviation;
 mod error;
 mod follow;
+mod force;
 mod history;
 mod law;
 mod leaving;
@@ -35,7 +35,6 @@ mod values;
 mod witness;
 
 pub use action::{Action, Seen};
-pub use actuated::{Actuated, Lagging};
 pub use components::Components;
 pub use controlled::Controlled;
 pub use deviation::DELAYS;

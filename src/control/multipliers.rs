@@ -2,7 +2,6 @@
 
 use nalgebra::{Complex, DMatrix};
 
-use super::actuated::Actuated;
 use super::controlled::Controlled;
 use super::deviation::DELAYS;
 use super::memory::LONGEST_DELAY;
@@ -11,9 +10,9 @@ use super::schedule::ControlSchedule;
 use super::section_point::SectionPoint;
 use super::surface::Surface;
 use super::witness::{Return, Witness};
-use crate::dynamics::{Contact, Phasor, Point, Trajectory};
+use crate::dynamics::{Contact, Point, Trajectory};
 use crate::model::vector::MOST;
-use crate::model::{Drive, Flight, System, SystemError};
+use crate::model::{Flight, System, SystemError};
 
 /// How far the points are moved for the differences; non-dimensional.
 const STEP: f64 = 1e-6;
@@ -34,37 +33,41 @@ pub fn multipliers(
     controller: &Controller<f64>,
     fixed_point: &[f64],
 ) -> Result<Option<Vec<Complex<f64>>>, SystemError> {
-    match system.plant().n {
-        1 => multipliers_of(system, controller, SectionPoint::<f64, 1>::new(fixed_point)),
-        2 => multipliers_of(system, controller, SectionPoint::<f64, 2>::new(fixed_point)),
-        3 => multipliers_of(system, controller, SectionPoint::<f64, 3>::new(fixed_point)),
-        _ => multipliers_of(system, controller, SectionPoint::<f64, 4>::new(fixed_point)),
-    }
+    let held = controller.held(None);
+    let flown = held.flown(system)?;
+    let begin = Begin { system, flown: &flown, held, remembered: controller.remembered().min(DELAYS) };
+    Ok(match (system.plant().n, flown.plant().n) {
+        (1, 1) => begin.multipliers::<1, 1>(fixed_point),
+        (1, _) => begin.multipliers::<1, 2>(fixed_point),
+        (2, 2) => begin.multipliers::<2, 2>(fixed_point),
+        (2, _) => begin.multipliers::<2, 3>(fixed_point),
+        (3, 3) => begin.multipliers::<3, 3>(fixed_point),
+        (3, _) => begin.multipliers::<3, 4>(fixed_point),
+        (_, 4) => begin.multipliers::<4, 4>(fixed_point),
+        _ => begin.multipliers::<4, 5>(fixed_point),
+    })
 }
 
-fn multipliers_of<const N: usize>(
-    system: &System,
-    controller: &Controller<f64>,
-    fixed_point: SectionPoint<f64, N>,
-) -> Result<Option<Vec<Complex<f64>>>, SystemError> {
-    let held = controller.held(None);
-    let force = held.force();
-    let system = system.following(force.map_or(1.0, |(_, ratio)| ratio))?;
-    let flight = Flight::<f64, N>::new(&system);
-    let surface = Surface::new(&system, &flight, held.stop());
-    let at = vec![fixed_point; controller.remembered().min(DELAYS)];
-    let jacobian = match force {
-        Some((coordinate, ratio)) => {
-            let constants = Drive::on(coordinate, &system, &flight, ratio);
-            let none = Phasor::new(&constants, 0.0, [0.0, 1.0]);
-            differences(|points| iterate(&flight, surface, held, points, none), &at)
-        }
-        None => differences(|points| iterate(&flight, surface, held, points, ()), &at),
-    };
-    let Some(jacobian) = jacobian else { return Ok(None) };
-    let mut found: Vec<Complex<f64>> = jacobian.complex_eigenvalues().iter().copied().collect();
-    found.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
-    Ok(Some(found))
+/// What is iterated, `flown` being the system with a coordinate for the force where there is one.
+struct Begin<'a> {
+    system: &'a System,
+    flown: &'a System,
+    /// The controller without adaptation.
+    held: Controller<f64>,
+    /// The points that it remembers.
+    remembered: usize,
+}
+
+impl Begin<'_> {
+    fn multipliers<const N: usize, const M: usize>(&self, fixed_point: &[f64]) -> Option<Vec<Complex<f64>>> {
+        let flight = Flight::<f64, M>::new(self.flown);
+        let surface = Surface::new(self.system, &flight, self.held.stop());
+        let at = vec![SectionPoint::<f64, N>::new(fixed_point); self.remembered];
+        let jacobian = differences(|points| iterate(&flight, surface, self.held, points), &at)?;
+        let mut found: Vec<Complex<f64>> = jacobian.complex_eigenvalues().iter().copied().collect();
+        found.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+        Some(found)
+    }
 }
 
 /// The Jacobian of a map that makes the next point of those remembered, the present one first, and moves them on.
@@ -93,12 +96,11 @@ fn differences<const N: usize>(
 }
 
 /// One controlled iterate from remembered points, the present one first.
-fn iterate<const N: usize, D: Actuated<f64, N>>(
-    flight: &Flight<f64, N>,
+fn iterate<const N: usize, const M: usize>(
+    flight: &Flight<f64, M>,
     surface: Surface,
     controller: Controller<f64>,
     points: &[SectionPoint<f64, N>],
-    drive: D,
 ) -> Option<SectionPoint<f64, N>> {
     let schedule = ControlSchedule {
         from: 0,
@@ -107,10 +109,10 @@ fn iterate<const N: usize, D: Actuated<f64, N>>(
         max_period: ControlSchedule::MAX_PERIOD,
     };
     let (sin, cos) = points[0].tau().sin_cos();
-    let placed = points[0].trajectory(flight, &surface, Contact::FREE, drive);
+    let placed = points[0].trajectory(flight, &surface, Contact::FREE);
     let point = Point { sin, cos, ..placed.point };
     let begun = Trajectory::from_point(flight, point, Contact::FREE, placed.step, placed.offset);
-    let mut controlled = Controlled::new(begun, surface, controller, &schedule);
+    let mut controlled = Controlled::<_, N, M>::new(begun, surface, controller, &schedule);
     for past in points.iter().rev() {
         controlled.memory.push(*past, 1.0, [0; MOST]);
     }

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::actuated::Actuated;
 use super::controlled::{Controlled, SETTLING};
 use super::memory::{Counts, LONGEST};
 use super::progress::Progress;
@@ -42,9 +41,9 @@ pub struct Outcome {
     pub effort: f32,
 }
 
-impl<T: Real, const N: usize, D: Actuated<T, N>> Controlled<T, N, D> {
+impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
     /// What the trajectory of a system settled on.
-    pub fn outcome(&self, flight: &Flight<T, N>, schedule: &ControlSchedule, system: &System) -> Outcome {
+    pub fn outcome(&self, flight: &Flight<T, M>, schedule: &ControlSchedule, system: &System) -> Outcome {
         let controlled = self.iterates.saturating_sub(schedule.from);
         let period = self.period(controlled);
         let regime = self.regime(period);

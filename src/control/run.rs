@@ -1,14 +1,13 @@
 //! A whole run under control, in either precision.
 
-use super::actuated::Actuated;
 use super::controlled::Controlled;
 use super::methods::Controller;
 use super::outcome::Outcome;
 use super::schedule::ControlSchedule;
 use super::surface::Surface;
 use super::witness::Witness;
-use crate::dynamics::{Phasor, Point, Trajectory};
-use crate::model::{Drive, Flight, Real, State, System, SystemError};
+use crate::dynamics::Trajectory;
+use crate::model::{Flight, Real, State, System, SystemError};
 
 /// Follows a trajectory from x1 … xn, v1 … vn at forcing phase 0 under control, to the end of its schedule.
 ///
@@ -25,54 +24,40 @@ pub fn control<T: Real, W: Witness<T>>(
     schedule: &ControlSchedule,
     witness: &mut W,
 ) -> Result<Outcome, SystemError> {
-    match system.plant().n {
-        1 => controlled::<T, W, 1>(system, start, controller, schedule, witness),
-        2 => controlled::<T, W, 2>(system, start, controller, schedule, witness),
-        3 => controlled::<T, W, 3>(system, start, controller, schedule, witness),
-        _ => controlled::<T, W, 4>(system, start, controller, schedule, witness),
+    let flown = controller.flown(system)?;
+    let run = Run { system, flown: &flown, start, controller, schedule };
+    Ok(match (system.plant().n, flown.plant().n) {
+        (1, 1) => run.follow::<T, 1, 1>(witness),
+        (1, _) => run.follow::<T, 1, 2>(witness),
+        (2, 2) => run.follow::<T, 2, 2>(witness),
+        (2, _) => run.follow::<T, 2, 3>(witness),
+        (3, 3) => run.follow::<T, 3, 3>(witness),
+        (3, _) => run.follow::<T, 3, 4>(witness),
+        (_, 4) => run.follow::<T, 4, 4>(witness),
+        _ => run.follow::<T, 4, 5>(witness),
+    })
+}
+
+/// What is run, `flown` being the system with a coordinate for the force where there is one.
+struct Run<'a> {
+    system: &'a System,
+    flown: &'a System,
+    start: &'a [f64],
+    controller: &'a Controller<f64>,
+    schedule: &'a ControlSchedule,
+}
+
+impl Run<'_> {
+    fn follow<T: Real, const N: usize, const M: usize>(&self, witness: &mut impl Witness<T>) -> Outcome {
+        let flight = Flight::<f64, M>::new(self.flown).round::<T>();
+        let surface = Surface::new(self.system, &flight, self.controller.stop());
+        let mut start = State::zero();
+        for i in 0..N {
+            (start.x[i], start.v[i]) = (T::of(self.start[i]), T::of(self.start[N + i]));
+        }
+        let (begun, controller) = (Trajectory::new(&flight, start), Controller::rounded(self.controller));
+        let mut controlled = Controlled::<T, N, M>::new(begun, surface, controller, self.schedule);
+        controlled.follow(&flight, self.schedule, witness);
+        controlled.outcome(&flight, self.schedule, self.system)
     }
-}
-
-fn controlled<T: Real, W: Witness<T>, const N: usize>(
-    system: &System,
-    start: &[f64],
-    controller: &Controller<f64>,
-    schedule: &ControlSchedule,
-    witness: &mut W,
-) -> Result<Outcome, SystemError> {
-    let values: Vec<T> = start.iter().map(|&value| T::of(value)).collect();
-    let start = State::<T, N>::from_slice(&values);
-    let rounded = Controller::<T>::rounded(controller);
-    let force = controller.force();
-    let system = system.following(force.map_or(0.0, |(_, ratio)| ratio))?;
-    let cell = Flight::<f64, N>::new(&system);
-    let flight = cell.round::<T>();
-    let surface = Surface::new(&system, &flight, controller.stop());
-    let begun = Trajectory::new(&flight, start);
-    let Some((coordinate, ratio)) = force else {
-        return Ok(follow(
-            &system,
-            Controlled::new(begun, surface, rounded, schedule),
-            &flight,
-            schedule,
-            witness,
-        ));
-    };
-    let constants = Drive::on(coordinate, &system, &cell, ratio).round::<T>();
-    let drive = Phasor::new(&constants, T::zero(), [T::zero(), T::one()]);
-    let Trajectory { point, contact, step, offset, .. } = begun;
-    let point = Point { state: point.state, sin: point.sin, cos: point.cos, one: point.one, drive };
-    let begun = Trajectory::from_point(&flight, point, contact, step, offset);
-    Ok(follow(&system, Controlled::new(begun, surface, rounded, schedule), &flight, schedule, witness))
-}
-
-fn follow<T: Real, const N: usize, D: Actuated<T, N>>(
-    system: &System,
-    mut controlled: Controlled<T, N, D>,
-    flight: &Flight<T, N>,
-    schedule: &ControlSchedule,
-    witness: &mut impl Witness<T>,
-) -> Outcome {
-    controlled.follow(flight, schedule, witness);
-    controlled.outcome(flight, schedule, system)
 }

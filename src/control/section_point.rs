@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
 use super::components::Components;
 use super::surface::Surface;
 use crate::dynamics::constants::INVERSE_FACTORIALS;
-use crate::dynamics::{Contact, Drive, Point, Trajectory};
+use crate::dynamics::{Contact, Point, Trajectory};
 use crate::model::vector::applied;
 use crate::model::{Flight, Real, State};
 
@@ -39,7 +39,11 @@ impl<T: Real, const N: usize> SectionPoint<T, N> {
 
     /// Where a trajectory is that has just met the stop.
     #[inline(always)]
-    pub fn of<D>(flight: &Flight<T, N>, surface: &Surface, trajectory: &Trajectory<T, N, D>) -> Self {
+    pub fn of<const M: usize>(
+        flight: &Flight<T, M>,
+        surface: &Surface,
+        trajectory: &Trajectory<T, M>,
+    ) -> Self {
         let Trajectory { point, step, offset, .. } = trajectory;
         SectionPoint { components: surface.components(&point.state, phase_of(flight, *step, *offset)) }
     }
@@ -47,10 +51,10 @@ impl<T: Real, const N: usize> SectionPoint<T, N> {
     /// The mirror image of where a trajectory is that has just met the stop's twin: a symmetric motion is there half its
     /// period after this stop. None where the system has no mirror.
     #[inline(always)]
-    pub fn mirrored<D>(
-        flight: &Flight<T, N>,
+    pub fn mirrored<const M: usize>(
+        flight: &Flight<T, M>,
         surface: &Surface,
-        trajectory: &Trajectory<T, N, D>,
+        trajectory: &Trajectory<T, M>,
     ) -> Option<Self> {
         let mirror = flight.mirror.as_ref()?;
         let Trajectory { point, step, offset, .. } = trajectory;
@@ -59,18 +63,17 @@ impl<T: Real, const N: usize> SectionPoint<T, N> {
         Some(SectionPoint { components: surface.components(&image, tau) })
     }
 
-    /// The trajectory that begins at this point with the given contacts.
-    pub fn trajectory<D: Drive<T, N>>(
+    /// The trajectory that begins at this point with the given contacts, under no force besides the forcing.
+    pub fn trajectory<const M: usize>(
         &self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         surface: &Surface,
         contact: Contact,
-        drive: D,
-    ) -> Trajectory<T, N, D> {
+    ) -> Trajectory<T, M> {
         let tau = self.tau();
         let [sin, cos] = sine_and_cosine(tau);
         let state = surface.state(flight, &self.components);
-        let point = Point { state, sin, cos, one: T::one(), drive };
+        let point = Point { state, sin, cos };
         let steps = T::of(f64::from(flight.steps));
         let place = tau * T::of(1.0 / TAU) * steps;
         let last = steps - T::one();
@@ -187,15 +190,15 @@ mod tests {
         for (stop, sign) in [(Stop::A, 1.0), (Stop::B, -1.0)] {
             let surface = Surface::new(&system, &flight, stop);
             for tau in [0.0, 1e-9, 1.8, PI, TAU - 1e-7] {
-                let point = SectionPoint::new(&[-0.3 * sign, 0.01, 0.02, tau]);
-                let trajectory = point.trajectory(&flight, &surface, Contact::FREE, ());
+                let point = SectionPoint::<f64, 2>::new(&[-0.3 * sign, 0.01, 0.02, tau]);
+                let trajectory = point.trajectory(&flight, &surface, Contact::FREE);
                 assert_eq!(trajectory.point.state.x[0], 0.1 * sign);
                 let found = SectionPoint::of(&flight, &surface, &trajectory);
                 assert!(found.distance(&point) < 1e-14, "{tau}: {found:?}");
             }
         }
         let nearly_round = SectionPoint::<f64, 2>::new(&[-0.3, 0.01, 0.02, TAU - 1e-8]);
-        let begun = SectionPoint::new(&[-0.3, 0.01, 0.02, 1e-8]);
+        let begun = SectionPoint::<f64, 2>::new(&[-0.3, 0.01, 0.02, 1e-8]);
         assert!(nearly_round.distance(&begun) < 1e-7);
     }
 
@@ -205,9 +208,9 @@ mod tests {
         let flight = Flight::<f64, 2>::new(&system);
         let [at_a, at_b] = [Stop::A, Stop::B].map(|stop| Surface::new(&system, &flight, stop));
         assert_eq!((at_a.twin(), at_b.twin()), (Some(Stop::B), Some(Stop::A)));
-        let point = SectionPoint::new(&[0.3, 0.01, 0.02, 4.0]);
-        let trajectory = point.trajectory(&flight, &at_b, Contact::FREE, ());
-        let image = SectionPoint::mirrored(&flight, &at_a, &trajectory).unwrap();
+        let point = SectionPoint::<f64, 2>::new(&[0.3, 0.01, 0.02, 4.0]);
+        let trajectory = point.trajectory(&flight, &at_b, Contact::FREE);
+        let image = SectionPoint::<f64, 2>::mirrored(&flight, &at_a, &trajectory).unwrap();
         assert!(image.distance(&SectionPoint::new(&[-0.3, -0.01, -0.02, 4.0 - PI])) < 1e-14, "{image:?}");
     }
 }

@@ -9,7 +9,8 @@ use crate::system::Plant;
 /// The surface of states that touch one stop, on which the impact Poincaré section σ of that stop lies.
 ///
 /// On it d·x = gap, so that one displacement follows from the others: that of the coordinate c with the largest |d|, the
-/// first of equals. A point on σ is (v_c+, the other x in order, the other v in order, τ).
+/// first of equals. A point on σ is (v_c+, the other x in order, the other v in order, τ). Trajectories may fly in more
+/// coordinates, M, than the N of the system: those beyond them are no part of a point, and 0 in a state made of one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     /// The stop.
@@ -59,7 +60,11 @@ impl Surface {
 
     /// The components of a state on the surface at phase τ.
     #[inline(always)]
-    pub fn components<T: Real, const N: usize>(&self, state: &State<T, N>, tau: T) -> Components<T, N> {
+    pub fn components<T: Real, const N: usize, const M: usize>(
+        &self,
+        state: &State<T, M>,
+        tau: T,
+    ) -> Components<T, N> {
         let mut components = Components::zero();
         components[0] = state.v[self.eliminated];
         for (place, i) in self.others::<N>().enumerate() {
@@ -72,33 +77,33 @@ impl Surface {
 
     /// The state of a point on the section.
     #[inline(always)]
-    pub fn state<T: Real, const N: usize>(
+    pub fn state<T: Real, const N: usize, const M: usize>(
         &self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         components: &Components<T, N>,
-    ) -> State<T, N> {
+    ) -> State<T, M> {
         let gap = flight.normals[self.end.normal].gap[self.end.side];
         self.unpacked(flight, components, self.end.sign::<T>() * gap)
     }
 
     /// The deviation of the state that belongs to a deviation within the section, at its own phase.
     #[inline(always)]
-    pub fn deviation<T: Real, const N: usize>(
+    pub fn deviation<T: Real, const N: usize, const M: usize>(
         &self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         components: &Components<T, N>,
-    ) -> State<T, N> {
+    ) -> State<T, M> {
         self.unpacked(flight, components, T::zero())
     }
 
     /// The displacements and velocities of components with d·x = `along`.
     #[inline(always)]
-    fn unpacked<T: Real, const N: usize>(
+    fn unpacked<T: Real, const N: usize, const M: usize>(
         &self,
-        flight: &Flight<T, N>,
+        flight: &Flight<T, M>,
         components: &Components<T, N>,
         along: T,
-    ) -> State<T, N> {
+    ) -> State<T, M> {
         let direction = &flight.normals[self.end.normal].direction;
         let mut state = State::zero();
         let mut rest = along;
@@ -185,7 +190,7 @@ mod tests {
         let flight = Flight::<f64, 3>::new(&system);
         for (stop, sign) in [(0, 1.0), (1, -1.0), (2, 1.0)] {
             let surface = Surface::new(&system, &flight, Stop(stop));
-            let components = Components::from_slice(&[-0.3 * sign, 0.1, 0.2, 0.05, -0.04, 1.5]);
+            let components = Components::<f64, 3>::from_slice(&[-0.3 * sign, 0.1, 0.2, 0.05, -0.04, 1.5]);
             let state = surface.state(&flight, &components);
             let given = &system.plant().stops[usize::from(stop)];
             let along: f64 = given.direction.iter().zip(&state.x).map(|(d, x)| d * x).sum();

@@ -2,7 +2,7 @@
 
 use super::memory::Counts;
 use super::values::SectionValues;
-use crate::dynamics::{Drive, Move, Stop, Trajectory};
+use crate::dynamics::{Move, Stop, Trajectory};
 use crate::model::{Flight, Real};
 
 /// What happened at one return to σ; everything is non-dimensional.
@@ -31,14 +31,15 @@ pub struct Return<T> {
 
 /// Is told of a controlled trajectory's moves and returns, whatever its number of coordinates.
 pub trait Witness<T: Real> {
-    /// A move went from `before` to `after`; where it met σ, control has yet to act.
+    /// A move of a trajectory of N coordinates, in the M that are flown with a force, went from `before` to `after`; where it
+    /// met σ, control has yet to act.
     #[inline(always)]
-    fn moved<const N: usize, D: Drive<T, N>>(
+    fn moved<const N: usize, const M: usize>(
         &mut self,
-        flight: &Flight<T, N>,
-        before: &Trajectory<T, N, D>,
+        flight: &Flight<T, M>,
+        before: &Trajectory<T, M>,
         taken: &Move<T>,
-        after: &Trajectory<T, N, D>,
+        after: &Trajectory<T, M>,
     ) {
         let _ = (flight, before, taken, after);
     }

@@ -55,7 +55,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     pub fn new(zero: L, normals: usize) -> Self {
         let vector = [zero; N];
         let state = State { x: vector, v: vector };
-        let point = Point { state, sin: zero, cos: zero, one: zero.all(1.0), drive: () };
+        let point = Point { state, sin: zero, cos: zero };
         let never = zero.below(zero);
         Abreast {
             flight: Flight::blank(normals, zero),
@@ -228,7 +228,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
 
     /// Counts the impacts of some lanes, and sums up what they take where that is observed.
     #[inline(always)]
-    fn count(&mut self, struck: L::Mask, observed: L::Mask, met: &Crossing<L, N, ()>) {
+    fn count(&mut self, struck: L::Mask, observed: L::Mask, met: &Crossing<L, N>) {
         let Tally { impacts, fastest, energy } = &mut self.tally;
         let before = met.struck.velocity;
         let one = before.all(1.0);
@@ -269,13 +269,7 @@ fn holds<L: Lanes>(flag: L) -> L::Mask {
 
 impl<L: Lanes, const N: usize> Point<L, N> {
     fn lane(&self, lane: usize) -> Point<L::Real, N> {
-        Point {
-            state: self.state.lane(lane),
-            sin: self.sin.lane(lane),
-            cos: self.cos.lane(lane),
-            one: self.one.lane(lane),
-            drive: (),
-        }
+        Point { state: self.state.lane(lane), sin: self.sin.lane(lane), cos: self.cos.lane(lane) }
     }
 
     fn set_lane(&mut self, lane: usize, point: &Point<L::Real, N>) {

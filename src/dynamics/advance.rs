@@ -3,16 +3,15 @@
 use pulp::NullaryFnOnce;
 
 use super::contact;
-use super::drive::Drive;
 use super::tangent::Variation;
 use super::trajectory::{Event, Move, Trajectory};
 use crate::model::{Flight, Real};
 
-impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
+impl<T: Real, const N: usize> Trajectory<T, N> {
     /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none.
     #[inline(never)]
     pub fn advance<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
-        let taken = T::fused(Advance::<_, _, _, _, false> { trajectory: self, flight, variation });
+        let taken = T::fused(Advance::<_, _, _, false> { trajectory: self, flight, variation });
         debug_assert!(contact::holds(flight, &self.point), "beyond a stop after {taken:?}: {self:?}");
         taken
     }
@@ -24,7 +23,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         flight: &Flight<T, N>,
         variation: &mut V,
     ) -> Move<T> {
-        T::fused(Advance::<_, _, _, _, true> { trajectory: self, flight, variation })
+        T::fused(Advance::<_, _, _, true> { trajectory: self, flight, variation })
     }
 
     /// Moves on like [`Trajectory::advance`], but passes over the ends of steps at which nothing happens.
@@ -43,14 +42,14 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
 }
 
 /// A move that is yet to be made, towards a contact that is known not to be certain if `WARILY`.
-struct Advance<'a, T, const N: usize, D, V, const WARILY: bool> {
-    trajectory: &'a mut Trajectory<T, N, D>,
+struct Advance<'a, T, const N: usize, V, const WARILY: bool> {
+    trajectory: &'a mut Trajectory<T, N>,
     flight: &'a Flight<T, N>,
     variation: &'a mut V,
 }
 
-impl<T: Real, const N: usize, D: Drive<T, N>, V: Variation<T, N>, const WARILY: bool> NullaryFnOnce
-    for Advance<'_, T, N, D, V, WARILY>
+impl<T: Real, const N: usize, V: Variation<T, N>, const WARILY: bool> NullaryFnOnce
+    for Advance<'_, T, N, V, WARILY>
 {
     type Output = Move<T>;
 

@@ -1,6 +1,5 @@
 //! The next contact with a stop, approached from the safe side: no impact can be missed.
 
-use super::drive::Drive;
 use super::point::{Approach, Motion, Point};
 use super::stop::{Contact, End};
 use crate::model::vector::{axpy, dot, dot_absolute};
@@ -10,9 +9,9 @@ use crate::model::{ContactNormal, FAR, Flight, Real, State};
 /// `window` if it does so for all of it, else a time just short of the first contact (0 at the contact itself, moving
 /// outwards).
 #[inline(always)]
-pub fn safe_time<T: Real, const N: usize, D: Drive<T, N>>(
+pub fn safe_time<T: Real, const N: usize>(
     flight: &Flight<T, N>,
-    point: &Point<T, N, D>,
+    point: &Point<T, N>,
     motion: &Motion<T, N>,
     ignored: Contact,
     window: T,
@@ -37,11 +36,7 @@ pub fn safe_time<T: Real, const N: usize, D: Drive<T, N>>(
 
 /// Whether a point lies within all stops but those at the ends that `ignored` includes.
 #[inline(always)]
-fn is_within<T: Real, const N: usize, D>(
-    flight: &Flight<T, N>,
-    point: &Point<T, N, D>,
-    ignored: Contact,
-) -> bool {
+fn is_within<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>, ignored: Contact) -> bool {
     let mut within = true;
     for (k, normal) in flight.normals().iter().enumerate() {
         let place = dot(&normal.direction, &point.state.x);
@@ -52,7 +47,7 @@ fn is_within<T: Real, const N: usize, D>(
 }
 
 /// Whether a point lies within all stops, up to the rounding of the flights that led to it.
-pub fn holds<T: Real, const N: usize, D>(flight: &Flight<T, N>, point: &Point<T, N, D>) -> bool {
+pub fn holds<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>) -> bool {
     let State { x, v } = &point.state;
     let size = |i: usize, row: &[[T; N]; N], of: &[T; N]| {
         (0..N).fold(T::zero(), |sum, j| sum + (row[j][i] * of[j]).abs())
@@ -90,9 +85,9 @@ pub struct Reached<T> {
 /// The stop that is touched, or reached so soon that the square of the time left is lost in rounding; of several the one
 /// that is reached first, and of those reached at the same time the first in the order of normals and ends.
 #[inline(always)]
-pub fn imminent<T: Real, const N: usize, D: Drive<T, N>>(
+pub fn imminent<T: Real, const N: usize>(
     flight: &Flight<T, N>,
-    point: &Point<T, N, D>,
+    point: &Point<T, N>,
     contact: Contact,
 ) -> Option<Reached<T>> {
     let ignored = contact.with_opposite_ends();
@@ -114,9 +109,9 @@ pub fn imminent<T: Real, const N: usize, D: Drive<T, N>>(
 
 /// The time left to one stop; see [`imminent`].
 #[inline(always)]
-fn imminent_at<T: Real, const N: usize, D: Drive<T, N>>(
+fn imminent_at<T: Real, const N: usize>(
     flight: &Flight<T, N>,
-    point: &Point<T, N, D>,
+    point: &Point<T, N>,
     contact: Contact,
     end: End,
 ) -> Option<T> {
@@ -133,11 +128,7 @@ fn imminent_at<T: Real, const N: usize, D: Drive<T, N>>(
 
 /// The size of the numbers whose difference the gap is.
 #[inline(always)]
-pub fn extent<T: Real, const N: usize, D>(
-    normal: &ContactNormal<T, N>,
-    point: &Point<T, N, D>,
-    side: usize,
-) -> T {
+pub fn extent<T: Real, const N: usize>(normal: &ContactNormal<T, N>, point: &Point<T, N>, side: usize) -> T {
     let mut extent = normal.gap[side].abs();
     for (d, x) in normal.direction.iter().zip(&point.state.x) {
         let part = (*d * *x).abs();
@@ -149,9 +140,9 @@ pub fn extent<T: Real, const N: usize, D>(
 /// Whether masses on their stop leave it with a speed that rounding cannot tell from 0, against a force that presses
 /// them back: the hop would be lost in rounding.
 #[inline(always)]
-fn is_held<T: Real, const N: usize, D: Drive<T, N>>(
+fn is_held<T: Real, const N: usize>(
     flight: &Flight<T, N>,
-    point: &Point<T, N, D>,
+    point: &Point<T, N>,
     contact: Contact,
     end: End,
     speed: T,
@@ -182,9 +173,9 @@ pub fn unresolved<T: Real, const N: usize>(
 /// `point` is where the hops end, and `contact` includes their stop. What is reached with the hops lies between what is
 /// reached at rest and what is reached `height` off the stop. Hops that are over at once reach nothing.
 #[inline(always)]
-pub fn clears_elsewhere<T: Real, const N: usize, D: Drive<T, N>>(
+pub fn clears_elsewhere<T: Real, const N: usize>(
     flight: &Flight<T, N>,
-    point: &Point<T, N, D>,
+    point: &Point<T, N>,
     contact: Contact,
     end: End,
     height: T,

@@ -2,7 +2,6 @@
 
 use super::chatter::STEADY;
 use super::contact;
-use super::drive::Drive;
 use super::point::Point;
 use super::stop::{Contact, End};
 use crate::model::vector::dot;
@@ -17,9 +16,9 @@ use crate::model::{ContactNormal, FAR, Flight, Real};
 /// pressing acceleration a lasts for about u/(a(1 − r)), in which the masses are displaced by u²/(a(1 − r)): where that
 /// is below [`Real::CHATTER`] or lost in rounding, the rest of the sequence is left out.
 #[inline(never)]
-pub fn closes<T: Real, const N: usize, D: Drive<T, N>>(
+pub fn closes<T: Real, const N: usize>(
     flight: &Flight<T, N>,
-    point: &Point<T, N, D>,
+    point: &Point<T, N>,
     contact: Contact,
     end: End,
 ) -> Option<Contact> {
@@ -56,22 +55,14 @@ pub fn closes<T: Real, const N: usize, D: Drive<T, N>>(
 
 /// Whether the gap to a stop is negligible.
 #[inline(always)]
-fn is_near<T: Real, const N: usize, D>(
-    normal: &ContactNormal<T, N>,
-    point: &Point<T, N, D>,
-    end: End,
-) -> bool {
+fn is_near<T: Real, const N: usize>(normal: &ContactNormal<T, N>, point: &Point<T, N>, end: End) -> bool {
     let gap = normal.gap[end.side] - end.sign::<T>() * dot(&normal.direction, &point.state.x);
     gap <= negligible(normal, point, end.side)
 }
 
 /// The size of a gap that is left out.
 #[inline(always)]
-fn negligible<T: Real, const N: usize, D>(
-    normal: &ContactNormal<T, N>,
-    point: &Point<T, N, D>,
-    side: usize,
-) -> T {
+fn negligible<T: Real, const N: usize>(normal: &ContactNormal<T, N>, point: &Point<T, N>, side: usize) -> T {
     let rounding = T::of(T::TOUCH) * contact::extent(normal, point, side);
     let allowed = T::of(T::CHATTER);
     if rounding > allowed { rounding } else { allowed }

@@ -2,7 +2,6 @@
 
 use super::chatter::{FADING, STEADY};
 use super::contact::ROUNDINGS;
-use super::drive::Drive;
 use super::leg::{Clearances, Leg, SWELLING};
 use super::point::Point;
 use super::quintic::Quintic;
@@ -12,7 +11,7 @@ use crate::model::{Flight, Lanes, Mask, Real, State};
 
 /// A contact, and the flight after it.
 #[derive(Clone, Copy, Debug)]
-pub struct Crossing<L: Lanes, const N: usize, D> {
+pub struct Crossing<L: Lanes, const N: usize> {
     /// Where all this holds: elsewhere the stops must be approached from the safe side.
     pub certain: L::Mask,
     /// The normal that is met: one of them where it is certain.
@@ -22,9 +21,9 @@ pub struct Crossing<L: Lanes, const N: usize, D> {
     /// The time since the beginning of the leg.
     pub time: L,
     /// Just after the impact.
-    pub point: Point<L, N, D>,
+    pub point: Point<L, N>,
     /// Where the step ends now.
-    pub ahead: Point<L, N, D>,
+    pub ahead: Point<L, N>,
     /// The impact as deviations meet it.
     pub struck: Struck<L, N>,
     /// d·v+.
@@ -54,11 +53,7 @@ struct Face<L: Lanes, const N: usize> {
 
 impl<L: Lanes, const N: usize> Face<L, N> {
     #[inline(always)]
-    fn of<D: Drive<L, N>>(
-        leg: &Leg<'_, L, N, D>,
-        clearances: &Clearances<L::Mask>,
-        flight: &Flight<L, N>,
-    ) -> Self {
+    fn of(leg: &Leg<'_, L, N>, clearances: &Clearances<L::Mask>, flight: &Flight<L, N>) -> Self {
         let zero = leg.window.all(0.0);
         let never = zero.below(zero);
         let first = &flight.normals[0];
@@ -134,11 +129,11 @@ impl<L: Lanes, const N: usize> Face<L, N> {
 
 /// The contact of a leg, with its clearances, that ends beyond one stop; nothing is certain elsewhere.
 #[inline(always)]
-pub fn crossing<L: Lanes, const N: usize, D: Drive<L, N>>(
-    leg: &Leg<'_, L, N, D>,
+pub fn crossing<L: Lanes, const N: usize>(
+    leg: &Leg<'_, L, N>,
     clearances: &Clearances<L::Mask>,
     flight: &Flight<L, N>,
-) -> Crossing<L, N, D> {
+) -> Crossing<L, N> {
     let face = Face::of(leg, clearances, flight);
     let Leg { from, to, window } = *leg;
     let zero = window.all(0.0);

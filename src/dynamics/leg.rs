@@ -1,17 +1,16 @@
 //! The rest of a step of free flight, and whether it stays off the stops.
 
-use super::drive::Drive;
 use super::point::Point;
 use crate::model::vector::{MOST, dot};
 use crate::model::{Flight, Lanes, Mask};
 
 /// From where a trajectory is to where its step ends if nothing more is met on the way.
 #[derive(Clone, Copy, Debug)]
-pub struct Leg<'a, L, const N: usize, D> {
+pub struct Leg<'a, L, const N: usize> {
     /// Where the trajectory is.
-    pub from: &'a Point<L, N, D>,
+    pub from: &'a Point<L, N>,
     /// Where the step ends.
-    pub to: &'a Point<L, N, D>,
+    pub to: &'a Point<L, N>,
     /// The time in between, 0 < window ≤ h.
     pub window: L,
 }
@@ -56,7 +55,7 @@ impl<M: Mask> Clearances<M> {
 /// What the error of a cubic Hermite interpolant adds to the middle one of five Bernstein coefficients, in w⁴·max|x''''|.
 pub const SWELLING: f64 = 1.0 / 144.0;
 
-impl<L: Lanes, const N: usize, D: Drive<L, N>> Leg<'_, L, N, D> {
+impl<L: Lanes, const N: usize> Leg<'_, L, N> {
     /// Where the leg provably stays off the stops along each normal.
     #[inline(always)]
     pub fn clearances(&self, flight: &Flight<L, N>) -> Clearances<L::Mask> {

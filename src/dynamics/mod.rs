@@ -12,7 +12,6 @@ mod chatter;
 mod contact;
 mod corner;
 mod crossing;
-mod drive;
 mod event_code;
 #[cfg(test)]
 mod example;
@@ -34,7 +33,6 @@ mod usage;
 
 pub use abreast::Abreast;
 pub use contact::holds;
-pub use drive::{Drive, DriveSeries, Phasor};
 pub(crate) use event_code::EventCode;
 pub(crate) use moves::Moves;
 pub use point::{Motion, Point};

@@ -1,12 +1,11 @@
 //! Flights of half a step at most, from either end of it: a Taylor polynomial of fixed order.
 
-use super::drive::{Drive, DriveSeries};
 use super::point::Point;
 use super::series::INVERSE_FACTORIALS;
-use crate::model::vector::{applied, applied_onto, axpy, scaled, scaled_columns};
+use crate::model::vector::{added, applied, applied_onto, axpy, scaled, scaled_columns};
 use crate::model::{Flight, Lanes, Real, State};
 
-impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
+impl<L: Lanes, const N: usize> Point<L, N> {
     /// The point of free flight a time `s` later, |s| ≤ ½ h, with as many Taylor terms in every lane.
     ///
     /// The terms are those of [`Point::flown`]: Vₖ = v⁽ᵏ⁾ sᵏ, by a recurrence of second order.
@@ -17,11 +16,10 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
         let springs = scaled_columns(square, &flight.stiffness);
         let dampers = scaled_columns(s, &flight.damping);
         let (force_sin, force_cos) = (scaled(s, &flight.sin), scaled(s, &flight.cos));
-        let mut drive = self.drive.series(s);
         let mut before = self.state.v;
-        let loaded = axpy(self.one, &flight.load, &applied(&flight.stiffness, &self.state.x));
+        let loaded = added(&applied(&flight.stiffness, &self.state.x), &flight.load);
         let first = axpy(self.cos, &force_cos, &axpy(self.sin, &force_sin, &scaled(s, &loaded)));
-        let mut last = drive.forced(applied_onto(&dampers, &before, &first), s);
+        let mut last = applied_onto(&dampers, &before, &first);
         let mut phasor = [self.cos * turn, -(self.sin * turn)];
         let mut velocity = before;
         let mut mean = before;
@@ -31,19 +29,12 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
             velocity = axpy(weight, &last, &velocity);
             mean = axpy(s.all(INVERSE_FACTORIALS[k + 1]), &last, &mean);
             phase = axpy(weight, &phasor, &phase);
-            drive.next(weight);
             let forced = axpy(phasor[1], &force_cos, &scaled(phasor[0], &force_sin));
-            let forced = drive.forced(applied_onto(&springs, &before, &forced), s);
+            let forced = applied_onto(&springs, &before, &forced);
             (before, last) = (last, applied_onto(&dampers, &last, &forced));
             phasor = [phasor[1] * turn, -(phasor[0] * turn)];
         }
-        Point {
-            state: State { x: axpy(s, &mean, &self.state.x), v: velocity },
-            sin: phase[0],
-            cos: phase[1],
-            one: self.one,
-            drive: drive.end(),
-        }
+        Point { state: State { x: axpy(s, &mean, &self.state.x), v: velocity }, sin: phase[0], cos: phase[1] }
     }
 
     /// The point a time `s` later, so short that its fourth power is lost in rounding, from its x'' and x'''; and x'' then.
@@ -62,8 +53,6 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
             },
             sin: turn.times_plus((-half_turn).times_plus(self.sin, self.cos), self.sin),
             cos: (-turn).times_plus(half_turn.times_plus(self.cos, self.sin), self.cos),
-            one: self.one,
-            drive: self.drive.slid(s),
         };
         (point, later)
     }

@@ -1,24 +1,19 @@
 //! A point of the motion and its flight, as exact as the arithmetic.
 
-use super::drive::{Drive, DriveSeries};
 use super::series::{INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
 use crate::model::vector::{MOST, absolute_onto, applied_onto, axpy, dot, scaled};
 use crate::model::{Flight, Lanes, Real, State};
 
-/// State and forcing phasor at one instant, and that of a second force where there is one; non-dimensional.
+/// State and forcing phasor at one instant; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point<T, const N: usize, D = ()> {
+pub struct Point<T, const N: usize> {
     /// Displacements and velocities.
     pub state: State<T, N>,
     /// Sine of the forcing phase.
     pub sin: T,
     /// Cosine of the forcing phase.
     pub cos: T,
-    /// 1, the factor of the constant load; 0 for a deviation, which does not feel it.
-    pub one: T,
-    /// What else drives a coordinate; `()` is nothing.
-    pub drive: D,
 }
 
 /// How the masses move for the next instants, with the contacts that hold.
@@ -48,11 +43,11 @@ pub struct Approach<T> {
 impl<T: Real, const N: usize> Point<T, N> {
     /// A point at forcing phase 0.
     pub fn at_phase_zero(state: State<T, N>) -> Self {
-        Point { state, sin: T::zero(), cos: T::one(), one: T::one(), drive: () }
+        Point { state, sin: T::zero(), cos: T::one() }
     }
 }
 
-impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
+impl<L: Lanes, const N: usize> Point<L, N> {
     /// `yes` where the mask holds, `no` elsewhere.
     #[inline(always)]
     pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
@@ -60,16 +55,13 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
             state: State::select(mask, &yes.state, &no.state),
             sin: L::select(mask, yes.sin, no.sin),
             cos: L::select(mask, yes.cos, no.cos),
-            one: yes.one,
-            drive: D::select(mask, yes.drive, no.drive),
         }
     }
 
     /// The point one whole step h of free flight later.
     #[inline(always)]
     pub fn stepped(&self, flight: &Flight<L, N>) -> Self {
-        let forced = flight.gamma_one.scaled(self.one);
-        let forced = forced.plus(self.sin, &flight.gamma_sin).plus(self.cos, &flight.gamma_cos);
+        let forced = flight.gamma_one.plus(self.sin, &flight.gamma_sin).plus(self.cos, &flight.gamma_cos);
         let mut flown = flight.phi_x[0].scaled(self.state.x[0]);
         for i in 1..N {
             flown = flown.plus(self.state.x[i], &flight.phi_x[i]);
@@ -78,11 +70,9 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
             flown = flown.plus(self.state.v[i], &flight.phi_v[i]);
         }
         Point {
-            state: self.drive.carried(forced.added(&flown)),
+            state: forced.added(&flown),
             sin: self.sin.times_plus(flight.turn_cos, self.cos * flight.turn_sin),
             cos: self.cos.times_plus(flight.turn_cos, -(self.sin * flight.turn_sin)),
-            one: self.one,
-            drive: self.drive.stepped(),
         }
     }
 
@@ -102,10 +92,10 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
     /// x'' in free flight.
     #[inline(always)]
     pub fn accelerations(&self, flight: &Flight<L, N>) -> [L; N] {
-        let forced = axpy(self.sin, &flight.sin, &scaled(self.one, &flight.load));
+        let forced = axpy(self.sin, &flight.sin, &flight.load);
         let forced = axpy(self.cos, &flight.cos, &forced);
         let pulled = applied_onto(&flight.stiffness, &self.state.x, &forced);
-        self.drive.pushed(applied_onto(&flight.damping, &self.state.v, &pulled))
+        applied_onto(&flight.damping, &self.state.v, &pulled)
     }
 
     /// x''' in free flight, from x''.
@@ -114,7 +104,7 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
         let turned = scaled(-(flight.omega * self.sin), &flight.cos);
         let forced = axpy(flight.omega * self.cos, &flight.sin, &turned);
         let pulled = applied_onto(&flight.stiffness, &self.state.v, &forced);
-        self.drive.jerked(applied_onto(&flight.damping, acceleration, &pulled))
+        applied_onto(&flight.damping, acceleration, &pulled)
     }
 
     /// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for the rest
@@ -123,11 +113,11 @@ impl<L: Lanes, const N: usize, D: Drive<L, N>> Point<L, N, D> {
     pub fn bound(&self, flight: &Flight<L, N>, normal: usize) -> L {
         let along = &flight.normals[normal];
         let moved = absolute_onto(&along.bound_x, &self.state.x, along.bound_forcing);
-        self.drive.bounded(normal, absolute_onto(&along.bound_v, &self.state.v, moved))
+        absolute_onto(&along.bound_v, &self.state.v, moved)
     }
 }
 
-impl<T: Real, const N: usize, D: Drive<T, N>> Point<T, N, D> {
+impl<T: Real, const N: usize> Point<T, N> {
     /// The point a time `s` ≤ h later with the contacts that hold, by the Taylor polynomial of the equations of motion.
     ///
     /// The terms are kept as Vₖ = v⁽ᵏ⁾ sᵏ, which obey a recurrence of second order; 1/k! comes from a table.
@@ -137,12 +127,11 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Point<T, N, D> {
         let turn = flight.omega * s;
         let force_sin = scaled(s, &flight.sin);
         let force_cos = scaled(s, &flight.cos);
-        let mut drive = self.drive.series(s);
         let mut before = self.state.v;
         let first = series.first(flight, &self.state.x, &before);
         let first = axpy(self.cos, &force_cos, &axpy(self.sin, &force_sin, &first));
-        let first = axpy(s * self.one, &flight.load, &first);
-        let mut last = held(flight, contact, drive.forced(first, s)).0;
+        let first = axpy(s, &flight.load, &first);
+        let mut last = held(flight, contact, first).0;
         let mut phasor = [self.cos * turn, -(self.sin * turn)];
         let mut velocity = before;
         let mut mean = before;
@@ -154,25 +143,18 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Point<T, N, D> {
             velocity = axpy(weight, &last, &velocity);
             mean = axpy(lower, &last, &mean);
             phase = axpy(weight, &phasor, &phase);
-            drive.next(weight);
             let negligible;
             (power, negligible) = series.grow(power, k);
             if negligible {
                 break;
             }
             let forced = axpy(phasor[1], &force_cos, &scaled(phasor[0], &force_sin));
-            let next = series.next(&before, &last, &drive.forced(forced, s));
+            let next = series.next(&before, &last, &forced);
             before = last;
             last = held(flight, contact, next).0;
             phasor = [phasor[1] * turn, -(phasor[0] * turn)];
         }
-        Point {
-            state: State { x: axpy(s, &mean, &self.state.x), v: velocity },
-            sin: phase[0],
-            cos: phase[1],
-            one: self.one,
-            drive: drive.end(),
-        }
+        Point { state: State { x: axpy(s, &mean, &self.state.x), v: velocity }, sin: phase[0], cos: phase[1] }
     }
 
     /// The point a time `s` later, so short that its square is lost in rounding.
@@ -187,8 +169,6 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Point<T, N, D> {
             },
             sin: self.sin + self.cos * turn,
             cos: self.cos - self.sin * turn,
-            one: self.one,
-            drive: self.drive.nudged(s),
         }
     }
 

@@ -1,14 +1,13 @@
 //! Sticking: masses resting on stops, until what presses on a contact vanishes.
 
 use super::contact;
-use super::drive::Drive;
 use super::stop::{End, Stop};
 use super::tangent::Variation;
 use super::trajectory::{Event, Move, Trajectory};
 use crate::model::vector::dot;
 use crate::model::{Flight, Real};
 
-impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
+impl<T: Real, const N: usize> Trajectory<T, N> {
     /// Sticking: the masses that are free move on until a stop is met, or what presses on a contact vanishes.
     #[inline(always)]
     pub(super) fn rest<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {

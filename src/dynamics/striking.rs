@@ -3,7 +3,6 @@
 use super::chatter::{self, Closure, Rebound};
 use super::contact::{self, Reached};
 use super::corner;
-use super::drive::Drive;
 use super::placing::{placed, rested};
 use super::point::{Approach, Motion, Point};
 use super::stop::{Contact, End, Stop};
@@ -21,7 +20,7 @@ pub fn energy_taken<L: Lanes>(mass: L, before: L, after: L) -> L {
     mass.all(0.5) * mass * (before * before - after * after)
 }
 
-impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
+impl<T: Real, const N: usize> Trajectory<T, N> {
     /// An impact, a time `left` ahead: restitution, and sticking where the rebounds that follow can be closed.
     #[inline(always)]
     pub(super) fn strike<V: Variation<T, N>>(
@@ -136,7 +135,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
 
     /// See [`Trajectory::come_to_rest`].
     #[inline(never)]
-    fn at_rest(&self, flight: &Flight<T, N>, end: End, gap_integral: T) -> Point<T, N, D> {
+    fn at_rest(&self, flight: &Flight<T, N>, end: End, gap_integral: T) -> Point<T, N> {
         let contact = self.contact.with(end);
         let free = |v: [T; N]| super::point::held(flight, contact, v).0;
         let response = &flight.normals[end.normal].response;

@@ -2,7 +2,6 @@
 
 use super::contact::{self, Reached};
 use super::crossing::{Crossing, crossing};
-use super::drive::Drive;
 use super::leg::Leg;
 use super::placing::{clamped, rested};
 use super::point::Point;
@@ -65,11 +64,11 @@ pub struct Move<T> {
 ///
 /// Time is never summed up: the place is a step within the forcing period and an offset within the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Trajectory<T, const N: usize, D = ()> {
+pub struct Trajectory<T, const N: usize> {
     /// The present state and forcing phasor.
-    pub point: Point<T, N, D>,
+    pub point: Point<T, N>,
     /// Where the present step ends if nothing more is met on the way; known in free flight.
-    pub(super) ahead: Point<T, N, D>,
+    pub(super) ahead: Point<T, N>,
     /// Kicks that were added to it, each with its rounding.
     pub(super) kicks: u32,
     /// What is in contact.
@@ -100,19 +99,17 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let (sin, cos) = phase.sin_cos();
         let contact = clamped(flight);
         let state = rested(flight, &state, contact);
-        let point = Point { state, sin: T::of(sin), cos: T::of(cos), one: T::one(), drive: () };
+        let point = Point { state, sin: T::of(sin), cos: T::of(cos) };
         let offset = T::of((steps - f64::from(step)) * flight.h.widen());
         Trajectory::from_point(flight, point, contact, step, offset)
     }
-}
 
-impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
     /// A trajectory that goes on from a point at a time `offset`, 0 ≤ offset < h, after the beginning of a step.
     ///
     /// The point's phasor must be that of this time.
     pub fn from_point(
         flight: &Flight<T, N>,
-        point: Point<T, N, D>,
+        point: Point<T, N>,
         contact: Contact,
         step: u32,
         offset: T,
@@ -157,7 +154,7 @@ impl<T: Real, const N: usize, D: Drive<T, N>> Trajectory<T, N, D> {
         &mut self,
         flight: &Flight<T, N>,
         variation: &mut V,
-        crossing: &Crossing<T, N, D>,
+        crossing: &Crossing<T, N>,
     ) -> Move<T> {
         let contact = Contact::FREE;
         let Crossing { time, point, ahead, struck, rebound, .. } = *crossing;

@@ -2,7 +2,7 @@
 
 mod abreast;
 mod contact_normal;
-mod drive;
+mod driven;
 mod equations;
 mod flight;
 mod flow;
@@ -26,7 +26,6 @@ pub mod vector;
 pub use crate::system::{Number, joined, whole};
 pub use crate::system::{Parameter, ParameterError, Setting};
 pub use contact_normal::{ContactNormal, FAR};
-pub use drive::Drive;
 pub use equations::{Equations, are_parallel};
 pub use flight::Flight;
 pub use forced::{ForcedResponse, Trap};

@@ -243,9 +243,7 @@ mod tests {
         let (_, constants) = (first.mirror(), Flight::<f64, 2>::new(&first));
         let kept: Option<&Flight<f64, 2>> = second.of_flow().constants(|| unreachable!("it is known"));
         assert_eq!(kept, Some(&constants));
-        for changed in
-            [first.clone().unforced(), first.clone().loaded(&[1.0, 2.0]), first.following(40.0).unwrap()]
-        {
+        for changed in [first.clone().unforced(), first.clone().loaded(&[1.0, 2.0]), first.loaded_alone(1)] {
             let alone = System::of_plant(changed.plant().clone()).unwrap();
             assert_eq!(changed.mirror(), alone.mirror());
             assert_eq!(Flight::<f64, 2>::new(&changed).sin, Flight::<f64, 2>::new(&alone).sin);

@@ -41,6 +41,15 @@ impl<T: Real, const N: usize> State<T, N> {
         if i < N { self.x[i] } else { self.v[i - N] }
     }
 
+    /// The first coordinates.
+    ///
+    /// # Panics
+    /// If there are fewer.
+    #[inline(always)]
+    pub fn first<const K: usize>(&self) -> State<T, K> {
+        State { x: std::array::from_fn(|i| self.x[i]), v: std::array::from_fn(|i| self.v[i]) }
+    }
+
     /// Whether every component is a finite number.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {

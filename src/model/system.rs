@@ -3,8 +3,6 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use nalgebra::DVector;
-
 use super::of_flow::OfFlow;
 use super::parameters::Parameters;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
@@ -117,18 +115,14 @@ impl System {
         Ok(())
     }
 
-    /// The same system, in steps short enough for a drive of frequency γω too, `ratio` = γ ≥ 0.
+    /// The system of another plant that is known to be sound, its labels in the same order.
     ///
     /// # Errors
-    /// [`SystemError::TooStiff`] where one forcing period would hold too many of them.
-    pub fn following(&self, ratio: f64) -> Result<Self, SystemError> {
-        let mut system = self.clone();
-        let frequency = ratio * self.plant.omega;
-        if !frequency.is_finite() || frequency > self.rate {
-            system.rate = frequency;
-            system.of_flow = Kept::default();
-            system.divide()?;
-        }
+    /// [`SystemError::TooStiff`] where one forcing period would hold too many steps.
+    pub(super) fn with_sound_plant(&self, plant: Plant) -> Result<Self, SystemError> {
+        let (rate, label_order, of_flow) = (rate(&plant), self.label_order.clone(), Kept::default());
+        let mut system = System { plant, rate, label_order, of_flow, ..*self };
+        system.divide()?;
         Ok(system)
     }
 
@@ -150,6 +144,15 @@ impl System {
         self.plant.force_sin.fill(0.0);
         self.plant.force_cos.fill(0.0);
         self
+    }
+
+    /// The same system under a unit load of sin φ on one coordinate and no other.
+    #[must_use]
+    pub fn loaded_alone(&self, coordinate: usize) -> Self {
+        let mut alone = self.clone().unforced();
+        alone.plant.load.fill(0.0);
+        alone.plant.force_sin[coordinate] = 1.0;
+        alone
     }
 
     /// The same system with other loads of sin φ on its coordinates.
@@ -210,12 +213,6 @@ impl System {
             }
         }
         state
-    }
-
-    /// The accelerations of a unit force on one coordinate: a column of M⁻¹.
-    pub fn unit_force(&self, coordinate: usize) -> DVector<f64> {
-        let unit = DVector::from_fn(self.plant.n, |i, _| if i == coordinate { 1.0 } else { 0.0 });
-        self.plant.mass.clone().lu().solve(&unit).expect("a plant's mass matrix was checked to be invertible")
     }
 
     /// The mirror P, P² = 1, under which the system half a forcing period later is itself, if there is one.
@@ -280,6 +277,7 @@ fn rate(plant: &Plant) -> f64 {
         1 => super::Equations::<1>::new(plant).rate(),
         2 => super::Equations::<2>::new(plant).rate(),
         3 => super::Equations::<3>::new(plant).rate(),
-        _ => super::Equations::<4>::new(plant).rate(),
+        4 => super::Equations::<4>::new(plant).rate(),
+        _ => super::Equations::<5>::new(plant).rate(),
     }
 }

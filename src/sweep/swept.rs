@@ -55,9 +55,7 @@ impl Swept for Control {
             return Ok(None);
         }
         let controller = plane.scheme_at(column, row).resolve(&job.system)?;
-        if let Some((_, ratio)) = controller.force() {
-            job.system.following(ratio)?;
-        }
+        controller.flown(&job.system)?;
         Ok(Some(ControlJob { job, controller }))
     }
 

@@ -4,8 +4,8 @@ use impact_atlas::control::methods::Convention;
 use impact_atlas::control::{
     ControlSchedule, Controlled, Controller, Scheme, SectionPoint, Surface, control, multipliers,
 };
-use impact_atlas::dynamics::{Contact, Event, Phasor, Point, Stop, Trajectory};
-use impact_atlas::model::{Drive, Flight, Parameters, State, System};
+use impact_atlas::dynamics::{Contact, Event, Point, Stop, Trajectory};
+use impact_atlas::model::{Flight, Parameters, State, System};
 
 use super::{Returns, away, run, sine, starts, system};
 
@@ -16,31 +16,30 @@ fn a_force_in_phase_is_a_change_of_the_forcing() {
     let flight = Flight::<f64, 2>::new(&stronger);
     let schedule =
         ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
-    let start = SectionPoint::new(&[-0.3, 0.01, 0.02, 1.9]);
+    let start = SectionPoint::<f64, 2>::new(&[-0.3, 0.01, 0.02, 1.9]);
     let surface = Surface::new(&stronger, &flight, Stop::A);
     let follow = |flight: &Flight<f64, 2>| {
-        let begun = start.trajectory(flight, &surface, Contact::FREE, ());
-        let mut controlled = Controlled::new(begun, surface, Controller::None(Stop::A), &schedule);
+        let begun = start.trajectory(flight, &surface, Contact::FREE);
+        let mut controlled =
+            Controlled::<f64, 2, 2>::new(begun, surface, Controller::None(Stop::A), &schedule);
         let mut returns = Returns::default();
         controlled.follow(flight, &schedule, &mut returns);
         returns.0
     };
     let changed = follow(&flight);
 
-    let flight = Flight::<f64, 2>::new(&system());
-    let drive = Drive::new(&system(), &flight, 1.0);
-    let (sin, cos) = 1.9_f64.sin_cos();
-    let none = Phasor::new(&drive, -0.3877, [sin, cos]);
     let controller = sine(Convention::Force, -0.3877, 0.0, 0.0).resolve(&system()).unwrap();
-    let begun = start.trajectory(&flight, &surface, Contact::FREE, none);
-    let mut controlled = Controlled::new(begun, surface, controller, &schedule);
+    let flight = Flight::<f64, 3>::new(&controller.flown(&system()).unwrap());
+    let begun = start.trajectory(&flight, &surface, Contact::FREE);
+    let mut controlled = Controlled::<f64, 2, 3>::new(begun, surface, controller, &schedule);
+    controlled.force(&flight);
     let mut forced = Returns::default();
     controlled.follow(&flight, &schedule, &mut forced);
     assert_eq!(forced.0.len(), 40);
     for (a, b) in forced.0.iter().zip(&changed).take(12) {
         assert!(away(a.section, b.section) < 1e-10, "{a:?} {b:?}");
     }
-    let unforced = follow(&flight);
+    let unforced = follow(&Flight::new(&system()));
     assert!(away(unforced[0].section, changed[0].section) > 1e-3);
 }
 
@@ -71,22 +70,23 @@ fn integrated(system: &System, mut y: [f64; 4], time: f64, b: f64, gamma: f64, p
     y
 }
 
-fn values(state: &State<f64, 2>) -> [f64; 4] {
-    std::array::from_fn(|i| state.get(i))
+/// The state of the masses, without the force's.
+fn values(state: &State<f64, 3>) -> [f64; 4] {
+    let [[x1, x2, _], [v1, v2, _]] = [state.x, state.v];
+    [x1, x2, v1, v2]
 }
 
 #[test]
 fn flight_under_a_second_frequency_is_exact() {
     let parameters = Parameters { omega: 2.83, delta: 50.0, f20: 0.3, mu_c: 0.3, ..Parameters::default() };
     for gamma in [0.37, 1.0, 2.5, 7.0] {
-        let system = System::new(parameters).unwrap().following(gamma).unwrap();
-        let flight = Flight::<f64, 2>::new(&system);
-        let drive = Drive::new(&system, &flight, gamma);
+        let system = System::new(parameters).unwrap().driven(0, gamma).unwrap();
+        let flight = Flight::<f64, 3>::new(&system);
         let phase = 0.7_f64;
-        let phasor = Phasor::new(&drive, 0.8, [phase.sin(), phase.cos()]);
         let start = [0.1, -0.2, 0.5, 0.3];
-        let state = State::from_slice(&start);
-        let point = Point { state, sin: 0.0, cos: 1.0, one: 1.0, drive: phasor };
+        let rate = gamma * parameters.omega * 0.8 * phase.cos();
+        let state = State { x: [0.1, -0.2, 0.8 * phase.sin()], v: [0.5, 0.3, rate] };
+        let point = Point::at_phase_zero(state);
         let mut trajectory = Trajectory::from_point(&flight, point, Contact::FREE, 0, 0.0);
         let mut time = 0.0;
         loop {
@@ -110,12 +110,10 @@ fn flight_under_a_second_frequency_is_exact() {
 
 #[test]
 fn impacts_under_a_second_frequency_are_on_the_stops() {
-    let system = system().following(2.5).unwrap();
-    let flight = Flight::<f64, 2>::new(&system);
-    let drive = Drive::new(&system, &flight, 2.5);
-    let phasor = Phasor::new(&drive, 0.8, [0.0, 1.0]);
-    let state = State { x: [0.0, 0.0], v: [0.5, 0.0] };
-    let point = Point { state, sin: 0.0, cos: 1.0, one: 1.0, drive: phasor };
+    let system = system().driven(0, 2.5).unwrap();
+    let flight = Flight::<f64, 3>::new(&system);
+    let state = State { x: [0.0; 3], v: [0.5, 0.0, 2.5 * system.plant().omega * 0.8] };
+    let point = Point::at_phase_zero(state);
     let mut trajectory = Trajectory::from_point(&flight, point, Contact::FREE, 0, 0.0);
     let mut impacts = 0;
     for _ in 0..20_000 {

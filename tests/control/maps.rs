@@ -41,7 +41,7 @@ fn beside_the_motion() -> [f64; 4] {
 pub fn beside(system: &System, point: [f64; 4]) -> [f64; 4] {
     let flight = Flight::<f64, 2>::new(system);
     let surface = Surface::new(system, &flight, Stop::A);
-    let mut trajectory = SectionPoint::new(&point).trajectory(&flight, &surface, Contact::FREE, ());
+    let mut trajectory = SectionPoint::<f64, 2>::new(&point).trajectory(&flight, &surface, Contact::FREE);
     while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
     let State { x: [x1, x2], v: [v1, v2] } = trajectory.point.state;
     [x1, x2 + 1e-3, v1, v2]

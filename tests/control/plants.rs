@@ -8,8 +8,8 @@ use impact_atlas::control::{
     ControlSchedule, Controlled, Controller, Outcome, Return, Scheme, SectionPoint, SectionValues, Surface,
     Target, control, multipliers,
 };
-use impact_atlas::dynamics::{Contact, Event, Phasor, Stop, Trajectory};
-use impact_atlas::model::{Drive, Flight, State, StateVector, System};
+use impact_atlas::dynamics::{Contact, Event, Stop, Trajectory};
+use impact_atlas::model::{Flight, State, StateVector, System};
 use impact_atlas::system::{Family, Plant, PlantStop, builtin};
 use nalgebra::{DMatrix, DVector};
 
@@ -201,7 +201,8 @@ fn masses_that_hit_each_other_are_put_back_in_touch() {
     assert!(returns[300..].iter().all(|met| away(met.section, &target) < 1e-14), "{outcome:?}");
     let flight = Flight::<f64, 2>::new(&system);
     let surface = Surface::new(&system, &flight, stop);
-    let placed = SectionPoint::new(&target).trajectory(&flight, &surface, Contact::FREE, ()).point.state;
+    let placed =
+        SectionPoint::<f64, 2>::new(&target).trajectory(&flight, &surface, Contact::FREE).point.state;
     let along: f64 = plant.stops[0].direction.iter().zip(&placed.x).map(|(d, x)| d * x).sum();
     assert!((along - plant.stops[0].gap).abs() < 1e-15, "{along}");
     assert!(away(free.last().unwrap().section, &target) > 1e-2);
@@ -244,7 +245,7 @@ fn a_force_on_the_second_mass_is_a_change_of_its_forcing() {
     let changed = system.clone().loaded(&[1.0, -0.3]);
     let schedule =
         ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
-    let start = SectionPoint::new(&[-0.4, 0.1, 0.1, 1.0]);
+    let start = SectionPoint::<f64, 2>::new(&[-0.4, 0.1, 0.1, 1.0]);
     let sine = |coordinate| {
         Scheme::Sine(SineSetting {
             stop: Stop::A,
@@ -264,21 +265,21 @@ fn a_force_on_the_second_mass_is_a_change_of_its_forcing() {
         })
     };
     let forced = |coordinate| {
-        let flight = Flight::<f64, 2>::new(&system);
-        let drive = Drive::on(coordinate, &system, &flight, 1.0);
-        let (sin, cos) = 1.0_f64.sin_cos();
-        let surface = Surface::new(&system, &flight, Stop::A);
-        let begun = start.trajectory(&flight, &surface, Contact::FREE, Phasor::new(&drive, -0.3, [sin, cos]));
-        let mut returns = Returns::default();
         let controller = sine(coordinate).resolve(&system).unwrap();
-        Controlled::new(begun, surface, controller, &schedule).follow(&flight, &schedule, &mut returns);
+        let flight = Flight::<f64, 3>::new(&controller.flown(&system).unwrap());
+        let surface = Surface::new(&system, &flight, Stop::A);
+        let begun = start.trajectory(&flight, &surface, Contact::FREE);
+        let mut returns = Returns::default();
+        let mut controlled = Controlled::<f64, 2, 3>::new(begun, surface, controller, &schedule);
+        controlled.force(&flight);
+        controlled.follow(&flight, &schedule, &mut returns);
         returns.0
     };
     let flight = Flight::<f64, 2>::new(&changed);
     let surface = Surface::new(&changed, &flight, Stop::A);
-    let begun = start.trajectory(&flight, &surface, Contact::FREE, ());
+    let begun = start.trajectory(&flight, &surface, Contact::FREE);
     let mut returns = Returns::default();
-    Controlled::new(begun, surface, Controller::None(Stop::A), &schedule).follow(
+    Controlled::<f64, 2, 2>::new(begun, surface, Controller::None(Stop::A), &schedule).follow(
         &flight,
         &schedule,
         &mut returns,

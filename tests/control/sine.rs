@@ -46,8 +46,9 @@ fn from_nearby(amplitude: f64) -> f64 {
         ControlSchedule { from: 0, iterates: 3000, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let [v1, x2, v2, tau] = FIXED_POINT;
     let surface = Surface::new(&system(), &flight, Stop::A);
-    let begun = SectionPoint::new(&[v1 + 1e-4, x2, v2, tau]).trajectory(&flight, &surface, Contact::FREE, ());
-    let mut controlled = Controlled::new(begun, surface, controller, &schedule);
+    let begun =
+        SectionPoint::<f64, 2>::new(&[v1 + 1e-4, x2, v2, tau]).trajectory(&flight, &surface, Contact::FREE);
+    let mut controlled = Controlled::<f64, 2, 2>::new(begun, surface, controller, &schedule);
     let mut returns = Returns::default();
     controlled.follow(&flight, &schedule, &mut returns);
     away(returns.0.last().unwrap().section, FIXED_POINT)

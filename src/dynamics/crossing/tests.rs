@@ -19,7 +19,7 @@ impl<T: Real> Swing<T> {
         Swing { to: from.stepped(&flight), from, flight }
     }
 
-    fn leg(&self) -> Leg<'_, T, 1, ()> {
+    fn leg(&self) -> Leg<'_, T, 1> {
         Leg { from: &self.from, to: &self.to, window: self.flight.h }
     }
 

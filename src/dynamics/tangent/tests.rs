@@ -15,7 +15,7 @@ struct Path {
 
 fn point(state: State<f64, 2>, phase: f64) -> Point<f64, 2> {
     let (sin, cos) = phase.sin_cos();
-    Point { state, sin, cos, one: 1.0, drive: () }
+    Point { state, sin, cos }
 }
 
 fn path(flight: &Flight<f64, 2>, start: State<f64, 2>, about: f64) -> Path {

@@ -7,7 +7,7 @@ use crate::control::{
 };
 use crate::dynamics::Stop;
 use crate::model::vector::MOST;
-use crate::model::{self, Drive, System};
+use crate::model::{self, System};
 
 shared_struct! {
     /// When control is switched on, and how long a trajectory is followed; lengths in iterates.
@@ -121,10 +121,10 @@ fn words_of<const N: usize>(controller: &Controller<f64>, system: &System) -> Ve
     words.extend(mirror);
     match controller.force() {
         Some((coordinate, _)) => {
-            let drive = Drive::on(coordinate, system, &flight, 1.0);
-            let (sin, cos) = (drive.gamma_sin.values(), drive.gamma_cos.values());
-            let numbers =
-                drive.push.into_iter().chain(sin).chain(cos).chain(drive.bound[..flight.count].to_vec());
+            let force = model::Flight::<f64, N>::new(&system.loaded_alone(coordinate));
+            let bounds = force.normals().iter().map(|normal| normal.bound_forcing);
+            let (sin, cos) = (force.gamma_sin.values(), force.gamma_cos.values());
+            let numbers = force.sin.into_iter().chain(sin).chain(cos).chain(bounds);
             words.extend(numbers.map(|number| (number as f32).to_bits()));
         }
         None => words.extend(vec![0; 5 * N + flight.count]),

@@ -1,0 +1,59 @@
+//! The force of a controller: one coordinate more than the system has, the last of those that are flown.
+
+use super::action::Action;
+use super::methods::Controller;
+use crate::dynamics::Tangent;
+use crate::model::{Real, State, System, SystemError};
+
+impl<T: Real> Controller<T> {
+    /// γω, the frequency of the force of a trajectory whose forcing has the frequency `omega`; 0 without one.
+    pub(super) fn frequency(&self, omega: T) -> T {
+        self.force().map_or(T::zero(), |(_, ratio)| ratio * omega)
+    }
+}
+
+impl Controller<f64> {
+    /// The system as its trajectories fly: with a coordinate for the force, where the controller has one between impacts.
+    ///
+    /// # Errors
+    /// [`SystemError::TooStiff`] where the steps of a forced flight would be too many.
+    ///
+    /// # Panics
+    /// If the coordinate that the force acts on is none of the system's.
+    pub fn flown(&self, system: &System) -> Result<System, SystemError> {
+        self.force()
+            .map_or_else(|| Ok(system.clone()), |(coordinate, ratio)| system.driven(coordinate, ratio))
+    }
+}
+
+/// The state of a system of N coordinates under the force of an action, θ' = `frequency`; without a coordinate for the force,
+/// M = N, it is the state.
+#[inline(always)]
+pub fn under<T: Real, const N: usize, const M: usize>(
+    action: &Action<T, N>,
+    mut state: State<T, M>,
+    frequency: T,
+) -> State<T, M> {
+    if M > N {
+        let [sin, cos] = action.phase;
+        state.x[N] = action.force * sin;
+        state.v[N] = frequency * (action.force * cos);
+    }
+    state
+}
+
+/// A deviation at fixed time where the force, in this state, is behind in phase by `lag` times a small number; without a
+/// coordinate for the force it is the deviation.
+#[inline(always)]
+pub fn behind<T: Real, const N: usize, const M: usize>(
+    lag: T,
+    state: &State<T, M>,
+    mut deviation: State<T, M>,
+    frequency: T,
+) -> Tangent<T, M> {
+    if M > N {
+        deviation.x[N] = -(lag * state.v[N]) / frequency;
+        deviation.v[N] = lag * state.x[N] * frequency;
+    }
+    Tangent(deviation)
+}
