@@ -52,7 +52,6 @@ fn pace_complete(carry: bool) {
     let event = end_step();
     pace.arrived = event == EVENT_STROBE;
     if event == EVENT_HALF_PERIOD {
-        observer.moves = observer.moves + 1u;
         pace.halfway = carry;
     }
 }

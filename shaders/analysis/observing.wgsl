@@ -30,7 +30,6 @@ fn observer_impact(stop: u32, velocity: f32, complete_chatter: bool) {
 }
 
 fn observer_half_period() {
-    observer.moves = observer.moves + 1u;
     if observer.stage == STAGE_OBSERVATION {
         recurrence_at_half_period(trajectory.point.state, RETURNED);
     }

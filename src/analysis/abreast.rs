@@ -40,14 +40,12 @@ pub struct Seat<T, const N: usize, K> {
     pub flight: Flight<T, N>,
     /// What has been noted about it.
     pub observer: Observer<T, N>,
-    /// The step at which the last phase 0 or π was.
-    phase: u32,
 }
 
 impl<T, const N: usize, K> Seat<T, N, K> {
     /// For a trajectory that has yet to begin.
     pub fn new(ticket: K, flight: Flight<T, N>, observer: Observer<T, N>) -> Self {
-        Seat { ticket, flight, observer, phase: 0 }
+        Seat { ticket, flight, observer }
     }
 }
 
@@ -117,8 +115,6 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     /// Puts a lane's trajectory, at the beginning of a step of free flight, among the others.
     fn sit(&mut self, lane: usize) {
         let Some(seat) = &mut self.seats[lane] else { return };
-        let half = seat.flight.steps / 2;
-        seat.phase = if seat.observer.trajectory.step < half { 0 } else { half };
         self.abreast.seat(lane, &seat.flight, &seat.observer.trajectory);
         self.carry_on(lane);
     }
@@ -158,15 +154,10 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
 
     fn pass_phase(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
         let Some(seat) = &mut self.seats[lane] else { return };
-        let half = seat.flight.steps / 2;
-        let event = if seat.phase == 0 { Event::HalfPeriod } else { Event::Strobe };
-        seat.phase = half - seat.phase;
         let observing = seat.observer.stage == Stage::Observation;
-        if event == Event::HalfPeriod && !observing {
-            seat.observer.pass_half_period();
-            return;
-        }
-        seat.observer.trajectory = self.abreast.trajectory_at_phase(lane, seat.phase);
+        let trajectory = self.abreast.trajectory_at_phase(lane, &seat.flight);
+        let event = if trajectory.step == 0 { Event::Strobe } else { Event::HalfPeriod };
+        seat.observer.trajectory = trajectory;
         seat.observer.pass_impacts(&seat.flight, &self.abreast.take_tally(lane));
         if observing {
             seat.observer.tangent = self.abreast.tangent(lane);
@@ -185,7 +176,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     #[inline(never)]
     fn go_warily(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
         let Some(seat) = &mut self.seats[lane] else { return };
-        seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight, seat.phase);
+        seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight);
         seat.observer.pass_impacts(&seat.flight, &self.abreast.take_tally(lane));
         if seat.observer.stage == Stage::Observation {
             seat.observer.tangent = self.abreast.tangent(lane);

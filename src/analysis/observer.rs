@@ -203,12 +203,6 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.loss.energy = tally.energy;
     }
 
-    /// Notes that the trajectory came to phase π before its observation: nothing is read there.
-    #[inline(always)]
-    pub(super) fn pass_half_period(&mut self) {
-        self.moves.add();
-    }
-
     /// Notes that the trajectory came to phase 0 or π in free flight.
     pub(super) fn arrive(&mut self, flight: &Flight<T, N>, schedule: &Schedule, event: Event<T>) {
         self.note(flight, schedule, &Move { time: T::zero(), contact: Contact::FREE, event });

@@ -41,7 +41,9 @@ pub const PROOF_SHARE: u32 = 4;
 impl<T: Real, const N: usize> Observer<T, N> {
     #[inline(always)]
     pub(super) fn note(&mut self, flight: &Flight<T, N>, schedule: &Schedule, taken: &Move<T>) {
-        self.moves.add();
+        if taken.event != Event::HalfPeriod {
+            self.moves.add();
+        }
         if !taken.contact.is_free() {
             self.stuck = true;
         }

@@ -46,7 +46,7 @@ pub struct Abreast<L: Lanes, const N: usize> {
 pub struct Round {
     /// The contact is not certain: it must be approached from the safe side.
     pub uncertain: u32,
-    /// The step was completed after the impact, at phase 0 or π.
+    /// The step was completed after the impact, at phase 0, or at phase π of a lane that carries a tangent.
     pub phases: u32,
 }
 
@@ -122,28 +122,26 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     }
 
     /// The trajectory in a lane, `flight` being its cell's.
-    pub fn trajectory(
-        &self,
-        lane: usize,
-        flight: &Flight<L::Real, N>,
-        before: u32,
-    ) -> Trajectory<L::Real, N> {
-        let half = flight.steps / 2;
+    pub fn trajectory(&self, lane: usize, flight: &Flight<L::Real, N>) -> Trajectory<L::Real, N> {
         let left = self.left.lane(lane).widen() as u32;
-        // `before` is the last phase that was passed: 0 at its beginning, `half` at π.
         Trajectory::resumed(
             self.point.lane(lane),
             self.ahead.lane(lane),
             self.kicks.lane(lane).widen() as u32,
-            before + half - left,
+            self.last_phase(lane, flight) + flight.steps / 2 - left,
             self.offset.lane(lane),
         )
     }
 
     /// The trajectory in a lane that has come to phase 0 or π: at the beginning of that step.
-    pub fn trajectory_at_phase(&self, lane: usize, step: u32) -> Trajectory<L::Real, N> {
+    pub fn trajectory_at_phase(&self, lane: usize, flight: &Flight<L::Real, N>) -> Trajectory<L::Real, N> {
         let point = self.point.lane(lane);
-        Trajectory::resumed(point, point, 0, step, L::Real::of(0.0))
+        Trajectory::resumed(point, point, 0, self.last_phase(lane, flight), L::Real::of(0.0))
+    }
+
+    /// The step at which the last of the phases 0 and π was that a lane's trajectory passed.
+    fn last_phase(&self, lane: usize, flight: &Flight<L::Real, N>) -> u32 {
+        if self.phase.lane(lane) > L::Real::of(0.0) { 0 } else { flight.steps / 2 }
     }
 
     /// The tangent in a lane.
@@ -163,7 +161,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     }
 
     /// One step of every trajectory that is at the beginning of one, where it clears the stops; the others wait from then
-    /// on. The lanes that came to phase 0 or π.
+    /// on. The lanes that came to phase 0, or with a tangent to phase π.
     #[inline(always)]
     pub fn step(&mut self) -> u32 {
         let steps = holds(self.steps);
@@ -244,20 +242,20 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         *energy = L::select(struck.and(observed), *energy + taken, *energy);
     }
 
-    /// Ends the step of some lanes; those that come to phase 0 or π, where the forcing phasor is exact.
+    /// Ends the step of some lanes; at phases 0 and π the forcing phasor is exact. Those that come to phase 0, or with a tangent
+    /// to phase π: without one nothing is read there.
     #[inline(always)]
     fn complete(&mut self, moves: L::Mask) -> u32 {
         self.point = Point::select(moves, &self.ahead, &self.point);
         self.left = L::select(moves, self.left - self.left.all(1.0), self.left);
         let arrived = moves.and(self.left.below(self.left.all(0.5)));
-        let phases = arrived.bits();
-        if phases != 0 {
+        if arrived.bits() != 0 {
             self.phase = L::select(arrived, -self.phase, self.phase);
             self.point.sin = L::select(arrived, self.left.all(0.0), self.point.sin);
             self.point.cos = L::select(arrived, self.phase, self.point.cos);
             self.left = L::select(arrived, self.half, self.left);
         }
-        phases
+        arrived.and(self.phase.all(0.0).below(self.phase).or(holds(self.carries))).bits()
     }
 }
 

@@ -129,7 +129,7 @@ impl<T: Real> Law<T> for Sine<T> {
         Some(vec![self.target])
     }
 
-    /// A force in phase with the forcing is a change of it; any other would be a second phasor.
+    /// A force in phase with the forcing is a change of it; any other would be a coordinate more.
     fn check_on_device(&self) -> Result<(), &'static str> {
         let in_phase = self.ratio == T::one() && self.phase == T::zero();
         match self.convention {
