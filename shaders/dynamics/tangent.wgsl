@@ -26,7 +26,7 @@ fn tangent_flown_freely(tangent: State, s: f32) -> State {
     var last = applied_onto(dampers, before, s * applied(flight.stiffness, tangent.x));
     var velocity = before;
     var mean = before;
-    //: each flight term
+    //: each tangent term
     velocity = velocity + INVERSE_FACTORIALS[$k] * last;
     mean = mean + INVERSE_FACTORIALS[$k + 1] * last;
     let pulled$k = applied(springs, before);

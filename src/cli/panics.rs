@@ -1,7 +1,8 @@
 //! A panic is reported as an error, with a request to report it.
 
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
-use std::sync::Mutex;
+
+use parking_lot::Mutex;
 
 use super::{CliError, Result};
 
@@ -22,14 +23,11 @@ fn remember(panic: &PanicHookInfo) {
     let text = payload.downcast_ref::<&str>().copied();
     let what = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message");
     let place = panic.location().map(|place| format!(" ({place})")).unwrap_or_default();
-    if let Ok(mut first) = FIRST.lock() {
-        first.get_or_insert_with(|| format!("{what}{place}"));
-    }
+    FIRST.lock().get_or_insert_with(|| format!("{what}{place}"));
 }
 
 fn first() -> String {
-    let first = FIRST.lock().ok().and_then(|mut first| first.take());
-    first.unwrap_or_else(|| "unknown".to_owned())
+    FIRST.lock().take().unwrap_or_else(|| "unknown".to_owned())
 }
 
 #[cfg(test)]

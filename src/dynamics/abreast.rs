@@ -199,7 +199,10 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let struck = waits.and(met.certain).and(few);
         let one = window.all(1.0);
         if struck.and(carries).bits() != 0 {
-            let tangent = self.tangent.flown_freely(flight, met.time).struck_freely(&met.struck);
+            let tangent = self
+                .tangent
+                .flown_freely(flight, met.time, L::Real::TANGENT_ORDER)
+                .struck_freely(&met.struck);
             self.tangent.0 = State::select(struck.and(carries), &tangent.0, &self.tangent.0);
         }
         self.point = Point::select(struck, &met.point, &self.point);
@@ -210,7 +213,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.clearances = Leg { from: &self.point, to: &self.ahead, window: rest }.clearances(flight);
         let moves = struck.and(self.clearances.all(flight.count));
         if moves.and(carries).bits() != 0 {
-            let tangent = self.tangent.flown_freely(flight, rest);
+            let tangent = self.tangent.flown_freely(flight, rest, L::Real::TANGENT_ORDER);
             self.tangent.0 = State::select(moves.and(carries), &tangent.0, &self.tangent.0);
         }
         self.waits = L::select(moves, window.all(0.0), self.waits);

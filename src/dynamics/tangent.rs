@@ -77,7 +77,7 @@ impl<T, const N: usize> Variation<T, N> for () {
     fn caught(&self, _: &Flight<T, N>, _: Contact) -> Self {}
 }
 
-/// Several tangent vectors: loops, since what a closure does has not its caller's instructions.
+/// Several tangent vectors, as exact as flight itself. Loops, since what a closure does has not its caller's instructions.
 impl<T: Real, const N: usize, const M: usize> Variation<T, N> for [Tangent<T, N>; M] {
     #[inline(always)]
     fn stepped(&self, flight: &Flight<T, N>) -> Self {
@@ -92,7 +92,7 @@ impl<T: Real, const N: usize, const M: usize> Variation<T, N> for [Tangent<T, N>
     fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
         let mut later = *self;
         for tangent in &mut later {
-            *tangent = tangent.flown(flight, s, contact);
+            *tangent = tangent.flown_with(flight, s, contact, T::ORDER);
         }
         later
     }
@@ -126,10 +126,9 @@ impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
         self.stepped_freely(flight)
     }
 
-    /// See [`Point::flown`](super::Point::flown).
     #[inline(always)]
     fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
-        if contact.is_free() { self.flown_freely(flight, s) } else { self.flown_held(flight, s, contact) }
+        self.flown_with(flight, s, contact, T::TANGENT_ORDER)
     }
 
     /// A deviation d·ξ shifts the impact by −d·ξ/d·v−; what differs on either side of it (v along the response, and x'')
@@ -170,11 +169,11 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
         Tangent(state)
     }
 
-    /// A time `s` ≤ h of free flight later, with as many Taylor terms in every lane; see
+    /// A time `s` ≤ h of free flight later, by a Taylor polynomial of the same order in every lane; see
     /// [`Point::flown_near`](super::Point::flown_near).
     #[inline(always)]
     #[must_use]
-    pub fn flown_freely(&self, flight: &Flight<L, N>, s: L) -> Self {
+    pub fn flown_freely(&self, flight: &Flight<L, N>, s: L, order: usize) -> Self {
         let square = s * s;
         let springs = scaled_columns(square, &flight.stiffness);
         let dampers = scaled_columns(s, &flight.damping);
@@ -183,7 +182,7 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
         let mut last = applied_onto(&dampers, &before, &pulled);
         let mut velocity = before;
         let mut mean = before;
-        for k in 1..=L::Real::ORDER {
+        for k in 1..=order {
             velocity = axpy(s.all(INVERSE_FACTORIALS[k]), &last, &velocity);
             mean = axpy(s.all(INVERSE_FACTORIALS[k + 1]), &last, &mean);
             let pulled = applied(&springs, &before);
@@ -210,6 +209,16 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
 }
 
 impl<T: Real, const N: usize> Tangent<T, N> {
+    /// A time `s` ≤ h later with the contacts that hold, in free flight by a polynomial of an order.
+    #[inline(always)]
+    fn flown_with(&self, flight: &Flight<T, N>, s: T, contact: Contact, order: usize) -> Self {
+        if contact.is_free() {
+            self.flown_freely(flight, s, order)
+        } else {
+            self.flown_held(flight, s, contact)
+        }
+    }
+
     /// See [`Point::flown`](super::Point::flown).
     #[inline(always)]
     fn flown_held(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {

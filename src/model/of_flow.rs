@@ -3,9 +3,10 @@
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, OnceLock, PoisonError, RwLock};
+use std::sync::{Arc, OnceLock};
 
 use nalgebra::DMatrix;
+use parking_lot::RwLock;
 
 use crate::system::{Mirror, Plant};
 
@@ -56,13 +57,13 @@ impl OfFlow {
         compute: impl FnOnce() -> C,
     ) -> Arc<C> {
         let key = (TypeId::of::<C>(), restitutions);
-        let known = self.of_restitutions.read().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
+        let known = self.of_restitutions.read().get(&key).cloned();
         if let Some(Ok(known)) = known.map(Arc::downcast) {
             return known;
         }
         let found = Arc::new(compute());
         let kept: Arc<dyn Any + Send + Sync> = found.clone();
-        self.of_restitutions.write().unwrap_or_else(PoisonError::into_inner).insert(key, kept);
+        self.of_restitutions.write().insert(key, kept);
         found
     }
 }

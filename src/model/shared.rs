@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 use std::hash::Hash;
-use std::sync::{Arc, Mutex, PoisonError, RwLock};
+use std::sync::Arc;
 
+use parking_lot::{Mutex, RwLock};
 use rayon::prelude::*;
 
 use super::flight::Flight;
@@ -34,7 +35,7 @@ impl Flows {
         // A family is kept for the life of the process.
         let key = (std::ptr::from_ref(setting.family()).addr(), setting.flow_bits());
         {
-            let known = self.systems.read().unwrap_or_else(PoisonError::into_inner);
+            let known = self.systems.read();
             if let Some((known, system)) =
                 known.get(&key).and_then(|known| Some((known, known.restopped(setting)?)))
             {
@@ -46,7 +47,7 @@ impl Flows {
             }
         }
         let system = self.share(System::new(setting)?);
-        let mut known = self.systems.write().unwrap_or_else(PoisonError::into_inner);
+        let mut known = self.systems.write();
         if known.len() < MOST_SYSTEMS {
             known.entry(key).or_insert_with(|| system.clone());
         }
@@ -57,7 +58,7 @@ impl Flows {
     #[must_use]
     pub fn share(&self, mut system: System) -> System {
         let flow = flow(&system);
-        let mut known = self.flows.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = self.flows.lock();
         if let Some(of_flow) = known.get(&flow) {
             of_flow.share();
             system.of_flow.0 = Arc::clone(of_flow);
@@ -189,7 +190,7 @@ mod tests {
                 assert_eq!(shares.mirror(), alone.mirror());
             }
         }
-        assert_eq!(flows.flows.lock().unwrap().len(), 2);
+        assert_eq!(flows.flows.lock().len(), 2);
     }
 
     #[test]
@@ -209,7 +210,7 @@ mod tests {
                     }
                 }
             }
-            let kept = flows.systems.read().unwrap().len();
+            let kept = flows.systems.read().len();
             assert!(kept > 0 && kept < found, "{}: {kept} of {found}", builtin.name);
         }
         let paper = Setting::defaults(Family::paper());

@@ -1,9 +1,9 @@
 //! Trajectories side by side in the registers of the processor, as many as it has room for.
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Sender};
 
+use parking_lot::Mutex;
 use pulp::{Simd, WithSimd};
 use rayon::Scope;
 
@@ -132,7 +132,7 @@ fn spread<const N: usize>(
         verdicts[index] = Some(verdict);
     }
     let verdicts = verdicts.into_iter().collect::<Option<Vec<Verdict>>>().ok_or(BackendError::Cancelled)?;
-    Ok((verdicts, usage.into_inner().unwrap_or_default()))
+    Ok((verdicts, usage.into_inner()))
 }
 
 /// What one thread takes from the jobs.
@@ -225,9 +225,7 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
     }
 
     fn used(&mut self, usage: Usage) {
-        if let Ok(mut used) = self.used.lock() {
-            *used += usage;
-        }
+        *self.used.lock() += usage;
     }
 
     fn done(&mut self, seat: &Seat<f64, N, usize>) {

@@ -3,9 +3,9 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::path::Path;
-use std::sync::Mutex;
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use parking_lot::Mutex;
 use serde::{Deserialize, Serialize};
 
 use super::{HIDDEN, StoreError, ZarrStore};
@@ -74,9 +74,7 @@ impl Log {
     fn note(&self, event: &Event) {
         let Ok(mut line) = serde_json::to_vec(event) else { return };
         line.push(b'\n');
-        if let Ok(mut file) = self.file.lock() {
-            let _ = file.write_all(&line);
-        }
+        let _ = self.file.lock().write_all(&line);
     }
 }
 

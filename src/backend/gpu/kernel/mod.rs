@@ -20,7 +20,7 @@ use super::adapters::Found;
 use crate::backend::gpu::shader::{Arithmetic, Residence};
 use crate::backend::{BackendError, Result};
 
-use std::sync::Mutex;
+use parking_lot::Mutex;
 
 use compiled::Library;
 pub use spent::Spent;
@@ -64,14 +64,12 @@ impl Kernel {
 
     /// Where time went since this was last asked.
     pub fn spent(&self) -> Spent {
-        self.spent.lock().map(|mut spent| std::mem::take(&mut *spent)).unwrap_or_default()
+        std::mem::take(&mut *self.spent.lock())
     }
 
     /// Adds to where time went.
     fn spend(&self, more: Spent) {
-        if let Ok(mut spent) = self.spent.lock() {
-            *spent += more;
-        }
+        *self.spent.lock() += more;
     }
 
     /// Trajectories that one call of [`Kernel::run`] takes at most.

@@ -11,7 +11,7 @@ use crate::model::{Real, System};
 /// Blocks that stand so many times in every shader, the first order and the last.
 const COUNTED: [(&str, usize, usize); 3] = [
     ("contact term", 1, <f32 as Real>::CONTACT_ORDER),
-    ("flight term", 1, <f32 as Real>::ORDER),
+    ("tangent term", 1, <f32 as Real>::TANGENT_ORDER),
     ("newton step", 1, NEWTON_STEPS),
 ];
 
