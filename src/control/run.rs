@@ -51,10 +51,10 @@ impl Run<'_> {
     fn follow<T: Real, const N: usize, const M: usize>(&self, witness: &mut impl Witness<T>) -> Outcome {
         let flight = Flight::<f64, M>::new(self.flown).round::<T>();
         let surface = Surface::new(self.system, &flight, self.controller.stop());
+        let given = State::<f64, N>::from_slice(self.start).map(T::of);
         let mut start = State::zero();
-        for i in 0..N {
-            (start.x[i], start.v[i]) = (T::of(self.start[i]), T::of(self.start[N + i]));
-        }
+        start.x[..N].copy_from_slice(&given.x);
+        start.v[..N].copy_from_slice(&given.v);
         let (begun, controller) = (Trajectory::new(&flight, start), Controller::rounded(self.controller));
         let mut controlled = Controlled::<T, N, M>::new(begun, surface, controller, self.schedule);
         controlled.follow(&flight, self.schedule, witness);
