@@ -239,56 +239,91 @@ fn a_correction_beyond_another_stop_is_left_out() {
     }
 }
 
+/// Forty returns.
+const FORTY: ControlSchedule =
+    ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
+
+/// A force −0.3 sin φ on a coordinate.
+fn in_phase(coordinate: usize) -> Scheme {
+    Scheme::Sine(SineSetting {
+        stop: Stop::A,
+        convention: Convention::Force,
+        coordinate,
+        amplitude: -0.3,
+        alpha: 0.0,
+        dead_band: 0.0,
+        gamma: 1.0,
+        phase: 0.0,
+        component: 0,
+        target: Target { reference: 1.0, given: SectionValues::new([Some(-0.1), None, None, None]), own: 0 },
+    })
+}
+
+/// The returns to the first stop from a point there, under a controller whose force acts from the beginning.
+fn returns<const N: usize, const M: usize>(
+    system: &System,
+    controller: Controller<f64>,
+    start: &[f64],
+) -> Vec<Return<f64>> {
+    let flight = Flight::<f64, M>::new(&controller.flown(system).unwrap());
+    let surface = Surface::new(system, &flight, Stop::A);
+    let begun = SectionPoint::<f64, N>::new(start).trajectory(&flight, &surface, Contact::FREE);
+    let mut controlled = Controlled::<f64, N, M>::new(begun, surface, controller, &FORTY);
+    controlled.force(&flight);
+    let mut returns = Returns::default();
+    controlled.follow(&flight, &FORTY, &mut returns);
+    returns.0
+}
+
 #[test]
 fn a_force_on_the_second_mass_is_a_change_of_its_forcing() {
-    let system = apart();
+    let (system, start) = (apart(), [-0.4, 0.1, 0.1, 1.0]);
     let changed = system.clone().loaded(&[1.0, -0.3]);
-    let schedule =
-        ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
-    let start = SectionPoint::<f64, 2>::new(&[-0.4, 0.1, 0.1, 1.0]);
-    let sine = |coordinate| {
-        Scheme::Sine(SineSetting {
-            stop: Stop::A,
-            convention: Convention::Force,
-            coordinate,
-            amplitude: -0.3,
-            alpha: 0.0,
-            dead_band: 0.0,
-            gamma: 1.0,
-            phase: 0.0,
-            component: 0,
-            target: Target {
-                reference: 1.0,
-                given: SectionValues::new([Some(-0.1), None, None, None]),
-                own: 0,
-            },
-        })
-    };
-    let forced = |coordinate| {
-        let controller = sine(coordinate).resolve(&system).unwrap();
-        let flight = Flight::<f64, 3>::new(&controller.flown(&system).unwrap());
-        let surface = Surface::new(&system, &flight, Stop::A);
-        let begun = start.trajectory(&flight, &surface, Contact::FREE);
-        let mut returns = Returns::default();
-        let mut controlled = Controlled::<f64, 2, 3>::new(begun, surface, controller, &schedule);
-        controlled.force(&flight);
-        controlled.follow(&flight, &schedule, &mut returns);
-        returns.0
-    };
-    let flight = Flight::<f64, 2>::new(&changed);
-    let surface = Surface::new(&changed, &flight, Stop::A);
-    let begun = start.trajectory(&flight, &surface, Contact::FREE);
-    let mut returns = Returns::default();
-    Controlled::<f64, 2, 2>::new(begun, surface, Controller::None(Stop::A), &schedule).follow(
-        &flight,
-        &schedule,
-        &mut returns,
-    );
-    for (a, b) in forced(1).iter().zip(&returns.0).take(8) {
+    let expected = returns::<2, 2>(&changed, Controller::None(Stop::A), &start);
+    let forced =
+        |coordinate| returns::<2, 3>(&system, in_phase(coordinate).resolve(&system).unwrap(), &start);
+    for (a, b) in forced(1).iter().zip(&expected).take(8) {
         assert!(away(a.section, b.section) < 1e-9, "{a:?} {b:?}");
     }
-    assert!(away(forced(0)[0].section, returns.0[0].section) > 1e-3, "the coordinate makes no difference");
-    assert!(sine(2).resolve(&system).unwrap_err().to_string().contains("no coordinate 2"));
+    assert!(away(forced(0)[0].section, expected[0].section) > 1e-3, "the coordinate makes no difference");
+    assert!(in_phase(2).resolve(&system).unwrap_err().to_string().contains("no coordinate 2"));
+}
+
+#[test]
+fn a_force_on_the_last_of_four_masses_is_a_change_of_its_forcing() {
+    let chain = |diagonal: f64, beside: f64| {
+        DMatrix::from_fn(4, 4, |i: usize, j: usize| match i.abs_diff(j) {
+            0 => diagonal,
+            1 => beside,
+            _ => 0.0,
+        })
+    };
+    let system = System::of_plant(Plant {
+        n: 4,
+        mass: DMatrix::identity(4, 4),
+        damping: chain(0.2, -0.1),
+        stiffness: chain(2.0, -1.0),
+        force_sin: DVector::from_row_slice(&[1.0, 0.0, 0.0, 0.0]),
+        force_cos: DVector::zeros(4),
+        load: DVector::zeros(4),
+        omega: 1.1,
+        stops: vec![PlantStop {
+            direction: DVector::from_row_slice(&[1.0, 0.0, 0.0, 0.0]),
+            gap: 0.2,
+            restitution: 0.8,
+        }],
+    })
+    .unwrap();
+    let start = [-0.4, 0.1, 0.1, 0.0, 0.0, 0.1, -0.1, 1.0];
+    let changed = system.clone().loaded(&[1.0, 0.0, 0.0, -0.3]);
+    let expected = returns::<4, 4>(&changed, Controller::None(Stop::A), &start);
+    let forced = returns::<4, 5>(&system, in_phase(3).resolve(&system).unwrap(), &start);
+    assert_eq!(forced.len(), 40);
+    for (a, b) in forced.iter().zip(&expected).take(8) {
+        assert!(away(a.section, b.section) < 1e-9, "{a:?} {b:?}");
+    }
+    let unforced = returns::<4, 4>(&system, Controller::None(Stop::A), &start);
+    assert!(away(unforced[1].section, expected[1].section) > 1e-3, "the force makes no difference");
 }
 
 #[test]
