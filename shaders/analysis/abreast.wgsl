@@ -51,9 +51,7 @@ fn pace_complete(carry: bool) {
     trajectory.point = trajectory.ahead;
     let event = end_step();
     pace.arrived = event == EVENT_STROBE;
-    if event == EVENT_HALF_PERIOD {
-        pace.halfway = carry;
-    }
+    pace.halfway = carry & (event == EVENT_HALF_PERIOD);
 }
 
 // The contact that the trajectory waits for, and the rest of the step after it.

@@ -29,7 +29,7 @@ pub struct Observer<T, const N: usize> {
     pub(super) observed: u32,
     /// Forcing periods of the observation.
     pub(super) observe: u32,
-    /// Moves since the last strobe.
+    /// Moves since the last strobe; steps and passing phase π are none.
     pub(super) moves: Moves,
     /// Impacts since the observation began.
     pub(super) impacts: u32,
@@ -203,7 +203,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.loss.energy = tally.energy;
     }
 
-    /// Notes that the trajectory came to phase 0 or π in free flight.
+    /// Notes that the trajectory came to phase 0 in free flight, or under observation to phase π.
     pub(super) fn arrive(&mut self, flight: &Flight<T, N>, schedule: &Schedule, event: Event<T>) {
         self.note(flight, schedule, &Move { time: T::zero(), contact: Contact::FREE, event });
     }

@@ -3,7 +3,6 @@
 use super::action::{Action, Seen};
 use super::components::Components;
 use super::deviation::Deviations;
-use super::force::under;
 use super::memory::{Counts, Memory, added};
 use super::methods::Controller;
 use super::progress::Progress;
@@ -110,13 +109,6 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
         let seen = Seen { section, turns, periods: 0, controlled: 0, memory: &self.memory };
         let action = self.controller.act(&seen);
         self.set_force(flight, &action);
-    }
-
-    /// Goes on from the present point under the force of an action.
-    pub(super) fn set_force(&mut self, flight: &Flight<T, M>, action: &Action<T, N>) {
-        let Trajectory { mut point, contact, step, offset, .. } = self.trajectory;
-        point.state = under(action, point.state, self.controller.frequency(flight.omega));
-        self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
     }
 
     #[inline(always)]

@@ -2,7 +2,6 @@
 
 use super::action::Seen;
 use super::components::Components;
-use super::force::behind;
 use super::memory::LONGEST_DELAY;
 use super::methods::Controller;
 use super::surface::Surface;
@@ -43,9 +42,11 @@ impl<T: Real, const N: usize> Deviations<T, N> {
     ) -> Tangent<T, M> {
         let tau = self.points[0][Components::<T, N>::TAU];
         let within = surface.deviation(flight, &self.points[0]);
-        let state = within.plus(-(tau / flight.omega), &rates(flight, trajectory));
-        let frequency = controller.frequency(flight.omega);
-        behind::<T, N, M>(controller.lag(tau), &trajectory.point.state, state, frequency)
+        let mut state = within.plus(-(tau / flight.omega), &rates(flight, trajectory));
+        if M > N && !controller.begins_anew() {
+            (state.x[N], state.v[N]) = (T::zero(), T::zero());
+        }
+        Tangent(state)
     }
 
     /// The deviation of the point at which a trajectory with this tangent vector arrives.

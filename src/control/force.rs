@@ -2,7 +2,6 @@
 
 use super::action::Action;
 use super::methods::Controller;
-use crate::dynamics::Tangent;
 use crate::model::{Real, State, System, SystemError};
 
 impl<T: Real> Controller<T> {
@@ -40,20 +39,4 @@ pub fn under<T: Real, const N: usize, const M: usize>(
         state.v[N] = frequency * (action.force * cos);
     }
     state
-}
-
-/// A deviation at fixed time where the force, in this state, is behind in phase by `lag` times a small number; without a
-/// coordinate for the force it is the deviation.
-#[inline(always)]
-pub fn behind<T: Real, const N: usize, const M: usize>(
-    lag: T,
-    state: &State<T, M>,
-    mut deviation: State<T, M>,
-    frequency: T,
-) -> Tangent<T, M> {
-    if M > N {
-        deviation.x[N] = -(lag * state.v[N]) / frequency;
-        deviation.v[N] = lag * state.x[N] * frequency;
-    }
-    Tangent(deviation)
 }

@@ -156,9 +156,9 @@ pub(super) trait Law<T: Real>: Copy {
         None
     }
 
-    /// How far a force is behind in phase on a trajectory that has met the stop later, by `later` of the forcing's phase.
-    fn lag(&self, _later: T) -> T {
-        T::zero()
+    /// Whether the force begins anew with every return: on a trajectory that returns later it is later too.
+    fn begins_anew(&self) -> bool {
+        false
     }
 
     /// What it aims at.

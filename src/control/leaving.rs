@@ -6,7 +6,7 @@ use super::controlled::Controlled;
 use super::force::under;
 use super::progress::Progress;
 use super::section_point::SectionPoint;
-use crate::dynamics::{Contact, Point, holds};
+use crate::dynamics::{Contact, Point, Trajectory, holds};
 use crate::model::vector::dot;
 use crate::model::{Flight, Real};
 
@@ -68,9 +68,14 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
             // A phase that is set back at every return never reaches a strobe.
             self.moves.pass_period();
         }
-        let state = self.trajectory.point.state;
-        if under(action, state, self.controller.frequency(flight.omega)) != state {
-            self.set_force(flight, action);
+        self.set_force(flight, action);
+    }
+    /// Goes on from the present point under the force of an action.
+    pub(super) fn set_force(&mut self, flight: &Flight<T, M>, action: &Action<T, N>) {
+        let Trajectory { mut point, contact, step, offset, .. } = self.trajectory;
+        point.state = under(action, point.state, self.controller.frequency(flight.omega));
+        if point != self.trajectory.point {
+            self.trajectory = Trajectory::from_point(flight, point, contact, step, offset);
         }
     }
 }

@@ -10,7 +10,7 @@ pub const FAIR_MOVES: u32 = 1 << 16;
 /// Moves in a forcing period after which a trajectory keeps others waiting.
 const MANY_MOVES: u32 = 1 << 12;
 
-/// Moves that a trajectory has made beyond its share of [`FAIR_MOVES`] in each forcing period; ends of steps within it are none.
+/// Moves that a trajectory has made beyond its share of [`FAIR_MOVES`] in each forcing period.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Moves(u32);
 

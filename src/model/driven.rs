@@ -2,24 +2,26 @@
 
 use super::system::System;
 use super::system_error::SystemError;
-use crate::system::{Plant, PlantStop};
+use super::vector::MOST;
+use crate::system::{Mirror, Plant, PlantStop};
 
 impl System {
     /// The system with a force u = B sin θ, θ' = γω, `ratio` = γ ≥ 0, on one coordinate, in steps that are short enough for it;
     /// everything is non-dimensional.
     ///
     /// The force is the last coordinate, u″ = −(γω)² u, which no other one disturbs: so flight stays exact, and a deviation of
-    /// the force is one of the state. Its amplitude and phase are what its state (B sin θ, γω B cos θ) says.
+    /// the force is one of the state. Its amplitude and phase are what its state (B sin θ, γω B cos θ) says. The system is only to
+    /// be flown: its setting, stops and mirror are those of the system without the force.
     ///
     /// # Errors
     /// [`SystemError::TooStiff`] where one forcing period would hold too many steps.
     ///
     /// # Panics
-    /// If there is no such coordinate.
+    /// If there is no such coordinate, or a force is a coordinate already.
     pub fn driven(&self, coordinate: usize, ratio: f64) -> Result<Self, SystemError> {
         let plant = self.plant();
         let n = plant.n;
-        assert!(coordinate < n, "coordinate {coordinate} of {n}");
+        assert!(coordinate < n && n <= MOST, "coordinate {coordinate} of {n}");
         let square = |matrix: &nalgebra::DMatrix<f64>| matrix.clone().resize(n + 1, n + 1, 0.0);
         let vector = |vector: &nalgebra::DVector<f64>| vector.clone().resize_vertically(n + 1, 0.0);
         let [mut mass, damping, mut stiffness] = [&plant.mass, &plant.damping, &plant.stiffness].map(square);
@@ -27,7 +29,7 @@ impl System {
         stiffness[(n, n)] = (ratio * plant.omega).powi(2);
         stiffness[(coordinate, n)] = -1.0;
         let extended = |stop: &PlantStop| PlantStop { direction: vector(&stop.direction), ..*stop };
-        self.with_sound_plant(Plant {
+        let driven = self.with_sound_plant(Plant {
             n: n + 1,
             mass,
             damping,
@@ -37,7 +39,15 @@ impl System {
             load: vector(&plant.load),
             omega: plant.omega,
             stops: plant.stops.iter().map(extended).collect(),
-        })
+        })?;
+        driven.of_flow.0.mirror(|| {
+            self.mirror().map(|Mirror { matrix, stops }| {
+                let mut matrix = square(matrix);
+                matrix[(n, n)] = 1.0;
+                Mirror { matrix, stops: stops.clone() }
+            })
+        });
+        Ok(driven)
     }
 }
 
@@ -70,5 +80,8 @@ mod tests {
             assert_eq!((driven.gap, driven.restitution, driven.stop), (own.gap, own.restitution, own.stop));
         }
         assert_eq!(driven.count, flight.count);
+        let sign = |i: usize, j: usize| if i == j && i < 2 { -1.0 } else { f64::from(u8::from(i == j)) };
+        let mirror = std::array::from_fn(|j| std::array::from_fn(|i| sign(i, j)));
+        assert_eq!(driven.mirror, Some(mirror), "of the masses alone");
     }
 }

@@ -19,7 +19,7 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const ORDER: usize;
     /// The order of the polynomial by which a kick changes the end of a step: what it leaves out there is lost in rounding.
     const KICK_ORDER: usize;
-    /// The order of the Taylor polynomial by which an observed deviation flies: what it leaves out of a deviation, 2·10⁻¹² of it
+    /// The order of the Taylor polynomial by which an observed deviation flies freely: what it leaves out of a deviation, 2·10⁻¹² of it
     /// and in f32 10⁻⁷, matters to no exponent.
     const TANGENT_ORDER: usize;
     /// The order of the Taylor polynomial by which a contact is reached from the nearer end of a step.

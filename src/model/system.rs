@@ -115,7 +115,7 @@ impl System {
         Ok(())
     }
 
-    /// The system of another plant that is known to be sound, its labels in the same order.
+    /// The system of another plant that is known to be sound, with the same setting and its labels in the same order.
     ///
     /// # Errors
     /// [`SystemError::TooStiff`] where one forcing period would hold too many steps.
@@ -147,6 +147,9 @@ impl System {
     }
 
     /// The same system under a unit load of sin φ on one coordinate and no other.
+    ///
+    /// # Panics
+    /// If there is no such coordinate.
     #[must_use]
     pub fn loaded_alone(&self, coordinate: usize) -> Self {
         let mut alone = self.clone().unforced();

@@ -7,7 +7,7 @@ use nalgebra::SMatrix;
 use super::real::Lanes;
 use super::real::Real;
 
-/// Coordinates or normals of a plant, at most.
+/// Coordinates or normals of a plant, at most; in flight a force may be one coordinate more.
 pub const MOST: usize = 4;
 
 /// a · b.

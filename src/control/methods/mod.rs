@@ -177,8 +177,8 @@ macro_rules! methods {
                 match self { Controller::None(_) => None, $(Controller::$Name(law) => law.force()),+ }
             }
 
-            pub(in crate::control) fn lag(&self, later: T) -> T {
-                match self { Controller::None(_) => T::zero(), $(Controller::$Name(law) => law.lag(later)),+ }
+            pub(in crate::control) fn begins_anew(&self) -> bool {
+                match self { Controller::None(_) => false, $(Controller::$Name(law) => law.begins_anew()),+ }
             }
 
             pub(in crate::control) fn remembered(&self) -> usize {

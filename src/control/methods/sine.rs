@@ -118,11 +118,8 @@ impl<T: Real> Law<T> for Sine<T> {
         (self.convention != Convention::Kick).then_some((self.coordinate, self.ratio))
     }
 
-    fn lag(&self, later: T) -> T {
-        match self.convention {
-            Convention::Kick | Convention::Force => T::zero(),
-            Convention::ForceLocal => self.ratio * later,
-        }
+    fn begins_anew(&self) -> bool {
+        self.convention == Convention::ForceLocal
     }
 
     fn target(&self) -> Option<Vec<T>> {
