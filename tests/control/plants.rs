@@ -243,8 +243,10 @@ fn a_correction_beyond_another_stop_is_left_out() {
 const FORTY: ControlSchedule =
     ControlSchedule { from: 0, iterates: 40, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
 
-/// A force −0.3 sin φ on a coordinate.
-fn in_phase(coordinate: usize) -> Scheme {
+/// A force −0.3 sin φ on one of n coordinates.
+fn in_phase(coordinate: usize, n: usize) -> Scheme {
+    let mut given = SectionValues::from_slice(&vec![0.0; 2 * n]).unwrap().map(|_: f64| None);
+    given[0] = Some(-0.1);
     Scheme::Sine(SineSetting {
         stop: Stop::A,
         convention: Convention::Force,
@@ -255,7 +257,7 @@ fn in_phase(coordinate: usize) -> Scheme {
         gamma: 1.0,
         phase: 0.0,
         component: 0,
-        target: Target { reference: 1.0, given: SectionValues::new([Some(-0.1), None, None, None]), own: 0 },
+        target: Target { reference: 1.0, given, own: 0 },
     })
 }
 
@@ -281,12 +283,12 @@ fn a_force_on_the_second_mass_is_a_change_of_its_forcing() {
     let changed = system.clone().loaded(&[1.0, -0.3]);
     let expected = returns::<2, 2>(&changed, Controller::None(Stop::A), &start);
     let forced =
-        |coordinate| returns::<2, 3>(&system, in_phase(coordinate).resolve(&system).unwrap(), &start);
+        |coordinate| returns::<2, 3>(&system, in_phase(coordinate, 2).resolve(&system).unwrap(), &start);
     for (a, b) in forced(1).iter().zip(&expected).take(8) {
         assert!(away(a.section, b.section) < 1e-9, "{a:?} {b:?}");
     }
     assert!(away(forced(0)[0].section, expected[0].section) > 1e-3, "the coordinate makes no difference");
-    assert!(in_phase(2).resolve(&system).unwrap_err().to_string().contains("no coordinate 2"));
+    assert!(in_phase(2, 2).resolve(&system).unwrap_err().to_string().contains("no coordinate 2"));
 }
 
 #[test]
@@ -317,7 +319,7 @@ fn a_force_on_the_last_of_four_masses_is_a_change_of_its_forcing() {
     let start = [-0.4, 0.1, 0.1, 0.0, 0.0, 0.1, -0.1, 1.0];
     let changed = system.clone().loaded(&[1.0, 0.0, 0.0, -0.3]);
     let expected = returns::<4, 4>(&changed, Controller::None(Stop::A), &start);
-    let forced = returns::<4, 5>(&system, in_phase(3).resolve(&system).unwrap(), &start);
+    let forced = returns::<4, 5>(&system, in_phase(3, 4).resolve(&system).unwrap(), &start);
     assert_eq!(forced.len(), 40);
     for (a, b) in forced.iter().zip(&expected).take(8) {
         assert!(away(a.section, b.section) < 1e-9, "{a:?} {b:?}");
