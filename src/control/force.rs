@@ -23,6 +23,33 @@ impl Controller<f64> {
         self.force()
             .map_or_else(|| Ok(system.clone()), |(coordinate, ratio)| system.driven(coordinate, ratio))
     }
+
+    /// Does something with the system as its trajectories fly, in as many coordinates as they and the system have.
+    ///
+    /// # Errors
+    /// As [`Controller::flown`].
+    pub(super) fn fly<A: InFlight>(&self, system: &System, what: A) -> Result<A::Output, SystemError> {
+        let flown = self.flown(system)?;
+        Ok(match (system.plant().n, flown.plant().n) {
+            (1, 1) => what.fly::<1, 1>(&flown),
+            (1, _) => what.fly::<1, 2>(&flown),
+            (2, 2) => what.fly::<2, 2>(&flown),
+            (2, _) => what.fly::<2, 3>(&flown),
+            (3, 3) => what.fly::<3, 3>(&flown),
+            (3, _) => what.fly::<3, 4>(&flown),
+            (_, 4) => what.fly::<4, 4>(&flown),
+            _ => what.fly::<4, 5>(&flown),
+        })
+    }
+}
+
+/// What is done with a system of N coordinates whose trajectories fly in M, one of which may be the force.
+pub trait InFlight {
+    /// What comes of it.
+    type Output;
+
+    /// Does it; `flown` is the system of M coordinates.
+    fn fly<const N: usize, const M: usize>(self, flown: &System) -> Self::Output;
 }
 
 /// The state of a system of N coordinates under the force of an action, θ' = `frequency`; without a coordinate for the force,

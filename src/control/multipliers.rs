@@ -4,6 +4,7 @@ use nalgebra::{Complex, DMatrix};
 
 use super::controlled::Controlled;
 use super::deviation::DELAYS;
+use super::force::InFlight;
 use super::memory::LONGEST_DELAY;
 use super::methods::Controller;
 use super::schedule::ControlSchedule;
@@ -34,35 +35,26 @@ pub fn multipliers(
     fixed_point: &[f64],
 ) -> Result<Option<Vec<Complex<f64>>>, SystemError> {
     let held = controller.held(None);
-    let flown = held.flown(system)?;
-    let begin = Begin { system, flown: &flown, held, remembered: controller.remembered().min(DELAYS) };
-    Ok(match (system.plant().n, flown.plant().n) {
-        (1, 1) => begin.multipliers::<1, 1>(fixed_point),
-        (1, _) => begin.multipliers::<1, 2>(fixed_point),
-        (2, 2) => begin.multipliers::<2, 2>(fixed_point),
-        (2, _) => begin.multipliers::<2, 3>(fixed_point),
-        (3, 3) => begin.multipliers::<3, 3>(fixed_point),
-        (3, _) => begin.multipliers::<3, 4>(fixed_point),
-        (_, 4) => begin.multipliers::<4, 4>(fixed_point),
-        _ => begin.multipliers::<4, 5>(fixed_point),
-    })
+    held.fly(system, Held { system, held, remembered: controller.remembered().min(DELAYS), fixed_point })
 }
 
-/// What is iterated, `flown` being the system with a coordinate for the force where there is one.
-struct Begin<'a> {
+/// What is iterated.
+struct Held<'a> {
     system: &'a System,
-    flown: &'a System,
     /// The controller without adaptation.
     held: Controller<f64>,
     /// The points that it remembers.
     remembered: usize,
+    fixed_point: &'a [f64],
 }
 
-impl Begin<'_> {
-    fn multipliers<const N: usize, const M: usize>(&self, fixed_point: &[f64]) -> Option<Vec<Complex<f64>>> {
-        let flight = Flight::<f64, M>::new(self.flown);
+impl InFlight for Held<'_> {
+    type Output = Option<Vec<Complex<f64>>>;
+
+    fn fly<const N: usize, const M: usize>(self, flown: &System) -> Self::Output {
+        let flight = Flight::<f64, M>::new(flown);
         let surface = Surface::new(self.system, &flight, self.held.stop());
-        let at = vec![SectionPoint::<f64, N>::new(fixed_point); self.remembered];
+        let at = vec![SectionPoint::<f64, N>::new(self.fixed_point); self.remembered];
         let jacobian = differences(|points| iterate(&flight, surface, self.held, points), &at)?;
         let mut found: Vec<Complex<f64>> = jacobian.complex_eigenvalues().iter().copied().collect();
         found.sort_by(|a, b| b.norm().total_cmp(&a.norm()));

@@ -1,6 +1,9 @@
 //! A whole run under control, in either precision.
 
+use std::marker::PhantomData;
+
 use super::controlled::Controlled;
+use super::force::InFlight;
 use super::methods::Controller;
 use super::outcome::Outcome;
 use super::schedule::ControlSchedule;
@@ -24,32 +27,24 @@ pub fn control<T: Real, W: Witness<T>>(
     schedule: &ControlSchedule,
     witness: &mut W,
 ) -> Result<Outcome, SystemError> {
-    let flown = controller.flown(system)?;
-    let run = Run { system, flown: &flown, start, controller, schedule };
-    Ok(match (system.plant().n, flown.plant().n) {
-        (1, 1) => run.follow::<T, 1, 1>(witness),
-        (1, _) => run.follow::<T, 1, 2>(witness),
-        (2, 2) => run.follow::<T, 2, 2>(witness),
-        (2, _) => run.follow::<T, 2, 3>(witness),
-        (3, 3) => run.follow::<T, 3, 3>(witness),
-        (3, _) => run.follow::<T, 3, 4>(witness),
-        (_, 4) => run.follow::<T, 4, 4>(witness),
-        _ => run.follow::<T, 4, 5>(witness),
-    })
+    controller.fly(system, Run { system, start, controller, schedule, witness, precision: PhantomData::<T> })
 }
 
-/// What is run, `flown` being the system with a coordinate for the force where there is one.
-struct Run<'a> {
+/// What is run.
+struct Run<'a, T, W> {
     system: &'a System,
-    flown: &'a System,
     start: &'a [f64],
     controller: &'a Controller<f64>,
     schedule: &'a ControlSchedule,
+    witness: &'a mut W,
+    precision: PhantomData<T>,
 }
 
-impl Run<'_> {
-    fn follow<T: Real, const N: usize, const M: usize>(&self, witness: &mut impl Witness<T>) -> Outcome {
-        let flight = Flight::<f64, M>::new(self.flown).round::<T>();
+impl<T: Real, W: Witness<T>> InFlight for Run<'_, T, W> {
+    type Output = Outcome;
+
+    fn fly<const N: usize, const M: usize>(self, flown: &System) -> Outcome {
+        let flight = Flight::<f64, M>::new(flown).round::<T>();
         let surface = Surface::new(self.system, &flight, self.controller.stop());
         let given = State::<f64, N>::from_slice(self.start).map(T::of);
         let mut start = State::zero();
@@ -57,7 +52,7 @@ impl Run<'_> {
         start.v[..N].copy_from_slice(&given.v);
         let (begun, controller) = (Trajectory::new(&flight, start), Controller::rounded(self.controller));
         let mut controlled = Controlled::<T, N, M>::new(begun, surface, controller, self.schedule);
-        controlled.follow(&flight, self.schedule, witness);
+        controlled.follow(&flight, self.schedule, self.witness);
         controlled.outcome(&flight, self.schedule, self.system)
     }
 }

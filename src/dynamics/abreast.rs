@@ -252,12 +252,13 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.point = Point::select(moves, &self.ahead, &self.point);
         self.left = L::select(moves, self.left - self.left.all(1.0), self.left);
         let arrived = moves.and(self.left.below(self.left.all(0.5)));
-        if arrived.bits() != 0 {
-            self.phase = L::select(arrived, -self.phase, self.phase);
-            self.point.sin = L::select(arrived, self.left.all(0.0), self.point.sin);
-            self.point.cos = L::select(arrived, self.phase, self.point.cos);
-            self.left = L::select(arrived, self.half, self.left);
+        if arrived.bits() == 0 {
+            return 0;
         }
+        self.phase = L::select(arrived, -self.phase, self.phase);
+        self.point.sin = L::select(arrived, self.left.all(0.0), self.point.sin);
+        self.point.cos = L::select(arrived, self.phase, self.point.cos);
+        self.left = L::select(arrived, self.half, self.left);
         arrived.and(self.phase.all(0.0).below(self.phase).or(holds(self.carries))).bits()
     }
 }

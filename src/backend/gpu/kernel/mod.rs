@@ -16,12 +16,11 @@ mod spent;
 mod tile;
 mod trace;
 
+use parking_lot::Mutex;
+
 use super::adapters::Found;
 use crate::backend::gpu::shader::{Arithmetic, Residence};
 use crate::backend::{BackendError, Result};
-
-use parking_lot::Mutex;
-
 use compiled::Library;
 pub use spent::Spent;
 
