@@ -1,12 +1,14 @@
 //! How long a plane will take, measured on some of its cells before the rest is begun.
 
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use impact_atlas::backend::{Backend, Watch, Width};
 use impact_atlas::plane::Plane;
 use impact_atlas::sweep::{Swept, sample, spread};
 
-use super::interrupt::{self, Interruptible};
+use super::interrupt;
 use super::{CliError, Result, note, spans};
 
 /// The most cells that are measured.
@@ -21,8 +23,11 @@ const ONE_OF_FEWER: u64 = 8;
 /// Planes of fewer cells are not worth it.
 const FEWEST: u64 = 64;
 
-/// When measuring ends.
+/// How long measuring should take.
 const LONGEST: Duration = Duration::from_secs(1);
+
+/// When those that are being measured are given up; as at most one cell in eight is, all of them take long then.
+const DEADLINE: Duration = Duration::from_secs(2);
 
 /// What will take longer than this is announced.
 pub const WORTH_SAYING: Duration = Duration::from_secs(10);
@@ -51,19 +56,27 @@ fn of_cells(
     let first = if backend.name() == "cpu" { lanes } else { MOST as usize };
     if backend.name() != "cpu" {
         // A shader is compiled once, however many cells there are.
-        compute(&cells[..1], &Interruptible)?;
+        compute(&cells[..1], &interrupt::Interruptible)?;
     }
     let began = Instant::now();
     let mut measured = 0;
     let mut estimate = Duration::ZERO;
     for some in doubling(&cells, first) {
+        let time_of_all = |time: Duration| time.mul_f64(all as f64 / some.len() as f64);
+        let announce = || {
+            let (least, deadline) = (spans::words(time_of_all(DEADLINE)), spans::words(DEADLINE));
+            let some = some.len();
+            note(&format!(
+                "{what} will take about {least} or more ({some} of {all} cells take over {deadline})"
+            ));
+        };
         let began_with_these = Instant::now();
-        compute(some, &Interruptible)?;
-        interrupt::check()?;
+        let Some(()) = before(DEADLINE, announce, |watch| compute(some, watch))? else { return Ok(()) };
         measured += some.len();
-        estimate = began_with_these.elapsed().mul_f64(all as f64 / some.len() as f64);
+        estimate = time_of_all(began_with_these.elapsed());
         let is_short = measured as u64 >= all / ONE_OF && estimate < WORTH_SAYING;
-        if is_short || began.elapsed() > LONGEST {
+        // The next part is at least twice as large.
+        if is_short || began.elapsed() + 2 * began_with_these.elapsed() > LONGEST {
             break;
         }
     }
@@ -72,6 +85,43 @@ fn of_cells(
         note(&format!("{what} will take about {time} (measured on {measured} of {all} cells)"));
     }
     Ok(())
+}
+
+/// A watch that ends a run at some time.
+#[derive(Debug)]
+struct Until(Instant);
+
+impl Watch for Until {
+    fn cancelled(&self) -> bool {
+        interrupt::requested() || Instant::now() >= self.0
+    }
+}
+
+/// Runs something until the deadline; then, at once, `announce`s that it takes longer, and gives nothing as soon as it ends.
+fn before<T>(
+    deadline: Duration,
+    announce: impl FnOnce() + Send,
+    run: impl FnOnce(&Until) -> Result<T>,
+) -> Result<Option<T>> {
+    let until = Until(Instant::now() + deadline);
+    let (result, is_late) = thread::scope(|scope| {
+        let (done, wait) = mpsc::channel::<()>();
+        let waiting = scope.spawn(move || {
+            let is_late = wait.recv_timeout(deadline) == Err(RecvTimeoutError::Timeout);
+            if is_late && !interrupt::requested() {
+                announce();
+            }
+            is_late
+        });
+        let result = run(&until);
+        drop(done);
+        (result, waiting.join().is_ok_and(|is_late| is_late))
+    });
+    interrupt::check()?;
+    match result {
+        Ok(_) | Err(CliError::Interrupted) if is_late => Ok(None),
+        result => result.map(Some),
+    }
 }
 
 /// Parts of some cells, `first` of them in the first, each part at least twice as large as the one before.
@@ -88,6 +138,39 @@ fn doubling(cells: &[u64], first: usize) -> impl Iterator<Item = &[u64]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_takes_too_long_is_announced_and_given_up() {
+        let (limit, mut announced) = (Duration::from_millis(50), 0);
+        let in_time = before(Duration::from_secs(1000), || announced += 1, |_| Ok(7));
+        assert_eq!((in_time.unwrap(), announced), (Some(7), 0));
+        let given_up = before(
+            limit,
+            || announced += 1,
+            |watch| {
+                while !watch.cancelled() {
+                    thread::yield_now();
+                }
+                // The watch may be looked at before the announcement is made.
+                thread::sleep(limit);
+                Err::<(), _>(CliError::Interrupted)
+            },
+        );
+        assert_eq!((given_up.unwrap(), announced), (None, 1));
+        // What does not look at the watch is announced all the same; another error stays one.
+        let late = before(
+            limit,
+            || announced += 1,
+            |_| {
+                thread::sleep(3 * limit);
+                Ok(7)
+            },
+        );
+        assert_eq!((late.unwrap(), announced), (None, 2));
+        let failed = before(limit, || announced += 1, |_| Err::<(), _>(CliError::input(std::fmt::Error)));
+        assert!(matches!(failed, Err(CliError::Input(_))));
+        assert_eq!(announced, 2);
+    }
 
     #[test]
     fn each_part_is_at_least_twice_the_one_before_and_none_is_missing() {

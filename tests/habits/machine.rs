@@ -55,7 +55,7 @@ fn what_will_take_long_is_announced() {
     // Close to r = 1 at low frequency a mass rebounds a hundred thousand times in a period before it comes to rest.
     let slow = "map --backend cpu --threads 1 --x omega=0.01:0.02:30 --y r=0.999:1:20 --set delta=0.1";
     let said = interrupted_after(8, slow);
-    assert!(said.contains("will take about"), "{said}");
+    assert!(said.contains("will take about") && said.contains(" of 600 cells"), "{said}");
 }
 
 #[test]
