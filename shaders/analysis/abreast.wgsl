@@ -15,21 +15,17 @@ var<private> pace: Pace;
 // Begins rounds: only free flight takes part.
 fn pace_begin() {
     let free = trajectory.contact == CONTACT_FREE;
-    pace.rare = !free | ((trajectory.kicks > MOST_KICKS) & (trajectory.offset != 0.0));
-    pace.waits = trajectory.offset != 0.0;
+    pace.waits = trajectory.under_way == 1u;
+    pace.rare = !free | ((trajectory.kicks > MOST_KICKS) & pace.waits);
     pace.arrived = false;
     pace.halfway = false;
 }
 
 // A whole step of free flight, where it clears the stops.
 fn pace_step(carry: bool) {
-    trajectory.ahead = point_stepped(trajectory.point);
-    trajectory.kicks = 0u;
+    trajectory_begin_step(carry);
     pace.waits = !leg_clears(trajectory.point, trajectory.ahead, flight.h);
     if !pace.waits {
-        if carry {
-            tangent = tangent_stepped(tangent);
-        }
         pace_complete(carry);
     }
 }
@@ -38,9 +34,6 @@ fn pace_step(carry: bool) {
 fn pace_rest(carry: bool) {
     let rest = flight.h - trajectory.offset;
     if leg_clears(trajectory.point, trajectory.ahead, rest) {
-        if carry {
-            tangent = tangent_flown_freely(tangent, rest);
-        }
         pace.waits = false;
         pace_complete(carry);
     }

@@ -19,23 +19,24 @@ fn deviation_rates() -> State {
     return State(trajectory.point.state.v, point_motion(trajectory.point, trajectory.contact).acceleration);
 }
 
-// The deviation, at fixed time, of the trajectory that leaves the present point.
+// The deviation, at fixed time, of the trajectory that leaves the present point, as it is carried along.
 fn deviations_leaving() -> State {
     let present = deviations[0];
     let within = surface_unpacked(present, 0.0);
-    return state_plus(within, -(section_tau(present) / flight.omega), deviation_rates());
+    return tangent_carried(state_plus(within, -(section_tau(present) / flight.omega), deviation_rates()));
 }
 
 // The deviation of the point at which the trajectory arrives.
 fn deviations_arrived() -> SectionPoint {
+    let deviation = tangent_present(tangent);
     let rate = deviation_rates();
     let direction = flight.normals[control.normal].direction;
     let speed = along(direction, rate.x);
     var shift = 0.0;
     if speed != 0.0 {
-        shift = -(along(direction, tangent.x) / speed);
+        shift = -(along(direction, deviation.x) / speed);
     }
-    return surface_components(state_plus(tangent, shift, rate), flight.omega * shift);
+    return surface_components(state_plus(deviation, shift, rate), flight.omega * shift);
 }
 
 fn deviations_push(deviation: SectionPoint) {

@@ -9,8 +9,8 @@ struct Crossing {
     velocity: f32,
     kick: f32,
     rebound: f32,
-    before: X,
-    after: X,
+    // d·x'' before the impact.
+    pull: f32,
 }
 
 // The stop that lies between the ends of a leg: whether there is exactly one, and the leg stays off all stops along other
@@ -105,7 +105,8 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let size = abs(gap) + abs(window * velocity) + along(abs(direction), abs(slid.point.state.x));
     let meets = abs(away) < size * (ROUNDINGS * EPSILON);
     let certain = face.only & close & within & first & parts & meets;
-    return Crossing(certain, face.end, time, point, velocity, change, rebound, slid.acceleration, result);
+    let pull = along(direction, slid.acceleration);
+    return Crossing(certain, face.end, time, point, velocity, change, rebound, pull);
 }
 
 // Whether a contact is the first: the way to it is monotone, or bends towards the stop while it stays off the other one.

@@ -103,15 +103,27 @@ fn point_flown(point: Point, s: f32, contact: u32) -> Point {
     return Point(State(point.state.x + s * mean, velocity), phase.x, phase.y);
 }
 
-// The point with the speed along a normal changed by `kick` a time s ≤ h ago.
-fn point_kicked(point: Point, normal: u32, kick: f32, s: f32) -> Point {
-    let u = s * flight.inverse_h;
-    let first = normal * KICK_TERMS;
+// What a change of d·v by 1 has become a time s ≤ h later.
+fn wake(normal: u32, s: f32) -> State {
+    return impact_polynomial(normal * NORMAL_TERMS, s * flight.inverse_h);
+}
+
+// The row that gives d·x of a deviation a time s ≤ h ago, from the deviation now.
+fn look_back(normal: u32, s: f32) -> State {
+    return impact_polynomial(normal * NORMAL_TERMS + KICK_TERMS, s * flight.inverse_h);
+}
+
+fn impact_polynomial(first: u32, u: f32) -> State {
     var sum = kick_term(first + KICK_ORDER);
     //: each kick term
     sum = state_plus(kick_term(first + $ku), u, sum);
     //: end
-    return Point(state_plus(point.state, kick, sum), point.sin, point.cos);
+    return sum;
+}
+
+// The point with a speed changed by `kick` some time ago, `wake` being what a change by 1 has become.
+fn point_kicked(point: Point, kick: f32, wake: State) -> Point {
+    return Point(state_plus(point.state, kick, wake), point.sin, point.cos);
 }
 
 // The point a time s later, so short that its square is lost in rounding.

@@ -14,7 +14,7 @@ fn series_new(s: f32) -> Series {
         columns_scaled(square, flight.stiffness),
         columns_scaled(s, flight.damping),
         s,
-        flight.rate * s,
+        flight.rate * abs(s),
     );
 }
 

@@ -47,9 +47,6 @@ fn release(carry: bool, end: End, bound: f32) -> Move {
     let ignored = contact_with(contact_with_opposite_ends(contact), end);
     let pulled = min(drawn, contact_safe_time(trajectory.point, motion, ignored, half_window));
     glide(carry, pulled);
-    if contact == CONTACT_FREE {
-        trajectory.ahead = point_flown(trajectory.point, flight.h - trajectory.offset, contact);
-        trajectory.kicks = 0u;
-    }
+    trajectory_look_ahead(carry);
     return Move(EVENT_RELEASED, flight.normals[end.normal].stop[end.side], 0.0, 0.0, CONTACT_FREE);
 }

@@ -26,10 +26,18 @@ fn strike(carry: bool, reached: Reached) -> Move {
         keep_pressed(end.normal, kick);
     }
     let after = point_motion(trajectory.point, trajectory.contact);
+    let rest = flight.h - trajectory.offset;
+    let wake = wake(end.normal, rest);
     if carry && velocity != 0.0 {
-        let contact = trajectory.contact;
-        let impact = Saltation(end.normal, velocity, kick, before, after.acceleration, contact);
-        tangent = tangent_struck(tangent, impact);
+        if trajectory.under_way == 1u {
+            let pull = along(direction, before);
+            let back = look_back(end.normal, rest);
+            tangent = tangent_struck_ahead(tangent, back, velocity, kick, pull, wake);
+        } else {
+            let contact = trajectory.contact;
+            let impact = Saltation(end.normal, velocity, kick, before, after.acceleration, contact);
+            tangent = tangent_struck(tangent, impact);
+        }
     }
     let stop = flight.normals[end.normal].stop[end.side];
     let closure = strike_closure(end, rebound, after);
@@ -37,11 +45,8 @@ fn strike(carry: bool, reached: Reached) -> Move {
         let corner = corner_closes(trajectory.point, trajectory.contact, end);
         if corner != CONTACT_FREE {
             let beside = corner & ~contact_with(trajectory.contact, end);
-            trajectory.contact = corner;
+            strike_catch(carry, corner);
             trajectory.point.state = rested(trajectory.point.state, corner);
-            if carry {
-                tangent = tangent_caught(tangent, corner);
-            }
             return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, beside);
         }
         let lost = unresolved(end, trajectory.point.state);
@@ -49,15 +54,13 @@ fn strike(carry: bool, reached: Reached) -> Move {
             // Pulled off the stop as soon as it is met: rounding must not make that another impact.
             trajectory.point.state = placed(trajectory.point.state, end, -(sign * (lost + lost)));
         }
-        bounce(end.normal, kick, before_contact);
+        bounce(carry, kick, wake);
         return Move(EVENT_IMPACT, stop, velocity, rebound, CONTACT_FREE);
     }
     // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
     let still = abs(velocity) <= unresolved(end, arrived.state);
-    come_to_rest(end, closure.gap_integral);
-    if carry {
-        tangent = tangent_caught(tangent, trajectory.contact);
-    }
+    trajectory.point = at_rest(end, closure.gap_integral);
+    strike_catch(carry, contact_with(trajectory.contact, end));
     let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, !still && abs(rebound) > 0.0);
     return Move(event, stop, select(velocity, 0.0, still), rebound, CONTACT_FREE);
 }
@@ -80,28 +83,27 @@ fn strike_closure(end: End, rebound: f32, after: Motion) -> Closure {
 }
 
 // An impact that ends in flight: the end of the step is where the kick takes it.
-fn bounce(normal: u32, kick: f32, before_contact: u32) {
-    if trajectory.contact != CONTACT_FREE {
-        return;
-    }
-    let rest = flight.h - trajectory.offset;
-    if before_contact != CONTACT_FREE {
-        trajectory.kicks = 0u;
-        trajectory.ahead = point_flown(trajectory.point, rest, CONTACT_FREE);
+fn bounce(carry: bool, kick: f32, wake: State) {
+    if trajectory.under_way == 0u {
+        trajectory_look_ahead(carry);
         return;
     }
     trajectory.kicks = trajectory.kicks + 1u;
     if trajectory.kicks <= MOST_KICKS {
-        trajectory.ahead = point_kicked(trajectory.ahead, normal, kick, rest);
+        trajectory.ahead = point_kicked(trajectory.ahead, kick, wake);
     }
 }
 
-// The end of a chatter sequence: springs and dampers acted on the masses that are free, and now the contact holds.
-fn come_to_rest(end: End, gap_integral: f32) {
-    trajectory.point = at_rest(end, gap_integral);
-    trajectory.contact = contact_with(trajectory.contact, end);
+// From now on these contacts hold.
+fn strike_catch(carry: bool, contact: u32) {
+    if carry {
+        tangent = tangent_caught(tangent_present(tangent), contact);
+    }
+    trajectory.under_way = 0u;
+    trajectory.contact = contact;
 }
 
+// The end of a chatter sequence: springs and dampers acted on the masses that are free, and now the contact holds.
 fn at_rest(end: End, gap_integral: f32) -> Point {
     let contact = contact_with(trajectory.contact, end);
     let response = flight.normals[end.normal].response;

@@ -18,32 +18,14 @@ fn tangent_stepped(tangent: State) -> State {
     return state_flown(tangent);
 }
 
-// A time s ≤ h of free flight later, by a Taylor polynomial of fixed order.
-fn tangent_flown_freely(tangent: State, s: f32) -> State {
-    let springs = columns_scaled(s * s, flight.stiffness);
-    let dampers = columns_scaled(s, flight.damping);
-    var before = tangent.v;
-    var last = applied_onto(dampers, before, s * applied(flight.stiffness, tangent.x));
-    var velocity = before;
-    var mean = before;
-    //: each tangent term
-    velocity = velocity + INVERSE_FACTORIALS[$k] * last;
-    mean = mean + INVERSE_FACTORIALS[$k + 1] * last;
-    let pulled$k = applied(springs, before);
-    before = last;
-    last = applied_onto(dampers, last, pulled$k);
-    //: end
-    return State(tangent.x + s * mean, velocity);
-}
-
+// A time s later with the contacts that hold, |s| ≤ h; in free flight it may be earlier.
 fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
-    if contact == CONTACT_FREE {
-        return tangent_flown_freely(tangent, s);
-    }
     let series = series_new(s);
     var before = tangent.v;
     var last = series_first(series, tangent.x, before);
-    last = held(contact, last).rest;
+    if contact != CONTACT_FREE {
+        last = held(contact, last).rest;
+    }
     var velocity = before;
     var mean = before;
     var power = 1.0;
@@ -55,14 +37,17 @@ fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
         if power * weight < TRUNCATION {
             break;
         }
-        let next = held(contact, series_next(series, before, last, X(0.0))).rest;
+        var next = series_next(series, before, last, X(0.0));
+        if contact != CONTACT_FREE {
+            next = held(contact, next).rest;
+        }
         before = last;
         last = next;
     }
     return State(tangent.x + s * mean, velocity);
 }
 
-// The saltation of the impact law.
+// The saltation of the impact law, of an impact that begins or ends in contact.
 fn tangent_struck(tangent: State, impact: Saltation) -> State {
     let direction = flight.normals[impact.normal].direction;
     let response = flight.normals[impact.normal].response;
@@ -78,6 +63,21 @@ fn tangent_struck(tangent: State, impact: Saltation) -> State {
         return struck;
     }
     return tangent_caught(struck, impact.contact);
+}
+
+// G y, the derivative of a deviation in free flight.
+fn tangent_rate(y: State) -> State {
+    return State(y.v, applied_onto(flight.damping, y.v, applied(flight.stiffness, y.x)));
+}
+
+// The deviation of the end of a step after an impact in it, `back` being the row that gives d·x of a deviation then, and `pull`
+// d·x'' before it: it adds as much of the wake and of its derivative as the saltation adds of a velocity along the response, and
+// of its derivative.
+fn tangent_struck_ahead(tangent: State, back: State, velocity: f32, kick: f32, pull: f32, wake: State) -> State {
+    let shift = state_dot(back, tangent) / velocity;
+    let factor = kick / velocity;
+    let speed = -pull * shift + state_dot(back, tangent_rate(tangent));
+    return state_plus(state_plus(tangent, factor * speed, wake), kick * shift, tangent_rate(wake));
 }
 
 fn tangent_caught(tangent: State, contact: u32) -> State {

@@ -7,6 +7,8 @@ struct Trajectory {
     contact: u32,
     step: u32,
     offset: f32,
+    // 1 while a step of free flight is under way: `ahead` is its end then, and a tangent that is carried along is that of its end.
+    under_way: u32,
 }
 
 // A move: what ended it, and with an impact, at which stop, and d·v before and after it.
@@ -36,16 +38,44 @@ fn trajectory_new(start: State) -> Trajectory {
     }
     //: end
     point.state = rested(point.state, contact);
-    return Trajectory(point, point, 0u, contact, 0u, 0.0);
+    return Trajectory(point, point, 0u, contact, 0u, 0.0, 0u);
 }
 
 // A trajectory that goes on from a point at a time `offset` after the beginning of a step.
 fn trajectory_from_point(point: Point, contact: u32, step: u32, offset: f32) -> Trajectory {
-    var ahead = point;
-    if contact == CONTACT_FREE {
-        ahead = point_flown(point, flight.h - offset, contact);
+    if contact == CONTACT_FREE && offset > 0.0 {
+        let ahead = point_flown(point, flight.h - offset, contact);
+        return Trajectory(point, ahead, 0u, contact, step, offset, 1u);
     }
-    return Trajectory(point, ahead, 0u, contact, step, offset);
+    return Trajectory(point, point, 0u, contact, step, offset, 0u);
+}
+
+// Within a step: finds its end where flight is free, and what the tangent of the present point is there.
+fn trajectory_look_ahead(carry: bool) {
+    if trajectory.contact == CONTACT_FREE {
+        trajectory.ahead = point_flown(trajectory.point, flight.h - trajectory.offset, CONTACT_FREE);
+        trajectory.kicks = 0u;
+        trajectory.under_way = 1u;
+        if carry {
+            tangent = tangent_carried(tangent);
+        }
+    }
+}
+
+// A tangent of the present point, as it is carried along from here.
+fn tangent_carried(present: State) -> State {
+    if trajectory.under_way == 1u {
+        return tangent_flown(present, flight.h - trajectory.offset, trajectory.contact);
+    }
+    return present;
+}
+
+// What a tangent that is carried along is at the present point.
+fn tangent_present(carried: State) -> State {
+    if trajectory.under_way == 1u {
+        return tangent_flown(carried, trajectory.offset - flight.h, trajectory.contact);
+    }
+    return carried;
 }
 
 // Moves on to the next event, the end of the step at the latest; `carry` says whether the tangent comes along.
@@ -58,13 +88,12 @@ fn advance(carry: bool) -> Move {
 
 fn fly(carry: bool) -> Move {
     let window = flight.h - trajectory.offset;
-    if trajectory.offset == 0.0 {
-        trajectory.ahead = point_stepped(trajectory.point);
-        trajectory.kicks = 0u;
+    if trajectory.under_way == 0u {
+        trajectory_begin_step(carry);
     }
     if trajectory.kicks <= MOST_KICKS {
         if leg_clears(trajectory.point, trajectory.ahead, window) {
-            return go_ahead(carry, window);
+            return go_ahead(window);
         }
         if trajectory.kicks < MOST_KICKS {
             let met = crossing_of(trajectory.point, trajectory.ahead, window);
@@ -78,16 +107,26 @@ fn fly(carry: bool) -> Move {
     return approach(carry);
 }
 
+// Begins a step of free flight.
+fn trajectory_begin_step(carry: bool) {
+    trajectory.ahead = point_stepped(trajectory.point);
+    trajectory.kicks = 0u;
+    trajectory.under_way = 1u;
+    if carry {
+        tangent = tangent_stepped(tangent);
+    }
+}
+
 // Up to and through a contact that is certain.
 fn trajectory_cross(met: Crossing, carry: bool) {
-    if carry {
-        let contact = CONTACT_FREE;
-        let impact = Saltation(met.end.normal, met.velocity, met.kick, met.before, met.after, contact);
-        tangent = tangent_struck(tangent_flown_freely(tangent, met.time), impact);
-    }
     let rest = (flight.h - trajectory.offset) - met.time;
+    let wake = wake(met.end.normal, rest);
+    if carry {
+        let back = look_back(met.end.normal, rest);
+        tangent = tangent_struck_ahead(tangent, back, met.velocity, met.kick, met.pull, wake);
+    }
     trajectory.point = met.point;
-    trajectory.ahead = point_kicked(trajectory.ahead, met.end.normal, met.kick, rest);
+    trajectory.ahead = point_kicked(trajectory.ahead, met.kick, wake);
     trajectory.kicks = trajectory.kicks + 1u;
     trajectory.offset = trajectory.offset + met.time;
 }
@@ -98,7 +137,7 @@ fn approach(carry: bool) -> Move {
     let motion = point_motion(trajectory.point, CONTACT_FREE);
     let time = contact_safe_time(trajectory.point, motion, CONTACT_FREE, window);
     if time >= window {
-        return go_ahead(carry, window);
+        return go_ahead(window);
     }
     glide(carry, time);
     // A contact beyond the end of the step belongs to the next one.
@@ -114,25 +153,18 @@ fn advance_warily(carry: bool) -> Move {
     if trajectory.contact == CONTACT_FREE {
         let window = flight.h - trajectory.offset;
         if trajectory.kicks <= MOST_KICKS && leg_clears(trajectory.point, trajectory.ahead, window) {
-            return go_ahead(carry, window);
+            return go_ahead(window);
         }
         return approach(carry);
     }
     return rest(carry);
 }
 
-fn go_ahead(carry: bool, window: f32) -> Move {
+fn go_ahead(window: f32) -> Move {
     if trajectory.kicks <= MOST_KICKS {
         trajectory.point = trajectory.ahead;
     } else {
         trajectory.point = point_flown(trajectory.point, window, CONTACT_FREE);
-    }
-    if carry {
-        if trajectory.offset == 0.0 {
-            tangent = tangent_stepped(tangent);
-        } else {
-            tangent = tangent_flown(tangent, window, CONTACT_FREE);
-        }
     }
     return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
 }
@@ -141,7 +173,7 @@ fn go_ahead(carry: bool, window: f32) -> Move {
 fn glide(carry: bool, time: f32) {
     trajectory.point = point_flown(trajectory.point, time, trajectory.contact);
     trajectory.point.state = rested(trajectory.point.state, trajectory.contact);
-    if carry {
+    if carry && trajectory.under_way == 0u {
         tangent = tangent_flown(tangent, time, trajectory.contact);
     }
     trajectory.offset = trajectory.offset + time;
@@ -149,6 +181,7 @@ fn glide(carry: bool, time: f32) {
 
 fn end_step() -> u32 {
     trajectory.offset = 0.0;
+    trajectory.under_way = 0u;
     trajectory.step = trajectory.step + 1u;
     if trajectory.step == flight.steps {
         trajectory.step = 0u;

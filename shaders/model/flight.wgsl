@@ -10,6 +10,11 @@ fn state_plus(state: State, a: f32, other: State) -> State {
     return State(state.x + a * other.x, state.v + a * other.v);
 }
 
+// The sum of the products of the components.
+fn state_dot(a: State, b: State) -> f32 {
+    return along(a.x, b.x) + along(a.v, b.v);
+}
+
 fn state_scaled(a: f32, state: State) -> State {
     return State(a * state.x, a * state.v);
 }

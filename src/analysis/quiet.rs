@@ -1,5 +1,7 @@
 //! Motion that can never impact again.
 
+use pulp::NullaryFnOnce;
+
 use crate::dynamics::Point;
 use crate::model::vector::{added, applied, dot};
 use crate::model::{Flight, Real};
@@ -11,10 +13,25 @@ use crate::model::{Flight, Real};
 /// the forced response.
 #[inline(always)]
 pub fn is_quiet<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>) -> bool {
-    flight.quiet.exists && T::fused(|| stays_between(flight, point))
+    flight.quiet.exists && T::fused(StaysBetween { flight, point })
 }
 
-/// See [`is_quiet`].
+/// See [`is_quiet`]; a type of its own, since what a closure does is not compiled with the instructions that are asked for.
+struct StaysBetween<'a, T, const N: usize> {
+    flight: &'a Flight<T, N>,
+    point: &'a Point<T, N>,
+}
+
+impl<T: Real, const N: usize> NullaryFnOnce for StaysBetween<'_, T, N> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn call(self) -> bool {
+        let StaysBetween { flight, point } = self;
+        stays_between(flight, point)
+    }
+}
+
 #[inline(always)]
 fn stays_between<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>) -> bool {
     let quiet = &flight.quiet;

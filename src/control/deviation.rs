@@ -29,7 +29,7 @@ impl<T: Real, const N: usize> Deviations<T, N> {
         Deviations { points }
     }
 
-    /// The deviation, at fixed time, of the trajectory that leaves the present point.
+    /// The deviation, at fixed time, of the trajectory that leaves the present point, as it is carried along.
     ///
     /// A point met later by δτ/ω was, at the same time, that much of its motion behind; and so was a force that begins
     /// with it.
@@ -46,10 +46,10 @@ impl<T: Real, const N: usize> Deviations<T, N> {
         if M > N && !controller.begins_anew() {
             (state.x[N], state.v[N]) = (T::zero(), T::zero());
         }
-        Tangent(state)
+        trajectory.carried(flight, Tangent(state))
     }
 
-    /// The deviation of the point at which a trajectory with this tangent vector arrives.
+    /// The deviation of the point at which a trajectory arrives that carries this tangent vector along.
     pub fn arrived<const M: usize>(
         &self,
         flight: &Flight<T, M>,
@@ -57,6 +57,7 @@ impl<T: Real, const N: usize> Deviations<T, N> {
         trajectory: &Trajectory<T, M>,
         tangent: &Tangent<T, M>,
     ) -> Components<T, N> {
+        let tangent = trajectory.present(flight, *tangent);
         let rate = rates(flight, trajectory);
         let direction = &flight.normals[surface.end.normal].direction;
         let speed = dot(direction, &rate.x);

@@ -33,7 +33,7 @@ pub struct Abreast<L: Lanes, const N: usize> {
     phase: L,
     /// 1 where a trajectory is at the beginning of a step, else 0.
     steps: L,
-    /// 1 where the rest of the step does not clear the stops, else 0.
+    /// 1 where the rest of the step does not clear the stops, else 0; the tangent is that of the end of the step there.
     waits: L,
     /// 1 where the tangent is carried along, else 0.
     carries: L,
@@ -84,7 +84,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
 
     /// Puts a trajectory at the beginning of a step of free flight into a lane.
     pub fn seat(&mut self, lane: usize, flight: &Flight<L::Real, N>, trajectory: &Trajectory<L::Real, N>) {
-        debug_assert!(trajectory.contact.is_free() && trajectory.offset == L::Real::of(0.0));
+        debug_assert!(trajectory.begins_free_step());
         let number = |value: f64| L::Real::of(value);
         self.point.set_lane(lane, &trajectory.point);
         self.offset.set_lane(lane, number(0.0));
@@ -130,13 +130,14 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             self.kicks.lane(lane).widen() as u32,
             self.last_phase(lane, flight) + flight.steps / 2 - left,
             self.offset.lane(lane),
+            holds(self.waits.lane(lane)),
         )
     }
 
     /// The trajectory in a lane that has come to phase 0 or π: at the beginning of that step.
     pub fn trajectory_at_phase(&self, lane: usize, flight: &Flight<L::Real, N>) -> Trajectory<L::Real, N> {
         let point = self.point.lane(lane);
-        Trajectory::resumed(point, point, 0, self.last_phase(lane, flight), L::Real::of(0.0))
+        Trajectory::resumed(point, point, 0, self.last_phase(lane, flight), L::Real::of(0.0), false)
     }
 
     /// The step at which the last of the phases 0 and π was that a lane's trajectory passed.
@@ -144,7 +145,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         if self.phase.lane(lane) > L::Real::of(0.0) { 0 } else { flight.steps / 2 }
     }
 
-    /// The tangent in a lane.
+    /// The tangent in a lane, as its trajectory there is resumed with it.
     pub fn tangent(&self, lane: usize) -> Tangent<L::Real, N> {
         Tangent(self.tangent.0.lane(lane))
     }
@@ -170,7 +171,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let clearances = Leg { from: &self.point, to: &ahead, window: flight.h }.clearances(flight);
         let moves = steps.and(clearances.all(flight.count));
         self.clearances = Clearances::select(steps, &clearances, &self.clearances, flight.count);
-        let carried = moves.and(holds(self.carries));
+        let carried = steps.and(holds(self.carries));
         if carried.bits() != 0 {
             let tangent = self.tangent.stepped_freely(flight).0;
             self.tangent.0 = State::select(carried, &tangent, &self.tangent.0);
@@ -199,10 +200,14 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let struck = waits.and(met.certain).and(few);
         let one = window.all(1.0);
         if struck.and(carries).bits() != 0 {
-            let tangent = self
-                .tangent
-                .flown_freely(flight, met.time, L::Real::TANGENT_ORDER)
-                .struck_freely(&met.struck);
+            let u = (window - met.time) * flight.inverse_h;
+            let mut back = self.tangent.0;
+            for k in 0..flight.count {
+                if met.normals[k].bits() != 0 {
+                    back = State::select(met.normals[k], &flight.normals[k].look_back(u), &back);
+                }
+            }
+            let tangent = self.tangent.struck_ahead(flight, &back, &met.impact);
             self.tangent.0 = State::select(struck.and(carries), &tangent.0, &self.tangent.0);
         }
         self.point = Point::select(struck, &met.point, &self.point);
@@ -212,10 +217,6 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let rest = flight.h - self.offset;
         self.clearances = Leg { from: &self.point, to: &self.ahead, window: rest }.clearances(flight);
         let moves = struck.and(self.clearances.all(flight.count));
-        if moves.and(carries).bits() != 0 {
-            let tangent = self.tangent.flown_freely(flight, rest, L::Real::TANGENT_ORDER);
-            self.tangent.0 = State::select(moves.and(carries), &tangent.0, &self.tangent.0);
-        }
         self.waits = L::select(moves, window.all(0.0), self.waits);
         self.steps = L::select(moves, one, self.steps);
         self.offset = L::select(moves, window.all(0.0), self.offset);
@@ -231,7 +232,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     #[inline(always)]
     fn count(&mut self, struck: L::Mask, observed: L::Mask, met: &Crossing<L, N>) {
         let Tally { impacts, fastest, energy } = &mut self.tally;
-        let before = met.struck.velocity;
+        let before = met.impact.velocity;
         let one = before.all(1.0);
         let mut mass = before.all(0.0);
         for (k, [upper, lower]) in impacts.iter_mut().enumerate().take(self.flight.count) {

@@ -5,7 +5,7 @@ use super::contact::ROUNDINGS;
 use super::leg::{Clearances, Leg, SWELLING};
 use super::point::Point;
 use super::quintic::Quintic;
-use super::tangent::Struck;
+use super::tangent::FreeSaltation;
 use crate::model::vector::{MOST, axpy, dot, select};
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
@@ -25,7 +25,7 @@ pub struct Crossing<L: Lanes, const N: usize> {
     /// Where the step ends now.
     pub ahead: Point<L, N>,
     /// The impact as deviations meet it.
-    pub struck: Struck<L, N>,
+    pub impact: FreeSaltation<L, N>,
     /// d·v+.
     pub rebound: L,
 }
@@ -177,16 +177,17 @@ pub fn crossing<L: Lanes, const N: usize>(
     let parts = parts_for_good(&face, flight, rebound, &point.state.v, face.towards(&after));
     let certain = face.only.and(close).and(within).and(first).and(parts);
     let certain = certain.and(face.meets(&arrived.state, window * velocity));
-    let mut ahead = *to;
+    let Face { direction, normals, upper, .. } = face;
+    let left_of_step = (window - time) * flight.inverse_h;
+    let mut wake = State { x: [zero; N], v: [zero; N] };
     for k in 0..flight.count {
-        if face.normals[k].bits() != 0 {
-            let kicked = to.kicked(flight, k, kick, window - time);
-            ahead = Point::select(face.normals[k], &kicked, &ahead);
+        if normals[k].bits() != 0 {
+            wake = State::select(normals[k], &flight.normals[k].wake(left_of_step), &wake);
         }
     }
-    let Face { direction, response, normals, upper, .. } = face;
-    let struck = Struck { direction, response, velocity, kick, before, after };
-    Crossing { certain, normals, upper, time, point, ahead, struck, rebound }
+    let ahead = to.kicked(kick, &wake);
+    let impact = FreeSaltation { velocity, kick, pull: dot(&direction, &before), wake };
+    Crossing { certain, normals, upper, time, point, ahead, impact, rebound }
 }
 
 /// Where a contact after `time` is the first: the way to it is monotone, or bends towards the stop while it stays off the

@@ -76,17 +76,11 @@ impl<L: Lanes, const N: usize> Point<L, N> {
         }
     }
 
-    /// The point with the speed along a normal changed by `kick` a time `s` ≤ h ago: flight is linear, so the change
-    /// just adds.
+    /// The point with a speed changed by `kick` some time ago, `wake` being what a change by 1 has become: flight is linear, so
+    /// the change just adds.
     #[inline(always)]
-    pub fn kicked(&self, flight: &Flight<L, N>, normal: usize, kick: L, s: L) -> Self {
-        let u = s * flight.inverse_h;
-        let terms = &flight.normals[normal].kick;
-        let mut sum = terms[L::Real::KICK_ORDER];
-        for k in (0..L::Real::KICK_ORDER).rev() {
-            sum = terms[k].plus(u, &sum);
-        }
-        Point { state: self.state.plus(kick, &sum), ..*self }
+    pub fn kicked(&self, kick: L, wake: &State<L, N>) -> Self {
+        Point { state: self.state.plus(kick, wake), ..*self }
     }
 
     /// x'' in free flight.

@@ -24,12 +24,12 @@ pub(super) struct Series<T, const N: usize> {
     dampers: [[T; N]; N],
     /// s.
     time: T,
-    /// rate·s.
+    /// rate·|s|.
     reach: T,
 }
 
 impl<T: Real, const N: usize> Series<T, N> {
-    /// For a flight of length `s`.
+    /// For a flight of length `s`, backwards where that is negative.
     #[inline(always)]
     pub fn new(flight: &Flight<T, N>, s: T) -> Self {
         let square = s * s;
@@ -37,7 +37,7 @@ impl<T: Real, const N: usize> Series<T, N> {
             springs: flight.stiffness.map(|column| scaled(square, &column)),
             dampers: flight.damping.map(|column| scaled(s, &column)),
             time: s,
-            reach: flight.rate * s,
+            reach: flight.rate * s.abs(),
         }
     }
 
@@ -54,7 +54,7 @@ impl<T: Real, const N: usize> Series<T, N> {
         added(&known, &applied(&self.dampers, last))
     }
 
-    /// The bound (rate·s)ᵏ/k! on the k-th term, from that of (rate·s)ᵏ⁻¹, and whether it may be neglected.
+    /// The bound (rate·|s|)ᵏ/k! on the k-th term, from that of (rate·|s|)ᵏ⁻¹, and whether it may be neglected.
     #[inline(always)]
     pub fn grow(&self, power: T, k: usize) -> (T, bool) {
         let power = power * self.reach;

@@ -67,10 +67,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let pulled = if pulled < clear { pulled } else { clear };
         let contact = self.contact;
         self.glide(flight, variation, pulled);
-        if self.contact.is_free() {
-            self.ahead = self.point.flown(flight, flight.h - self.offset, contact);
-            self.kicks = 0;
-        }
+        self.look_ahead(flight, variation);
         let stop = Stop(flight.normals[end.normal].stop[end.side]);
         Move { time: pulled, contact, event: Event::Released(stop) }
     }

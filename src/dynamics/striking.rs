@@ -6,7 +6,7 @@ use super::corner;
 use super::placing::{placed, rested};
 use super::point::{Approach, Motion, Point};
 use super::stop::{Contact, End, Stop};
-use super::tangent::{Saltation, Variation};
+use super::tangent::{FreeSaltation, Saltation, Variation};
 use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
 use crate::model::vector::{added, applied, axpy, dot};
 use crate::model::{Flight, Lanes, Real, State};
@@ -47,20 +47,25 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.keep_pressed(flight, end.normal, kick);
         }
         let after = self.point.motion(flight, self.contact);
+        let rest = flight.h - self.offset;
+        let wake = normal.wake(rest * flight.inverse_h);
         if velocity != T::zero() {
-            let contact = self.contact;
-            let after = after.acceleration;
-            *variation = variation
-                .struck(flight, &Saltation { normal: end.normal, velocity, kick, before, after, contact });
+            *variation = if self.under_way {
+                let impact = FreeSaltation { velocity, kick, pull: dot(&normal.direction, &before), wake };
+                variation.struck_freely(flight, end.normal, rest, &impact)
+            } else {
+                let (after, contact) = (after.acceleration, self.contact);
+                let impact = Saltation { normal: end.normal, velocity, kick, before, after, contact };
+                variation.struck(flight, &impact)
+            };
         }
         let impact =
             Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
         let Some(closure) = self.closure(flight, end, rebound, &after) else {
             if let Some(corner) = corner::closes(flight, &self.point, self.contact, end) {
                 let beside = corner.since(self.contact.with(end));
-                self.contact = corner;
+                self.catch(flight, variation, corner);
                 self.point.state = rested(flight, &self.point.state, corner);
-                *variation = variation.caught(flight, corner);
                 return Event::Caught { impact, complete_chatter: true, beside };
             }
             let lost = contact::unresolved(normal, end.side, &self.point.state);
@@ -69,14 +74,14 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
                 let parting = -(sign * (lost + lost));
                 self.point.state = placed(flight, &self.point.state, end, parting);
             }
-            self.bounce(flight, end.normal, kick, held);
+            self.bounce(flight, variation, kick, &wake);
             return Event::Impact(impact);
         };
         // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
         let still = velocity.abs() <= contact::unresolved(normal, end.side, &arrived.state);
         let impact = if still { Impact { velocity_before: T::zero(), ..impact } } else { impact };
-        self.come_to_rest(flight, end, closure.gap_integral);
-        *variation = variation.caught(flight, self.contact);
+        self.point = self.at_rest(flight, end, closure.gap_integral);
+        self.catch(flight, variation, self.contact.with(end));
         let complete_chatter = !still && rebound.abs() > T::zero();
         Event::Caught { impact, complete_chatter, beside: Contact::FREE }
     }
@@ -110,30 +115,33 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
 
     /// An impact that ends in flight: the end of the step is where the kick takes it.
     #[inline(always)]
-    fn bounce(&mut self, flight: &Flight<T, N>, normal: usize, kick: T, held: Contact) {
-        if !self.contact.is_free() {
-            return;
-        }
-        if !held.is_free() {
-            self.kicks = 0;
-            self.ahead = self.point.flown(flight, flight.h - self.offset, self.contact);
+    fn bounce<V: Variation<T, N>>(
+        &mut self,
+        flight: &Flight<T, N>,
+        variation: &mut V,
+        kick: T,
+        wake: &State<T, N>,
+    ) {
+        if !self.under_way {
+            self.look_ahead(flight, variation);
             return;
         }
         self.kicks += 1;
         if self.kicks <= MOST_KICKS {
-            self.ahead = self.ahead.kicked(flight, normal, kick, flight.h - self.offset);
+            self.ahead = self.ahead.kicked(kick, wake);
         }
+    }
+
+    /// From now on these contacts hold.
+    #[inline(always)]
+    fn catch<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V, contact: Contact) {
+        *variation = self.present(flight, *variation).caught(flight, contact);
+        self.under_way = false;
+        self.contact = contact;
     }
 
     /// The end of a chatter sequence whose rebounds opened the gap for `gap_integral` in all: meanwhile springs and dampers
     /// acted on the masses that are free with the contact, and now it holds.
-    #[inline(never)]
-    fn come_to_rest(&mut self, flight: &Flight<T, N>, end: End, gap_integral: T) {
-        self.point = self.at_rest(flight, end, gap_integral);
-        self.contact = self.contact.with(end);
-    }
-
-    /// See [`Trajectory::come_to_rest`].
     #[inline(never)]
     fn at_rest(&self, flight: &Flight<T, N>, end: End, gap_integral: T) -> Point<T, N> {
         let contact = self.contact.with(end);

@@ -6,7 +6,7 @@
 use super::point::held;
 use super::series::{INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
-use crate::model::vector::{applied, applied_onto, axpy, dot, scaled, scaled_columns};
+use crate::model::vector::{applied, applied_onto, axpy, dot};
 use crate::model::{Flight, Lanes, Real, State};
 
 /// An impact as a deviation meets it.
@@ -26,36 +26,45 @@ pub struct Saltation<T, const N: usize> {
     pub contact: Contact,
 }
 
-/// An impact that ends in flight, as deviations in lanes meet it.
+/// An impact that begins and ends in free flight, as the deviation of the end of its step meets it.
 #[derive(Clone, Copy, Debug)]
-pub struct Struck<L, const N: usize> {
-    /// d.
-    pub direction: [L; N],
-    /// M⁻¹d/(dᵀM⁻¹d).
-    pub response: [L; N],
+pub struct FreeSaltation<L, const N: usize> {
     /// d·v−.
     pub velocity: L,
     /// d·v+ − d·v−.
     pub kick: L,
-    /// x'' before it.
-    pub before: [L; N],
-    /// x'' after it.
-    pub after: [L; N],
+    /// d·x'' before it.
+    pub pull: L,
+    /// What a change of d·v by 1 has become at the end of the step.
+    pub wake: State<L, N>,
 }
 
 /// What is carried along with a trajectory: nothing, a tangent vector, or several of them.
+///
+/// While a step of free flight is under way, it is the deviation of the end of that step, as it would be without another impact:
+/// an impact changes that by what it changes grows to until then, and a flight to the impact changes nothing.
 pub trait Variation<T, const N: usize>: Copy {
     /// One whole step h of free flight later.
     #[must_use]
     fn stepped(&self, flight: &Flight<T, N>) -> Self;
 
-    /// A time `s` ≤ h later with the contacts that hold.
+    /// A time `s` later with the contacts that hold, |s| ≤ h; in free flight it may be earlier.
     #[must_use]
     fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self;
 
-    /// Just after an impact: the saltation of the impact law.
+    /// Just after an impact that begins or ends in contact: the saltation of the impact law.
     #[must_use]
     fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self;
+
+    /// The deviation of the end of the step after an impact along a normal, a time `rest` before that end.
+    #[must_use]
+    fn struck_freely(
+        &self,
+        flight: &Flight<T, N>,
+        normal: usize,
+        rest: T,
+        impact: &FreeSaltation<T, N>,
+    ) -> Self;
 
     /// Once the contacts hold.
     #[must_use]
@@ -74,10 +83,13 @@ impl<T, const N: usize> Variation<T, N> for () {
     fn struck(&self, _: &Flight<T, N>, _: &Saltation<T, N>) -> Self {}
 
     #[inline(always)]
+    fn struck_freely(&self, _: &Flight<T, N>, _: usize, _: T, _: &FreeSaltation<T, N>) -> Self {}
+
+    #[inline(always)]
     fn caught(&self, _: &Flight<T, N>, _: Contact) -> Self {}
 }
 
-/// Several tangent vectors, as exact as flight itself. Loops, since what a closure does has not its caller's instructions.
+/// Several tangent vectors. Loops, since what a closure does has not its caller's instructions.
 impl<T: Real, const N: usize, const M: usize> Variation<T, N> for [Tangent<T, N>; M] {
     #[inline(always)]
     fn stepped(&self, flight: &Flight<T, N>) -> Self {
@@ -92,7 +104,7 @@ impl<T: Real, const N: usize, const M: usize> Variation<T, N> for [Tangent<T, N>
     fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
         let mut later = *self;
         for tangent in &mut later {
-            *tangent = tangent.flown_with(flight, s, contact, T::ORDER);
+            *tangent = tangent.flown(flight, s, contact);
         }
         later
     }
@@ -102,6 +114,22 @@ impl<T: Real, const N: usize, const M: usize> Variation<T, N> for [Tangent<T, N>
         let mut later = *self;
         for tangent in &mut later {
             *tangent = tangent.struck(flight, impact);
+        }
+        later
+    }
+
+    #[inline(always)]
+    fn struck_freely(
+        &self,
+        flight: &Flight<T, N>,
+        normal: usize,
+        rest: T,
+        impact: &FreeSaltation<T, N>,
+    ) -> Self {
+        let back = flight.normals[normal].look_back(rest * flight.inverse_h);
+        let mut later = *self;
+        for tangent in &mut later {
+            *tangent = tangent.struck_ahead(flight, &back, impact);
         }
         later
     }
@@ -126,9 +154,27 @@ impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
         self.stepped_freely(flight)
     }
 
+    /// By the Taylor polynomial of the equations of motion; see [`Point::flown`](super::Point::flown).
     #[inline(always)]
     fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
-        self.flown_with(flight, s, contact, T::TANGENT_ORDER)
+        let series = Series::new(flight, s);
+        let mut before = self.0.v;
+        let mut last = held(flight, contact, series.first(flight, &self.0.x, &before)).0;
+        let mut velocity = before;
+        let mut mean = before;
+        let mut power = T::one();
+        for k in 1..=T::ORDER {
+            velocity = axpy(T::of(INVERSE_FACTORIALS[k]), &last, &velocity);
+            mean = axpy(T::of(INVERSE_FACTORIALS[k + 1]), &last, &mean);
+            let negligible;
+            (power, negligible) = series.grow(power, k);
+            if negligible {
+                break;
+            }
+            let next = held(flight, contact, series.next(&before, &last, &[T::zero(); N])).0;
+            (before, last) = (last, next);
+        }
+        Tangent(State { x: axpy(s, &mean, &self.0.x), v: velocity })
     }
 
     /// A deviation d·ξ shifts the impact by −d·ξ/d·v−; what differs on either side of it (v along the response, and x'')
@@ -136,15 +182,28 @@ impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
     #[inline(always)]
     fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self {
         let normal = &flight.normals[impact.normal];
-        let struck = self.struck_freely(&Struck {
-            direction: normal.direction,
-            response: normal.response,
-            velocity: impact.velocity,
-            kick: impact.kick,
-            before: impact.before,
-            after: impact.after,
-        });
+        let shift = dot(&normal.direction, &self.0.x) / impact.velocity;
+        // −(1 + r), as it acted.
+        let factor = impact.kick / impact.velocity;
+        let along =
+            (-dot(&normal.direction, &impact.before)).times_plus(shift, dot(&normal.direction, &self.0.v));
+        let mut v = axpy(factor * along, &normal.response, &self.0.v);
+        for (v, (after, before)) in v.iter_mut().zip(impact.after.iter().zip(&impact.before)) {
+            *v = (*after - *before).times_plus(shift, *v);
+        }
+        let struck = Tangent(State { x: axpy(impact.kick * shift, &normal.response, &self.0.x), v });
         if impact.contact.is_free() { struck } else { struck.caught(flight, impact.contact) }
+    }
+
+    #[inline(always)]
+    fn struck_freely(
+        &self,
+        flight: &Flight<T, N>,
+        normal: usize,
+        rest: T,
+        impact: &FreeSaltation<T, N>,
+    ) -> Self {
+        self.struck_ahead(flight, &flight.normals[normal].look_back(rest * flight.inverse_h), impact)
     }
 
     /// What the deviation had along the normals that hold is lost.
@@ -169,79 +228,35 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
         Tangent(state)
     }
 
-    /// A time `s` ≤ h of free flight later, by a Taylor polynomial of the same order in every lane; see
-    /// [`Point::flown_near`](super::Point::flown_near).
+    /// The deviation of the end of a step after an impact in it, `back` being the row that gives d·x of a deviation then.
+    ///
+    /// With y' = G y in free flight, the saltation of [`Variation::struck`] adds a g + b G g to the deviation at the impact,
+    /// g = (0, response), and so as much of exp(G s) g, the wake, to that of the end of the step: exp(G s) and G commute.
     #[inline(always)]
     #[must_use]
-    pub fn flown_freely(&self, flight: &Flight<L, N>, s: L, order: usize) -> Self {
-        let square = s * s;
-        let springs = scaled_columns(square, &flight.stiffness);
-        let dampers = scaled_columns(s, &flight.damping);
-        let mut before = self.0.v;
-        let pulled = scaled(s, &applied(&flight.stiffness, &self.0.x));
-        let mut last = applied_onto(&dampers, &before, &pulled);
-        let mut velocity = before;
-        let mut mean = before;
-        for k in 1..=order {
-            velocity = axpy(s.all(INVERSE_FACTORIALS[k]), &last, &velocity);
-            mean = axpy(s.all(INVERSE_FACTORIALS[k + 1]), &last, &mean);
-            let pulled = applied(&springs, &before);
-            (before, last) = (last, applied_onto(&dampers, &last, &pulled));
-        }
-        Tangent(State { x: axpy(s, &mean, &self.0.x), v: velocity })
-    }
-
-    /// Just after an impact that ends in flight; see [`Variation::struck`].
-    #[inline(always)]
-    #[must_use]
-    pub fn struck_freely(&self, struck: &Struck<L, N>) -> Self {
-        let shift = dot(&struck.direction, &self.0.x) / struck.velocity;
+    pub fn struck_ahead(
+        &self,
+        flight: &Flight<L, N>,
+        back: &State<L, N>,
+        impact: &FreeSaltation<L, N>,
+    ) -> Self {
+        let FreeSaltation { velocity, kick, pull, wake } = impact;
+        let shift = back.dot(&self.0) / *velocity;
         // −(1 + r), as it acted.
-        let factor = struck.kick / struck.velocity;
-        let along =
-            (-dot(&struck.direction, &struck.before)).times_plus(shift, dot(&struck.direction, &self.0.v));
-        let mut v = axpy(factor * along, &struck.response, &self.0.v);
-        for (v, (after, before)) in v.iter_mut().zip(struck.after.iter().zip(&struck.before)) {
-            *v = (*after - *before).times_plus(shift, *v);
-        }
-        Tangent(State { x: axpy(struck.kick * shift, &struck.response, &self.0.x), v })
+        let factor = *kick / *velocity;
+        let along = (-*pull).times_plus(shift, back.dot(&rate(flight, &self.0)));
+        Tangent(self.0.plus(factor * along, wake).plus(*kick * shift, &rate(flight, wake)))
     }
 }
 
+/// G y, the derivative of a deviation in free flight.
+#[inline(always)]
+fn rate<L: Lanes, const N: usize>(flight: &Flight<L, N>, y: &State<L, N>) -> State<L, N> {
+    let pulled = applied(&flight.stiffness, &y.x);
+    State { x: y.v, v: applied_onto(&flight.damping, &y.v, &pulled) }
+}
+
 impl<T: Real, const N: usize> Tangent<T, N> {
-    /// A time `s` ≤ h later with the contacts that hold, in free flight by a polynomial of an order.
-    #[inline(always)]
-    fn flown_with(&self, flight: &Flight<T, N>, s: T, contact: Contact, order: usize) -> Self {
-        if contact.is_free() {
-            self.flown_freely(flight, s, order)
-        } else {
-            self.flown_held(flight, s, contact)
-        }
-    }
-
-    /// See [`Point::flown`](super::Point::flown).
-    #[inline(always)]
-    fn flown_held(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
-        let series = Series::new(flight, s);
-        let mut before = self.0.v;
-        let mut last = held(flight, contact, series.first(flight, &self.0.x, &before)).0;
-        let mut velocity = before;
-        let mut mean = before;
-        let mut power = T::one();
-        for k in 1..=T::ORDER {
-            velocity = axpy(T::of(INVERSE_FACTORIALS[k]), &last, &velocity);
-            mean = axpy(T::of(INVERSE_FACTORIALS[k + 1]), &last, &mean);
-            let negligible;
-            (power, negligible) = series.grow(power, k);
-            if negligible {
-                break;
-            }
-            let next = held(flight, contact, series.next(&before, &last, &[T::zero(); N])).0;
-            (before, last) = (last, next);
-        }
-        Tangent(State { x: axpy(s, &mean, &self.0.x), v: velocity })
-    }
-
     /// The deviation every measurement begins with: all components alike, of unit length.
     pub fn seed() -> Self {
         let each = T::of(1.0 / (2.0 * N as f64).sqrt());

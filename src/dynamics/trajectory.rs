@@ -6,7 +6,7 @@ use super::leg::Leg;
 use super::placing::{clamped, rested};
 use super::point::Point;
 use super::stop::{Contact, Stop};
-use super::tangent::{Saltation, Struck, Variation};
+use super::tangent::Variation;
 use crate::model::{Flight, Real, State};
 
 /// The most kicks that are added to the end of one step; after more, the step is flown to its end instead.
@@ -77,19 +77,29 @@ pub struct Trajectory<T, const N: usize> {
     pub step: u32,
     /// The time since the beginning of the step, 0 ≤ offset < h.
     pub offset: T,
+    /// Whether a step of free flight is under way: `ahead` is its end then, and a variation that is carried along is that of
+    /// its end.
+    pub(super) under_way: bool,
 }
 
 impl<T: Real, const N: usize> Trajectory<T, N> {
     /// A trajectory in free flight, where it was left.
-    pub(super) fn resumed(point: Point<T, N>, ahead: Point<T, N>, kicks: u32, step: u32, offset: T) -> Self {
-        Trajectory { point, ahead, kicks, contact: Contact::FREE, step, offset }
+    pub(super) fn resumed(
+        point: Point<T, N>,
+        ahead: Point<T, N>,
+        kicks: u32,
+        step: u32,
+        offset: T,
+        under_way: bool,
+    ) -> Self {
+        Trajectory { point, ahead, kicks, contact: Contact::FREE, step, offset, under_way }
     }
 
     /// A trajectory that begins at forcing phase 0 with a state within the stops.
     pub fn new(flight: &Flight<T, N>, start: State<T, N>) -> Self {
         let contact = clamped(flight);
         let point = Point::at_phase_zero(rested(flight, &start, contact));
-        Trajectory { point, ahead: point, kicks: 0, contact, step: 0, offset: T::zero() }
+        Trajectory { point, ahead: point, kicks: 0, contact, step: 0, offset: T::zero(), under_way: false }
     }
 
     /// A trajectory that begins at forcing phase `phase`, 0 ≤ phase < 2π, with a state within the stops.
@@ -114,13 +124,42 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         step: u32,
         offset: T,
     ) -> Self {
-        let ahead = if contact.is_free() { point.flown(flight, flight.h - offset, contact) } else { point };
-        Trajectory { point, ahead, kicks: 0, contact, step, offset }
+        let mut trajectory =
+            Trajectory { point, ahead: point, kicks: 0, contact, step, offset, under_way: false };
+        if offset > T::zero() {
+            trajectory.look_ahead(flight, &mut ());
+        }
+        trajectory
+    }
+
+    /// Within a step: finds its end where flight is free, and what a variation of the present point is there.
+    #[inline(always)]
+    pub(super) fn look_ahead<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) {
+        if self.contact.is_free() {
+            self.ahead = self.point.flown(flight, flight.h - self.offset, self.contact);
+            self.kicks = 0;
+            self.under_way = true;
+            *variation = self.carried(flight, *variation);
+        }
+    }
+
+    /// A variation of the present point, as it is carried along from here.
+    #[inline(always)]
+    #[must_use]
+    pub fn carried<V: Variation<T, N>>(&self, flight: &Flight<T, N>, present: V) -> V {
+        if self.under_way { present.flown(flight, flight.h - self.offset, self.contact) } else { present }
+    }
+
+    /// What a variation that is carried along is at the present point.
+    #[inline(always)]
+    #[must_use]
+    pub fn present<V: Variation<T, N>>(&self, flight: &Flight<T, N>, carried: V) -> V {
+        if self.under_way { carried.flown(flight, self.offset - flight.h, self.contact) } else { carried }
     }
 
     /// Whether it is at the beginning of a step of free flight.
     pub fn begins_free_step(&self) -> bool {
-        self.contact.is_free() && self.offset == T::zero()
+        self.contact.is_free() && !self.under_way
     }
 
     /// Free flight: the rest of the step where it provably clears the stops, else up to the contact where that is found directly, else as far
@@ -128,15 +167,17 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     #[inline(always)]
     pub(super) fn fly<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
         let window = flight.h - self.offset;
-        if self.offset == T::zero() {
+        if !self.under_way {
             self.ahead = self.point.stepped(flight);
             self.kicks = 0;
+            self.under_way = true;
+            *variation = variation.stepped(flight);
         }
         if self.kicks <= MOST_KICKS {
             let leg = Leg { from: &self.point, to: &self.ahead, window };
             let clearances = leg.clearances(flight);
             if clearances.all(flight.count) {
-                return self.go_ahead(flight, variation, window);
+                return self.go_ahead(flight, window);
             }
             if self.kicks < MOST_KICKS {
                 let crossing = crossing(&leg, &clearances, flight);
@@ -156,19 +197,17 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         variation: &mut V,
         crossing: &Crossing<T, N>,
     ) -> Move<T> {
-        let contact = Contact::FREE;
-        let Crossing { time, point, ahead, struck, rebound, .. } = *crossing;
+        let Crossing { time, point, ahead, impact, rebound, .. } = *crossing;
         let normal = (0..flight.count).find(|&k| crossing.normals[k]).unwrap_or(0);
-        let Struck { velocity, kick, before, after, .. } = struck;
-        *variation = variation.flown(flight, time, contact);
-        *variation = variation.struck(flight, &Saltation { normal, velocity, kick, before, after, contact });
+        let rest = (flight.h - self.offset) - time;
+        *variation = variation.struck_freely(flight, normal, rest, &impact);
         self.point = point;
         self.ahead = ahead;
         self.kicks += 1;
         self.offset = self.offset + time;
         let stop = Stop(flight.normals[normal].stop[usize::from(!crossing.upper)]);
-        let impact = Impact { stop, velocity_before: velocity, velocity_after: rebound };
-        Move { time, contact, event: Event::Impact(impact) }
+        let impact = Impact { stop, velocity_before: impact.velocity, velocity_after: rebound };
+        Move { time, contact: Contact::FREE, event: Event::Impact(impact) }
     }
 
     /// Free flight towards a stop, as far as is safe.
@@ -183,7 +222,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let motion = self.point.motion(flight, contact);
         let time = contact::safe_time(flight, &self.point, &motion, contact, window);
         if time >= window {
-            return self.go_ahead(flight, variation, window);
+            return self.go_ahead(flight, window);
         }
         self.glide(flight, variation, time);
         match self.imminent(flight) {
@@ -204,20 +243,10 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
 
     /// The rest of a step, known to clear the stops.
     #[inline(always)]
-    fn go_ahead<V: Variation<T, N>>(
-        &mut self,
-        flight: &Flight<T, N>,
-        variation: &mut V,
-        window: T,
-    ) -> Move<T> {
+    fn go_ahead(&mut self, flight: &Flight<T, N>, window: T) -> Move<T> {
         let contact = Contact::FREE;
         self.point =
             if self.kicks <= MOST_KICKS { self.ahead } else { self.point.flown(flight, window, contact) };
-        *variation = if self.offset == T::zero() {
-            variation.stepped(flight)
-        } else {
-            variation.flown(flight, window, contact)
-        };
         Move { time: window, contact, event: self.end_step(flight) }
     }
 
@@ -226,7 +255,9 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     pub(super) fn glide<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V, time: T) {
         let point = self.point.flown(flight, time, self.contact);
         self.point = Point { state: rested(flight, &point.state, self.contact), ..point };
-        *variation = variation.flown(flight, time, self.contact);
+        if !self.under_way {
+            *variation = variation.flown(flight, time, self.contact);
+        }
         self.offset = self.offset + time;
     }
 
@@ -234,6 +265,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     #[inline(always)]
     pub(super) fn end_step(&mut self, flight: &Flight<T, N>) -> Event<T> {
         self.offset = T::zero();
+        self.under_way = false;
         self.step += 1;
         if self.step == flight.steps {
             self.step = 0;

@@ -48,7 +48,8 @@ impl<L: Lanes, const N: usize> ContactNormal<L, N> {
         set_vector(&mut self.bound_v, lane, &from.bound_v);
         self.bound_forcing.set_lane(lane, from.bound_forcing);
         self.coupling.set_lane(lane, from.coupling);
-        for (term, from) in self.kick.iter_mut().zip(&from.kick) {
+        let terms = self.kick.iter_mut().zip(&from.kick).chain(self.back.iter_mut().zip(&from.back));
+        for (term, from) in terms {
             term.set_lane(lane, from);
         }
     }

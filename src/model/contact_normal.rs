@@ -5,8 +5,8 @@ use nalgebra::SVector;
 use super::equations::{Equations, Normal};
 use super::flow::{self, Functional};
 use super::forced::{ForcedResponse, Trap};
-use super::kick::{KICK_TERMS, kick, rounded};
-use super::real::Real;
+use super::kick::{KICK_TERMS, back, kick, polynomial, rounded};
+use super::real::{Lanes, Real};
 use super::state::State;
 
 /// What a contact normal is to a trajectory.
@@ -33,6 +33,8 @@ pub struct ContactNormal<T, const N: usize> {
     pub bound_forcing: T,
     /// What a change of d·v by 1 has become a time s later: Σ kickₖ (s/h)ᵏ, 0 ≤ s ≤ h, up to [`Real::KICK_ORDER`].
     pub kick: [State<T, N>; KICK_TERMS],
+    /// What a deviation y had along d a time s ago in free flight: d·x = Σ backₖ·y (s/h)ᵏ, likewise.
+    pub back: [State<T, N>; KICK_TERMS],
     /// How fast damping alone takes speed along the normal: −d·(−M⁻¹C)·response.
     pub drag: T,
     /// A bound on what ∫ gap dt of skipped rebounds does to the masses, per unit of it.
@@ -63,11 +65,26 @@ impl<T: Copy, const N: usize> ContactNormal<T, N> {
             bound_v: vector,
             bound_forcing: zero,
             kick: [State { x: vector, v: vector }; KICK_TERMS],
+            back: [State { x: vector, v: vector }; KICK_TERMS],
             drag: zero,
             coupling: zero,
             reach: [zero; 2],
             stretch: zero,
         }
+    }
+}
+
+impl<L: Lanes, const N: usize> ContactNormal<L, N> {
+    /// What a change of d·v by 1 has become after the share u = s/h of a step.
+    #[inline(always)]
+    pub fn wake(&self, u: L) -> State<L, N> {
+        polynomial(&self.kick, u)
+    }
+
+    /// The row that gives d·x of a deviation before the share u = s/h of a step, from the deviation after it.
+    #[inline(always)]
+    pub fn look_back(&self, u: L) -> State<L, N> {
+        polynomial(&self.back, u)
     }
 }
 
@@ -88,6 +105,7 @@ impl<const N: usize> ContactNormal<f64, N> {
             bound_v: self.bound_v.map(T::of),
             bound_forcing: T::of(self.bound_forcing),
             kick: rounded(&self.kick),
+            back: rounded(&self.back),
             drag: T::of(self.drag),
             coupling: T::of(self.coupling),
             reach: self.reach.map(|reach| T::of(reach.min(FAR))),
@@ -122,6 +140,7 @@ pub(super) fn contact_normal<const N: usize>(
         bound_v: bound.v.into(),
         bound_forcing: bound.sin.hypot(bound.cos) + bound.one,
         kick: kick(equations, h, normal.response),
+        back: back(equations, h, normal.direction),
         drag: -normal.direction.dot(&damped),
         coupling: push.norm() + pull.norm(),
         reach: [normal.direction, -normal.direction]

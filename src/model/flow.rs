@@ -83,6 +83,24 @@ pub fn series<const N: usize>(
     .map(|(_, term)| term)
 }
 
+/// The terms f Gᵏ (−t)ᵏ/k! of f exp(−G t) in free flight, until they vanish against their sum: what the functional f was of a
+/// deviation a time t ago.
+pub fn series_back<const N: usize>(
+    equations: &Equations<N>,
+    t: f64,
+    f: Functional<N>,
+) -> impl Iterator<Item = Functional<N>> {
+    let mut size = f.amax();
+    std::iter::successors(Some((1.0, f)), move |(k, term)| {
+        let derived = term.derived(equations, &SMatrix::identity());
+        let next = Functional { sin: 0.0, cos: 0.0, one: 0.0, ..derived.scaled(-t / k) };
+        let length = next.amax();
+        size = size.max(length);
+        (length > 1e-19 * size).then_some((k + 1.0, next))
+    })
+    .map(|(_, term)| term)
+}
+
 /// exp(G t) z in free flight.
 pub fn over<const N: usize>(equations: &Equations<N>, t: f64, z: Augmented<N>) -> Augmented<N> {
     series(equations, t, z).fold(Augmented::zeros(), |sum, term| sum.plus(&term))

@@ -1,4 +1,5 @@
-//! What an impact does to the rest of a step: a polynomial in the time that is left of it.
+//! What an impact does to the rest of a step, and what the end of a step says of the deviations that met the impact: polynomials
+//! in the time that is left of it.
 //!
 //! Flight is linear, so a change of d·v by 1 just adds exp(G s)(0, response) to the state a time s later. Its Taylor series
 //! converges as if every time mattered as much as the longest one. On 0 ≤ s ≤ h a polynomial of far lower order is as near:
@@ -7,8 +8,8 @@
 use nalgebra::SVector;
 
 use super::equations::Equations;
-use super::flow::{self, Augmented, mechanical};
-use super::real::Real;
+use super::flow::{self, Augmented, Functional, mechanical};
+use super::real::{Lanes, Real};
 use super::state::State;
 
 /// The most coefficients of a kick's polynomial: those of f64.
@@ -26,7 +27,30 @@ pub(super) fn kick<const N: usize>(
     std::array::from_fn(|k| terms.get(k).copied().unwrap_or(State::zero()))
 }
 
-/// The same polynomial in another precision, of as many terms as that needs; the others are 0.
+/// The coefficients of (s/h)ᵏ, 0 ≤ s ≤ h, of d·x of a deviation a time s ago: a row, to be multiplied with the deviation now.
+pub(super) fn back<const N: usize>(
+    equations: &Equations<N>,
+    h: f64,
+    direction: SVector<f64, N>,
+) -> [State<f64, N>; KICK_TERMS] {
+    let now = Functional { x: direction, v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 };
+    let row = |term: Functional<N>| State { x: term.x.into(), v: term.v.into() };
+    let mut terms: Vec<_> = flow::series_back(equations, h, now).map(row).collect();
+    economize(&mut terms, f64::KICK_ORDER);
+    std::array::from_fn(|k| terms.get(k).copied().unwrap_or(State::zero()))
+}
+
+/// Such a polynomial at u = s/h, 0 ≤ u ≤ 1, by Horner's scheme.
+#[inline(always)]
+pub(super) fn polynomial<L: Lanes, const N: usize>(terms: &[State<L, N>; KICK_TERMS], u: L) -> State<L, N> {
+    let mut sum = terms[L::Real::KICK_ORDER];
+    for k in (0..L::Real::KICK_ORDER).rev() {
+        sum = terms[k].plus(u, &sum);
+    }
+    sum
+}
+
+/// Such a polynomial in another precision, of as many terms as that needs; the others are 0.
 pub(super) fn rounded<T: Real, const N: usize>(
     kick: &[State<f64, N>; KICK_TERMS],
 ) -> [State<T, N>; KICK_TERMS] {
@@ -154,6 +178,47 @@ mod tests {
         }
         let less = systems().iter().map(|system| error(system, 1.0, f32::KICK_ORDER - 1)).fold(0.0, f64::max);
         assert!(less > 1e-7, "{less}");
+    }
+
+    /// How far d·x before the share u of a step is from what the deviation after it says, relative to the deviation.
+    fn missed<const N: usize>(system: &System, u: f64, said: f64) -> f64 {
+        let flight = Flight::<f64, N>::new(system);
+        let equations = Equations::<N>::new(system.plant());
+        let mut missed = 0.0f64;
+        for (normal, of_equations) in flight.normals().iter().zip(equations.normals()) {
+            for k in 0..2 * N {
+                let mut before = Augmented::zeros();
+                if k < N {
+                    before.x[k] = 1.0
+                } else {
+                    before.v[k - N] = 1.0
+                }
+                let after = mechanical(&flow::over(&equations, u * flight.h, before));
+                let found = normal.look_back(said).dot(&after);
+                missed = missed.max((found - of_equations.direction.dot(&before.x)).abs() / after.length());
+            }
+        }
+        missed
+    }
+
+    fn missed_of(system: &System, u: f64, said: f64) -> f64 {
+        match system.plant().n {
+            1 => missed::<1>(system, u, said),
+            2 => missed::<2>(system, u, said),
+            3 => missed::<3>(system, u, said),
+            _ => missed::<4>(system, u, said),
+        }
+    }
+
+    #[test]
+    fn the_end_of_a_flight_tells_where_a_deviation_was() {
+        for system in systems() {
+            for u in [0.0, 0.03, 0.5, 1.0] {
+                let missed = missed_of(&system, u, u);
+                assert!(missed < 4e-15, "{missed} at {u} of a step");
+                assert!(missed_of(&system, u, (u + 0.1).min(0.9)) > 1e-6, "the check can fail");
+            }
+        }
     }
 
     #[test]

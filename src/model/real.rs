@@ -19,9 +19,6 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const ORDER: usize;
     /// The order of the polynomial by which a kick changes the end of a step: what it leaves out there is lost in rounding.
     const KICK_ORDER: usize;
-    /// The order of the Taylor polynomial by which an observed deviation flies freely: what it leaves out of a deviation, 2·10⁻¹² of it
-    /// and in f32 10⁻⁷, matters to no exponent.
-    const TANGENT_ORDER: usize;
     /// The order of the Taylor polynomial by which a contact is reached from the nearer end of a step.
     const CONTACT_ORDER: usize;
     /// What may be left of the way to a contact after that, in units of the fastest motion's time scale: its cube is lost in
@@ -150,7 +147,6 @@ impl Real for f64 {
     const TRUNCATION: f64 = 2e-16;
     const ORDER: usize = 17;
     const KICK_ORDER: usize = 11;
-    const TANGENT_ORDER: usize = 12;
     const CONTACT_ORDER: usize = 13;
     const STRAIGHT: f64 = 1e-5;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
@@ -189,7 +185,6 @@ impl Real for f32 {
     const TRUNCATION: f64 = 1e-8;
     const ORDER: usize = 10;
     const KICK_ORDER: usize = 6;
-    const TANGENT_ORDER: usize = 8;
     const CONTACT_ORDER: usize = 8;
     const STRAIGHT: f64 = 3e-3;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;

@@ -2,7 +2,7 @@
 
 use super::real::Lanes;
 use super::real::Real;
-use super::vector::{MOST, added, axpy, scaled, select};
+use super::vector::{MOST, added, axpy, dot, scaled, select};
 
 /// Displacements and velocities of N coordinates, or a deviation of them; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,6 +93,12 @@ impl<L: Lanes, const N: usize> State<L, N> {
     #[must_use]
     pub fn scaled(&self, a: L) -> Self {
         State { x: scaled(a, &self.x), v: scaled(a, &self.v) }
+    }
+
+    /// The sum of the products of the components.
+    #[inline(always)]
+    pub fn dot(&self, other: &Self) -> L {
+        dot(&self.x, &other.x) + dot(&self.v, &other.v)
     }
 
     /// `yes` where the mask holds, `no` elsewhere.

@@ -108,10 +108,8 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
     fn carry(&mut self) {
         self.carries = true;
         self.set_tangents(&DMatrix::identity(K, K));
-        let contact = self.trajectory.contact;
-        if !contact.is_free() {
-            self.frame = self.frame.caught(&self.flight, contact);
-        }
+        // Of a trajectory in contact that is what the contacts leave; in flight it is all.
+        self.frame = self.frame.caught(&self.flight, self.trajectory.contact);
     }
 
     fn advance(&mut self) -> Move<f64> {
@@ -161,11 +159,13 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
     }
 
     fn tangents(&self) -> DMatrix<f64> {
-        DMatrix::from_fn(K, K, |i, j| self.frame[j].0.get(i))
+        let frame = self.trajectory.present(&self.flight, self.frame);
+        DMatrix::from_fn(K, K, |i, j| frame[j].0.get(i))
     }
 
     fn set_tangents(&mut self, columns: &DMatrix<f64>) {
-        self.frame = std::array::from_fn(|j| Tangent(State::from_slice(columns.column(j).as_slice())));
+        let frame = std::array::from_fn(|j| Tangent(State::from_slice(columns.column(j).as_slice())));
+        self.frame = self.trajectory.carried(&self.flight, frame);
     }
 
     /// Along the responses of the normals at whose ends it lies too far, of all of them at once.

@@ -65,7 +65,7 @@ fn through<T: Real>() {
                     assert!(close(crossing.time, share * h), "{:?} for {}", crossing.time, share * h);
                     assert!(!close(crossing.time, share * h + 1e-4), "the check can fail");
                     let velocity = side * slope;
-                    assert!(close(crossing.struck.velocity, velocity));
+                    assert!(close(crossing.impact.velocity, velocity));
                     assert!(close(crossing.rebound, -restitution * velocity));
                     assert_eq!(crossing.point.state.x[0].widen(), side * T::of(gap).widen(), "on the stop");
                     // The rest of the step: a swing from the stop, back.

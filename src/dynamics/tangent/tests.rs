@@ -86,6 +86,26 @@ fn tangent_at_the_end<T: Real>(flight: &Flight<f64, 2>, path: &Path, seed: State
     carried.flown(&flight, T::of(TIME - path.contact), Contact::FREE).0.map(Real::widen)
 }
 
+/// The same, carried as the deviation of the end: `rest` is the time from the impact to it.
+fn tangent_of_the_end<T: Real>(
+    flight: &Flight<f64, 2>,
+    path: &Path,
+    seed: State<f64, 2>,
+    rest: f64,
+) -> State<f64, 2> {
+    let flight = flight.round::<T>();
+    let normal = &flight.normals[0];
+    let rest = T::of(rest);
+    let impact = FreeSaltation {
+        velocity: T::of(path.struck.velocity),
+        kick: T::of(path.struck.kick),
+        pull: dot(&normal.direction, &path.struck.before.map(T::of)),
+        wake: normal.wake(rest * flight.inverse_h),
+    };
+    let ahead = Tangent(seed.map(T::of)).flown(&flight, T::of(TIME), Contact::FREE);
+    ahead.struck_freely(&flight, 0, rest, &impact).0.map(Real::widen)
+}
+
 fn distance(a: &State<f64, 2>, b: &State<f64, 2>) -> f64 {
     a.plus(-1.0, b).length()
 }
@@ -100,7 +120,7 @@ fn a_deviation_passes_an_impact_like_the_difference_of_two_trajectories() {
             let from = start(&flight, 0.1, speed);
             let middle = path(&flight, from, 0.1);
             assert!((middle.struck.velocity - speed).abs() < 1e-9 && (middle.contact - 0.1).abs() < 1e-9);
-            let mut missed = 0.0f64;
+            let (mut missed, mut misplaced) = (0.0f64, 0.0f64);
             for component in 0..4 {
                 // A slow impact bends the difference more: its time shifts by 1/speed.
                 let step = 1e-4 * speed;
@@ -114,13 +134,21 @@ fn a_deviation_passes_an_impact_like_the_difference_of_two_trajectories() {
                 assert!(away < 2e-6 * size, "{restitution} {speed} {component}: {found:?} {difference:?}");
                 let rounded = tangent_at_the_end::<f32>(&flight, &middle, unit(component));
                 assert!(distance(&rounded, &difference) < 2e-5 * size, "{rounded:?}");
+                // The deviation of the end, changed by what the impact comes to there, is the same.
+                let rest = TIME - middle.contact;
+                let ahead = tangent_of_the_end::<f64>(&flight, &middle, unit(component), rest);
+                assert!(distance(&ahead, &found) < 1e-13 * size, "{ahead:?} {found:?}");
+                let rounded = tangent_of_the_end::<f32>(&flight, &middle, unit(component), rest);
+                assert!(distance(&rounded, &difference) < 2e-5 * size, "{rounded:?}");
+                let sooner = tangent_of_the_end::<f64>(&flight, &middle, unit(component), 0.9 * rest);
+                misplaced = misplaced.max(distance(&sooner, &found) / size);
                 // Without what the accelerations differ by, the deviation is another.
                 let same = Saltation { after: middle.struck.before, ..middle.struck };
                 let without = Path { struck: same, ..path(&flight, from, 0.1) };
                 let without = tangent_at_the_end::<f64>(&flight, &without, unit(component));
                 missed = missed.max(distance(&without, &difference) / size);
             }
-            assert!(missed > 1e-4, "the check can fail: {missed}");
+            assert!(missed > 1e-4 && misplaced > 1e-4, "the checks can fail: {missed} {misplaced}");
         }
     }
 }
@@ -169,4 +197,22 @@ fn sticks<T: Real>() {
 fn a_deviation_in_contact_has_no_part_along_the_normal() {
     sticks::<f64>();
     sticks::<f32>();
+}
+
+#[test]
+fn a_deviation_flies_back_to_where_it_was() {
+    fn returns<T: Real>() {
+        let flight = Flight::<f64, 2>::new(&pair(0.7)).round::<T>();
+        let seed = Tangent(State { x: [0.8, -0.3].map(T::of), v: [-0.5, 0.9].map(T::of) });
+        for time in [1e-3, 0.1, 1.0].map(|share| T::of(share) * flight.h) {
+            let there = seed.flown(&flight, time, Contact::FREE);
+            let back = there.flown(&flight, -time, Contact::FREE);
+            let away = back.0.plus(-T::one(), &seed.0).length();
+            assert!(away < T::of(16.0) * T::epsilon(), "{away:?}");
+            let half = there.flown(&flight, -(time * T::of(0.5)), Contact::FREE);
+            assert!(half.0.plus(-T::one(), &seed.0).length() > T::of(1e-4), "the check can fail");
+        }
+    }
+    returns::<f64>();
+    returns::<f32>();
 }

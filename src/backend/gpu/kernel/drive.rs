@@ -8,7 +8,7 @@ use super::program::{Portion, Program};
 use super::spent::{Spent, timed};
 use super::tile::Tile;
 use crate::analysis::constants::SQUARINGS;
-use crate::backend::gpu::layout::{Cells, KICK_TERMS};
+use crate::backend::gpu::layout::{Cells, NORMAL_TERMS};
 use crate::backend::gpu::shader::Shape;
 use crate::backend::{BackendError, Job, Result, Watch};
 use crate::model::Real;
@@ -22,11 +22,11 @@ const FIRST_BUDGET: u32 = 32;
 const HARDWARE_BUDGET: u32 = 1 << 14;
 /// Loop iterations in one move: its own loop, and every place where a series is summed, more of them the more contact normals
 /// there are. Lanes that diverge go through all of them, one after the other. A test counts them in the shader.
-pub const MOVE: u32 = 1 + 24 * <f32 as Real>::ORDER as u32;
+pub const MOVE: u32 = 1 + 26 * <f32 as Real>::ORDER as u32;
 /// Loop iterations of one dispatch on a software adapter, beside those that fetch the constants of a cell: Mesa's stop every
 /// loop in silence after 65,535 iterations of all the loops in an invocation. (The kernel counts a trajectory that was cut
 /// short as failed.)
-const SOFTWARE_ITERATIONS: u32 = 65_535 - (MOST * KICK_TERMS) as u32;
+const SOFTWARE_ITERATIONS: u32 = 65_535 - (MOST * NORMAL_TERMS) as u32;
 
 /// Loop iterations in what a strobe may ask for: the squares of a motion's monodromy matrix.
 pub const SQUARES: u32 = SQUARINGS + 1;

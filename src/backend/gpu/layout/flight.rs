@@ -6,8 +6,11 @@ use std::fmt::Display;
 use crate::backend::gpu::shader::Shape;
 use crate::model::{ContactNormal, Flight, Real, State, StopsAlong};
 
-/// Terms of the kick polynomial in f32: up to its order.
+/// Terms of an impact's polynomials in f32: up to their order.
 pub const KICK_TERMS: usize = <f32 as Real>::KICK_ORDER + 1;
+
+/// Terms of both polynomials of a normal: its wake and its look back.
+pub const NORMAL_TERMS: usize = 2 * KICK_TERMS;
 
 /// Writes the members of a struct in their order: their words and, where wanted, their declarations in WGSL.
 struct Members<'a, const N: usize> {
@@ -181,10 +184,12 @@ pub fn write_flight<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>
     }
 }
 
-/// The kick polynomials of a flow, normal by normal.
+/// The polynomials of impacts, normal by normal: its wake, and then its look back.
 pub fn write_kicks<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>) {
     let mut members = Members { words: into, declared: None };
-    for term in flight.normals().iter().flat_map(|normal| &normal.kick[..KICK_TERMS]) {
-        members.state("", term);
+    for normal in flight.normals() {
+        for term in normal.kick[..KICK_TERMS].iter().chain(&normal.back[..KICK_TERMS]) {
+            members.state("", term);
+        }
     }
 }

@@ -62,7 +62,7 @@ fn the_constants_of_a_cell_fill_what_the_shader_declares() {
             write_cell::<N>(0, &stops, &vec![0.0; 2 * N], &mut cell);
             assert_eq!(4 * constants.len(), size("Flight"), "{shape:?}");
             assert_eq!(4 * cell.len(), size("Cell"), "{shape:?}");
-            assert_eq!(4 * kicks.len(), normals * KICK_TERMS * size("State"), "{shape:?}");
+            assert_eq!(4 * kicks.len(), normals * NORMAL_TERMS * size("State"), "{shape:?}");
         }
     }
     check::<1>();

@@ -82,27 +82,27 @@ fn observer_save() {
     flow = cells[cell].flow;
 }
 
-// The kick polynomials of the cell, normal by normal.
+// The terms of impacts' polynomials, normal by normal.
 fn kick_term(at: u32) -> State {
-    return kicks[flow * (NORMALS * KICK_TERMS) + at];
+    return kicks[flow * (NORMALS * NORMAL_TERMS) + at];
 }
 "
             }
             Residence::Private => {
                 "var<private> cell_flight: Flight;
 var<private> cell_stops: Cell;
-var<private> cell_kicks: array<State, NORMALS * KICK_TERMS>;
+var<private> cell_kicks: array<State, NORMALS * NORMAL_TERMS>;
 
 fn flight_load() {
     flow = cells[cell].flow;
     cell_flight = flights[flow];
     cell_stops = cells[cell];
-    for (var at = 0u; at < NORMALS * KICK_TERMS; at++) {
-        cell_kicks[at] = kicks[flow * (NORMALS * KICK_TERMS) + at];
+    for (var at = 0u; at < NORMALS * NORMAL_TERMS; at++) {
+        cell_kicks[at] = kicks[flow * (NORMALS * NORMAL_TERMS) + at];
     }
 }
 
-// The kick polynomials of the cell, normal by normal.
+// The terms of impacts' polynomials, normal by normal.
 fn kick_term(at: u32) -> State {
     return cell_kicks[at];
 }

@@ -9,11 +9,8 @@ use crate::dynamics::constants::NEWTON_STEPS;
 use crate::model::{Real, System};
 
 /// Blocks that stand so many times in every shader, the first order and the last.
-const COUNTED: [(&str, usize, usize); 3] = [
-    ("contact term", 1, <f32 as Real>::CONTACT_ORDER),
-    ("tangent term", 1, <f32 as Real>::TANGENT_ORDER),
-    ("newton step", 1, NEWTON_STEPS),
-];
+const COUNTED: [(&str, usize, usize); 2] =
+    [("contact term", 1, <f32 as Real>::CONTACT_ORDER), ("newton step", 1, NEWTON_STEPS)];
 
 /// What a shader is written for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
