@@ -26,13 +26,12 @@ fn strike(carry: bool, reached: Reached) -> Move {
         keep_pressed(end.normal, kick);
     }
     let after = point_motion(trajectory.point, trajectory.contact);
-    let rest = flight.h - trajectory.offset;
-    let wake = wake(end.normal, rest);
     if carry && velocity != 0.0 {
         if trajectory.under_way == 1u {
+            let rest = flight.h - trajectory.offset;
             let pull = along(direction, before);
             let back = look_back(end.normal, rest);
-            tangent = tangent_struck_ahead(tangent, back, velocity, kick, pull, wake);
+            tangent = tangent_struck_ahead(tangent, back, velocity, kick, pull, wake(end.normal, rest));
         } else {
             let contact = trajectory.contact;
             let impact = Saltation(end.normal, velocity, kick, before, after.acceleration, contact);
@@ -54,7 +53,7 @@ fn strike(carry: bool, reached: Reached) -> Move {
             // Pulled off the stop as soon as it is met: rounding must not make that another impact.
             trajectory.point.state = placed(trajectory.point.state, end, -(sign * (lost + lost)));
         }
-        bounce(carry, kick, wake);
+        bounce(carry, end.normal, kick);
         return Move(EVENT_IMPACT, stop, velocity, rebound, CONTACT_FREE);
     }
     // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
@@ -83,14 +82,15 @@ fn strike_closure(end: End, rebound: f32, after: Motion) -> Closure {
 }
 
 // An impact that ends in flight: the end of the step is where the kick takes it.
-fn bounce(carry: bool, kick: f32, wake: State) {
+fn bounce(carry: bool, normal: u32, kick: f32) {
     if trajectory.under_way == 0u {
         trajectory_look_ahead(carry);
         return;
     }
     trajectory.kicks = trajectory.kicks + 1u;
     if trajectory.kicks <= MOST_KICKS {
-        trajectory.ahead = point_kicked(trajectory.ahead, kick, wake);
+        let rest = flight.h - trajectory.offset;
+        trajectory.ahead = point_kicked(trajectory.ahead, kick, wake(normal, rest));
     }
 }
 

@@ -202,9 +202,9 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         if struck.and(carries).bits() != 0 {
             let u = (window - met.time) * flight.inverse_h;
             let mut back = self.tangent.0;
-            for k in 0..flight.count {
-                if met.normals[k].bits() != 0 {
-                    back = State::select(met.normals[k], &flight.normals[k].look_back(u), &back);
+            for (normal, &here) in flight.normals.iter().zip(&met.normals).take(flight.count) {
+                if here.bits() != 0 {
+                    back = State::select(here, &normal.look_back(u), &back);
                 }
             }
             let tangent = self.tangent.struck_ahead(flight, &back, &met.impact);

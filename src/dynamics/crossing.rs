@@ -180,9 +180,9 @@ pub fn crossing<L: Lanes, const N: usize>(
     let Face { direction, normals, upper, .. } = face;
     let left_of_step = (window - time) * flight.inverse_h;
     let mut wake = State { x: [zero; N], v: [zero; N] };
-    for k in 0..flight.count {
-        if normals[k].bits() != 0 {
-            wake = State::select(normals[k], &flight.normals[k].wake(left_of_step), &wake);
+    for (normal, &met) in flight.normals.iter().zip(&normals).take(flight.count) {
+        if met.bits() != 0 {
+            wake = State::select(met, &normal.wake(left_of_step), &wake);
         }
     }
     let ahead = to.kicked(kick, &wake);

@@ -47,10 +47,10 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.keep_pressed(flight, end.normal, kick);
         }
         let after = self.point.motion(flight, self.contact);
-        let rest = flight.h - self.offset;
-        let wake = normal.wake(rest * flight.inverse_h);
         if velocity != T::zero() {
             *variation = if self.under_way {
+                let rest = flight.h - self.offset;
+                let wake = normal.wake(rest * flight.inverse_h);
                 let impact = FreeSaltation { velocity, kick, pull: dot(&normal.direction, &before), wake };
                 variation.struck_freely(flight, end.normal, rest, &impact)
             } else {
@@ -74,7 +74,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
                 let parting = -(sign * (lost + lost));
                 self.point.state = placed(flight, &self.point.state, end, parting);
             }
-            self.bounce(flight, variation, kick, &wake);
+            self.bounce(flight, variation, end.normal, kick);
             return Event::Impact(impact);
         };
         // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
@@ -119,8 +119,8 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         &mut self,
         flight: &Flight<T, N>,
         variation: &mut V,
+        normal: usize,
         kick: T,
-        wake: &State<T, N>,
     ) {
         if !self.under_way {
             self.look_ahead(flight, variation);
@@ -128,7 +128,9 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         }
         self.kicks += 1;
         if self.kicks <= MOST_KICKS {
-            self.ahead = self.ahead.kicked(kick, wake);
+            let rest = flight.h - self.offset;
+            let wake = flight.normals[normal].wake(rest * flight.inverse_h);
+            self.ahead = self.ahead.kicked(kick, &wake);
         }
     }
 
