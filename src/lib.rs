@@ -63,8 +63,7 @@
 //! the forcing phasor in it, computed in f64, once for all cells that differ in gaps and restitutions alone. No modes are
 //! formed: any damping is covered, proportional or not, over- or underdamped, and resonance at ζ = 0 is no special case. M is
 //! even, and the phasor is set exactly at phases 0 and π, so that rounding cannot drift; ωt is never formed. Shorter flights
-//! are Taylor polynomials of the equation of motion, of an order that rounding cannot tell from infinite; an observed
-//! deviation's leaves out 2·10⁻¹² of it.
+//! are Taylor polynomials of the equation of motion, of an order that rounding cannot tell from infinite.
 //!
 //! *No impact is missed.* Within a step d·x differs from its cubic Hermite interpolant by s²(h − s)²/24 times a bound on
 //! |(d·x)''''|: so it lies in the hull of five Bernstein coefficients. Where that hull clears the stops, the step is taken.
@@ -84,7 +83,9 @@
 //! left to the single trajectory. The GPU's kernel goes in the same rounds.
 //!
 //! *Impacts* change the velocities along M⁻¹d. What the change does to the end of the step is a polynomial that is known beforehand, so
-//! the rest of the step need not be flown again.
+//! the rest of the step need not be flown again. A small deviation that is carried along is likewise that of the end of the step: a
+//! second polynomial, of the flight back, says what part of it lay along d at the impact, and the impact adds as much of the first
+//! and of its derivative.
 //!
 //! *Chatter and sticking.* Rebounds against a pressing force shrink geometrically. Once the effect of the rest of
 //! them on the other masses is known to be below rounding, and the force surely outlasts them, the sequence is closed:

@@ -109,7 +109,8 @@ fn end(child: &mut Child) {
 /// The time that the program said it would take; what it would have had to say otherwise.
 fn announced(said: &str) -> Duration {
     let of_line = |line: &str| {
-        let mut words = line.split("will take about ").nth(1)?.split(' ');
+        let (_, time) = ["will take about ", "may take "].iter().find_map(|said| line.split_once(said))?;
+        let mut words = time.split(' ');
         let number: f64 = words.next()?.parse().ok()?;
         let unit = match words.next()? {
             "s" => 1.0,

@@ -138,7 +138,6 @@ fn controlled_arrive() {
     }
     let seen = Seen(arrived, turns, select(0u, controlled.iterates - control_schedule.start, on));
     let observing = controlled.progress == PROGRESS_OBSERVED;
-    let deviation = deviations_arrived();
     var action = action_none();
     if on {
         action = method_act(seen);
@@ -151,6 +150,7 @@ fn controlled_arrive() {
         action.correction = section_zero();
     }
     if observing {
+        let deviation = deviations_arrived();
         if escaped {
             deviations_push(deviation);
         } else {

@@ -18,7 +18,7 @@ fn tangent_stepped(tangent: State) -> State {
     return state_flown(tangent);
 }
 
-// A time s later with the contacts that hold, |s| ≤ h; in free flight it may be earlier.
+// A time s later with the contacts that hold, |s| ≤ h; in free flight s may be negative.
 fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
     let series = series_new(s);
     var before = tangent.v;
@@ -47,7 +47,7 @@ fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
     return State(tangent.x + s * mean, velocity);
 }
 
-// The saltation of the impact law, of an impact that begins or ends in contact.
+// The saltation of the impact law, of an impact that begins in contact.
 fn tangent_struck(tangent: State, impact: Saltation) -> State {
     let direction = flight.normals[impact.normal].direction;
     let response = flight.normals[impact.normal].response;

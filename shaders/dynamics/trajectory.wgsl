@@ -120,13 +120,13 @@ fn trajectory_begin_step(carry: bool) {
 // Up to and through a contact that is certain.
 fn trajectory_cross(met: Crossing, carry: bool) {
     let rest = (flight.h - trajectory.offset) - met.time;
-    let wake = wake(met.end.normal, rest);
+    let later = wake(met.end.normal, rest);
     if carry {
         let back = look_back(met.end.normal, rest);
-        tangent = tangent_struck_ahead(tangent, back, met.velocity, met.kick, met.pull, wake);
+        tangent = tangent_struck_ahead(tangent, back, met.velocity, met.kick, met.pull, later);
     }
     trajectory.point = met.point;
-    trajectory.ahead = point_kicked(trajectory.ahead, met.kick, wake);
+    trajectory.ahead = point_kicked(trajectory.ahead, met.kick, later);
     trajectory.kicks = trajectory.kicks + 1u;
     trajectory.offset = trajectory.offset + met.time;
 }

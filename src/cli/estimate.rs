@@ -1,5 +1,6 @@
 //! How long a plane will take, measured on some of its cells before the rest is begun.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -26,7 +27,8 @@ const FEWEST: u64 = 64;
 /// How long measuring should take.
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// When those that are being measured are given up; as at most one cell in eight is, all of them take long then.
+/// When those that are being measured are given up, each where its back end looks whether it should end. At most one cell in eight
+/// is measured, so that all of them may take long then.
 const DEADLINE: Duration = Duration::from_secs(2);
 
 /// What will take longer than this is announced.
@@ -87,39 +89,42 @@ fn of_cells(
     Ok(())
 }
 
-/// A watch that ends a run at some time.
+/// A watch that ends a run once it is late.
 #[derive(Debug)]
-struct Until(Instant);
+struct WhileInTime<'a>(&'a AtomicBool);
 
-impl Watch for Until {
+impl Watch for WhileInTime<'_> {
     fn cancelled(&self) -> bool {
-        interrupt::requested() || Instant::now() >= self.0
+        interrupt::requested() || self.0.load(Ordering::Acquire)
     }
 }
 
-/// Runs something until the deadline; then, at once, `announce`s that it takes longer, and gives nothing as soon as it ends.
+/// Runs something until the deadline; then, at once, `announce`s that it takes longer, and gives nothing as soon as it ends,
+/// which it does where it looks at its watch.
 fn before<T>(
     deadline: Duration,
     announce: impl FnOnce() + Send,
-    run: impl FnOnce(&Until) -> Result<T>,
+    run: impl FnOnce(&WhileInTime) -> Result<T>,
 ) -> Result<Option<T>> {
-    let until = Until(Instant::now() + deadline);
-    let (result, is_late) = thread::scope(|scope| {
+    let is_late = AtomicBool::new(false);
+    let result = thread::scope(|scope| {
         let (done, wait) = mpsc::channel::<()>();
-        let waiting = scope.spawn(move || {
-            let is_late = wait.recv_timeout(deadline) == Err(RecvTimeoutError::Timeout);
-            if is_late && !interrupt::requested() {
-                announce();
+        let is_late = &is_late;
+        scope.spawn(move || {
+            if wait.recv_timeout(deadline) == Err(RecvTimeoutError::Timeout) {
+                if !interrupt::requested() {
+                    announce();
+                }
+                is_late.store(true, Ordering::Release);
             }
-            is_late
         });
-        let result = run(&until);
+        let result = run(&WhileInTime(is_late));
         drop(done);
-        (result, waiting.join().is_ok_and(|is_late| is_late))
+        result
     });
     interrupt::check()?;
     match result {
-        Ok(_) | Err(CliError::Interrupted) if is_late => Ok(None),
+        Ok(_) | Err(CliError::Interrupted) if is_late.load(Ordering::Acquire) => Ok(None),
         result => result.map(Some),
     }
 }

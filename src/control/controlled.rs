@@ -203,7 +203,6 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
             memory: &self.memory,
         };
         let observing = self.progress == Progress::Observed;
-        let deviation = self.deviations.arrived(flight, &self.surface, &self.trajectory, &self.tangent);
         let mut action = if on { self.controller.act(&seen) } else { Action::none() };
         let mut section = arrived.plus(&action.correction);
         let escaped = !action.correction.is_zero() && !self.admits(flight, &section);
@@ -213,6 +212,7 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
             action.correction = Components::zero();
         }
         if observing {
+            let deviation = self.deviations.arrived(flight, &self.surface, &self.trajectory, &self.tangent);
             let deviation =
                 if escaped { deviation } else { self.deviations.passed(&self.controller, &seen, deviation) };
             self.deviations.push(deviation);

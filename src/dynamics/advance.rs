@@ -8,7 +8,8 @@ use super::trajectory::{Event, Move, Trajectory};
 use crate::model::{Flight, Real};
 
 impl<T: Real, const N: usize> Trajectory<T, N> {
-    /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none.
+    /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none. What the
+    /// variation is at the present point, [`Trajectory::present`] says.
     #[inline(never)]
     pub fn advance<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
         let taken = T::fused(Advance::<_, _, _, false> { trajectory: self, flight, variation });

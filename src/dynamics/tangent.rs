@@ -9,7 +9,7 @@ use super::stop::Contact;
 use crate::model::vector::{applied, applied_onto, axpy, dot};
 use crate::model::{Flight, Lanes, Real, State};
 
-/// An impact as a deviation meets it.
+/// An impact that begins in contact, as a deviation meets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saltation<T, const N: usize> {
     /// The normal along which it happens.
@@ -26,7 +26,7 @@ pub struct Saltation<T, const N: usize> {
     pub contact: Contact,
 }
 
-/// An impact that begins and ends in free flight, as the deviation of the end of its step meets it.
+/// An impact that begins in free flight, as the deviation of the end of its step meets it.
 #[derive(Clone, Copy, Debug)]
 pub struct FreeSaltation<L, const N: usize> {
     /// d·v−.
@@ -42,17 +42,17 @@ pub struct FreeSaltation<L, const N: usize> {
 /// What is carried along with a trajectory: nothing, a tangent vector, or several of them.
 ///
 /// While a step of free flight is under way, it is the deviation of the end of that step, as it would be without another impact:
-/// an impact changes that by what it changes grows to until then, and a flight to the impact changes nothing.
+/// an impact adds what its jump has become by then, and a flight to the impact changes nothing.
 pub trait Variation<T, const N: usize>: Copy {
     /// One whole step h of free flight later.
     #[must_use]
     fn stepped(&self, flight: &Flight<T, N>) -> Self;
 
-    /// A time `s` later with the contacts that hold, |s| ≤ h; in free flight it may be earlier.
+    /// A time `s` later with the contacts that hold, |s| ≤ h; in free flight `s` may be negative.
     #[must_use]
     fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self;
 
-    /// Just after an impact that begins or ends in contact: the saltation of the impact law.
+    /// Just after an impact that begins in contact: the saltation of the impact law.
     #[must_use]
     fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self;
 

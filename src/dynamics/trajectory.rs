@@ -67,7 +67,7 @@ pub struct Move<T> {
 pub struct Trajectory<T, const N: usize> {
     /// The present state and forcing phasor.
     pub point: Point<T, N>,
-    /// Where the present step ends if nothing more is met on the way; known in free flight.
+    /// Where the present step ends if nothing more is met on the way; known while a step of free flight is under way.
     pub(super) ahead: Point<T, N>,
     /// Kicks that were added to it, each with its rounding.
     pub(super) kicks: u32,

@@ -17,7 +17,8 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const TRUNCATION: f64;
     /// The largest order of a flight's Taylor polynomial.
     const ORDER: usize;
-    /// The order of the polynomial by which a kick changes the end of a step: what it leaves out there is lost in rounding.
+    /// The order of the polynomials of an impact, what it does to the end of its step and what that says of deviations at the impact:
+    /// what they leave out is lost in rounding.
     const KICK_ORDER: usize;
     /// The order of the Taylor polynomial by which a contact is reached from the nearer end of a step.
     const CONTACT_ORDER: usize;

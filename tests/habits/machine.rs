@@ -47,15 +47,17 @@ fn what_will_take_long_is_announced() {
     // 10,000 cells of 10,100 forcing periods each; nothing finishes early.
     let plane = "--x omega=2:4:100 --y delta=0.05:0.3:100 --transient 1e4 --observe 100 --fixed-periods --backend cpu";
     let said = interrupted_after(6, &format!("map {plane} --threads 1"));
-    let announced = said.lines().find(|line| line.contains("will take about")).expect(&said);
-    let seconds: f64 = announced.split("about ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    let (_, announced) =
+        ["will take about ", "may take "].iter().find_map(|words| said.split_once(words)).expect(&said);
+    let seconds: f64 = announced.split(' ').next().unwrap().parse().unwrap();
     assert!(seconds > 10.0 || announced.contains("min") || announced.contains(" h "), "{announced}");
     assert!(announced.contains("of 10000 cells"), "{announced}");
-    assert!(!stderr(&done(tempdir().unwrap().path(), SMALL)).contains("will take"));
+    assert!(!stderr(&done(tempdir().unwrap().path(), SMALL)).contains(" take "));
     // Close to r = 1 at low frequency a mass rebounds a hundred thousand times in a period before it comes to rest.
     let slow = "map --backend cpu --threads 1 --x omega=0.01:0.02:30 --y r=0.999:1:20 --set delta=0.1";
     let said = interrupted_after(8, slow);
-    assert!(said.contains("will take about") && said.contains(" of 600 cells"), "{said}");
+    assert!(said.contains("will take about") || said.contains("may take"), "{said}");
+    assert!(said.contains(" of 600 cells"), "{said}");
 }
 
 #[test]

@@ -12,12 +12,12 @@ use crate::backend::{ControlJob, Job, Result, Watch};
 use crate::control::{self, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
 use crate::model::Real;
 
-/// Loop iterations in one move under control: beyond those without it, a return to the section sums three more series,
+/// Loop iterations in one move under control: beyond those without it, a return to the section sums seven more series,
 /// moves what is remembered, and compares; what begins and ends a trajectory is taken as part of a move.
 pub(super) fn iterations(schedule: &control::ControlSchedule) -> u32 {
     let reach = schedule.max_period;
     let kept = reach.max(LONGEST_DELAY as u32) + 1;
-    MOVE + 4 * <f32 as Real>::ORDER as u32
+    MOVE + 7 * <f32 as Real>::ORDER as u32
         + kept
         + 7 * DELAYS as u32
         + 8 * reach

@@ -22,7 +22,7 @@ const FIRST_BUDGET: u32 = 32;
 const HARDWARE_BUDGET: u32 = 1 << 14;
 /// Loop iterations in one move: its own loop, and every place where a series is summed, more of them the more contact normals
 /// there are. Lanes that diverge go through all of them, one after the other. A test counts them in the shader.
-pub const MOVE: u32 = 1 + 26 * <f32 as Real>::ORDER as u32;
+pub const MOVE: u32 = 1 + 30 * <f32 as Real>::ORDER as u32;
 /// Loop iterations of one dispatch on a software adapter, beside those that fetch the constants of a cell: Mesa's stop every
 /// loop in silence after 65,535 iterations of all the loops in an invocation. (The kernel counts a trajectory that was cut
 /// short as failed.)

@@ -55,7 +55,7 @@ pub fn declarations_for(shape: &Shape) -> String {
     }
 }
 
-/// What the shader reads of cells: the constants of their distinct flows and kicks, one after the other, and what each has
+/// What the shader reads of cells: the constants of their distinct flows and the polynomials of their impacts, one after the other, and what each has
 /// beside them.
 pub struct Cells {
     pub flights: Vec<u32>,

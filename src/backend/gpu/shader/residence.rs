@@ -82,7 +82,7 @@ fn observer_save() {
     flow = cells[cell].flow;
 }
 
-// The terms of impacts' polynomials, normal by normal.
+// The terms of the polynomials of impacts, normal by normal: its wake, then its look back.
 fn kick_term(at: u32) -> State {
     return kicks[flow * (NORMALS * NORMAL_TERMS) + at];
 }
@@ -102,7 +102,7 @@ fn flight_load() {
     }
 }
 
-// The terms of impacts' polynomials, normal by normal.
+// The terms of the polynomials of impacts, normal by normal: its wake, then its look back.
 fn kick_term(at: u32) -> State {
     return cell_kicks[at];
 }
