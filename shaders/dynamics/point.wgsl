@@ -105,18 +105,18 @@ fn point_flown(point: Point, s: f32, contact: u32) -> Point {
 
 // What a change of d·v by 1 has become a time s ≤ h later.
 fn wake(normal: u32, s: f32) -> State {
-    return impact_polynomial(normal * NORMAL_TERMS, s * flight.inverse_h);
+    return impact_polynomial(normal, 0u, s * flight.inverse_h);
 }
 
 // The row that gives d·x of a deviation a time s ≤ h ago, from the deviation now.
 fn look_back(normal: u32, s: f32) -> State {
-    return impact_polynomial(normal * NORMAL_TERMS + KICK_TERMS, s * flight.inverse_h);
+    return impact_polynomial(normal, KICK_TERMS, s * flight.inverse_h);
 }
 
-fn impact_polynomial(first: u32, u: f32) -> State {
-    var sum = kick_term(first + KICK_ORDER);
+fn impact_polynomial(normal: u32, first: u32, u: f32) -> State {
+    var sum = kick_term(normal, first + KICK_ORDER);
     //: each kick term
-    sum = state_plus(kick_term(first + $ku), u, sum);
+    sum = state_plus(kick_term(normal, first + $ku), u, sum);
     //: end
     return sum;
 }

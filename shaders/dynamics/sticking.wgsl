@@ -14,8 +14,11 @@ fn rest(carry: bool) -> Move {
         }
     }
     var time = clear;
+    var opens = false;
+    var opening = End(0u, 0u);
+    var opening_bound = 0.0;
     //: each normal
-    if (contact_held(contact) >> $ku & 1u) == 1u && !contact_is_clamped_along(contact, $ku) {
+    if !opens && (contact_held(contact) >> $ku & 1u) == 1u && !contact_is_clamped_along(contact, $ku) {
         let end = contact_end_along(contact, $ku);
         let sign = end_sign(end);
         let force = sign * motion.pressing[$k];
@@ -24,11 +27,16 @@ fn rest(carry: bool) -> Move {
         let lost = unresolved(end, trajectory.point.state);
         // What would open just before the step's end opens in the next one.
         if window > least && ((force <= lost && slope < 0.0) || force < -lost) {
-            return release(carry, end, bound);
+            opens = true;
+            opening = end;
+            opening_bound = bound;
         }
         time = min(time, max(contact_pressed_time(force, slope, bound, window), least));
     }
     //: end
+    if opens {
+        return release(carry, opening, opening_bound);
+    }
     glide(carry, min(time, window));
     if time >= window {
         return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);

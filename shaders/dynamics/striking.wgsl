@@ -26,12 +26,13 @@ fn strike(carry: bool, reached: Reached) -> Move {
         keep_pressed(end.normal, kick);
     }
     let after = point_motion(trajectory.point, trajectory.contact);
+    let rest = flight.h - trajectory.offset;
+    let later = wake(end.normal, rest);
     if carry && velocity != 0.0 {
         if trajectory.under_way == 1u {
-            let rest = flight.h - trajectory.offset;
             let pull = along(direction, before);
             let back = look_back(end.normal, rest);
-            tangent = tangent_struck_ahead(tangent, back, velocity, kick, pull, wake(end.normal, rest));
+            tangent = tangent_struck_ahead(tangent, back, velocity, kick, pull, later);
         } else {
             let contact = trajectory.contact;
             let impact = Saltation(end.normal, velocity, kick, before, after.acceleration, contact);
@@ -40,26 +41,31 @@ fn strike(carry: bool, reached: Reached) -> Move {
     }
     let stop = flight.normals[end.normal].stop[end.side];
     let closure = strike_closure(end, rebound, after);
+    var corner = CONTACT_FREE;
     if !closure.closes {
-        let corner = corner_closes(trajectory.point, trajectory.contact, end);
-        if corner != CONTACT_FREE {
-            let beside = corner & ~contact_with(trajectory.contact, end);
-            strike_catch(carry, corner);
-            trajectory.point.state = rested(trajectory.point.state, corner);
-            return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, beside);
-        }
+        corner = corner_closes(trajectory.point, trajectory.contact, end);
+    }
+    if !closure.closes && corner == CONTACT_FREE {
         let lost = unresolved(end, trajectory.point.state);
         if abs(rebound) <= lost {
             // Pulled off the stop as soon as it is met: rounding must not make that another impact.
             trajectory.point.state = placed(trajectory.point.state, end, -(sign * (lost + lost)));
         }
-        bounce(carry, end.normal, kick);
+        bounce(carry, kick, later);
         return Move(EVENT_IMPACT, stop, velocity, rebound, CONTACT_FREE);
+    }
+    // Caught: in the corner between several stops, or on this one.
+    let single = contact_with(trajectory.contact, end);
+    if closure.closes {
+        trajectory.point = at_rest(end, closure.gap_integral);
+    }
+    strike_catch(carry, select(corner, single, closure.closes));
+    if !closure.closes {
+        trajectory.point.state = rested(trajectory.point.state, corner);
+        return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, corner & ~single);
     }
     // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
     let still = abs(velocity) <= unresolved(end, arrived.state);
-    trajectory.point = at_rest(end, closure.gap_integral);
-    strike_catch(carry, contact_with(trajectory.contact, end));
     let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, !still && abs(rebound) > 0.0);
     return Move(event, stop, select(velocity, 0.0, still), rebound, CONTACT_FREE);
 }
@@ -82,15 +88,14 @@ fn strike_closure(end: End, rebound: f32, after: Motion) -> Closure {
 }
 
 // An impact that ends in flight: the end of the step is where the kick takes it.
-fn bounce(carry: bool, normal: u32, kick: f32) {
+fn bounce(carry: bool, kick: f32, later: State) {
     if trajectory.under_way == 0u {
         trajectory_look_ahead(carry);
         return;
     }
     trajectory.kicks = trajectory.kicks + 1u;
     if trajectory.kicks <= MOST_KICKS {
-        let rest = flight.h - trajectory.offset;
-        trajectory.ahead = point_kicked(trajectory.ahead, kick, wake(normal, rest));
+        trajectory.ahead = point_kicked(trajectory.ahead, kick, later);
     }
 }
 

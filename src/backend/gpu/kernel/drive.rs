@@ -26,7 +26,7 @@ pub const MOVE: u32 = 1 + 30 * <f32 as Real>::ORDER as u32;
 /// Loop iterations of one dispatch on a software adapter, beside those that fetch the constants of a cell: Mesa's stop every
 /// loop in silence after 65,535 iterations of all the loops in an invocation. (The kernel counts a trajectory that was cut
 /// short as failed.)
-const SOFTWARE_ITERATIONS: u32 = 65_535 - (MOST * NORMAL_TERMS) as u32;
+const SOFTWARE_ITERATIONS: u32 = 65_535 - ((MOST + 1) * NORMAL_TERMS) as u32;
 
 /// Loop iterations in what a strobe may ask for: the squares of a motion's monodromy matrix.
 pub const SQUARES: u32 = SQUARINGS + 1;

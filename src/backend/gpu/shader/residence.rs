@@ -82,29 +82,32 @@ fn observer_save() {
     flow = cells[cell].flow;
 }
 
-// The terms of the polynomials of impacts, normal by normal: its wake, then its look back.
-fn kick_term(at: u32) -> State {
-    return kicks[flow * (NORMALS * NORMAL_TERMS) + at];
+// A term of the polynomials of a normal's impacts: its wake, then its look back.
+fn kick_term(normal: u32, term: u32) -> State {
+    return kicks[(flow * NORMALS + normal) * NORMAL_TERMS + term];
 }
 "
             }
             Residence::Private => {
                 "var<private> cell_flight: Flight;
 var<private> cell_stops: Cell;
-var<private> cell_kicks: array<State, NORMALS * NORMAL_TERMS>;
+// Normal by normal: a compiler makes a choice of every place that an index which it does not know may mean.
+var<private> cell_kicks: array<array<State, NORMAL_TERMS>, NORMALS>;
 
 fn flight_load() {
     flow = cells[cell].flow;
     cell_flight = flights[flow];
     cell_stops = cells[cell];
-    for (var at = 0u; at < NORMALS * NORMAL_TERMS; at++) {
-        cell_kicks[at] = kicks[flow * (NORMALS * NORMAL_TERMS) + at];
+    for (var term = 0u; term < NORMAL_TERMS; term++) {
+        for (var normal = 0u; normal < NORMALS; normal++) {
+            cell_kicks[normal][term] = kicks[(flow * NORMALS + normal) * NORMAL_TERMS + term];
+        }
     }
 }
 
-// The terms of the polynomials of impacts, normal by normal: its wake, then its look back.
-fn kick_term(at: u32) -> State {
-    return cell_kicks[at];
+// A term of the polynomials of a normal's impacts: its wake, then its look back.
+fn kick_term(normal: u32, term: u32) -> State {
+    return cell_kicks[normal][term];
 }
 "
             }
