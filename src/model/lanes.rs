@@ -3,6 +3,8 @@
 use super::real::{Lanes, Mask};
 
 impl Mask for bool {
+    const WIDTH: usize = 1;
+
     #[inline(always)]
     fn and(self, other: Self) -> Self {
         self & other
@@ -21,6 +23,11 @@ impl Mask for bool {
     #[inline(always)]
     fn bits(self) -> u32 {
         u32::from(self)
+    }
+
+    #[inline(always)]
+    fn set_lane(&mut self, _: usize, holds: bool) {
+        *self = holds;
     }
 }
 

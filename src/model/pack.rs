@@ -102,6 +102,8 @@ impl<S: Simd> Lanes for Pack<S> {
 }
 
 impl<S: Simd> Mask for PackMask<S> {
+    const WIDTH: usize = S::F64_LANES;
+
     #[inline(always)]
     fn and(self, other: Self) -> Self {
         PackMask { values: self.simd.and_m64s(self.values, other.values), ..self }
@@ -127,6 +129,16 @@ impl<S: Simd> Mask for PackMask<S> {
         let stride = bytes.len() / S::F64_LANES;
         (0..S::F64_LANES).fold(0, |bits, lane| bits | u32::from(bytes[lane * stride] & 1) << lane)
     }
+
+    #[inline(always)]
+    fn set_lane(&mut self, lane: usize, holds: bool) {
+        let here = self.simd.mask_between_m64s(lane as u64, lane as u64 + 1).mask();
+        self.values = if holds {
+            self.simd.or_m64s(self.values, here)
+        } else {
+            self.simd.and_m64s(self.values, self.simd.not_m64s(here))
+        };
+    }
 }
 
 /// Two packs that take every step together, so that one waits less for its own results.
@@ -138,7 +150,7 @@ pub struct Twin<L>(pub L, pub L);
 
 /// A truth value for each lane of a [`Twin`].
 #[derive(Clone, Copy, Debug)]
-pub struct TwinMask<M>(M, M, u32);
+pub struct TwinMask<M>(M, M);
 
 macro_rules! twin_operator {
     ($operator:ident, $method:ident) => {
@@ -194,7 +206,7 @@ impl<L: Lanes> Lanes for Twin<L> {
 
     #[inline(always)]
     fn below(self, other: Self) -> TwinMask<L::Mask> {
-        TwinMask(self.0.below(other.0), self.1.below(other.1), L::WIDTH as u32)
+        TwinMask(self.0.below(other.0), self.1.below(other.1))
     }
 
     #[inline(always)]
@@ -218,23 +230,37 @@ impl<L: Lanes> Lanes for Twin<L> {
 }
 
 impl<M: Mask> Mask for TwinMask<M> {
+    const WIDTH: usize = 2 * M::WIDTH;
+
     #[inline(always)]
     fn and(self, other: Self) -> Self {
-        TwinMask(self.0.and(other.0), self.1.and(other.1), self.2)
+        TwinMask(self.0.and(other.0), self.1.and(other.1))
     }
 
     #[inline(always)]
     fn or(self, other: Self) -> Self {
-        TwinMask(self.0.or(other.0), self.1.or(other.1), self.2)
+        TwinMask(self.0.or(other.0), self.1.or(other.1))
     }
 
     #[inline(always)]
     fn not(self) -> Self {
-        TwinMask(self.0.not(), self.1.not(), self.2)
+        TwinMask(self.0.not(), self.1.not())
     }
 
     #[inline(always)]
     fn bits(self) -> u32 {
-        self.0.bits() | self.1.bits() << self.2
+        self.0.bits() | self.1.bits() << M::WIDTH
+    }
+
+    #[inline(always)]
+    fn set_lane(&mut self, lane: usize, holds: bool) {
+        if lane < M::WIDTH {
+            self.0.set_lane(lane, holds);
+        } else {
+            self.1.set_lane(lane - M::WIDTH, holds);
+        }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -110,6 +110,14 @@ pub trait Lanes:
     /// Puts a number into one lane.
     fn set_lane(&mut self, lane: usize, value: Self::Real);
 
+    /// The same where it is not there yet: lanes that were not written to one by one are loaded sooner.
+    #[inline(always)]
+    fn keep_lane(&mut self, lane: usize, value: Self::Real) {
+        if self.lane(lane) != value {
+            self.set_lane(lane, value);
+        }
+    }
+
     /// The larger of two numbers; `other` where self is not a number.
     #[inline(always)]
     #[must_use]
@@ -127,6 +135,9 @@ pub trait Lanes:
 
 /// A truth value for each lane.
 pub trait Mask: Copy + Debug {
+    /// How many lanes there are.
+    const WIDTH: usize;
+
     /// Where both hold.
     #[must_use]
     fn and(self, other: Self) -> Self;
@@ -141,6 +152,9 @@ pub trait Mask: Copy + Debug {
 
     /// Bit k for lane k.
     fn bits(self) -> u32;
+
+    /// Whether it holds in one lane from now on.
+    fn set_lane(&mut self, lane: usize, holds: bool);
 }
 
 impl Real for f64 {

@@ -1,0 +1,43 @@
+//! Lanes one by one, at every width that this processor has.
+
+use super::*;
+
+/// Sets every second lane of numbers and of a truth value, from the last one down, and takes one back.
+fn lanes_are_set_one_by_one<L: Lanes<Real = f64>>(zero: L) {
+    let never = zero.below(zero);
+    assert_eq!((never.bits(), L::Mask::WIDTH), (0, L::WIDTH));
+    let (mut numbers, mut mask, mut expected) = (zero, never, 0);
+    for lane in (0..L::WIDTH).rev().step_by(2) {
+        numbers.keep_lane(lane, 1.0 + lane as f64);
+        mask.set_lane(lane, true);
+        expected |= 1 << lane;
+        assert_eq!(mask.bits(), expected, "lane {lane} of {}", L::WIDTH);
+        assert_eq!(zero.below(numbers).bits(), expected, "lane {lane} of {}", L::WIDTH);
+    }
+    let kept = L::select(mask, numbers, zero.all(-1.0));
+    for lane in 0..L::WIDTH {
+        let set = (expected >> lane) & 1 == 1;
+        assert_eq!(kept.lane(lane), if set { 1.0 + lane as f64 } else { -1.0 });
+    }
+    mask.set_lane(L::WIDTH - 1, true);
+    assert_eq!(mask.bits(), expected, "set already");
+    mask.set_lane(L::WIDTH - 1, false);
+    assert_eq!(mask.bits(), expected & !(1 << (L::WIDTH - 1)));
+    assert_eq!(mask.not().and(never.not()).bits().count_ones(), L::WIDTH as u32 - mask.bits().count_ones());
+}
+
+#[test]
+fn lanes_of_every_width_are_set_one_by_one() {
+    lanes_are_set_one_by_one(0.0_f64);
+    #[cfg(target_arch = "x86_64")]
+    {
+        if let Some(simd) = pulp::x86::V3::try_new() {
+            lanes_are_set_one_by_one(Pack::zero(simd));
+            lanes_are_set_one_by_one(Twin(Pack::zero(simd), Pack::zero(simd)));
+        }
+        if let Some(simd) = pulp::x86::V4::try_new() {
+            lanes_are_set_one_by_one(Pack::zero(simd));
+            lanes_are_set_one_by_one(Twin(Pack::zero(simd), Pack::zero(simd)));
+        }
+    }
+}
