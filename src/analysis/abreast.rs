@@ -1,10 +1,12 @@
 //! Observers side by side: each lane follows one to its verdict, then takes the next.
 
+use pulp::NullaryFnOnce;
+
 use super::observer::Observer;
 use super::schedule::Schedule;
 use super::stage::Stage;
-use crate::dynamics::{Abreast, Event, Usage};
-use crate::model::{Flight, Lanes};
+use crate::dynamics::{Abreast, Usage};
+use crate::model::{Flight, Lanes, Real};
 
 /// What the lanes are to follow, and who is told.
 pub trait Queue<T, const N: usize> {
@@ -25,6 +27,10 @@ pub trait Queue<T, const N: usize> {
 }
 
 /// Steps that are tried between two looks at the waiting lanes.
+const STEPS_PER_LOOK: u32 = 3;
+/// The share of the trajectories, so many in so many, that wait for a contact when contacts are looked for.
+const WAITING: [u32; 2] = [2, 3];
+/// Steps that are tried on the GPU between two contacts.
 pub const CLEAR_STEPS: u32 = 4;
 /// Rounds of steps and contacts on the GPU before what is rare is looked at.
 pub const ROUNDS: u32 = 16;
@@ -60,12 +66,13 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
 ) {
     let mut lanes = Lane::<L, N, Q>::all(zero, normals, queue, schedule);
     while lanes.busy > 0 {
-        for _ in 0..CLEAR_STEPS {
-            let phases = lanes.abreast.step();
+        let mut steps = STEPS_PER_LOOK;
+        while steps > 0 {
+            let phases = lanes.abreast.fly(&mut steps);
             lanes.pass_phases(phases, schedule, queue);
         }
         let (waiting, stepping) = lanes.abreast.waiting();
-        if 2 * waiting >= lanes.busy || stepping == 0 {
+        if WAITING[1] * waiting >= WAITING[0] * lanes.busy || stepping == 0 {
             let round = lanes.abreast.cross();
             lanes.pass_phases(round.phases, schedule, queue);
             for lane in bits(round.uncertain) {
@@ -120,13 +127,16 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     }
 
     /// Lets a lane carry along what its observer has asked for.
+    #[inline(always)]
     fn carry_on(&mut self, lane: usize) {
-        let Some(Seat { observer, .. }) = self.seats[lane].as_deref() else { return };
+        let Some(Seat { flight, observer, .. }) = self.seats[lane].as_deref() else { return };
         self.abreast.set_tangent(lane, observer.carried());
+        self.abreast.set_halt(lane, observer.awaits_mirror(flight));
         self.abreast.begin_tally(lane, observer.peak, observer.loss.energy);
     }
 
     /// Takes a lane's trajectory back where it is done, and gives the lane the next.
+    #[inline(never)]
     fn finish(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
         if let Some(seat) = self.seats[lane].take() {
             queue.done(&seat);
@@ -148,26 +158,31 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     #[inline(always)]
     fn pass_phases(&mut self, phases: u32, schedule: &Schedule, queue: &mut Q) {
         for lane in bits(phases) {
-            self.pass_phase(lane, schedule, queue);
+            L::Real::fused(AtPhase { lanes: self, lane, schedule, queue });
         }
     }
 
+    #[inline(always)]
     fn pass_phase(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
         let Some(seat) = &mut self.seats[lane] else { return };
-        let observing = seat.observer.stage == Stage::Observation;
-        let trajectory = self.abreast.trajectory_at_phase(lane, &seat.flight);
-        let event = if trajectory.step == 0 { Event::Strobe } else { Event::HalfPeriod };
-        seat.observer.trajectory = trajectory;
-        seat.observer.pass_impacts(&seat.flight, &self.abreast.take_tally(lane));
-        if observing {
-            seat.observer.tangent = self.abreast.tangent(lane);
+        if self.abreast.is_past_half(lane) {
+            seat.observer.look_for_mirror(&seat.flight, &self.abreast.point(lane));
+            return;
         }
-        seat.observer.arrive(&seat.flight, schedule, event);
+        let observing = seat.observer.stage == Stage::Observation;
+        seat.observer.trajectory.come_to_phase_zero(self.abreast.point(lane));
+        seat.observer.pass_impacts(&seat.flight, &self.abreast.take_tally(lane));
+        // Two calls, so that a tangent need not be stored before it is used.
+        if observing {
+            seat.observer.arrive(&seat.flight, schedule, Some(self.abreast.tangent(lane)));
+        } else {
+            seat.observer.arrive(&seat.flight, schedule, None);
+        }
         if seat.observer.is_done() {
             self.finish(lane, schedule, queue);
         } else if seat.observer.keeps_others_waiting() {
             self.hand_over(lane, schedule, queue);
-        } else if event == Event::Strobe && (observing || seat.observer.carried().is_some()) {
+        } else if observing || seat.observer.carried().is_some() {
             self.carry_on(lane);
         }
     }
@@ -189,6 +204,24 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         } else {
             self.sit(lane);
         }
+    }
+}
+
+/// A lane's trajectory at phase 0 or π; a type of its own, so that what is done there is compiled with the instructions that are
+/// asked for.
+struct AtPhase<'a, L: Lanes, const N: usize, Q: Queue<L::Real, N>> {
+    lanes: &'a mut Lane<L, N, Q>,
+    lane: usize,
+    schedule: &'a Schedule,
+    queue: &'a mut Q,
+}
+
+impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> NullaryFnOnce for AtPhase<'_, L, N, Q> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        self.lanes.pass_phase(self.lane, self.schedule, self.queue);
     }
 }
 

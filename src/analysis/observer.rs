@@ -7,7 +7,7 @@ use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
-use crate::dynamics::{Contact, Event, Move, Moves, Stop, Tally, Tangent, Trajectory, Variation};
+use crate::dynamics::{Event, Move, Moves, Stop, Tally, Tangent, Trajectory, Variation};
 use crate::model::{Flight, Real, State};
 
 /// A trajectory and everything that is noted about it.
@@ -201,10 +201,5 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
         self.peak = tally.fastest;
         self.loss.energy = tally.energy;
-    }
-
-    /// Notes that the trajectory came to phase 0 in free flight, or under observation to phase π.
-    pub(super) fn arrive(&mut self, flight: &Flight<T, N>, schedule: &Schedule, event: Event<T>) {
-        self.note(flight, schedule, &Move { time: T::zero(), contact: Contact::FREE, event });
     }
 }

@@ -10,7 +10,7 @@ use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
-use crate::dynamics::{Event, Move, Stop, Tangent, Variation};
+use crate::dynamics::{Event, Move, Point, Stop, Tangent, Variation};
 use crate::model::{Flight, Real};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
@@ -60,14 +60,26 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 }
             }
             Event::HalfPeriod => {
-                if self.stage == Stage::Observation {
-                    self.recurrence.at_half_period(flight, &self.trajectory.point, T::of(RETURNED));
-                }
+                let point = self.trajectory.point;
+                self.look_for_mirror(flight, &point);
             }
             Event::Strobe => self.strobe(flight, schedule),
         }
         if self.moves.are_too_many() {
             self.stage = Stage::Failed;
+        }
+    }
+
+    /// Whether the next phase π may show the mirror image of what returns.
+    pub(super) fn awaits_mirror(&self, flight: &Flight<T, N>) -> bool {
+        self.stage == Stage::Observation && self.recurrence.awaits_mirror(flight)
+    }
+
+    /// Looks whether the point at phase π shows it.
+    #[inline(always)]
+    pub(super) fn look_for_mirror(&mut self, flight: &Flight<T, N>, point: &Point<T, N>) {
+        if self.stage == Stage::Observation {
+            self.recurrence.at_half_period(flight, point, T::of(RETURNED));
         }
     }
 
@@ -87,23 +99,61 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     #[inline(always)]
     fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
-        let point = self.trajectory.point;
-        self.moves.pass_period();
-        self.periods += 1;
-        if !point.state.is_finite() {
-            self.stage = Stage::Failed;
+        if !self.begins_period(flight) {
             return;
-        }
-        for (k, normal) in flight.normals().iter().enumerate() {
-            if self.trajectory.contact.is_clamped_along(k) {
-                self.recurrence.count(Stop(normal.stop[0]), true);
-                self.recurrence.count(Stop(normal.stop[1]), true);
-            }
         }
         if self.stage == Stage::Transient {
             self.settle(flight, schedule);
         } else {
             self.observe(flight, schedule);
+        }
+    }
+
+    /// Notes that the trajectory came to phase 0 in free flight: in the transient, or under observation with its tangent.
+    #[inline(always)]
+    pub(super) fn arrive(
+        &mut self,
+        flight: &Flight<T, N>,
+        schedule: &Schedule,
+        observed: Option<Tangent<T, N>>,
+    ) {
+        self.moves.add();
+        if self.begins_period(flight) {
+            match observed {
+                None => self.settle(flight, schedule),
+                Some(tangent) => {
+                    self.tangent = tangent;
+                    self.observe(flight, schedule);
+                }
+            }
+        }
+        if self.moves.are_too_many() {
+            self.stage = Stage::Failed;
+        }
+    }
+
+    /// A strobe: whether the trajectory can go on from there.
+    #[inline(always)]
+    fn begins_period(&mut self, flight: &Flight<T, N>) -> bool {
+        self.moves.pass_period();
+        self.periods += 1;
+        if !self.trajectory.point.state.is_finite() {
+            self.stage = Stage::Failed;
+            return false;
+        }
+        if !self.trajectory.contact.is_free() {
+            self.count_clamped(flight);
+        }
+        true
+    }
+
+    /// Between stops that clamp it a mass impacts without end.
+    fn count_clamped(&mut self, flight: &Flight<T, N>) {
+        for (k, normal) in flight.normals().iter().enumerate() {
+            if self.trajectory.contact.is_clamped_along(k) {
+                self.recurrence.count(Stop(normal.stop[0]), true);
+                self.recurrence.count(Stop(normal.stop[1]), true);
+            }
         }
     }
 

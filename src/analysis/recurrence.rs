@@ -91,11 +91,17 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         *running = if *running < most { (*running + impacts).min(most) } else { *running };
     }
 
-    /// Sees the state at phase π: half a cycle after a return, an odd cycle may show its mirror image.
+    /// Whether the next phase π is half a cycle after a return: an odd cycle may show its mirror image there.
+    #[inline(always)]
+    pub fn awaits_mirror(&self, flight: &Flight<T, N>) -> bool {
+        flight.mirror.is_some() && self.n % 2 == 1 && self.since % self.n == self.n / 2
+    }
+
+    /// Sees the state at phase π.
     #[inline(always)]
     pub fn at_half_period(&mut self, flight: &Flight<T, N>, point: &Point<T, N>, tolerance: T) {
         let Some(mirror) = &flight.mirror else { return };
-        if self.n % 2 == 1 && self.since % self.n == self.n / 2 {
+        if self.awaits_mirror(flight) {
             let mirrored = State { x: applied(mirror, &point.state.x), v: applied(mirror, &point.state.v) };
             self.symmetric = distance(&mirrored, &self.anchor) <= tolerance;
         }

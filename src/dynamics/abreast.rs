@@ -1,5 +1,7 @@
 //! Trajectories in free flight side by side, one in each lane: clear steps together, contacts when several wait for one.
 
+use std::hint::black_box;
+
 use super::crossing::{Crossing, crossing};
 use super::leg::{Clearance, Clearances, Leg};
 use super::point::Point;
@@ -31,12 +33,14 @@ pub struct Abreast<L: Lanes, const N: usize> {
     half: L,
     /// Cosine of the last of them: 1 or −1.
     phase: L,
-    /// 1 where a trajectory is at the beginning of a step, else 0.
-    steps: L,
-    /// 1 where the rest of the step does not clear the stops, else 0; the tangent is that of the end of the step there.
-    waits: L,
-    /// 1 where the tangent is carried along, else 0.
-    carries: L,
+    /// Where a trajectory is at the beginning of a step.
+    steps: L::Mask,
+    /// Where the rest of the step does not clear the stops; the tangent is that of the end of the step there.
+    waits: L::Mask,
+    /// Where the tangent is carried along.
+    carries: L::Mask,
+    /// Where the trajectory is to be seen at phase π too.
+    halts: L::Mask,
     tally: Tally<L>,
     usage: Usage,
 }
@@ -46,7 +50,7 @@ pub struct Abreast<L: Lanes, const N: usize> {
 pub struct Round {
     /// The contact is not certain: it must be approached from the safe side.
     pub uncertain: u32,
-    /// The step was completed after the impact, at phase 0, or at phase π of a lane that carries a tangent.
+    /// The step was completed after the impact, at phase 0, or at phase π of a lane that is to be seen there.
     pub phases: u32,
 }
 
@@ -68,9 +72,10 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             left: zero,
             half: zero,
             phase: zero,
-            steps: zero,
-            waits: zero,
-            carries: zero,
+            steps: never,
+            waits: never,
+            carries: never,
+            halts: never,
             tally: Tally::none(zero),
             usage: Usage::default(),
         }
@@ -92,11 +97,12 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let left = half - trajectory.step % half;
         self.left.set_lane(lane, number(f64::from(left)));
         self.phase.set_lane(lane, number(if trajectory.step < half { 1.0 } else { -1.0 }));
-        self.steps.set_lane(lane, number(1.0));
-        self.waits.set_lane(lane, number(0.0));
+        self.steps.set_lane(lane, true);
+        self.waits.set_lane(lane, false);
     }
 
     /// Sums up in a lane what impacts come to from here, on top of what they came to before.
+    #[inline(always)]
     pub fn begin_tally(&mut self, lane: usize, fastest: L::Real, energy: L::Real) {
         self.tally.begin(lane, fastest, energy);
     }
@@ -108,17 +114,24 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     }
 
     /// Carries a tangent along in a lane, or none.
+    #[inline(always)]
     pub fn set_tangent(&mut self, lane: usize, tangent: Option<&Tangent<L::Real, N>>) {
-        self.carries.set_lane(lane, L::Real::of(if tangent.is_some() { 1.0 } else { 0.0 }));
+        self.carries.set_lane(lane, tangent.is_some());
         if let Some(tangent) = tangent {
             self.tangent.0.set_lane(lane, &tangent.0);
         }
     }
 
+    /// Sees a lane at phase π too, or at phase 0 alone.
+    #[inline(always)]
+    pub fn set_halt(&mut self, lane: usize, halts: bool) {
+        self.halts.set_lane(lane, halts);
+    }
+
     /// Leaves a lane empty.
     pub fn vacate(&mut self, lane: usize) {
-        self.steps.set_lane(lane, L::Real::of(0.0));
-        self.waits.set_lane(lane, L::Real::of(0.0));
+        self.steps.set_lane(lane, false);
+        self.waits.set_lane(lane, false);
     }
 
     /// The trajectory in a lane, `flight` being its cell's.
@@ -130,22 +143,29 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             self.kicks.lane(lane).widen() as u32,
             self.last_phase(lane, flight) + flight.steps / 2 - left,
             self.offset.lane(lane),
-            holds(self.waits.lane(lane)),
+            (self.waits.bits() >> lane) & 1 == 1,
         )
     }
 
-    /// The trajectory in a lane that has come to phase 0 or π: at the beginning of that step.
-    pub fn trajectory_at_phase(&self, lane: usize, flight: &Flight<L::Real, N>) -> Trajectory<L::Real, N> {
-        let point = self.point.lane(lane);
-        Trajectory::resumed(point, point, 0, self.last_phase(lane, flight), L::Real::of(0.0), false)
+    /// The point in a lane.
+    #[inline(always)]
+    pub fn point(&self, lane: usize) -> Point<L::Real, N> {
+        self.point.lane(lane)
+    }
+
+    /// Whether the last of the phases 0 and π that a lane's trajectory passed was π.
+    #[inline(always)]
+    pub fn is_past_half(&self, lane: usize) -> bool {
+        self.phase.lane(lane) < L::Real::of(0.0)
     }
 
     /// The step at which the last of the phases 0 and π was that a lane's trajectory passed.
     fn last_phase(&self, lane: usize, flight: &Flight<L::Real, N>) -> u32 {
-        if self.phase.lane(lane) > L::Real::of(0.0) { 0 } else { flight.steps / 2 }
+        if self.is_past_half(lane) { flight.steps / 2 } else { 0 }
     }
 
     /// The tangent in a lane, as its trajectory there is resumed with it.
+    #[inline(always)]
     pub fn tangent(&self, lane: usize) -> Tangent<L::Real, N> {
         Tangent(self.tangent.0.lane(lane))
     }
@@ -158,41 +178,47 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     /// How many trajectories wait for a contact, and how many can step.
     #[inline(always)]
     pub fn waiting(&self) -> (u32, u32) {
-        (holds(self.waits).bits().count_ones(), holds(self.steps).bits().count_ones())
+        (self.waits.bits().count_ones(), self.steps.bits().count_ones())
     }
 
-    /// One step of every trajectory that is at the beginning of one, where it clears the stops; the others wait from then
-    /// on. The lanes that came to phase 0, or with a tangent to phase π.
+    /// Steps of every trajectory that is at the beginning of one, where it clears the stops; the others wait from then on. So
+    /// many of them, counted down in `steps`, or until lanes come to phase 0, or to phase π where they are to be seen there:
+    /// these lanes.
     #[inline(always)]
-    pub fn step(&mut self) -> u32 {
-        let steps = holds(self.steps);
-        let flight = &self.flight;
-        let ahead = self.point.stepped(flight);
-        let clearances = Leg { from: &self.point, to: &ahead, window: flight.h }.clearances(flight);
-        let moves = steps.and(clearances.all(flight.count));
-        self.clearances = Clearances::select(steps, &clearances, &self.clearances, flight.count);
-        let carried = steps.and(holds(self.carries));
-        if carried.bits() != 0 {
-            let tangent = self.tangent.stepped_freely(flight).0;
-            self.tangent.0 = State::select(carried, &tangent, &self.tangent.0);
+    pub fn fly(&mut self, steps: &mut u32) -> u32 {
+        // A processor waits long for what it has stored in some lanes alone; it does not for what it has not stored.
+        let (mut point, mut tangent, mut left) = (self.point, self.tangent.0, self.left);
+        let mut phases = 0;
+        while phases == 0 && *steps > 0 {
+            *steps -= 1;
+            let flight = &self.flight;
+            let ahead = point.stepped(flight);
+            let leg = Leg { from: &point, to: &ahead, window: flight.h };
+            let moves = leg.keep_clearances(flight, self.steps, &mut self.clearances);
+            let carried = self.steps.and(self.carries);
+            if carried.bits() != 0 {
+                // The constants are read again: the compiler would copy them to the stack above, carried or not.
+                let stepped = Tangent(tangent).stepped_freely(black_box(flight)).0;
+                tangent = State::select(carried, &stepped, &tangent);
+            }
+            let stays = self.steps.and(moves.not());
+            self.ahead = Point::select(stays, &ahead, &self.ahead);
+            self.kicks = L::select(stays, left.all(0.0), self.kicks);
+            self.waits = self.waits.or(stays);
+            self.steps = moves;
+            self.usage.step_slots += L::WIDTH as u64;
+            self.usage.steps += u64::from(moves.bits().count_ones());
+            point = Point::select(moves, &ahead, &point);
+            phases = self.complete(moves, &mut point, &mut left);
         }
-        let zero = self.left.all(0.0);
-        let one = self.left.all(1.0);
-        self.ahead = Point::select(steps, &ahead, &self.ahead);
-        self.kicks = L::select(steps, zero, self.kicks);
-        let stays = steps.and(moves.not());
-        self.usage.step_slots += L::WIDTH as u64;
-        self.usage.steps += u64::from(moves.bits().count_ones());
-        self.waits = L::select(stays, one, self.waits);
-        self.steps = L::select(stays, zero, self.steps);
-        self.complete(moves)
+        (self.point, self.tangent.0, self.left) = (point, tangent, left);
+        phases
     }
 
     /// The contacts of all trajectories that wait for one, and the rest of their step where it clears the stops.
     #[inline(always)]
     pub fn cross(&mut self) -> Round {
-        let waits = holds(self.waits);
-        let carries = holds(self.carries);
+        let (waits, carries) = (self.waits, self.carries);
         let flight = &self.flight;
         let window = flight.h - self.offset;
         let met = crossing(&Leg { from: &self.point, to: &self.ahead, window }, &self.clearances, flight);
@@ -215,17 +241,20 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.kicks = L::select(struck, self.kicks + one, self.kicks);
         self.offset = L::select(struck, self.offset + met.time, self.offset);
         let rest = flight.h - self.offset;
-        self.clearances = Leg { from: &self.point, to: &self.ahead, window: rest }.clearances(flight);
-        let moves = struck.and(self.clearances.all(flight.count));
-        self.waits = L::select(moves, window.all(0.0), self.waits);
-        self.steps = L::select(moves, one, self.steps);
+        let leg = Leg { from: &self.point, to: &self.ahead, window: rest };
+        let moves = leg.keep_clearances(flight, struck, &mut self.clearances);
+        self.waits = waits.and(moves.not());
+        self.steps = self.steps.or(moves);
         self.offset = L::select(moves, window.all(0.0), self.offset);
         self.count(struck, carries, &met);
         let uncertain = waits.and(struck.not()).bits();
         self.usage.contact_slots += L::WIDTH as u64;
         self.usage.contacts += u64::from(struck.bits().count_ones());
         self.usage.fallbacks += u64::from(uncertain.count_ones());
-        Round { uncertain, phases: self.complete(moves) }
+        let (mut point, mut left) = (Point::select(moves, &self.ahead, &self.point), self.left);
+        let phases = self.complete(moves, &mut point, &mut left);
+        (self.point, self.left) = (point, left);
+        Round { uncertain, phases }
     }
 
     /// Counts the impacts of some lanes, and sums up what they take where that is observed.
@@ -246,38 +275,19 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         *energy = L::select(struck.and(observed), *energy + taken, *energy);
     }
 
-    /// Ends the step of some lanes; at phases 0 and π the forcing phasor is exact. Those that come to phase 0, or with a tangent
-    /// to phase π: without one nothing is read there.
+    /// Counts the step of some lanes that are at its end, `left` until the next phase 0 or π; there the forcing phasor is exact.
+    /// Those that come to phase 0, or to phase π where they are to be seen there.
     #[inline(always)]
-    fn complete(&mut self, moves: L::Mask) -> u32 {
-        self.point = Point::select(moves, &self.ahead, &self.point);
-        self.left = L::select(moves, self.left - self.left.all(1.0), self.left);
-        let arrived = moves.and(self.left.below(self.left.all(0.5)));
+    fn complete(&mut self, moves: L::Mask, point: &mut Point<L, N>, left: &mut L) -> u32 {
+        *left = L::select(moves, *left - left.all(1.0), *left);
+        let arrived = moves.and(left.below(left.all(0.5)));
         if arrived.bits() == 0 {
             return 0;
         }
         self.phase = L::select(arrived, -self.phase, self.phase);
-        self.point.sin = L::select(arrived, self.left.all(0.0), self.point.sin);
-        self.point.cos = L::select(arrived, self.phase, self.point.cos);
-        self.left = L::select(arrived, self.half, self.left);
-        arrived.and(self.phase.all(0.0).below(self.phase).or(holds(self.carries))).bits()
-    }
-}
-
-/// Where a flag is 1.
-#[inline(always)]
-fn holds<L: Lanes>(flag: L) -> L::Mask {
-    flag.all(0.5).below(flag)
-}
-
-impl<L: Lanes, const N: usize> Point<L, N> {
-    fn lane(&self, lane: usize) -> Point<L::Real, N> {
-        Point { state: self.state.lane(lane), sin: self.sin.lane(lane), cos: self.cos.lane(lane) }
-    }
-
-    fn set_lane(&mut self, lane: usize, point: &Point<L::Real, N>) {
-        self.state.set_lane(lane, &point.state);
-        self.sin.set_lane(lane, point.sin);
-        self.cos.set_lane(lane, point.cos);
+        point.sin = L::select(arrived, left.all(0.0), point.sin);
+        point.cos = L::select(arrived, self.phase, point.cos);
+        *left = L::select(arrived, self.half, *left);
+        arrived.and(self.phase.all(0.0).below(self.phase).or(self.halts)).bits()
     }
 }

@@ -38,17 +38,14 @@ impl<M: Mask> Clearances<M> {
         }
         clear
     }
+}
 
+impl<M: Mask> Clearance<M> {
     /// `yes` where the mask holds, `no` elsewhere.
     #[inline(always)]
-    pub fn select(mask: M, yes: &Self, no: &Self, count: usize) -> Self {
+    fn select(mask: M, yes: &Self, no: &Self) -> Self {
         let either = |yes: M, no: M| mask.and(yes).or(mask.not().and(no));
-        let mut chosen = *no;
-        for k in 0..count {
-            chosen.0[k].upper = either(yes.0[k].upper, no.0[k].upper);
-            chosen.0[k].lower = either(yes.0[k].lower, no.0[k].lower);
-        }
-        chosen
+        Clearance { upper: either(yes.upper, no.upper), lower: either(yes.lower, no.lower) }
     }
 }
 
@@ -64,6 +61,23 @@ impl<L: Lanes, const N: usize> Leg<'_, L, N> {
             clearances.0[k] = self.clearance(flight, k);
         }
         clearances
+    }
+
+    /// Where the leg, taken in some lanes, provably stays off all stops; what it stays off is kept for these lanes.
+    #[inline(always)]
+    pub fn keep_clearances(
+        &self,
+        flight: &Flight<L, N>,
+        lanes: L::Mask,
+        kept: &mut Clearances<L::Mask>,
+    ) -> L::Mask {
+        let mut clear = lanes;
+        for (k, kept) in kept.0.iter_mut().enumerate().take(flight.count) {
+            let clearance = self.clearance(flight, k);
+            clear = clear.and(clearance.upper).and(clearance.lower);
+            *kept = Clearance::select(lanes, &clearance, kept);
+        }
+        clear
     }
 
     /// Where the leg provably stays off the stops along one normal.

@@ -48,6 +48,19 @@ impl<T: Real, const N: usize> Point<T, N> {
 }
 
 impl<L: Lanes, const N: usize> Point<L, N> {
+    /// The point in one lane.
+    #[inline(always)]
+    pub(super) fn lane(&self, lane: usize) -> Point<L::Real, N> {
+        Point { state: self.state.lane(lane), sin: self.sin.lane(lane), cos: self.cos.lane(lane) }
+    }
+
+    /// Puts a point into one lane.
+    pub(super) fn set_lane(&mut self, lane: usize, point: &Point<L::Real, N>) {
+        self.state.set_lane(lane, &point.state);
+        self.sin.set_lane(lane, point.sin);
+        self.cos.set_lane(lane, point.cos);
+    }
+
     /// `yes` where the mask holds, `no` elsewhere.
     #[inline(always)]
     pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {

@@ -132,6 +132,13 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         trajectory
     }
 
+    /// Is at a point at phase 0, in free flight.
+    #[inline(always)]
+    pub(crate) fn come_to_phase_zero(&mut self, point: Point<T, N>) {
+        self.point = point;
+        (self.contact, self.step, self.offset, self.under_way) = (Contact::FREE, 0, T::zero(), false);
+    }
+
     /// Within a step: finds its end where flight is free, and what a variation of the present point is there.
     #[inline(always)]
     pub(super) fn look_ahead<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) {
