@@ -1,6 +1,8 @@
 //! A point of the motion and its flight, as exact as the arithmetic.
 
-use super::series::{INVERSE_FACTORIALS, Series};
+use pulp::NullaryFnOnce;
+
+use super::series::{Flown, INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
 use crate::model::vector::{MOST, absolute_onto, applied_onto, axpy, dot, scaled};
 use crate::model::{Flight, Lanes, Real, State};
@@ -128,40 +130,9 @@ impl<T: Real, const N: usize> Point<T, N> {
     /// The point a time `s` ≤ h later with the contacts that hold, by the Taylor polynomial of the equations of motion.
     ///
     /// The terms are kept as Vₖ = v⁽ᵏ⁾ sᵏ, which obey a recurrence of second order; 1/k! comes from a table.
-    #[inline(always)]
+    #[inline(never)]
     pub fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
-        let series = Series::new(flight, s);
-        let turn = flight.omega * s;
-        let force_sin = scaled(s, &flight.sin);
-        let force_cos = scaled(s, &flight.cos);
-        let mut before = self.state.v;
-        let first = series.first(flight, &self.state.x, &before);
-        let first = axpy(self.cos, &force_cos, &axpy(self.sin, &force_sin, &first));
-        let first = axpy(s, &flight.load, &first);
-        let mut last = held(flight, contact, first).0;
-        let mut phasor = [self.cos * turn, -(self.sin * turn)];
-        let mut velocity = before;
-        let mut mean = before;
-        let mut phase = [self.sin, self.cos];
-        let mut power = T::one();
-        for k in 1..=T::ORDER {
-            let weight = T::of(INVERSE_FACTORIALS[k]);
-            let lower = T::of(INVERSE_FACTORIALS[k + 1]);
-            velocity = axpy(weight, &last, &velocity);
-            mean = axpy(lower, &last, &mean);
-            phase = axpy(weight, &phasor, &phase);
-            let negligible;
-            (power, negligible) = series.grow(power, k);
-            if negligible {
-                break;
-            }
-            let forced = axpy(phasor[1], &force_cos, &scaled(phasor[0], &force_sin));
-            let next = series.next(&before, &last, &forced);
-            before = last;
-            last = held(flight, contact, next).0;
-            phasor = [phasor[1] * turn, -(phasor[0] * turn)];
-        }
-        Point { state: State { x: axpy(s, &mean, &self.state.x), v: velocity }, sin: phase[0], cos: phase[1] }
+        T::fused(Flown { from: self, flight, s, contact })
     }
 
     /// The point a time `s` later, so short that its square is lost in rounding.
@@ -196,6 +167,47 @@ impl<T: Real, const N: usize> Point<T, N> {
             jerk: dot(direction, &motion.jerk),
             bound: self.bound(flight, normal),
         }
+    }
+}
+
+impl<T: Real, const N: usize> NullaryFnOnce for Flown<'_, Point<T, N>, T, N> {
+    type Output = Point<T, N>;
+
+    #[inline(always)]
+    fn call(self) -> Point<T, N> {
+        let Flown { from, flight, s, contact } = self;
+        let series = Series::new(flight, s);
+        let turn = flight.omega * s;
+        let force_sin = scaled(s, &flight.sin);
+        let force_cos = scaled(s, &flight.cos);
+        let mut before = from.state.v;
+        let first = series.first(flight, &from.state.x, &before);
+        let first = axpy(from.cos, &force_cos, &axpy(from.sin, &force_sin, &first));
+        let first = axpy(s, &flight.load, &first);
+        let mut last = held(flight, contact, first).0;
+        let mut phasor = [from.cos * turn, -(from.sin * turn)];
+        let mut velocity = before;
+        let mut mean = before;
+        let mut phase = [from.sin, from.cos];
+        let mut power = T::one();
+        for k in 1..=T::ORDER {
+            let weight = T::of(INVERSE_FACTORIALS[k]);
+            let lower = T::of(INVERSE_FACTORIALS[k + 1]);
+            velocity = axpy(weight, &last, &velocity);
+            mean = axpy(lower, &last, &mean);
+            phase = axpy(weight, &phasor, &phase);
+            let negligible;
+            (power, negligible) = series.grow(power, k);
+            if negligible {
+                break;
+            }
+            let forced = axpy(phasor[1], &force_cos, &scaled(phasor[0], &force_sin));
+            let next = series.next(&before, &last, &forced);
+            before = last;
+            last = held(flight, contact, next).0;
+            phasor = [phasor[1] * turn, -(phasor[0] * turn)];
+        }
+        Point { state: State { x: axpy(s, &mean, &from.state.x), v: velocity }, sin: phase[0], cos: phase[1] }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The Taylor series of flight: one recurrence for motions and deviations.
 
+use super::stop::Contact;
 use crate::model::vector::{added, applied, scaled};
 use crate::model::{Flight, Real};
 
@@ -60,4 +61,18 @@ impl<T: Real, const N: usize> Series<T, N> {
         let power = power * self.reach;
         (power, power * T::of(INVERSE_FACTORIALS[k]) < T::of(T::TRUNCATION))
     }
+}
+
+/// A flight that is yet to be made; a type of its own, so that it is compiled once, with the instructions that multiply and add at
+/// once, and not wherever something flies.
+#[derive(Debug)]
+pub(super) struct Flown<'a, F, T, const N: usize> {
+    /// Where it begins.
+    pub from: &'a F,
+    /// The constants of the system.
+    pub flight: &'a Flight<T, N>,
+    /// How long it takes.
+    pub s: T,
+    /// The contacts that hold.
+    pub contact: Contact,
 }

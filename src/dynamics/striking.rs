@@ -1,5 +1,7 @@
 //! Impacts that are approached from the safe side: restitution, and what follows where chatter is complete.
 
+use pulp::NullaryFnOnce;
+
 use super::chatter::{self, Closure, Rebound};
 use super::contact::{self, Reached};
 use super::corner;
@@ -20,10 +22,37 @@ pub fn energy_taken<L: Lanes>(mass: L, before: L, after: L) -> L {
     mass.all(0.5) * mass * (before * before - after * after)
 }
 
+/// An impact that is yet to happen; a type of its own, as [`Flown`](super::series::Flown) is.
+struct Strike<'a, T, const N: usize, V> {
+    trajectory: &'a mut Trajectory<T, N>,
+    flight: &'a Flight<T, N>,
+    variation: &'a mut V,
+    reached: Reached<T>,
+}
+
+impl<T: Real, const N: usize, V: Variation<T, N>> NullaryFnOnce for Strike<'_, T, N, V> {
+    type Output = Event<T>;
+
+    #[inline(always)]
+    fn call(self) -> Event<T> {
+        self.trajectory.strike_now(self.flight, self.variation, self.reached)
+    }
+}
+
 impl<T: Real, const N: usize> Trajectory<T, N> {
     /// An impact, a time `left` ahead: restitution, and sticking where the rebounds that follow can be closed.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn strike<V: Variation<T, N>>(
+        &mut self,
+        flight: &Flight<T, N>,
+        variation: &mut V,
+        reached: Reached<T>,
+    ) -> Event<T> {
+        T::fused(Strike { trajectory: self, flight, variation, reached })
+    }
+
+    #[inline(always)]
+    fn strike_now<V: Variation<T, N>>(
         &mut self,
         flight: &Flight<T, N>,
         variation: &mut V,

@@ -3,8 +3,10 @@
 //! How a deviation passes an impact (the saltation of the flow): P. C. Müller, Chaos, Solitons & Fractals 5 (1995) 1671–1681,
 //! doi:10.1016/0960-0779(94)00170-U.
 
+use pulp::NullaryFnOnce;
+
 use super::point::held;
-use super::series::{INVERSE_FACTORIALS, Series};
+use super::series::{Flown, INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
 use crate::model::vector::{applied, applied_onto, axpy, dot};
 use crate::model::{Flight, Lanes, Real, State};
@@ -155,26 +157,9 @@ impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
     }
 
     /// By the Taylor polynomial of the equations of motion; see [`Point::flown`](super::Point::flown).
-    #[inline(always)]
+    #[inline(never)]
     fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
-        let series = Series::new(flight, s);
-        let mut before = self.0.v;
-        let mut last = held(flight, contact, series.first(flight, &self.0.x, &before)).0;
-        let mut velocity = before;
-        let mut mean = before;
-        let mut power = T::one();
-        for k in 1..=T::ORDER {
-            velocity = axpy(T::of(INVERSE_FACTORIALS[k]), &last, &velocity);
-            mean = axpy(T::of(INVERSE_FACTORIALS[k + 1]), &last, &mean);
-            let negligible;
-            (power, negligible) = series.grow(power, k);
-            if negligible {
-                break;
-            }
-            let next = held(flight, contact, series.next(&before, &last, &[T::zero(); N])).0;
-            (before, last) = (last, next);
-        }
-        Tangent(State { x: axpy(s, &mean, &self.0.x), v: velocity })
+        T::fused(Flown { from: self, flight, s, contact })
     }
 
     /// A deviation d·ξ shifts the impact by −d·ξ/d·v−; what differs on either side of it (v along the response, and x'')
@@ -210,6 +195,33 @@ impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
     #[inline(always)]
     fn caught(&self, flight: &Flight<T, N>, contact: Contact) -> Self {
         Tangent(State { x: held(flight, contact, self.0.x).0, v: held(flight, contact, self.0.v).0 })
+    }
+}
+
+impl<T: Real, const N: usize> NullaryFnOnce for Flown<'_, Tangent<T, N>, T, N> {
+    type Output = Tangent<T, N>;
+
+    #[inline(always)]
+    fn call(self) -> Tangent<T, N> {
+        let Flown { from, flight, s, contact } = self;
+        let series = Series::new(flight, s);
+        let mut before = from.0.v;
+        let mut last = held(flight, contact, series.first(flight, &from.0.x, &before)).0;
+        let mut velocity = before;
+        let mut mean = before;
+        let mut power = T::one();
+        for k in 1..=T::ORDER {
+            velocity = axpy(T::of(INVERSE_FACTORIALS[k]), &last, &velocity);
+            mean = axpy(T::of(INVERSE_FACTORIALS[k + 1]), &last, &mean);
+            let negligible;
+            (power, negligible) = series.grow(power, k);
+            if negligible {
+                break;
+            }
+            let next = held(flight, contact, series.next(&before, &last, &[T::zero(); N])).0;
+            (before, last) = (last, next);
+        }
+        Tangent(State { x: axpy(s, &mean, &from.0.x), v: velocity })
     }
 }
 

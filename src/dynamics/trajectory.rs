@@ -193,7 +193,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
                 }
             }
         }
-        self.approach(flight, variation)
+        self.advance_warily(flight, variation)
     }
 
     /// Up to and through a contact that is certain.
