@@ -1,9 +1,12 @@
 //! Bifurcation diagrams: the same points on both back ends, hysteresis, tiles, files.
 
+#[path = "common/adapter.rs"]
+mod adapter;
+
 use std::io::Cursor;
 
 use impact_atlas::analysis::{CHATTER_RUN, Probe, Reading, Regime, Section};
-use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched};
+use impact_atlas::backend::{Backend, Cpu, Job, Unwatched};
 use impact_atlas::diagram::{Diagram, DiagramError, DiagramSpec, ExponentUnit, Sweep};
 use impact_atlas::dynamics::Stop;
 use impact_atlas::figure::Size;
@@ -12,6 +15,8 @@ use impact_atlas::plane::Start;
 use impact_atlas::render::diagram_figure;
 use impact_atlas::store::write_diagram;
 use impact_atlas::sweep::{SweepError, diagram};
+
+use adapter::gpu;
 
 fn spec(x: &str, sweep: &str, parameters: Parameters) -> DiagramSpec {
     DiagramSpec {
@@ -52,7 +57,6 @@ fn difference(a: &Diagram, b: &Diagram) -> (usize, f64) {
 
 #[test]
 fn both_back_ends_read_the_same_points() {
-    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
     let probes = [
         (Section::A, Reading::VBefore),
         (Section::B, Reading::VAfter),
@@ -65,11 +69,11 @@ fn both_back_ends_read_the_same_points() {
     for (section, reading) in probes {
         let probe = Probe::new(section, reading).unwrap();
         let spec = DiagramSpec { probe, ..spec("omega=5:3.2:12", "rest", at(0.1)) };
-        let (periodic, worst) = difference(&computed(&spec, &Cpu), &computed(&spec, &gpu));
+        let (periodic, worst) = difference(&computed(&spec, &Cpu), &computed(&spec, gpu()));
         assert!(periodic >= 11 && worst < 1e-4, "{probe:?}: {worst} in {periodic} columns");
         let mut off = spec.clone();
         off.parameters = off.parameters.with_named("r", off.parameters.named("r").unwrap() + 0.03);
-        let (_, worst) = difference(&computed(&spec, &Cpu), &computed(&off, &gpu));
+        let (_, worst) = difference(&computed(&spec, &Cpu), &computed(&off, gpu()));
         let fixed = reading == Reading::X1;
         assert!(worst > 1e-4 || fixed, "{probe:?}: another system differs by only {worst}");
     }
@@ -77,13 +81,12 @@ fn both_back_ends_read_the_same_points() {
 
 #[test]
 fn chatter_and_full_buffers_are_told_alike() {
-    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
     let spec = DiagramSpec {
         schedule: DiagramSpec::schedule(60, 10, 4),
         capacity: 30,
         ..spec("omega=0.25:0.4:4", "rest", at(0.545))
     };
-    let (ours, theirs) = (computed(&spec, &Cpu), computed(&spec, &gpu));
+    let (ours, theirs) = (computed(&spec, &Cpu), computed(&spec, gpu()));
     for (a, b) in ours.branches[0].traces.iter().zip(&theirs.branches[0].traces) {
         // Single precision closes complete chatter a few rebounds sooner.
         let complete = a.verdict.regime == Regime::PeriodicSticking;
@@ -110,14 +113,13 @@ fn chatter_and_full_buffers_are_told_alike() {
 #[test]
 fn the_same_bits_for_any_tile() {
     let spec = spec("omega=1.2:3.6:10", "rest", at(0.1));
-    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
     let jobs: Vec<Job> = (0..10)
         .map(|column| Job {
             system: System::new(spec.parameters_at(column)).unwrap(),
             start: [0.0; 4].into(),
         })
         .collect();
-    let backends: [&dyn Backend; 2] = [&Cpu, &gpu];
+    let backends: [&dyn Backend; 2] = [&Cpu, gpu()];
     for backend in backends {
         let trace = |jobs: &[Job]| {
             backend.trace(jobs, &spec.schedule, spec.probe, spec.capacity, &Unwatched).unwrap()

@@ -1,5 +1,7 @@
 //! The GPU with exact arithmetic and its twin on the CPU, bit for bit: labels, exponents, states, layers, sections, control.
 
+#[path = "common/adapter.rs"]
+mod adapter;
 #[path = "common/drawn.rs"]
 mod drawn;
 
@@ -12,6 +14,7 @@ use impact_atlas::dynamics::{Event, Trajectory};
 use impact_atlas::model::{Flight, State};
 use impact_atlas::validate::are_same;
 
+use adapter::on_devices;
 use drawn::{families, paper};
 
 const SHORT: Schedule = Schedule { transient: 1, observe: 4, max_period: 2, fixed_periods: true };
@@ -19,12 +22,14 @@ const LOOK: Schedule = Schedule { transient: 100, observe: 48, max_period: 16, f
 
 /// The adapter with exact arithmetic, opened once.
 fn exact() -> &'static Gpu {
-    static GPU: LazyLock<Gpu> = LazyLock::new(|| {
-        let gpu = Gpu::open_exact(None).expect("an adapter is there; a software one will do");
-        println!("adapter: {}", gpu.adapter());
-        gpu
-    });
+    static GPU: LazyLock<Gpu> = LazyLock::new(open_exact);
     &GPU
+}
+
+fn open_exact() -> Gpu {
+    let gpu = Gpu::open_exact(None).expect("an adapter is there; a software one will do");
+    println!("adapter: {}", gpu.adapter());
+    gpu
 }
 
 /// How many verdicts of a back end are not those of the twin, bit for bit.
@@ -140,9 +145,10 @@ fn extents_and_sections_have_the_bits_of_the_twin() {
 fn systems_of_one_to_three_coordinates_have_the_bits_of_the_twin() {
     let families = families(60);
     assert!(families.len() >= 8);
-    for jobs in &families {
+    let second = open_exact();
+    on_devices([exact(), &second], &families, |exact, jobs: &Vec<Job>| {
         let started = std::time::Instant::now();
-        assert_eq!(differ(exact(), jobs, &SHORT), 0, "{:?}", jobs[0].system.plant());
+        assert_eq!(differ(exact, jobs, &SHORT), 0, "{:?}", jobs[0].system.plant());
         println!("{} cells of {} normals in {:?}", jobs.len(), jobs[0].system.normals(), started.elapsed());
-    }
+    });
 }

@@ -7,10 +7,8 @@ mod narrow;
 mod recording;
 mod suite;
 
-use std::sync::LazyLock;
-
 use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched, follow};
+use impact_atlas::backend::{Backend, Cpu, Job, Unwatched, follow};
 use rayon::prelude::*;
 
 /// The CPU path, f64.
@@ -25,8 +23,7 @@ fn twin(jobs: &[Job], schedule: &Schedule) -> Vec<Verdict> {
 
 /// The GPU, f32: a hardware adapter or a software one. That there is none is a failure.
 fn gpu(jobs: &[Job], schedule: &Schedule) -> Vec<Verdict> {
-    static GPU: LazyLock<Gpu> = LazyLock::new(|| Gpu::open(None).expect("an adapter is there"));
-    GPU.run(jobs, schedule, &Unwatched).expect("the adapter finishes")
+    common::adapter::gpu().run(jobs, schedule, &Unwatched).expect("the adapter finishes")
 }
 
 instantiate!(cpu_f64, crate::cpu, FINE, penetration: 1e-12, defect: 1e-6);

@@ -5,6 +5,7 @@
     reason = "every test binary compiles this module and uses its own part of it"
 )]
 
+pub mod adapter;
 pub mod cases;
 pub mod comparison;
 pub mod conditioning;

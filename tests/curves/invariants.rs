@@ -1,22 +1,29 @@
 //! What holds of every curve on any plane, borders of physical ranges included.
 
+use std::sync::LazyLock;
+
 use impact_atlas::curves::{Curve, End, Special};
 use impact_atlas::model::Parameters;
 use impact_atlas::plane::RegionMap;
 
 use super::{curves, map};
 
-/// Small planes of all sorts.
-fn planes() -> Vec<RegionMap> {
+/// Small planes of all sorts, and their curves.
+static PLANES: LazyLock<Vec<(RegionMap, Vec<Curve>)>> = LazyLock::new(|| {
     let paper = Parameters::default();
-    vec![
+    let maps = vec![
         map("omega=1:3:32", "delta=0.05:0.7:24", paper),
         map("omega=2:5:32", "zeta=0:0.3:20", paper),
         map("r=0:1:24", "delta=0.05:0.3:20", Parameters { omega: 2.5, ..paper }),
         map("omega=2:4:24", "f20=0:1:16", paper),
         map("mu_m=0.05:0.95:24", "mu_k=0.05:0.95:20", paper),
-    ]
-}
+    ];
+    let with_curves = |map: RegionMap| {
+        let found = curves(&map);
+        (map, found)
+    };
+    maps.into_iter().map(with_curves).collect()
+});
 
 /// The points of a curve as shares of the plane's sides.
 fn places(map: &RegionMap, curve: &Curve) -> Vec<[f64; 2]> {
@@ -32,13 +39,12 @@ fn step(a: &[f64; 2], b: &[f64; 2]) -> [f64; 2] {
 #[test]
 fn curves_are_sound_on_any_plane() {
     let (mut seen, mut closed) = (0, 0);
-    for map in planes() {
-        let found = curves(&map);
+    for (map, found) in PLANES.iter() {
         assert!(!found.is_empty(), "{} {}", map.plane.x, map.plane.y);
-        for curve in &found {
+        for curve in found {
             let context =
                 || format!("{:?} of {:?} on {} {}", curve.kind, curve.motion, map.plane.x, map.plane.y);
-            let places = places(&map, curve);
+            let places = places(map, curve);
             assert!(
                 places.iter().flatten().all(|share| (-1e-9..=1.0 + 1e-9).contains(share)),
                 "{}",
@@ -89,9 +95,9 @@ fn curves_are_sound_on_any_plane() {
 #[test]
 fn stability_changes_at_named_points() {
     let mut changes = 0;
-    for map in planes().iter().take(2) {
+    for (_, found) in &PLANES[..2] {
         // Without impact nothing is critical but at ζ = 0.
-        for curve in curves(map).iter().filter(|curve| curve.motion.count() > 0) {
+        for curve in found.iter().filter(|curve| curve.motion.count() > 0) {
             for (k, pair) in curve.points.windows(2).enumerate() {
                 if pair[0].bounding == pair[1].bounding {
                     continue;

@@ -3,6 +3,8 @@
 #[path = "../common/general/mod.rs"]
 mod general;
 
+#[path = "../common/adapter.rs"]
+mod adapter;
 mod families;
 mod gpu;
 mod grazing;

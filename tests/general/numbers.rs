@@ -3,10 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 use impact_atlas::analysis::{Regime, Schedule, Verdict};
-use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched, decide};
+use impact_atlas::backend::{Backend, Cpu, Job, Unwatched, decide};
 use impact_atlas::model::{Setting, StateVector, System};
 use impact_atlas::system::Family;
 use nalgebra::{Complex, DMatrix, DVector};
+
+use crate::adapter::gpu;
 
 const SCHEDULE: Schedule = Schedule { transient: 1500, observe: 300, max_period: 16, fixed_periods: false };
 
@@ -38,8 +40,7 @@ impl Cell {
 
 /// The verdicts of both back ends, with the accuracy to hold each to.
 fn verdicts(cell: &Cell) -> [(Verdict, f64); 2] {
-    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
-    [(cell.verdict(&Cpu), 1e-9), (cell.verdict(&gpu), 2e-6)]
+    [(cell.verdict(&Cpu), 1e-9), (cell.verdict(gpu()), 2e-6)]
 }
 
 /// Demands a motion and the speed of its hardest impact.

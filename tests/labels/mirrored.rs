@@ -1,8 +1,10 @@
 //! Symmetric or not, beside the pitchfork where a strobe state cannot tell.
 
-use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched, decide, follow};
+use impact_atlas::backend::{Backend, Cpu, Job, Unwatched, decide, follow};
 use impact_atlas::model::{StateVector, System};
 use impact_atlas::theory::{StrobeMotion, settled_motion, symmetric_motions};
+
+use crate::common::adapter::gpu;
 
 use super::{at, decided, job, schedule};
 
@@ -78,8 +80,7 @@ fn a_state_that_still_spirals_in_is_on_a_symmetric_motion() {
     let beside = job(at(3.6907, 0.1));
     let once = follow::<f64>(&beside, &schedule(300));
     assert!(!once.symmetric && (once.regime.is_periodic() || once.returning == 1), "the trap: {once:?}");
-    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
-    let backends: [&dyn Backend; 2] = [&Cpu, &gpu];
+    let backends: [&dyn Backend; 2] = [&Cpu, gpu()];
     for backend in backends {
         let verdict = decided(backend, &beside, 300);
         assert_eq!((verdict.label().as_str(), verdict.symmetric), ("1-1-1", true), "{}", backend.name());

@@ -1,15 +1,17 @@
 //! Points at which a look at the returns alone goes wrong.
 
 use impact_atlas::analysis::Regime;
-use impact_atlas::backend::{Backend, Cpu, Gpu, follow};
+use impact_atlas::backend::{Backend, Cpu, follow};
 use impact_atlas::model::Parameters;
 use impact_atlas::theory::SettledMotion;
+
+use crate::common::adapter::gpu;
 
 use super::{at, beside, decided, job, schedule};
 
 fn on_both(check: impl Fn(&dyn Backend)) {
     check(&Cpu);
-    check(&Gpu::open(None).expect("an adapter is there; a software one will do"));
+    check(gpu());
 }
 
 /// Beside a period doubling a decaying alternation passes for twice the period: ω, δ, the label or that of the mirror image,

@@ -1,11 +1,12 @@
 //! The ends of the parameters' ranges, where the motion is known in closed form or by a law.
 
 use impact_atlas::analysis::{INFINITELY_MANY, Regime, Schedule, Verdict};
-use impact_atlas::backend::{Backend, Gpu, Job, Unwatched, follow};
+use impact_atlas::backend::{Backend, Job, Unwatched, follow};
 use impact_atlas::dynamics::{Event, Stop, Trajectory, record};
 use impact_atlas::model::{Flight, Parameters, State, System};
 use nalgebra::{Complex, Matrix2, Vector2};
 
+use crate::common::adapter::gpu;
 use crate::{at, flight, hits, values};
 
 const I: Complex<f64> = Complex { re: 0.0, im: 1.0 };
@@ -24,8 +25,7 @@ fn impacts_that_cease_while_observed_leave_no_impact() {
     let parameters = Parameters { omega: 2.0, delta: 0.7, ..Parameters::default() };
     let job = Job { system: System::new(parameters).unwrap(), start: [0.1, 1.0, 1.0, 1.0].into() };
     let schedule = Schedule { transient: 0, observe: 2000, max_period: 32, fixed_periods: true };
-    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
-    let on_adapter = gpu.run(std::slice::from_ref(&job), &schedule, &Unwatched).unwrap()[0];
+    let on_adapter = gpu().run(std::slice::from_ref(&job), &schedule, &Unwatched).unwrap()[0];
     for verdict in [follow::<f64>(&job, &schedule), follow::<f32>(&job, &schedule), on_adapter] {
         assert!(verdict.impacts > 0, "{verdict:?}");
         assert_eq!((verdict.regime, verdict.n), (Regime::NoImpact, 0), "{verdict:?}");

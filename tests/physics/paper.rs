@@ -1,13 +1,14 @@
 //! The points that the paper names, on the CPU path, in its single precision, and on an adapter.
 
 use impact_atlas::analysis::{Regime, Schedule, Verdict};
-use impact_atlas::backend::{Backend, Cpu, Gpu, Job, Unwatched, follow};
+use impact_atlas::backend::{Backend, Cpu, Job, Unwatched, follow};
 use impact_atlas::dynamics::{Stop, record};
 use impact_atlas::model::System;
 use impact_atlas::plane::Start;
 use impact_atlas::theory::{confirmed, symmetric_motions};
 
 use crate::at;
+use crate::common::adapter::gpu;
 
 const REST: [f64; 4] = [0.0; 4];
 
@@ -79,8 +80,7 @@ fn the_papers_points_have_their_labels_in_single_precision() {
 
 #[test]
 fn the_papers_points_have_their_labels_on_an_adapter() {
-    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
-    check(|jobs, schedule| gpu.run(jobs, schedule, &Unwatched).unwrap());
+    check(|jobs, schedule| gpu().run(jobs, schedule, &Unwatched).unwrap());
 }
 
 /// Impacts that accumulate without dying out, between ω = 0.65 and 0.57: no period, and no rest on a stop.
