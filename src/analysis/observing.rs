@@ -10,7 +10,7 @@ use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
-use crate::dynamics::{Event, Move, Point, Stop, Tangent, Variation};
+use crate::dynamics::{Event, Move, Point, Stop, Tangent};
 use crate::model::{Flight, Real};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of

@@ -2,7 +2,7 @@
 
 use super::contact;
 use super::stop::{End, Stop};
-use super::tangent::Variation;
+use super::tangent::Tangent;
 use super::trajectory::{Event, Move, Trajectory};
 use crate::model::vector::dot;
 use crate::model::{Flight, Real};
@@ -10,7 +10,7 @@ use crate::model::{Flight, Real};
 impl<T: Real, const N: usize> Trajectory<T, N> {
     /// Sticking: the masses that are free move on until a stop is met, or what presses on a contact vanishes.
     #[inline(always)]
-    pub(super) fn rest<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
+    pub(super) fn rest(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
         let window = flight.h - self.offset;
         let contact = self.contact;
         let motion = self.point.motion(flight, contact);
@@ -19,7 +19,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         if clear <= least
             && let Some(reached) = self.imminent(flight)
         {
-            let event = self.strike(flight, variation, reached);
+            let event = self.strike(flight, tangents, reached);
             return Move { time: reached.left, contact, event };
         }
         let mut time = clear;
@@ -31,26 +31,26 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             let unresolved = contact::unresolved(&flight.normals[k], end.side, &self.point.state);
             // What would open just before the step's end opens in the next one.
             if window > least && ((force <= unresolved && slope < T::zero()) || force < -unresolved) {
-                return self.release(flight, variation, end, bound);
+                return self.release(flight, tangents, end, bound);
             }
             let pressed = contact::pressed_time(force, slope, bound, window);
             let pressed = if pressed > least { pressed } else { least };
             time = if pressed < time { pressed } else { time };
         }
         if time >= window {
-            self.glide(flight, variation, window);
+            self.glide(flight, tangents, window);
             return Move { time: window, contact, event: self.end_step(flight) };
         }
-        self.glide(flight, variation, time);
+        self.glide(flight, tangents, time);
         Move { time, contact, event: Event::Flight }
     }
 
     /// A contact opens, from rest and without acceleration; the jerk alone pulls the masses off.
     #[inline(always)]
-    fn release<V: Variation<T, N>>(
+    fn release(
         &mut self,
         flight: &Flight<T, N>,
-        variation: &mut V,
+        tangents: &mut [Tangent<T, N>],
         end: End,
         bound: T,
     ) -> Move<T> {
@@ -66,8 +66,8 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let clear = contact::safe_time(flight, &self.point, &motion, ignored, half_window);
         let pulled = if pulled < clear { pulled } else { clear };
         let contact = self.contact;
-        self.glide(flight, variation, pulled);
-        self.look_ahead(flight, variation);
+        self.glide(flight, tangents, pulled);
+        self.look_ahead(flight, tangents);
         let stop = Stop(flight.normals[end.normal].stop[end.side]);
         Move { time: pulled, contact, event: Event::Released(stop) }
     }

@@ -8,7 +8,7 @@ use super::corner;
 use super::placing::{placed, rested};
 use super::point::{Approach, Motion, Point};
 use super::stop::{Contact, End, Stop};
-use super::tangent::{FreeSaltation, Saltation, Variation};
+use super::tangent::{FreeSaltation, Saltation, Tangent, strike_all};
 use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
 use crate::model::vector::{added, applied, axpy, dot};
 use crate::model::{Flight, Lanes, Real, State};
@@ -23,39 +23,39 @@ pub fn energy_taken<L: Lanes>(mass: L, before: L, after: L) -> L {
 }
 
 /// An impact that is yet to happen; a type of its own, as [`Flown`](super::series::Flown) is.
-struct Strike<'a, T, const N: usize, V> {
+struct Strike<'a, T, const N: usize> {
     trajectory: &'a mut Trajectory<T, N>,
     flight: &'a Flight<T, N>,
-    variation: &'a mut V,
+    tangents: &'a mut [Tangent<T, N>],
     reached: Reached<T>,
 }
 
-impl<T: Real, const N: usize, V: Variation<T, N>> NullaryFnOnce for Strike<'_, T, N, V> {
+impl<T: Real, const N: usize> NullaryFnOnce for Strike<'_, T, N> {
     type Output = Event<T>;
 
     #[inline(always)]
     fn call(self) -> Event<T> {
-        self.trajectory.strike_now(self.flight, self.variation, self.reached)
+        self.trajectory.strike_now(self.flight, self.tangents, self.reached)
     }
 }
 
 impl<T: Real, const N: usize> Trajectory<T, N> {
     /// An impact, a time `left` ahead: restitution, and sticking where the rebounds that follow can be closed.
     #[inline(never)]
-    pub(super) fn strike<V: Variation<T, N>>(
+    pub(super) fn strike(
         &mut self,
         flight: &Flight<T, N>,
-        variation: &mut V,
+        tangents: &mut [Tangent<T, N>],
         reached: Reached<T>,
     ) -> Event<T> {
-        T::fused(Strike { trajectory: self, flight, variation, reached })
+        T::fused(Strike { trajectory: self, flight, tangents, reached })
     }
 
     #[inline(always)]
-    fn strike_now<V: Variation<T, N>>(
+    fn strike_now(
         &mut self,
         flight: &Flight<T, N>,
-        variation: &mut V,
+        tangents: &mut [Tangent<T, N>],
         Reached { end, left }: Reached<T>,
     ) -> Event<T> {
         let normal = &flight.normals[end.normal];
@@ -76,24 +76,26 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.keep_pressed(flight, end.normal, kick);
         }
         let after = self.point.motion(flight, self.contact);
-        if velocity != T::zero() {
-            *variation = if self.under_way {
+        if velocity != T::zero() && !tangents.is_empty() {
+            if self.under_way {
                 let rest = flight.h - self.offset;
                 let wake = normal.wake(rest * flight.inverse_h);
                 let impact = FreeSaltation { velocity, kick, pull: dot(&normal.direction, &before), wake };
-                variation.struck_freely(flight, end.normal, rest, &impact)
+                strike_all(tangents, flight, end.normal, rest, &impact);
             } else {
                 let (after, contact) = (after.acceleration, self.contact);
                 let impact = Saltation { normal: end.normal, velocity, kick, before, after, contact };
-                variation.struck(flight, &impact)
-            };
+                for tangent in tangents.iter_mut() {
+                    *tangent = tangent.struck(flight, &impact);
+                }
+            }
         }
         let impact =
             Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
         let Some(closure) = self.closure(flight, end, rebound, &after) else {
             if let Some(corner) = corner::closes(flight, &self.point, self.contact, end) {
                 let beside = corner.since(self.contact.with(end));
-                self.catch(flight, variation, corner);
+                self.catch(flight, tangents, corner);
                 self.point.state = rested(flight, &self.point.state, corner);
                 return Event::Caught { impact, complete_chatter: true, beside };
             }
@@ -103,14 +105,14 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
                 let parting = -(sign * (lost + lost));
                 self.point.state = placed(flight, &self.point.state, end, parting);
             }
-            self.bounce(flight, variation, end.normal, kick);
+            self.bounce(flight, tangents, end.normal, kick);
             return Event::Impact(impact);
         };
         // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
         let still = velocity.abs() <= contact::unresolved(normal, end.side, &arrived.state);
         let impact = if still { Impact { velocity_before: T::zero(), ..impact } } else { impact };
         self.point = self.at_rest(flight, end, closure.gap_integral);
-        self.catch(flight, variation, self.contact.with(end));
+        self.catch(flight, tangents, self.contact.with(end));
         let complete_chatter = !still && rebound.abs() > T::zero();
         Event::Caught { impact, complete_chatter, beside: Contact::FREE }
     }
@@ -144,15 +146,9 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
 
     /// An impact that ends in flight: the end of the step is where the kick takes it.
     #[inline(always)]
-    fn bounce<V: Variation<T, N>>(
-        &mut self,
-        flight: &Flight<T, N>,
-        variation: &mut V,
-        normal: usize,
-        kick: T,
-    ) {
+    fn bounce(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>], normal: usize, kick: T) {
         if !self.under_way {
-            self.look_ahead(flight, variation);
+            self.look_ahead(flight, tangents);
             return;
         }
         self.kicks += 1;
@@ -165,8 +161,11 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
 
     /// From now on these contacts hold.
     #[inline(always)]
-    fn catch<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V, contact: Contact) {
-        *variation = self.present(flight, *variation).caught(flight, contact);
+    fn catch(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>], contact: Contact) {
+        self.look_back(flight, tangents);
+        for tangent in tangents {
+            *tangent = tangent.caught(flight, contact);
+        }
         self.under_way = false;
         self.contact = contact;
     }

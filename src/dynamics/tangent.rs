@@ -46,103 +46,28 @@ pub struct FreeSaltation<L, const N: usize> {
 /// While a step of free flight is under way, it is the deviation of the end of that step, as it would be without another impact:
 /// an impact adds what its jump has become by then, and a flight to the impact changes nothing.
 pub trait Variation<T, const N: usize>: Copy {
-    /// One whole step h of free flight later.
-    #[must_use]
-    fn stepped(&self, flight: &Flight<T, N>) -> Self;
-
-    /// A time `s` later with the contacts that hold, |s| ≤ h; in free flight `s` may be negative.
-    #[must_use]
-    fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self;
-
-    /// Just after an impact that begins in contact: the saltation of the impact law.
-    #[must_use]
-    fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self;
-
-    /// The deviation of the end of the step after an impact along a normal, a time `rest` before that end.
-    #[must_use]
-    fn struck_freely(
-        &self,
-        flight: &Flight<T, N>,
-        normal: usize,
-        rest: T,
-        impact: &FreeSaltation<T, N>,
-    ) -> Self;
-
-    /// Once the contacts hold.
-    #[must_use]
-    fn caught(&self, flight: &Flight<T, N>, contact: Contact) -> Self;
+    /// The tangent vectors.
+    fn tangents(&mut self) -> &mut [Tangent<T, N>];
 }
 
-/// A trajectory alone, at no cost.
 impl<T, const N: usize> Variation<T, N> for () {
     #[inline(always)]
-    fn stepped(&self, _: &Flight<T, N>) -> Self {}
-
-    #[inline(always)]
-    fn flown(&self, _: &Flight<T, N>, _: T, _: Contact) -> Self {}
-
-    #[inline(always)]
-    fn struck(&self, _: &Flight<T, N>, _: &Saltation<T, N>) -> Self {}
-
-    #[inline(always)]
-    fn struck_freely(&self, _: &Flight<T, N>, _: usize, _: T, _: &FreeSaltation<T, N>) -> Self {}
-
-    #[inline(always)]
-    fn caught(&self, _: &Flight<T, N>, _: Contact) -> Self {}
+    fn tangents(&mut self) -> &mut [Tangent<T, N>] {
+        &mut []
+    }
 }
 
-/// Several tangent vectors. Loops, since what a closure does has not its caller's instructions.
+impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
+    #[inline(always)]
+    fn tangents(&mut self) -> &mut [Tangent<T, N>] {
+        std::slice::from_mut(self)
+    }
+}
+
 impl<T: Real, const N: usize, const M: usize> Variation<T, N> for [Tangent<T, N>; M] {
     #[inline(always)]
-    fn stepped(&self, flight: &Flight<T, N>) -> Self {
-        let mut later = *self;
-        for tangent in &mut later {
-            *tangent = tangent.stepped(flight);
-        }
-        later
-    }
-
-    #[inline(always)]
-    fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
-        let mut later = *self;
-        for tangent in &mut later {
-            *tangent = tangent.flown(flight, s, contact);
-        }
-        later
-    }
-
-    #[inline(always)]
-    fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self {
-        let mut later = *self;
-        for tangent in &mut later {
-            *tangent = tangent.struck(flight, impact);
-        }
-        later
-    }
-
-    #[inline(always)]
-    fn struck_freely(
-        &self,
-        flight: &Flight<T, N>,
-        normal: usize,
-        rest: T,
-        impact: &FreeSaltation<T, N>,
-    ) -> Self {
-        let back = flight.normals[normal].look_back(rest * flight.inverse_h);
-        let mut later = *self;
-        for tangent in &mut later {
-            *tangent = tangent.struck_ahead(flight, &back, impact);
-        }
-        later
-    }
-
-    #[inline(always)]
-    fn caught(&self, flight: &Flight<T, N>, contact: Contact) -> Self {
-        let mut later = *self;
-        for tangent in &mut later {
-            *tangent = tangent.caught(flight, contact);
-        }
-        later
+    fn tangents(&mut self) -> &mut [Tangent<T, N>] {
+        self
     }
 }
 
@@ -150,22 +75,23 @@ impl<T: Real, const N: usize, const M: usize> Variation<T, N> for [Tangent<T, N>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tangent<T, const N: usize>(pub State<T, N>);
 
-impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
-    #[inline(always)]
-    fn stepped(&self, flight: &Flight<T, N>) -> Self {
-        self.stepped_freely(flight)
-    }
-
+impl<T: Real, const N: usize> Tangent<T, N> {
+    /// A time `s` later with the contacts that hold, |s| ≤ h; in free flight `s` may be negative.
+    ///
     /// By the Taylor polynomial of the equations of motion; see [`Point::flown`](super::Point::flown).
     #[inline(never)]
-    fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
+    #[must_use]
+    pub fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
         T::fused(Flown { from: self, flight, s, contact })
     }
 
+    /// Just after an impact that begins in contact: the saltation of the impact law.
+    ///
     /// A deviation d·ξ shifts the impact by −d·ξ/d·v−; what differs on either side of it (v along the response, and x'')
     /// acts for that long.
     #[inline(always)]
-    fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self {
+    #[must_use]
+    pub fn struck(&self, flight: &Flight<T, N>, impact: &Saltation<T, N>) -> Self {
         let normal = &flight.normals[impact.normal];
         let shift = dot(&normal.direction, &self.0.x) / impact.velocity;
         // −(1 + r), as it acted.
@@ -180,20 +106,10 @@ impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
         if impact.contact.is_free() { struck } else { struck.caught(flight, impact.contact) }
     }
 
+    /// Once the contacts hold: what the deviation had along their normals is lost.
     #[inline(always)]
-    fn struck_freely(
-        &self,
-        flight: &Flight<T, N>,
-        normal: usize,
-        rest: T,
-        impact: &FreeSaltation<T, N>,
-    ) -> Self {
-        self.struck_ahead(flight, &flight.normals[normal].look_back(rest * flight.inverse_h), impact)
-    }
-
-    /// What the deviation had along the normals that hold is lost.
-    #[inline(always)]
-    fn caught(&self, flight: &Flight<T, N>, contact: Contact) -> Self {
+    #[must_use]
+    pub fn caught(&self, flight: &Flight<T, N>, contact: Contact) -> Self {
         Tangent(State { x: held(flight, contact, self.0.x).0, v: held(flight, contact, self.0.v).0 })
     }
 }
@@ -242,7 +158,7 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
 
     /// The deviation of the end of a step after an impact in it, `back` being the row that gives d·x of a deviation then.
     ///
-    /// With y' = G y in free flight, the saltation of [`Variation::struck`] adds a g + b G g to the deviation at the impact,
+    /// With y' = G y in free flight, the saltation of [`Tangent::struck`] adds a g + b G g to the deviation at the impact,
     /// g = (0, response), and so as much of exp(G s) g, the wake, to that of the end of the step: exp(G s) and G commute.
     #[inline(always)]
     #[must_use]
@@ -258,6 +174,36 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
         let factor = *kick / *velocity;
         let along = (-*pull).times_plus(shift, back.dot(&rate(flight, &self.0)));
         Tangent(self.0.plus(factor * along, wake).plus(*kick * shift, &rate(flight, wake)))
+    }
+}
+
+/// All deviations a time `s` later; see [`Tangent::flown`].
+#[inline(always)]
+pub(super) fn fly_all<T: Real, const N: usize>(
+    tangents: &mut [Tangent<T, N>],
+    flight: &Flight<T, N>,
+    s: T,
+    contact: Contact,
+) {
+    for tangent in tangents {
+        *tangent = tangent.flown(flight, s, contact);
+    }
+}
+
+/// All deviations of the end of the step after an impact along a normal, a time `rest` before that end.
+#[inline(always)]
+pub(super) fn strike_all<T: Real, const N: usize>(
+    tangents: &mut [Tangent<T, N>],
+    flight: &Flight<T, N>,
+    normal: usize,
+    rest: T,
+    impact: &FreeSaltation<T, N>,
+) {
+    if !tangents.is_empty() {
+        let back = flight.normals[normal].look_back(rest * flight.inverse_h);
+        for tangent in tangents {
+            *tangent = tangent.struck_ahead(flight, &back, impact);
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use super::leg::Leg;
 use super::placing::{clamped, rested};
 use super::point::Point;
 use super::stop::{Contact, Stop};
-use super::tangent::Variation;
+use super::tangent::{Tangent, Variation, fly_all, strike_all};
 use crate::model::{Flight, Real, State};
 
 /// The most kicks that are added to the end of one step; after more, the step is flown to its end instead.
@@ -127,7 +127,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let mut trajectory =
             Trajectory { point, ahead: point, kicks: 0, contact, step, offset, under_way: false };
         if offset > T::zero() {
-            trajectory.look_ahead(flight, &mut ());
+            trajectory.look_ahead(flight, &mut []);
         }
         trajectory
     }
@@ -139,29 +139,39 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         (self.contact, self.step, self.offset, self.under_way) = (Contact::FREE, 0, T::zero(), false);
     }
 
-    /// Within a step: finds its end where flight is free, and what a variation of the present point is there.
+    /// Within a step: finds its end where flight is free, and what deviations of the present point are there.
     #[inline(always)]
-    pub(super) fn look_ahead<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) {
+    pub(super) fn look_ahead(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) {
         if self.contact.is_free() {
             self.ahead = self.point.flown(flight, flight.h - self.offset, self.contact);
             self.kicks = 0;
             self.under_way = true;
-            *variation = self.carried(flight, *variation);
+            fly_all(tangents, flight, flight.h - self.offset, self.contact);
         }
     }
 
     /// A variation of the present point, as it is carried along from here.
-    #[inline(always)]
     #[must_use]
-    pub fn carried<V: Variation<T, N>>(&self, flight: &Flight<T, N>, present: V) -> V {
-        if self.under_way { present.flown(flight, flight.h - self.offset, self.contact) } else { present }
+    pub fn carried<V: Variation<T, N>>(&self, flight: &Flight<T, N>, mut present: V) -> V {
+        if self.under_way {
+            fly_all(present.tangents(), flight, flight.h - self.offset, self.contact);
+        }
+        present
     }
 
     /// What a variation that is carried along is at the present point.
-    #[inline(always)]
     #[must_use]
-    pub fn present<V: Variation<T, N>>(&self, flight: &Flight<T, N>, carried: V) -> V {
-        if self.under_way { carried.flown(flight, self.offset - flight.h, self.contact) } else { carried }
+    pub fn present<V: Variation<T, N>>(&self, flight: &Flight<T, N>, mut carried: V) -> V {
+        self.look_back(flight, carried.tangents());
+        carried
+    }
+
+    /// What deviations that are carried along are at the present point.
+    #[inline(always)]
+    pub(super) fn look_back(&self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) {
+        if self.under_way {
+            fly_all(tangents, flight, self.offset - flight.h, self.contact);
+        }
     }
 
     /// Whether it is at the beginning of a step of free flight.
@@ -172,13 +182,15 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     /// Free flight: the rest of the step where it provably clears the stops, else up to the contact where that is found directly, else as far
     /// as is safe.
     #[inline(always)]
-    pub(super) fn fly<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
+    pub(super) fn fly(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
         let window = flight.h - self.offset;
         if !self.under_way {
             self.ahead = self.point.stepped(flight);
             self.kicks = 0;
             self.under_way = true;
-            *variation = variation.stepped(flight);
+            for tangent in tangents.iter_mut() {
+                *tangent = tangent.stepped_freely(flight);
+            }
         }
         if self.kicks <= MOST_KICKS {
             let leg = Leg { from: &self.point, to: &self.ahead, window };
@@ -189,25 +201,25 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             if self.kicks < MOST_KICKS {
                 let crossing = crossing(&leg, &clearances, flight);
                 if crossing.certain {
-                    return self.cross(flight, variation, &crossing);
+                    return self.cross(flight, tangents, &crossing);
                 }
             }
         }
-        self.advance_warily(flight, variation)
+        self.approach_warily(flight, tangents)
     }
 
     /// Up to and through a contact that is certain.
     #[inline(always)]
-    fn cross<V: Variation<T, N>>(
+    fn cross(
         &mut self,
         flight: &Flight<T, N>,
-        variation: &mut V,
+        tangents: &mut [Tangent<T, N>],
         crossing: &Crossing<T, N>,
     ) -> Move<T> {
         let Crossing { time, point, ahead, impact, rebound, .. } = *crossing;
         let normal = (0..flight.count).find(|&k| crossing.normals[k]).unwrap_or(0);
         let rest = (flight.h - self.offset) - time;
-        *variation = variation.struck_freely(flight, normal, rest, &impact);
+        strike_all(tangents, flight, normal, rest, &impact);
         self.point = point;
         self.ahead = ahead;
         self.kicks += 1;
@@ -219,11 +231,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
 
     /// Free flight towards a stop, as far as is safe.
     #[inline(always)]
-    pub(super) fn approach<V: Variation<T, N>>(
-        &mut self,
-        flight: &Flight<T, N>,
-        variation: &mut V,
-    ) -> Move<T> {
+    pub(super) fn approach(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
         let window = flight.h - self.offset;
         let contact = Contact::FREE;
         let motion = self.point.motion(flight, contact);
@@ -231,11 +239,11 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         if time >= window {
             return self.go_ahead(flight, window);
         }
-        self.glide(flight, variation, time);
+        self.glide(flight, tangents, time);
         match self.imminent(flight) {
             None => Move { time, contact, event: Event::Flight },
             Some(reached) => {
-                let event = self.strike(flight, variation, reached);
+                let event = self.strike(flight, tangents, reached);
                 Move { time: time + reached.left, contact, event }
             }
         }
@@ -259,11 +267,11 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
 
     /// Moves on for a time within the step, with the present contacts.
     #[inline(always)]
-    pub(super) fn glide<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V, time: T) {
+    pub(super) fn glide(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>], time: T) {
         let point = self.point.flown(flight, time, self.contact);
         self.point = Point { state: rested(flight, &point.state, self.contact), ..point };
         if !self.under_way {
-            *variation = variation.flown(flight, time, self.contact);
+            fly_all(tangents, flight, time, self.contact);
         }
         self.offset = self.offset + time;
     }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::section_vector::wrapped;
-use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory, Variation};
+use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory};
 use crate::model::vector::axpy;
 use crate::model::{Flight, State, System};
 
@@ -109,7 +109,9 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
         self.carries = true;
         self.set_tangents(&DMatrix::identity(K, K));
         // Of a trajectory in contact that is what the contacts leave; in flight it is all.
-        self.frame = self.frame.caught(&self.flight, self.trajectory.contact);
+        for tangent in &mut self.frame {
+            *tangent = tangent.caught(&self.flight, self.trajectory.contact);
+        }
     }
 
     fn advance(&mut self) -> Move<f64> {

@@ -103,7 +103,7 @@ fn tangent_of_the_end<T: Real>(
         wake: normal.wake(rest * flight.inverse_h),
     };
     let ahead = Tangent(seed.map(T::of)).flown(&flight, T::of(TIME), Contact::FREE);
-    ahead.struck_freely(&flight, 0, rest, &impact).0.map(Real::widen)
+    ahead.struck_ahead(&flight, &normal.look_back(rest * flight.inverse_h), &impact).0.map(Real::widen)
 }
 
 fn distance(a: &State<f64, 2>, b: &State<f64, 2>) -> f64 {
