@@ -58,7 +58,7 @@ fn measured(job: &Job) -> [f64; 2] {
     let (mut energy, mut rested, mut periods) = (0.0, 0.0, 0);
     while periods < SCHEDULE.transient + SCHEDULE.observe {
         let before = trajectory.contact;
-        let taken = trajectory.advance(&flight, &mut ());
+        let taken = trajectory.advance(&flight, &mut []);
         periods += u32::from(taken.event == Event::Strobe);
         if periods < SCHEDULE.transient || (periods == SCHEDULE.transient && taken.event == Event::Strobe) {
             continue;

@@ -14,7 +14,7 @@ use impact_atlas::dynamics::{Event, Trajectory};
 use impact_atlas::model::{Flight, State};
 use impact_atlas::validate::are_same;
 
-use adapter::on_devices;
+use adapter::{gpu, on_devices};
 use drawn::{families, paper};
 
 const SHORT: Schedule = Schedule { transient: 1, observe: 4, max_period: 2, fixed_periods: true };
@@ -75,7 +75,7 @@ fn the_cells_that_are_compared_meet_every_event() {
         let mut periods = 0;
         while periods < SHORT.transient + SHORT.observe {
             let free = trajectory.contact.is_free();
-            let name = match trajectory.advance(&flight, &mut ()).event {
+            let name = match trajectory.advance(&flight, &mut []).event {
                 Event::Flight => "an approach",
                 Event::StepEnd => "the end of a step",
                 Event::Impact(impact) if impact.velocity_before.abs() < 1e-3 => {
@@ -109,8 +109,7 @@ fn the_cells_that_are_compared_meet_every_event() {
 #[test]
 fn other_arithmetic_and_another_start_are_noticed() {
     let jobs = paper(500);
-    let native = Gpu::open(None).expect("an adapter is there; a software one will do");
-    assert!(differ(&native, &jobs, &SHORT) > 100);
+    assert!(differ(gpu(), &jobs, &SHORT) > 100);
     let moved: Vec<Job> = jobs
         .iter()
         .map(|job| {
@@ -146,9 +145,9 @@ fn systems_of_one_to_three_coordinates_have_the_bits_of_the_twin() {
     let families = families(60);
     assert!(families.len() >= 8);
     let second = open_exact();
-    on_devices([exact(), &second], &families, |exact, jobs: &Vec<Job>| {
+    on_devices([exact(), &second], &families, |device, jobs: &Vec<Job>| {
         let started = std::time::Instant::now();
-        assert_eq!(differ(exact, jobs, &SHORT), 0, "{:?}", jobs[0].system.plant());
+        assert_eq!(differ(device, jobs, &SHORT), 0, "{:?}", jobs[0].system.plant());
         println!("{} cells of {} normals in {:?}", jobs.len(), jobs[0].system.normals(), started.elapsed());
     });
 }

@@ -28,8 +28,10 @@ pub trait Queue<T, const N: usize> {
 
 /// Steps that are tried between two looks at the waiting lanes.
 const STEPS_PER_LOOK: u32 = 3;
-/// The share of the trajectories, so many in so many, that wait for a contact when contacts are looked for.
-const WAITING: [u32; 2] = [2, 3];
+/// Contacts are looked for when two of three trajectories wait for one.
+const WAITING: u32 = 2;
+/// See [`WAITING`].
+const OF_ALL: u32 = 3;
 /// Steps that are tried on the GPU between two contacts.
 pub const CLEAR_STEPS: u32 = 4;
 /// Rounds of steps and contacts on the GPU before what is rare is looked at.
@@ -72,7 +74,7 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
             lanes.pass_phases(phases, schedule, queue);
         }
         let (waiting, stepping) = lanes.abreast.waiting();
-        if WAITING[1] * waiting >= WAITING[0] * lanes.busy || stepping == 0 {
+        if OF_ALL * waiting >= WAITING * lanes.busy || stepping == 0 {
             let round = lanes.abreast.cross();
             lanes.pass_phases(round.phases, schedule, queue);
             for lane in bits(round.uncertain) {
@@ -126,7 +128,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         self.carry_on(lane);
     }
 
-    /// Lets a lane carry along what its observer has asked for.
+    /// Lets a lane carry along, sum up and halt for what its observer asks for.
     #[inline(always)]
     fn carry_on(&mut self, lane: usize) {
         let Some(Seat { flight, observer, .. }) = self.seats[lane].as_deref() else { return };
@@ -166,13 +168,14 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     fn pass_phase(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
         let Some(seat) = &mut self.seats[lane] else { return };
         if self.abreast.is_past_half(lane) {
-            seat.observer.look_for_mirror(&seat.flight, &self.abreast.point(lane));
+            seat.observer.half_period(&seat.flight, &self.abreast.point(lane));
             return;
         }
         let observing = seat.observer.stage == Stage::Observation;
         seat.observer.trajectory.come_to_phase_zero(self.abreast.point(lane));
         seat.observer.pass_impacts(&seat.flight, &self.abreast.take_tally(lane));
-        // Two calls, so that a tangent need not be stored before it is used.
+        let many = seat.observer.keeps_others_waiting();
+        // Two calls, each of which is compiled for its own case.
         if observing {
             seat.observer.arrive(&seat.flight, schedule, Some(self.abreast.tangent(lane)));
         } else {
@@ -180,7 +183,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         }
         if seat.observer.is_done() {
             self.finish(lane, schedule, queue);
-        } else if seat.observer.keeps_others_waiting() {
+        } else if many {
             self.hand_over(lane, schedule, queue);
         } else if observing || seat.observer.carried().is_some() {
             self.carry_on(lane);
@@ -207,8 +210,8 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     }
 }
 
-/// A lane's trajectory at phase 0 or π; a type of its own, so that what is done there is compiled with the instructions that are
-/// asked for.
+/// A lane's trajectory at phase 0 or π; a type of its own, since what a closure does is not compiled with the instructions that
+/// [`Real::fused`] asks for.
 struct AtPhase<'a, L: Lanes, const N: usize, Q: Queue<L::Real, N>> {
     lanes: &'a mut Lane<L, N, Q>,
     lane: usize,

@@ -69,7 +69,7 @@ impl<T: Real, const N: usize> ExtentObserver<T, N> {
         loop {
             let (before, offset, held) =
                 (self.trajectory.point, self.trajectory.offset, self.trajectory.contact);
-            let event = self.trajectory.advance(flight, &mut ()).event;
+            let event = self.trajectory.advance(flight, &mut []).event;
             let until = if event.code().ends_step() { flight.h } else { self.trajectory.offset };
             let contact = if matches!(event, Event::Released(_)) { self.trajectory.contact } else { held };
             self.note(flight, &before, until - offset, contact);

@@ -7,7 +7,7 @@ use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
-use crate::dynamics::{Event, Move, Moves, Stop, Tally, Tangent, Trajectory, Variation};
+use crate::dynamics::{Event, Moves, Stop, Tally, Tangent, Trajectory};
 use crate::model::{Flight, Real, State};
 
 /// A trajectory and everything that is noted about it.
@@ -86,44 +86,32 @@ impl<T: Real, const N: usize> Observer<T, N> {
         schedule: &Schedule,
         listen: &mut impl FnMut(&Trajectory<T, N>, &Event<T>),
     ) {
-        loop {
-            match self.stage {
-                Stage::Transient => {
-                    self.follow_to_phase(flight, schedule, (), |_, ()| (), &mut |_, _| ());
-                }
-                Stage::Observation => {
-                    let keep = |observer: &mut Self, tangent| observer.tangent = tangent;
-                    self.follow_to_phase(flight, schedule, self.tangent, keep, listen);
-                }
-                Stage::Observed | Stage::Quiet | Stage::Failed => return,
-            }
+        while !self.is_done() {
+            self.follow_to_phase(flight, schedule, listen);
         }
     }
 
-    /// Follows the trajectory to the next phase 0 or π, on copies;
-    /// `keep` takes the variation back.
+    /// Follows the trajectory to the next phase 0 or π, on copies.
     #[inline(always)]
-    fn follow_to_phase<V: Variation<T, N>>(
+    fn follow_to_phase(
         &mut self,
         flight: &Flight<T, N>,
         schedule: &Schedule,
-        mut variation: V,
-        keep: impl Fn(&mut Self, V),
         listen: &mut impl FnMut(&Trajectory<T, N>, &Event<T>),
     ) {
-        let mut trajectory = self.trajectory;
+        let (mut trajectory, mut tangent) = (self.trajectory, self.tangent);
+        let observing = self.stage == Stage::Observation;
         loop {
-            let taken = trajectory.advance(flight, &mut variation);
+            let taken = trajectory.advance(flight, carried(&mut tangent, observing));
             if taken.event == Event::StepEnd {
                 continue;
             }
             let at_phase = matches!(taken.event, Event::HalfPeriod | Event::Strobe);
             if at_phase {
-                self.trajectory = trajectory;
-                keep(self, variation);
+                (self.trajectory, self.tangent) = (trajectory, tangent);
             }
-            listen(&trajectory, &taken.event);
-            if self.stage == Stage::Observation {
+            if observing {
+                listen(&trajectory, &taken.event);
                 self.loss.note(flight, &trajectory, &taken.event);
             }
             self.note(flight, schedule, &taken);
@@ -154,13 +142,11 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// ahead is known not to be certain.
     pub(super) fn settle_down(&mut self, flight: &Flight<T, N>, schedule: &Schedule, mut warily: bool) {
         while !self.is_done() && (warily || !self.trajectory.begins_free_step()) {
-            let taken = if self.stage == Stage::Observation {
-                let mut tangent = self.tangent;
-                let taken = self.move_on(flight, &mut tangent, warily);
-                self.tangent = tangent;
-                taken
+            let tangents = carried(&mut self.tangent, self.stage == Stage::Observation);
+            let taken = if warily {
+                self.trajectory.approach(flight, tangents)
             } else {
-                self.move_on(flight, &mut (), warily)
+                self.trajectory.advance(flight, tangents)
             };
             if taken.event != Event::StepEnd {
                 if self.stage == Stage::Observation {
@@ -169,20 +155,6 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 self.note(flight, schedule, &taken);
             }
             warily = false;
-        }
-    }
-
-    #[inline(always)]
-    fn move_on<V: Variation<T, N>>(
-        &mut self,
-        flight: &Flight<T, N>,
-        variation: &mut V,
-        warily: bool,
-    ) -> Move<T> {
-        if warily {
-            self.trajectory.advance_warily(flight, variation)
-        } else {
-            self.trajectory.advance(flight, variation)
         }
     }
 
@@ -202,4 +174,10 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.peak = tally.fastest;
         self.loss.energy = tally.energy;
     }
+}
+
+/// What a trajectory carries along: its tangent while it is observed, else nothing.
+#[inline(always)]
+fn carried<T, const N: usize>(tangent: &mut Tangent<T, N>, observed: bool) -> &mut [Tangent<T, N>] {
+    if observed { std::slice::from_mut(tangent) } else { &mut [] }
 }

@@ -61,10 +61,16 @@ impl<T: Real, const N: usize> Observer<T, N> {
             }
             Event::HalfPeriod => {
                 let point = self.trajectory.point;
-                self.look_for_mirror(flight, &point);
+                self.half_period(flight, &point);
             }
             Event::Strobe => self.strobe(flight, schedule),
         }
+        self.give_up();
+    }
+
+    /// Gives a trajectory up that has made too many moves.
+    #[inline(always)]
+    fn give_up(&mut self) {
         if self.moves.are_too_many() {
             self.stage = Stage::Failed;
         }
@@ -75,9 +81,9 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.stage == Stage::Observation && self.recurrence.awaits_mirror(flight)
     }
 
-    /// Looks whether the point at phase π shows it.
+    /// Sees the point at phase π: under observation it may be the mirror image of what returns.
     #[inline(always)]
-    pub(super) fn look_for_mirror(&mut self, flight: &Flight<T, N>, point: &Point<T, N>) {
+    pub(super) fn half_period(&mut self, flight: &Flight<T, N>, point: &Point<T, N>) {
         if self.stage == Stage::Observation {
             self.recurrence.at_half_period(flight, point, T::of(RETURNED));
         }
@@ -99,7 +105,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     #[inline(always)]
     fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
-        if !self.begins_period(flight) {
+        if !self.begin_period(flight) {
             return;
         }
         if self.stage == Stage::Transient {
@@ -109,17 +115,18 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// Notes that the trajectory came to phase 0 in free flight: in the transient, or under observation with its tangent.
+    /// Notes that the trajectory came to phase 0 in free flight: under observation with its tangent, in the transient without.
     #[inline(always)]
     pub(super) fn arrive(
         &mut self,
         flight: &Flight<T, N>,
         schedule: &Schedule,
-        observed: Option<Tangent<T, N>>,
+        tangent: Option<Tangent<T, N>>,
     ) {
+        debug_assert_eq!(tangent.is_some(), self.stage == Stage::Observation);
         self.moves.add();
-        if self.begins_period(flight) {
-            match observed {
+        if self.begin_period(flight) {
+            match tangent {
                 None => self.settle(flight, schedule),
                 Some(tangent) => {
                     self.tangent = tangent;
@@ -127,14 +134,12 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 }
             }
         }
-        if self.moves.are_too_many() {
-            self.stage = Stage::Failed;
-        }
+        self.give_up();
     }
 
-    /// A strobe: whether the trajectory can go on from there.
+    /// Counts the period that begins at a strobe; false where the trajectory fails there.
     #[inline(always)]
-    fn begins_period(&mut self, flight: &Flight<T, N>) -> bool {
+    fn begin_period(&mut self, flight: &Flight<T, N>) -> bool {
         self.moves.pass_period();
         self.periods += 1;
         if !self.trajectory.point.state.is_finite() {

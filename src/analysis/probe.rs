@@ -147,7 +147,7 @@ mod tests {
         let mut last = vec![f64::NAN; readings.len()];
         let mut strobes = 0;
         while strobes < 2000 {
-            let event = trajectory.advance(&flight, &mut ()).event;
+            let event = trajectory.advance(&flight, &mut []).event;
             strobes += u32::from(event == Event::Strobe);
             for (last, &reading) in last.iter_mut().zip(&readings) {
                 let probe = Probe { section: Section::A, reading };

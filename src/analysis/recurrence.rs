@@ -91,7 +91,7 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         *running = if *running < most { (*running + impacts).min(most) } else { *running };
     }
 
-    /// Whether the next phase π is half a cycle after a return: an odd cycle may show its mirror image there.
+    /// Whether the phase π after the last strobe is half a cycle after a return: an odd cycle may show its mirror image there.
     #[inline(always)]
     pub fn awaits_mirror(&self, flight: &Flight<T, N>) -> bool {
         flight.mirror.is_some() && self.n % 2 == 1 && self.since % self.n == self.n / 2

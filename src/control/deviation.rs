@@ -46,7 +46,9 @@ impl<T: Real, const N: usize> Deviations<T, N> {
         if M > N && !controller.begins_anew() {
             (state.x[N], state.v[N]) = (T::zero(), T::zero());
         }
-        trajectory.carried(flight, Tangent(state))
+        let mut tangent = Tangent(state);
+        trajectory.carry(flight, std::slice::from_mut(&mut tangent));
+        tangent
     }
 
     /// The deviation of the point at which a trajectory arrives that carries this tangent vector along.
@@ -57,7 +59,8 @@ impl<T: Real, const N: usize> Deviations<T, N> {
         trajectory: &Trajectory<T, M>,
         tangent: &Tangent<T, M>,
     ) -> Components<T, N> {
-        let tangent = trajectory.present(flight, *tangent);
+        let mut tangent = *tangent;
+        trajectory.bring_back(flight, std::slice::from_mut(&mut tangent));
         let rate = rates(flight, trajectory);
         let direction = &flight.normals[surface.end.normal].direction;
         let speed = dot(direction, &rate.x);

@@ -4,7 +4,6 @@ use super::controlled::Controlled;
 use super::progress::Progress;
 use super::schedule::ControlSchedule;
 use super::witness::Witness;
-use crate::dynamics::Variation;
 use crate::model::{Flight, Real};
 
 impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
@@ -16,17 +15,8 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
         schedule: &ControlSchedule,
         witness: &mut impl Witness<T>,
     ) {
-        loop {
-            match self.progress {
-                Progress::Settling => {
-                    self.advance(flight, schedule, (), |_, ()| (), witness);
-                }
-                Progress::Observed => {
-                    let keep = |controlled: &mut Self, tangent| controlled.tangent = tangent;
-                    self.advance(flight, schedule, self.tangent, keep, witness);
-                }
-                _ => return,
-            }
+        while matches!(self.progress, Progress::Settling | Progress::Observed) {
+            self.advance(flight, schedule, self.progress == Progress::Observed, witness);
         }
     }
 
@@ -40,25 +30,24 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
     ) -> bool {
         let end = self.iterates + returns;
         while self.iterates < end && !self.progress.is_over() {
-            self.advance(flight, schedule, (), |_, ()| (), witness);
+            self.advance(flight, schedule, false, witness);
         }
         self.iterates == end
     }
 
     #[inline(always)]
-    fn advance<V: Variation<T, M>>(
+    fn advance(
         &mut self,
         flight: &Flight<T, M>,
         schedule: &ControlSchedule,
-        mut variation: V,
-        keep: impl Fn(&mut Self, V),
+        observed: bool,
         witness: &mut impl Witness<T>,
     ) {
         let mut trajectory = self.trajectory;
-        let taken = trajectory.advance(flight, &mut variation);
+        let tangents = if observed { std::slice::from_mut(&mut self.tangent) } else { &mut [] };
+        let taken = trajectory.advance(flight, tangents);
         witness.moved::<N, M>(flight, &self.trajectory, &taken, &trajectory);
         self.trajectory = trajectory;
-        keep(self, variation);
         self.note(flight, schedule, &taken, witness);
     }
 }

@@ -134,8 +134,9 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.waits.set_lane(lane, false);
     }
 
-    /// The trajectory in a lane, `flight` being its cell's.
+    /// The trajectory in a lane that waits for a contact, `flight` being its cell's.
     pub fn trajectory(&self, lane: usize, flight: &Flight<L::Real, N>) -> Trajectory<L::Real, N> {
+        debug_assert!((self.waits.bits() >> lane) & 1 == 1);
         let left = self.left.lane(lane).widen() as u32;
         Trajectory::resumed(
             self.point.lane(lane),
@@ -143,7 +144,6 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             self.kicks.lane(lane).widen() as u32,
             self.last_phase(lane, flight) + flight.steps / 2 - left,
             self.offset.lane(lane),
-            (self.waits.bits() >> lane) & 1 == 1,
         )
     }
 
@@ -182,11 +182,11 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     }
 
     /// Steps of every trajectory that is at the beginning of one, where it clears the stops; the others wait from then on. So
-    /// many of them, counted down in `steps`, or until lanes come to phase 0, or to phase π where they are to be seen there:
-    /// these lanes.
+    /// many of them, counted down in `steps`, or until lanes come to phase 0, or to phase π where they are to be seen there.
+    /// These lanes, a bit for each.
     #[inline(always)]
     pub fn fly(&mut self, steps: &mut u32) -> u32 {
-        // A processor waits long for what it has stored in some lanes alone; it does not for what it has not stored.
+        // Copies: a load of all lanes soon after a store to some of them waits for that store to end.
         let (mut point, mut tangent, mut left) = (self.point, self.tangent.0, self.left);
         let mut phases = 0;
         while phases == 0 && *steps > 0 {
@@ -197,7 +197,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             let moves = leg.keep_clearances(flight, self.steps, &mut self.clearances);
             let carried = self.steps.and(self.carries);
             if carried.bits() != 0 {
-                // The constants are read again: the compiler would copy them to the stack above, carried or not.
+                // The constants are read again: without this hint they are copied to the stack above, carried or not.
                 let stepped = Tangent(tangent).stepped_freely(black_box(flight)).0;
                 tangent = State::select(carried, &stepped, &tangent);
             }

@@ -1,77 +1,62 @@
 //! One move of a trajectory, with the processor's instructions that multiply and add at once.
+//!
+//! Each way of a move is compiled once, with these instructions, and not wherever a trajectory moves.
 
 use pulp::NullaryFnOnce;
 
 use super::contact;
-use super::tangent::{Tangent, Variation};
+use super::tangent::Tangent;
 use super::trajectory::{Event, Move, Trajectory};
 use crate::model::{Flight, Real};
 
 impl<T: Real, const N: usize> Trajectory<T, N> {
-    /// Moves on to the next event, the end of the step at the latest, and carries a variation along; `()` is none. What the
-    /// variation is at the present point, [`Trajectory::present`] says.
+    /// Moves on to the next event, the end of the step at the latest, and carries any number of tangents along. What these are at
+    /// the present point, [`Trajectory::bring_back`] says.
     #[inline]
-    pub fn advance<V: Variation<T, N>>(&mut self, flight: &Flight<T, N>, variation: &mut V) -> Move<T> {
-        let tangents = variation.tangents();
-        let taken = if self.contact.is_free() {
-            self.advance_freely(flight, tangents)
-        } else {
-            self.advance_resting(flight, tangents)
-        };
+    pub fn advance(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
+        let taken =
+            if self.contact.is_free() { self.fly(flight, tangents) } else { self.rest(flight, tangents) };
         debug_assert!(contact::holds(flight, &self.point), "beyond a stop after {taken:?}: {self:?}");
         taken
     }
 
-    /// Moves on like [`Trajectory::advance`] where the contact ahead is known not to be certain.
-    #[inline]
-    pub(crate) fn advance_warily<V: Variation<T, N>>(
-        &mut self,
-        flight: &Flight<T, N>,
-        variation: &mut V,
-    ) -> Move<T> {
-        self.approach_warily(flight, variation.tangents())
-    }
-
-    #[inline(never)]
-    fn advance_freely(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
-        T::fused(Advance::<_, _, FLIGHT> { trajectory: self, flight, tangents })
-    }
-
-    #[inline(never)]
-    fn advance_resting(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
-        T::fused(Advance::<_, _, REST> { trajectory: self, flight, tangents })
-    }
-
-    #[inline(never)]
-    pub(super) fn approach_warily(
-        &mut self,
-        flight: &Flight<T, N>,
-        tangents: &mut [Tangent<T, N>],
-    ) -> Move<T> {
-        T::fused(Advance::<_, _, APPROACH> { trajectory: self, flight, tangents })
-    }
-
     /// Moves on like [`Trajectory::advance`], but passes over the ends of steps at which nothing happens.
-    pub fn advance_to_event<V: Variation<T, N>>(
-        &mut self,
-        flight: &Flight<T, N>,
-        variation: &mut V,
-    ) -> Move<T> {
+    pub fn advance_to_event(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
         loop {
-            let taken = self.advance(flight, variation);
+            let taken = self.advance(flight, tangents);
             if taken.event != Event::StepEnd {
                 return taken;
             }
         }
     }
+
+    /// A move in free flight.
+    #[inline(never)]
+    fn fly(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
+        T::fused(Advance::<_, _, FLIGHT> { trajectory: self, flight, tangents })
+    }
+
+    /// A move in free flight where the contact ahead is known not to be certain: only as far as is safe.
+    #[inline(never)]
+    pub(crate) fn approach(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
+        T::fused(Advance::<_, _, APPROACH> { trajectory: self, flight, tangents })
+    }
+
+    /// A move in contact.
+    #[inline(never)]
+    fn rest(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
+        T::fused(Advance::<_, _, REST> { trajectory: self, flight, tangents })
+    }
 }
 
-/// The ways of a move: flight, flight towards a contact that is not certain, or rest on stops.
+/// The way of a move in free flight.
 const FLIGHT: u8 = 0;
+/// The way of one towards a contact that is not certain.
 const APPROACH: u8 = 1;
+/// The way of one in contact.
 const REST: u8 = 2;
 
-/// A move that is yet to be made, in one of these ways.
+/// A move that is yet to be made, in one of these ways; a type of its own, as [`Flown`](super::series::Flown) is.
 struct Advance<'a, T, const N: usize, const WAY: u8> {
     trajectory: &'a mut Trajectory<T, N>,
     flight: &'a Flight<T, N>,
@@ -85,9 +70,10 @@ impl<T: Real, const N: usize, const WAY: u8> NullaryFnOnce for Advance<'_, T, N,
     fn call(self) -> Move<T> {
         let Advance { trajectory, flight, tangents } = self;
         match WAY {
-            FLIGHT => trajectory.fly(flight, tangents),
-            APPROACH => trajectory.approach(flight, tangents),
-            _ => trajectory.rest(flight, tangents),
+            FLIGHT => trajectory.fly_inlined(flight, tangents),
+            APPROACH => trajectory.approach_inlined(flight, tangents),
+            REST => trajectory.rest_inlined(flight, tangents),
+            _ => unreachable!("there are three ways"),
         }
     }
 }

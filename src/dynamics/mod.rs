@@ -40,7 +40,8 @@ pub use recording::{GivenUp, ImpactEvent, Recording, Sample, Stick, record, rest
 pub use stop::{Contact, End, Stop};
 pub(crate) use striking::energy_taken;
 pub(crate) use tally::Tally;
-pub use tangent::{Saltation, Tangent, Variation};
+pub(crate) use tangent::catch_all;
+pub use tangent::{Saltation, Tangent};
 pub use trajectory::{Event, Impact, Move, Trajectory};
 pub use usage::Usage;
 

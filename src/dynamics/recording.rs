@@ -126,7 +126,7 @@ impl Window {
         let mut moves = 0;
         while recorder.period < self.transient + self.periods {
             let before = trajectory;
-            let taken = trajectory.advance(flight, &mut ());
+            let taken = trajectory.advance(flight, &mut []);
             recorder.sample(&before, &taken);
             let period = recorder.period;
             recorder.note(&before, &taken, &trajectory);
@@ -144,7 +144,7 @@ impl Window {
 
 /// Follows a trajectory to the end of its forcing period; `false` where it makes no headway.
 fn pass_period<const N: usize>(flight: &Flight<f64, N>, trajectory: &mut Trajectory<f64, N>) -> bool {
-    (0..=MOST_MOVES).any(|_| trajectory.advance(flight, &mut ()).event == Event::Strobe)
+    (0..=MOST_MOVES).any(|_| trajectory.advance(flight, &mut []).event == Event::Strobe)
 }
 
 struct Recorder<'a, const N: usize> {

@@ -63,8 +63,8 @@ impl<T: Real, const N: usize> Series<T, N> {
     }
 }
 
-/// A flight that is yet to be made; a type of its own, so that it is compiled once, with the instructions that multiply and add at
-/// once, and not wherever something flies.
+/// A flight that is yet to be made; a type of its own, since what a closure does is not compiled with the instructions that
+/// [`Real::fused`] asks for.
 #[derive(Debug)]
 pub(super) struct Flown<'a, F, T, const N: usize> {
     /// Where it begins.

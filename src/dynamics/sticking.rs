@@ -10,7 +10,7 @@ use crate::model::{Flight, Real};
 impl<T: Real, const N: usize> Trajectory<T, N> {
     /// Sticking: the masses that are free move on until a stop is met, or what presses on a contact vanishes.
     #[inline(always)]
-    pub(super) fn rest(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
+    pub(super) fn rest_inlined(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
         let window = flight.h - self.offset;
         let contact = self.contact;
         let motion = self.point.motion(flight, contact);

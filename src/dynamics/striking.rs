@@ -8,7 +8,7 @@ use super::corner;
 use super::placing::{placed, rested};
 use super::point::{Approach, Motion, Point};
 use super::stop::{Contact, End, Stop};
-use super::tangent::{FreeSaltation, Saltation, Tangent, strike_all};
+use super::tangent::{FreeSaltation, Saltation, Tangent, catch_all, strike_all};
 use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
 use crate::model::vector::{added, applied, axpy, dot};
 use crate::model::{Flight, Lanes, Real, State};
@@ -22,7 +22,7 @@ pub fn energy_taken<L: Lanes>(mass: L, before: L, after: L) -> L {
     mass.all(0.5) * mass * (before * before - after * after)
 }
 
-/// An impact that is yet to happen; a type of its own, as [`Flown`](super::series::Flown) is.
+/// See [`Trajectory::strike`]; a type of its own, as [`Flown`](super::series::Flown) is.
 struct Strike<'a, T, const N: usize> {
     trajectory: &'a mut Trajectory<T, N>,
     flight: &'a Flight<T, N>,
@@ -35,7 +35,7 @@ impl<T: Real, const N: usize> NullaryFnOnce for Strike<'_, T, N> {
 
     #[inline(always)]
     fn call(self) -> Event<T> {
-        self.trajectory.strike_now(self.flight, self.tangents, self.reached)
+        self.trajectory.strike_inlined(self.flight, self.tangents, self.reached)
     }
 }
 
@@ -52,7 +52,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     }
 
     #[inline(always)]
-    fn strike_now(
+    fn strike_inlined(
         &mut self,
         flight: &Flight<T, N>,
         tangents: &mut [Tangent<T, N>],
@@ -162,10 +162,8 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     /// From now on these contacts hold.
     #[inline(always)]
     fn catch(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>], contact: Contact) {
-        self.look_back(flight, tangents);
-        for tangent in tangents {
-            *tangent = tangent.caught(flight, contact);
-        }
+        self.bring_back(flight, tangents);
+        catch_all(tangents, flight, contact);
         self.under_way = false;
         self.contact = contact;
     }

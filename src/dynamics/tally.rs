@@ -23,8 +23,8 @@ impl<L: Lanes> Tally<L> {
     /// Goes on in a lane from what was summed up before.
     #[inline(always)]
     pub fn begin(&mut self, lane: usize, fastest: L::Real, energy: L::Real) {
-        self.fastest.keep_lane(lane, fastest);
-        self.energy.keep_lane(lane, energy);
+        self.fastest.renew_lane(lane, fastest);
+        self.energy.renew_lane(lane, energy);
     }
 
     /// What a lane came to; its impacts are counted anew from here.
@@ -39,7 +39,7 @@ impl<L: Lanes> Tally<L> {
         for (all, own) in self.impacts.iter_mut().zip(&mut taken.impacts).take(normals) {
             for (all, own) in all.iter_mut().zip(own) {
                 *own = all.lane(lane);
-                all.keep_lane(lane, zero);
+                all.renew_lane(lane, zero);
             }
         }
         taken

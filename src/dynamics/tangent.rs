@@ -41,37 +41,11 @@ pub struct FreeSaltation<L, const N: usize> {
     pub wake: State<L, N>,
 }
 
-/// What is carried along with a trajectory: nothing, a tangent vector, or several of them.
-///
-/// While a step of free flight is under way, it is the deviation of the end of that step, as it would be without another impact:
-/// an impact adds what its jump has become by then, and a flight to the impact changes nothing.
-pub trait Variation<T, const N: usize>: Copy {
-    /// The tangent vectors.
-    fn tangents(&mut self) -> &mut [Tangent<T, N>];
-}
-
-impl<T, const N: usize> Variation<T, N> for () {
-    #[inline(always)]
-    fn tangents(&mut self) -> &mut [Tangent<T, N>] {
-        &mut []
-    }
-}
-
-impl<T: Real, const N: usize> Variation<T, N> for Tangent<T, N> {
-    #[inline(always)]
-    fn tangents(&mut self) -> &mut [Tangent<T, N>] {
-        std::slice::from_mut(self)
-    }
-}
-
-impl<T: Real, const N: usize, const M: usize> Variation<T, N> for [Tangent<T, N>; M] {
-    #[inline(always)]
-    fn tangents(&mut self) -> &mut [Tangent<T, N>] {
-        self
-    }
-}
-
 /// A tangent vector: a deviation of the state at fixed time.
+///
+/// One that is carried along with a trajectory is, while a step of free flight is under way, the deviation of the end of that step
+/// as it would be without another impact: an impact adds what its jump has become by then, and a flight to the impact changes
+/// nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tangent<T, const N: usize>(pub State<T, N>);
 
@@ -187,6 +161,18 @@ pub(super) fn fly_all<T: Real, const N: usize>(
 ) {
     for tangent in tangents {
         *tangent = tangent.flown(flight, s, contact);
+    }
+}
+
+/// All deviations once the contacts hold; see [`Tangent::caught`].
+#[inline(always)]
+pub(crate) fn catch_all<T: Real, const N: usize>(
+    tangents: &mut [Tangent<T, N>],
+    flight: &Flight<T, N>,
+    contact: Contact,
+) {
+    for tangent in tangents {
+        *tangent = tangent.caught(flight, contact);
     }
 }
 

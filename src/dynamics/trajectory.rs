@@ -6,7 +6,7 @@ use super::leg::Leg;
 use super::placing::{clamped, rested};
 use super::point::Point;
 use super::stop::{Contact, Stop};
-use super::tangent::{Tangent, Variation, fly_all, strike_all};
+use super::tangent::{Tangent, fly_all, strike_all};
 use crate::model::{Flight, Real, State};
 
 /// The most kicks that are added to the end of one step; after more, the step is flown to its end instead.
@@ -77,22 +77,15 @@ pub struct Trajectory<T, const N: usize> {
     pub step: u32,
     /// The time since the beginning of the step, 0 ≤ offset < h.
     pub offset: T,
-    /// Whether a step of free flight is under way: `ahead` is its end then, and a variation that is carried along is that of
+    /// Whether a step of free flight is under way: `ahead` is its end then, and a tangent that is carried along is that of
     /// its end.
     pub(super) under_way: bool,
 }
 
 impl<T: Real, const N: usize> Trajectory<T, N> {
-    /// A trajectory in free flight, where it was left.
-    pub(super) fn resumed(
-        point: Point<T, N>,
-        ahead: Point<T, N>,
-        kicks: u32,
-        step: u32,
-        offset: T,
-        under_way: bool,
-    ) -> Self {
-        Trajectory { point, ahead, kicks, contact: Contact::FREE, step, offset, under_way }
+    /// A trajectory within a step of free flight that is under way, where it was left.
+    pub(super) fn resumed(point: Point<T, N>, ahead: Point<T, N>, kicks: u32, step: u32, offset: T) -> Self {
+        Trajectory { point, ahead, kicks, contact: Contact::FREE, step, offset, under_way: true }
     }
 
     /// A trajectory that begins at forcing phase 0 with a state within the stops.
@@ -146,29 +139,21 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.ahead = self.point.flown(flight, flight.h - self.offset, self.contact);
             self.kicks = 0;
             self.under_way = true;
+            self.carry(flight, tangents);
+        }
+    }
+
+    /// Deviations of the present point become those that are carried along from here.
+    #[inline(always)]
+    pub fn carry(&self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) {
+        if self.under_way {
             fly_all(tangents, flight, flight.h - self.offset, self.contact);
         }
     }
 
-    /// A variation of the present point, as it is carried along from here.
-    #[must_use]
-    pub fn carried<V: Variation<T, N>>(&self, flight: &Flight<T, N>, mut present: V) -> V {
-        if self.under_way {
-            fly_all(present.tangents(), flight, flight.h - self.offset, self.contact);
-        }
-        present
-    }
-
-    /// What a variation that is carried along is at the present point.
-    #[must_use]
-    pub fn present<V: Variation<T, N>>(&self, flight: &Flight<T, N>, mut carried: V) -> V {
-        self.look_back(flight, carried.tangents());
-        carried
-    }
-
-    /// What deviations that are carried along are at the present point.
+    /// Deviations that are carried along become those of the present point.
     #[inline(always)]
-    pub(super) fn look_back(&self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) {
+    pub fn bring_back(&self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) {
         if self.under_way {
             fly_all(tangents, flight, self.offset - flight.h, self.contact);
         }
@@ -182,7 +167,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     /// Free flight: the rest of the step where it provably clears the stops, else up to the contact where that is found directly, else as far
     /// as is safe.
     #[inline(always)]
-    pub(super) fn fly(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
+    pub(super) fn fly_inlined(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
         let window = flight.h - self.offset;
         if !self.under_way {
             self.ahead = self.point.stepped(flight);
@@ -205,7 +190,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
                 }
             }
         }
-        self.approach_warily(flight, tangents)
+        self.approach(flight, tangents)
     }
 
     /// Up to and through a contact that is certain.
@@ -231,7 +216,11 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
 
     /// Free flight towards a stop, as far as is safe.
     #[inline(always)]
-    pub(super) fn approach(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
+    pub(super) fn approach_inlined(
+        &mut self,
+        flight: &Flight<T, N>,
+        tangents: &mut [Tangent<T, N>],
+    ) -> Move<T> {
         let window = flight.h - self.offset;
         let contact = Contact::FREE;
         let motion = self.point.motion(flight, contact);

@@ -110,9 +110,9 @@ pub trait Lanes:
     /// Puts a number into one lane.
     fn set_lane(&mut self, lane: usize, value: Self::Real);
 
-    /// The same where it is not there yet: lanes that were not written to one by one are loaded sooner.
+    /// The same unless an equal number is there, 0 being equal to −0: lanes that are not written to one by one are loaded sooner.
     #[inline(always)]
-    fn keep_lane(&mut self, lane: usize, value: Self::Real) {
+    fn renew_lane(&mut self, lane: usize, value: Self::Real) {
         if self.lane(lane) != value {
             self.set_lane(lane, value);
         }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::section_vector::wrapped;
-use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory};
+use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory, catch_all};
 use crate::model::vector::axpy;
 use crate::model::{Flight, State, System};
 
@@ -109,16 +109,14 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
         self.carries = true;
         self.set_tangents(&DMatrix::identity(K, K));
         // Of a trajectory in contact that is what the contacts leave; in flight it is all.
-        for tangent in &mut self.frame {
-            *tangent = tangent.caught(&self.flight, self.trajectory.contact);
-        }
+        catch_all(&mut self.frame, &self.flight, self.trajectory.contact);
     }
 
     fn advance(&mut self) -> Move<f64> {
         if self.carries {
             self.trajectory.advance(&self.flight, &mut self.frame)
         } else {
-            self.trajectory.advance(&self.flight, &mut ())
+            self.trajectory.advance(&self.flight, &mut [])
         }
     }
 
@@ -126,7 +124,7 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
         if self.carries {
             self.trajectory.advance_to_event(&self.flight, &mut self.frame)
         } else {
-            self.trajectory.advance_to_event(&self.flight, &mut ())
+            self.trajectory.advance_to_event(&self.flight, &mut [])
         }
     }
 
@@ -161,13 +159,14 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
     }
 
     fn tangents(&self) -> DMatrix<f64> {
-        let frame = self.trajectory.present(&self.flight, self.frame);
+        let mut frame = self.frame;
+        self.trajectory.bring_back(&self.flight, &mut frame);
         DMatrix::from_fn(K, K, |i, j| frame[j].0.get(i))
     }
 
     fn set_tangents(&mut self, columns: &DMatrix<f64>) {
-        let frame = std::array::from_fn(|j| Tangent(State::from_slice(columns.column(j).as_slice())));
-        self.frame = self.trajectory.carried(&self.flight, frame);
+        self.frame = std::array::from_fn(|j| Tangent(State::from_slice(columns.column(j).as_slice())));
+        self.trajectory.carry(&self.flight, &mut self.frame);
     }
 
     /// Along the responses of the normals at whose ends it lies too far, of all of them at once.

@@ -148,8 +148,9 @@ fn forced_motion_grazes_any_stop_of_any_plant_at_its_reach() {
     for (n, stops) in [(1, 1), (2, 1), (2, 2), (3, 2), (3, 3), (4, 2), (4, 4)] {
         let plant = drawn(&mut rng, n, stops);
         let map = map_of(family_of(&plant), ["omega=0.4:3:8", "gap=-0.2:1.6:6"], &[], Start::Rest);
-        // Motions with impacts are not followed: they are held to other truths, and take long.
-        let found = bifurcation_curves(&map, 0).unwrap().curves;
+        // Motions with impacts are followed on one of the larger plants, which takes long.
+        let longest = if [n, stops] == [3, 2] { 2 } else { 0 };
+        let found = bifurcation_curves(&map, longest).unwrap().curves;
         let grazing = of(&found, Kind::Grazing, "no impact", false);
         for curve in &grazing {
             let touched = curve.touches.unwrap().index();

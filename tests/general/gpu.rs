@@ -29,7 +29,7 @@ fn groups() -> Vec<Group> {
     groups.into_values().collect()
 }
 
-/// What is off in cases of one shape after so many forcing periods, and how many were compared.
+/// How many cases of one shape were compared after so many forcing periods, and what was off.
 fn compared(gpu: &Gpu, group: &Group, periods: usize) -> (usize, Vec<String>) {
     let due = || group.iter().filter(|(case, _)| case.coarse.periods >= periods);
     let jobs: Vec<Job> = due().map(|(case, system)| job(case, system)).collect();
@@ -68,7 +68,8 @@ fn random_plants_on_the_gpu() {
             wrong.extend(off);
         }
     });
-    let (counts, wrong) = met.into_inner().unwrap();
+    let (counts, mut wrong) = met.into_inner().unwrap();
+    wrong.sort();
     println!("compared, by coordinates and normals: {counts:?}");
     assert!(counts.len() == 5 && counts.values().all(|&count| count > 20), "{counts:?}");
     let shown = wrong[..wrong.len().min(5)].join("\n");

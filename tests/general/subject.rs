@@ -54,7 +54,7 @@ fn follow_in<T: Real, const N: usize>(plant: &Plant, start: &[f64], periods: usi
     while done.len() < periods && moves < MOST_MOVES {
         moves += 1;
         let before = trajectory;
-        let taken = trajectory.advance(&flight, &mut ());
+        let taken = trajectory.advance(&flight, &mut []);
         for part in 0..=4 {
             let time = taken.time * T::of(0.25 * f64::from(part));
             note_penetration(&flight, &before.point.flown(&flight, time, taken.contact), &mut period);

@@ -25,7 +25,7 @@ fn energy_drift(parameters: Parameters, start: [f64; 4]) -> f64 {
     let mut impacts = 0;
     let mut drift = 0.0_f64;
     while impacts < 100_000 {
-        match trajectory.advance(&flight, &mut ()).event {
+        match trajectory.advance(&flight, &mut []).event {
             Event::Impact(_) => impacts += 1,
             Event::Caught { .. } => panic!("nothing sticks without loss: {parameters:?}"),
             _ => {}

@@ -173,7 +173,7 @@ fn without_restitution_the_mass_stays_where_it_is_pressed() {
         let mut trajectory = Trajectory::new(&flight, State::zero());
         let mut periods = 0;
         while periods < 100 {
-            let event = trajectory.advance(&flight, &mut ()).event;
+            let event = trajectory.advance(&flight, &mut []).event;
             periods += u32::from(event == Event::Strobe);
             let (Event::Impact(impact) | Event::Caught { impact, .. }) = event else { continue };
             let [x1, x2, v1, v2] = values(&trajectory.point.state);

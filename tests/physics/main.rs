@@ -41,7 +41,7 @@ fn hits(mut trajectory: Trajectory<f64, 2>, flight: &Flight<f64, 2>, count: usiz
     let mut time = 0.0;
     let mut hits = Vec::new();
     while hits.len() < count && time < end {
-        let taken = trajectory.advance(flight, &mut ());
+        let taken = trajectory.advance(flight, &mut []);
         time += taken.time;
         if let Event::Impact(impact) | Event::Caught { impact, .. } = taken.event {
             let (before, after) = (impact.velocity_before, impact.velocity_after);

@@ -64,7 +64,7 @@ pub fn touches_of<T: Real>(
             "no progress after {done} periods from {start:?} with {parameters:?}: {trajectory:?}"
         );
         let before = trajectory;
-        let taken = trajectory.advance(flight, &mut ());
+        let taken = trajectory.advance(flight, &mut []);
         for sample in 0..=SAMPLES {
             let time = taken.time * T::of(f64::from(sample) / f64::from(SAMPLES));
             let point = before.point.flown(flight, time, taken.contact);

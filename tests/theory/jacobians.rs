@@ -107,7 +107,7 @@ pub fn strobe(system: &System, state: impl AsRef<[f64]>, periods: u32) -> [f64; 
     let flight = Flight::<f64, 2>::new(system);
     let mut trajectory = Trajectory::new(&flight, State::from_slice(state.as_ref()));
     for _ in 0..periods {
-        while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
+        while trajectory.advance(&flight, &mut []).event != Event::Strobe {}
     }
     std::array::from_fn(|i| trajectory.point.state.get(i))
 }

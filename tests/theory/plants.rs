@@ -203,7 +203,7 @@ fn struck(system: &System, periods: u32) -> Option<Vec<f64>> {
         let mut trajectory = Trajectory::new(&flight, State::zero());
         let mut strobes = 0;
         while strobes < 2 * periods {
-            match trajectory.advance(&flight, &mut ()).event {
+            match trajectory.advance(&flight, &mut []).event {
                 Event::Strobe => strobes += 1,
                 Event::Impact(impact) if impact.stop == Stop(0) && strobes >= periods => {
                     let State { x, v } = trajectory.point.state;
@@ -408,7 +408,7 @@ fn settled(system: &System, periods: u32) -> Option<Vec<f64>> {
         let mut before = State::zero();
         for _ in 0..periods {
             before = trajectory.point.state;
-            while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
+            while trajectory.advance(&flight, &mut []).event != Event::Strobe {}
         }
         let after = trajectory.point.state;
         let close = after.values().zip(before.values()).all(|(a, b)| (a - b).abs() < 1e-6);

@@ -30,7 +30,7 @@ fn the_largest_exponent_is_the_separation_of_neighbours() {
         let flight = Flight::<f64, 2>::new(&system);
         let strobe = |state: [f64; 4]| {
             let mut trajectory = Trajectory::new(&flight, State::from_slice(&state));
-            while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
+            while trajectory.advance(&flight, &mut []).event != Event::Strobe {}
             std::array::from_fn(|i| trajectory.point.state.get(i))
         };
         let apart = 1e-8;

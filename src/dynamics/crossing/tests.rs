@@ -108,7 +108,7 @@ fn grazes<T: Real>() {
         let mut trajectory = Trajectory::from_point(&swing.flight, swing.from, Contact::FREE, 0, T::zero());
         let (mut at, mut struck) = (0.0, None);
         for _ in 0..200 {
-            let taken = trajectory.advance(&swing.flight, &mut ());
+            let taken = trajectory.advance(&swing.flight, &mut []);
             at += taken.time.widen();
             match taken.event {
                 crate::dynamics::Event::Impact(impact) => {

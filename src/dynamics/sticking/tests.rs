@@ -32,7 +32,7 @@ fn rested<T: Real>(system: &System, until: f64) -> Rested {
     let (mut at, mut released, mut caught) = (0.0, Vec::new(), Vec::new());
     while at < until {
         let begins = at;
-        let taken = trajectory.advance(&flight, &mut ());
+        let taken = trajectory.advance(&flight, &mut []);
         at += taken.time.widen();
         match taken.event {
             Event::Released(_) => released.push(begins),

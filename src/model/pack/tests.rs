@@ -8,7 +8,9 @@ fn lanes_are_set_one_by_one<L: Lanes<Real = f64>>(zero: L) {
     assert_eq!((never.bits(), L::Mask::WIDTH), (0, L::WIDTH));
     let (mut numbers, mut mask, mut expected) = (zero, never, 0);
     for lane in (0..L::WIDTH).rev().step_by(2) {
-        numbers.keep_lane(lane, 1.0 + lane as f64);
+        for _ in 0..2 {
+            numbers.renew_lane(lane, 1.0 + lane as f64);
+        }
         mask.set_lane(lane, true);
         expected |= 1 << lane;
         assert_eq!(mask.bits(), expected, "lane {lane} of {}", L::WIDTH);
