@@ -90,7 +90,7 @@ fn flight_under_a_second_frequency_is_exact() {
         let mut trajectory = Trajectory::from_point(&flight, point, Contact::FREE, 0, 0.0);
         let mut time = 0.0;
         loop {
-            let taken = trajectory.advance(&flight, &mut ());
+            let taken = trajectory.advance(&flight, &mut []);
             time += taken.time;
             if taken.event == Event::Strobe {
                 break;
@@ -117,7 +117,7 @@ fn impacts_under_a_second_frequency_are_on_the_stops() {
     let mut trajectory = Trajectory::from_point(&flight, point, Contact::FREE, 0, 0.0);
     let mut impacts = 0;
     for _ in 0..20_000 {
-        let taken = trajectory.advance(&flight, &mut ());
+        let taken = trajectory.advance(&flight, &mut []);
         assert!(trajectory.point.state.x[0].abs() <= 0.1 * (1.0 + 1e-12));
         impacts += u32::from(matches!(taken.event, Event::Impact(_)));
     }

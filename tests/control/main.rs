@@ -1,8 +1,5 @@
 //! Suppressing chaos at ω = 2.83, δ = 0.1: what each method reaches, held to theory and to the paper.
 
-#[path = "../common/adapter.rs"]
-mod adapter;
-
 mod delay;
 mod force;
 mod maps;

@@ -12,7 +12,6 @@ use impact_atlas::plane::{Control, Plane, RegionMap, Start};
 use impact_atlas::sweep::sweep;
 use impact_atlas::validate::{Agreement, Thresholds, compare};
 
-use super::adapter::gpu;
 use super::{FIXED_POINT, TARGET, away, delay, sine, system};
 
 pub fn plane(scheme: Scheme, x: &str, y: &str) -> Plane<Control> {
@@ -43,7 +42,7 @@ pub fn beside(system: &System, point: [f64; 4]) -> [f64; 4] {
     let flight = Flight::<f64, 2>::new(system);
     let surface = Surface::new(system, &flight, Stop::A);
     let mut trajectory = SectionPoint::<f64, 2>::new(&point).trajectory(&flight, &surface, Contact::FREE);
-    while trajectory.advance(&flight, &mut ()).event != Event::Strobe {}
+    while trajectory.advance(&flight, &mut []).event != Event::Strobe {}
     let State { x: [x1, x2], v: [v1, v2] } = trajectory.point.state;
     [x1, x2 + 1e-3, v1, v2]
 }
@@ -103,6 +102,10 @@ fn exact_control_has_the_bits_of_the_twin() {
         let distinct: std::collections::HashSet<&String> = here.iter().collect();
         assert!(distinct.len() > here.len() / 2, "{} distinct outcomes", distinct.len());
     }
+}
+
+pub fn gpu() -> Gpu {
+    Gpu::open(None).expect("an adapter is there, if only a software one")
 }
 
 /// The reference with something done to its jobs or in its arithmetic.
@@ -172,7 +175,7 @@ fn feedback_forgotten(job: &ControlJob, schedule: &ControlSchedule) -> Outcome {
 #[test]
 fn feedback_agrees_on_cpu_and_gpu() {
     let plane = feedback();
-    let (ours, theirs) = (map(&plane, &Cpu), map(&plane, gpu()));
+    let (ours, theirs) = (map(&plane, &Cpu), map(&plane, &gpu()));
     let agreement = compare(&ours, &theirs);
     assert!(
         agreement.holds(&Thresholds::default()),
@@ -233,7 +236,7 @@ fn pulses_kicks_and_forces_agree_cell_by_cell() {
     ];
     let gpu = gpu();
     for (plane, tolerance) in planes {
-        let (ours, theirs) = (map(&plane, &Cpu), map(&plane, gpu));
+        let (ours, theirs) = (map(&plane, &Cpu), map(&plane, &gpu));
         for (a, b) in ours.verdicts.iter().zip(&theirs.verdicts) {
             assert_eq!(a.verdict.label(), b.verdict.label(), "{plane:?}\n{a:?}\n{b:?}");
             assert_eq!(a.period, b.period);
@@ -252,7 +255,7 @@ fn the_kick_agrees_on_where_the_motion_is_held() {
     kicked.start = Start::State(beside_the_motion().into());
     kicked.task.schedule =
         ControlSchedule { from: 1, iterates: 600, fixed: false, max_period: ControlSchedule::MAX_PERIOD };
-    let (ours, theirs) = (map(&kicked, &Cpu), map(&kicked, gpu()));
+    let (ours, theirs) = (map(&kicked, &Cpu), map(&kicked, &gpu()));
     let held = |map: &RegionMap<Control>| -> Vec<bool> {
         map.verdicts.iter().map(|outcome| outcome.verdict.label() == "1-2-1").collect()
     };
@@ -266,7 +269,7 @@ fn the_kick_agrees_on_where_the_motion_is_held() {
 #[test]
 fn forces_that_the_gpu_does_not_have_are_refused() {
     let local = plane(sine(Convention::ForceLocal, 0.1, 0.0, 0.0), "omega=2.8:2.86:2", "delta=0.1:0.2:2");
-    let refused = sweep(&local, gpu(), &Unwatched).unwrap_err().to_string();
+    let refused = sweep(&local, &gpu(), &Unwatched).unwrap_err().to_string();
     assert!(refused.contains("--backend cpu"), "{refused}");
     assert_eq!(map(&local, &Cpu).verdicts.len(), 4);
 }

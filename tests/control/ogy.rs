@@ -11,8 +11,7 @@ use impact_atlas::plane::Start;
 use impact_atlas::theory::impact_map;
 use impact_atlas::validate::Thresholds;
 
-use super::adapter::gpu;
-use super::maps::{agreement, beside, map, plane};
+use super::maps::{agreement, beside, gpu, map, plane};
 use super::{Returns, TARGET, away, delay};
 
 /// Where the 1-2-1 motion has the multiplier −3.9.
@@ -124,8 +123,8 @@ fn both_back_ends_hold_the_same_cells() {
         map(plane, backend).verdicts.iter().filter(|told| told.verdict.label() == "1-2-1").count()
     };
     let (enough, too_small) = (of("window=0.1:0.2:4"), of("window=1e-7:1e-5:4"));
-    assert_eq!([held(&enough, &Cpu), held(&enough, gpu())], [28, 28]);
-    assert_eq!([held(&too_small, &Cpu), held(&too_small, gpu())], [0, 0]);
-    let agreement = agreement(&enough, gpu());
+    assert_eq!([held(&enough, &Cpu), held(&enough, &gpu())], [28, 28]);
+    assert_eq!([held(&too_small, &Cpu), held(&too_small, &gpu())], [0, 0]);
+    let agreement = agreement(&enough, &gpu());
     assert!(agreement.holds(&Thresholds::default()), "{agreement:?}");
 }

@@ -1,8 +1,6 @@
 //! Control of other plants than the paper's, and on the sections of other stops than the first.
 
-use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_atlas::backend::{Backend, ControlJob, Gpu, Job, Unwatched, follow_controlled};
 use impact_atlas::control::methods::{Convention, DelaySetting, PulseSetting, Sign, SineSetting};
@@ -15,7 +13,6 @@ use impact_atlas::model::{Flight, State, StateVector, System};
 use impact_atlas::system::{Family, Plant, PlantStop, builtin};
 use nalgebra::{DMatrix, DVector};
 
-use super::adapter::{gpu, on_devices};
 use super::{FIXED_POINT, Returns, TARGET, away, starts, system};
 
 /// A family that comes with the program, at its defaults but for what is set.
@@ -115,7 +112,7 @@ fn pulses_hold_a_target_on_the_second_stop() {
     let mut at_stops = [0; 2];
     while at_stops[1] == 0 {
         if let Event::Impact(impact) | Event::Caught { impact, .. } =
-            trajectory.advance(&flight, &mut ()).event
+            trajectory.advance(&flight, &mut []).event
         {
             at_stops[impact.stop.index()] += 1;
         }
@@ -167,7 +164,7 @@ fn three_masses_are_followed_without_control() {
     let mut trajectory = Trajectory::new(&flight, State::from_slice(&start));
     let (mut seen, mut at_b) = (0, 0);
     while seen < 20 {
-        let event = trajectory.advance(&flight, &mut ()).event;
+        let event = trajectory.advance(&flight, &mut []).event;
         let (Event::Impact(impact) | Event::Caught { impact, .. }) = event else { continue };
         if impact.stop == Stop::B {
             at_b += 1;
@@ -386,46 +383,32 @@ fn settling() -> Vec<(&'static str, ControlJob)> {
     ]
 }
 
-/// Demands that an adapter controls a plant as the CPU does, and that this makes a difference; whether the motion is periodic.
-fn is_controlled_alike(gpu: &Gpu, name: &str, job: &ControlJob) -> bool {
-    let schedule =
-        ControlSchedule { from: 20, iterates: 300, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
-    let [ours, theirs] = [
-        follow_controlled::<f64>(job, &schedule).unwrap(),
-        gpu.control(std::slice::from_ref(job), &schedule, &Unwatched).unwrap()[0],
-    ];
-    let context = format!("{name}: {ours:?} {theirs:?}");
-    assert_eq!((ours.verdict.label(), ours.period), (theirs.verdict.label(), theirs.period), "{context}");
-    assert_eq!((ours.escapes, ours.iterates), (theirs.escapes, theirs.iterates), "{context}");
-    assert!((ours.effort - theirs.effort).abs() <= 1e-3 * (1.0 + ours.effort.abs()), "{context}");
-    if ours.period > 0 {
-        assert!(away(ours.section, theirs.section) < 2e-4, "{context}");
-    }
-    // What another controller does on the same plant is something else.
-    let other = ControlJob { controller: Controller::None(job.controller.stop()), ..job.clone() };
-    let free = follow_controlled::<f64>(&other, &schedule).unwrap();
-    let differs = free.verdict.label() != ours.verdict.label()
-        || away(free.section, ours.section) > 1e-3
-        || free.escapes != ours.escapes;
-    assert!(differs, "{name}: control makes no difference");
-    ours.period > 0
-}
-
 #[test]
 fn the_gpu_controls_any_plant_at_any_stop_as_the_cpu_does() {
-    let mut shapes = BTreeMap::<_, Vec<_>>::new();
+    let gpu = Gpu::open(None).expect("an adapter is there, if only a software one");
+    let schedule =
+        ControlSchedule { from: 20, iterates: 300, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
+    let mut periodic = 0;
     for (name, job) in settling() {
-        let plant = job.job.system.plant();
-        shapes.entry((plant.n, plant.stops.len())).or_default().push((name, job));
-    }
-    let shapes: Vec<Vec<(&str, ControlJob)>> = shapes.into_values().rev().collect();
-    let second = Gpu::open(None).expect("an adapter is there, if only a software one");
-    let periodic = AtomicUsize::new(0);
-    on_devices([gpu(), &second], &shapes, |gpu, shape| {
-        for (name, job) in shape {
-            periodic.fetch_add(usize::from(is_controlled_alike(gpu, name, job)), Ordering::Relaxed);
+        let [ours, theirs] = [
+            follow_controlled::<f64>(&job, &schedule).unwrap(),
+            gpu.control(std::slice::from_ref(&job), &schedule, &Unwatched).unwrap()[0],
+        ];
+        let context = format!("{name}: {ours:?} {theirs:?}");
+        assert_eq!((ours.verdict.label(), ours.period), (theirs.verdict.label(), theirs.period), "{context}");
+        assert_eq!((ours.escapes, ours.iterates), (theirs.escapes, theirs.iterates), "{context}");
+        assert!((ours.effort - theirs.effort).abs() <= 1e-3 * (1.0 + ours.effort.abs()), "{context}");
+        if ours.period > 0 {
+            assert!(away(ours.section, theirs.section) < 2e-4, "{context}");
+            periodic += 1;
         }
-    });
-    let periodic = periodic.into_inner();
+        // What another controller does on the same plant is something else.
+        let other = ControlJob { controller: Controller::None(job.controller.stop()), ..job };
+        let free = follow_controlled::<f64>(&other, &schedule).unwrap();
+        let differs = free.verdict.label() != ours.verdict.label()
+            || away(free.section, ours.section) > 1e-3
+            || free.escapes != ours.escapes;
+        assert!(differs, "{name}: control makes no difference");
+    }
     assert!(periodic >= 5, "{periodic}");
 }
