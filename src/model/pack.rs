@@ -90,6 +90,18 @@ impl<S: Simd> Lanes for Pack<S> {
         Pack { values: yes.simd.select_f64s(mask.values, yes.values, no.values), ..yes }
     }
 
+    /// One instruction on x86, which takes the second number where either is none, or both are zeros.
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Pack { values: self.simd.max_f64s(self.values, other.values), ..self }
+    }
+
+    /// See `larger`.
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        Pack { values: self.simd.min_f64s(self.values, other.values), ..self }
+    }
+
     #[inline(always)]
     fn lane(&self, lane: usize) -> f64 {
         bytemuck::cast_slice::<S::f64s, f64>(std::slice::from_ref(&self.values))[lane]
@@ -212,6 +224,16 @@ impl<L: Lanes> Lanes for Twin<L> {
     #[inline(always)]
     fn select(mask: TwinMask<L::Mask>, yes: Self, no: Self) -> Self {
         Twin(L::select(mask.0, yes.0, no.0), L::select(mask.1, yes.1, no.1))
+    }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Twin(self.0.larger(other.0), self.1.larger(other.1))
+    }
+
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        Twin(self.0.smaller(other.0), self.1.smaller(other.1))
     }
 
     #[inline(always)]

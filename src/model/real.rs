@@ -118,14 +118,14 @@ pub trait Lanes:
         }
     }
 
-    /// The larger of two numbers; `other` where self is not a number.
+    /// The larger of two numbers; `other` where they are equal, or either is not a number.
     #[inline(always)]
     #[must_use]
     fn larger(self, other: Self) -> Self {
         Self::select(other.below(self), self, other)
     }
 
-    /// The smaller of two numbers; `other` where self is not a number.
+    /// The smaller of two numbers; `other` where they are equal, or either is not a number.
     #[inline(always)]
     #[must_use]
     fn smaller(self, other: Self) -> Self {

@@ -28,18 +28,46 @@ fn lanes_are_set_one_by_one<L: Lanes<Real = f64>>(zero: L) {
     assert_eq!(mask.not().and(never.not()).bits().count_ones(), L::WIDTH as u32 - mask.bits().count_ones());
 }
 
-#[test]
-fn lanes_of_every_width_are_set_one_by_one() {
-    lanes_are_set_one_by_one(0.0_f64);
-    #[cfg(target_arch = "x86_64")]
-    {
-        if let Some(simd) = pulp::x86::V3::try_new() {
-            lanes_are_set_one_by_one(Pack::zero(simd));
-            lanes_are_set_one_by_one(Twin(Pack::zero(simd), Pack::zero(simd)));
-        }
-        if let Some(simd) = pulp::x86::V4::try_new() {
-            lanes_are_set_one_by_one(Pack::zero(simd));
-            lanes_are_set_one_by_one(Twin(Pack::zero(simd), Pack::zero(simd)));
+/// The larger and the smaller number have the bits that a comparison chooses, of zeros and of what is no number too.
+fn the_larger_is_what_a_comparison_chooses<L: Lanes<Real = f64>>(zero: L) {
+    let numbers = [0.0, -0.0, 1.0, -2.5, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+    for one in numbers {
+        for other in numbers {
+            let (a, b) = (zero.all(one), zero.all(other));
+            let chosen = [L::select(b.below(a), a, b), L::select(a.below(b), a, b)];
+            for (found, chosen) in [a.larger(b), a.smaller(b)].into_iter().zip(chosen) {
+                for lane in 0..L::WIDTH {
+                    assert_eq!(found.lane(lane).to_bits(), chosen.lane(lane).to_bits(), "{one} and {other}");
+                }
+            }
         }
     }
+}
+
+/// At every width that this processor has.
+macro_rules! at_every_width {
+    ($check:ident) => {
+        $check(0.0_f64);
+        #[cfg(target_arch = "x86_64")]
+        {
+            if let Some(simd) = pulp::x86::V3::try_new() {
+                $check(Pack::zero(simd));
+                $check(Twin(Pack::zero(simd), Pack::zero(simd)));
+            }
+            if let Some(simd) = pulp::x86::V4::try_new() {
+                $check(Pack::zero(simd));
+                $check(Twin(Pack::zero(simd), Pack::zero(simd)));
+            }
+        }
+    };
+}
+
+#[test]
+fn lanes_of_every_width_are_set_one_by_one() {
+    at_every_width!(lanes_are_set_one_by_one);
+}
+
+#[test]
+fn the_larger_and_the_smaller_are_the_same_at_every_width() {
+    at_every_width!(the_larger_is_what_a_comparison_chooses);
 }
