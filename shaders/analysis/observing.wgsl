@@ -59,6 +59,7 @@ fn observer_count_beside(beside: u32) {
 
 fn observer_strobe() {
     let state = trajectory.point.state;
+    let moved = observer.moves > 1u;
     observer.moves = observer.moves - min(observer.moves, FAIR_MOVES);
     observer.periods = observer.periods + 1u;
     if !state_is_finite(state) {
@@ -72,15 +73,16 @@ fn observer_strobe() {
     }
     //: end
     if observer.stage == STAGE_TRANSIENT {
-        observer_settle(state);
+        observer_settle(state, moved);
     } else {
         observer_observe(state);
     }
 }
 
-fn observer_settle(state: State) {
+// A strobe of the transient; where the trajectory has moved since the last one it is not asked whether it ever impacts again.
+fn observer_settle(state: State, moved: bool) {
     if schedule.fixed_periods == 0u {
-        if trajectory.contact == CONTACT_FREE && is_quiet(trajectory.point) {
+        if !moved && trajectory.contact == CONTACT_FREE && is_quiet(trajectory.point) {
             observer.stage = STAGE_QUIET;
             return;
         }

@@ -115,26 +115,27 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
             self.abreast.prepare(lane, &seat.flight);
             self.seats[lane] = Some(seat);
             self.busy += 1;
-            self.sit(lane);
+            self.sit(lane, schedule);
             return;
         }
         self.abreast.vacate(lane);
     }
 
     /// Puts a lane's trajectory, at the beginning of a step of free flight, among the others.
-    fn sit(&mut self, lane: usize) {
+    fn sit(&mut self, lane: usize, schedule: &Schedule) {
         let Some(seat) = &mut self.seats[lane] else { return };
         self.abreast.seat(lane, &seat.flight, &seat.observer.trajectory);
-        self.carry_on(lane);
+        self.carry_on(lane, schedule);
     }
 
     /// Lets a lane carry along, sum up and halt for what its observer asks for.
     #[inline(always)]
-    fn carry_on(&mut self, lane: usize) {
+    fn carry_on(&mut self, lane: usize, schedule: &Schedule) {
         let Some(Seat { flight, observer, .. }) = self.seats[lane].as_deref() else { return };
         self.abreast.set_tangent(lane, observer.carried());
         self.abreast.set_halt(lane, observer.awaits_mirror(flight));
-        self.abreast.begin_tally(lane, observer.peak, observer.loss.energy);
+        self.abreast.begin_tally(lane, observer.peak, observer.loss.energy, observer.moves);
+        self.abreast.set_unseen(lane, &observer.unseen(schedule));
     }
 
     /// Takes a lane's trajectory back where it is done, and gives the lane the next.
@@ -173,7 +174,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         }
         let observing = seat.observer.stage == Stage::Observation;
         seat.observer.trajectory.come_to_phase_zero(self.abreast.point(lane));
-        seat.observer.pass_impacts(&seat.flight, &self.abreast.take_tally(lane));
+        seat.observer.catch_up(&seat.flight, schedule, &self.abreast.take_tally(lane));
         let many = seat.observer.keeps_others_waiting();
         // Two calls, each of which is compiled for its own case.
         if observing {
@@ -186,7 +187,9 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         } else if many {
             self.hand_over(lane, schedule, queue);
         } else if observing || seat.observer.carried().is_some() {
-            self.carry_on(lane);
+            self.carry_on(lane, schedule);
+        } else {
+            self.abreast.set_unseen(lane, &seat.observer.unseen(schedule));
         }
     }
 
@@ -195,7 +198,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     fn go_warily(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
         let Some(seat) = &mut self.seats[lane] else { return };
         seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight);
-        seat.observer.pass_impacts(&seat.flight, &self.abreast.take_tally(lane));
+        seat.observer.catch_up(&seat.flight, schedule, &self.abreast.take_tally(lane));
         if seat.observer.stage == Stage::Observation {
             seat.observer.tangent = self.abreast.tangent(lane);
         }
@@ -205,7 +208,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         } else if seat.observer.keeps_others_waiting() {
             self.hand_over(lane, schedule, queue);
         } else {
-            self.sit(lane);
+            self.sit(lane, schedule);
         }
     }
 }

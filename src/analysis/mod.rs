@@ -43,10 +43,10 @@ pub(crate) mod constants {
     pub use super::deciding::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, SIGNIFICANCE};
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::observing::{
-        BRIEF, FOLLOWING, NEUTRAL_RATE, PATIENCE_SHARE, PROOF_SHARE, RETURNED, SETTLED_OBSERVATION,
-        SETTLED_TURNS, SETTLING, SETTLING_AT_REST,
+        BRIEF, FOLLOWING, NEUTRAL_RATE, PROOF_SHARE, RETURNED, SETTLED_OBSERVATION, SETTLED_TURNS, SETTLING,
+        SETTLING_AT_REST,
     };
-    pub use super::recurrence::{DISTINCT, FARTHEST, LEAST_RETURNS, QUICKLY};
+    pub use super::recurrence::{DISTINCT, FARTHEST, LEAST_RETURNS, PATIENCE_SHARE, QUICKLY};
     pub use super::spread::STATIONARY;
     pub use super::turn::{EXPLODES, FORGETS, SQUARINGS};
     pub use crate::dynamics::constants::{FAIR_MOVES, MOST_MOVES};

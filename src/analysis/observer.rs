@@ -7,7 +7,7 @@ use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
-use crate::dynamics::{Event, Moves, Stop, Tally, Tangent, Trajectory};
+use crate::dynamics::{Event, Moves, Stop, Tally, Tangent, Trajectory, Unseen};
 use crate::model::{Flight, Real, State};
 
 /// A trajectory and everything that is noted about it.
@@ -158,14 +158,33 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// Notes impacts from free flight to free flight.
+    /// How often it may pass phase 0 in free flight before it is to see that.
+    pub(super) fn unseen(&self, schedule: &Schedule) -> Unseen<T, N> {
+        if self.stage != Stage::Transient {
+            return Unseen::none();
+        }
+        let most = schedule.transient.saturating_sub(self.periods + 1);
+        let recurrence = self.recurrence.unseen(self.periods, schedule.max_period);
+        if schedule.fixed_periods {
+            Unseen { strobes: most, nearest: -T::one(), ..recurrence }
+        } else {
+            Unseen { strobes: recurrence.strobes.min(most), ..recurrence }
+        }
+    }
+
+    /// Notes what happened from free flight to free flight: impacts, and strobes that it has not seen.
     #[inline(always)]
-    pub(super) fn pass_impacts(&mut self, flight: &Flight<T, N>, tally: &Tally<T>) {
+    pub(super) fn catch_up(&mut self, flight: &Flight<T, N>, schedule: &Schedule, tally: &Tally<T>) {
+        let strobes = tally.strobes.widen() as u32;
+        self.periods += strobes;
+        if !schedule.fixed_periods {
+            self.recurrence.pass(strobes);
+        }
+        self.moves = Moves::counted(tally.moves.widen() as u32);
         for (normal, impacts) in flight.normals().iter().zip(&tally.impacts) {
             for (stop, impacts) in normal.stop.into_iter().zip(impacts) {
                 let impacts = impacts.widen() as u32;
                 if impacts > 0 {
-                    self.moves.add_many(impacts);
                     self.recurrence.count_finite(Stop(stop), impacts);
                     self.count_impacts(impacts);
                 }

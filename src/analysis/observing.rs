@@ -5,7 +5,7 @@ use super::exponent::Exponent;
 use super::loss::Loss;
 use super::observer::Observer;
 use super::quiet::is_quiet;
-use super::recurrence::Recurrence;
+use super::recurrence::{Recurrence, patience};
 use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
@@ -22,9 +22,6 @@ pub const SETTLING: u32 = 64;
 pub const SETTLING_AT_REST: u32 = 4;
 /// Periods of returns in the transient after which the motion is compared with its present self.
 pub const FOLLOWING: u32 = 16;
-/// The share of the time since the start, one in so many, for which a state's return is waited for in the transient: what
-/// was met early is no part of the motion that is reached.
-pub const PATIENCE_SHARE: u32 = 4;
 /// Periods for which a settled trajectory is still observed.
 pub const SETTLED_OBSERVATION: u32 = 48;
 /// The exponent per forcing period below which a motion that is observed turn by turn neither attracts nor repels: over
@@ -105,11 +102,12 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     #[inline(always)]
     fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
+        let moved = self.moves.are_several();
         if !self.begin_period(flight) {
             return;
         }
         if self.stage == Stage::Transient {
-            self.settle(flight, schedule);
+            self.settle(flight, schedule, moved);
         } else {
             self.observe(flight, schedule);
         }
@@ -125,9 +123,10 @@ impl<T: Real, const N: usize> Observer<T, N> {
     ) {
         debug_assert_eq!(tangent.is_some(), self.stage == Stage::Observation);
         self.moves.add();
+        let moved = self.moves.are_several();
         if self.begin_period(flight) {
             match tangent {
-                None => self.settle(flight, schedule),
+                None => self.settle(flight, schedule, moved),
                 Some(tangent) => {
                     self.tangent = tangent;
                     self.observe(flight, schedule);
@@ -162,16 +161,17 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// A strobe of the transient: may it end here?
+    /// A strobe of the transient: may it end here? It may have moved since the last one; then it is not asked whether it ever
+    /// impacts again.
     #[inline(always)]
-    fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
+    fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule, moved: bool) {
         let point = self.trajectory.point;
         if !schedule.fixed_periods {
-            if self.trajectory.contact.is_free() && is_quiet(flight, &point) {
+            if !moved && self.trajectory.contact.is_free() && is_quiet(flight, &point) {
                 self.stage = Stage::Quiet;
                 return;
             }
-            let patience = (self.periods / PATIENCE_SHARE).min(schedule.max_period).max(1);
+            let patience = patience(self.periods, schedule.max_period);
             self.recurrence.at_strobe(&point, T::of(T::SETTLED), patience, false);
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
             let settled = if at_rest {

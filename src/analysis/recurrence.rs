@@ -1,7 +1,7 @@
 //! Periodicity: whether the strobe state returns, and keeps returning.
 
 use super::regime::INFINITELY_MANY;
-use crate::dynamics::{Point, Stop};
+use crate::dynamics::{Point, Stop, Unseen};
 use crate::model::vector::{MOST, applied};
 use crate::model::{Flight, Real, State};
 
@@ -13,11 +13,23 @@ pub const DISTINCT: f64 = 1e3;
 /// come closer quickly: the present is then that much closer to where it goes than the anchor was.
 pub const QUICKLY: f64 = 0.25;
 
+/// The share of the time since the start, one in so many, for which a state's return is waited for in the transient: what
+/// was met early is no part of the motion that is reached.
+pub const PATIENCE_SHARE: u32 = 4;
+/// How much farther than a return a state may be to be looked at.
+const NEARLY_RETURNED: f64 = 1.001;
+
 /// How many times a state must have returned before it counts as periodic.
 pub const LEAST_RETURNS: u32 = 3;
 
 /// A distance beyond all distances, in either precision.
 pub const FARTHEST: f64 = 3e38;
+
+/// For how many periods a state's return is waited for in a transient that is so many periods old.
+#[inline(always)]
+pub fn patience(periods: u32, max_period: u32) -> u32 {
+    (periods / PATIENCE_SHARE).min(max_period).max(1)
+}
 
 /// Looks for a period in O(1) memory: remembers one strobe state, its anchor, and compares every later one.
 ///
@@ -154,6 +166,22 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         self.holds_for(0) && self.kept + self.since >= periods
     }
 
+    /// How many strobes of the transient it need not see, the trajectory being so many periods old: the state is not near its
+    /// anchor there, and for no return so far is it time to take another.
+    pub fn unseen(&self, periods: u32, max_period: u32) -> Unseen<T, N> {
+        // `since` stays below the patience of that time, which is the smaller of two numbers.
+        let first = self.since + 1;
+        let by_age = periods.saturating_sub(PATIENCE_SHARE * first) / (PATIENCE_SHARE - 1);
+        let strobes = if self.n == 0 { by_age.min(max_period.saturating_sub(first)) } else { 0 };
+        let size = self.anchor.values().map(T::abs).fold(T::one(), T::max);
+        Unseen { strobes, anchor: self.anchor, nearest: T::of(NEARLY_RETURNED * T::SETTLED) * size }
+    }
+
+    /// Counts strobes that it did not see.
+    pub fn pass(&mut self, strobes: u32) {
+        self.since += strobes;
+    }
+
     #[inline(always)]
     fn start_over(&mut self, point: &Point<T, N>, late: bool) {
         *self = Recurrence { moved: late, ..Self::anchored(point.state) };
@@ -209,4 +237,40 @@ fn distance<T: Real, const N: usize>(state: &State<T, N>, anchor: &State<T, N>) 
         size = if extent > size { extent } else { size };
     }
     distance / size
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As many strobes as nothing can happen at, by trying one after the other.
+    fn tried(since: u32, periods: u32, max_period: u32) -> u32 {
+        (0..).find(|k| since + k + 1 >= patience(periods + k + 1, max_period)).unwrap()
+    }
+
+    #[test]
+    fn strobes_are_unseen_until_the_anchor_moves() {
+        let mut most = 0;
+        for max_period in [0, 1, 2, 7, 32, 100] {
+            for periods in 0..500 {
+                for since in (0..40).filter(|&since| since <= periods) {
+                    let anchored = Recurrence::<f64, 1>::anchored(State::zero());
+                    let unseen = Recurrence { since, ..anchored }.unseen(periods, max_period);
+                    assert_eq!(unseen.strobes, tried(since, periods, max_period));
+                    most = most.max(unseen.strobes);
+                    assert_eq!(Recurrence { since, n: 1, ..anchored }.unseen(periods, max_period).strobes, 0);
+                }
+            }
+        }
+        assert_eq!(most, 99);
+    }
+
+    #[test]
+    fn what_is_unseen_is_farther_than_a_return() {
+        let anchor = State { x: [-20.0], v: [3.0] };
+        let unseen = Recurrence::anchored(anchor).unseen(100, 32);
+        let beside = State { x: [-20.0], v: [3.0 + unseen.nearest] };
+        let away = distance(&beside, &anchor);
+        assert!(away > f64::SETTLED && away < 1.01 * f64::SETTLED, "{away}");
+    }
 }

@@ -3,14 +3,15 @@
 use std::hint::black_box;
 
 use super::crossing::{Crossing, crossing};
-use super::leg::{Clearance, Clearances, Leg};
+use super::leg::Leg;
+use super::moves::Moves;
+use super::passing::{Passing, Unseen};
 use super::point::Point;
 use super::striking::energy_taken;
 use super::tally::Tally;
 use super::tangent::Tangent;
 use super::trajectory::{MOST_KICKS, Trajectory};
 use super::usage::Usage;
-use crate::model::vector::MOST;
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
 /// As many trajectories as there are lanes, each of them in free flight, or none in its lane.
@@ -21,9 +22,8 @@ use crate::model::{Flight, Lanes, Mask, Real, State};
 pub struct Abreast<L: Lanes, const N: usize> {
     flight: Flight<L, N>,
     point: Point<L, N>,
+    /// The end of the step under way, where something was met in it.
     ahead: Point<L, N>,
-    /// What the way there stays off, where a trajectory waits.
-    clearances: Clearances<L::Mask>,
     tangent: Tangent<L, N>,
     offset: L,
     kicks: L,
@@ -41,6 +41,7 @@ pub struct Abreast<L: Lanes, const N: usize> {
     carries: L::Mask,
     /// Where the trajectory is to be seen at phase π too.
     halts: L::Mask,
+    passing: Passing<L, N>,
     tally: Tally<L>,
     usage: Usage,
 }
@@ -65,7 +66,6 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             flight: Flight::blank(normals, zero),
             point,
             ahead: point,
-            clearances: Clearances([Clearance { upper: never, lower: never }; MOST]),
             tangent: Tangent(state),
             offset: zero,
             kicks: zero,
@@ -76,6 +76,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             waits: never,
             carries: never,
             halts: never,
+            passing: Passing::none(zero),
             tally: Tally::none(zero),
             usage: Usage::default(),
         }
@@ -93,6 +94,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let number = |value: f64| L::Real::of(value);
         self.point.set_lane(lane, &trajectory.point);
         self.offset.set_lane(lane, number(0.0));
+        self.kicks.set_lane(lane, number(0.0));
         let half = flight.steps / 2;
         let left = half - trajectory.step % half;
         self.left.set_lane(lane, number(f64::from(left)));
@@ -103,11 +105,11 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
 
     /// Sums up in a lane what impacts come to from here, on top of what they came to before.
     #[inline(always)]
-    pub fn begin_tally(&mut self, lane: usize, fastest: L::Real, energy: L::Real) {
-        self.tally.begin(lane, fastest, energy);
+    pub fn begin_tally(&mut self, lane: usize, fastest: L::Real, energy: L::Real, moves: Moves) {
+        self.tally.begin(lane, fastest, energy, L::Real::of(f64::from(moves.count())));
     }
 
-    /// What the impacts in a lane came to; they are counted anew from here.
+    /// What the impacts in a lane came to, and how often it passed phase 0 unseen; all that is counted anew from here.
     #[inline(always)]
     pub fn take_tally(&mut self, lane: usize) -> Tally<L::Real> {
         self.tally.take(lane, self.flight.count)
@@ -128,6 +130,12 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.halts.set_lane(lane, halts);
     }
 
+    /// Lets a lane pass phase 0 unseen from here on, so often.
+    #[inline(always)]
+    pub fn set_unseen(&mut self, lane: usize, unseen: &Unseen<L::Real, N>) {
+        self.passing.set_lane(lane, unseen);
+    }
+
     /// Leaves a lane empty.
     pub fn vacate(&mut self, lane: usize) {
         self.steps.set_lane(lane, false);
@@ -137,12 +145,14 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     /// The trajectory in a lane that waits for a contact, `flight` being its cell's.
     pub fn trajectory(&self, lane: usize, flight: &Flight<L::Real, N>) -> Trajectory<L::Real, N> {
         debug_assert!((self.waits.bits() >> lane) & 1 == 1);
-        let left = self.left.lane(lane).widen() as u32;
+        let half = flight.steps / 2;
+        let ahead = self.left.lane(lane).widen() as u32;
+        let step = if self.is_past_half(lane) { flight.steps - ahead } else { half - ahead };
         Trajectory::resumed(
             self.point.lane(lane),
             self.ahead.lane(lane),
             self.kicks.lane(lane).widen() as u32,
-            self.last_phase(lane, flight) + flight.steps / 2 - left,
+            step,
             self.offset.lane(lane),
         )
     }
@@ -157,11 +167,6 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     #[inline(always)]
     pub fn is_past_half(&self, lane: usize) -> bool {
         self.phase.lane(lane) < L::Real::of(0.0)
-    }
-
-    /// The step at which the last of the phases 0 and π was that a lane's trajectory passed.
-    fn last_phase(&self, lane: usize, flight: &Flight<L::Real, N>) -> u32 {
-        if self.is_past_half(lane) { flight.steps / 2 } else { 0 }
     }
 
     /// The tangent in a lane, as its trajectory there is resumed with it.
@@ -182,8 +187,8 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     }
 
     /// Steps of every trajectory that is at the beginning of one, where it clears the stops; the others wait from then on. So
-    /// many of them, counted down in `steps`, or until lanes come to phase 0, or to phase π where they are to be seen there.
-    /// These lanes, a bit for each.
+    /// many of them, counted down in `steps`, or until lanes come to phase 0 or π where they are to be seen there. These lanes, a
+    /// bit for each.
     #[inline(always)]
     pub fn fly(&mut self, steps: &mut u32) -> u32 {
         // Copies: a load of all lanes soon after a store to some of them waits for that store to end.
@@ -194,17 +199,14 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             let flight = &self.flight;
             let ahead = point.stepped(flight);
             let leg = Leg { from: &point, to: &ahead, window: flight.h };
-            let moves = leg.keep_clearances(flight, self.steps, &mut self.clearances);
+            let moves = self.steps.and(leg.clears(flight));
             let carried = self.steps.and(self.carries);
             if carried.bits() != 0 {
                 // The constants are read again: without this hint they are copied to the stack above, carried or not.
                 let stepped = Tangent(tangent).stepped_freely(black_box(flight)).0;
                 tangent = State::select(carried, &stepped, &tangent);
             }
-            let stays = self.steps.and(moves.not());
-            self.ahead = Point::select(stays, &ahead, &self.ahead);
-            self.kicks = L::select(stays, left.all(0.0), self.kicks);
-            self.waits = self.waits.or(stays);
+            self.waits = self.waits.or(self.steps.and(moves.not()));
             self.steps = moves;
             self.usage.step_slots += L::WIDTH as u64;
             self.usage.steps += u64::from(moves.bits().count_ones());
@@ -221,31 +223,32 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let (waits, carries) = (self.waits, self.carries);
         let flight = &self.flight;
         let window = flight.h - self.offset;
-        let met = crossing(&Leg { from: &self.point, to: &self.ahead, window }, &self.clearances, flight);
+        let one = window.all(1.0);
+        let ahead = Point::select(self.kicks.below(one), &self.point.stepped(flight), &self.ahead);
+        let leg = Leg { from: &self.point, to: &ahead, window };
+        let met = crossing(&leg, &leg.clearances(flight), flight);
         let few = self.kicks.below(window.all(f64::from(MOST_KICKS)));
         let struck = waits.and(met.certain).and(few);
-        let one = window.all(1.0);
         if struck.and(carries).bits() != 0 {
             let u = (window - met.time) * flight.inverse_h;
-            let mut back = self.tangent.0;
-            for (normal, &here) in flight.normals.iter().zip(&met.normals).take(flight.count) {
-                if here.bits() != 0 {
-                    back = State::select(here, &normal.look_back(u), &back);
-                }
+            let mut back = flight.normals[0].look_back(u);
+            for k in 1..flight.count {
+                back = State::select(met.normals[k], &flight.normals[k].look_back(u), &back);
             }
             let tangent = self.tangent.struck_ahead(flight, &back, &met.impact);
             self.tangent.0 = State::select(struck.and(carries), &tangent.0, &self.tangent.0);
         }
         self.point = Point::select(struck, &met.point, &self.point);
-        self.ahead = Point::select(struck, &met.ahead, &self.ahead);
+        self.ahead = Point::select(struck, &met.ahead, &ahead);
         self.kicks = L::select(struck, self.kicks + one, self.kicks);
         self.offset = L::select(struck, self.offset + met.time, self.offset);
         let rest = flight.h - self.offset;
         let leg = Leg { from: &self.point, to: &self.ahead, window: rest };
-        let moves = leg.keep_clearances(flight, struck, &mut self.clearances);
+        let moves = struck.and(leg.clears(flight));
         self.waits = waits.and(moves.not());
         self.steps = self.steps.or(moves);
         self.offset = L::select(moves, window.all(0.0), self.offset);
+        self.kicks = L::select(moves, window.all(0.0), self.kicks);
         self.count(struck, carries, &met);
         let uncertain = waits.and(struck.not()).bits();
         self.usage.contact_slots += L::WIDTH as u64;
@@ -260,23 +263,24 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     /// Counts the impacts of some lanes, and sums up what they take where that is observed.
     #[inline(always)]
     fn count(&mut self, struck: L::Mask, observed: L::Mask, met: &Crossing<L, N>) {
-        let Tally { impacts, fastest, energy } = &mut self.tally;
+        let Tally { impacts, fastest, energy, moves, .. } = &mut self.tally;
         let before = met.impact.velocity;
         let one = before.all(1.0);
-        let mut mass = before.all(0.0);
+        let mut mass = self.flight.normals[0].mass;
         for (k, [upper, lower]) in impacts.iter_mut().enumerate().take(self.flight.count) {
             let here = struck.and(met.normals[k]);
             *upper = L::select(here.and(met.upper), *upper + one, *upper);
             *lower = L::select(here.and(met.upper.not()), *lower + one, *lower);
             mass = L::select(met.normals[k], self.flight.normals[k].mass, mass);
         }
+        *moves = L::select(struck, *moves + one, *moves);
         *fastest = L::select(struck, before.magnitude().larger(*fastest), *fastest);
         let taken = energy_taken(mass, before, met.rebound);
         *energy = L::select(struck.and(observed), *energy + taken, *energy);
     }
 
     /// Counts the step of some lanes that are at its end, `left` until the next phase 0 or π; there the forcing phasor is exact.
-    /// Those that come to phase 0, or to phase π where they are to be seen there.
+    /// Those that come to phase 0 or π where they are to be seen there.
     #[inline(always)]
     fn complete(&mut self, moves: L::Mask, point: &mut Point<L, N>, left: &mut L) -> u32 {
         *left = L::select(moves, *left - left.all(1.0), *left);
@@ -288,6 +292,8 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         point.sin = L::select(arrived, left.all(0.0), point.sin);
         point.cos = L::select(arrived, self.phase, point.cos);
         *left = L::select(arrived, self.half, *left);
-        arrived.and(self.phase.all(0.0).below(self.phase).or(self.halts)).bits()
+        let at_zero = arrived.and(left.all(0.0).below(self.phase));
+        let unseen = self.passing.pass(at_zero, &point.state, &mut self.tally);
+        arrived.and(self.halts).or(at_zero.and(unseen.not())).bits()
     }
 }

@@ -34,6 +34,8 @@ pub struct Crossing<L: Lanes, const N: usize> {
 struct Face<L: Lanes, const N: usize> {
     /// Where there is exactly one, and the leg stays off all stops along other normals.
     only: L::Mask,
+    /// Where there is one.
+    found: L::Mask,
     /// Where the leg stays off the stop at the other end of the normal.
     opposite_clear: L::Mask,
     normals: [L::Mask; MOST],
@@ -54,50 +56,57 @@ struct Face<L: Lanes, const N: usize> {
 impl<L: Lanes, const N: usize> Face<L, N> {
     #[inline(always)]
     fn of(leg: &Leg<'_, L, N>, clearances: &Clearances<L::Mask>, flight: &Flight<L, N>) -> Self {
-        let zero = leg.window.all(0.0);
-        let never = zero.below(zero);
-        let first = &flight.normals[0];
-        let mut face = Face {
-            only: never.not(),
-            opposite_clear: never,
-            normals: [never; MOST],
-            upper: never,
-            sign: zero,
-            gap: first.gap[0],
-            width: zero,
-            restitution: first.restitution[0],
-            direction: first.direction,
-            response: first.response,
-            bound: zero,
-            coupling: first.coupling,
-        };
-        let mut found = never;
-        for k in 0..flight.count {
-            let normal = &flight.normals[k];
-            let ends = dot(&normal.direction, &leg.to.state.x);
-            let upper = normal.gap[0].below(ends);
-            let beyond = upper.or(normal.gap[1].below(-ends));
-            let clear = clearances.0[k];
-            face.only = face.only.and(beyond.and(found).not());
-            face.only = face.only.and(beyond.or(clear.upper.and(clear.lower)));
-            found = found.or(beyond);
-            face.opposite_clear =
-                face.opposite_clear.or(upper.and(clear.lower)).or(beyond.and(upper.not()).and(clear.upper));
-            face.normals[k] = beyond;
-            face.upper = face.upper.or(upper);
-            let gap = L::select(upper, normal.gap[0], normal.gap[1]);
-            let restitution = L::select(upper, normal.restitution[0], normal.restitution[1]);
-            face.gap = L::select(beyond, gap, face.gap);
-            face.width = L::select(beyond, normal.gap[0] + normal.gap[1], face.width);
-            face.restitution = L::select(beyond, restitution, face.restitution);
-            face.bound = L::select(beyond, leg.from.bound(flight, k), face.bound);
-            face.coupling = L::select(beyond, normal.coupling, face.coupling);
-            face.direction = select(beyond, &normal.direction, &face.direction);
-            face.response = select(beyond, &normal.response, &face.response);
+        let mut face = Face::along(0, leg, clearances, flight);
+        for k in 1..flight.count {
+            face.or(k, &Face::along(k, leg, clearances, flight));
         }
-        face.only = face.only.and(found);
-        face.sign = L::select(face.upper, zero.all(1.0), zero.all(-1.0));
+        face.only = face.only.and(face.found);
         face
+    }
+
+    /// The same along one normal.
+    #[inline(always)]
+    fn along(k: usize, leg: &Leg<'_, L, N>, clearances: &Clearances<L::Mask>, flight: &Flight<L, N>) -> Self {
+        let (normal, clear) = (&flight.normals[k], clearances.0[k]);
+        let ends = dot(&normal.direction, &leg.to.state.x);
+        let upper = normal.gap[0].below(ends);
+        let beyond = upper.or(normal.gap[1].below(-ends));
+        let mut normals = [beyond.and(beyond.not()); MOST];
+        normals[k] = beyond;
+        Face {
+            only: beyond.or(clear.upper.and(clear.lower)),
+            found: beyond,
+            opposite_clear: upper.and(clear.lower).or(beyond.and(upper.not()).and(clear.upper)),
+            normals,
+            upper,
+            sign: L::select(upper, ends.all(1.0), ends.all(-1.0)),
+            gap: L::select(upper, normal.gap[0], normal.gap[1]),
+            width: normal.gap[0] + normal.gap[1],
+            restitution: L::select(upper, normal.restitution[0], normal.restitution[1]),
+            direction: normal.direction,
+            response: normal.response,
+            bound: leg.from.bound(flight, k),
+            coupling: normal.coupling,
+        }
+    }
+
+    /// That of another normal, where the leg ends beyond its stop.
+    #[inline(always)]
+    fn or(&mut self, k: usize, other: &Self) {
+        let beyond = other.found;
+        self.only = self.only.and(other.only).and(beyond.and(self.found).not());
+        self.found = self.found.or(beyond);
+        self.opposite_clear = self.opposite_clear.or(other.opposite_clear);
+        self.normals[k] = beyond;
+        self.upper = self.upper.or(other.upper);
+        self.sign = L::select(beyond, other.sign, self.sign);
+        self.gap = L::select(beyond, other.gap, self.gap);
+        self.width = L::select(beyond, other.width, self.width);
+        self.restitution = L::select(beyond, other.restitution, self.restitution);
+        self.bound = L::select(beyond, other.bound, self.bound);
+        self.coupling = L::select(beyond, other.coupling, self.coupling);
+        self.direction = select(beyond, &other.direction, &self.direction);
+        self.response = select(beyond, &other.response, &self.response);
     }
 
     /// A vector's part towards the stop.
@@ -179,11 +188,9 @@ pub fn crossing<L: Lanes, const N: usize>(
     let certain = certain.and(face.meets(&arrived.state, window * velocity));
     let Face { direction, normals, upper, .. } = face;
     let left_of_step = (window - time) * flight.inverse_h;
-    let mut wake = State { x: [zero; N], v: [zero; N] };
-    for (normal, &met) in flight.normals.iter().zip(&normals).take(flight.count) {
-        if met.bits() != 0 {
-            wake = State::select(met, &normal.wake(left_of_step), &wake);
-        }
+    let mut wake = flight.normals[0].wake(left_of_step);
+    for k in 1..flight.count {
+        wake = State::select(normals[k], &flight.normals[k].wake(left_of_step), &wake);
     }
     let ahead = to.kicked(kick, &wake);
     let impact = FreeSaltation { velocity, kick, pull: dot(&direction, &before), wake };

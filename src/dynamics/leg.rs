@@ -41,11 +41,10 @@ impl<M: Mask> Clearances<M> {
 }
 
 impl<M: Mask> Clearance<M> {
-    /// `yes` where the mask holds, `no` elsewhere.
+    /// Where the leg stays off both.
     #[inline(always)]
-    fn select(mask: M, yes: &Self, no: &Self) -> Self {
-        let either = |yes: M, no: M| mask.and(yes).or(mask.not().and(no));
-        Clearance { upper: either(yes.upper, no.upper), lower: either(yes.lower, no.lower) }
+    fn both(self) -> M {
+        self.upper.and(self.lower)
     }
 }
 
@@ -63,19 +62,12 @@ impl<L: Lanes, const N: usize> Leg<'_, L, N> {
         clearances
     }
 
-    /// Where the leg, taken in some lanes, provably stays off all stops; what it stays off is kept for these lanes.
+    /// Where the leg provably stays off all stops. The first normal is written out: most cells have no other.
     #[inline(always)]
-    pub fn keep_clearances(
-        &self,
-        flight: &Flight<L, N>,
-        lanes: L::Mask,
-        kept: &mut Clearances<L::Mask>,
-    ) -> L::Mask {
-        let mut clear = lanes;
-        for (k, kept) in kept.0.iter_mut().enumerate().take(flight.count) {
-            let clearance = self.clearance(flight, k);
-            clear = clear.and(clearance.upper).and(clearance.lower);
-            *kept = Clearance::select(lanes, &clearance, kept);
+    pub fn clears(&self, flight: &Flight<L, N>) -> L::Mask {
+        let mut clear = self.clearance(flight, 0).both();
+        for k in 1..flight.count {
+            clear = clear.and(self.clearance(flight, k).both());
         }
         clear
     }

@@ -7,24 +7,36 @@ pub const MOST_MOVES: u32 = 1 << 24;
 /// force, there may be many more of them in every period; the trajectory is then given up after a few.
 pub const FAIR_MOVES: u32 = 1 << 16;
 
-/// Moves in a forcing period after which a trajectory keeps others waiting.
-const MANY_MOVES: u32 = 1 << 12;
-
 /// Moves that a trajectory has made beyond its share of [`FAIR_MOVES`] in each forcing period.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Moves(u32);
 
 impl Moves {
+    /// Moves in a forcing period after which a trajectory keeps others waiting.
+    pub const MANY: u32 = 1 << 12;
+
+    /// So many.
+    #[inline(always)]
+    pub fn counted(moves: u32) -> Self {
+        Moves(moves)
+    }
+
+    /// How many.
+    #[inline(always)]
+    pub fn count(self) -> u32 {
+        self.0
+    }
+
     /// One more move.
     #[inline(always)]
     pub fn add(&mut self) {
         self.0 += 1;
     }
 
-    /// So many more moves.
+    /// Whether there was more than one: at a strobe, which is one, more than that.
     #[inline(always)]
-    pub fn add_many(&mut self, moves: u32) {
-        self.0 += moves;
+    pub fn are_several(self) -> bool {
+        self.0 > 1
     }
 
     /// A forcing period is over.
@@ -36,7 +48,7 @@ impl Moves {
     /// Whether they are so many that the trajectory is followed by itself: others would wait for it.
     #[inline(always)]
     pub fn are_many(self) -> bool {
-        self.0 > MANY_MOVES
+        self.0 > Self::MANY
     }
 
     /// Whether they are more than [`MOST_MOVES`].

@@ -12,22 +12,27 @@ pub struct Tally<L> {
     pub fastest: L,
     /// Σ ½ m ((d·v−)² − (d·v+)²) with m = 1/(dᵀM⁻¹d), where a tangent is carried along.
     pub energy: L,
+    /// Moves since the last strobe: impacts, and those that were made one by one before.
+    pub moves: L,
+    /// Strobes passed unseen since impacts were last taken.
+    pub strobes: L,
 }
 
 impl<L: Lanes> Tally<L> {
     /// Nothing in any lane.
     pub fn none(zero: L) -> Self {
-        Tally { impacts: [[zero; 2]; MOST], fastest: zero, energy: zero }
+        Tally { impacts: [[zero; 2]; MOST], fastest: zero, energy: zero, moves: zero, strobes: zero }
     }
 
     /// Goes on in a lane from what was summed up before.
     #[inline(always)]
-    pub fn begin(&mut self, lane: usize, fastest: L::Real, energy: L::Real) {
+    pub fn begin(&mut self, lane: usize, fastest: L::Real, energy: L::Real, moves: L::Real) {
         self.fastest.renew_lane(lane, fastest);
         self.energy.renew_lane(lane, energy);
+        self.moves.renew_lane(lane, moves);
     }
 
-    /// What a lane came to; its impacts are counted anew from here.
+    /// What a lane came to; its impacts, moves and strobes are counted anew from here.
     #[inline(always)]
     pub fn take(&mut self, lane: usize, normals: usize) -> Tally<L::Real> {
         let zero = L::Real::of(0.0);
@@ -35,7 +40,11 @@ impl<L: Lanes> Tally<L> {
             impacts: [[zero; 2]; MOST],
             fastest: self.fastest.lane(lane),
             energy: self.energy.lane(lane),
+            moves: self.moves.lane(lane),
+            strobes: self.strobes.lane(lane),
         };
+        self.moves.renew_lane(lane, zero);
+        self.strobes.renew_lane(lane, zero);
         for (all, own) in self.impacts.iter_mut().zip(&mut taken.impacts).take(normals) {
             for (all, own) in all.iter_mut().zip(own) {
                 *own = all.lane(lane);

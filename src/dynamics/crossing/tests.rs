@@ -183,6 +183,7 @@ impl Way {
         let gap = self.place(self.time);
         let face = Face::<f64, 1> {
             only: true,
+            found: true,
             opposite_clear: false,
             normals: [true, false, false, false],
             upper: true,

@@ -1,0 +1,122 @@
+//! Strobes at which nothing is to be decided: trajectories side by side pass them together.
+
+use super::moves::Moves;
+use super::tally::Tally;
+use crate::model::{Lanes, Mask, Real, State};
+
+/// How often a trajectory may pass phase 0 before it is to be seen there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unseen<T, const N: usize> {
+    /// So many times.
+    pub strobes: u32,
+    /// It is to be seen where it comes near this state.
+    pub anchor: State<T, N>,
+    /// Where no component differs by more than this.
+    pub nearest: T,
+}
+
+impl<T: Real, const N: usize> Unseen<T, N> {
+    /// Never.
+    pub fn none() -> Self {
+        Unseen { strobes: 0, anchor: State::zero(), nearest: T::zero() }
+    }
+}
+
+/// Where trajectories may pass phase 0 unseen, lane by lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Passing<L: Lanes, const N: usize> {
+    strobes: L,
+    anchor: State<L, N>,
+    nearest: L,
+}
+
+/// A distance from which on a state may be none: it is to be seen there.
+const FAR_AWAY: f64 = 1e30;
+
+impl<L: Lanes, const N: usize> Passing<L, N> {
+    /// All are to be seen.
+    pub fn none(zero: L) -> Self {
+        Passing { strobes: zero, anchor: State { x: [zero; N], v: [zero; N] }, nearest: zero }
+    }
+
+    /// What one of them may do from here.
+    pub fn set_lane(&mut self, lane: usize, unseen: &Unseen<L::Real, N>) {
+        self.strobes.renew_lane(lane, L::Real::of(f64::from(unseen.strobes)));
+        if unseen.strobes > 0 {
+            self.anchor.set_lane(lane, &unseen.anchor);
+            self.nearest.renew_lane(lane, unseen.nearest);
+        }
+    }
+
+    /// Which of those that come to phase 0 with these states pass it unseen. They have moved since they were last there, not
+    /// so often that others would wait for them, and are not near where they may return to; their moves are counted anew.
+    #[inline(always)]
+    pub fn pass(&mut self, coming: L::Mask, state: &State<L, N>, tally: &mut Tally<L>) -> L::Mask {
+        let zero = self.strobes.all(0.0);
+        let may = coming.and(zero.below(self.strobes));
+        if may.bits() == 0 {
+            return may;
+        }
+        let (mut farthest, mut sum) = (zero, zero);
+        for i in 0..N {
+            let x = (state.x[i] - self.anchor.x[i]).magnitude();
+            let v = (state.v[i] - self.anchor.v[i]).magnitude();
+            farthest = x.larger(v).larger(farthest);
+            sum = sum + (x + v);
+        }
+        // The sum of what is no number is none, and below nothing.
+        let away = self.nearest.below(farthest).and(sum.below(zero.all(FAR_AWAY)));
+        let moved = zero.below(tally.moves).and(tally.moves.below(zero.all(f64::from(Moves::MANY))));
+        let passes = may.and(away).and(moved);
+        let one = zero.all(1.0);
+        self.strobes = L::select(passes, self.strobes - one, self.strobes);
+        tally.strobes = L::select(passes, tally.strobes + one, tally.strobes);
+        tally.moves = L::select(passes, zero, tally.moves);
+        passes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ANCHOR: State<f64, 2> = State { x: [0.1, -0.2], v: [1.0, 0.0] };
+
+    /// Whether a trajectory passes phase 0 unseen that may do so a number of times and made some moves, with a component of its
+    /// state so far off the anchor.
+    fn passes(strobes: u32, moves: f64, off: f64) -> bool {
+        let mut passing = Passing::none(0.0);
+        passing.set_lane(0, &Unseen { strobes, anchor: ANCHOR, nearest: 1e-6 });
+        let mut tally = Tally { moves, ..Tally::none(0.0) };
+        let state = State { v: [ANCHOR.v[0] + off, ANCHOR.v[1]], ..ANCHOR };
+        let passes = passing.pass(true, &state, &mut tally);
+        assert_eq!(tally.strobes, f64::from(u8::from(passes)));
+        assert_eq!(tally.moves, if passes { 0.0 } else { moves });
+        passes
+    }
+
+    #[test]
+    fn a_strobe_is_passed_unseen_where_nothing_is_to_be_decided() {
+        assert!(passes(1, 3.0, 0.5) && passes(9, 1.0, -2e-6));
+        assert!(!passes(0, 3.0, 0.5), "it is to be seen");
+        assert!(!passes(1, 0.0, 0.5), "it may never move again");
+        assert!(!passes(1, f64::from(Moves::MANY), 0.5), "others would wait for it");
+        assert!(!passes(1, 3.0, 1e-7) && !passes(1, 3.0, 0.0), "it may have returned");
+        assert!(!passes(1, 3.0, 1e31) && !passes(1, 3.0, f64::INFINITY) && !passes(1, 3.0, f64::NAN));
+    }
+
+    #[test]
+    fn strobes_are_counted_down_where_a_trajectory_comes_to_one() {
+        let mut passing = Passing::none(0.0);
+        passing.set_lane(0, &Unseen { strobes: 2, anchor: ANCHOR, nearest: -1.0 });
+        let mut tally = Tally::none(0.0);
+        let passed: Vec<bool> = [true, false, true, true]
+            .into_iter()
+            .map(|coming| {
+                tally.moves = 1.0;
+                passing.pass(coming, &ANCHOR, &mut tally)
+            })
+            .collect();
+        assert_eq!((passed, tally.strobes), (vec![true, false, true, false], 2.0));
+    }
+}
