@@ -26,13 +26,11 @@ pub trait Queue<T, const N: usize> {
     fn done(&mut self, seat: &Seat<T, N, Self::Ticket>);
 }
 
-/// Steps that are tried between two looks at the waiting lanes.
-const STEPS_PER_LOOK: u32 = 3;
-/// Contacts are looked for when two of three trajectories wait for one.
-const WAITING: u32 = 2;
+/// Contacts are looked for when three of four trajectories wait for one.
+const WAITING: u32 = 3;
 /// See [`WAITING`].
-const OF_ALL: u32 = 3;
-/// Steps that are tried on the GPU between two contacts.
+const OF_ALL: u32 = 4;
+/// Steps that are tried between two looks at the waiting lanes, and on the GPU between two contacts.
 pub const CLEAR_STEPS: u32 = 4;
 /// Rounds of steps and contacts on the GPU before what is rare is looked at.
 pub const ROUNDS: u32 = 16;
@@ -68,7 +66,7 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
 ) {
     let mut lanes = Lane::<L, N, Q>::all(zero, normals, queue, schedule);
     while lanes.busy > 0 {
-        let mut steps = STEPS_PER_LOOK;
+        let mut steps = CLEAR_STEPS;
         while steps > 0 {
             let phases = lanes.abreast.fly(&mut steps);
             lanes.pass_phases(phases, schedule, queue);
