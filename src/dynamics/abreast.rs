@@ -2,12 +2,11 @@
 
 use std::hint::black_box;
 
-use super::crossing::{Crossing, crossing};
+use super::crossing::crossing;
 use super::leg::Leg;
 use super::moves::Moves;
 use super::passing::{Passing, Unseen};
 use super::point::Point;
-use super::striking::energy_taken;
 use super::tally::Tally;
 use super::tangent::Tangent;
 use super::trajectory::{MOST_KICKS, Trajectory};
@@ -193,27 +192,30 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     pub fn fly(&mut self, steps: &mut u32) -> u32 {
         // Copies: a load of all lanes soon after a store to some of them waits for that store to end.
         let (mut point, mut tangent, mut left) = (self.point, self.tangent.0, self.left);
-        let mut phases = 0;
+        let (mut ready, mut waits) = (self.steps, self.waits);
+        let (mut phases, mut made) = (0, 0);
         while phases == 0 && *steps > 0 {
             *steps -= 1;
             let flight = &self.flight;
             let ahead = point.stepped(flight);
             let leg = Leg { from: &point, to: &ahead, window: flight.h };
-            let moves = self.steps.and(leg.clears(flight));
-            let carried = self.steps.and(self.carries);
+            let moves = ready.and(leg.clears(flight));
+            let carried = ready.and(self.carries);
             if carried.bits() != 0 {
                 // The constants are read again: without this hint they are copied to the stack above, carried or not.
                 let stepped = Tangent(tangent).stepped_freely(black_box(flight)).0;
                 tangent = State::select(carried, &stepped, &tangent);
             }
-            self.waits = self.waits.or(self.steps.and(moves.not()));
-            self.steps = moves;
+            waits = waits.or(ready.and(moves.not()));
+            ready = moves;
+            made += moves.bits().count_ones();
             self.usage.step_slots += L::WIDTH as u64;
-            self.usage.steps += u64::from(moves.bits().count_ones());
             point = Point::select(moves, &ahead, &point);
             phases = self.complete(moves, &mut point, &mut left);
         }
         (self.point, self.tangent.0, self.left) = (point, tangent, left);
+        (self.steps, self.waits) = (ready, waits);
+        self.usage.steps += u64::from(made);
         phases
     }
 
@@ -249,7 +251,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.steps = self.steps.or(moves);
         self.offset = L::select(moves, window.all(0.0), self.offset);
         self.kicks = L::select(moves, window.all(0.0), self.kicks);
-        self.count(struck, carries, &met);
+        self.tally.count(flight, struck, carries, &met);
         let uncertain = waits.and(struck.not()).bits();
         self.usage.contact_slots += L::WIDTH as u64;
         self.usage.contacts += u64::from(struck.bits().count_ones());
@@ -258,25 +260,6 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let phases = self.complete(moves, &mut point, &mut left);
         (self.point, self.left) = (point, left);
         Round { uncertain, phases }
-    }
-
-    /// Counts the impacts of some lanes, and sums up what they take where that is observed.
-    #[inline(always)]
-    fn count(&mut self, struck: L::Mask, observed: L::Mask, met: &Crossing<L, N>) {
-        let Tally { impacts, fastest, energy, moves, .. } = &mut self.tally;
-        let before = met.impact.velocity;
-        let one = before.all(1.0);
-        let mut mass = self.flight.normals[0].mass;
-        for (k, [upper, lower]) in impacts.iter_mut().enumerate().take(self.flight.count) {
-            let here = struck.and(met.normals[k]);
-            *upper = L::select(here.and(met.upper), *upper + one, *upper);
-            *lower = L::select(here.and(met.upper.not()), *lower + one, *lower);
-            mass = L::select(met.normals[k], self.flight.normals[k].mass, mass);
-        }
-        *moves = L::select(struck, *moves + one, *moves);
-        *fastest = L::select(struck, before.magnitude().larger(*fastest), *fastest);
-        let taken = energy_taken(mass, before, met.rebound);
-        *energy = L::select(struck.and(observed), *energy + taken, *energy);
     }
 
     /// Counts the step of some lanes that are at its end, `left` until the next phase 0 or π; there the forcing phasor is exact.

@@ -1,5 +1,7 @@
 //! Contact found directly: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
 
+use std::hint::black_box;
+
 use super::chatter::{FADING, STEADY};
 use super::contact::ROUNDINGS;
 use super::leg::{Clearances, Leg, SWELLING};
@@ -154,6 +156,8 @@ pub fn crossing<L: Lanes, const N: usize>(
     // From the nearer end of the step, and what is left of the way as if the acceleration changed steadily.
     let near = u.below(zero.all(0.5));
     let base = Point::select(near, from, to);
+    // The constants are read again here and below: without these hints they are copied to the stack above.
+    let flight = black_box(flight);
     let reached = base.flown_near(flight, window * L::select(near, u, u - zero.all(1.0)));
     let acceleration = reached.accelerations(flight);
     let jerk = reached.jerks(flight, &acceleration);
@@ -173,6 +177,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let rebound = -(face.restitution * velocity);
     let kick = rebound - velocity;
     let point = Point { state: face.placed(&arrived.state, rebound), ..arrived };
+    let flight = black_box(flight);
     let after = point.accelerations(flight);
     let close = (slide.magnitude() * flight.rate).below(zero.all(L::Real::STRAIGHT));
     let within = zero.below(time).and(time.below(window));
@@ -189,8 +194,8 @@ pub fn crossing<L: Lanes, const N: usize>(
     let Face { direction, normals, upper, .. } = face;
     let left_of_step = (window - time) * flight.inverse_h;
     let mut wake = flight.normals[0].wake(left_of_step);
-    for k in 1..flight.count {
-        wake = State::select(normals[k], &flight.normals[k].wake(left_of_step), &wake);
+    for (normal, &met) in flight.normals.iter().zip(&normals).take(flight.count).skip(1) {
+        wake = State::select(met, &normal.wake(left_of_step), &wake);
     }
     let ahead = to.kicked(kick, &wake);
     let impact = FreeSaltation { velocity, kick, pull: dot(&direction, &before), wake };

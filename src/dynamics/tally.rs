@@ -1,7 +1,9 @@
 //! What the impacts of trajectories side by side came to.
 
+use super::crossing::Crossing;
+use super::striking::energy_taken;
 use crate::model::vector::MOST;
-use crate::model::{Lanes, Real};
+use crate::model::{Flight, Lanes, Mask, Real};
 
 /// Impacts from free flight to free flight, counted since they were last taken, and what has been summed up of them.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +24,30 @@ impl<L: Lanes> Tally<L> {
     /// Nothing in any lane.
     pub fn none(zero: L) -> Self {
         Tally { impacts: [[zero; 2]; MOST], fastest: zero, energy: zero, moves: zero, strobes: zero }
+    }
+
+    /// Counts the impacts of some lanes, and sums up what they take where that is observed.
+    #[inline(always)]
+    pub fn count<const N: usize>(
+        &mut self,
+        flight: &Flight<L, N>,
+        struck: L::Mask,
+        observed: L::Mask,
+        met: &Crossing<L, N>,
+    ) {
+        let before = met.impact.velocity;
+        let one = before.all(1.0);
+        let mut mass = flight.normals[0].mass;
+        for (k, [upper, lower]) in self.impacts.iter_mut().enumerate().take(flight.count) {
+            let here = struck.and(met.normals[k]);
+            *upper = L::select(here.and(met.upper), *upper + one, *upper);
+            *lower = L::select(here.and(met.upper.not()), *lower + one, *lower);
+            mass = L::select(met.normals[k], flight.normals[k].mass, mass);
+        }
+        self.moves = L::select(struck, self.moves + one, self.moves);
+        self.fastest = L::select(struck, before.magnitude().larger(self.fastest), self.fastest);
+        let taken = energy_taken(mass, before, met.rebound);
+        self.energy = L::select(struck.and(observed), self.energy + taken, self.energy);
     }
 
     /// Goes on in a lane from what was summed up before.
