@@ -79,7 +79,8 @@ fn observer_strobe() {
     }
 }
 
-// A strobe of the transient; where the trajectory has moved since the last one it is not asked whether it ever impacts again.
+// A strobe of the transient; where the trajectory made other moves since the last one it is not asked whether it can impact
+// again.
 fn observer_settle(state: State, moved: bool) {
     if schedule.fixed_periods == 0u {
         if !moved && trajectory.contact == CONTACT_FREE && is_quiet(trajectory.point) {

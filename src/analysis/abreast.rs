@@ -126,7 +126,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         self.carry_on(lane, schedule);
     }
 
-    /// Lets a lane carry along, sum up and halt for what its observer asks for.
+    /// Lets a lane carry along, sum up, halt for and pass unseen what its observer asks for.
     #[inline(always)]
     fn carry_on(&mut self, lane: usize, schedule: &Schedule) {
         let Some(Seat { flight, observer, .. }) = self.seats[lane].as_deref() else { return };

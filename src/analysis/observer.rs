@@ -10,6 +10,9 @@ use super::turn::Turn;
 use crate::dynamics::{Event, Moves, Stop, Tally, Tangent, Trajectory, Unseen};
 use crate::model::{Flight, Real, State};
 
+/// The most strobes that are passed unseen: impacts that are counted meanwhile fit into their counters.
+const MOST_UNSEEN: u32 = 1 << 16;
+
 /// A trajectory and everything that is noted about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer<T, const N: usize> {
@@ -163,7 +166,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if self.stage != Stage::Transient {
             return Unseen::none();
         }
-        let most = schedule.transient.saturating_sub(self.periods + 1);
+        let most = schedule.transient.saturating_sub(self.periods + 1).min(MOST_UNSEEN);
         let recurrence = self.recurrence.unseen(self.periods, schedule.max_period);
         if schedule.fixed_periods {
             Unseen { strobes: most, nearest: -T::one(), ..recurrence }
@@ -199,4 +202,30 @@ impl<T: Real, const N: usize> Observer<T, N> {
 #[inline(always)]
 fn carried<T, const N: usize>(tangent: &mut Tangent<T, N>, observed: bool) -> &mut [Tangent<T, N>] {
     if observed { std::slice::from_mut(tangent) } else { &mut [] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Setting, System};
+    use crate::system::Family;
+
+    /// How many strobes an observer need not see at the beginning of a schedule, and after some periods of it.
+    fn unseen(schedule: &Schedule, periods: u32) -> u32 {
+        let flight = Flight::<f64, 2>::new(&System::new(Setting::defaults(Family::paper())).unwrap());
+        let begun = Observer::new(&flight, schedule, State::zero());
+        let recurrence = Recurrence::anchored(State::zero());
+        Observer { periods, recurrence, ..begun }.unseen(schedule).strobes
+    }
+
+    #[test]
+    fn the_last_strobe_of_a_transient_is_seen_and_all_of_an_observation() {
+        let fixed = Schedule { transient: 40, observe: 5, max_period: 16, fixed_periods: true };
+        assert_eq!([0, 1, 38, 39, 40].map(|periods| unseen(&fixed, periods)), [39, 38, 1, 0, 0]);
+        assert_eq!(unseen(&Schedule { transient: 0, ..fixed }, 0), 0);
+        assert_eq!(unseen(&Schedule { transient: Schedule::LONGEST, ..fixed }, 0), MOST_UNSEEN);
+        // Where a return would end it: until the anchor moves, after a quarter of its age.
+        let free = Schedule { transient: 200, fixed_periods: false, ..fixed };
+        assert_eq!([0, 10, 100, 190, 199].map(|periods| unseen(&free, periods)), [0, 2, 15, 9, 0]);
+    }
 }

@@ -102,7 +102,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     #[inline(always)]
     fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
-        let moved = self.moves.are_several();
+        let moved = self.moves.are_more_than_one();
         if !self.begin_period(flight) {
             return;
         }
@@ -123,7 +123,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
     ) {
         debug_assert_eq!(tangent.is_some(), self.stage == Stage::Observation);
         self.moves.add();
-        let moved = self.moves.are_several();
+        let moved = self.moves.are_more_than_one();
         if self.begin_period(flight) {
             match tangent {
                 None => self.settle(flight, schedule, moved),
@@ -161,8 +161,8 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// A strobe of the transient: may it end here? It may have moved since the last one; then it is not asked whether it ever
-    /// impacts again.
+    /// A strobe of the transient: may it end here? Where it made other moves since the last one, impacts or approaches to a stop,
+    /// it is not asked whether it can impact again.
     #[inline(always)]
     fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule, moved: bool) {
         let point = self.trajectory.point;

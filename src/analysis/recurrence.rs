@@ -166,10 +166,10 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         self.holds_for(0) && self.kept + self.since >= periods
     }
 
-    /// How many strobes of the transient it need not see, the trajectory being so many periods old: the state is not near its
-    /// anchor there, and for no return so far is it time to take another.
+    /// How many strobes of the transient it need not see, the trajectory being so many periods old, while the state stays off the
+    /// anchor: those at which its return is still waited for, so that the anchor stays; see [`patience`]. None after a return.
     pub fn unseen(&self, periods: u32, max_period: u32) -> Unseen<T, N> {
-        // `since` stays below the patience of that time, which is the smaller of two numbers.
+        // As many k as have since + k < (periods + k) / PATIENCE_SHARE and since + k < max_period.
         let first = self.since + 1;
         let by_age = periods.saturating_sub(PATIENCE_SHARE * first) / (PATIENCE_SHARE - 1);
         let strobes = if self.n == 0 { by_age.min(max_period.saturating_sub(first)) } else { 0 };

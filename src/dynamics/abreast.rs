@@ -25,6 +25,7 @@ pub struct Abreast<L: Lanes, const N: usize> {
     ahead: Point<L, N>,
     tangent: Tangent<L, N>,
     offset: L,
+    /// Impacts in the step under way; where there was none it is at its beginning, and its end is found again for a contact.
     kicks: L,
     /// Steps to the next phase 0 or π.
     left: L,
@@ -50,7 +51,7 @@ pub struct Abreast<L: Lanes, const N: usize> {
 pub struct Round {
     /// The contact is not certain: it must be approached from the safe side.
     pub uncertain: u32,
-    /// The step was completed after the impact, at phase 0, or at phase π of a lane that is to be seen there.
+    /// The step was completed after the impact, at phase 0 or π where the lane is to be seen there.
     pub phases: u32,
 }
 

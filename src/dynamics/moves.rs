@@ -33,9 +33,10 @@ impl Moves {
         self.0 += 1;
     }
 
-    /// Whether there was more than one: at a strobe, which is one, more than that.
+    /// Whether there was more than one. A strobe is a move: just after it, whether there were others since the last, or too many
+    /// before.
     #[inline(always)]
-    pub fn are_several(self) -> bool {
+    pub fn are_more_than_one(self) -> bool {
         self.0 > 1
     }
 

@@ -11,7 +11,7 @@ pub struct Unseen<T, const N: usize> {
     pub strobes: u32,
     /// It is to be seen where it comes near this state.
     pub anchor: State<T, N>,
-    /// Where no component differs by more than this.
+    /// It is near where no component differs by more than this; below zero it never is.
     pub nearest: T,
 }
 
@@ -30,7 +30,7 @@ pub struct Passing<L: Lanes, const N: usize> {
     nearest: L,
 }
 
-/// A distance from which on a state may be none: it is to be seen there.
+/// States that are farther than this from where they may return to, or no numbers, are to be seen: they may not be finite.
 const FAR_AWAY: f64 = 1e30;
 
 impl<L: Lanes, const N: usize> Passing<L, N> {
@@ -82,13 +82,21 @@ mod tests {
 
     const ANCHOR: State<f64, 2> = State { x: [0.1, -0.2], v: [1.0, 0.0] };
 
-    /// Whether a trajectory passes phase 0 unseen that may do so a number of times and made some moves, with a component of its
-    /// state so far off the anchor.
+    /// Whether a trajectory passes phase 0 unseen that may do so a number of times and made some moves, with any one component of
+    /// its state so far off the anchor.
     fn passes(strobes: u32, moves: f64, off: f64) -> bool {
+        let one_by_one: Vec<bool> = (0..4).map(|i| passes_with(strobes, moves, off, i)).collect();
+        assert!(one_by_one.iter().all(|&passes| passes == one_by_one[0]), "{one_by_one:?}");
+        one_by_one[0]
+    }
+
+    fn passes_with(strobes: u32, moves: f64, off: f64, component: usize) -> bool {
         let mut passing = Passing::none(0.0);
         passing.set_lane(0, &Unseen { strobes, anchor: ANCHOR, nearest: 1e-6 });
         let mut tally = Tally { moves, ..Tally::none(0.0) };
-        let state = State { v: [ANCHOR.v[0] + off, ANCHOR.v[1]], ..ANCHOR };
+        let mut state = ANCHOR;
+        let part = if component < 2 { &mut state.x[component] } else { &mut state.v[component - 2] };
+        *part += off;
         let passes = passing.pass(true, &state, &mut tally);
         assert_eq!(tally.strobes, f64::from(u8::from(passes)));
         assert_eq!(tally.moves, if passes { 0.0 } else { moves });
