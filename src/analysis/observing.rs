@@ -102,10 +102,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     #[inline(always)]
     fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
-        let moved = self.moves.are_more_than_one();
-        if !self.begin_period(flight) {
-            return;
-        }
+        let Some(moved) = self.begin_period(flight) else { return };
         if self.stage == Stage::Transient {
             self.settle(flight, schedule, moved);
         } else {
@@ -123,8 +120,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
     ) {
         debug_assert_eq!(tangent.is_some(), self.stage == Stage::Observation);
         self.moves.add();
-        let moved = self.moves.are_more_than_one();
-        if self.begin_period(flight) {
+        if let Some(moved) = self.begin_period(flight) {
             match tangent {
                 None => self.settle(flight, schedule, moved),
                 Some(tangent) => {
@@ -136,19 +132,21 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.give_up();
     }
 
-    /// Counts the period that begins at a strobe; false where the trajectory fails there.
+    /// Counts the period that begins at a strobe, and says whether there were other moves since the last; none where the
+    /// trajectory fails there.
     #[inline(always)]
-    fn begin_period(&mut self, flight: &Flight<T, N>) -> bool {
+    fn begin_period(&mut self, flight: &Flight<T, N>) -> Option<bool> {
+        let moved = self.moves.are_more_than_one();
         self.moves.pass_period();
         self.periods += 1;
         if !self.trajectory.point.state.is_finite() {
             self.stage = Stage::Failed;
-            return false;
+            return None;
         }
         if !self.trajectory.contact.is_free() {
             self.count_clamped(flight);
         }
-        true
+        Some(moved)
     }
 
     /// Between stops that clamp it a mass impacts without end.

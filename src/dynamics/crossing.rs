@@ -76,7 +76,7 @@ impl<L: Lanes, const N: usize> Face<L, N> {
         let mut normals = [beyond.and(beyond.not()); MOST];
         normals[k] = beyond;
         Face {
-            only: beyond.or(clear.upper.and(clear.lower)),
+            only: beyond.or(clear.both()),
             found: beyond,
             opposite_clear: upper.and(clear.lower).or(beyond.and(upper.not()).and(clear.upper)),
             normals,

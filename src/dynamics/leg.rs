@@ -32,9 +32,9 @@ impl<M: Mask> Clearances<M> {
     /// Where the leg stays off the stops of so many normals.
     #[inline(always)]
     pub fn all(&self, count: usize) -> M {
-        let mut clear = self.0[0].upper.and(self.0[0].lower);
+        let mut clear = self.0[0].both();
         for along in &self.0[1..count] {
-            clear = clear.and(along.upper).and(along.lower);
+            clear = clear.and(along.both());
         }
         clear
     }
@@ -43,7 +43,7 @@ impl<M: Mask> Clearances<M> {
 impl<M: Mask> Clearance<M> {
     /// Where the leg stays off both.
     #[inline(always)]
-    fn both(self) -> M {
+    pub fn both(&self) -> M {
         self.upper.and(self.lower)
     }
 }

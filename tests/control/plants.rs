@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use impact_atlas::backend::{Backend, ControlJob, Gpu, Job, Unwatched, follow_controlled};
+use impact_atlas::backend::{Backend, ControlJob, Job, Unwatched, follow_controlled};
 use impact_atlas::control::methods::{Convention, DelaySetting, PulseSetting, Sign, SineSetting};
 use impact_atlas::control::{
     ControlSchedule, Controlled, Controller, Outcome, Return, Scheme, SectionPoint, SectionValues, Surface,
@@ -13,6 +13,7 @@ use impact_atlas::model::{Flight, State, StateVector, System};
 use impact_atlas::system::{Family, Plant, PlantStop, builtin};
 use nalgebra::{DMatrix, DVector};
 
+use super::maps::gpu;
 use super::{FIXED_POINT, Returns, TARGET, away, starts, system};
 
 /// A family that comes with the program, at its defaults but for what is set.
@@ -385,7 +386,7 @@ fn settling() -> Vec<(&'static str, ControlJob)> {
 
 #[test]
 fn the_gpu_controls_any_plant_at_any_stop_as_the_cpu_does() {
-    let gpu = Gpu::open(None).expect("an adapter is there, if only a software one");
+    let gpu = gpu();
     let schedule =
         ControlSchedule { from: 20, iterates: 300, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
     let mut periodic = 0;
