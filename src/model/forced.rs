@@ -1,6 +1,6 @@
 //! Motion without impact: the forced response, what bounds a deviation from it, and how fast that decays.
 
-use nalgebra::{Complex, DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{Complex, ComplexField, DMatrix, DVector, SMatrix, SVector};
 
 use super::equations::Equations;
 use crate::system::Plant;
@@ -26,11 +26,11 @@ impl<const N: usize> ForcedResponse<N> {
         });
         let load = equations.cos.zip_map(&equations.sin, |c, s| Complex::new(c, -s));
         let still = load.iter().all(|value| value.norm() == 0.0);
-        let amplitude = if still { load } else { dynamic.try_inverse()? * load };
+        let amplitude = if still { load } else { inverse(&dynamic)? * load };
         let mean = if equations.load.amax() == 0.0 {
             SVector::zeros()
         } else {
-            -(equations.stiffness.try_inverse()? * equations.load)
+            -(inverse(&equations.stiffness)? * equations.load)
         };
         let velocity = amplitude.map(|value| -omega * value.im);
         let finite = amplitude.iter().all(|value| value.norm().is_finite())
@@ -48,6 +48,12 @@ impl<const N: usize> ForcedResponse<N> {
         let swing: Complex<f64> = row.iter().zip(self.amplitude.iter()).map(|(d, x)| x * *d).sum();
         row.dot(&self.mean) + swing.norm()
     }
+}
+
+/// The inverse of a matrix, compiled once for all sizes.
+fn inverse<T: ComplexField + Copy, const N: usize>(matrix: &SMatrix<T, N, N>) -> Option<SMatrix<T, N, N>> {
+    let inverse = DMatrix::from_column_slice(N, N, matrix.as_slice()).try_inverse()?;
+    Some(SMatrix::from_column_slice(inverse.as_slice()))
 }
 
 /// A quadratic form yᵀPy, P = RᵀR, that no free deviation y = (x, v) from the forced response lets grow: twice the energy

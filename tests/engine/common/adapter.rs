@@ -1,0 +1,27 @@
+//! The adapter that tests run on: the best hardware adapter, or a software one. That there is none is a failure.
+
+use std::sync::LazyLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use impact_atlas::backend::{Backend, Gpu};
+
+/// Opened once, so that a shader is compiled once.
+pub fn gpu() -> &'static Gpu {
+    static GPU: LazyLock<Gpu> = LazyLock::new(|| {
+        let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
+        println!("adapter: {}", gpu.adapter());
+        gpu
+    });
+    &GPU
+}
+
+/// Works on everything that is given, on two devices at a time, since a device compiles one shader after the other.
+pub fn on_devices<T: Sync>(devices: [&Gpu; 2], items: &[T], work: impl Fn(&Gpu, &T) + Sync) {
+    let next = AtomicUsize::new(0);
+    let turn = |device| {
+        while let Some(item) = items.get(next.fetch_add(1, Ordering::Relaxed)) {
+            work(device, item);
+        }
+    };
+    std::thread::scope(|scope| devices.map(|device| scope.spawn(|| turn(device))).map(drop));
+}

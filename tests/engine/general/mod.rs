@@ -1,0 +1,11 @@
+//! The engine for any linear oscillator with rigid stops, against a brute-force oracle and what physics demands.
+
+mod families;
+mod gpu;
+mod grazing;
+mod invariants;
+mod numbers;
+mod simultaneous;
+mod sticking;
+mod subject;
+mod suite;

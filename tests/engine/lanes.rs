@@ -1,0 +1,102 @@
+//! Trajectories side by side have the bits that they have one by one, at every width and number of threads.
+
+use impact_atlas::analysis::{Schedule, Verdict};
+use impact_atlas::backend::{Job, Unwatched, Width, follow, follow_all, follow_counted};
+use impact_atlas::model::{Parameters, System};
+use impact_atlas::validate::are_same;
+
+use crate::common::drawn::{families, paper};
+
+const SETTLING: Schedule = Schedule { transient: 60, observe: 40, max_period: 16, fixed_periods: false };
+/// A long transient, most strobes of which are passed unseen in lanes.
+const TRANSIENT: Schedule = Schedule { transient: 100, observe: 1, max_period: 16, fixed_periods: true };
+const FIXED: Schedule = Schedule { transient: 3, observe: 30, max_period: 8, fixed_periods: true };
+
+/// The verdicts that are not bit for bit the same at every width.
+fn differ(jobs: &[Job], schedule: &Schedule, altered: fn(&Job) -> Job) -> usize {
+    let alone: Vec<Verdict> = jobs.iter().map(|job| follow::<f64>(job, schedule)).collect();
+    let given: Vec<Job> = jobs.iter().map(altered).collect();
+    let mut wrong = 0;
+    for width in Width::available() {
+        for threads in [1, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let abreast = pool.install(|| follow_all(&given, schedule, &Unwatched, width)).unwrap();
+            assert_eq!(abreast.len(), alone.len());
+            wrong += alone.iter().zip(&abreast).filter(|(alone, abreast)| !are_same(alone, abreast)).count();
+        }
+    }
+    wrong
+}
+
+#[test]
+fn the_papers_oscillator_has_the_same_bits_at_every_width() {
+    let jobs = paper(300);
+    for schedule in [SETTLING, FIXED, TRANSIENT] {
+        assert_eq!(differ(&jobs, &schedule, Job::clone), 0, "{schedule:?}");
+    }
+}
+
+#[test]
+fn every_family_has_the_same_bits_at_every_width() {
+    let families = families(60);
+    let cells: usize = families.iter().map(Vec::len).sum();
+    assert!(families.len() >= 8 && cells > 300, "{cells} cells of {} families", families.len());
+    for jobs in &families {
+        for schedule in [SETTLING, FIXED] {
+            assert_eq!(differ(jobs, &schedule, Job::clone), 0, "{:?}", jobs[0].system.plant());
+        }
+    }
+}
+
+/// Rebounds that hardly lose velocity under a slow force: thousands in every period, which other lanes do not wait for.
+#[test]
+fn rebounds_by_the_thousand_have_the_same_bits_at_every_width() {
+    let slow = |(omega, r)| Parameters { omega, r, delta: 0.1, ..Parameters::default() };
+    let cells = [(0.03, 1.0), (0.035, 1.0), (0.04, 0.9999), (0.3, 0.9), (0.05, 1.0), (0.02, 0.995)];
+    let job = |cell| Job { system: System::new(slow(cell)).unwrap(), start: [0.0; 4].into() };
+    let jobs: Vec<Job> = cells.map(job).into();
+    let most = jobs.iter().map(|job| follow::<f64>(job, &FIXED)).map(|told| told.impacts_total).max();
+    assert!(most > Some(5_000 * (FIXED.transient + FIXED.observe)), "{most:?} impacts");
+    for schedule in [FIXED, Schedule { fixed_periods: false, ..FIXED }] {
+        assert_eq!(differ(&jobs, &schedule, Job::clone), 0, "{schedule:?}");
+    }
+}
+
+/// The negative control: a start moved a little is seen wherever the motion remembers it.
+#[test]
+fn a_start_moved_a_little_is_noticed() {
+    let jobs = paper(300);
+    let moved = |job: &Job| {
+        let mut start = job.start;
+        start[2] = 1e-6;
+        Job { system: job.system.clone(), start }
+    };
+    let runs = 2 * Width::available().len();
+    let noticed = differ(&jobs, &FIXED, moved);
+    assert!(2 * noticed > runs * jobs.len(), "{noticed} of {}", runs * jobs.len());
+}
+
+/// What lanes are made for: a contact that is not certain is followed by itself. Rebounds and sticking have many of them, the
+/// planes that researchers ask for have few.
+#[test]
+fn nearly_every_contact_is_found_directly() {
+    let Some(&width) = Width::available().iter().find(|width| width.lanes() > 1) else { return };
+    let schedule = Schedule { transient: 0, observe: 100, max_period: 8, fixed_periods: true };
+    let share = |omega: [f64; 2], delta: [f64; 2]| {
+        let place = |[first, last]: [f64; 2], i: u32| first + (last - first) * f64::from(i) / 15.0;
+        let cells = (0..256).map(|i| (place(omega, i % 16), place(delta, i / 16)));
+        let jobs: Vec<Job> = cells
+            .map(|(omega, delta)| Parameters { omega, delta, ..Parameters::default() })
+            .map(|cell| Job { system: System::new(cell).unwrap(), start: [0.0; 4].into() })
+            .collect();
+        let usage = follow_counted(&jobs, &schedule, &Unwatched, width).unwrap().1;
+        assert!(usage.contacts > 10_000, "{usage:?}");
+        usage.share_of_fallbacks()
+    };
+    let regular = share([1.0, 5.0], [0.1, 0.6]);
+    let chaos = share([1.37, 1.65], [0.207, 0.232]);
+    let rebounds = share([0.2, 0.6], [0.1, 0.6]);
+    assert!(0.0 < regular && regular < 0.005, "{regular}");
+    assert!(0.0 < chaos && chaos < 0.02, "{chaos}");
+    assert!(rebounds > 0.005, "the check can fail: {rebounds}");
+}

@@ -1,0 +1,88 @@
+//! What is refused, with its reason, and changes nothing.
+
+use std::fs;
+
+use tempfile::tempdir;
+
+use super::{SMALL, done, files, words};
+use crate::run::{names, refuses, run_in, stderr};
+
+/// Checks that a command is refused in a folder with all of `parts` in the message.
+fn refused(folder: &std::path::Path, command: &[&str], parts: &[&str]) {
+    let before = names(folder);
+    let output = run_in(folder, command);
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{command:?}: {message}");
+    for part in parts {
+        assert!(message.contains(part), "{command:?}: no `{part}` in {message}");
+    }
+    assert_eq!(names(folder), before, "{command:?}");
+}
+
+#[test]
+fn bad_parts_and_tiles_are_refused() {
+    for part in ["0/0", "65/64", "0/4", "half", "-1/4"] {
+        let option = format!("--part={part}");
+        refuses(&["map", "--data", "plane.zarr", &option], &[part, "K/M", "from 1 to M"]);
+    }
+    refuses(&["map", "--part", "1/2"], &["--data"]);
+    refuses(&["map", "--data", "map.npz", "--part", "1/2"], &["stores", "--data DATA.zarr"]);
+    refuses(&["map", "--data", "plane.zarr", "--tile", "0"], &["--tile"]);
+    refuses(&["map", "--data", "plane.zarr", "--tile", "9999"], &["--tile"]);
+    refuses(&["map", "--data", "p.zarr", "--part", "1/2", "--out", "p.png"], &["draws nothing", "render"]);
+    let plane = ["map", "--x", "omega=1:2:30000", "--y", "delta=0.1:0.2:30000"];
+    refuses(&plane, &["900000000 cells", "--data DATA.zarr"]);
+    refuses(&["map", "--control", "delay", "--y", "gain=0:1:4", "--data", "p.zarr"], &["npz"]);
+}
+
+#[test]
+fn another_plane_and_stores_of_others_are_refused() {
+    let folder = tempdir().unwrap();
+    let root = folder.path();
+    done(root, &format!("{SMALL} --data plane.zarr"));
+    let before = files(&root.join("plane.zarr"));
+    let other = format!("{SMALL} --data plane.zarr --set r=0.7");
+    refused(root, &words(&other), &["parameters.r is 0.8 there and 0.7 here", "plane.zarr"]);
+    let tiles = format!("{SMALL} --data plane.zarr --tile 5");
+    refused(root, &words(&tiles), &["the tile is 16 there and 5 here"]);
+    assert!(before == files(&root.join("plane.zarr")));
+
+    fs::create_dir(root.join("other.zarr")).unwrap();
+    fs::write(root.join("other.zarr/zarr.json"), r#"{"zarr_format":3,"node_type":"group"}"#).unwrap();
+    refused(root, &words(&format!("{SMALL} --data other.zarr")), &["other.zarr", "another program"]);
+    refused(root, &["status", "other.zarr"], &["another program"]);
+    refused(root, &["render", "other.zarr", "--out", "o.png"], &["another program"]);
+    refused(root, &["status", "none.zarr"], &["there is no store"]);
+    refused(root, &["render", "none.npz", "--out", "o.png"], &["none.npz"]);
+    fs::write(root.join("text.npz"), "text").unwrap();
+    refused(root, &["render", "text.npz", "--out", "o.png"], &["text.npz"]);
+
+    let about = fs::read_to_string(root.join("plane.zarr/zarr.json")).unwrap();
+    let foreign = about.replace("\"impact_atlas_format\": 1", "\"impact_atlas_format\": 2");
+    assert_ne!(about, foreign);
+    fs::write(root.join("plane.zarr/zarr.json"), foreign).unwrap();
+    refused(root, &["status", "plane.zarr"], &["format 2", "impact-atlas 0."]);
+}
+
+#[test]
+fn a_truncated_shard_and_layers_that_are_not_there_are_refused() {
+    let folder = tempdir().unwrap();
+    let root = folder.path();
+    done(root, &format!("{SMALL} --data plane.zarr"));
+    let render = |more: &[&str], parts: &[&str]| {
+        refused(root, &[&["render", "plane.zarr", "--out", "o.png"], more].concat(), parts);
+    };
+    render(&["--layer", "colour"], &["no layer `colour`", "motion", "lyapunov"]);
+    render(&["--palette", "viridis"], &["colours of their own", "--layer"]);
+    render(&["--layer", "n", "--palette", "rainbow"], &["viridis"]);
+    render(&["--layer", "n", "--range", "0:4"], &["--range must begin above 0"]);
+    render(&["--x", "7:9"], &["holds none of the cells", "omega=2.6:3.9:12"]);
+    render(&["--x", "7"], &["A:B"]);
+    render(&["--curves", "none.csv"], &["none.csv"]);
+    fs::write(root.join("bad.csv"), "a,b\n1,2\n").unwrap();
+    render(&["--curves", "bad.csv"], &["columns"]);
+    let shard = root.join("plane.zarr/n/c/0/0");
+    let bytes = fs::read(&shard).unwrap();
+    fs::write(&shard, &bytes[..bytes.len() / 2]).unwrap();
+    render(&[], &["n/c/0/0", "damaged", "delete it"]);
+}
