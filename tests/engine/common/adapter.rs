@@ -5,13 +5,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use impact_atlas::backend::{Backend, Gpu};
 
-/// Opened once, so that a shader is compiled once.
+/// A device of one's own: while it compiles a shader, nothing runs on it.
+pub fn open() -> Gpu {
+    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
+    println!("adapter: {}", gpu.adapter());
+    gpu
+}
+
+/// The device of most suites, so that a shader is compiled once.
 pub fn gpu() -> &'static Gpu {
-    static GPU: LazyLock<Gpu> = LazyLock::new(|| {
-        let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
-        println!("adapter: {}", gpu.adapter());
-        gpu
-    });
+    static GPU: LazyLock<Gpu> = LazyLock::new(open);
     &GPU
 }
 

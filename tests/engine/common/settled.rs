@@ -7,7 +7,7 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-use super::cases::{Family, Setup, setups};
+use super::cases::{Setup, setups};
 use super::conditioning::{COARSE, Horizon, Noise, deviation, horizon};
 use super::oracle::follow::Period;
 use super::oracle::settle::{Count, Settled, settle};

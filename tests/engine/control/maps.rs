@@ -12,8 +12,7 @@ use impact_atlas::plane::{Control, Plane, RegionMap, Start};
 use impact_atlas::sweep::sweep;
 use impact_atlas::validate::{Agreement, Thresholds, compare};
 
-use super::{FIXED_POINT, TARGET, away, delay, sine, system};
-use crate::common::adapter::gpu;
+use super::{FIXED_POINT, TARGET, away, delay, gpu, sine, system};
 
 pub fn plane(scheme: Scheme, x: &str, y: &str) -> Plane<Control> {
     Plane {

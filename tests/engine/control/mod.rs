@@ -8,12 +8,23 @@ mod plants;
 mod pulse;
 mod sine;
 
+use std::sync::LazyLock;
+
+use impact_atlas::backend::Gpu;
 use impact_atlas::control::methods::{Convention, DelaySetting, Sign, SineSetting};
 use impact_atlas::control::{
     ControlSchedule, Outcome, Return, Scheme, SectionValues, Target, Witness, control,
 };
 use impact_atlas::dynamics::Stop;
 use impact_atlas::model::{Parameters, System};
+
+use crate::common::adapter::open;
+
+/// The device of this suite: the kernel of control takes a software adapter half a minute to compile, for each shape of a system.
+pub fn gpu() -> &'static Gpu {
+    static GPU: LazyLock<Gpu> = LazyLock::new(open);
+    &GPU
+}
 
 /// The unstable 1-2-1 fixed point (v1+, x2, v2, τ), found outside this project.
 pub const FIXED_POINT: [f64; 4] = [-0.41959403, -0.02899702, 0.02903494, 1.80721094];

@@ -12,8 +12,7 @@ use impact_atlas::theory::impact_map;
 use impact_atlas::validate::Thresholds;
 
 use super::maps::{agreement, beside, map, plane};
-use super::{Returns, TARGET, away, delay};
-use crate::common::adapter::gpu;
+use super::{Returns, TARGET, away, delay, gpu};
 
 /// Where the 1-2-1 motion has the multiplier −3.9.
 const OMEGA: f64 = 2.5;

@@ -13,8 +13,7 @@ use impact_atlas::model::{Flight, State, StateVector, System};
 use impact_atlas::system::{Family, Plant, PlantStop, builtin};
 use nalgebra::{DMatrix, DVector};
 
-use super::{FIXED_POINT, Returns, TARGET, away, starts, system};
-use crate::common::adapter::gpu;
+use super::{FIXED_POINT, Returns, TARGET, away, gpu, starts, system};
 
 /// A family that comes with the program, at its defaults but for what is set.
 fn family(name: &str, set: &[(&str, f64)]) -> System {

@@ -7,7 +7,7 @@ use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{Backend, Gpu, Job, Unwatched};
 use impact_atlas::model::{StateVector, System};
 
-use crate::common::adapter::{gpu, on_devices};
+use crate::common::adapter::{on_devices, open};
 use crate::common::general::conditioning::{Case, cases, deviation};
 
 /// Checkpoints, in forcing periods.
@@ -57,9 +57,9 @@ fn compared(gpu: &Gpu, group: &Group, periods: usize) -> (usize, Vec<String>) {
 
 #[test]
 fn random_plants_on_the_gpu() {
-    let second = Gpu::open(None).expect("an adapter is there");
+    let [first, second] = [open(), open()];
     let met = Mutex::new((BTreeMap::new(), Vec::new()));
-    on_devices([gpu(), &second], &groups(), |device, group| {
+    on_devices([&first, &second], &groups(), |device, group| {
         let (case, system) = &group[0];
         for periods in CHECKPOINTS {
             let (count, off) = compared(device, group, periods);
