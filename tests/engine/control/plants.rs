@@ -340,12 +340,15 @@ fn settings_that_do_not_fit_the_system_are_refused() {
     assert!(refused(reference, &ball).contains("give the target itself, v1+, tau"));
 }
 
-/// Control that settles, on plants of all sorts, at any of their stops.
-fn settling() -> Vec<(&'static str, ControlJob)> {
-    let job = |system: &System, start: &[f64], scheme: Scheme| ControlJob {
+fn job(system: &System, start: &[f64], scheme: Scheme) -> ControlJob {
+    ControlJob {
         job: Job { system: system.clone(), start: StateVector::from_slice(start).unwrap() },
         controller: scheme.resolve(system).unwrap(),
-    };
+    }
+}
+
+/// Control that settles, on plants of all sorts, at any of their stops.
+fn settling() -> Vec<(&'static str, ControlJob)> {
     let (ball, [v, tau], _) = bouncing();
     let flown = TAU - tau;
     let y = v * flown - flown * flown / 2.0 + SHAKING * (flown * tau.cos() + tau.sin());
@@ -378,21 +381,48 @@ fn settling() -> Vec<(&'static str, ControlJob)> {
         ),
         ("a force on the third mass", job(&chain, &rested(3), force(2, 0.2, 5, 6))),
         ("a force on the struck mass", job(&pair, &rested(2), force(1, 0.15, 0, 4))),
-        ("a pulse on a stop of its own", job(&apart(), &rested(2), pulse(Stop::B, &[-0.3, 0.05, 0.1, 2.5]))),
-        ("escapes", job(&apart(), &rested(2), pulse(Stop::A, &[-0.4, 0.5, 0.1, 1.0]))),
     ]
+}
+
+/// Control of masses that have a stop each.
+fn on_stops_apart() -> Vec<(&'static str, ControlJob)> {
+    vec![
+        ("a pulse on a stop of its own", job(&apart(), &[0.0; 4], pulse(Stop::B, &[-0.3, 0.05, 0.1, 2.5]))),
+        ("escapes", job(&apart(), &[0.0; 4], pulse(Stop::A, &[-0.4, 0.5, 0.1, 1.0]))),
+    ]
+}
+
+/// Mesa 22.3 does not always come to an end compiling the kernel of control for several contact normals.
+#[test]
+fn control_on_stops_apart_is_refused_on_a_software_adapter_and_agrees_elsewhere() {
+    if !gpu().is_software() {
+        return controlled_alike(on_stops_apart());
+    }
+    for (name, job) in on_stops_apart() {
+        let refused = gpu().control(&[job], &SETTLING, &Unwatched).unwrap_err().to_string();
+        assert!(
+            refused.contains("several directions") && refused.contains("--backend cpu"),
+            "{name}: {refused}"
+        );
+    }
 }
 
 #[test]
 fn the_gpu_controls_any_plant_at_any_stop_as_the_cpu_does() {
-    let gpu = gpu();
-    let schedule =
-        ControlSchedule { from: 20, iterates: 300, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
+    controlled_alike(settling());
+}
+
+const SETTLING: ControlSchedule =
+    ControlSchedule { from: 20, iterates: 300, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
+
+/// Holds the GPU to the CPU; both to control making a difference.
+fn controlled_alike(jobs: Vec<(&str, ControlJob)>) {
     let mut periodic = 0;
-    for (name, job) in settling() {
+    let count = jobs.len();
+    for (name, job) in jobs {
         let [ours, theirs] = [
-            follow_controlled::<f64>(&job, &schedule).unwrap(),
-            gpu.control(std::slice::from_ref(&job), &schedule, &Unwatched).unwrap()[0],
+            follow_controlled::<f64>(&job, &SETTLING).unwrap(),
+            gpu().control(std::slice::from_ref(&job), &SETTLING, &Unwatched).unwrap()[0],
         ];
         let context = format!("{name}: {ours:?} {theirs:?}");
         assert_eq!((ours.verdict.label(), ours.period), (theirs.verdict.label(), theirs.period), "{context}");
@@ -404,11 +434,11 @@ fn the_gpu_controls_any_plant_at_any_stop_as_the_cpu_does() {
         }
         // What another controller does on the same plant is something else.
         let other = ControlJob { controller: Controller::None(job.controller.stop()), ..job };
-        let free = follow_controlled::<f64>(&other, &schedule).unwrap();
+        let free = follow_controlled::<f64>(&other, &SETTLING).unwrap();
         let differs = free.verdict.label() != ours.verdict.label()
             || away(free.section, ours.section) > 1e-3
             || free.escapes != ours.escapes;
         assert!(differs, "{name}: control makes no difference");
     }
-    assert!(periodic >= 5, "{periodic}");
+    assert!(periodic + 1 >= count, "{periodic} of {count} are periodic");
 }
