@@ -81,7 +81,8 @@
 //! bits: products and sums are fused where that is written and nowhere else, and every machine rounds alike. The lanes take a few
 //! steps together; contacts are found when three quarters of them wait for one, impacts are tallied lane by lane and noted at the next
 //! phase 0 that is looked at, and what is rare is left to the single trajectory. Phase π is passed over except where an odd cycle
-//! may show its mirror image, and phase 0 while a transient only waits for its state to return. The GPU's kernel goes in rounds of the same kind, each invocation for itself.
+//! may show its mirror image, and phase 0 while a transient only waits for its state to return. The GPU's kernel goes in rounds of
+//! the same kind, each invocation for itself.
 //!
 //! *Impacts* change the velocities along M⁻¹d. What the change does to the end of the step is a polynomial that is known beforehand, so
 //! the rest of the step need not be flown again. A small deviation that is carried along is likewise that of the end of the step: a

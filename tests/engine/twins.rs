@@ -9,7 +9,7 @@ use impact_atlas::dynamics::{Event, Trajectory};
 use impact_atlas::model::{Flight, State};
 use impact_atlas::validate::are_same;
 
-use crate::common::adapter::{gpu, on_devices};
+use crate::common::adapter::{gpu, on_devices, open_exact};
 use crate::common::drawn::{families, paper};
 
 const SHORT: Schedule = Schedule { transient: 1, observe: 4, max_period: 2, fixed_periods: true };
@@ -19,12 +19,6 @@ const LOOK: Schedule = Schedule { transient: 100, observe: 48, max_period: 16, f
 fn exact() -> &'static Gpu {
     static GPU: LazyLock<Gpu> = LazyLock::new(open_exact);
     &GPU
-}
-
-fn open_exact() -> Gpu {
-    let gpu = Gpu::open_exact(None).expect("an adapter is there; a software one will do");
-    println!("adapter: {}", gpu.adapter());
-    gpu
 }
 
 /// How many verdicts of a back end are not those of the twin, bit for bit.

@@ -3,10 +3,12 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::Value;
 use tempfile::tempdir;
+
+use crate::run::program;
 
 /// A part of the paper's plane that has all of its curves.
 const PAPER: [&str; 8] =
@@ -29,12 +31,7 @@ const OTHER: [&str; 10] = [
 const COLUMNS: &str = "curve,kind,motion,x,y,criticality,point,symmetric,bounding";
 
 fn run(folder: &Path, arguments: &[&str], threads: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_impact-atlas"))
-        .args(arguments)
-        .env("RAYON_NUM_THREADS", threads)
-        .current_dir(folder)
-        .output()
-        .unwrap()
+    program().args(arguments).env("RAYON_NUM_THREADS", threads).current_dir(folder).output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> String {

@@ -7,7 +7,7 @@ use std::process::{Command, Output};
 use serde_json::Value;
 use tempfile::tempdir;
 
-use crate::run::{names, refuses, run_in, stderr, stdout};
+use crate::run::{names, program, refuses, run_in, stderr, stdout};
 
 fn done(folder: &Path, arguments: &[&str]) -> Output {
     let output = run_in(folder, arguments);
@@ -274,7 +274,7 @@ fn the_papers_figures_are_made_once() {
 #[test]
 fn ctrl_c_leaves_whole_figures_alone() {
     let folder = tempdir().unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_impact-atlas"));
+    let mut command = program();
     command.args(["reproduce", "--figure", "5", "--out", "paper"]).current_dir(folder.path());
     let mut child = command.stderr(std::process::Stdio::null()).spawn().unwrap();
     std::thread::sleep(std::time::Duration::from_millis(700));

@@ -19,6 +19,18 @@ pub fn run(arguments: &[&str]) -> Output {
     run_in(tempdir().unwrap().path(), arguments)
 }
 
+/// Runs a command, given in one line, that succeeds.
+pub fn done(folder: &Path, command: &str) -> Output {
+    let output = run_in(folder, &words(command));
+    assert_eq!(output.status.code(), Some(0), "{command}: {}", stderr(&output));
+    output
+}
+
+/// The arguments in a line.
+pub fn words(command: &str) -> Vec<&str> {
+    command.split_whitespace().collect()
+}
+
 pub fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }

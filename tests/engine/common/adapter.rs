@@ -3,11 +3,20 @@
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use impact_atlas::backend::{Backend, Gpu};
+use impact_atlas::backend::{Backend, BackendError, Gpu};
 
 /// A device of one's own: while it compiles a shader, nothing runs on it.
 pub fn open() -> Gpu {
-    let gpu = Gpu::open(None).expect("an adapter is there; a software one will do");
+    told(Gpu::open(None))
+}
+
+/// The same with exact arithmetic.
+pub fn open_exact() -> Gpu {
+    told(Gpu::open_exact(None))
+}
+
+fn told(opened: Result<Gpu, BackendError>) -> Gpu {
+    let gpu = opened.expect("an adapter is there; a software one will do");
     println!("adapter: {}", gpu.adapter());
     gpu
 }

@@ -2,7 +2,7 @@
 
 use impact_atlas::analysis::{Schedule, Trace, Verdict};
 use impact_atlas::backend::{
-    Backend, BackendError, ControlJob, Cpu, CpuSingle, Gpu, Job, Unwatched, Watch, follow_controlled,
+    Backend, BackendError, ControlJob, Cpu, CpuSingle, Job, Unwatched, Watch, follow_controlled,
 };
 use impact_atlas::control::methods::{Convention, PulseSetting, Sign};
 use impact_atlas::control::{ControlSchedule, Controller, NEVER, Outcome, Scheme, SectionPoint, Surface};
@@ -11,6 +11,8 @@ use impact_atlas::model::{Flight, Parameters, State, System};
 use impact_atlas::plane::{Control, Plane, RegionMap, Start};
 use impact_atlas::sweep::sweep;
 use impact_atlas::validate::{Agreement, Thresholds, compare};
+
+use crate::common::adapter::open_exact;
 
 use super::{FIXED_POINT, TARGET, away, delay, gpu, sine, system};
 
@@ -68,8 +70,7 @@ pub fn agreement(plane: &Plane<Control>, candidate: &dyn Backend) -> Agreement {
 /// A software adapter refuses exact control before its compiler can fail to come to an end, and says what gives the same bits.
 #[test]
 fn exact_control_on_a_software_adapter_is_refused() {
-    let exact = Gpu::open_exact(None).expect("an adapter is there, if only a software one");
-    println!("adapter: {}", exact.adapter());
+    let exact = open_exact();
     let plane = plane(delay(0.5, Sign::Stabilising), "omega=2.8:2.9:2", "gain=0.2:0.4:2");
     let refused = sweep(&plane, &exact, &Unwatched).map(drop).map_err(|error| error.to_string());
     if exact.is_software() {
@@ -82,8 +83,7 @@ fn exact_control_on_a_software_adapter_is_refused() {
 #[test]
 #[ignore = "needs a hardware adapter: Mesa 22.3 does not always end compiling this kernel"]
 fn exact_control_has_the_bits_of_the_twin() {
-    let exact = Gpu::open_exact(None).expect("an adapter is there, if only a software one");
-    println!("adapter: {}", exact.adapter());
+    let exact = open_exact();
     let pulses =
         Scheme::Pulse(PulseSetting { stop: Stop::A, period: 1, target: TARGET, noise: 1e-4, seed: 1 });
     let planes = [

@@ -1,7 +1,6 @@
 //! Layers of numbers behind the explorer: those of `map --layer`, with the values of `map`.
 
 use std::fs::File;
-use std::process::Command;
 
 use impact_atlas::plane::RegionMap;
 use impact_atlas::store::read_map;
@@ -10,6 +9,7 @@ use tempfile::tempdir;
 
 use crate::explore::server::{Explorer, SMALL};
 use crate::explore::socket::Socket;
+use crate::run::program;
 
 /// The cells along a tile's side, and the bytes before and in its fields.
 const SIDE: usize = 16;
@@ -43,11 +43,7 @@ fn of_first_tile(map: &RegionMap, value: impl Fn(usize) -> f32) -> Vec<f32> {
 async fn how_far_motions_go_is_measured_when_it_is_looked_at() {
     let folder = tempdir().unwrap();
     let words = ["map", "--extents", "--data", "map.npz"].into_iter().chain(SMALL.split_whitespace());
-    let output = Command::new(env!("CARGO_BIN_EXE_impact-atlas"))
-        .args(words)
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
+    let output = program().args(words).current_dir(folder.path()).output().unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let map = read_map(File::open(folder.path().join("map.npz")).unwrap()).unwrap();
     let extents = map.extents.as_deref().unwrap();

@@ -3,7 +3,6 @@
 use std::fs;
 use std::io::Cursor;
 use std::net::TcpListener;
-use std::process::{Command, Output};
 
 use impact_atlas::backend::{Unwatched, open};
 use impact_atlas::store::read_map;
@@ -13,10 +12,7 @@ use tempfile::tempdir;
 
 use crate::explore::server::{Explorer, SMALL};
 use crate::explore::socket::Socket;
-
-fn run(folder: &std::path::Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_impact-atlas")).args(arguments).current_dir(folder).output().unwrap()
-}
+use crate::run::run_in;
 
 #[test]
 fn bad_input_has_a_clear_message() {
@@ -36,7 +32,7 @@ fn bad_input_has_a_clear_message() {
         (&["--backend", "cpu", "--adapter", "x"], 2, &["--adapter"]),
     ];
     for (arguments, code, parts) in cases {
-        let output = run(folder.path(), &[&["explore"], arguments].concat());
+        let output = run_in(folder.path(), &[&["explore"], arguments].concat());
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(code), "{arguments:?}: {said}");
         assert!(output.stdout.is_empty(), "{arguments:?}");
@@ -76,7 +72,7 @@ async fn what_is_taken_along_is_what_map_makes() {
     let picture = socket.file().await;
     let words: Vec<&str> = command.split_whitespace().collect();
     assert_eq!(words[0], "impact-atlas");
-    let output = run(folder.path(), &words[1..]);
+    let output = run_in(folder.path(), &words[1..]);
     assert_eq!(output.status.code(), Some(0), "{command}: {}", String::from_utf8_lossy(&output.stderr));
     assert_eq!(fs::read(folder.path().join("map.npz")).unwrap(), saved, "{command}");
     // The picture of `map` carries its command beside its configuration.
@@ -118,7 +114,7 @@ async fn a_store_is_explored_as_far_as_it_is_there() {
     let folder = tempdir().unwrap();
     let part = ["map", "--data", "plane.zarr", "--tile", "32", "--part", "1/2"];
     let words: Vec<&str> = part.into_iter().chain(SMALL.split_whitespace()).collect();
-    let output = run(folder.path(), &words);
+    let output = run_in(folder.path(), &words);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let explorer = Explorer::start(folder.path(), "--data plane.zarr --backend cpu");
     let (mut socket, hello) = Socket::connect(&explorer).await;

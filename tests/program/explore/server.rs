@@ -6,6 +6,8 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use crate::run::program;
+
 /// A plane whose cells take a moment only.
 pub const SMALL: &str =
     "--backend cpu --x omega=1.2:3.6:96 --y delta=0.08:0.3:72 --transient 80 --observe 48";
@@ -20,7 +22,7 @@ pub struct Explorer {
 impl Explorer {
     /// Starts the program in a folder and waits for the address.
     pub fn start(folder: &Path, arguments: &str) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_impact-atlas"))
+        let mut child = program()
             .arg("explore")
             .args(arguments.split_whitespace())
             .current_dir(folder)

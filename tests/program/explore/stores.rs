@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use impact_atlas::analysis::{Counts, Measures, Regime, Schedule, Verdict};
 use impact_atlas::backend::Cpu;
@@ -15,21 +14,17 @@ use tempfile::tempdir;
 
 use crate::explore::server::{Explorer, SMALL};
 use crate::explore::socket::Socket;
+use crate::run::program;
 
 fn map(folder: &Path, more: &[&str]) {
     let words =
         ["map", "--tile", "32"].into_iter().chain(more.iter().copied()).chain(SMALL.split_whitespace());
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_impact-atlas")).args(words).current_dir(folder).output().unwrap();
+    let output = program().args(words).current_dir(folder).output().unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 fn done(folder: &Path, store: &str) -> u64 {
-    let output = Command::new(env!("CARGO_BIN_EXE_impact-atlas"))
-        .args(["status", store, "--json"])
-        .current_dir(folder)
-        .output()
-        .unwrap();
+    let output = program().args(["status", store, "--json"]).current_dir(folder).output().unwrap();
     let status: Value = serde_json::from_slice(&output.stdout).unwrap();
     status["done"].as_u64().unwrap()
 }

@@ -5,8 +5,8 @@ use std::fs;
 use serde_json::Value;
 use tempfile::tempdir;
 
-use crate::habits::{SMALL, done, words};
-use crate::run::{json, names, refuses, run, run_in, stderr, stdout};
+use crate::habits::SMALL;
+use crate::run::{done, json, names, refuses, run, run_in, stderr, stdout, words};
 
 #[test]
 fn numbers_are_as_people_write_them() {

@@ -5,8 +5,7 @@ use std::fs::File;
 use npyz::NpyFile;
 use tempfile::tempdir;
 
-use crate::habits::{done, words};
-use crate::run::{json, refuses, run, stderr, stdout};
+use crate::run::{done, json, refuses, run, stderr, stdout, words};
 
 const PLANE: &str = "--x omega=0.4:4:14 --y delta=0.02:0.4:9 --transient 60 --observe 48";
 

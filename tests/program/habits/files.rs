@@ -4,8 +4,8 @@ use std::fs;
 
 use tempfile::tempdir;
 
-use crate::habits::{SMALL, done, words};
-use crate::run::{names, refuses, run_in, stderr, stdout};
+use crate::habits::SMALL;
+use crate::run::{done, names, refuses, run_in, stderr, stdout, words};
 
 #[test]
 fn files_that_are_there_stay() {

@@ -7,8 +7,8 @@ use std::time::Duration;
 
 use tempfile::tempdir;
 
-use crate::habits::{SMALL, done, words};
-use crate::run::{names, program, refuses, run, stderr, stdout};
+use crate::habits::SMALL;
+use crate::run::{done, names, program, refuses, run, stderr, stdout, words};
 
 #[test]
 fn quiet_leaves_results_and_errors() {

@@ -7,8 +7,8 @@ use std::time::{Duration, Instant};
 use impact_atlas::store::ZarrStore;
 use tempfile::tempdir;
 
-use super::{PLANE, SMALL, done, files, times_done, words};
-use crate::run::{json, program, run_in, stderr};
+use super::{PLANE, SMALL, files, times_done};
+use crate::run::{done, json, program, run_in, stderr, words};
 
 fn begun(folder: &std::path::Path, command: &str) -> Child {
     let mut child = program();

@@ -10,24 +10,12 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use crate::run::{run_in, stderr};
-
 /// A plane of 30 tiles that takes a second or two.
 const PLANE: &str =
     "map --backend cpu --x omega=0.4:3.9:48 --y delta=0.05:0.5:40 --transient 60 --observe 40 --tile 8";
 
 /// A plane that takes a moment.
 const SMALL: &str = "map --backend cpu --x omega=2.6:3.9:12 --y delta=0.05:0.3:9 --transient 40 --observe 40";
-
-fn words(command: &str) -> Vec<&str> {
-    command.split_whitespace().collect()
-}
-
-/// Runs a command that succeeds.
-fn done(folder: &Path, command: &str) {
-    let output = run_in(folder, &words(command));
-    assert_eq!(output.status.code(), Some(0), "{command}: {}", stderr(&output));
-}
 
 /// Every file of a store that readers see, with its bytes.
 fn files(store: &Path) -> BTreeMap<String, Vec<u8>> {

@@ -4,8 +4,8 @@ use std::process::Stdio;
 
 use tempfile::tempdir;
 
-use super::{PLANE, done, files, times_done, words};
-use crate::run::{json, program, run_in};
+use super::{PLANE, files, times_done};
+use crate::run::{done, json, program, run_in, words};
 
 #[test]
 fn parts_at_once_and_one_started_twice_make_the_whole() {

@@ -6,8 +6,8 @@ use std::path::Path;
 use image::RgbImage;
 use tempfile::tempdir;
 
-use super::{SMALL, done, words};
-use crate::run::{json, run_in, stderr};
+use super::SMALL;
+use crate::run::{done, json, run_in, stderr, words};
 
 fn pixels(path: &Path) -> RgbImage {
     image::open(path).unwrap().to_rgb8()

@@ -4,8 +4,8 @@ use std::fs;
 
 use tempfile::tempdir;
 
-use super::{SMALL, done, files, words};
-use crate::run::{names, refuses, run_in, stderr};
+use super::{SMALL, files};
+use crate::run::{done, names, refuses, run_in, stderr, words};
 
 /// Checks that a command is refused in a folder with all of `parts` in the message.
 fn refused(folder: &std::path::Path, command: &[&str], parts: &[&str]) {
