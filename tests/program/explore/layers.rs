@@ -9,7 +9,7 @@ use tempfile::tempdir;
 
 use crate::explore::server::{Explorer, SMALL};
 use crate::explore::socket::Socket;
-use crate::run::program;
+use crate::run::done;
 
 /// The cells along a tile's side, and the bytes before and in its fields.
 const SIDE: usize = 16;
@@ -42,9 +42,7 @@ fn of_first_tile(map: &RegionMap, value: impl Fn(usize) -> f32) -> Vec<f32> {
 #[tokio::test(flavor = "multi_thread")]
 async fn how_far_motions_go_is_measured_when_it_is_looked_at() {
     let folder = tempdir().unwrap();
-    let words = ["map", "--extents", "--data", "map.npz"].into_iter().chain(SMALL.split_whitespace());
-    let output = program().args(words).current_dir(folder.path()).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    done(folder.path(), &format!("map --extents --data map.npz {SMALL}"));
     let map = read_map(File::open(folder.path().join("map.npz")).unwrap()).unwrap();
     let extents = map.extents.as_deref().unwrap();
 

@@ -12,7 +12,7 @@ use tempfile::tempdir;
 
 use crate::explore::server::{Explorer, SMALL};
 use crate::explore::socket::Socket;
-use crate::run::run_in;
+use crate::run::{done, run_in};
 
 #[test]
 fn bad_input_has_a_clear_message() {
@@ -70,10 +70,7 @@ async fn what_is_taken_along_is_what_map_makes() {
     let saved = socket.file().await;
     socket.send(whole("save", &scene, json!({ "format": "png", "ask": 4 }))).await;
     let picture = socket.file().await;
-    let words: Vec<&str> = command.split_whitespace().collect();
-    assert_eq!(words[0], "impact-atlas");
-    let output = run_in(folder.path(), &words[1..]);
-    assert_eq!(output.status.code(), Some(0), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+    done(folder.path(), command.strip_prefix("impact-atlas ").unwrap());
     assert_eq!(fs::read(folder.path().join("map.npz")).unwrap(), saved, "{command}");
     // The picture of `map` carries its command beside its configuration.
     let pixels = |bytes: &[u8]| image::load_from_memory(bytes).unwrap().into_rgb8();
@@ -112,10 +109,7 @@ async fn a_part_that_is_taken_along_is_computed_at_its_own_values() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_store_is_explored_as_far_as_it_is_there() {
     let folder = tempdir().unwrap();
-    let part = ["map", "--data", "plane.zarr", "--tile", "32", "--part", "1/2"];
-    let words: Vec<&str> = part.into_iter().chain(SMALL.split_whitespace()).collect();
-    let output = run_in(folder.path(), &words);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    done(folder.path(), &format!("map --data plane.zarr --tile 32 --part 1/2 {SMALL}"));
     let explorer = Explorer::start(folder.path(), "--data plane.zarr --backend cpu");
     let (mut socket, hello) = Socket::connect(&explorer).await;
     let scene = socket.open(&hello).await;

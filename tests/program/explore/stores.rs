@@ -14,19 +14,14 @@ use tempfile::tempdir;
 
 use crate::explore::server::{Explorer, SMALL};
 use crate::explore::socket::Socket;
-use crate::run::program;
+use crate::run::{self, json, run_in};
 
 fn map(folder: &Path, more: &[&str]) {
-    let words =
-        ["map", "--tile", "32"].into_iter().chain(more.iter().copied()).chain(SMALL.split_whitespace());
-    let output = program().args(words).current_dir(folder).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    run::done(folder, &format!("map --tile 32 {} {SMALL}", more.join(" ")));
 }
 
 fn done(folder: &Path, store: &str) -> u64 {
-    let output = program().args(["status", store, "--json"]).current_dir(folder).output().unwrap();
-    let status: Value = serde_json::from_slice(&output.stdout).unwrap();
-    status["done"].as_u64().unwrap()
+    json(&run_in(folder, &["status", store, "--json"]))["done"].as_u64().unwrap()
 }
 
 /// Every file of a store but its logs, with its bytes.
