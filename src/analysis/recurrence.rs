@@ -173,7 +173,10 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         let first = self.since + 1;
         let by_age = periods.saturating_sub(PATIENCE_SHARE * first) / (PATIENCE_SHARE - 1);
         let strobes = if self.n == 0 { by_age.min(max_period.saturating_sub(first)) } else { 0 };
-        let size = self.anchor.values().map(T::abs).fold(T::one(), T::max);
+        let mut size = T::one();
+        for i in 0..2 * N {
+            size = self.anchor.get(i).abs().max(size);
+        }
         Unseen { strobes, anchor: self.anchor, nearest: T::of(NEARLY_RETURNED * T::SETTLED) * size }
     }
 
@@ -230,10 +233,10 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
 fn distance<T: Real, const N: usize>(state: &State<T, N>, anchor: &State<T, N>) -> T {
     let mut distance = T::zero();
     let mut size = T::one();
-    for (value, anchor) in state.values().zip(anchor.values()) {
-        let difference = (value - anchor).abs();
+    for i in 0..2 * N {
+        let difference = (state.get(i) - anchor.get(i)).abs();
         distance = if difference > distance { difference } else { distance };
-        let extent = anchor.abs();
+        let extent = anchor.get(i).abs();
         size = if extent > size { extent } else { size };
     }
     distance / size

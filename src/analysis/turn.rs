@@ -100,21 +100,29 @@ impl<T: Real, const N: usize> Turn<T, N> {
     /// The largest magnitude of an entry.
     fn largest(&self) -> T {
         let mut largest = T::zero();
-        for value in self.x.iter().chain(&self.v).flat_map(State::values) {
-            let size = value.abs();
-            largest = if size > largest { size } else { largest };
+        for column in self.x.iter().chain(&self.v) {
+            for i in 0..2 * N {
+                let size = column.get(i).abs();
+                largest = if size > largest { size } else { largest };
+            }
         }
         largest
     }
 
     fn scaled(&self, factor: T) -> Self {
-        let scaled = |column: State<T, N>| column.scaled(factor);
-        Turn { x: self.x.map(scaled), v: self.v.map(scaled), ..*self }
+        let mut scaled = *self;
+        for i in 0..N {
+            (scaled.x[i], scaled.v[i]) = (self.x[i].scaled(factor), self.v[i].scaled(factor));
+        }
+        scaled
     }
 
     fn squared(&self) -> Self {
-        let applied = |column: State<T, N>| self.applied(&column);
-        Turn { x: self.x.map(applied), v: self.v.map(applied), ..*self }
+        let mut squared = *self;
+        for i in 0..N {
+            (squared.x[i], squared.v[i]) = (self.applied(&self.x[i]), self.applied(&self.v[i]));
+        }
+        squared
     }
 
     /// The matrix times a vector.

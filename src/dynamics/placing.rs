@@ -35,7 +35,9 @@ pub fn rested<T: Real, const N: usize>(
         let place = end.sign::<T>() * normal.gap[end.side];
         let off = [place - dot(&normal.direction, &state.x), -dot(&normal.direction, &state.v)];
         for s in 0..flight.count {
-            away[s] = [0, 1].map(|i| away[s][i] + matrix[s][t] * off[i]);
+            for i in 0..2 {
+                away[s][i] = away[s][i] + matrix[s][t] * off[i];
+            }
         }
     }
     let mut rested = *state;

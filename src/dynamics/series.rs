@@ -1,7 +1,7 @@
 //! The Taylor series of flight: one recurrence for motions and deviations.
 
 use super::stop::Contact;
-use crate::model::vector::{added, applied, scaled};
+use crate::model::vector::{added, applied, scaled, scaled_columns};
 use crate::model::{Flight, Real};
 
 /// 1/0!, 1/1!, 1/2!, …
@@ -35,8 +35,8 @@ impl<T: Real, const N: usize> Series<T, N> {
     pub fn new(flight: &Flight<T, N>, s: T) -> Self {
         let square = s * s;
         Series {
-            springs: flight.stiffness.map(|column| scaled(square, &column)),
-            dampers: flight.damping.map(|column| scaled(s, &column)),
+            springs: scaled_columns(square, &flight.stiffness),
+            dampers: scaled_columns(s, &flight.damping),
             time: s,
             reach: flight.rate * s.abs(),
         }

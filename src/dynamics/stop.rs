@@ -138,7 +138,13 @@ impl Contact {
     /// The end at which a normal holds, the upper one where it is clamped.
     #[inline(always)]
     pub fn end_along(self, normal: usize) -> Option<End> {
-        [0, 1].map(|side| End { normal, side }).into_iter().find(|&end| self.includes(end))
+        for side in 0..2 {
+            let end = End { normal, side };
+            if self.includes(end) {
+                return Some(end);
+            }
+        }
+        None
     }
 
     /// The stops of these contacts.

@@ -1,4 +1,7 @@
 //! Several lanes of f64 in the registers of a processor.
+//!
+//! Of `pulp`, only methods that are one instruction are called, and no closures: what is not compiled into its caller has no
+//! instructions for the registers.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -51,7 +54,7 @@ impl<S: Simd> Neg for Pack<S> {
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Pack { values: self.simd.neg_f64s(self.values), ..self }
+        Pack { values: self.simd.xor_f64s(self.values, self.simd.splat_f64s(-0.0)), ..self }
     }
 }
 
@@ -72,7 +75,8 @@ impl<S: Simd> Lanes for Pack<S> {
 
     #[inline(always)]
     fn magnitude(self) -> Self {
-        Pack { values: self.simd.abs_f64s(self.values), ..self }
+        let but_sign = self.simd.splat_f64s(f64::from_bits(u64::MAX >> 1));
+        Pack { values: self.simd.and_f64s(self.values, but_sign), ..self }
     }
 
     #[inline(always)]
@@ -87,7 +91,8 @@ impl<S: Simd> Lanes for Pack<S> {
 
     #[inline(always)]
     fn select(mask: PackMask<S>, yes: Self, no: Self) -> Self {
-        Pack { values: yes.simd.select_f64s(mask.values, yes.values, no.values), ..yes }
+        let [yes_bits, no_bits] = [bytemuck::cast(yes.values), bytemuck::cast(no.values)];
+        Pack { values: bytemuck::cast(yes.simd.select_u64s(mask.values, yes_bits, no_bits)), ..yes }
     }
 
     /// One instruction on x86, which takes the second number where either is none, or both are zeros.
@@ -139,7 +144,11 @@ impl<S: Simd> Mask for PackMask<S> {
             return u32::from(bytes[0]);
         }
         let stride = bytes.len() / S::F64_LANES;
-        (0..S::F64_LANES).fold(0, |bits, lane| bits | u32::from(bytes[lane * stride] & 1) << lane)
+        let mut bits = 0;
+        for lane in 0..S::F64_LANES {
+            bits |= u32::from(bytes[lane * stride] & 1) << lane;
+        }
+        bits
     }
 
     #[inline(always)]

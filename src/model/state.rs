@@ -1,4 +1,6 @@
 //! Displacements and velocities.
+//!
+//! What happens to every trajectory again and again is done in loops and not by closures; see [`vector`](super::vector).
 
 use super::real::Lanes;
 use super::real::Real;
@@ -47,13 +49,20 @@ impl<T: Real, const N: usize> State<T, N> {
     /// If there are fewer.
     #[inline(always)]
     pub fn first<const K: usize>(&self) -> State<T, K> {
-        State { x: std::array::from_fn(|i| self.x[i]), v: std::array::from_fn(|i| self.v[i]) }
+        let mut first = State::zero();
+        first.x.copy_from_slice(&self.x[..K]);
+        first.v.copy_from_slice(&self.v[..K]);
+        first
     }
 
     /// Whether every component is a finite number.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
-        self.values().all(|value| value.is_finite())
+        let mut finite = true;
+        for i in 0..N {
+            finite &= self.x[i].is_finite() & self.v[i].is_finite();
+        }
+        finite
     }
 
     /// Each component by itself.
@@ -111,7 +120,11 @@ impl<L: Lanes, const N: usize> State<L, N> {
     /// The state in one lane.
     #[inline(always)]
     pub fn lane(&self, lane: usize) -> State<L::Real, N> {
-        State { x: self.x.map(|value| value.lane(lane)), v: self.v.map(|value| value.lane(lane)) }
+        let mut state = State { x: [self.x[0].lane(lane); N], v: [self.v[0].lane(lane); N] };
+        for i in 0..N {
+            (state.x[i], state.v[i]) = (self.x[i].lane(lane), self.v[i].lane(lane));
+        }
+        state
     }
 
     /// Puts a state into one lane.
