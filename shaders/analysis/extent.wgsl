@@ -58,15 +58,23 @@ fn extent_advance(periods: u32) -> u32 {
 
 // Notes a piece of flight from a point on.
 fn extent_note(before: Point, time: f32, contact: u32) {
-    let half = 0.5 * time;
-    let a = before.state;
-    let m = point_flown(before, half, contact).state;
-    let b = point_flown(before, time, contact).state;
+    let quarter = 0.25 * time;
+    var start = before.state;
+    for (var half = 0.0; half < 3.0; half += 2.0) {
+        let middle = point_flown(before, (half + 1.0) * quarter, contact).state;
+        let end = point_flown(before, (half + 2.0) * quarter, contact).state;
+        extent_note_half(start, middle, end, quarter);
+        start = end;
+    }
+}
+
+// Notes half a piece of flight, from its states at both ends and in the middle, a quarter of the piece from either.
+fn extent_note_half(a: State, m: State, b: State, quarter: f32) {
     let values = 7.0 * (a.x * a.x + b.x * b.x) + 16.0 * (m.x * m.x);
-    let slopes = a.x * a.v - b.x * b.v;
-    extent.turn = extent.turn + (time / 30.0) * (values + time * slopes);
+    let slopes = 2.0 * quarter * (a.x * a.v - b.x * b.v);
+    extent.turn = extent.turn + (quarter / 15.0) * (values + slopes);
     let peak = max(max(max(extent.peak, abs(a.x)), abs(m.x)), abs(b.x));
-    extent.peak = extent_turned(extent_turned(peak, half, a, m), half, m, b);
+    extent.peak = extent_turned(extent_turned(peak, quarter, a, m), quarter, m, b);
 }
 
 // The larger of a peak and of the modulus at a turning point of the cubic over a time, between two states.

@@ -69,6 +69,7 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let reached = point_flown_near(point_select(near, before, after), window * select(u - 1.0, u, near));
     let acceleration = point_accelerations(reached);
     let jerk = point_jerks(reached, acceleration);
+    let snap = point_snaps(reached, acceleration, jerk);
     let left = gap - sign * along(direction, reached.state.x);
     let speed = sign * along(direction, reached.state.v);
     let straight = left / speed;
@@ -78,7 +79,7 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let far = ((turn * THIRD) * nearly + bend * 0.5) * nearly + speed;
     let steep = (turn * nearly + bend) * nearly + speed;
     let slide = nearly - (far * nearly - left) / steep;
-    let slid = point_slid(reached, slide, acceleration, jerk);
+    let slid = point_slid(reached, slide, acceleration, jerk, snap);
     let time = u * window + slide;
 
     let velocity = along(direction, slid.point.state.v);

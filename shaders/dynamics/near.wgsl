@@ -34,16 +34,20 @@ struct Slid {
 }
 
 // The point a time s later, so short that its fourth power is lost in rounding.
-fn point_slid(point: Point, s: f32, acceleration: X, jerk: X) -> Slid {
+fn point_slid(point: Point, s: f32, acceleration: X, jerk: X, snap: X) -> Slid {
     let half = s * 0.5;
-    let turn = flight.omega * s;
-    let half_turn = turn * 0.5;
     let third = s * THIRD;
     let mean = point.state.v + half * (acceleration + third * jerk);
+    let steady = acceleration + half * (jerk + third * snap);
+    let turn = flight.omega * s;
+    let half_turn = turn * 0.5;
+    let third_turn = turn * THIRD;
+    let sine = third_turn * point.cos + point.sin;
+    let cosine = -third_turn * point.sin + point.cos;
     let later = Point(
-        State(point.state.x + s * mean, point.state.v + s * (acceleration + half * jerk)),
-        turn * (point.cos - half_turn * point.sin) + point.sin,
-        -turn * (point.sin + half_turn * point.cos) + point.cos,
+        State(point.state.x + s * mean, point.state.v + s * steady),
+        turn * (point.cos - half_turn * sine) + point.sin,
+        -turn * (point.sin + half_turn * cosine) + point.cos,
     );
-    return Slid(later, acceleration + s * jerk);
+    return Slid(later, acceleration + s * (jerk + half * snap));
 }

@@ -152,6 +152,15 @@ fn point_jerks(point: Point, acceleration: X) -> X {
     return applied_onto(flight.damping, acceleration, pulled);
 }
 
+// x'''' in free flight, from x'' and x'''.
+fn point_snaps(point: Point, acceleration: X, jerk: X) -> X {
+    let square = flight.omega * flight.omega;
+    let turned = -(square * point.sin) * flight.sin;
+    let forced = turned + -(square * point.cos) * flight.cos;
+    let pulled = applied_onto(flight.stiffness, acceleration, forced);
+    return applied_onto(flight.damping, jerk, pulled);
+}
+
 // What decides when a stop can be reached, or left.
 fn point_motion(point: Point, contact: u32) -> Motion {
     let a = held(contact, point_accelerations(point));

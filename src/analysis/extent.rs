@@ -6,9 +6,9 @@ use crate::model::{Flight, Real, State};
 
 /// The root mean square and the peak of every coordinate x1 … xn, of the continuous motion; non-dimensional, 0 beyond n.
 ///
-/// Every piece of flight, a step at the longest, is known at its ends and in its middle. The square of a coordinate is
-/// integrated from its values and slopes there, exact for polynomials of degree 5; the peak is the largest modulus at these
-/// places and at the turning points of the cubics between them. Either is within 1e-4 of the coordinate's size.
+/// Every half of a piece of flight, half a step at the longest, is known at its ends and in its middle. The square of a
+/// coordinate is integrated from its values and slopes there, exact for polynomials of degree 5; the peak is the largest
+/// modulus at these places and at the turning points of the cubics between them. Either is within 1e-4 of the coordinate's size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
     /// √(⟨xᵢ²⟩), the mean over whole forcing periods.
@@ -86,18 +86,28 @@ impl<T: Real, const N: usize> ExtentObserver<T, N> {
     /// Notes a piece of flight from a point on.
     #[inline(always)]
     fn note(&mut self, flight: &Flight<T, N>, before: &Point<T, N>, time: T, contact: Contact) {
-        let half = T::of(0.5) * time;
-        let middle = before.flown(flight, half, contact).state;
-        let end = before.flown(flight, time, contact).state;
+        let quarter = T::of(0.25) * time;
+        let mut from = before.state;
+        for half in [T::zero(), T::of(2.0)] {
+            let middle = before.flown(flight, (half + T::one()) * quarter, contact).state;
+            let end = before.flown(flight, (half + T::of(2.0)) * quarter, contact).state;
+            self.note_half(&from, &middle, &end, quarter);
+            from = end;
+        }
+    }
+
+    /// Notes half a piece of flight, from its states at both ends and in the middle, a quarter of the piece from either.
+    #[inline(always)]
+    fn note_half(&mut self, from: &State<T, N>, middle: &State<T, N>, end: &State<T, N>, quarter: T) {
         for i in 0..N {
-            let [a, m, b] = [before.state.x[i], middle.x[i], end.x[i]];
-            let [va, vm, vb] = [before.state.v[i], middle.v[i], end.v[i]];
+            let [a, m, b] = [from.x[i], middle.x[i], end.x[i]];
+            let [va, vm, vb] = [from.v[i], middle.v[i], end.v[i]];
             let values = T::of(7.0) * (a * a + b * b) + T::of(16.0) * (m * m);
-            let slopes = a * va - b * vb;
-            self.turn[i] = self.turn[i] + (time / T::of(30.0)) * (values + time * slopes);
+            let slopes = T::of(2.0) * quarter * (a * va - b * vb);
+            self.turn[i] = self.turn[i] + (quarter / T::of(15.0)) * (values + slopes);
             let mut peak = larger(larger(larger(self.peak[i], a.abs()), m.abs()), b.abs());
-            peak = turned(peak, half, [a, va], [m, vm]);
-            self.peak[i] = turned(peak, half, [m, vm], [b, vb]);
+            peak = turned(peak, quarter, [a, va], [m, vm]);
+            self.peak[i] = turned(peak, quarter, [m, vm], [b, vb]);
         }
     }
 }

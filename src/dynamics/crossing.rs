@@ -161,6 +161,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let reached = base.flown_near(flight, window * L::select(near, u, u - zero.all(1.0)));
     let acceleration = reached.accelerations(flight);
     let jerk = reached.jerks(flight, &acceleration);
+    let snap = reached.snaps(flight, &acceleration, &jerk);
     let left = face.gap - face.towards(&reached.state.x);
     let speed = face.towards(&reached.state.v);
     let straight = left / speed;
@@ -170,7 +171,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let far = (turn * zero.all(1.0 / 3.0)).times_plus(nearly, bend * zero.all(0.5)).times_plus(nearly, speed);
     let steep = turn.times_plus(nearly, bend).times_plus(nearly, speed);
     let slide = nearly - far.times_plus(nearly, -left) / steep;
-    let (arrived, before) = reached.slid(flight, slide, &acceleration, &jerk);
+    let (arrived, before) = reached.slid(flight, slide, [&acceleration, &jerk, &snap]);
     let time = u.times_plus(window, slide);
 
     let velocity = dot(&face.direction, &arrived.state.v);

@@ -116,6 +116,16 @@ impl<L: Lanes, const N: usize> Point<L, N> {
         applied_onto(&flight.damping, acceleration, &pulled)
     }
 
+    /// x'''' in free flight, from x'' and x'''.
+    #[inline(always)]
+    pub fn snaps(&self, flight: &Flight<L, N>, acceleration: &[L; N], jerk: &[L; N]) -> [L; N] {
+        let square = flight.omega * flight.omega;
+        let turned = scaled(-(square * self.sin), &flight.sin);
+        let forced = axpy(-(square * self.cos), &flight.cos, &turned);
+        let pulled = applied_onto(&flight.stiffness, acceleration, &forced);
+        applied_onto(&flight.damping, jerk, &pulled)
+    }
+
     /// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for the rest
     /// of the step.
     #[inline(always)]

@@ -5,8 +5,8 @@ use crate::model::vector::{added, applied, scaled, scaled_columns};
 use crate::model::{Flight, Real};
 
 /// 1/0!, 1/1!, 1/2!, …
-pub const INVERSE_FACTORIALS: [f64; 19] = {
-    let mut inverses = [1.0; 19];
+pub const INVERSE_FACTORIALS: [f64; f64::ORDER + 2] = {
+    let mut inverses = [1.0; f64::ORDER + 2];
     let mut k = 1;
     while k < inverses.len() {
         inverses[k] = inverses[k - 1] / k as f64;

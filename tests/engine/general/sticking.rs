@@ -42,7 +42,8 @@ fn a_mass_on_a_mass_on_a_wall() {
     // Together from there on: one body of mass 3 with the damping of both.
     let together = follow::<f64>(&merged(&plant), &[0.3, 0.0], 1);
     let exact = &together[0].releases[0];
-    assert!((exact.1 - time).abs() < 1e-9, "{exact:?}");
+    // Either is as sharp as a release is: to h √ε, a time in which nothing happens that rounding would not hide.
+    assert!((exact.1 - time).abs() < 1e-7, "{exact:?}, {time}");
     let mut oracle = Follower::new(plant.clone(), &[0.4, 0.3, 0.0, 0.0]);
     for period in &periods {
         let exact = oracle.next_period();
