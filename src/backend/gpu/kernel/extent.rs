@@ -10,8 +10,11 @@ use crate::backend::gpu::shader::{self, WORKGROUP};
 use crate::backend::{Job, Result, Watch};
 use crate::model::Real;
 
-/// A move, and the two flights that measure it.
-pub(super) const WITH_FLIGHTS: u32 = MOVE + 2 * <f32 as Real>::ORDER as u32;
+/// The halves in which a piece of flight is measured.
+pub(super) const HALVES: u32 = 2;
+
+/// A move, and the flights that measure it: two for each half.
+pub(super) const WITH_FLIGHTS: u32 = MOVE + HALVES * (1 + 2 * <f32 as Real>::ORDER as u32);
 
 impl Kernel {
     /// Follows one tile of trajectories, each for so many forcing periods.
