@@ -9,21 +9,43 @@ use pulp::Simd;
 
 use super::real::{Lanes, Mask};
 
+/// An instruction set, and what its truth values are as bits: one instruction, which `pulp` does not have for all of them.
+pub trait Registers: Simd {
+    /// A bit for each lane.
+    fn bits(self, mask: Self::m64s) -> u32;
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Registers for pulp::x86::V3 {
+    #[inline(always)]
+    fn bits(self, mask: Self::m64s) -> u32 {
+        self.avx._mm256_movemask_pd(bytemuck::cast(mask)) as u32
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Registers for pulp::x86::V4 {
+    #[inline(always)]
+    fn bits(self, mask: Self::m64s) -> u32 {
+        u32::from(mask.0)
+    }
+}
+
 /// As many f64 as a register of the instruction set `S` holds.
 #[derive(Clone, Copy, Debug)]
-pub struct Pack<S: Simd> {
+pub struct Pack<S: Registers> {
     simd: S,
     values: S::f64s,
 }
 
 /// A truth value for each lane of a [`Pack`].
 #[derive(Clone, Copy, Debug)]
-pub struct PackMask<S: Simd> {
+pub struct PackMask<S: Registers> {
     simd: S,
     values: S::m64s,
 }
 
-impl<S: Simd> Pack<S> {
+impl<S: Registers> Pack<S> {
     /// Zero in every lane.
     #[inline(always)]
     pub fn zero(simd: S) -> Self {
@@ -33,7 +55,7 @@ impl<S: Simd> Pack<S> {
 
 macro_rules! operator {
     ($operator:ident, $method:ident, $of:ident) => {
-        impl<S: Simd> $operator for Pack<S> {
+        impl<S: Registers> $operator for Pack<S> {
             type Output = Self;
 
             #[inline(always)]
@@ -49,7 +71,7 @@ operator!(Sub, sub, sub_f64s);
 operator!(Mul, mul, mul_f64s);
 operator!(Div, div, div_f64s);
 
-impl<S: Simd> Neg for Pack<S> {
+impl<S: Registers> Neg for Pack<S> {
     type Output = Self;
 
     #[inline(always)]
@@ -58,7 +80,7 @@ impl<S: Simd> Neg for Pack<S> {
     }
 }
 
-impl<S: Simd> Lanes for Pack<S> {
+impl<S: Registers> Lanes for Pack<S> {
     type Real = f64;
     type Mask = PackMask<S>;
     const WIDTH: usize = S::F64_LANES;
@@ -118,7 +140,7 @@ impl<S: Simd> Lanes for Pack<S> {
     }
 }
 
-impl<S: Simd> Mask for PackMask<S> {
+impl<S: Registers> Mask for PackMask<S> {
     const WIDTH: usize = S::F64_LANES;
 
     #[inline(always)]
@@ -138,17 +160,7 @@ impl<S: Simd> Mask for PackMask<S> {
 
     #[inline(always)]
     fn bits(self) -> u32 {
-        let bytes = bytemuck::bytes_of(&self.values);
-        if bytes.len() == 1 {
-            // One bit for each lane.
-            return u32::from(bytes[0]);
-        }
-        let stride = bytes.len() / S::F64_LANES;
-        let mut bits = 0;
-        for lane in 0..S::F64_LANES {
-            bits |= u32::from(bytes[lane * stride] & 1) << lane;
-        }
-        bits
+        self.simd.bits(self.values)
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Sender};
 
 use parking_lot::Mutex;
-use pulp::{Simd, WithSimd};
+use pulp::NullaryFnOnce;
 use rayon::Scope;
 
 use super::each::each;
@@ -14,16 +14,16 @@ use crate::backend::error::BackendError;
 use crate::backend::job::Job;
 use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
-use crate::model::{Flights, Pack, System, Twin};
+use crate::model::{Flights, Lanes, Pack, System, Twin};
 
 /// How many trajectories one core follows at once; the bits of each are the same at every width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Width {
     /// One by one.
     One,
-    /// Two registers of four (AVX2 and FMA).
+    /// A register of four (AVX2 and FMA): two take every step together no faster, since there are too few registers for both.
     #[cfg(target_arch = "x86_64")]
-    TwiceFour,
+    Four,
     /// Two registers of eight (AVX-512).
     #[cfg(target_arch = "x86_64")]
     TwiceEight,
@@ -36,7 +36,7 @@ impl Width {
         #[cfg(target_arch = "x86_64")]
         {
             widths.extend(pulp::x86::V4::try_new().map(|_| Width::TwiceEight));
-            widths.extend(pulp::x86::V3::try_new().map(|_| Width::TwiceFour));
+            widths.extend(pulp::x86::V3::try_new().map(|_| Width::Four));
         }
         widths.push(Width::One);
         widths
@@ -47,7 +47,7 @@ impl Width {
         match self {
             Width::One => 1,
             #[cfg(target_arch = "x86_64")]
-            Width::TwiceFour => 8,
+            Width::Four => 4,
             #[cfg(target_arch = "x86_64")]
             Width::TwiceEight => 16,
         }
@@ -58,7 +58,7 @@ impl Width {
         match self {
             Width::One => "one lane",
             #[cfg(target_arch = "x86_64")]
-            Width::TwiceFour => "2 × 4 lanes, AVX2",
+            Width::Four => "4 lanes, AVX2",
             #[cfg(target_arch = "x86_64")]
             Width::TwiceEight => "2 × 8 lanes, AVX-512",
         }
@@ -157,15 +157,16 @@ impl<const N: usize> Line<'_, '_, N> {
         match width {
             Width::One => {}
             #[cfg(target_arch = "x86_64")]
-            Width::TwiceFour => {
+            Width::Four => {
                 if let Some(simd) = pulp::x86::V3::try_new() {
-                    Simd::vectorize(simd, Following(self));
+                    simd.vectorize(Following { line: self, zero: Pack::zero(simd) });
                 }
             }
             #[cfg(target_arch = "x86_64")]
             Width::TwiceEight => {
                 if let Some(simd) = pulp::x86::V4::try_new() {
-                    Simd::vectorize(simd, Following(self));
+                    let zero = Pack::zero(simd);
+                    simd.vectorize(Following { line: self, zero: Twin(zero, zero) });
                 }
             }
         }
@@ -234,16 +235,18 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
     }
 }
 
-/// The lanes of an instruction set at work.
-struct Following<'a, 'scope, 'b, const N: usize>(&'b mut Line<'a, 'scope, N>);
+/// Lanes at work, with the instructions that they are compiled for.
+struct Following<'a, 'scope, 'b, L, const N: usize> {
+    line: &'b mut Line<'a, 'scope, N>,
+    zero: L,
+}
 
-impl<const N: usize> WithSimd for Following<'_, '_, '_, N> {
+impl<L: Lanes<Real = f64>, const N: usize> NullaryFnOnce for Following<'_, '_, '_, L, N> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        let zero = Pack::zero(simd);
-        let Line { normals, schedule, .. } = *self.0;
-        follow_abreast(Twin(zero, zero), normals, schedule, self.0);
+    fn call(self) {
+        let Line { normals, schedule, .. } = *self.line;
+        follow_abreast(self.zero, normals, schedule, self.line);
     }
 }
