@@ -224,13 +224,17 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     #[inline(always)]
     pub fn cross(&mut self) -> Round {
         let (waits, carries) = (self.waits, self.carries);
+        // Copies, here and below: a blend with what is stored already becomes a store where a mask holds, which takes some
+        // processors ten times as long.
+        let (from, kicks, offset, mut left) = (self.point, self.kicks, self.offset, self.left);
+        let (tangent, steps) = (self.tangent, self.steps);
         let flight = &self.flight;
-        let window = flight.h - self.offset;
-        let one = window.all(1.0);
-        let ahead = Point::select(self.kicks.below(one), &self.point.stepped(flight), &self.ahead);
-        let leg = Leg { from: &self.point, to: &ahead, window };
+        let window = flight.h - offset;
+        let (zero, one) = (window.all(0.0), window.all(1.0));
+        let ahead = Point::select(kicks.below(one), &from.stepped(flight), &self.ahead);
+        let leg = Leg { from: &from, to: &ahead, window };
         let met = crossing(&leg, &leg.clearances(flight), flight);
-        let few = self.kicks.below(window.all(f64::from(MOST_KICKS)));
+        let few = kicks.below(window.all(f64::from(MOST_KICKS)));
         let struck = waits.and(met.certain).and(few);
         if struck.and(carries).bits() != 0 {
             let u = (window - met.time) * flight.inverse_h;
@@ -238,26 +242,24 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             for k in 1..flight.count {
                 back = State::select(met.normals[k], &flight.normals[k].look_back(u), &back);
             }
-            let tangent = self.tangent.struck_ahead(flight, &back, &met.impact);
-            self.tangent.0 = State::select(struck.and(carries), &tangent.0, &self.tangent.0);
+            let changed = tangent.struck_ahead(flight, &back, &met.impact);
+            self.tangent.0 = State::select(struck.and(carries), &changed.0, &tangent.0);
         }
-        self.point = Point::select(struck, &met.point, &self.point);
-        self.ahead = Point::select(struck, &met.ahead, &ahead);
-        self.kicks = L::select(struck, self.kicks + one, self.kicks);
-        self.offset = L::select(struck, self.offset + met.time, self.offset);
-        let rest = flight.h - self.offset;
-        let leg = Leg { from: &self.point, to: &self.ahead, window: rest };
+        let point = Point::select(struck, &met.point, &from);
+        let ahead = Point::select(struck, &met.ahead, &ahead);
+        let kicks = kicks + L::select(struck, one, zero);
+        let offset = offset + L::select(struck, met.time, zero);
+        let leg = Leg { from: &point, to: &ahead, window: flight.h - offset };
         let moves = struck.and(leg.clears(flight));
-        self.waits = waits.and(moves.not());
-        self.steps = self.steps.or(moves);
-        self.offset = L::select(moves, window.all(0.0), self.offset);
-        self.kicks = L::select(moves, window.all(0.0), self.kicks);
         self.tally.count(flight, struck, carries, &met);
         let uncertain = waits.and(struck.not()).bits();
         self.usage.contact_slots += L::WIDTH as u64;
         self.usage.contacts += u64::from(struck.bits().count_ones());
         self.usage.fallbacks += u64::from(uncertain.count_ones());
-        let (mut point, mut left) = (Point::select(moves, &self.ahead, &self.point), self.left);
+        self.ahead = ahead;
+        (self.waits, self.steps) = (waits.and(moves.not()), steps.or(moves));
+        (self.offset, self.kicks) = (L::select(moves, zero, offset), L::select(moves, zero, kicks));
+        let mut point = Point::select(moves, &ahead, &point);
         let phases = self.complete(moves, &mut point, &mut left);
         (self.point, self.left) = (point, left);
         Round { uncertain, phases }
@@ -267,17 +269,19 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     /// Those that come to phase 0 or π where they are to be seen there.
     #[inline(always)]
     fn complete(&mut self, moves: L::Mask, point: &mut Point<L, N>, left: &mut L) -> u32 {
-        *left = L::select(moves, *left - left.all(1.0), *left);
+        let (zero, one) = (left.all(0.0), left.all(1.0));
+        *left = *left - L::select(moves, one, zero);
         let arrived = moves.and(left.below(left.all(0.5)));
-        if arrived.bits() == 0 {
-            return 0;
-        }
-        self.phase = L::select(arrived, -self.phase, self.phase);
-        point.sin = L::select(arrived, left.all(0.0), point.sin);
+        self.phase = self.phase * L::select(arrived, -one, one);
+        point.sin = L::select(arrived, zero, point.sin);
         point.cos = L::select(arrived, self.phase, point.cos);
         *left = L::select(arrived, self.half, *left);
-        let at_zero = arrived.and(left.all(0.0).below(self.phase));
+        let at_zero = arrived.and(zero.below(self.phase));
+        let at_pi = arrived.and(self.halts);
+        if at_zero.or(at_pi).bits() == 0 {
+            return 0;
+        }
         let unseen = self.passing.pass(at_zero, &point.state, &mut self.tally);
-        arrived.and(self.halts).or(at_zero.and(unseen.not())).bits()
+        at_pi.or(at_zero.and(unseen.not())).bits()
     }
 }

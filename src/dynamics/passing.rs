@@ -69,9 +69,10 @@ impl<L: Lanes, const N: usize> Passing<L, N> {
         let moved = zero.below(tally.moves).and(tally.moves.below(zero.all(f64::from(Moves::MANY))));
         let passes = may.and(away).and(moved);
         let one = zero.all(1.0);
-        self.strobes = L::select(passes, self.strobes - one, self.strobes);
-        tally.strobes = L::select(passes, tally.strobes + one, tally.strobes);
-        tally.moves = L::select(passes, zero, tally.moves);
+        let passed = L::select(passes, one, zero);
+        self.strobes = self.strobes - passed;
+        tally.strobes = tally.strobes + passed;
+        tally.moves = tally.moves * (one - passed);
         passes
     }
 }
