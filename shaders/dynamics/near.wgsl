@@ -3,28 +3,42 @@
 fn point_flown_near(point: Point, s: f32) -> Point {
     let square = s * s;
     let turn = flight.omega * s;
+    let opposite = -(turn * turn);
     let springs = columns_scaled(square, flight.stiffness);
     let dampers = columns_scaled(s, flight.damping);
-    let force_sin = s * flight.sin;
-    let force_cos = s * flight.cos;
+    let now = s * (point.cos * flight.cos + point.sin * flight.sin);
+    let later = s * (-point.sin * flight.cos + point.cos * flight.sin);
     var before = point.state.v;
     let loaded = flight.load + applied(flight.stiffness, point.state.x);
-    let forced = (s * loaded + point.sin * force_sin) + point.cos * force_cos;
-    var last = applied_onto(dampers, before, forced);
-    var phasor = vec2(point.cos * turn, -(point.sin * turn));
+    var last = applied_onto(dampers, before, s * loaded + now);
     var velocity = before;
     var mean = before;
-    var phase = vec2(point.sin, point.cos);
-    //: each contact term
+    // sin ωs and cos ωs − 1 are the sums of the odd and of the even powers, each over its factorial.
+    var even = opposite;
+    var odd = turn;
+    var sine = turn;
+    var versed = 0.0;
+    //: each pair of contact terms
     velocity = velocity + INVERSE_FACTORIALS[$k] * last;
-    mean = mean + INVERSE_FACTORIALS[$k + 1] * last;
-    phase = phase + INVERSE_FACTORIALS[$k] * phasor;
-    let pulled$k = applied_onto(springs, before, phasor.x * force_sin + phasor.y * force_cos);
+    mean = mean + INVERSE_FACTORIALS[$l] * last;
+    versed = even * INVERSE_FACTORIALS[$l] + versed;
+    let pulled$k = applied_onto(springs, before, odd * later);
     before = last;
     last = applied_onto(dampers, last, pulled$k);
-    phasor = vec2(phasor.y * turn, -(phasor.x * turn));
+    odd = odd * opposite;
+    velocity = velocity + INVERSE_FACTORIALS[$l] * last;
+    mean = mean + INVERSE_FACTORIALS[$l + 1] * last;
+    sine = odd * INVERSE_FACTORIALS[$l + 1] + sine;
+    let pulled$l = applied_onto(springs, before, even * now);
+    before = last;
+    last = applied_onto(dampers, last, pulled$l);
+    even = even * opposite;
     //: end
-    return Point(State(point.state.x + s * mean, velocity), phase.x, phase.y);
+    return Point(
+        State(point.state.x + s * mean, velocity),
+        point.cos * sine + (point.sin * versed + point.sin),
+        -point.sin * sine + (point.cos * versed + point.cos),
+    );
 }
 
 // A point a little later, and x'' then.

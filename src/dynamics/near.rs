@@ -8,33 +8,45 @@ use crate::model::{Flight, Lanes, Real, State};
 impl<L: Lanes, const N: usize> Point<L, N> {
     /// The point of free flight a time `s` later, |s| ≤ ½ h, with as many Taylor terms in every lane.
     ///
-    /// The terms are those of [`Point::flown`]: Vₖ = v⁽ᵏ⁾ sᵏ, by a recurrence of second order.
+    /// The terms are those of [`Point::flown`]: Vₖ = v⁽ᵏ⁾ sᵏ, by a recurrence of second order. The forcing's own derivatives
+    /// are the powers of ωs times the forcing now and a quarter of its period later, in turn, with every second sign changed.
     #[inline(always)]
     pub fn flown_near(&self, flight: &Flight<L, N>, s: L) -> Self {
         let square = s * s;
         let turn = flight.omega * s;
+        let opposite = -(turn * turn);
         let springs = scaled_columns(square, &flight.stiffness);
         let dampers = scaled_columns(s, &flight.damping);
-        let (force_sin, force_cos) = (scaled(s, &flight.sin), scaled(s, &flight.cos));
+        let now = scaled(s, &axpy(self.cos, &flight.cos, &scaled(self.sin, &flight.sin)));
+        let later = scaled(s, &axpy(-self.sin, &flight.cos, &scaled(self.cos, &flight.sin)));
         let mut before = self.state.v;
         let loaded = added(&applied(&flight.stiffness, &self.state.x), &flight.load);
-        let first = axpy(self.cos, &force_cos, &axpy(self.sin, &force_sin, &scaled(s, &loaded)));
-        let mut last = applied_onto(&dampers, &before, &first);
-        let mut phasor = [self.cos * turn, -(self.sin * turn)];
-        let mut velocity = before;
-        let mut mean = before;
-        let mut phase = [self.sin, self.cos];
-        for k in 1..=L::Real::CONTACT_ORDER {
-            let weight = s.all(INVERSE_FACTORIALS[k]);
+        let mut last = applied_onto(&dampers, &before, &axpy(s, &loaded, &now));
+        let (mut velocity, mut mean) = (before, before);
+        // sin ωs and cos ωs − 1 are the sums of the odd and of the even powers, each over its factorial.
+        let (mut even, mut odd) = (opposite, turn);
+        let (mut sine, mut versed) = (turn, s.all(0.0));
+        for pair in 0..L::Real::CONTACT_ORDER / 2 {
+            let k = 2 * pair + 1;
+            let (weight, lower) = (s.all(INVERSE_FACTORIALS[k]), s.all(INVERSE_FACTORIALS[k + 1]));
+            let lowest = s.all(INVERSE_FACTORIALS[k + 2]);
             velocity = axpy(weight, &last, &velocity);
-            mean = axpy(s.all(INVERSE_FACTORIALS[k + 1]), &last, &mean);
-            phase = axpy(weight, &phasor, &phase);
-            let forced = axpy(phasor[1], &force_cos, &scaled(phasor[0], &force_sin));
-            let forced = applied_onto(&springs, &before, &forced);
-            (before, last) = (last, applied_onto(&dampers, &last, &forced));
-            phasor = [phasor[1] * turn, -(phasor[0] * turn)];
+            mean = axpy(lower, &last, &mean);
+            versed = even.times_plus(lower, versed);
+            let pulled = applied_onto(&springs, &before, &scaled(odd, &later));
+            (before, last) = (last, applied_onto(&dampers, &last, &pulled));
+            odd = odd * opposite;
+            velocity = axpy(lower, &last, &velocity);
+            mean = axpy(lowest, &last, &mean);
+            sine = odd.times_plus(lowest, sine);
+            let pulled = applied_onto(&springs, &before, &scaled(even, &now));
+            (before, last) = (last, applied_onto(&dampers, &last, &pulled));
+            even = even * opposite;
         }
-        Point { state: State { x: axpy(s, &mean, &self.state.x), v: velocity }, sin: phase[0], cos: phase[1] }
+        let x = axpy(s, &mean, &self.state.x);
+        let sin = self.cos.times_plus(sine, self.sin.times_plus(versed, self.sin));
+        let cos = (-self.sin).times_plus(sine, self.cos.times_plus(versed, self.cos));
+        Point { state: State { x, v: velocity }, sin, cos }
     }
 
     /// The point a time `s` later, so short that its fourth power is lost in rounding, from its x'', x''' and x''''; and x''

@@ -20,7 +20,7 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     /// The order of the polynomials of an impact, what it does to the end of its step and what that says of deviations at the impact:
     /// what they leave out is lost in rounding.
     const KICK_ORDER: usize;
-    /// The order of the Taylor polynomial by which a contact is reached from the nearer end of a step.
+    /// The order of the Taylor polynomial by which a contact is reached from the nearer end of a step; even.
     const CONTACT_ORDER: usize;
     /// What may be left of the way to a contact after that, in units of the fastest motion's time scale: its fourth power is lost
     /// in rounding.
@@ -162,7 +162,7 @@ impl Real for f64 {
     const TRUNCATION: f64 = 2e-16;
     const ORDER: usize = 20;
     const KICK_ORDER: usize = 12;
-    const CONTACT_ORDER: usize = 15;
+    const CONTACT_ORDER: usize = 14;
     const STRAIGHT: f64 = 1e-4;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
@@ -200,7 +200,7 @@ impl Real for f32 {
     const TRUNCATION: f64 = 1e-8;
     const ORDER: usize = 12;
     const KICK_ORDER: usize = 6;
-    const CONTACT_ORDER: usize = 9;
+    const CONTACT_ORDER: usize = 8;
     const STRAIGHT: f64 = 1e-2;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
     const IMMINENT: f64 = 1e-4;

@@ -3,14 +3,11 @@
 //! A block between the lines `//: each normal` and `//: end` stands once for every normal, with `$k` as its number; so do
 //! `each stop`, `each component` of a state (and `each further component` after the first) and, with `$i` as the number and
 //! `$c` as what selects the component, `each coordinate`. A block of `each pair of normals` stands once for every ordered pair,
-//! with `$k` and `$l`. Series of fixed order are unrolled too, with `$k` as the order: see [`COUNTED`].
+//! with `$k` and `$l`; one of `each pair of contact terms` for every odd order of the series and the even one after it. Other series
+//! are unrolled too, with `$k` as the order.
 
 use crate::dynamics::constants::NEWTON_STEPS;
 use crate::model::{Real, System};
-
-/// Blocks that stand so many times in every shader, the first order and the last.
-const COUNTED: [(&str, usize, usize); 2] =
-    [("contact term", 1, <f32 as Real>::CONTACT_ORDER), ("newton step", 1, NEWTON_STEPS)];
 
 /// What a shader is written for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -84,10 +81,12 @@ impl Shape {
             "kick term" => {
                 (0..<f32 as Real>::KICK_ORDER).rev().for_each(|k| push(block.replace("$k", &k.to_string())));
             }
-            counted if COUNTED.iter().any(|(name, ..)| *name == counted) => {
-                let (_, first, last) = COUNTED[COUNTED.iter().position(|(n, ..)| *n == counted).unwrap_or(0)];
-                (first..=last).for_each(|k| push(block.replace("$k", &k.to_string())));
+            "pair of contact terms" => {
+                for k in (1..<f32 as Real>::CONTACT_ORDER).step_by(2) {
+                    push(block.replace("$k", &k.to_string()).replace("$l", &(k + 1).to_string()));
+                }
             }
+            "newton step" => (1..=NEWTON_STEPS).for_each(|k| push(block.replace("$k", &k.to_string()))),
             other => panic!("a shader repeats over `{other}`"),
         }
     }
