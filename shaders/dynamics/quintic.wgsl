@@ -20,10 +20,16 @@ fn quintic_root(gaps: vec2<f32>, speeds: vec2<f32>, pulls: vec2<f32>, window: f3
     let above = select(sum, gaps.x + gaps.x, approaching);
     let below = select(-(chord + chord), sum, approaching);
     var u = above / below;
+    let twice = bend + bend;
+    let thrice = c3 * 3.0;
+    let four = c4 * 4.0;
+    let five = c5 * 5.0;
+    // By pairs of terms, which wait for each other less than one term after the other does.
     //: each newton step
     {
-        let value = ((((c5 * u + c4) * u + c3) * u + bend) * u + slope) * u + gaps.x;
-        let steep = (((c5 * 5.0) * u + c4 * 4.0) * u + c3 * 3.0) * u + (bend + bend);
+        let square = u * u;
+        let value = ((c5 * u + c4) * square + (c3 * u + bend)) * square + (slope * u + gaps.x);
+        let steep = (five * u + four) * square + (thrice * u + twice);
         u = u - value / (steep * u + slope);
     }
     //: end

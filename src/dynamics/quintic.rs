@@ -45,17 +45,15 @@ impl<L: Lanes> Quintic<L> {
         let above = L::select(approaching, double, sum);
         let below = L::select(approaching, sum, -(bend + bend));
         let mut u = above / below;
+        let (twice, thrice) = (c[2] + c[2], c[3] * zero.all(3.0));
+        let (four, five) = (c[4] * zero.all(4.0), c[5] * zero.all(5.0));
         for _ in 0..STEPS {
-            let value = c[5]
-                .times_plus(u, c[4])
-                .times_plus(u, c[3])
-                .times_plus(u, c[2])
-                .times_plus(u, c[1])
-                .times_plus(u, c[0]);
-            let slope = (c[5] * zero.all(5.0)).times_plus(u, c[4] * zero.all(4.0));
-            let slope =
-                slope.times_plus(u, c[3] * zero.all(3.0)).times_plus(u, c[2] + c[2]).times_plus(u, c[1]);
-            u = u - value / slope;
+            // By pairs of terms, which wait for each other less than one term after the other does.
+            let square = u * u;
+            let high = c[5].times_plus(u, c[4]).times_plus(square, c[3].times_plus(u, c[2]));
+            let value = high.times_plus(square, c[1].times_plus(u, c[0]));
+            let steep = five.times_plus(u, four).times_plus(square, thrice.times_plus(u, twice));
+            u = u - value / steep.times_plus(u, c[1]);
         }
         u
     }
