@@ -60,7 +60,7 @@ fn extent_advance(periods: u32) -> u32 {
 fn extent_note(before: Point, time: f32, contact: u32) {
     let quarter = 0.25 * time;
     var start = before.state;
-    for (var half = 0.0; half < 3.0; half += 2.0) {
+    for (var half = 0.0; half <= 2.0; half += 2.0) {
         let middle = point_flown(before, (half + 1.0) * quarter, contact).state;
         let end = point_flown(before, (half + 2.0) * quarter, contact).state;
         extent_note_half(start, middle, end, quarter);

@@ -5,31 +5,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use pulp::Simd;
-
 use super::real::{Lanes, Mask};
-
-/// An instruction set, and what its truth values are as bits: one instruction, which `pulp` does not have for all of them.
-pub trait Registers: Simd {
-    /// A bit for each lane.
-    fn bits(self, mask: Self::m64s) -> u32;
-}
-
-#[cfg(target_arch = "x86_64")]
-impl Registers for pulp::x86::V3 {
-    #[inline(always)]
-    fn bits(self, mask: Self::m64s) -> u32 {
-        self.avx._mm256_movemask_pd(bytemuck::cast(mask)) as u32
-    }
-}
-
-#[cfg(target_arch = "x86_64")]
-impl Registers for pulp::x86::V4 {
-    #[inline(always)]
-    fn bits(self, mask: Self::m64s) -> u32 {
-        u32::from(mask.0)
-    }
-}
+use super::registers::Registers;
 
 /// As many f64 as a register of the instruction set `S` holds.
 #[derive(Clone, Copy, Debug)]

@@ -12,11 +12,12 @@ use super::files;
 const ARITHMETIC: [f64; 4] = [0.0, 1.0, 2.0, 0.5];
 
 /// Numbers that a formula consists of: the file, the number, how often it is there, and the formula.
-const FORMULAS: [(&str, &str, usize, &str); 32] = [
-    ("analysis/extent.wgsl", "16.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/30"),
+const FORMULAS: [(&str, &str, usize, &str); 33] = [
+    ("analysis/extent.wgsl", "0.25", 1, "a quarter of a piece, from one point of its quadrature to the next"),
+    ("analysis/extent.wgsl", "15.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
+    ("analysis/extent.wgsl", "16.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
     ("analysis/extent.wgsl", "3.0", 1, "the cubic through two values and slopes: s²(3 − 2s)"),
-    ("analysis/extent.wgsl", "30.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/30"),
-    ("analysis/extent.wgsl", "7.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/30"),
+    ("analysis/extent.wgsl", "7.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
     ("control/controlled.wgsl", "3u", 1, "the four lanes of a vec4, numbered"),
     ("control/section_point.wgsl", "0.25", 1, "four quarter turns make a turn"),
     ("control/section_point.wgsl", "4.0", 1, "four quarter turns make a turn"),

@@ -23,7 +23,7 @@ fn bound(head: &str) -> u32 {
         ("turn < TURNS", TURNS),
         ("round < ROUNDS", ROUNDS),
         ("step < CLEAR_STEPS", CLEAR_STEPS),
-        ("half < 3.0", extent::HALVES),
+        ("half <= 2.0", extent::HALVES),
         ("max(reach, LONGEST_DELAY)", REACH.max(LONGEST_DELAY as u32)),
         ("m <= reach", REACH),
         ("m = reach", REACH),
