@@ -27,9 +27,9 @@ fn quintic_root(gaps: vec2<f32>, speeds: vec2<f32>, pulls: vec2<f32>, window: f3
     // By pairs of terms, which wait for each other less than one term after the other does.
     //: each newton step
     {
-        let square = u * u;
-        let value = ((c5 * u + c4) * square + (c3 * u + bend)) * square + (slope * u + gaps.x);
-        let steep = (five * u + four) * square + (thrice * u + twice);
+        let v = u * u;
+        let value = ((c5 * u + c4) * v + (c3 * u + bend)) * v + (slope * u + gaps.x);
+        let steep = (five * u + four) * v + (thrice * u + twice);
         u = u - value / (steep * u + slope);
     }
     //: end

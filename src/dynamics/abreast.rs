@@ -227,7 +227,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         // Copies, here and below: a blend with what is stored already becomes a store where a mask holds, which takes some
         // processors ten times as long.
         let (from, kicks, offset, mut left) = (self.point, self.kicks, self.offset, self.left);
-        let (tangent, steps) = (self.tangent, self.steps);
+        let tangent = self.tangent;
         let flight = &self.flight;
         let window = flight.h - offset;
         let (zero, one) = (window.all(0.0), window.all(1.0));
@@ -257,7 +257,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.usage.contacts += u64::from(struck.bits().count_ones());
         self.usage.fallbacks += u64::from(uncertain.count_ones());
         self.ahead = ahead;
-        (self.waits, self.steps) = (waits.and(moves.not()), steps.or(moves));
+        (self.waits, self.steps) = (waits.and(moves.not()), self.steps.or(moves));
         (self.offset, self.kicks) = (L::select(moves, zero, offset), L::select(moves, zero, kicks));
         let mut point = Point::select(moves, &ahead, &point);
         let phases = self.complete(moves, &mut point, &mut left);
@@ -277,11 +277,11 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         point.cos = L::select(arrived, self.phase, point.cos);
         *left = L::select(arrived, self.half, *left);
         let at_zero = arrived.and(zero.below(self.phase));
-        let at_pi = arrived.and(self.halts);
-        if at_zero.or(at_pi).bits() == 0 {
+        let halted = arrived.and(self.halts);
+        if at_zero.or(halted).bits() == 0 {
             return 0;
         }
         let unseen = self.passing.pass(at_zero, &point.state, &mut self.tally);
-        at_pi.or(at_zero.and(unseen.not())).bits()
+        halted.or(at_zero.and(unseen.not())).bits()
     }
 }

@@ -69,10 +69,11 @@ impl<L: Lanes, const N: usize> Passing<L, N> {
         let moved = zero.below(tally.moves).and(tally.moves.below(zero.all(f64::from(Moves::MANY))));
         let passes = may.and(away).and(moved);
         let one = zero.all(1.0);
+        // Nothing is taken away where nothing passed, as [`Tally`] adds nothing.
         let passed = L::select(passes, one, zero);
         self.strobes = self.strobes - passed;
         tally.strobes = tally.strobes + passed;
-        tally.moves = tally.moves * (one - passed);
+        tally.moves = tally.moves - L::select(passes, tally.moves, zero);
         passes
     }
 }

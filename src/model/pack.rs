@@ -9,7 +9,10 @@ use super::real::{Lanes, Mask};
 use super::registers::Registers;
 
 /// As many f64 as a register of the instruction set `S` holds.
+///
+/// They lie as a register of four likes it: a load across two cache lines takes twice as long.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
 pub struct Pack<S: Registers> {
     simd: S,
     values: S::f64s,

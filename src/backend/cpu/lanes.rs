@@ -14,7 +14,9 @@ use crate::backend::error::BackendError;
 use crate::backend::job::Job;
 use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
-use crate::model::{Flights, Lanes, Pack, System, Twin};
+use crate::model::{Flights, Lanes, System};
+#[cfg(target_arch = "x86_64")]
+use crate::model::{Pack, Twin};
 
 /// How many trajectories one core follows at once; the bits of each are the same at every width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -236,6 +238,7 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
 }
 
 /// Lanes at work, with the instructions that they are compiled for.
+#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 struct Following<'a, 'scope, 'b, L, const N: usize> {
     line: &'b mut Line<'a, 'scope, N>,
     zero: L,

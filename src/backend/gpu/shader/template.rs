@@ -3,8 +3,8 @@
 //! A block between the lines `//: each normal` and `//: end` stands once for every normal, with `$k` as its number; so do
 //! `each stop`, `each component` of a state (and `each further component` after the first) and, with `$i` as the number and
 //! `$c` as what selects the component, `each coordinate`. A block of `each pair of normals` stands once for every ordered pair,
-//! with `$k` and `$l`; one of `each pair of contact terms` for every odd order of the series and the even one after it. Other series
-//! are unrolled too, with `$k` as the order.
+//! with `$k` and `$l`; one of `each pair of contact terms` for every odd order of the series and the even one after it. Terms of
+//! kicks, from the highest but one down, and Newton steps are unrolled too, with `$k` as the order.
 
 use crate::dynamics::constants::NEWTON_STEPS;
 use crate::model::{Real, System};
