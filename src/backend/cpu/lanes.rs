@@ -23,7 +23,7 @@ use crate::model::{Pack, Twin};
 pub enum Width {
     /// One by one.
     One,
-    /// A register of four (AVX2 and FMA): two take every step together no faster, since there are too few registers for both.
+    /// A register of four (AVX2 and FMA). Two of them side by side are slower: there are too few registers for both.
     #[cfg(target_arch = "x86_64")]
     Four,
     /// Two registers of eight (AVX-512).
