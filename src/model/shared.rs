@@ -54,6 +54,16 @@ impl Flows {
         Ok(system)
     }
 
+    /// Forgets what was kept where it is more than planes have columns: what is asked for from here on shares less, and memory does
+    /// not grow with the plane.
+    pub fn tidy(&self) {
+        let mut flows = self.flows.lock();
+        if flows.len() > MOST_SYSTEMS {
+            flows.clear();
+            self.systems.write().clear();
+        }
+    }
+
     /// The same system, sharing what follows from its flow with those before it.
     #[must_use]
     pub fn share(&self, mut system: System) -> System {

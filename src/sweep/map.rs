@@ -29,7 +29,11 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
     let tile = backend.tile().max(1);
     let mut verdicts = Vec::new();
     verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory(cells))?;
-    let prepare = |first: u64| Prepared::of(plane, first..cells.min(first.saturating_add(tile as u64)));
+    let flows = Flows::default();
+    let prepare = |first: u64| {
+        flows.tidy();
+        Prepared::of(plane, first..cells.min(first.saturating_add(tile as u64)), &flows)
+    };
     let (mut missing, mut any) = (None, false);
     let (mut first, mut next) = (0, prepare(0));
     while first < cells {
@@ -63,13 +67,12 @@ struct Prepared<J> {
 }
 
 impl<J> Prepared<J> {
-    /// Of some cells of a plane, row by row.
-    fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: Range<u64>) -> Result<Self>
+    /// Of some cells of a plane, row by row; `flows` are those of cells before.
+    fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: Range<u64>, flows: &Flows) -> Result<Self>
     where
         J: Send,
     {
-        let flows = Flows::default();
-        let found: Vec<_> = cells.into_par_iter().map(|cell| asked_of(plane, cell, &flows)).collect();
+        let found: Vec<_> = cells.into_par_iter().map(|cell| asked_of(plane, cell, flows)).collect();
         let (mut jobs, mut is_there) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
         let mut missing = None;
         for job in found {

@@ -14,6 +14,9 @@ use crate::model::System;
 /// How far an impact may be from where the solution has it, relative to states of order one.
 const TOLERANCE: f64 = 1e-8;
 
+/// The least restitution from which on the speed before an impact is read from that after it.
+const READ_BACK: f64 = 0.1;
+
 /// A stop with its name in the family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Display)]
 #[display("{name}")]
@@ -141,9 +144,19 @@ impl<'a> Passage<'a> {
         let speed = flow.face(from.stop).speed(&from.section);
         let due_face = flow.face(due.stop);
         let due_speed = due_face.speed(&due.section);
-        let arrival = (due_speed / due_face.restitution.max(0.1)).abs() + TOLERANCE;
         let scale = 1.0 + speed.abs() + due_speed.abs();
-        Ok(Passage { system, flow, due, due_speed, arrival, scale })
+        let arrival = if due_face.restitution >= READ_BACK {
+            -due_speed / due_face.restitution
+        } else {
+            // The speed after the impact says little or nothing of that before it.
+            let time = (phase(&due.section) - phase(&from.section)) / flow.omega;
+            let z = flow.over(time) * flow.lifted(from.stop, &from.section);
+            due_face.along(&z)[1] / due_face.direction.norm()
+        };
+        if arrival < -TOLERANCE * scale {
+            return Err(Inadmissible::Misses(NamedStop::of(system, due.stop)));
+        }
+        Ok(Passage { system, flow, due, due_speed, arrival: arrival + TOLERANCE, scale })
     }
 
     fn follow(

@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector, Matrix2};
 
-use crate::model::System;
-use crate::system::{Plant, PlantStop};
+use crate::model::{Setting, System};
+use crate::system::{BUILTIN, Family, Plant, PlantStop};
 
 /// Three masses in a chain, fixed to the ground at both ends, the middle one between two stops.
 pub fn chain() -> System {
@@ -96,4 +96,23 @@ impl Ball {
         let drift = speed + force * phase.cos();
         [s * (drift + 0.5 * load * s) + force * phase.sin(), drift + load * s - force]
     }
+}
+
+/// The same plant with one gap and one restitution for all its stops, per unit of their directions.
+pub fn with_stops(plant: &Plant, gap: f64, restitution: f64) -> Plant {
+    let mut plant = plant.clone();
+    for stop in &mut plant.stops {
+        (stop.gap, stop.restitution) = (gap * stop.direction.norm(), restitution);
+    }
+    plant
+}
+
+/// The plants of the families that have a mirror once their stops are alike.
+pub fn mirrored() -> Vec<Plant> {
+    let plants = BUILTIN.iter().map(|builtin| Setting::defaults(Family::builtin(builtin.name)).plant());
+    let exchanges = |plant: &Plant| {
+        let mirror = with_stops(plant, 0.2, 0.7).mirror();
+        mirror.is_some_and(|mirror| mirror.stops.iter().enumerate().any(|(i, &image)| i != image))
+    };
+    plants.map(Result::unwrap).filter(exchanges).collect()
 }

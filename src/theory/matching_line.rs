@@ -24,6 +24,8 @@ pub(super) struct MatchingLine {
     slope: DVector<f64>,
     /// Of unit length in (sin τ, cos τ).
     direction: DVector<f64>,
+    /// Whether the mirror turns the orientation of the section.
+    turns: bool,
 }
 
 impl MatchingLine {
@@ -64,7 +66,14 @@ impl MatchingLine {
             point - &direction * along
         };
         let (point, slope) = (nearest(0), nearest(1));
-        Some(MatchingLine { matrix, constant, growth, point, slope, direction })
+        let turns = flow.reflection(from).determinant() < 0.0;
+        Some(MatchingLine { matrix, constant, growth, point, slope, direction, turns })
+    }
+
+    /// Which of the two that [`MatchingLine::meeting`] finds has det(1 − J) > 0, J being the Jacobian of half a turn, if both
+    /// reach their stops with a speed into them: det(1 − J) has the sign of −(place along the direction) · det(mirror).
+    pub fn regular(&self) -> usize {
+        usize::from(self.turns)
     }
 
     /// Its point nearest to (sin τ, cos τ) = 0 for a gap, in those two.
@@ -110,29 +119,10 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
-    use crate::model::{Flows, Setting, System};
-    use crate::system::{BUILTIN, Family, Plant};
+    use crate::model::{Flows, System};
+    use crate::theory::example::{mirrored, with_stops};
     use crate::theory::newton;
     use crate::theory::symmetric_motions;
-
-    /// The same plant with one gap and one restitution for all its stops, per unit of their directions.
-    fn with_stops(plant: &Plant, gap: f64, restitution: f64) -> Plant {
-        let mut plant = plant.clone();
-        for stop in &mut plant.stops {
-            (stop.gap, stop.restitution) = (gap * stop.direction.norm(), restitution);
-        }
-        plant
-    }
-
-    /// The plants of the families that have a mirror once their stops are alike.
-    fn mirrored() -> Vec<Plant> {
-        let plants = BUILTIN.iter().map(|builtin| Setting::defaults(Family::builtin(builtin.name)).plant());
-        let exchanges = |plant: &Plant| {
-            let mirror = with_stops(plant, 0.2, 0.7).mirror();
-            mirror.is_some_and(|mirror| mirror.stops.iter().enumerate().any(|(i, &image)| i != image))
-        };
-        plants.map(Result::unwrap).filter(exchanges).collect()
-    }
 
     #[test]
     fn one_line_holds_the_motions_of_every_gap() {

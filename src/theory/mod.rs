@@ -18,6 +18,7 @@ mod frame;
 mod impact_map;
 mod jet;
 mod label;
+mod matched;
 mod matching;
 mod matching_line;
 mod motion;

@@ -33,6 +33,26 @@ pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     Some(ordered(schur.complex_eigenvalues().as_slice().to_vec()))
 }
 
+/// How often a map is squared at most to see that it contracts.
+const MOST_SQUARINGS: usize = 12;
+
+/// Whether some power of a map surely shortens every vector, so that all its eigenvalues lie within the unit circle. Cheaper
+/// than the eigenvalues; a map with one so close to the circle that its 4096th power is no shorter is not said to.
+pub(super) fn contracts(map: DMatrix<f64>) -> bool {
+    let mut power = map;
+    for _ in 0..MOST_SQUARINGS {
+        let size = power.norm();
+        if size < STABLE {
+            return true;
+        }
+        if !size.is_finite() {
+            return false;
+        }
+        power = &power * &power;
+    }
+    false
+}
+
 /// The same numbers, largest modulus first; of a complex pair the one with the positive imaginary part first.
 pub(super) fn ordered(mut values: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
@@ -64,6 +84,18 @@ mod tests {
                 let twin = ball.jacobian(ball.section(!other).unwrap());
                 assert!((jacobian.trace() - twin.trace()).abs() > 0.1, "the check can fail");
             }
+        }
+    }
+
+    #[test]
+    fn a_map_contracts_where_its_eigenvalues_lie_within_the_unit_circle() {
+        // A rotation and a shear that lengthen vectors at first.
+        let map = |radius: f64| DMatrix::from_row_slice(2, 2, &[0.0, -9.0 * radius, radius / 9.0, 0.0]);
+        for radius in [0.0, 0.5, 0.99, 0.9995] {
+            assert!(contracts(map(radius)), "{radius}");
+        }
+        for radius in [1.0, 1.0001, 2.0, 1e200, f64::NAN] {
+            assert!(!contracts(map(radius)), "{radius}");
         }
     }
 

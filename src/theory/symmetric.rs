@@ -2,14 +2,11 @@
 
 use thiserror::Error;
 
-use super::admissible::{Inadmissible, NamedStop, fly_by, leaves_inwards};
-use super::face::Face;
+use super::admissible::Inadmissible;
 use super::flow::Flow;
-use super::follower::{Follower, follower};
-use super::matching_line::{MatchingLine, distance};
+use super::matched::Matched;
 use super::motion::PeriodicMotion;
-use super::pattern::{Pattern, StopSet};
-use super::section_vector::{SectionVector, phase, wrapped};
+use super::section_vector::wrapped;
 use crate::dynamics::Stop;
 use crate::model::System;
 
@@ -78,90 +75,8 @@ pub enum NoSymmetricMotion {
 /// # Errors
 /// [`NoSymmetricMotion`] where no real τ solves it, or there is no such mirror.
 pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymmetricMotion> {
-    let stop = exchanged_stop(system).ok_or(NoSymmetricMotion::NoMirror)?;
-    let among = StopSet::of(system);
-    let stops = &system.plant().stops;
-    let opposite = &stops[among.image(stop).index()];
-    let own = &stops[stop.index()];
-    let room = own.gap / own.direction.norm() + opposite.gap / opposite.direction.norm();
-    let facing = &own.direction / own.direction.norm() + &opposite.direction / opposite.direction.norm();
-    if room == 0.0 && facing.amax() <= 1e-12 {
-        return Err(NoSymmetricMotion::Clamped(system.closed()));
-    }
-    let flow = Flow::new(system);
-    let face = flow.face(stop);
-    let line = system.whatever_gaps(|| MatchingLine::of(&flow, stop, among.image(stop)));
-    let line = line.as_ref().as_ref().ok_or(NoSymmetricMotion::Singular)?;
-    let point = line.at_gap(face.gap);
-    let nearest = distance(&point);
-    if nearest > 1.0 {
-        let load = system.plant().load.amax() > 0.0;
-        let (amplitude, delta) = (face.gap / nearest, face.gap);
-        return Err(match load || delta == 0.0 {
-            false => NoSymmetricMotion::OutOfReach { along: met_by(face), amplitude, delta },
-            true => NoSymmetricMotion::TooWeak { factor: nearest },
-        });
-    }
-    let mut sections = line.meeting(&point).map(|mut section| {
-        let last = section.len() - 1;
-        section[last] = wrapped(section[last]);
-        if face.restitution == 0.0 {
-            // Without restitution the speed after the impact is exactly zero; rounding may have left another value.
-            section[0] = face.resting_speed(&section);
-        }
-        section
-    });
-    sections.sort_by(|a, b| phase(a).total_cmp(&phase(b)));
-    let pattern = Pattern { stops: vec![stop], half_turns: 1, mirrored: true, among };
-    let mut kept = None;
-    let solutions = sections.map(|section| {
-        let residual = line.residual(&section, face.gap);
-        let motion = PeriodicMotion { pattern: pattern.clone(), sections: vec![section], residual };
-        let at_phase_zero = followed(system, &flow, &mut kept, &motion);
-        SymmetricMotion { motion, at_phase_zero }
-    });
-    let scale = |section: &SectionVector| 1.0 + section.amax();
-    let solved = |solution: &SymmetricMotion| {
-        solution.motion.residual <= ACCEPTED * scale(&solution.motion.sections[0])
-    };
-    if solutions.iter().all(solved) { Ok(solutions) } else { Err(NoSymmetricMotion::Singular) }
-}
-
-/// What meets a stop: a coordinate, or d·x.
-fn met_by(face: &Face) -> String {
-    let own = face.direction[face.coordinate].abs() == 1.0 && face.direction.norm() == 1.0;
-    if own { format!("x{}", face.coordinate + 1) } else { "d·x".to_owned() }
-}
-
-/// The first stop that the mirror maps onto another.
-fn exchanged_stop(system: &System) -> Option<Stop> {
-    let mirror = system.mirror()?;
-    let first = mirror.stops.iter().enumerate().position(|(stop, &image)| stop != image)?;
-    Some(Stop(first as u8))
-}
-
-/// The largest residual of the matching equations that a solution in closed form may leave, for states of order one.
-const ACCEPTED: f64 = 1e-8;
-
-/// (x, v) at forcing phase 0 if the system follows a solution; `kept` is a follower of it, once there is one.
-fn followed(
-    system: &System,
-    flow: &Flow,
-    kept: &mut Option<Box<dyn Follower>>,
-    motion: &PeriodicMotion,
-) -> Result<Vec<f64>, Inadmissible> {
-    let (pattern, section) = (&motion.pattern, &motion.sections[0]);
-    let stop = pattern.stops[0];
-    let face = flow.face(stop);
-    // Without restitution the mass rests as the impact ends.
-    if face.speed(section) == 0.0 && face.restitution > 0.0 {
-        let (coordinate, velocity) = (face.coordinate, section[0]);
-        return Err(Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity });
-    }
-    leaves_inwards(system, flow, stop, section)?;
-    let follower = kept.get_or_insert_with(|| follower(system));
-    let flown = fly_by(system, flow, follower.as_mut(), pattern, &motion.sections)?;
-    flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, pattern.closing_stop())))
+    let mut matched = Matched::of(system)?;
+    Ok([0, 1].map(|k| matched.followed(k)))
 }
 
 /// (x, v) at forcing phase 0 on the stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical.
@@ -196,11 +111,20 @@ pub fn symmetric_target_at(system: &System, stop: Stop) -> Option<Vec<f64>> {
     (image.stop == stop).then_some(section)
 }
 
+/// Of two physical solutions the one with the smaller multipliers, of one that one.
+///
+/// Where the one that can be stable is, the other is a saddle and need not be looked at; see [`Matched::regular`].
 pub(super) fn stable_branch(system: &System) -> Option<SymmetricMotion> {
-    let radius = |motion: &SymmetricMotion| motion.spectral_radius(system);
-    let [a, b] = symmetric_motions(system).ok()?;
+    let mut matched = Matched::of(system).ok()?;
+    let regular = matched.regular();
+    let first = matched.followed(regular);
+    if first.at_phase_zero.is_ok() && matched.contracts(regular) {
+        return Some(first);
+    }
+    let second = matched.followed(1 - regular);
+    let [a, b] = if regular == 0 { [first, second] } else { [second, first] };
     match (a.at_phase_zero.is_ok(), b.at_phase_zero.is_ok()) {
-        (true, true) => Some(if radius(&a) <= radius(&b) { a } else { b }),
+        (true, true) => Some(if matched.radius(0) <= matched.radius(1) { a } else { b }),
         (true, false) => Some(a),
         (false, true) => Some(b),
         (false, false) => None,

@@ -1,0 +1,202 @@
+//! The two solutions of the matching conditions (5): their sections, whether the system follows them, and which can be stable.
+
+use nalgebra::DMatrix;
+
+use super::admissible::{Inadmissible, NamedStop, fly_by, leaves_inwards};
+use super::face::Face;
+use super::flow::Flow;
+use super::follower::{Follower, follower};
+use super::matching_line::{MatchingLine, distance};
+use super::motion::PeriodicMotion;
+use super::multipliers::{contracts, eigenvalues, turn};
+use super::pattern::{Pattern, StopSet};
+use super::section_vector::{SectionVector, phase, wrapped};
+use super::symmetric::{NoSymmetricMotion, SymmetricMotion};
+use crate::dynamics::Stop;
+use crate::model::System;
+
+/// The largest residual of the matching equations that a solution in closed form may leave, for states of order one.
+const ACCEPTED: f64 = 1e-8;
+
+/// Both solutions of (5) of a system, in the order of τ.
+pub(super) struct Matched<'a> {
+    system: &'a System,
+    flow: Flow,
+    pattern: Pattern,
+    sections: [SectionVector; 2],
+    residuals: [f64; 2],
+    regular: usize,
+    /// A follower of the system, once there is one.
+    follower: Option<Box<dyn Follower>>,
+}
+
+impl<'a> Matched<'a> {
+    /// Solves (5).
+    pub fn of(system: &'a System) -> Result<Self, NoSymmetricMotion> {
+        let stop = exchanged_stop(system).ok_or(NoSymmetricMotion::NoMirror)?;
+        let among = StopSet::of(system);
+        let stops = &system.plant().stops;
+        let opposite = &stops[among.image(stop).index()];
+        let own = &stops[stop.index()];
+        let room = own.gap / own.direction.norm() + opposite.gap / opposite.direction.norm();
+        let facing = &own.direction / own.direction.norm() + &opposite.direction / opposite.direction.norm();
+        if room == 0.0 && facing.amax() <= 1e-12 {
+            return Err(NoSymmetricMotion::Clamped(system.closed()));
+        }
+        let flow = Flow::new(system);
+        let face = flow.face(stop);
+        let line = system.whatever_gaps(|| MatchingLine::of(&flow, stop, among.image(stop)));
+        let line = line.as_ref().as_ref().ok_or(NoSymmetricMotion::Singular)?;
+        let point = line.at_gap(face.gap);
+        let nearest = distance(&point);
+        if nearest > 1.0 {
+            let load = system.plant().load.amax() > 0.0;
+            let (amplitude, delta) = (face.gap / nearest, face.gap);
+            return Err(match load || delta == 0.0 {
+                false => NoSymmetricMotion::OutOfReach { along: met_by(face), amplitude, delta },
+                true => NoSymmetricMotion::TooWeak { factor: nearest },
+            });
+        }
+        let mut sections = line.meeting(&point).map(|mut section| {
+            let last = section.len() - 1;
+            section[last] = wrapped(section[last]);
+            if face.restitution == 0.0 {
+                // Without restitution the speed after the impact is exactly zero; rounding may have left another value.
+                section[0] = face.resting_speed(&section);
+            }
+            section
+        });
+        let mut regular = line.regular();
+        if phase(&sections[0]) > phase(&sections[1]) {
+            sections.swap(0, 1);
+            regular = 1 - regular;
+        }
+        let residuals = [0, 1].map(|k| line.residual(&sections[k], face.gap));
+        let solved = |k: usize| residuals[k] <= ACCEPTED * (1.0 + sections[k].amax());
+        if !(solved(0) && solved(1)) {
+            return Err(NoSymmetricMotion::Singular);
+        }
+        let pattern = Pattern { stops: vec![stop], half_turns: 1, mirrored: true, among };
+        Ok(Matched { system, flow, pattern, sections, residuals, regular, follower: None })
+    }
+
+    /// The one of the two that can be stable.
+    ///
+    /// With J the Jacobian of half a turn, the other has det(1 − J) < 0, hence a real multiplier above 1, if both reach their
+    /// stops with a speed into them. For the derivative of the matching conditions is that of arriving times (1 − J) times the
+    /// mirror, and its determinant goes with the place on the line (5), which has the other sign at the other solution.
+    pub fn regular(&self) -> usize {
+        self.regular
+    }
+
+    /// Whether all multipliers of one of them surely lie within the unit circle.
+    pub fn contracts(&self, k: usize) -> bool {
+        self.half_turn(k).is_some_and(contracts)
+    }
+
+    /// The largest modulus among the multipliers of one of them; infinite where its impacts graze.
+    pub fn radius(&self, k: usize) -> f64 {
+        let values = self.half_turn(k).and_then(|map| eigenvalues(&map));
+        values.map_or(f64::INFINITY, |values| values[0].norm())
+    }
+
+    /// The Jacobian of half a turn around one of them.
+    fn half_turn(&self, k: usize) -> Option<DMatrix<f64>> {
+        turn(&self.flow, &self.pattern, &self.sections[k..=k])
+    }
+
+    /// One of them, with (x, v) at forcing phase 0 if the system follows it.
+    pub fn followed(&mut self, k: usize) -> SymmetricMotion {
+        let at_phase_zero = self.follow(k);
+        let (pattern, sections) = (self.pattern.clone(), vec![self.sections[k].clone()]);
+        SymmetricMotion {
+            motion: PeriodicMotion { pattern, sections, residual: self.residuals[k] },
+            at_phase_zero,
+        }
+    }
+
+    /// (x, v) at forcing phase 0 if the system follows one of them.
+    fn follow(&mut self, k: usize) -> Result<Vec<f64>, Inadmissible> {
+        let Matched { system, flow, pattern, sections, follower: kept, .. } = self;
+        let section = &sections[k];
+        let stop = pattern.stops[0];
+        let face = flow.face(stop);
+        // Without restitution the mass rests as the impact ends.
+        if face.speed(section) == 0.0 && face.restitution > 0.0 {
+            let (coordinate, velocity) = (face.coordinate, section[0]);
+            return Err(Inadmissible::WrongVelocity {
+                stop: NamedStop::of(system, stop),
+                coordinate,
+                velocity,
+            });
+        }
+        leaves_inwards(system, flow, stop, section)?;
+        let follower = kept.get_or_insert_with(|| follower(system));
+        let flown = fly_by(system, flow, follower.as_mut(), pattern, &sections[k..=k])?;
+        flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, pattern.closing_stop())))
+    }
+}
+
+/// What meets a stop: a coordinate, or d·x.
+fn met_by(face: &Face) -> String {
+    let own = face.direction[face.coordinate].abs() == 1.0 && face.direction.norm() == 1.0;
+    if own { format!("x{}", face.coordinate + 1) } else { "d·x".to_owned() }
+}
+
+/// The first stop that the mirror maps onto another.
+fn exchanged_stop(system: &System) -> Option<Stop> {
+    let mirror = system.mirror()?;
+    let first = mirror.stops.iter().enumerate().position(|(stop, &image)| stop != image)?;
+    Some(Stop(first as u8))
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{Rng, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::theory::example::{mirrored, with_stops};
+    use crate::theory::symmetric::stable_branch;
+
+    #[test]
+    fn of_two_physical_motions_the_one_that_is_not_regular_is_a_saddle() {
+        let mut random = ChaCha8Rng::seed_from_u64(11);
+        let (mut compared, mut stable, mut places) = (0, 0, [0, 0]);
+        for plant in mirrored() {
+            for _ in 0..400 {
+                let mut plant = with_stops(
+                    &plant,
+                    random.random_range(0.01..0.6),
+                    [0.0, 0.3, 0.8, 0.95][random.random_range(0..4)],
+                );
+                plant.omega *= random.random_range(0.5..2.5);
+                let system = System::of_plant(plant).unwrap();
+                let Ok(mut matched) = Matched::of(&system) else { continue };
+                if [0, 1].map(|k| matched.followed(k)).iter().any(|motion| motion.at_phase_zero.is_err()) {
+                    continue;
+                }
+                let distances = [0, 1].map(|k| {
+                    let map = matched.half_turn(k).unwrap();
+                    (DMatrix::identity(map.nrows(), map.ncols()) - map).determinant()
+                });
+                let regular = matched.regular();
+                assert!(distances[regular] > 0.0 && distances[1 - regular] < 0.0, "{distances:?}, {regular}");
+                assert!(matched.radius(1 - regular) > 1.0);
+                if matched.contracts(regular) {
+                    stable += 1;
+                    assert!(matched.radius(regular) < 1.0);
+                }
+                // The branch taken is the one with the smaller multipliers, found the long way.
+                let smaller = usize::from(matched.radius(1) < matched.radius(0));
+                let taken = stable_branch(&system).unwrap();
+                assert_eq!(taken, matched.followed(smaller));
+                assert_ne!(taken, matched.followed(1 - smaller), "the check can fail");
+                places[regular] += 1;
+                compared += 1;
+            }
+        }
+        println!("{compared} pairs, {stable} of them with a stable motion; the regular one by place: {places:?}");
+        assert!(compared > 60 && stable > 20 && stable < compared && places.iter().all(|&count| count > 0));
+    }
+}
