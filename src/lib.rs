@@ -113,7 +113,8 @@
 //! *In doubt.* What returns without having settled is held against the exact motion beside it: Newton's method on the
 //! strobe map finds it, its multipliers say whether it is stable and what λ1 is, and its Jacobian must foretell where the
 //! state is one turn later. Chaos may be transient, and goes on for 320 forcing periods more. What is still undecided, or
-//! neutral, goes on for eight transients and is observed four times as long: beside a Neimark–Sacker curve a spiral is slow.
+//! neutral, goes on for another transient and is observed four times as long: beside a Neimark–Sacker curve a spiral is slow.
+//! What even that leaves undecided goes on for eight transients.
 //! [`sweep::certify`] solves the motion of every periodic cell.
 //!
 //! # Theory

@@ -5,9 +5,10 @@
 //! - A state that returns without having settled is held against the exact motion beside it, which Newton's method finds at
 //!   the cost of a few turns: slow spirals and alternations need not be waited for, and a multiple of the period is no period.
 //! - Chaos may be transient: it goes on for up to [`CHAOS_LOOK`] forcing periods, and is chaos unless it settles by then.
-//! - What is still undecided or neutral, or returns although its exponent is positive, goes on for [`SECOND_LOOK`] times the
-//!   transient and is observed [`LONGER_OBSERVATION`] times as long: beside a Neimark–Sacker curve spirals are slow, and weak
-//!   chaos needs time to be significant.
+//! - What is still undecided or neutral, or returns although its exponent is positive, goes on for another transient and is
+//!   observed [`LONGER_OBSERVATION`] times as long: beside a Neimark–Sacker curve spirals are slow, and weak chaos needs time to
+//!   be significant. Quasi-periodic motion whose points scatter alike in both halves of that is believed.
+//! - What even that leaves undecided goes on for [`SECOND_LOOK`] times the transient, and is observed as long again.
 
 use rayon::prelude::*;
 
@@ -58,7 +59,7 @@ struct Look {
 }
 
 /// The looks in their order.
-fn looks(schedule: &Schedule) -> [Look; 2] {
+fn looks(schedule: &Schedule) -> [Look; 3] {
     let chaos = Schedule {
         transient: schedule.transient.saturating_mul(2).min(CHAOS_LOOK),
         observe: schedule.observe.min(CHAOS_OBSERVATION),
@@ -66,7 +67,12 @@ fn looks(schedule: &Schedule) -> [Look; 2] {
     };
     [
         Look { in_doubt: may_be_transient, decides: is_settled, schedule: chaos },
-        Look { in_doubt: is_open, decides: |_| true, schedule: second_look(schedule) },
+        Look {
+            in_doubt: is_open,
+            decides: |_| true,
+            schedule: Schedule { transient: schedule.transient, ..second_look(schedule) },
+        },
+        Look { in_doubt: is_undecided, decides: |_| true, schedule: second_look(schedule) },
     ]
 }
 
@@ -89,8 +95,11 @@ fn is_settled(verdict: &Verdict) -> bool {
 }
 
 fn is_open(verdict: &Verdict) -> bool {
-    let undecided = matches!(verdict.regime, Regime::Unresolved | Regime::QuasiPeriodic);
-    undecided || (verdict.returning > 0 && !verdict.regime.is_periodic())
+    verdict.regime == Regime::QuasiPeriodic || is_undecided(verdict)
+}
+
+fn is_undecided(verdict: &Verdict) -> bool {
+    verdict.regime == Regime::Unresolved || (verdict.returning > 0 && !verdict.regime.is_periodic())
 }
 
 impl Look {

@@ -13,7 +13,10 @@ use super::interrupt;
 use super::{CliError, Result, note, spans};
 
 /// The most cells that are measured.
-const MOST: u32 = 512;
+const MOST: u32 = 4096;
+
+/// So many of them first where a device works on many at once.
+const AT_ONCE: usize = 512;
 
 /// One cell of so many is measured, so that measuring costs little beside the rest.
 const ONE_OF: u64 = 32;
@@ -51,11 +54,12 @@ fn of_cells(
     if all < FEWEST {
         return Ok(());
     }
-    let cells = spread(columns, rows, u32::try_from(all / ONE_OF_FEWER).unwrap_or(MOST).min(MOST));
+    let count = u32::try_from(all / ONE_OF_FEWER).unwrap_or(MOST).min(MOST);
+    let cells = spread(columns, rows, count);
     // A device works on many cells at once; a processor on as many as its threads have lanes. Towards the end of its cells
     // most lanes wait for the last of them: the more cells, the less that counts, and only the latest are reckoned with.
     let lanes = Width::available()[0].lanes() * rayon::current_num_threads();
-    let first = if backend.name() == "cpu" { lanes } else { MOST as usize };
+    let first = if backend.name() == "cpu" { lanes } else { AT_ONCE };
     if backend.name() != "cpu" {
         // A shader is compiled once, however many cells there are.
         compute(&cells[..1], &interrupt::Interruptible)?;

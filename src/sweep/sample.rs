@@ -1,13 +1,18 @@
 //! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
+use rayon::prelude::*;
+
 use super::swept::{Swept, asked_of};
 use super::{Result, SweepError};
 use crate::backend::{Backend, Watch};
 use crate::model::Flows;
 use crate::plane::Plane;
 
+/// In so many columns at most, since cells of a column may share what follows from their flow, as they do in the whole plane.
+const COLUMNS: u32 = 32;
+
 /// Cells of a plane of so many columns and rows by their indices, row by row: the first `count` of a sequence that
-/// fills the plane evenly however many of it are taken. A cell may come twice.
+/// fills the plane evenly however many of it are taken, in some of its columns. A cell may come twice.
 pub fn spread(columns: u32, rows: u32, count: u32) -> Vec<u64> {
     /// The real root of g³ = g + 1, whose powers make the sequence.
     const G: f64 = 1.324_717_957_244_746;
@@ -15,8 +20,10 @@ pub fn spread(columns: u32, rows: u32, count: u32) -> Vec<u64> {
         let share = (0.5 + step * f64::from(i)).fract();
         u64::from(((share * f64::from(cells)) as u32).min(cells - 1))
     };
+    let few = columns.min(COLUMNS);
+    let column = |k: u64| (2 * k + 1) * u64::from(columns) / (2 * u64::from(few));
     (1..=count)
-        .map(|i| place(i, 1.0 / (G * G), rows) * u64::from(columns) + place(i, 1.0 / G, columns))
+        .map(|i| place(i, 1.0 / (G * G), rows) * u64::from(columns) + column(place(i, 1.0 / G, few)))
         .collect()
 }
 
@@ -31,7 +38,8 @@ pub fn sample<T: Swept>(
     watch: &dyn Watch,
 ) -> Result<Vec<T::Cell>> {
     let flows = Flows::default();
-    let jobs: Result<Vec<_>, _> = (cells.iter().map(|&cell| asked_of(plane, cell, &flows)))
+    let made: Vec<_> = cells.par_iter().map(|&cell| asked_of(plane, cell, &flows)).collect();
+    let jobs: Result<Vec<_>, _> = (made.into_iter())
         .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))
         .filter_map(Result::transpose)
         .collect();
