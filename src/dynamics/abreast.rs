@@ -220,20 +220,28 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         phases
     }
 
-    /// The contacts of all trajectories that wait for one, and the rest of their step where it clears the stops.
+    /// The contacts of all trajectories that wait for one, and the rest of their step where it clears the stops. Those at the
+    /// beginning of a step are looked at along with them: it costs nothing more, and they step, or meet their contact.
     #[inline(always)]
     pub fn cross(&mut self) -> Round {
-        let (waits, carries) = (self.waits, self.carries);
+        let (begin, carries) = (self.steps, self.carries);
+        let waits = self.waits.or(begin);
         // Copies, here and below: a blend with what is stored already becomes a store where a mask holds, which takes some
         // processors ten times as long.
         let (from, kicks, offset, mut left) = (self.point, self.kicks, self.offset, self.left);
-        let tangent = self.tangent;
+        let mut tangent = self.tangent;
         let flight = &self.flight;
+        let carried = begin.and(carries);
+        if carried.bits() != 0 {
+            tangent.0 = State::select(carried, &tangent.stepped_freely(flight).0, &tangent.0);
+        }
         let window = flight.h - offset;
         let (zero, one) = (window.all(0.0), window.all(1.0));
         let ahead = Point::select(kicks.below(one), &from.stepped(flight), &self.ahead);
         let leg = Leg { from: &from, to: &ahead, window };
-        let met = crossing(&leg, &leg.clearances(flight), flight);
+        let clearances = leg.clearances(flight);
+        let clears = begin.and(clearances.all(flight.count));
+        let met = crossing(&leg, &clearances, flight);
         let few = kicks.below(window.all(f64::from(MOST_KICKS)));
         let struck = waits.and(met.certain).and(few);
         if struck.and(carries).bits() != 0 {
@@ -243,21 +251,22 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
                 back = State::select(met.normals[k], &flight.normals[k].look_back(u), &back);
             }
             let changed = tangent.struck_ahead(flight, &back, &met.impact);
-            self.tangent.0 = State::select(struck.and(carries), &changed.0, &tangent.0);
+            tangent.0 = State::select(struck.and(carries), &changed.0, &tangent.0);
         }
+        self.tangent = tangent;
         let point = Point::select(struck, &met.point, &from);
         let ahead = Point::select(struck, &met.ahead, &ahead);
         let kicks = kicks + L::select(struck, one, zero);
         let offset = offset + L::select(struck, met.time, zero);
         let leg = Leg { from: &point, to: &ahead, window: flight.h - offset };
-        let moves = struck.and(leg.clears(flight));
+        let moves = struck.and(leg.clears(flight)).or(clears);
         self.tally.count(flight, struck, carries, &met);
-        let uncertain = waits.and(struck.not()).bits();
+        let uncertain = waits.and(struck.or(clears).not()).bits();
         self.usage.contact_slots += L::WIDTH as u64;
         self.usage.contacts += u64::from(struck.bits().count_ones());
         self.usage.fallbacks += u64::from(uncertain.count_ones());
         self.ahead = ahead;
-        (self.waits, self.steps) = (waits.and(moves.not()), self.steps.or(moves));
+        (self.waits, self.steps) = (waits.and(moves.not()), moves);
         (self.offset, self.kicks) = (L::select(moves, zero, offset), L::select(moves, zero, kicks));
         let mut point = Point::select(moves, &ahead, &point);
         let phases = self.complete(moves, &mut point, &mut left);
