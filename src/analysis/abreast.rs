@@ -30,7 +30,7 @@ pub trait Queue<T, const N: usize> {
 const WAITING: u32 = 3;
 /// See [`WAITING`].
 const OF_ALL: u32 = 4;
-/// Steps that are tried between two looks at the waiting lanes, and on the GPU between two contacts.
+/// Steps that are tried on the GPU between two contacts.
 pub const CLEAR_STEPS: u32 = 4;
 /// Rounds of steps and contacts on the GPU before what is rare is looked at.
 pub const ROUNDS: u32 = 16;
@@ -66,18 +66,15 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
 ) {
     let mut lanes = Lane::<L, N, Q>::all(zero, normals, queue, schedule);
     while lanes.busy > 0 {
-        let mut steps = CLEAR_STEPS;
-        while steps > 0 {
-            let phases = lanes.abreast.fly(&mut steps);
+        let phases = lanes.abreast.fly((WAITING * lanes.busy).div_ceil(OF_ALL));
+        if phases > 0 {
             lanes.pass_phases(phases, schedule, queue);
+            continue;
         }
-        let (waiting, stepping) = lanes.abreast.waiting();
-        if OF_ALL * waiting >= WAITING * lanes.busy || stepping == 0 {
-            let round = lanes.abreast.cross();
-            lanes.pass_phases(round.phases, schedule, queue);
-            for lane in bits(round.uncertain) {
-                lanes.go_warily(lane, schedule, queue);
-            }
+        let round = lanes.abreast.cross();
+        lanes.pass_phases(round.phases, schedule, queue);
+        for lane in bits(round.uncertain) {
+            lanes.go_warily(lane, schedule, queue);
         }
     }
     queue.used(lanes.abreast.usage());

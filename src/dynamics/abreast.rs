@@ -180,23 +180,16 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.usage
     }
 
-    /// How many trajectories wait for a contact, and how many can step.
+    /// Steps of every trajectory that is at the beginning of one, where it clears the stops; the others wait from then on. Until
+    /// none can step, `enough` of them wait, or lanes come to phase 0 or π where they are to be seen there: these lanes, a bit for
+    /// each.
     #[inline(always)]
-    pub fn waiting(&self) -> (u32, u32) {
-        (self.waits.bits().count_ones(), self.steps.bits().count_ones())
-    }
-
-    /// Steps of every trajectory that is at the beginning of one, where it clears the stops; the others wait from then on. So
-    /// many of them, counted down in `steps`, or until lanes come to phase 0 or π where they are to be seen there. These lanes, a
-    /// bit for each.
-    #[inline(always)]
-    pub fn fly(&mut self, steps: &mut u32) -> u32 {
+    pub fn fly(&mut self, enough: u32) -> u32 {
         // Copies: a load of all lanes soon after a store to some of them waits for that store to end.
         let (mut point, mut tangent, mut left) = (self.point, self.tangent.0, self.left);
         let (mut ready, mut waits) = (self.steps, self.waits);
         let (mut phases, mut made) = (0, 0);
-        while phases == 0 && *steps > 0 {
-            *steps -= 1;
+        while phases == 0 && ready.bits() != 0 && waits.bits().count_ones() < enough {
             let flight = &self.flight;
             let ahead = point.stepped(flight);
             let leg = Leg { from: &point, to: &ahead, window: flight.h };
