@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let number = |i: usize, usual: u32| words.get(i).map_or(Ok(usual), |text| text.parse());
     let (columns, rows, repeats) = (number(0, 190)?, number(1, 130)?, number(2, 3)?.max(1));
     let (x, y) = (format!("omega=0.2:5:{columns}"), format!("delta=0.02:0.8:{rows}"));
-    let schedule = Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false };
+    let schedule = Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false };
     let plane = Plane::of_paper(&x, &y, Start::Symmetric, schedule)?;
     let (jobs, making) = fastest(repeats, || made(&plane))?;
     let (verdicts, whole) = fastest(repeats, || followed(&jobs, &plane.task))?;

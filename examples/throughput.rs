@@ -4,7 +4,7 @@
 //!
 //! - `plane`: ω from 1 to 5 and δ from 0.1 to 0.6 in equal steps, 200 forcing periods without early finish;
 //! - `figure`: the plane of the paper's Fig. 5, ω from 0.5 to 4.4 and δ from 0.02 to 0.6, by the default schedule but without
-//!   second looks;
+//!   longer looks;
 //! - `chaos`: ω from 1.37 to 1.65 and δ from 0.207 to 0.232, where nearly all motion is chaotic, 200 forcing periods without
 //!   early finish, all of them observed;
 //! - `chatter`: ω from 0.2 to 0.6 and δ from 0.1 to 0.6, 200 forcing periods without early finish.

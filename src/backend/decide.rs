@@ -8,7 +8,7 @@
 //! - What is still undecided or neutral, or returns although its exponent is positive, goes on for another transient and is
 //!   observed [`LONGER_OBSERVATION`] times as long: beside a Neimark–Sacker curve spirals are slow, and weak chaos needs time to
 //!   be significant. Quasi-periodic motion whose points scatter alike in both halves of that is believed.
-//! - What even that leaves undecided goes on for [`SECOND_LOOK`] times the transient, and is observed as long again.
+//! - What even that leaves undecided goes on for [`LONG_LOOK`] times the transient, and is observed as long again.
 
 use rayon::prelude::*;
 
@@ -16,8 +16,8 @@ use super::{Backend, Job, Result, Silent, Watch};
 use crate::analysis::{Regime, Schedule, Verdict};
 use crate::theory::confirmed;
 
-/// How many transients a trajectory that is still undecided goes on for.
-pub const SECOND_LOOK: u32 = 8;
+/// How many transients a trajectory goes on for that a longer observation leaves undecided.
+pub const LONG_LOOK: u32 = 8;
 
 /// How many times as long it is then observed.
 pub const LONGER_OBSERVATION: u32 = 4;
@@ -70,17 +70,17 @@ fn looks(schedule: &Schedule) -> [Look; 3] {
         Look {
             in_doubt: is_open,
             decides: |_| true,
-            schedule: Schedule { transient: schedule.transient, ..second_look(schedule) },
+            schedule: Schedule { transient: schedule.transient, ..long_look(schedule) },
         },
-        Look { in_doubt: is_undecided, decides: |_| true, schedule: second_look(schedule) },
+        Look { in_doubt: is_undecided, decides: |_| true, schedule: long_look(schedule) },
     ]
 }
 
-/// The schedule by which a trajectory goes on that is still undecided.
-pub fn second_look(schedule: &Schedule) -> Schedule {
+/// The schedule by which a trajectory goes on that a longer observation leaves undecided.
+pub fn long_look(schedule: &Schedule) -> Schedule {
     let times = |periods: u32, times: u32| periods.saturating_mul(times).min(Schedule::LONGEST);
     Schedule {
-        transient: times(schedule.transient, SECOND_LOOK),
+        transient: times(schedule.transient, LONG_LOOK),
         observe: times(schedule.observe, LONGER_OBSERVATION),
         ..*schedule
     }

@@ -13,7 +13,7 @@ mod watch;
 pub use cpu::{
     Cpu, CpuSingle, Precision, Width, extent, follow, follow_all, follow_controlled, follow_counted, trace,
 };
-pub use decide::{CHAOS_LOOK, LONGER_OBSERVATION, SECOND_LOOK, decide, second_look};
+pub use decide::{CHAOS_LOOK, LONG_LOOK, LONGER_OBSERVATION, decide, long_look};
 pub use error::{BackendError, Result};
 pub use extents::extents;
 pub use gpu::{AdapterReport, Gpu, Spent, adapters, hardware_shader};

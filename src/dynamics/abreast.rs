@@ -51,7 +51,7 @@ pub struct Abreast<L: Lanes, const N: usize> {
 pub struct Round {
     /// The contact is not certain: it must be approached from the safe side.
     pub uncertain: u32,
-    /// The step was completed after the impact, at phase 0 or π where the lane is to be seen there.
+    /// The step was completed, with an impact or without, at phase 0 or π where the lane is to be seen there.
     pub phases: u32,
 }
 
@@ -214,7 +214,8 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     }
 
     /// The contacts of all trajectories that wait for one, and the rest of their step where it clears the stops. Those at the
-    /// beginning of a step are looked at along with them: it costs nothing more, and they step, or meet their contact.
+    /// beginning of a step are looked at along with them: it costs nothing more, but for tangents that are carried, and they
+    /// step, or meet their contact.
     #[inline(always)]
     pub fn cross(&mut self) -> Round {
         let (begin, carries) = (self.steps, self.carries);

@@ -7,7 +7,7 @@ use std::ops::AddAssign;
 pub struct Usage {
     /// Steps of flight that the lanes had room for.
     pub step_slots: u64,
-    /// Steps that clear the stops, and were taken.
+    /// Steps that clear the stops, and were taken in that room; those taken in rounds of contacts are not counted.
     pub steps: u64,
     /// Contacts that the lanes had room for.
     pub contact_slots: u64,

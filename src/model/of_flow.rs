@@ -45,6 +45,11 @@ impl OfFlow {
         is_shared.then(|| self.constants.get_or_init(|| Box::new(compute())).downcast_ref()).flatten()
     }
 
+    /// How many things are kept that follow from it.
+    pub(super) fn kept(&self) -> usize {
+        1 + self.of_restitutions.read().len()
+    }
+
     /// exp(Gπ/ω), half a forcing period of the flow z' = G z of z = (x, v, sin φ, cos φ, 1).
     pub fn half_period(&self, compute: impl FnOnce() -> DMatrix<f64>) -> &DMatrix<f64> {
         self.half_period.get_or_init(compute)

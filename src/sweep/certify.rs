@@ -13,7 +13,7 @@ use super::Result;
 use super::map::window_jobs;
 use super::swept::cell_job;
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
-use crate::backend::{self, Backend, Job, Silent, Watch, decide, second_look};
+use crate::backend::{self, Backend, Job, Silent, Watch, decide, long_look};
 use crate::model::Flows;
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
 use crate::theory::{StrobeMotion, approached, approached_from, with_motion};
@@ -187,7 +187,7 @@ fn reexamined(
     backend: &dyn Backend,
     watch: &dyn Watch,
 ) -> backend::Result<Vec<Verdict>> {
-    let longer = Schedule { fixed_periods: false, ..second_look(schedule) };
+    let longer = Schedule { fixed_periods: false, ..long_look(schedule) };
     let again: Vec<Job> = cells
         .iter()
         .map(|&cell| Job { system: jobs[cell].system.clone(), start: before[cell].state })

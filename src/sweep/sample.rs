@@ -8,8 +8,12 @@ use crate::backend::{Backend, Watch};
 use crate::model::Flows;
 use crate::plane::Plane;
 
-/// In so many columns at most, since cells of a column may share what follows from their flow, as they do in the whole plane.
+/// In so many columns, where they are high enough: cells of a column may share what follows from their flow, as they do in the
+/// whole plane.
 const COLUMNS: u32 = 32;
+
+/// Of the cells of these columns no more than one in so many is taken.
+const ONE_OF: u32 = 4;
 
 /// Cells of a plane of so many columns and rows by their indices, row by row: the first `count` of a sequence that
 /// fills the plane evenly however many of it are taken, in some of its columns. A cell may come twice.
@@ -20,7 +24,7 @@ pub fn spread(columns: u32, rows: u32, count: u32) -> Vec<u64> {
         let share = (0.5 + step * f64::from(i)).fract();
         u64::from(((share * f64::from(cells)) as u32).min(cells - 1))
     };
-    let few = columns.min(COLUMNS);
+    let few = columns.min(COLUMNS.max(ONE_OF.saturating_mul(count).div_ceil(rows)));
     let column = |k: u64| (2 * k + 1) * u64::from(columns) / (2 * u64::from(few));
     (1..=count)
         .map(|i| place(i, 1.0 / (G * G), rows) * u64::from(columns) + column(place(i, 1.0 / G, few)))

@@ -156,7 +156,7 @@ impl<'a> Passage<'a> {
         if arrival < -TOLERANCE * scale {
             return Err(Inadmissible::Misses(NamedStop::of(system, due.stop)));
         }
-        Ok(Passage { system, flow, due, due_speed, arrival: arrival + TOLERANCE, scale })
+        Ok(Passage { system, flow, due, due_speed, arrival: arrival.max(0.0) + TOLERANCE, scale })
     }
 
     fn follow(

@@ -1,6 +1,8 @@
-//! The two solutions of the matching conditions (5): their sections, whether the system follows them, and which can be stable.
+//! The solutions of the matching conditions (5): their sections, whether the system follows them, and which of the two can be
+//! stable.
 
 use nalgebra::DMatrix;
+use thiserror::Error;
 
 use super::admissible::{Inadmissible, NamedStop, fly_by, leaves_inwards};
 use super::face::Face;
@@ -11,12 +13,62 @@ use super::motion::PeriodicMotion;
 use super::multipliers::{contracts, eigenvalues, turn};
 use super::pattern::{Pattern, StopSet};
 use super::section_vector::{SectionVector, phase, wrapped};
-use super::symmetric::{NoSymmetricMotion, SymmetricMotion};
 use crate::dynamics::Stop;
 use crate::model::System;
 
 /// The largest residual of the matching equations that a solution in closed form may leave, for states of order one.
 const ACCEPTED: f64 = 1e-8;
+
+/// One solution of the matching conditions (5); everything is non-dimensional.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SymmetricMotion {
+    /// The motion that the conditions describe, whether or not the system follows it.
+    pub motion: PeriodicMotion,
+    /// (x, v) at forcing phase 0 if the motion is physical, otherwise why no trajectory follows it.
+    pub at_phase_zero: Result<Vec<f64>, Inadmissible>,
+}
+
+impl SymmetricMotion {
+    /// The largest modulus among the half map's multipliers; the motion is stable where it is below 1.
+    ///
+    /// Infinite where the impacts graze, since there is nothing to linearise about.
+    pub fn spectral_radius(&self, system: &System) -> f64 {
+        self.motion.half_multipliers(system).map_or(f64::INFINITY, |values| values[0].norm())
+    }
+}
+
+/// Why the matching conditions (5) have no solution.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum NoSymmetricMotion {
+    /// The system has no mirror, or its mirror maps every stop onto itself.
+    #[error("does not exist: the system has no mirror that exchanges two stops")]
+    NoMirror,
+    /// There is no room to move.
+    #[error("does not exist: {0}")]
+    Clamped(String),
+    /// Whatever the phase, the motion would not reach from stop to stop.
+    #[error(
+        "does not exist: the forcing drives the matched motion to |{along}| = {amplitude} at most, short of the stops at \
+         ±{delta}"
+    )]
+    OutOfReach {
+        /// What meets the stops: a coordinate, or d·x.
+        along: String,
+        /// The largest displacement at impact over all phases, along the stop's direction.
+        amplitude: f64,
+        /// The stop's gap.
+        delta: f64,
+    },
+    /// Whatever the phase, the motion would not reach from stop to stop, and the constant load has a share in that.
+    #[error("does not exist: the matched motion would need a forcing {factor} times as strong")]
+    TooWeak {
+        /// How strong the forcing would have to be at least.
+        factor: f64,
+    },
+    /// The matching conditions are singular.
+    #[error("does not exist: the matching conditions are singular here")]
+    Singular,
+}
 
 /// Both solutions of (5) of a system, in the order of τ.
 pub(super) struct Matched<'a> {
@@ -101,7 +153,7 @@ impl<'a> Matched<'a> {
     }
 
     /// The Jacobian of half a turn around one of them.
-    fn half_turn(&self, k: usize) -> Option<DMatrix<f64>> {
+    pub fn half_turn(&self, k: usize) -> Option<DMatrix<f64>> {
         turn(&self.flow, &self.pattern, &self.sections[k..=k])
     }
 
@@ -148,55 +200,4 @@ fn exchanged_stop(system: &System) -> Option<Stop> {
     let mirror = system.mirror()?;
     let first = mirror.stops.iter().enumerate().position(|(stop, &image)| stop != image)?;
     Some(Stop(first as u8))
-}
-
-#[cfg(test)]
-mod tests {
-    use rand::{Rng, SeedableRng};
-    use rand_chacha::ChaCha8Rng;
-
-    use super::*;
-    use crate::theory::example::{mirrored, with_stops};
-    use crate::theory::symmetric::stable_branch;
-
-    #[test]
-    fn of_two_physical_motions_the_one_that_is_not_regular_is_a_saddle() {
-        let mut random = ChaCha8Rng::seed_from_u64(11);
-        let (mut compared, mut stable, mut places) = (0, 0, [0, 0]);
-        for plant in mirrored() {
-            for _ in 0..400 {
-                let mut plant = with_stops(
-                    &plant,
-                    random.random_range(0.01..0.6),
-                    [0.0, 0.3, 0.8, 0.95][random.random_range(0..4)],
-                );
-                plant.omega *= random.random_range(0.5..2.5);
-                let system = System::of_plant(plant).unwrap();
-                let Ok(mut matched) = Matched::of(&system) else { continue };
-                if [0, 1].map(|k| matched.followed(k)).iter().any(|motion| motion.at_phase_zero.is_err()) {
-                    continue;
-                }
-                let distances = [0, 1].map(|k| {
-                    let map = matched.half_turn(k).unwrap();
-                    (DMatrix::identity(map.nrows(), map.ncols()) - map).determinant()
-                });
-                let regular = matched.regular();
-                assert!(distances[regular] > 0.0 && distances[1 - regular] < 0.0, "{distances:?}, {regular}");
-                assert!(matched.radius(1 - regular) > 1.0);
-                if matched.contracts(regular) {
-                    stable += 1;
-                    assert!(matched.radius(regular) < 1.0);
-                }
-                // The branch taken is the one with the smaller multipliers, found the long way.
-                let smaller = usize::from(matched.radius(1) < matched.radius(0));
-                let taken = stable_branch(&system).unwrap();
-                assert_eq!(taken, matched.followed(smaller));
-                assert_ne!(taken, matched.followed(1 - smaller), "the check can fail");
-                places[regular] += 1;
-                compared += 1;
-            }
-        }
-        println!("{compared} pairs, {stable} of them with a stable motion; the regular one by place: {places:?}");
-        assert!(compared > 60 && stable > 20 && stable < compared && places.iter().all(|&count| count > 0));
-    }
 }

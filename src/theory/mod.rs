@@ -42,6 +42,7 @@ pub use face::section_names;
 pub(crate) use flow::Flow;
 pub use impact_map::{NoReturn, Return, impact_map, impact_map_at};
 pub use label::{Label, LabelError};
+pub use matched::{NoSymmetricMotion, SymmetricMotion};
 pub use motion::{NoMotion, PeriodicMotion};
 pub(crate) use multipliers::{eigenvalues, turn};
 pub use normal_form::{flip_coefficient, fold_coefficient, neimark_sacker_coefficient};
@@ -53,7 +54,4 @@ pub use seeding::{Search, settled_motion};
 pub use settled::SettledMotion;
 pub use spectrum::{Spectrum, SpectrumFailed};
 pub use strobe::StrobeMotion;
-pub use symmetric::{
-    NoSymmetricMotion, SymmetricMotion, symmetric_motions, symmetric_start, symmetric_target,
-    symmetric_target_at,
-};
+pub use symmetric::{symmetric_motions, symmetric_start, symmetric_target, symmetric_target_at};

@@ -33,14 +33,14 @@ pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     Some(ordered(schur.complex_eigenvalues().as_slice().to_vec()))
 }
 
-/// How often a map is squared at most to see that it contracts.
-const MOST_SQUARINGS: usize = 12;
+/// How many powers of a map are looked at, the 1st, 2nd, 4th and so on, to see that it contracts.
+const MOST_POWERS: usize = 12;
 
 /// Whether some power of a map surely shortens every vector, so that all its eigenvalues lie within the unit circle. Cheaper
-/// than the eigenvalues; a map with one so close to the circle that its 4096th power is no shorter is not said to.
+/// than the eigenvalues; a map with one so close to the circle that its 2048th power is no shorter is not said to.
 pub(super) fn contracts(map: DMatrix<f64>) -> bool {
     let mut power = map;
-    for _ in 0..MOST_SQUARINGS {
+    for _ in 0..MOST_POWERS {
         let size = power.norm();
         if size < STABLE {
             return true;

@@ -19,8 +19,9 @@ pub struct PlaneArgs {
     /// Forcing periods before the observation
     ///
     /// Where the verdict is in doubt a cell goes on. Chaos may be transient: it runs up to 320 periods more. What is still
-    /// undecided or neutral runs eight times as long and is observed four times as long: beside a Neimark-Sacker curve
-    /// spirals are slow. What returns without having settled is held against the exact motion beside it.
+    /// undecided or neutral runs as long again and is observed four times as long: beside a Neimark-Sacker curve spirals are
+    /// slow. What even that leaves undecided runs eight times as long. What returns without having settled is held against
+    /// the exact motion beside it.
     /// [default: 300]
     #[arg(long, value_parser = count, value_name = "P")]
     transient: Option<u32>,
