@@ -285,7 +285,7 @@ fn hopeless_requests_say_what_the_start_leads_to() {
     is_hopeless(
         "motion",
         &["omega=3.7"],
-        &["--transient", "0", "--observe", "20"],
+        &["--transient", "0", "--observe", "5"],
         &["no period", "--transient"],
     );
     is_hopeless(
