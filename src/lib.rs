@@ -78,9 +78,9 @@
 //!
 //! *Side by side.* With one or two coordinates, the CPU path follows as many trajectories at once as the processor has room
 //! for (sixteen in two registers with AVX-512, four in one with AVX2), from the same source as a single one and with the same
-//! bits: products and sums are fused where that is written and nowhere else, and every machine rounds alike. The lanes take a few
-//! steps together; contacts are found when three quarters of them wait for one, impacts are tallied lane by lane and noted at the next
-//! phase 0 that is looked at, and what is rare is left to the single trajectory. Phase π is passed over except where an odd cycle
+//! bits: products and sums are fused where that is written and nowhere else, and every machine rounds alike. The lanes
+//! step together until three quarters of them wait for a contact; contacts are then found, and steps taken, by all of them, impacts
+//! are tallied lane by lane and noted at the next phase 0 that is looked at, and what is rare is left to the single trajectory. Phase π is passed over except where an odd cycle
 //! may show its mirror image, and phase 0 while a transient only waits for its state to return. The GPU's kernel goes in rounds of
 //! the same kind, each invocation for itself.
 //!

@@ -9,7 +9,8 @@ impl<L: Lanes, const N: usize> Point<L, N> {
     /// The point of free flight a time `s` later, |s| ≤ ½ h, with as many Taylor terms in every lane.
     ///
     /// The terms are those of [`Point::flown`]: Vₖ = v⁽ᵏ⁾ sᵏ, by a recurrence of second order. The forcing's own derivatives
-    /// are the powers of ωs times the forcing now and a quarter of its period later, in turn, with the sign changed after every second one.
+    /// are the powers of ωs times the forcing now and a quarter of its period later, in turn, with the sign changed after every
+    /// second one.
     #[inline(always)]
     pub fn flown_near(&self, flight: &Flight<L, N>, s: L) -> Self {
         const { assert!(L::Real::CONTACT_ORDER.is_multiple_of(2), "terms are summed by pairs") };

@@ -10,7 +10,7 @@ use super::flow::Flow;
 use super::follower::{Follower, follower};
 use super::matching_line::{MatchingLine, distance};
 use super::motion::PeriodicMotion;
-use super::multipliers::{contracts, eigenvalues, turn};
+use super::multipliers::{contracts, turn};
 use super::pattern::{Pattern, StopSet};
 use super::section_vector::{SectionVector, phase, wrapped};
 use crate::dynamics::Stop;
@@ -144,12 +144,6 @@ impl<'a> Matched<'a> {
     /// Whether all multipliers of one of them surely lie within the unit circle.
     pub fn contracts(&self, k: usize) -> bool {
         self.half_turn(k).is_some_and(contracts)
-    }
-
-    /// The largest modulus among the multipliers of one of them; infinite where its impacts graze.
-    pub fn radius(&self, k: usize) -> f64 {
-        let values = self.half_turn(k).and_then(|map| eigenvalues(&map));
-        values.map_or(f64::INFINITY, |values| values[0].norm())
     }
 
     /// The Jacobian of half a turn around one of them.
