@@ -6,6 +6,7 @@ struct Observer {
     recurrence: Recurrence,
     exponent: Exponent,
     turn: Turn,
+    leaps: u32,
     spread: Spread,
     grown: f32,
     stage: u32,
@@ -29,6 +30,7 @@ fn observer_begin(start: State) {
     observer.recurrence = recurrence_anchored(trajectory.point.state);
     observer.exponent = exponent_over(schedule.observe);
     observer.turn = turn_over(0u);
+    observer.leaps = MOST_LEAPS;
     observer.spread = spread_about(trajectory.point);
     observer.grown = 0.0;
     observer.stage = STAGE_TRANSIENT;

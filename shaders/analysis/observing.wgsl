@@ -88,11 +88,18 @@ fn observer_settle(state: State, moved: bool) {
             return;
         }
         let patience = max(min(observer.periods / PATIENCE_SHARE, schedule.max_period), 1u);
-        recurrence_at_strobe(state, SETTLED, patience, false);
+        recurrence_at_strobe(state, RETURNING, patience, false);
+        observer_leap();
         let at_rest = observer.recurrence.worst <= AT_REST;
         let still = at_rest && recurrence_holds_for(SETTLING_AT_REST);
-        if still || (!at_rest && recurrence_kept_for(SETTLING)) {
+        let keeps = !at_rest && recurrence_kept_for(SETTLING) && observer.recurrence.worst <= SETTLED;
+        if still || keeps {
             observer_begin_settled(at_rest);
+            return;
+        }
+        if observer_is_to_leap() {
+            observer.leaps = observer.leaps - 1u;
+            observer_begin_turns();
             return;
         }
         recurrence_follow_along(state, FOLLOWING);
@@ -104,16 +111,29 @@ fn observer_settle(state: State, moved: bool) {
 
 // Observes what returns: turn by turn where it no longer moves at all and its turns are short, else for longer.
 fn observer_begin_settled(at_rest: bool) {
-    let n = observer.recurrence.n;
-    let brief = n * max(SETTLED_TURNS, COMPONENTS);
-    if at_rest && brief <= BRIEF && brief <= schedule.observe {
-        observer_begin_observation(brief);
-        observer.turn = turn_over(n);
-        observer_carry(state_unit(0u));
+    if at_rest && observer_has_short_turns() {
+        observer_begin_turns();
     } else {
-        let needed = max(SETTLED_OBSERVATION, SETTLED_TURNS * n);
+        let needed = max(SETTLED_OBSERVATION, SETTLED_TURNS * observer.recurrence.n);
         observer_begin_observation(min(needed, schedule.observe));
     }
+}
+
+// Whether the turns of what returns are short enough for an observation turn by turn.
+fn observer_has_short_turns() -> bool {
+    return observer_turns_needed() <= min(BRIEF, schedule.observe);
+}
+
+fn observer_turns_needed() -> u32 {
+    return observer.recurrence.n * max(SETTLED_TURNS, COMPONENTS);
+}
+
+// Observes what returns turn by turn.
+fn observer_begin_turns() {
+    let n = observer.recurrence.n;
+    observer_begin_observation(observer_turns_needed());
+    observer.turn = turn_over(n);
+    observer_carry(state_unit(0u));
 }
 
 // Carries a deviation along from here. While a mass rests on a stop, deviations along the contact are zero.
@@ -152,7 +172,8 @@ fn observer_observe(state: State) {
     if observer.observed < observer.observe {
         return;
     }
-    let settled = observer.turn.n == 0u || observer_is_settled();
+    let still = observer.recurrence.worst <= ROUNDING;
+    let settled = observer.turn.n == 0u || (still && observer_is_settled());
     if observer.observe < schedule.observe && !(settled && recurrence_holds_for(observer_proof())) {
         // It had not settled after all: the observation is discarded and the transient goes on.
         observer.recurrence = recurrence_anchored(state);

@@ -139,9 +139,12 @@ fn recurrence_is_settled() -> bool {
     return (worst <= ROUNDING || comes_closer) && observer.recurrence.apart >= DISTINCT * max(early, worst);
 }
 
-// The largest difference of a state's components from the anchor's.
 fn anchor_distance(state: State) -> f32 {
-    let anchor = observer.recurrence.anchor;
+    return state_distance(state, observer.recurrence.anchor);
+}
+
+// The largest difference of a state's components from another's.
+fn state_distance(state: State, anchor: State) -> f32 {
     let distance = max(largest(state.x - anchor.x), largest(state.v - anchor.v));
     let size = max(max(largest(anchor.x), largest(anchor.v)), 1.0);
     return distance / size;

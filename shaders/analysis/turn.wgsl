@@ -5,10 +5,12 @@ struct Turn {
     n: u32,
     columns: array<State, COMPONENTS>,
     exponent: f32,
+    // How far the state was from its anchor before the last leap.
+    missed: f32,
 }
 
 fn turn_over(n: u32) -> Turn {
-    return Turn(n, array<State, COMPONENTS>(), EXPLODES);
+    return Turn(n, array<State, COMPONENTS>(), EXPLODES, FARTHEST);
 }
 
 // Sees the tangent vector after `turns` ≥ 1 turns.
@@ -36,10 +38,7 @@ fn turn_measured() -> f32 {
     var sum = 0.0;
     var share = 1.0;
     for (var k = 0u; k <= SQUARINGS; k++) {
-        var size = 0.0;
-        //: each component
-        size = max(size, largest_of(power[$k].x, power[$k].v));
-        //: end
+        let size = turn_largest(power);
         if size == 0.0 {
             return FORGETS;
         }
@@ -48,13 +47,43 @@ fn turn_measured() -> f32 {
         //: each component
         power[$k] = state_scaled(factor, power[$k]);
         //: end
-        let scaled = power;
-        //: each component
-        power[$k] = turn_applied(scaled, scaled[$k]);
-        //: end
+        power = turn_squared(power);
         share = 0.5 * share;
     }
     return sum / f32(observer.turn.n);
+}
+
+// Where a deviation that is added to itself, turned once, turned twice and so on ends, the more terms of it at a time as the
+// matrix is squared.
+fn turn_followed_for_ever(y: State) -> State {
+    var power = observer.turn.columns;
+    var sum = y;
+    for (var k = 0u; k <= SQUARINGS; k++) {
+        let more = turn_applied(power, sum);
+        sum = State(sum.x + more.x, sum.v + more.v);
+        if turn_largest(power) < EPSILON {
+            break;
+        }
+        power = turn_squared(power);
+    }
+    return sum;
+}
+
+// The largest magnitude of an entry.
+fn turn_largest(columns: array<State, COMPONENTS>) -> f32 {
+    var size = 0.0;
+    //: each component
+    size = max(size, largest_of(columns[$k].x, columns[$k].v));
+    //: end
+    return size;
+}
+
+fn turn_squared(columns: array<State, COMPONENTS>) -> array<State, COMPONENTS> {
+    var squared = columns;
+    //: each component
+    squared[$k] = turn_applied(columns, columns[$k]);
+    //: end
+    return squared;
 }
 
 // The matrix times a vector.

@@ -26,10 +26,10 @@ pub trait Queue<T, const N: usize> {
     fn done(&mut self, seat: &Seat<T, N, Self::Ticket>);
 }
 
-/// Contacts are looked for when three of four trajectories wait for one.
-const WAITING: u32 = 3;
+/// Contacts are looked for when five of eight trajectories wait for one, three of four.
+const WAITING: u32 = 5;
 /// See [`WAITING`].
-const OF_ALL: u32 = 4;
+const OF_ALL: u32 = 8;
 /// Steps that are tried on the GPU between two contacts.
 pub const CLEAR_STEPS: u32 = 4;
 /// Rounds of steps and contacts on the GPU before what is rare is looked at.
@@ -171,16 +171,19 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         seat.observer.trajectory.come_to_phase_zero(self.abreast.point(lane));
         seat.observer.catch_up(&seat.flight, schedule, &self.abreast.take_tally(lane));
         let many = seat.observer.keeps_others_waiting();
+        let mut leapt = false;
         // Two calls, each of which is compiled for its own case.
         if observing {
             seat.observer.arrive(&seat.flight, schedule, Some(self.abreast.tangent(lane)));
         } else {
-            seat.observer.arrive(&seat.flight, schedule, None);
+            leapt = seat.observer.arrive(&seat.flight, schedule, None);
         }
         if seat.observer.is_done() {
             self.finish(lane, schedule, queue);
         } else if many {
             self.hand_over(lane, schedule, queue);
+        } else if leapt {
+            self.sit(lane, schedule);
         } else if observing || seat.observer.carried().is_some() {
             self.carry_on(lane, schedule);
         } else {

@@ -1,6 +1,7 @@
 //! One trajectory followed to its verdict: transient, settling, observation.
 
 use super::exponent::Exponent;
+use super::leap::MOST_LEAPS;
 use super::loss::Loss;
 use super::recurrence::Recurrence;
 use super::schedule::Schedule;
@@ -22,6 +23,8 @@ pub struct Observer<T, const N: usize> {
     pub(super) exponent: Exponent<T>,
     /// The linear map of a settled motion.
     pub(super) turn: Turn<T, N>,
+    /// How often it may still leap to where its returns lead.
+    pub(super) leaps: u32,
     pub(super) spread: Spread<T, N>,
     /// Logarithmic growth of the tangent vector since the recurrence's anchor was set.
     pub(super) grown: T,
@@ -56,6 +59,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             recurrence: Recurrence::anchored(trajectory.point.state),
             exponent: Exponent::over(schedule.observe),
             turn: Turn::none(),
+            leaps: MOST_LEAPS,
             spread: Spread::about(&trajectory.point.state),
             grown: T::zero(),
             stage: Stage::Transient,
@@ -163,7 +167,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     /// How often it may pass phase 0 in free flight before it is to see that.
     pub(super) fn unseen(&self, schedule: &Schedule) -> Unseen<T, N> {
-        if self.stage != Stage::Transient {
+        if self.stage != Stage::Transient || self.turn.is_measured() {
             return Unseen::none();
         }
         let most = schedule.transient.saturating_sub(self.periods + 1).min(MOST_UNSEEN);

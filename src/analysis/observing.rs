@@ -110,19 +110,21 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// Notes that the trajectory came to phase 0 in free flight: under observation with its tangent, in the transient without.
+    /// Notes that the trajectory came to phase 0 in free flight: under observation with its tangent, in the transient without. Whether
+    /// it goes on from another state.
     #[inline(always)]
     pub(super) fn arrive(
         &mut self,
         flight: &Flight<T, N>,
         schedule: &Schedule,
         tangent: Option<Tangent<T, N>>,
-    ) {
+    ) -> bool {
         debug_assert_eq!(tangent.is_some(), self.stage == Stage::Observation);
         self.moves.add();
+        let mut leapt = false;
         if let Some(moved) = self.begin_period(flight) {
             match tangent {
-                None => self.settle(flight, schedule, moved),
+                None => leapt = self.settle(flight, schedule, moved),
                 Some(tangent) => {
                     self.tangent = tangent;
                     self.observe(flight, schedule);
@@ -130,6 +132,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             }
         }
         self.give_up();
+        leapt
     }
 
     /// Counts the period that begins at a strobe, and says whether there were other moves since the last; none where the
@@ -160,46 +163,67 @@ impl<T: Real, const N: usize> Observer<T, N> {
     }
 
     /// A strobe of the transient: may it end here? Where it made other moves since the last one, impacts or approaches to a stop,
-    /// it is not asked whether it can impact again.
+    /// it is not asked whether it can impact again. Whether it goes on from another state than it came to.
     #[inline(always)]
-    fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule, moved: bool) {
+    fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule, moved: bool) -> bool {
         let point = self.trajectory.point;
+        let mut leapt = false;
         if !schedule.fixed_periods {
             if !moved && self.trajectory.contact.is_free() && is_quiet(flight, &point) {
                 self.stage = Stage::Quiet;
-                return;
+                return false;
             }
             let patience = patience(self.periods, schedule.max_period);
-            self.recurrence.at_strobe(&point, T::of(T::SETTLED), patience, false);
+            self.recurrence.at_strobe(&point, T::of(T::RETURNING), patience, false);
+            leapt = self.leap(flight);
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
             let settled = if at_rest {
                 self.recurrence.holds_for(SETTLING_AT_REST)
             } else {
-                self.recurrence.kept_for(SETTLING)
+                self.recurrence.kept_for(SETTLING) && self.recurrence.is_within(T::of(T::SETTLED))
             };
             if settled {
                 self.begin_settled(flight, schedule, at_rest);
-                return;
+                return false;
+            }
+            if self.is_to_leap(schedule) {
+                self.leaps -= 1;
+                self.begin_turns(flight);
+                return false;
             }
             self.recurrence.follow_along(&point, FOLLOWING);
         }
         if self.periods >= schedule.transient {
             self.begin_observation(flight, schedule.observe);
         }
+        leapt
     }
 
     /// Observes what returns: turn by turn where it no longer moves at all and its turns are short, else for longer.
     fn begin_settled(&mut self, flight: &Flight<T, N>, schedule: &Schedule, at_rest: bool) {
-        let n = self.recurrence.n;
-        let brief = n * SETTLED_TURNS.max(Turn::<T, N>::COLUMNS);
-        if at_rest && brief <= BRIEF && brief <= schedule.observe {
-            self.begin_observation(flight, brief);
-            self.turn = Turn::over(n);
-            self.carry(flight, Turn::begins_with(0));
+        if at_rest && self.has_short_turns(schedule) {
+            self.begin_turns(flight);
         } else {
-            let needed = SETTLED_OBSERVATION.max(SETTLED_TURNS * n);
+            let needed = SETTLED_OBSERVATION.max(SETTLED_TURNS * self.recurrence.n);
             self.begin_observation(flight, needed.min(schedule.observe));
         }
+    }
+
+    /// Whether the turns of what returns are short enough for an observation turn by turn.
+    pub(super) fn has_short_turns(&self, schedule: &Schedule) -> bool {
+        self.turns_needed() <= BRIEF.min(schedule.observe)
+    }
+
+    pub(super) fn turns_needed(&self) -> u32 {
+        self.recurrence.n * SETTLED_TURNS.max(Turn::<T, N>::COLUMNS)
+    }
+
+    /// Observes what returns turn by turn.
+    fn begin_turns(&mut self, flight: &Flight<T, N>) {
+        let (n, brief) = (self.recurrence.n, self.turns_needed());
+        self.begin_observation(flight, brief);
+        self.turn = Turn::over(n);
+        self.carry(flight, Turn::begins_with(0));
     }
 
     /// Carries a deviation along from here. While a mass rests on a stop, deviations along the contact are zero.
@@ -240,7 +264,8 @@ impl<T: Real, const N: usize> Observer<T, N> {
             return;
         }
         let early = self.observe < schedule.observe;
-        let settled = !self.turn.is_measured() || self.is_settled();
+        let still = self.recurrence.is_within(T::of(T::ROUNDING));
+        let settled = !self.turn.is_measured() || still && self.is_settled();
         if early && !(settled && self.recurrence.holds_for(self.proof())) {
             // It had not settled after all: the observation is discarded and the transient goes on.
             self.recurrence = Recurrence::anchored(point.state);

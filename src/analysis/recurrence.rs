@@ -85,6 +85,11 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         }
     }
 
+    /// The state that every later one is compared with.
+    pub fn anchor(&self) -> State<T, N> {
+        self.anchor
+    }
+
     /// Counts an impact; infinitely many if it ends a complete chatter sequence.
     #[inline(always)]
     pub fn count(&mut self, stop: Stop, complete_chatter: bool) {
@@ -177,7 +182,7 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         for i in 0..2 * N {
             size = self.anchor.get(i).abs().max(size);
         }
-        Unseen { strobes, anchor: self.anchor, nearest: T::of(NEARLY_RETURNED * T::SETTLED) * size }
+        Unseen { strobes, anchor: self.anchor, nearest: T::of(NEARLY_RETURNED * T::RETURNING) * size }
     }
 
     /// Counts strobes that it did not see.
@@ -230,7 +235,7 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
 
 /// The largest difference of two states' components: absolute for states of order one and less, relative above.
 #[inline(always)]
-fn distance<T: Real, const N: usize>(state: &State<T, N>, anchor: &State<T, N>) -> T {
+pub(super) fn distance<T: Real, const N: usize>(state: &State<T, N>, anchor: &State<T, N>) -> T {
     let mut distance = T::zero();
     let mut size = T::one();
     for i in 0..2 * N {
@@ -274,6 +279,6 @@ mod tests {
         let unseen = Recurrence::anchored(anchor).unseen(100, 32);
         let beside = State { x: [-20.0], v: [3.0 + unseen.nearest] };
         let away = distance(&beside, &anchor);
-        assert!(away > f64::SETTLED && away < 1.01 * f64::SETTLED, "{away}");
+        assert!(away > f64::RETURNING && away < 1.01 * f64::RETURNING, "{away}");
     }
 }

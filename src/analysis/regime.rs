@@ -132,7 +132,8 @@ impl Verdict {
         }
     }
 
-    /// Forcing periods before the observation that found the motion settled; NaN where the trajectory did not settle.
+    /// Forcing periods before the observation that found the motion settled, those that a leap made needless left out; NaN
+    /// where the trajectory did not settle.
     pub fn settling(&self) -> f32 {
         match self.regime.is_periodic() || self.regime == Regime::NoImpact {
             true => self.periods.saturating_sub(self.measures.observed) as f32,

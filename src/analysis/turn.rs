@@ -4,6 +4,9 @@
 //! complex multipliers lets it sway. A motion that has settled repeats: unit vectors carried through one turn each are the
 //! columns of its monodromy matrix, whose powers grow as its largest multiplier does.
 
+use pulp::NullaryFnOnce;
+
+use super::recurrence::FARTHEST;
 use crate::dynamics::Tangent;
 use crate::model::{Real, State};
 
@@ -32,6 +35,8 @@ pub struct Turn<T, const N: usize> {
     v: [State<T, N>; N],
     /// The largest Lyapunov exponent per forcing period, once all columns are there.
     pub exponent: T,
+    /// How far the state was from its anchor before the last leap.
+    pub missed: T,
 }
 
 impl<T: Real, const N: usize> Turn<T, N> {
@@ -45,7 +50,13 @@ impl<T: Real, const N: usize> Turn<T, N> {
 
     /// To be measured, over `n` forcing periods.
     pub fn over(n: u32) -> Self {
-        Turn { n, x: [State::zero(); N], v: [State::zero(); N], exponent: T::of(EXPLODES) }
+        Turn {
+            n,
+            x: [State::zero(); N],
+            v: [State::zero(); N],
+            exponent: T::of(EXPLODES),
+            missed: T::of(FARTHEST),
+        }
     }
 
     /// Whether it is measured.
@@ -72,11 +83,12 @@ impl<T: Real, const N: usize> Turn<T, N> {
             self.v[column - N] = tangent.0;
         }
         if turns == Self::COLUMNS {
-            self.exponent = self.measured();
+            self.exponent = T::fused(Measured(self));
         }
     }
 
     /// ln of the spectral radius over n: the limit of ln ‖Mᵏ‖ / (kn).
+    #[inline(always)]
     fn measured(&self) -> T {
         if !self.x.iter().chain(&self.v).all(State::is_finite) {
             return T::of(EXPLODES);
@@ -97,7 +109,27 @@ impl<T: Real, const N: usize> Turn<T, N> {
         sum / T::of(f64::from(self.n))
     }
 
+    /// Where a deviation that is added to itself, turned once, turned twice and so on ends: Σ Mᵏ y, the more terms of it at a
+    /// time as the matrix is squared. Of use where its powers die out.
+    pub fn followed_for_ever(&self, y: &State<T, N>) -> State<T, N> {
+        T::fused(Followed(self, y))
+    }
+
+    #[inline(always)]
+    fn summed(&self, y: &State<T, N>) -> State<T, N> {
+        let (mut power, mut sum) = (*self, *y);
+        for _ in 0..=SQUARINGS {
+            sum = sum.added(&power.applied(&sum));
+            if power.largest() < T::of(T::EPSILON) {
+                break;
+            }
+            power = power.squared();
+        }
+        sum
+    }
+
     /// The largest magnitude of an entry.
+    #[inline(always)]
     fn largest(&self) -> T {
         let mut largest = T::zero();
         for column in self.x.iter().chain(&self.v) {
@@ -109,6 +141,7 @@ impl<T: Real, const N: usize> Turn<T, N> {
         largest
     }
 
+    #[inline(always)]
     fn scaled(&self, factor: T) -> Self {
         let mut scaled = *self;
         for i in 0..N {
@@ -117,6 +150,7 @@ impl<T: Real, const N: usize> Turn<T, N> {
         scaled
     }
 
+    #[inline(always)]
     fn squared(&self) -> Self {
         let mut squared = *self;
         for i in 0..N {
@@ -126,6 +160,7 @@ impl<T: Real, const N: usize> Turn<T, N> {
     }
 
     /// The matrix times a vector.
+    #[inline(always)]
     fn applied(&self, to: &State<T, N>) -> State<T, N> {
         let mut sum = self.x[0].scaled(to.x[0]);
         for i in 1..N {
@@ -138,72 +173,30 @@ impl<T: Real, const N: usize> Turn<T, N> {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// See [`Turn::measured`]; types of their own, since what a closure does is not compiled with the instructions that
+/// [`Real::fused`] asks for.
+struct Measured<'a, T, const N: usize>(&'a Turn<T, N>);
 
-    /// The exponent over one period of the matrix with these rows.
-    fn exponent<T: Real>(rows: [[f64; 4]; 4]) -> f64 {
-        let mut turn = Turn::<T, 2>::over(1);
-        for k in 0..4 {
-            let column: Vec<T> = rows.iter().map(|row| T::of(row[k])).collect();
-            turn.complete(k as u32 + 1, &Tangent(State::from_slice(&column)));
-        }
-        turn.exponent.widen()
-    }
+impl<T: Real, const N: usize> NullaryFnOnce for Measured<'_, T, N> {
+    type Output = T;
 
-    /// A matrix of blocks, one in either half.
-    fn blocks([[a, b], [c, d]]: [[f64; 2]; 2], [[e, f], [g, h]]: [[f64; 2]; 2]) -> [[f64; 4]; 4] {
-        [[a, b, 0.0, 0.0], [c, d, 0.0, 0.0], [0.0, 0.0, e, f], [0.0, 0.0, g, h]]
-    }
-
-    /// Known multipliers: real ones of either sign, a complex pair, a Jordan block, and a matrix that is far from normal.
-    #[test]
-    fn it_is_the_logarithm_of_the_spectral_radius() {
-        let rotation = |radius: f64, angle: f64| {
-            let (sin, cos) = angle.sin_cos();
-            [[radius * cos, -radius * sin], [radius * sin, radius * cos]]
-        };
-        let small = [[0.1, 0.0], [0.0, -0.2]];
-        let cases: [([[f64; 4]; 4], f64); 6] = [
-            (blocks([[0.5, 0.0], [0.0, -0.9]], small), 0.9),
-            (blocks(small, rotation(0.7, 1.0)), 0.7),
-            (blocks(rotation(0.99, 2.399_963), rotation(0.98, 0.3)), 0.99),
-            (blocks([[0.5, 1.0], [0.0, 0.5]], small), 0.5),
-            (blocks([[0.5, 1e4], [0.0, 0.4]], small), 0.5),
-            (blocks([[1.5, 0.0], [0.0, 0.4]], small), 1.5),
-        ];
-        // The norm of the matrix alone would not do.
-        assert!(
-            cases
-                .iter()
-                .any(|(matrix, radius)| matrix.as_flattened().iter().any(|entry| *entry > 2.0 * radius))
-        );
-        for (matrix, radius) in cases {
-            let exact = f64::ln(radius);
-            let (double, single) = (exponent::<f64>(matrix), exponent::<f32>(matrix));
-            assert!((double - exact).abs() < 4e-4, "{matrix:?}: {double} and {exact}");
-            assert!((single - exact).abs() < 5e-4, "{matrix:?} in f32: {single} and {exact}");
-        }
-    }
-
-    #[test]
-    fn what_forgets_everything_or_grows_beyond_bounds_says_so() {
-        let forgets = [
-            exponent::<f64>(blocks([[0.0, 1.0], [0.0, 0.0]], [[0.0; 2]; 2])),
-            exponent::<f32>([[0.0; 4]; 4]),
-        ];
-        assert_eq!(forgets.map(|exponent| reported(exponent as f32)), [f32::NEG_INFINITY; 2]);
-        assert_eq!(reported(-0.5), -0.5);
-        let explodes = blocks([[f64::INFINITY, 0.0], [0.0, 0.0]], [[0.0; 2]; 2]);
-        assert_eq!(exponent::<f64>(explodes), EXPLODES);
-    }
-
-    #[test]
-    fn turns_of_several_periods_share_the_growth() {
-        let mut turn = Turn::<f64, 1>::over(3);
-        turn.complete(1, &Tangent(State { x: [0.0], v: [-0.4] }));
-        turn.complete(2, &Tangent(State { x: [0.9], v: [0.0] }));
-        assert!((turn.exponent - 0.6f64.ln() / 3.0).abs() < 1e-4);
+    #[inline(always)]
+    fn call(self) -> T {
+        self.0.measured()
     }
 }
+
+/// See [`Turn::followed_for_ever`].
+struct Followed<'a, T, const N: usize>(&'a Turn<T, N>, &'a State<T, N>);
+
+impl<T: Real, const N: usize> NullaryFnOnce for Followed<'_, T, N> {
+    type Output = State<T, N>;
+
+    #[inline(always)]
+    fn call(self) -> State<T, N> {
+        self.0.summed(self.1)
+    }
+}
+
+#[cfg(test)]
+mod tests;

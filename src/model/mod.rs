@@ -33,7 +33,7 @@ pub use forced::{ForcedResponse, Trap};
 pub use line::Line;
 pub use logarithm::{INVERSE_ODD, logarithm};
 pub(crate) use of_flow::OfFlow;
-pub use pack::{Pack, Twin};
+pub use pack::Pack;
 pub use parameters::Parameters;
 pub use quiet::Quiet;
 pub use real::{Lanes, Mask, Real};

@@ -10,12 +10,12 @@ use super::registers::Registers;
 
 /// As many f64 as a register of the instruction set `S` holds.
 ///
-/// They lie as a register of four likes it: a load across two cache lines takes twice as long.
+/// They lie as a register does, on a boundary of its size: a load across two cache lines takes twice as long.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(32))]
 pub struct Pack<S: Registers> {
     simd: S,
     values: S::f64s,
+    _boundary: [S::Boundary; 0],
 }
 
 /// A truth value for each lane of a [`Pack`].
@@ -29,7 +29,7 @@ impl<S: Registers> Pack<S> {
     /// Zero in every lane.
     #[inline(always)]
     pub fn zero(simd: S) -> Self {
-        Pack { simd, values: simd.splat_f64s(0.0) }
+        Pack { simd, values: simd.splat_f64s(0.0), _boundary: [] }
     }
 }
 
@@ -151,137 +151,6 @@ impl<S: Registers> Mask for PackMask<S> {
         } else {
             self.simd.and_m64s(self.values, self.simd.not_m64s(here))
         };
-    }
-}
-
-/// Two packs that take every step together, so that one waits less for its own results.
-///
-/// They begin on a cache line: the widest register fills one, and a load from within two of them would take twice as long.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub struct Twin<L>(pub L, pub L);
-
-/// A truth value for each lane of a [`Twin`].
-#[derive(Clone, Copy, Debug)]
-pub struct TwinMask<M>(M, M);
-
-macro_rules! twin_operator {
-    ($operator:ident, $method:ident) => {
-        impl<L: Lanes> $operator for Twin<L> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Twin(self.0.$method(other.0), self.1.$method(other.1))
-            }
-        }
-    };
-}
-
-twin_operator!(Add, add);
-twin_operator!(Sub, sub);
-twin_operator!(Mul, mul);
-twin_operator!(Div, div);
-
-impl<L: Lanes> Neg for Twin<L> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Twin(-self.0, -self.1)
-    }
-}
-
-impl<L: Lanes> Lanes for Twin<L> {
-    type Real = L::Real;
-    type Mask = TwinMask<L::Mask>;
-    const WIDTH: usize = 2 * L::WIDTH;
-
-    #[inline(always)]
-    fn all(self, value: f64) -> Self {
-        Twin(self.0.all(value), self.1.all(value))
-    }
-
-    #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
-        Twin(self.0.times_plus(factor.0, term.0), self.1.times_plus(factor.1, term.1))
-    }
-
-    #[inline(always)]
-    fn magnitude(self) -> Self {
-        Twin(self.0.magnitude(), self.1.magnitude())
-    }
-
-    #[inline(always)]
-    fn root(self) -> Self {
-        Twin(self.0.root(), self.1.root())
-    }
-
-    #[inline(always)]
-    fn below(self, other: Self) -> TwinMask<L::Mask> {
-        TwinMask(self.0.below(other.0), self.1.below(other.1))
-    }
-
-    #[inline(always)]
-    fn select(mask: TwinMask<L::Mask>, yes: Self, no: Self) -> Self {
-        Twin(L::select(mask.0, yes.0, no.0), L::select(mask.1, yes.1, no.1))
-    }
-
-    #[inline(always)]
-    fn larger(self, other: Self) -> Self {
-        Twin(self.0.larger(other.0), self.1.larger(other.1))
-    }
-
-    #[inline(always)]
-    fn smaller(self, other: Self) -> Self {
-        Twin(self.0.smaller(other.0), self.1.smaller(other.1))
-    }
-
-    #[inline(always)]
-    fn lane(&self, lane: usize) -> L::Real {
-        if lane < L::WIDTH { self.0.lane(lane) } else { self.1.lane(lane - L::WIDTH) }
-    }
-
-    #[inline(always)]
-    fn set_lane(&mut self, lane: usize, value: L::Real) {
-        if lane < L::WIDTH {
-            self.0.set_lane(lane, value);
-        } else {
-            self.1.set_lane(lane - L::WIDTH, value);
-        }
-    }
-}
-
-impl<M: Mask> Mask for TwinMask<M> {
-    const WIDTH: usize = 2 * M::WIDTH;
-
-    #[inline(always)]
-    fn and(self, other: Self) -> Self {
-        TwinMask(self.0.and(other.0), self.1.and(other.1))
-    }
-
-    #[inline(always)]
-    fn or(self, other: Self) -> Self {
-        TwinMask(self.0.or(other.0), self.1.or(other.1))
-    }
-
-    #[inline(always)]
-    fn not(self) -> Self {
-        TwinMask(self.0.not(), self.1.not())
-    }
-
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        self.0.bits() | self.1.bits() << M::WIDTH
-    }
-
-    #[inline(always)]
-    fn set_lane(&mut self, lane: usize, holds: bool) {
-        if lane < M::WIDTH {
-            self.0.set_lane(lane, holds);
-        } else {
-            self.1.set_lane(lane - M::WIDTH, holds);
-        }
     }
 }
 

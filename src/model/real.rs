@@ -31,6 +31,8 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const IMMINENT: f64;
     /// The largest effect on the second mass that closing a chatter sequence may neglect; non-dimensional.
     const CHATTER: f64;
+    /// The largest distance between strobe states that counts as a return of a motion that may yet come closer.
+    const RETURNING: f64;
     /// The largest distance between strobe states of a settled motion, before its trajectory finishes early.
     const SETTLED: f64;
     /// The same for a motion whose strobe states no longer move at all, but for rounding.
@@ -167,6 +169,7 @@ impl Real for f64 {
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
     const CHATTER: f64 = 1e-12;
+    const RETURNING: f64 = 1e-5;
     const SETTLED: f64 = 1e-6;
     const AT_REST: f64 = 1e-10;
     const ROUNDING: f64 = 1e-9;
@@ -205,6 +208,7 @@ impl Real for f32 {
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
     const IMMINENT: f64 = 1e-4;
     const CHATTER: f64 = 1e-8;
+    const RETURNING: f64 = 1e-4;
     const SETTLED: f64 = 2e-5;
     const AT_REST: f64 = 1e-6;
     const ROUNDING: f64 = 4e-6;

@@ -14,21 +14,22 @@ use crate::backend::error::BackendError;
 use crate::backend::job::Job;
 use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
-use crate::model::{Flights, Lanes, System};
 #[cfg(target_arch = "x86_64")]
-use crate::model::{Pack, Twin};
+use crate::model::Pack;
+use crate::model::{Flights, Lanes, System};
 
 /// How many trajectories one core follows at once; the bits of each are the same at every width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Width {
     /// One by one.
     One,
-    /// A register of four (AVX2 and FMA). Two of them side by side are slower: there are too few registers for both.
+    /// A register of four (AVX2 and FMA). Two of them side by side are slower, here and below: there are too few registers for
+    /// both.
     #[cfg(target_arch = "x86_64")]
     Four,
-    /// Two registers of eight (AVX-512).
+    /// A register of eight (AVX-512).
     #[cfg(target_arch = "x86_64")]
-    TwiceEight,
+    Eight,
 }
 
 impl Width {
@@ -37,7 +38,7 @@ impl Width {
         let mut widths = Vec::new();
         #[cfg(target_arch = "x86_64")]
         {
-            widths.extend(pulp::x86::V4::try_new().map(|_| Width::TwiceEight));
+            widths.extend(pulp::x86::V4::try_new().map(|_| Width::Eight));
             widths.extend(pulp::x86::V3::try_new().map(|_| Width::Four));
         }
         widths.push(Width::One);
@@ -51,7 +52,7 @@ impl Width {
             #[cfg(target_arch = "x86_64")]
             Width::Four => 4,
             #[cfg(target_arch = "x86_64")]
-            Width::TwiceEight => 16,
+            Width::Eight => 8,
         }
     }
 
@@ -62,7 +63,7 @@ impl Width {
             #[cfg(target_arch = "x86_64")]
             Width::Four => "4 lanes, AVX2",
             #[cfg(target_arch = "x86_64")]
-            Width::TwiceEight => "2 × 8 lanes, AVX-512",
+            Width::Eight => "8 lanes, AVX-512",
         }
     }
 }
@@ -165,10 +166,9 @@ impl<const N: usize> Line<'_, '_, N> {
                 }
             }
             #[cfg(target_arch = "x86_64")]
-            Width::TwiceEight => {
+            Width::Eight => {
                 if let Some(simd) = pulp::x86::V4::try_new() {
-                    let zero = Pack::zero(simd);
-                    simd.vectorize(Following { line: self, zero: Twin(zero, zero) });
+                    simd.vectorize(Following { line: self, zero: Pack::zero(simd) });
                 }
             }
         }

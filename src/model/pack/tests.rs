@@ -52,11 +52,9 @@ macro_rules! at_every_width {
         {
             if let Some(simd) = pulp::x86::V3::try_new() {
                 $check(Pack::zero(simd));
-                $check(Twin(Pack::zero(simd), Pack::zero(simd)));
             }
             if let Some(simd) = pulp::x86::V4::try_new() {
                 $check(Pack::zero(simd));
-                $check(Twin(Pack::zero(simd), Pack::zero(simd)));
             }
         }
     };
@@ -70,4 +68,15 @@ fn lanes_of_every_width_are_set_one_by_one() {
 #[test]
 fn the_larger_and_the_smaller_are_the_same_at_every_width() {
     at_every_width!(the_larger_is_what_a_comparison_chooses);
+}
+
+/// A pack fills its register, and nothing lies between one and the next.
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn packs_lie_on_boundaries_of_their_size() {
+    fn check<S: Registers>(size: usize) {
+        assert_eq!([size_of::<Pack<S>>(), align_of::<Pack<S>>()], [size; 2]);
+    }
+    check::<pulp::x86::V3>(32);
+    check::<pulp::x86::V4>(64);
 }

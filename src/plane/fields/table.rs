@@ -168,8 +168,8 @@ pub const CELL_FIELDS: &[CellField] = &[
         "forcing periods until it had settled",
         (Inner::One, "forcing periods"),
         Source::F32(|cell, _| cell.verdict.settling()),
-        "forcing periods before the observation that found the motion, in which it had settled; NaN where it is \
-         neither periodic nor free of impacts",
+        "forcing periods before the observation that found the motion, in which it had settled or come so close that the \
+         linear map of a turn led on; NaN where it is neither periodic nor free of impacts",
         drawn(Spread::Ratios, Some(0.0), "not settled"),
     ),
     CellField {

@@ -54,7 +54,9 @@ fn a_narrow_chaotic_band_has_no_period() {
     on_both(|backend| {
         let verdict = decided(backend, &band, 6000);
         assert!(matches!(verdict.regime, Regime::Chaotic | Regime::Unresolved), "{verdict:?}");
-        assert!(verdict.lyapunov > 0.05, "{verdict:?}");
+        // 0.096 over 20,000 periods; in single precision the band ends on cycles of rounding, each with an exponent of its own.
+        let least = if backend.name() == "gpu" { 0.03 } else { 0.08 };
+        assert!(verdict.lyapunov > least, "{verdict:?}");
     });
 }
 

@@ -28,8 +28,9 @@ pub const MOVE: u32 = 1 + 30 * <f32 as Real>::ORDER as u32;
 /// short as failed.)
 const SOFTWARE_ITERATIONS: u32 = 65_535 - ((MOST + 1) * NORMAL_TERMS) as u32;
 
-/// Loop iterations in what a strobe may ask for: the squares of a motion's monodromy matrix.
-pub const SQUARES: u32 = SQUARINGS + 1;
+/// Loop iterations in what a strobe may ask for: the squares of a motion's monodromy matrix, for its largest multiplier and for
+/// where its returns lead.
+pub const SQUARES: u32 = 2 * (SQUARINGS + 1);
 
 impl Kernel {
     /// Follows one tile of trajectories, at least one, with a kernel, in portions of bounded time.

@@ -11,7 +11,7 @@ use crate::backend::{Job, Result, Watch};
 
 /// Loop iterations in what the kernel counts as one move: turns of rounds in the transient, others under observation, and
 /// what is rare after them.
-pub(super) const ITERATIONS: u32 = 2 * TURNS * (1 + ROUNDS * (2 + CLEAR_STEPS)) + MOVE + SQUARES;
+pub(super) const ITERATIONS: u32 = 2 * TURNS * (1 + ROUNDS * (2 + CLEAR_STEPS) + SQUARES) + MOVE + SQUARES;
 
 impl Kernel {
     /// Follows one tile of trajectories.

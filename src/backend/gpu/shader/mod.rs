@@ -21,7 +21,7 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 28] = [
+const COMMON: [&str; 29] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -48,6 +48,7 @@ const COMMON: [&str; 28] = [
     include_str!("../../../../shaders/analysis/loss.wgsl"),
     include_str!("../../../../shaders/analysis/observer.wgsl"),
     include_str!("../../../../shaders/analysis/observing.wgsl"),
+    include_str!("../../../../shaders/analysis/leap.wgsl"),
     include_str!("../../../../shaders/analysis/deciding.wgsl"),
     include_str!("../../../../shaders/analysis/verdict.wgsl"),
 ];

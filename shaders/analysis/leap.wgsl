@@ -1,0 +1,47 @@
+// A leap to the motion that returns come closer to.
+
+// Whether the map of a turn is to be measured in order to leap: the state returns, and still moves. It takes
+// part of an observation, which ends in no verdict.
+fn observer_is_to_leap() -> bool {
+    let moves = recurrence_holds_for(0u) && observer.recurrence.worst > AT_REST;
+    let measures = observer.leaps > 0u && observer.turn.n == 0u && observer_has_short_turns();
+    let part = observer_turns_needed() < schedule.observe;
+    return moves && measures && part && trajectory.contact == CONTACT_FREE;
+}
+
+// At a strobe of the transient after the map of a turn was measured: one turn after the anchor it leaps to where that return
+// leads, if the map says that it leads there.
+fn observer_leap() {
+    let since = observer.recurrence.since;
+    if observer.turn.n == 0u || (since > 0u && since < observer.turn.n) {
+        return;
+    }
+    let state = trajectory.point.state;
+    let anchor = observer.recurrence.anchor;
+    let missed = state_distance(state, anchor);
+    let step = turn_followed_for_ever(state_plus(state, -1.0, anchor));
+    let end = State(anchor.x + step.x, anchor.v + step.v);
+    let returned = observer.recurrence.n > 0u && since == observer.turn.n && observer.turn.exponent < 0.0;
+    let neared = missed > AT_REST && missed <= LEFT_BY_LEAP * observer.turn.missed;
+    let leads_there = state_distance(end, state) <= LONGEST_LEAP && state_is_between_stops(end);
+    if returned && neared && leads_there && observer.leaps > 0u && trajectory.contact == CONTACT_FREE {
+        observer.leaps = observer.leaps - 1u;
+        observer.turn.missed = missed;
+        trajectory.point.state = end;
+        observer.recurrence = recurrence_anchored(end);
+    } else {
+        observer.turn = turn_over(0u);
+    }
+}
+
+// Whether a state is off every stop.
+fn state_is_between_stops(state: State) -> bool {
+    var between = true;
+    //: each normal
+    {
+        let place = along(flight.normals[$k].direction, state.x);
+        between = between && place < stops.gap[$k][0] && -place < stops.gap[$k][1];
+    }
+    //: end
+    return between;
+}
