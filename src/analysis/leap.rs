@@ -11,8 +11,6 @@ use super::turn::Turn;
 use crate::model::vector::dot;
 use crate::model::{Flight, Real, State};
 
-/// How often a trajectory may leap, or measure the map of a turn in order to: what that does not lead to is waited for.
-pub const MOST_LEAPS: u32 = 6;
 /// The longest leap, absolute for states of order one and less, relative above: its end must be a neighbour.
 pub const LONGEST_LEAP: f64 = 1e-3;
 /// The largest share of the last return's distance that may be left of the next one's after a leap.
@@ -74,6 +72,7 @@ fn is_between_stops<T: Real, const N: usize>(flight: &Flight<T, N>, state: &Stat
 
 #[cfg(test)]
 mod tests {
+    use super::super::observer::MOST_LEAPS;
     use super::*;
     use crate::dynamics::{Point, Tangent};
     use crate::model::{Parameters, System};

@@ -43,7 +43,8 @@ pub(crate) mod constants {
     pub use super::abreast::{CLEAR_STEPS, ROUNDS, TURNS};
     pub use super::deciding::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, SIGNIFICANCE};
     pub use super::exponent::{ALIGNING, BATCHES};
-    pub use super::leap::{LEFT_BY_LEAP, LONGEST_LEAP, MOST_LEAPS};
+    pub use super::leap::{LEFT_BY_LEAP, LONGEST_LEAP};
+    pub use super::observer::MOST_LEAPS;
     pub use super::observing::{
         BRIEF, FOLLOWING, NEUTRAL_RATE, PROOF_SHARE, RETURNED, SETTLED_OBSERVATION, SETTLED_TURNS, SETTLING,
         SETTLING_AT_REST,

@@ -1,7 +1,6 @@
 //! One trajectory followed to its verdict: transient, settling, observation.
 
 use super::exponent::Exponent;
-use super::leap::MOST_LEAPS;
 use super::loss::Loss;
 use super::recurrence::Recurrence;
 use super::schedule::Schedule;
@@ -11,6 +10,8 @@ use super::turn::Turn;
 use crate::dynamics::{Event, Moves, Stop, Tally, Tangent, Trajectory, Unseen};
 use crate::model::{Flight, Real, State};
 
+/// How often a trajectory may leap, or measure the map of a turn in order to: what that does not lead to is waited for.
+pub const MOST_LEAPS: u32 = 6;
 /// The most strobes that are passed unseen: impacts that are counted meanwhile fit into their counters.
 const MOST_UNSEEN: u32 = 1 << 16;
 
