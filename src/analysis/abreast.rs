@@ -22,8 +22,8 @@ pub trait Queue<T, const N: usize> {
     /// Everything is at its end.
     fn used(&mut self, usage: Usage);
 
-    /// A trajectory is at its end.
-    fn done(&mut self, seat: &Seat<T, N, Self::Ticket>);
+    /// A trajectory is at its end; its seat may be taken by another.
+    fn done(&mut self, seat: Box<Seat<T, N, Self::Ticket>>);
 }
 
 /// Contacts are looked for when five of eight trajectories wait for one, three of four.
@@ -104,7 +104,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
         while let Some(mut seat) = queue.next() {
             seat.observer.settle_down(&seat.flight, schedule, false);
             if seat.observer.is_done() {
-                queue.done(&seat);
+                queue.done(seat);
                 continue;
             }
             self.abreast.prepare(lane, &seat.flight);
@@ -137,7 +137,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     #[inline(never)]
     fn finish(&mut self, lane: usize, schedule: &Schedule, queue: &mut Q) {
         if let Some(seat) = self.seats[lane].take() {
-            queue.done(&seat);
+            queue.done(seat);
             self.busy -= 1;
             self.fill(lane, schedule, queue);
         }

@@ -84,10 +84,16 @@ impl<const N: usize> Flight<f64, N> {
     #[must_use]
     pub(super) fn with_stops_of(&self, system: &System) -> Self {
         let mut flight = *self;
-        for (normal, along) in flight.normals.iter_mut().zip(self.stops_of(system)) {
+        flight.take_stops_of(system);
+        flight
+    }
+
+    /// Takes over the stops of another cell with the same flow.
+    pub(super) fn take_stops_of(&mut self, system: &System) {
+        for normal in &mut self.normals[..self.count] {
+            let along = StopsAlong::of(system.plant(), normal);
             (normal.gap, normal.restitution) = (along.gap, along.restitution);
         }
-        flight
     }
 
     /// The stops along each normal of another cell with the same flow.

@@ -115,6 +115,17 @@ impl<const N: usize> Flights<N> {
         self.distinct[self.of_cell[cell]].with_stops_of(system)
     }
 
+    /// Puts the constants of one of the cells in the place of another's, as [`Flights::get`] has them.
+    pub fn put(&self, cell: usize, system: &System, into: &mut Flight<f64, N>) {
+        *into = self.distinct[self.of_cell[cell]];
+        into.take_stops_of(system);
+    }
+
+    /// How many contact normals one of the cells has.
+    pub fn normals(&self, cell: usize) -> usize {
+        self.distinct[self.of_cell[cell]].count
+    }
+
     /// The constants of some cell of each distinct flow.
     pub fn distinct(&self) -> &[Flight<f64, N>] {
         &self.distinct

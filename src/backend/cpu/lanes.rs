@@ -16,7 +16,7 @@ use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
 #[cfg(target_arch = "x86_64")]
 use crate::model::Pack;
-use crate::model::{Flights, Lanes, System};
+use crate::model::{Flight, Flights, Lanes, System};
 
 /// How many trajectories one core follows at once; the bits of each are the same at every width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,7 +122,9 @@ fn spread<const N: usize>(
             let done = sender.clone();
             let normals = jobs[0].system.normals();
             scope.spawn(move |scope| {
-                Line { jobs, flights, schedule, watch, taken, used, normals, done, scope }.follow(width);
+                let left = None;
+                Line { jobs, flights, schedule, watch, taken, used, normals, done, left, scope }
+                    .follow(width);
             });
         }
     });
@@ -151,6 +153,8 @@ struct Line<'a, 'scope, const N: usize> {
     /// Contact normals of the cells that fit.
     normals: usize,
     done: Sender<(usize, Verdict)>,
+    /// The seat of a trajectory that is done.
+    left: Option<Box<Seat<f64, N, usize>>>,
     /// Where what would keep the other lanes waiting is left for any thread that has nothing else to do.
     scope: &'a Scope<'scope>,
 }
@@ -201,17 +205,21 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
     type Ticket = usize;
 
     fn next(&mut self) -> Option<Box<Seat<f64, N, usize>>> {
-        loop {
-            let index = self.take()?;
-            let Job { system, start } = &self.jobs[index];
-            let flight = self.flights.get(index, system);
-            if flight.count != self.normals {
-                self.follow_alone(index);
-                continue;
-            }
-            let observer = Observer::new(&flight, self.schedule, start.state());
-            return Some(Box::new(Seat::new(index, flight, observer)));
+        let mut index = self.take()?;
+        while self.flights.normals(index) != self.normals {
+            self.follow_alone(index);
+            index = self.take()?;
         }
+        let Job { system, start } = &self.jobs[index];
+        let begun = |flight: &Flight<f64, N>| Observer::new(flight, self.schedule, start.state());
+        // What a trajectory and its constants lie in is large: that of one that is done is taken again.
+        let Some(mut seat) = self.left.take() else {
+            let flight = self.flights.get(index, system);
+            return Some(Box::new(Seat::new(index, flight, begun(&flight))));
+        };
+        self.flights.put(index, system, &mut seat.flight);
+        (seat.ticket, seat.observer) = (index, begun(&seat.flight));
+        Some(seat)
     }
 
     fn hand_over(&mut self, mut seat: Box<Seat<f64, N, usize>>) {
@@ -231,9 +239,10 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
         *self.used.lock() += usage;
     }
 
-    fn done(&mut self, seat: &Seat<f64, N, usize>) {
+    fn done(&mut self, seat: Box<Seat<f64, N, usize>>) {
         let verdict = seat.observer.verdict(&seat.flight, self.jobs[seat.ticket].system.label_order());
         tell(&self.done, self.watch, seat.ticket, verdict);
+        self.left = Some(seat);
     }
 }
 
