@@ -77,12 +77,12 @@
 //! nothing is passed without harm.
 //!
 //! *Side by side.* With one or two coordinates, the CPU path follows as many trajectories at once as the processor has room
-//! for (eight with AVX-512, four with AVX2), from the same source as a single one and with the same
-//! bits: products and sums are fused where that is written and nowhere else, and every machine rounds alike. The lanes
-//! step together until five of eight of them wait for a contact; contacts are then found, and steps taken, by all of them, impacts
-//! are tallied lane by lane and noted at the next phase 0 that is looked at, and what is rare is left to the single trajectory. Phase π is passed over except where an odd cycle
-//! may show its mirror image, and phase 0 while a transient only waits for its state to return. The GPU's kernel goes in rounds of
-//! the same kind, each invocation for itself.
+//! for (eight with AVX-512, four with AVX2), from the same source as a single one and with the same bits: products and sums
+//! are fused where that is written and nowhere else, and every machine rounds alike. The lanes step together until five of
+//! eight of them wait for a contact; contacts are then found, and steps taken, by all of them, impacts are tallied lane by
+//! lane and noted at the next phase 0 that is looked at, and what is rare is left to the single trajectory. Phase π is passed
+//! over except where an odd cycle may show its mirror image, and phase 0 while a transient only waits for its state to
+//! return. The GPU's kernel goes in rounds of the same kind, each invocation for itself.
 //!
 //! *Impacts* change the velocities along M⁻¹d. What the change does to the end of the step is a polynomial that is known beforehand, so
 //! the rest of the step need not be flown again. A small deviation that is carried along is likewise that of the end of the step: a
@@ -106,11 +106,11 @@
 //! flight and impact (the saltation of Eq. (3)), gives λ1 with a standard error from sixteen batches; of a motion that was
 //! reached within the observation, only from there on. A motion that no longer moves at all and whose turns are short is
 //! observed turn by turn instead: unit deviations carried through one turn each are the columns of its monodromy matrix, and
-//! the spectral radius of that is its largest multiplier. That matrix M is measured of a state that returns and still comes
-//! closer, too: where it contracts, the state leaps to where its returns lead, anchor + Σ Mᵏ (state − anchor), if that is no
-//! farther than 10⁻³ and off the stops; the next return must be ten times closer, or the state goes on without. Where there
-//! is no period, a growth of more than e⁵ that is significant is chaos; a growth within e^±3 on strobe points that scatter
-//! alike early and late is quasi-periodic; everything else is unresolved, and says so.
+//! the spectral radius of that is its largest multiplier. That matrix M is measured of a state that returns and still
+//! moves, too: where it contracts, the state leaps to where its returns lead, anchor + Σ Mᵏ (state − anchor), if that is no
+//! farther than 10⁻³ and off the stops. It goes on from there; the next return is ten times closer, or the map is measured
+//! anew, six times at most. Where there is no period, a growth of more than e⁵ that is significant is chaos; a growth within
+//! e^±3 on strobe points that scatter alike early and late is quasi-periodic; everything else is unresolved, and says so.
 //!
 //! *In doubt.* What returns without having settled is held against the exact motion beside it: Newton's method on the
 //! strobe map finds it, its multipliers say whether it is stable and what λ1 is, and its Jacobian must foretell where the

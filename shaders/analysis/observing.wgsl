@@ -102,7 +102,9 @@ fn observer_settle(state: State, moved: bool) {
             observer_begin_turns();
             return;
         }
-        recurrence_follow_along(state, FOLLOWING);
+        if observer.turn.n == 0u {
+            recurrence_follow_along(state, FOLLOWING);
+        }
     }
     if observer.periods >= schedule.transient {
         observer_begin_observation(schedule.observe);

@@ -1,4 +1,4 @@
-// The largest multiplier of a settled motion, from the linear map of one turn.
+// The largest multiplier of a motion that returns, and where it goes, from the linear map of one turn.
 
 // The monodromy matrix column by column, `n` forcing periods each; 0 where none is measured.
 struct Turn {

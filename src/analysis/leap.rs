@@ -17,38 +17,42 @@ pub const LONGEST_LEAP: f64 = 1e-3;
 pub const LEFT_BY_LEAP: f64 = 0.1;
 
 impl<T: Real, const N: usize> Observer<T, N> {
-    /// Whether the map of a turn is to be measured in order to leap: the state returns, and still moves. It takes part of an
-    /// observation, which ends in no verdict.
+    /// Whether the map of a turn is to be measured in order to leap: the state returns, and still moves. That takes less than an
+    /// observation, so that it is discarded where nothing has settled; a turn to leap after and one to prove it must be left of
+    /// the transient.
     pub(super) fn is_to_leap(&self, schedule: &Schedule) -> bool {
         let moves = self.recurrence.holds_for(0) && !self.recurrence.is_within(T::of(T::AT_REST));
-        let measures = self.leaps > 0 && !self.turn.is_measured() && self.has_short_turns(schedule);
-        moves && measures && self.turns_needed() < schedule.observe && self.trajectory.contact.is_free()
+        let measures = self.leaps > 1 && !self.turn.is_measured() && self.has_short_turns(schedule);
+        let needed = self.turns_needed();
+        let has_time = self.periods + needed + 2 * self.recurrence.n <= schedule.transient;
+        moves && measures && needed < schedule.observe && has_time && self.trajectory.contact.is_free()
     }
 
     /// At a strobe of the transient after the map of a turn was measured: one turn after the anchor it leaps to where that
     /// return leads, if the map says that it leads there. Whether the trajectory goes on from another state than it came to.
     #[inline(always)]
-    pub(super) fn leap(&mut self, flight: &Flight<T, N>) -> bool {
+    pub(super) fn leap(&mut self, flight: &Flight<T, N>, schedule: &Schedule) -> bool {
         if !self.turn.is_measured() || self.recurrence.since < self.turn.n && self.recurrence.since > 0 {
             return false;
         }
-        self.leap_from_return(flight)
+        self.leap_from_return(flight, schedule)
     }
 
     #[inline(never)]
-    fn leap_from_return(&mut self, flight: &Flight<T, N>) -> bool {
+    fn leap_from_return(&mut self, flight: &Flight<T, N>, schedule: &Schedule) -> bool {
         let state = self.trajectory.point.state;
         let anchor = self.recurrence.anchor();
         let missed = distance(&state, &anchor);
         let target = anchor.added(&self.turn.followed_for_ever(&state.plus(-T::one(), &anchor)));
-        let leads_there = self.recurrence.n > 0
-            && self.recurrence.since == self.turn.n
-            && self.turn.exponent < T::zero()
-            && missed > T::of(T::AT_REST)
-            && missed <= T::of(LEFT_BY_LEAP) * self.turn.missed
+        let returned =
+            self.recurrence.n > 0 && self.recurrence.since == self.turn.n && self.turn.exponent < T::zero();
+        let neared = missed > T::of(T::AT_REST) && missed <= T::of(LEFT_BY_LEAP) * self.turn.missed;
+        let leads_there = target.is_finite()
             && distance(&target, &state) <= T::of(LONGEST_LEAP)
             && is_between_stops(flight, &target);
-        if leads_there && self.leaps > 0 && self.trajectory.contact.is_free() {
+        let has_time = self.periods + self.turn.n <= schedule.transient;
+        let may_leap = self.leaps > 0 && has_time && self.trajectory.contact.is_free();
+        if returned && neared && leads_there && may_leap {
             self.leaps -= 1;
             self.turn.missed = missed;
             self.trajectory.point.state = target;
@@ -74,7 +78,7 @@ fn is_between_stops<T: Real, const N: usize>(flight: &Flight<T, N>, state: &Stat
 mod tests {
     use super::super::observer::MOST_LEAPS;
     use super::*;
-    use crate::dynamics::{Point, Tangent};
+    use crate::dynamics::{Contact, End, Point, Tangent};
     use crate::model::{Parameters, System};
 
     const SCHEDULE: Schedule =
@@ -110,7 +114,7 @@ mod tests {
 
     /// x1 after the leap; none where there was none.
     fn leaps_to(mut observer: Observer<f64, 2>, flight: &Flight<f64, 2>) -> Option<f64> {
-        let leapt = observer.leap(flight);
+        let leapt = observer.leap(flight, &SCHEDULE);
         assert_eq!(leapt, observer.turn.is_measured(), "a turn that leads nowhere is dropped");
         leapt.then_some(observer.trajectory.point.state.x[0])
     }
@@ -132,6 +136,58 @@ mod tests {
         assert_eq!(begin(0.02, 0.9, 1e-6, 0.9e-5), None, "no closer than the last leap should have led");
         let tired = Observer { leaps: 0, ..returned(&flight, 0.02, 0.9, 1e-6, 1.0) };
         assert_eq!(leaps_to(tired, &flight), None, "it has leapt often enough");
+    }
+
+    #[test]
+    fn it_waits_for_its_turn_and_begins_anew_after_a_leap() {
+        let flight = flight(3.7, 0.1);
+        let returned = |factor| returned(&flight, 0.02, factor, 1e-6, 1.0);
+        let mut early = returned(0.9);
+        early.turn.n = 2;
+        assert!(!early.leap(&flight, &SCHEDULE) && early.turn.is_measured(), "half a turn");
+        let mut astray = returned(0.9);
+        astray.recurrence = Recurrence::anchored(astray.trajectory.point.state);
+        assert_eq!(leaps_to(astray, &flight), None, "the state did not return");
+        let mut held = returned(0.9);
+        held.trajectory.contact = Contact::FREE.with(End { normal: 0, side: 0 });
+        assert_eq!(leaps_to(held, &flight), None, "a contact holds");
+        let mut late = returned(0.9);
+        late.periods = SCHEDULE.transient;
+        assert_eq!(leaps_to(late, &flight), None, "no turn is left to prove it");
+        let mut mirrored = returned(0.9);
+        mirrored.recurrence = Recurrence::anchored(State { x: [-0.1 + 5e-6, 0.0], v: [0.1, 0.2] });
+        mirrored.trajectory.point.state = State { x: [-0.1 + 4e-6, 0.0], v: [0.1, 0.2] };
+        mirrored.recurrence.at_strobe(&mirrored.trajectory.point, 1e-4, 32, false);
+        assert_eq!(leaps_to(mirrored, &flight), None, "beyond the lower stop");
+        let mut leapt = returned(0.9);
+        assert!(leapt.leap(&flight, &SCHEDULE));
+        let there = leapt.trajectory.point.state;
+        assert_eq!((leapt.leaps, leapt.recurrence), (MOST_LEAPS - 1, Recurrence::anchored(there)));
+        assert!((leapt.turn.missed - 1e-6).abs() < 1e-15, "{}", leapt.turn.missed);
+    }
+
+    #[test]
+    fn a_turn_is_measured_where_a_leap_can_follow() {
+        let flight = flight::<f64>(3.7, 0.1);
+        let asks = |apart: f64, turn: u32, leaps: u32, schedule: Schedule, periods: u32| {
+            let anchor = State { x: [0.02, 0.0], v: [0.1, 0.2] };
+            let mut observer = Observer { leaps, periods, ..Observer::new(&flight, &schedule, anchor) };
+            observer.turn = Turn::over(turn);
+            observer.trajectory.point.state = State { x: [0.02 + apart, 0.0], ..anchor };
+            for _ in 0..3 {
+                observer.recurrence.at_strobe(&observer.trajectory.point, 1e-4, 32, false);
+            }
+            observer.is_to_leap(&schedule)
+        };
+        assert!(asks(1e-6, 0, 2, SCHEDULE, 100));
+        assert!(!asks(1e-11, 0, 2, SCHEDULE, 100), "at rest");
+        assert!(!asks(1e-3, 0, 2, SCHEDULE, 100), "no return");
+        assert!(!asks(1e-6, 1, 2, SCHEDULE, 100), "measured already");
+        assert!(!asks(1e-6, 0, 1, SCHEDULE, 100), "none is left to leap with");
+        assert!(!asks(1e-6, 0, 2, Schedule { observe: 4, ..SCHEDULE }, 100), "a whole observation");
+        assert!(asks(1e-6, 0, 2, Schedule { observe: 5, ..SCHEDULE }, 100));
+        assert!(asks(1e-6, 0, 2, SCHEDULE, SCHEDULE.transient - 6));
+        assert!(!asks(1e-6, 0, 2, SCHEDULE, SCHEDULE.transient - 5), "no turn is left to prove it");
     }
 
     /// A trajectory from rest at its end, after at most so many leaps.

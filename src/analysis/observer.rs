@@ -22,9 +22,9 @@ pub struct Observer<T, const N: usize> {
     pub(super) tangent: Tangent<T, N>,
     pub(super) recurrence: Recurrence<T, N>,
     pub(super) exponent: Exponent<T>,
-    /// The linear map of a settled motion.
+    /// The linear map of a motion that has settled, or of one that returns.
     pub(super) turn: Turn<T, N>,
-    /// How often it may still leap to where its returns lead.
+    /// How often it may still leap to where its returns lead, or measure a turn in order to.
     pub(super) leaps: u32,
     pub(super) spread: Spread<T, N>,
     /// Logarithmic growth of the tangent vector since the recurrence's anchor was set.
@@ -220,7 +220,10 @@ mod tests {
         let flight = Flight::<f64, 2>::new(&System::new(Setting::defaults(Family::paper())).unwrap());
         let begun = Observer::new(&flight, schedule, State::zero());
         let recurrence = Recurrence::anchored(State::zero());
-        Observer { periods, recurrence, ..begun }.unseen(schedule).strobes
+        let observer = Observer { periods, recurrence, ..begun };
+        // A turn that was measured waits for its return.
+        assert_eq!(Observer { turn: Turn::over(1), ..observer }.unseen(schedule).strobes, 0);
+        observer.unseen(schedule).strobes
     }
 
     #[test]

@@ -13,12 +13,12 @@ use super::turn::Turn;
 use crate::dynamics::{Event, Move, Point, Stop, Tangent};
 use crate::model::{Flight, Real};
 
-/// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of
-/// one that is called symmetric; absolute for states of order one and less, relative above. Both back ends use it.
+/// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of one that is
+/// called symmetric; absolute for states of order one and less, relative above.
 pub const RETURNED: f64 = 1e-4;
-/// Periods for which a trajectory must have returned, in the transient, before it finishes early.
+/// Periods of returns in the transient after which a trajectory finishes early where it returns to [`Real::SETTLED`].
 pub const SETTLING: u32 = 64;
-/// The same for a trajectory that returns far closer still, to [`Real::AT_REST`].
+/// The same for one that returns far closer still, to [`Real::AT_REST`].
 pub const SETTLING_AT_REST: u32 = 4;
 /// Periods of returns in the transient after which the motion is compared with its present self.
 pub const FOLLOWING: u32 = 16;
@@ -162,8 +162,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// A strobe of the transient: may it end here? Where it made other moves since the last one, impacts or approaches to a stop,
-    /// it is not asked whether it can impact again. Whether it goes on from another state than it came to.
+    /// A strobe of the transient: may it end here? Where it `moved`, it can impact again. Whether it goes on from another state.
     #[inline(always)]
     fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule, moved: bool) -> bool {
         let point = self.trajectory.point;
@@ -175,7 +174,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             }
             let patience = patience(self.periods, schedule.max_period);
             self.recurrence.at_strobe(&point, T::of(T::RETURNING), patience, false);
-            leapt = self.leap(flight);
+            leapt = self.leap(flight, schedule);
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
             let settled = if at_rest {
                 self.recurrence.holds_for(SETTLING_AT_REST)
@@ -191,7 +190,9 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 self.begin_turns(flight);
                 return false;
             }
-            self.recurrence.follow_along(&point, FOLLOWING);
+            if !self.turn.is_measured() {
+                self.recurrence.follow_along(&point, FOLLOWING);
+            }
         }
         if self.periods >= schedule.transient {
             self.begin_observation(flight, schedule.observe);

@@ -2,7 +2,8 @@
 //!
 //! A tangent vector that is carried along for many periods tells the exponent only as far as it has aligned, and a pair of
 //! complex multipliers lets it sway. A motion that has settled repeats: unit vectors carried through one turn each are the
-//! columns of its monodromy matrix, whose powers grow as its largest multiplier does.
+//! columns of its monodromy matrix, whose powers grow as its largest multiplier does. Of a motion that returns and comes closer
+//! the same matrix says where it goes.
 
 use pulp::NullaryFnOnce;
 

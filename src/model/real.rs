@@ -33,7 +33,8 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const CHATTER: f64;
     /// The largest distance between strobe states that counts as a return of a motion that may yet come closer.
     const RETURNING: f64;
-    /// The largest distance between strobe states of a settled motion, before its trajectory finishes early.
+    /// The largest distance between strobe states of a settled motion since the state that they are compared with, before its
+    /// trajectory finishes early.
     const SETTLED: f64;
     /// The same for a motion whose strobe states no longer move at all, but for rounding.
     const AT_REST: f64;

@@ -25,7 +25,8 @@ pub fn follow<T: Precision>(job: &Job, schedule: &Schedule) -> Verdict {
     T::follow(job, schedule)
 }
 
-/// Follows one trajectory in the given precision and reads a section while it is observed.
+/// Follows one trajectory in the given precision and reads a section while it is observed; where the schedule leaves the
+/// periods open, in observations that are discarded too.
 ///
 /// # Panics
 /// If the probe names a component that the system does not have; see [`Probe::fits`].
