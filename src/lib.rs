@@ -67,14 +67,14 @@
 //!
 //! *No impact is missed.* Within a step d·x differs from its cubic Hermite interpolant by s²(h − s)²/24 times a bound on
 //! |(d·x)''''|: so it lies in the hull of five Bernstein coefficients. Where that hull clears the stops, the step is taken.
-//! Where the step ends beyond a stop, or may touch one and return, the contact is found directly: the polynomial of fifth
-//! degree through both ends has its root by three of Newton's steps, a Taylor polynomial of fixed order leads there from the
-//! nearer end, and the rest of the way is so short that its fourth power is lost in rounding. A certificate says that this
-//! contact is the first: by the same bound, d·x approaches the stop without turning, or is pressed towards it all the way.
-//! Where nothing is certified (grazing, two contacts in a step, chatter about to be complete), the stop is approached from
-//! the safe side: the gap is at least that of a quadratic whose acceleration bounds the true one on a window, and the
-//! trajectory flies to that quadratic's root: just short of the contact, never beyond. Repeated, this converges faster than
-//! Newton's method, and a touch that comes to nothing is passed without harm.
+//! Where the step ends beyond a stop, the contact is found directly: the polynomial of fifth degree through both ends has
+//! its root by three of Newton's steps, a Taylor polynomial of fixed order leads there from the nearer end, and the rest of
+//! the way is so short that its fourth power is lost in rounding. A certificate says that this contact is the first: by the same
+//! bound, d·x approaches the stop without turning, or is pressed towards it all the way. Where nothing is certified (grazing,
+//! two contacts in a step, chatter about to be complete), the stop is approached from the safe side: the gap is at least that
+//! of a quadratic whose acceleration bounds the true one on a window, and the trajectory flies to that quadratic's root: just
+//! short of the contact, never beyond. Repeated, this converges faster than Newton's method, and a touch that comes to
+//! nothing is passed without harm.
 //!
 //! *Side by side.* With one or two coordinates, the CPU path follows as many trajectories at once as the processor has room
 //! for (eight with AVX-512, four with AVX2), from the same source as a single one and with the same bits: products and sums

@@ -13,8 +13,8 @@ struct Crossing {
     pull: f32,
 }
 
-// The stop that lies between the ends of a leg, or that it may touch between them: whether there is exactly one, and the leg
-// stays off all stops along other normals; and whether it stays off the stop at the other end of the normal.
+// The stop that lies between the ends of a leg: whether there is exactly one, and the leg stays off all stops along other
+// normals; and whether it stays off the stop at the other end of the normal.
 struct Face {
     end: End,
     only: bool,
@@ -32,22 +32,20 @@ fn crossing_face(before: Point, after: Point, window: f32) -> Face {
     //: each normal
     {
         let ends = along(flight.normals[$k].direction, after.state.x);
-        let beyond_lower = stops.gap[$k][1] < -ends;
+        let beyond_upper = stops.gap[$k][0] < ends;
+        let beyond = beyond_upper | (stops.gap[$k][1] < -ends);
         let clear = leg_clearance(before, after, window, $ku);
-        // A leg that ends between the stops may touch one of them and return.
-        let meets_upper = (stops.gap[$k][0] < ends) | (clear.lower & !clear.upper & !beyond_lower);
-        let meets = meets_upper | beyond_lower | (clear.upper & !clear.lower);
-        only = only & !(meets & found) & (meets | (clear.upper & clear.lower));
-        found = found | meets;
-        opposite_clear = opposite_clear | (meets_upper & clear.lower) | (meets & !meets_upper & clear.upper);
-        normal = select(normal, $ku, meets);
-        upper = upper | meets_upper;
+        only = only & !(beyond & found) & (beyond | (clear.upper & clear.lower));
+        found = found | beyond;
+        opposite_clear = opposite_clear | (beyond_upper & clear.lower) | (beyond & !beyond_upper & clear.upper);
+        normal = select(normal, $ku, beyond);
+        upper = upper | beyond_upper;
     }
     //: end
     return Face(End(normal, select(1u, 0u, upper)), only & found, opposite_clear);
 }
 
-// The contact of a leg that ends beyond one stop, or touches one and returns.
+// The contact of a leg that ends beyond one stop.
 fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let face = crossing_face(before, after, window);
     let normal = face.end.normal;

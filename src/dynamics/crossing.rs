@@ -32,7 +32,7 @@ pub struct Crossing<L: Lanes, const N: usize> {
     pub rebound: L,
 }
 
-/// The stop that lies between the ends of a leg, or that the leg may touch between them.
+/// The stop that lies between the ends of a leg.
 struct Face<L: Lanes, const N: usize> {
     /// Where there is exactly one, and the leg stays off all stops along other normals.
     only: L::Mask,
@@ -71,16 +71,14 @@ impl<L: Lanes, const N: usize> Face<L, N> {
     fn along(k: usize, leg: &Leg<'_, L, N>, clearances: &Clearances<L::Mask>, flight: &Flight<L, N>) -> Self {
         let (normal, clear) = (&flight.normals[k], clearances.0[k]);
         let ends = dot(&normal.direction, &leg.to.state.x);
-        let (beyond_upper, beyond_lower) = (normal.gap[0].below(ends), normal.gap[1].below(-ends));
-        // A leg that ends between the stops may touch one of them and return.
-        let upper = beyond_upper.or(clear.lower.and(clear.upper.not()).and(beyond_lower.not()));
-        let meets = upper.or(beyond_lower).or(clear.upper.and(clear.lower.not()));
-        let mut normals = [meets.and(meets.not()); MOST];
-        normals[k] = meets;
+        let upper = normal.gap[0].below(ends);
+        let beyond = upper.or(normal.gap[1].below(-ends));
+        let mut normals = [beyond.and(beyond.not()); MOST];
+        normals[k] = beyond;
         Face {
-            only: meets.or(clear.both()),
-            found: meets,
-            opposite_clear: upper.and(clear.lower).or(meets.and(upper.not()).and(clear.upper)),
+            only: beyond.or(clear.both()),
+            found: beyond,
+            opposite_clear: upper.and(clear.lower).or(beyond.and(upper.not()).and(clear.upper)),
             normals,
             upper,
             sign: L::select(upper, ends.all(1.0), ends.all(-1.0)),
@@ -94,23 +92,23 @@ impl<L: Lanes, const N: usize> Face<L, N> {
         }
     }
 
-    /// That of another normal, where the leg meets its stop.
+    /// That of another normal, where the leg ends beyond its stop.
     #[inline(always)]
     fn or(&mut self, k: usize, other: &Self) {
-        let meets = other.found;
-        self.only = self.only.and(other.only).and(meets.and(self.found).not());
-        self.found = self.found.or(meets);
+        let beyond = other.found;
+        self.only = self.only.and(other.only).and(beyond.and(self.found).not());
+        self.found = self.found.or(beyond);
         self.opposite_clear = self.opposite_clear.or(other.opposite_clear);
-        self.normals[k] = meets;
+        self.normals[k] = beyond;
         self.upper = self.upper.or(other.upper);
-        self.sign = L::select(meets, other.sign, self.sign);
-        self.gap = L::select(meets, other.gap, self.gap);
-        self.width = L::select(meets, other.width, self.width);
-        self.restitution = L::select(meets, other.restitution, self.restitution);
-        self.bound = L::select(meets, other.bound, self.bound);
-        self.coupling = L::select(meets, other.coupling, self.coupling);
-        self.direction = select(meets, &other.direction, &self.direction);
-        self.response = select(meets, &other.response, &self.response);
+        self.sign = L::select(beyond, other.sign, self.sign);
+        self.gap = L::select(beyond, other.gap, self.gap);
+        self.width = L::select(beyond, other.width, self.width);
+        self.restitution = L::select(beyond, other.restitution, self.restitution);
+        self.bound = L::select(beyond, other.bound, self.bound);
+        self.coupling = L::select(beyond, other.coupling, self.coupling);
+        self.direction = select(beyond, &other.direction, &self.direction);
+        self.response = select(beyond, &other.response, &self.response);
     }
 
     /// A vector's part towards the stop.
@@ -140,8 +138,7 @@ impl<L: Lanes, const N: usize> Face<L, N> {
     }
 }
 
-/// The contact of a leg, with its clearances, that ends beyond one stop, or touches one and returns; nothing is certain
-/// elsewhere.
+/// The contact of a leg, with its clearances, that ends beyond one stop; nothing is certain elsewhere.
 #[inline(always)]
 pub fn crossing<L: Lanes, const N: usize>(
     leg: &Leg<'_, L, N>,

@@ -100,12 +100,10 @@ fn grazes<T: Real>() {
         let clears = swing.leg().clearances(&swing.flight).all(swing.flight.count);
         assert!(!clears || beyond < 0.0, "{beyond}");
         assert!(clears || beyond > -0.05, "a leg well short of the stop clears: {beyond}");
-        // The leg ends within the stops: it touches one and returns, which is certain where that takes a while.
-        assert!(swing.to.state.x[0].widen() < 0.5, "{beyond}");
+        // The leg ends within the stops unless the swing is large: there is nothing to cross.
+        let ends_beyond = swing.to.state.x[0].widen() > 0.5;
         let crossing = crossing(&swing.leg(), &swing.leg().clearances(&swing.flight), &swing.flight);
-        assert!(!crossing.certain || beyond > 128.0 * T::EPSILON, "{beyond}");
-        assert!(crossing.certain || beyond < 1e-2, "{beyond}");
-        let crosses = crossing.certain.then(|| crossing.time.widen());
+        assert!(!crossing.certain || ends_beyond, "{beyond}");
         // The trajectory meets the stop if the swing does: at its first contact.
         let mut trajectory = Trajectory::from_point(&swing.flight, swing.from, Contact::FREE, 0, T::zero());
         let (mut at, mut struck) = (0.0, None);
@@ -126,7 +124,6 @@ fn grazes<T: Real>() {
             let contact = (1.0 / (1.0 + beyond)).asin() - phase;
             let speed = amplitude * (contact + phase).cos();
             assert!((at - contact).abs() < 64.0 * T::EPSILON / speed, "{beyond}: {at} for {contact}");
-            assert!(crosses.is_none_or(|time| time == at), "{beyond}: {crosses:?} is not the first contact");
             let struck = struck.expect("it is struck");
             assert!((struck - speed).abs() < 64.0 * T::EPSILON / speed, "{beyond}: {struck} for {speed}");
         } else if beyond <= -1e-3 {
