@@ -98,19 +98,20 @@
 //! opens along its jerk.
 //!
 //! *Verdict.* The strobe state is compared with one remembered state: its first return gives N, and it must keep
-//! returning, with the same impacts. A trajectory that has settled, or that energy shows can never impact again,
-//! finishes early. A return is no period yet: a spiral that still shrinks returns, and so does every second turn of an
-//! alternation that dies out. Half-way through the observation the remembered state moves along with the motion. N is its
-//! period where the returns are as close as rounding lets them be, or come closer by the half, where a turn by a divisor
-//! of N ends a thousand times farther away, and where nearby trajectories do not part. A tangent vector, carried through
-//! flight and impact (the saltation of Eq. (3)), gives λ1 with a standard error from sixteen batches; of a motion that was
-//! reached within the observation, only from there on. A motion that no longer moves at all and whose turns are short is
-//! observed turn by turn instead: unit deviations carried through one turn each are the columns of its monodromy matrix, and
-//! the spectral radius of that is its largest multiplier. That matrix M is measured of a state that returns and still
-//! moves, too: where it contracts, the state leaps to where its returns lead, anchor + Σ Mᵏ (state − anchor), if that is no
+//! returning, with the same impacts. A trajectory that has settled, or that energy shows can never impact again, finishes
+//! early. A return is no period yet: a spiral that still shrinks returns, and so does every second turn of an alternation
+//! that dies out. Half-way through the observation the remembered state moves along with the motion. N is its period where
+//! the returns are as close as rounding lets them be, or come closer by the half, where a turn by a divisor of N ends a
+//! thousand times farther away, and where nearby trajectories do not part. A tangent vector, carried through flight and
+//! impact (the saltation of Eq. (3)), gives λ1 with a standard error from sixteen batches; of a motion that was reached
+//! within the observation, only from there on. A motion that no longer moves at all and whose turns are short is observed
+//! turn by turn instead: unit deviations carried through one turn each are the columns of its monodromy matrix, and the
+//! spectral radius of that is its largest multiplier. That matrix M is measured of a state that returns and still moves,
+//! too: where it contracts, the state leaps to where its returns lead, anchor + Σ Mᵏ (state − anchor), if that is no
 //! farther than 10⁻³ and off the stops. It goes on from there; the next return is ten times closer, or the map is measured
-//! anew, six times at most. Where there is no period, a growth of more than e⁵ that is significant is chaos; a growth within
-//! e^±3 on strobe points that scatter alike early and late is quasi-periodic; everything else is unresolved, and says so.
+//! anew; leaps and measurements are six at most, together. Where there is no period, a growth of more than e⁵ that is
+//! significant is chaos; a growth within e^±3 on strobe points that scatter alike early and late is quasi-periodic;
+//! everything else is unresolved, and says so.
 //!
 //! *In doubt.* What returns without having settled is held against the exact motion beside it: Newton's method on the
 //! strobe map finds it, its multipliers say whether it is stable and what λ1 is, and its Jacobian must foretell where the

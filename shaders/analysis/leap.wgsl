@@ -22,8 +22,7 @@ fn observer_leap() {
     let state = trajectory.point.state;
     let anchor = observer.recurrence.anchor;
     let missed = state_distance(state, anchor);
-    let step = turn_followed_for_ever(state_plus(state, -1.0, anchor));
-    let end = State(anchor.x + step.x, anchor.v + step.v);
+    let end = state_plus(anchor, 1.0, turn_followed_for_ever(state_plus(state, -1.0, anchor)));
     let returned = observer.recurrence.n > 0u && since == observer.turn.n && observer.turn.exponent < 0.0;
     let neared = missed > AT_REST && missed <= LEFT_BY_LEAP * observer.turn.missed;
     let near = state_distance(end, state) <= LONGEST_LEAP;

@@ -59,8 +59,7 @@ fn turn_followed_for_ever(y: State) -> State {
     var power = observer.turn.columns;
     var sum = y;
     for (var k = 0u; k <= SQUARINGS; k++) {
-        let more = turn_applied(power, sum);
-        sum = State(sum.x + more.x, sum.v + more.v);
+        sum = state_plus(sum, 1.0, turn_applied(power, sum));
         if turn_largest(power) < EPSILON {
             break;
         }

@@ -141,25 +141,25 @@ mod tests {
     #[test]
     fn it_waits_for_its_turn_and_begins_anew_after_a_leap() {
         let flight = flight(3.7, 0.1);
-        let returned = |factor| returned(&flight, 0.02, factor, 1e-6, 1.0);
-        let mut early = returned(0.9);
+        let returned = || returned(&flight, 0.02, 0.9, 1e-6, 1.0);
+        let mut early = returned();
         early.turn.n = 2;
         assert!(!early.leap(&flight, &SCHEDULE) && early.turn.is_measured(), "half a turn");
-        let mut astray = returned(0.9);
+        let mut astray = returned();
         astray.recurrence = Recurrence::anchored(astray.trajectory.point.state);
         assert_eq!(leaps_to(astray, &flight), None, "the state did not return");
-        let mut held = returned(0.9);
+        let mut held = returned();
         held.trajectory.contact = Contact::FREE.with(End { normal: 0, side: 0 });
         assert_eq!(leaps_to(held, &flight), None, "a contact holds");
-        let mut late = returned(0.9);
+        let mut late = returned();
         late.periods = SCHEDULE.transient;
         assert_eq!(leaps_to(late, &flight), None, "no turn is left to prove it");
-        let mut mirrored = returned(0.9);
+        let mut mirrored = returned();
         mirrored.recurrence = Recurrence::anchored(State { x: [-0.1 + 5e-6, 0.0], v: [0.1, 0.2] });
         mirrored.trajectory.point.state = State { x: [-0.1 + 4e-6, 0.0], v: [0.1, 0.2] };
         mirrored.recurrence.at_strobe(&mirrored.trajectory.point, 1e-4, 32, false);
         assert_eq!(leaps_to(mirrored, &flight), None, "beyond the lower stop");
-        let mut leapt = returned(0.9);
+        let mut leapt = returned();
         assert!(leapt.leap(&flight, &SCHEDULE));
         let there = leapt.trajectory.point.state;
         assert_eq!((leapt.leaps, leapt.recurrence), (MOST_LEAPS - 1, Recurrence::anchored(there)));

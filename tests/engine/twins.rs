@@ -129,21 +129,24 @@ fn extents_and_sections_have_the_bits_of_the_twin() {
     }
 }
 
+/// Some cells of a family.
+fn few(jobs: &[Job]) -> &[Job] {
+    &jobs[..jobs.len().min(16)]
+}
+
 #[test]
 fn systems_of_one_to_three_coordinates_have_the_bits_of_the_twin() {
     let families = families(60);
     assert!(families.len() >= 8);
     let settles = |job: &Job| follow::<f32>(job, &LOOK).periods < LOOK.transient;
-    let settled =
-        families.iter().flat_map(|jobs| &jobs[..jobs.len().min(16)]).filter(|job| settles(job)).count();
+    let settled = families.iter().flat_map(|jobs| few(jobs)).filter(|job| settles(job)).count();
     assert!(settled > 20, "{settled} cells settle early");
     let second = open_exact();
     on_devices([exact(), &second], &families, |device, jobs: &Vec<Job>| {
         let started = std::time::Instant::now();
         assert_eq!(differ(device, jobs, &SHORT), 0, "{:?}", jobs[0].system.plant());
         // Motions that settle, and leaps to them.
-        let some = &jobs[..jobs.len().min(16)];
-        assert_eq!(differ(device, some, &LOOK), 0, "{:?}", jobs[0].system.plant());
+        assert_eq!(differ(device, few(jobs), &LOOK), 0, "{:?}", jobs[0].system.plant());
         println!("{} cells of {} normals in {:?}", jobs.len(), jobs[0].system.normals(), started.elapsed());
     });
 }

@@ -1,7 +1,7 @@
 //! Points at which a look at the returns alone goes wrong.
 
-use impact_atlas::analysis::Regime;
-use impact_atlas::backend::{Backend, Cpu, follow};
+use impact_atlas::analysis::{Regime, Schedule};
+use impact_atlas::backend::{Backend, Cpu, Job, Unwatched, follow};
 use impact_atlas::model::Parameters;
 use impact_atlas::theory::SettledMotion;
 
@@ -54,9 +54,17 @@ fn a_narrow_chaotic_band_has_no_period() {
     on_both(|backend| {
         let verdict = decided(backend, &band, 6000);
         assert!(matches!(verdict.regime, Regime::Chaotic | Regime::Unresolved), "{verdict:?}");
-        // 0.096 over 20,000 periods; in single precision the band ends on cycles of rounding, each with an exponent of its own.
+        // In single precision each trajectory ends on a cycle of rounding with an exponent of its own, from 0.04 to 0.12 and a
+        // quarter of them below 0.05: what holds for one in f64 holds for their mean there.
         let least = if backend.name() == "gpu" { 0.03 } else { 0.08 };
         assert!(verdict.lyapunov > least, "{verdict:?}");
+        let start = |i| [1e-3 * f64::from(i), 0.0, 0.0, 0.0].into();
+        let starts: Vec<Job> =
+            (0..16).map(|i| Job { system: band.system.clone(), start: start(i) }).collect();
+        let fixed = Schedule { observe: 600, fixed_periods: true, ..schedule(600) };
+        let verdicts = backend.run(&starts, &fixed, &Unwatched).unwrap();
+        let mean = verdicts.iter().map(|verdict| f64::from(verdict.lyapunov)).sum::<f64>() / 16.0;
+        assert!(mean > 0.05, "{mean} on {}", backend.name());
     });
 }
 
