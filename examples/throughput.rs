@@ -13,7 +13,7 @@
 //! largest Lyapunov exponent is below zero); the f64 path itself is held to an independent oracle by the tests.
 //!
 //! ```text
-//! cargo run --release --example throughput -- [cpu|one|gpu|exact|f32] [SIDE] [REPEATS] [--json]
+//! cargo run --release --example throughput -- [cpu|one|gpu|exact|f32] [SIDE] [REPEATS] [--only=WORKLOAD] [--json]
 //! ```
 //!
 //! SIDE is the cells along either axis (32 by default; 1024 for a million-cell plane). `cpu` follows as many trajectories
@@ -94,13 +94,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (flags, words): (Vec<String>, Vec<String>) =
         std::env::args().skip(1).partition(|a| a.starts_with("--"));
     let json = flags.iter().any(|flag| flag == "--json");
+    let only = flags.iter().find_map(|flag| flag.strip_prefix("--only="));
     let path = words.first().map_or("cpu", String::as_str);
     let side: u32 = words.get(1).map_or(Ok(32), |text| text.parse())?;
     let repeats: u32 = words.get(2).map_or(Ok(3), |text| text.parse())?;
     let (what, runner) = runner(path)?;
     let mut measured = Vec::new();
     for workload in workloads() {
-        measured.push(measure(&workload, side, repeats, path, &runner)?);
+        if only.is_none_or(|name| name == workload.name) {
+            measured.push(measure(&workload, side, repeats, path, &runner)?);
+        }
+    }
+    if measured.is_empty() {
+        let names = workloads().map(|workload| workload.name).join(", ");
+        return Err(format!("`{}` is no workload: choose one of {names}", only.unwrap_or_default()).into());
     }
     if json {
         let report = serde_json::json!({

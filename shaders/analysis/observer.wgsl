@@ -44,6 +44,6 @@ fn observer_begin(start: State) {
     observer.stuck = 0u;
     observer.loss = loss_none(CONTACT_FREE);
     if schedule.transient == 0u {
-        observer_begin_observation(schedule.observe);
+        observer_begin_observation(Observation(schedule.observe, 0u));
     }
 }

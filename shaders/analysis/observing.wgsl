@@ -15,7 +15,7 @@ fn observer_note(taken: Move) {
     } else if taken.event != EVENT_STEP_END {
         observer.moves = observer.moves + 1u;
         if taken.event == EVENT_STROBE {
-            observer_strobe();
+            observer_strobe(observer.stage == STAGE_OBSERVATION);
         }
     }
     observer_give_up();
@@ -57,7 +57,14 @@ fn observer_count_beside(beside: u32) {
     //: end
 }
 
-fn observer_strobe() {
+// Notes that the trajectory came to phase 0 in free flight: under observation, or in the transient.
+fn observer_arrive(observed: bool) {
+    observer.moves = observer.moves + 1u;
+    observer_strobe(observed);
+    observer_give_up();
+}
+
+fn observer_strobe(observed: bool) {
     let state = trajectory.point.state;
     let moved = observer.moves > 1u;
     observer.moves = observer.moves - min(observer.moves, FAIR_MOVES);
@@ -72,20 +79,21 @@ fn observer_strobe() {
         recurrence_count(flight.normals[$k].stop[1], true);
     }
     //: end
-    if observer.stage == STAGE_TRANSIENT {
-        observer_settle(state, moved);
+    var begins = NO_OBSERVATION;
+    if observed {
+        begins = observer_observe(state);
     } else {
-        observer_observe(state);
+        begins = observer_settle(state, moved);
     }
+    observer_begin_observation(begins);
 }
 
-// A strobe of the transient; where the trajectory made other moves since the last one it is not asked whether it can impact
-// again.
-fn observer_settle(state: State, moved: bool) {
+// A strobe of the transient: what observation begins there. Where the trajectory `moved`, it can impact again.
+fn observer_settle(state: State, moved: bool) -> Observation {
     if schedule.fixed_periods == 0u {
         if !moved && trajectory.contact == CONTACT_FREE && is_quiet(trajectory.point) {
             observer.stage = STAGE_QUIET;
-            return;
+            return NO_OBSERVATION;
         }
         let patience = max(min(observer.periods / PATIENCE_SHARE, schedule.max_period), 1u);
         recurrence_at_strobe(state, RETURNING, patience, false);
@@ -94,75 +102,21 @@ fn observer_settle(state: State, moved: bool) {
         let still = at_rest && recurrence_holds_for(SETTLING_AT_REST);
         let keeps = !at_rest && recurrence_kept_for(SETTLING) && observer.recurrence.worst <= SETTLED;
         if still || keeps {
-            observer_begin_settled(at_rest);
-            return;
+            return observation_of_settled(at_rest);
         }
         if observer_is_to_leap() {
             observer.leaps = observer.leaps - 1u;
-            observer_begin_turns();
-            return;
+            return observation_by_turns();
         }
         if observer.turn.n == 0u {
             recurrence_follow_along(state, FOLLOWING);
         }
     }
-    if observer.periods >= schedule.transient {
-        observer_begin_observation(schedule.observe);
-    }
+    return observation_of_unsettled();
 }
 
-// Observes what returns: turn by turn where it no longer moves at all and its turns are short, else for longer.
-fn observer_begin_settled(at_rest: bool) {
-    if at_rest && observer_has_short_turns() {
-        observer_begin_turns();
-    } else {
-        let needed = max(SETTLED_OBSERVATION, SETTLED_TURNS * observer.recurrence.n);
-        observer_begin_observation(min(needed, schedule.observe));
-    }
-}
-
-// Whether the turns of what returns are short enough for an observation turn by turn.
-fn observer_has_short_turns() -> bool {
-    return observer_turns_needed() <= min(BRIEF, schedule.observe);
-}
-
-fn observer_turns_needed() -> u32 {
-    return observer.recurrence.n * max(SETTLED_TURNS, COMPONENTS);
-}
-
-// Observes what returns turn by turn.
-fn observer_begin_turns() {
-    let n = observer.recurrence.n;
-    observer_begin_observation(observer_turns_needed());
-    observer.turn = turn_over(n);
-    observer_carry(state_unit(0u));
-}
-
-// Carries a deviation along from here. While a mass rests on a stop, deviations along the contact are zero.
-fn observer_carry(deviation: State) {
-    tangent = deviation;
-    if trajectory.contact != CONTACT_FREE {
-        tangent = tangent_caught(tangent, trajectory.contact);
-    }
-}
-
-fn observer_begin_observation(observe: u32) {
-    observer.stage = STAGE_OBSERVATION;
-    observer.observe = observe;
-    observer.observed = 0u;
-    observer.impacts = 0u;
-    observer.peak = 0.0;
-    observer.stuck = 0u;
-    observer.loss = loss_none(trajectory.contact);
-    observer_carry(tangent_seed());
-    observer.recurrence = recurrence_anchored(trajectory.point.state);
-    observer.exponent = exponent_over(observe);
-    observer.turn = turn_over(0u);
-    observer.spread = spread_about(trajectory.point);
-    observer.grown = 0.0;
-}
-
-fn observer_observe(state: State) {
+// A strobe of the observation: what other observation begins there.
+fn observer_observe(state: State) -> Observation {
     observer.observed = observer.observed + 1u;
     let half = observer.observe / 2u;
     let growth = observer_measure_growth();
@@ -172,7 +126,7 @@ fn observer_observe(state: State) {
         spread_at_strobe(trajectory.point, observer.observed > half);
     }
     if observer.observed < observer.observe {
-        return;
+        return NO_OBSERVATION;
     }
     let still = observer.recurrence.worst <= ROUNDING;
     let settled = observer.turn.n == 0u || (still && observer_is_settled());
@@ -180,12 +134,10 @@ fn observer_observe(state: State) {
         // It had not settled after all: the observation is discarded and the transient goes on.
         observer.recurrence = recurrence_anchored(state);
         observer.stage = STAGE_TRANSIENT;
-        if observer.periods >= schedule.transient {
-            observer_begin_observation(schedule.observe);
-        }
-    } else {
-        observer.stage = STAGE_OBSERVED;
+        return observation_of_unsettled();
     }
+    observer.stage = STAGE_OBSERVED;
+    return NO_OBSERVATION;
 }
 
 // How the tangent vector grew in the last period, as far as that is measured period by period.

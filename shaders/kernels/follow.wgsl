@@ -20,7 +20,7 @@ fn follow_stage(stage: u32, carry: bool) {
         pace_rounds(carry);
         observer_pass_impacts();
         if pace.arrived {
-            observer_note(Move(EVENT_STROBE, 0u, 0.0, 0.0, CONTACT_FREE));
+            observer_arrive(carry);
         }
     }
 }

@@ -1,11 +1,13 @@
 //! What a trajectory is: regimes and labels, settling, Lyapunov exponents.
 
 mod abreast;
+mod beginning;
 mod deciding;
 mod exponent;
 mod extent;
 mod leap;
 mod loss;
+mod observation;
 mod observer;
 mod observing;
 mod probe;
@@ -44,11 +46,9 @@ pub(crate) mod constants {
     pub use super::deciding::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, SIGNIFICANCE};
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::leap::{LEFT_BY_LEAP, LONGEST_LEAP};
+    pub use super::observation::{BRIEF, NEUTRAL_RATE, SETTLED_OBSERVATION, SETTLED_TURNS};
     pub use super::observer::MOST_LEAPS;
-    pub use super::observing::{
-        BRIEF, FOLLOWING, NEUTRAL_RATE, PROOF_SHARE, RETURNED, SETTLED_OBSERVATION, SETTLED_TURNS, SETTLING,
-        SETTLING_AT_REST,
-    };
+    pub use super::observing::{FOLLOWING, PROOF_SHARE, RETURNED, SETTLING, SETTLING_AT_REST};
     pub use super::recurrence::{DISTINCT, FARTHEST, LEAST_RETURNS, PATIENCE_SHARE, QUICKLY};
     pub use super::spread::STATIONARY;
     pub use super::turn::{EXPLODES, FORGETS, SQUARINGS};

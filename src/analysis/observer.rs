@@ -2,6 +2,7 @@
 
 use super::exponent::Exponent;
 use super::loss::Loss;
+use super::observation::Observation;
 use super::recurrence::Recurrence;
 use super::schedule::Schedule;
 use super::spread::Spread;
@@ -75,7 +76,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             loss: Loss::none(false),
         };
         if schedule.transient == 0 {
-            observer.begin_observation(flight, schedule.observe);
+            observer.begin_observation(flight, Observation::over(schedule.observe));
         }
         observer
     }

@@ -1,13 +1,10 @@
 //! What is noted of a trajectory: its impacts, and at every strobe whether the transient or the observation ends.
 
-use super::deciding::NEUTRAL_GROWTH;
-use super::exponent::Exponent;
-use super::loss::Loss;
+use super::observation::Observation;
 use super::observer::Observer;
 use super::quiet::is_quiet;
 use super::recurrence::{Recurrence, patience};
 use super::schedule::Schedule;
-use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
 use crate::dynamics::{Event, Move, Point, Stop, Tangent};
@@ -22,15 +19,6 @@ pub const SETTLING: u32 = 64;
 pub const SETTLING_AT_REST: u32 = 4;
 /// Periods of returns in the transient after which the motion is compared with its present self.
 pub const FOLLOWING: u32 = 16;
-/// Periods for which a settled trajectory is still observed.
-pub const SETTLED_OBSERVATION: u32 = 48;
-/// The exponent per forcing period below which a motion that is observed turn by turn neither attracts nor repels: over
-/// [`SETTLED_OBSERVATION`] it makes a growth of [`NEUTRAL_GROWTH`].
-pub const NEUTRAL_RATE: f64 = NEUTRAL_GROWTH / SETTLED_OBSERVATION as f64;
-/// The longest observation turn by turn.
-pub const BRIEF: u32 = 24;
-/// Turns of its own period for which it is observed at least.
-pub const SETTLED_TURNS: u32 = 4;
 /// The share of the observation, one in so many, for which the state must have kept returning when it ends; no more than
 /// [`SETTLING`].
 pub const PROOF_SHARE: u32 = 4;
@@ -103,11 +91,11 @@ impl<T: Real, const N: usize> Observer<T, N> {
     #[inline(always)]
     fn strobe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
         let Some(moved) = self.begin_period(flight) else { return };
-        if self.stage == Stage::Transient {
-            self.settle(flight, schedule, moved);
-        } else {
-            self.observe(flight, schedule);
-        }
+        let begins = match self.stage {
+            Stage::Transient => self.settle(flight, schedule, moved).0,
+            _ => self.observe(flight, schedule),
+        };
+        self.begin_observation(flight, begins);
     }
 
     /// Notes that the trajectory came to phase 0 in free flight: under observation with its tangent, in the transient without. Whether
@@ -123,13 +111,14 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.moves.add();
         let mut leapt = false;
         if let Some(moved) = self.begin_period(flight) {
-            match tangent {
-                None => leapt = self.settle(flight, schedule, moved),
-                Some(tangent) => {
-                    self.tangent = tangent;
-                    self.observe(flight, schedule);
-                }
+            let begins;
+            if let Some(tangent) = tangent {
+                self.tangent = tangent;
+                begins = self.observe(flight, schedule);
+            } else {
+                (begins, leapt) = self.settle(flight, schedule, moved);
             }
+            self.begin_observation(flight, begins);
         }
         self.give_up();
         leapt
@@ -162,15 +151,16 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
     }
 
-    /// A strobe of the transient: may it end here? Where it `moved`, it can impact again. Whether it goes on from another state.
+    /// A strobe of the transient: what observation begins there, and whether the trajectory goes on from another state. Where it
+    /// `moved`, it can impact again.
     #[inline(always)]
-    fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule, moved: bool) -> bool {
+    fn settle(&mut self, flight: &Flight<T, N>, schedule: &Schedule, moved: bool) -> (Observation, bool) {
         let point = self.trajectory.point;
         let mut leapt = false;
         if !schedule.fixed_periods {
             if !moved && self.trajectory.contact.is_free() && is_quiet(flight, &point) {
                 self.stage = Stage::Quiet;
-                return false;
+                return (Observation::NONE, false);
             }
             let patience = patience(self.periods, schedule.max_period);
             self.recurrence.at_strobe(&point, T::of(T::RETURNING), patience, false);
@@ -182,76 +172,22 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 self.recurrence.kept_for(SETTLING) && self.recurrence.is_within(T::of(T::SETTLED))
             };
             if settled {
-                self.begin_settled(flight, schedule, at_rest);
-                return false;
+                return (self.observation_of_settled(schedule, at_rest), false);
             }
             if self.is_to_leap(schedule) {
                 self.leaps -= 1;
-                self.begin_turns(flight);
-                return false;
+                return (self.observation_by_turns(), false);
             }
             if !self.turn.is_measured() {
                 self.recurrence.follow_along(&point, FOLLOWING);
             }
         }
-        if self.periods >= schedule.transient {
-            self.begin_observation(flight, schedule.observe);
-        }
-        leapt
+        (self.observation_of_unsettled(schedule), leapt)
     }
 
-    /// Observes what returns: turn by turn where it no longer moves at all and its turns are short, else for longer.
-    fn begin_settled(&mut self, flight: &Flight<T, N>, schedule: &Schedule, at_rest: bool) {
-        if at_rest && self.has_short_turns(schedule) {
-            self.begin_turns(flight);
-        } else {
-            let needed = SETTLED_OBSERVATION.max(SETTLED_TURNS * self.recurrence.n);
-            self.begin_observation(flight, needed.min(schedule.observe));
-        }
-    }
-
-    /// Whether the turns of what returns are short enough for an observation turn by turn.
-    pub(super) fn has_short_turns(&self, schedule: &Schedule) -> bool {
-        self.turns_needed() <= BRIEF.min(schedule.observe)
-    }
-
-    pub(super) fn turns_needed(&self) -> u32 {
-        self.recurrence.n * SETTLED_TURNS.max(Turn::<T, N>::COLUMNS)
-    }
-
-    /// Observes what returns turn by turn.
-    fn begin_turns(&mut self, flight: &Flight<T, N>) {
-        let (n, brief) = (self.recurrence.n, self.turns_needed());
-        self.begin_observation(flight, brief);
-        self.turn = Turn::over(n);
-        self.carry(flight, Turn::begins_with(0));
-    }
-
-    /// Carries a deviation along from here. While a mass rests on a stop, deviations along the contact are zero.
-    fn carry(&mut self, flight: &Flight<T, N>, deviation: Tangent<T, N>) {
-        self.tangent = deviation.caught(flight, self.trajectory.contact);
-    }
-
-    pub(super) fn begin_observation(&mut self, flight: &Flight<T, N>, observe: u32) {
-        let point = self.trajectory.point;
-        self.stage = Stage::Observation;
-        self.observe = observe;
-        self.observed = 0;
-        self.impacts = 0;
-        self.peak = T::zero();
-        self.stuck = false;
-        self.loss = Loss::none(!self.trajectory.contact.is_free());
-        self.carry(flight, Tangent::seed());
-        self.recurrence = Recurrence::anchored(point.state);
-        self.exponent = Exponent::over(observe);
-        self.turn = Turn::none();
-        self.spread = Spread::about(&point.state);
-        self.grown = T::zero();
-    }
-
-    /// A strobe of the observation.
+    /// A strobe of the observation: what other observation begins there.
     #[inline(always)]
-    fn observe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
+    fn observe(&mut self, flight: &Flight<T, N>, schedule: &Schedule) -> Observation {
         let point = self.trajectory.point;
         self.observed += 1;
         let half = self.observe / 2;
@@ -262,7 +198,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             self.spread.at_strobe(&point.state, self.observed > half);
         }
         if self.observed < self.observe {
-            return;
+            return Observation::NONE;
         }
         let early = self.observe < schedule.observe;
         let still = self.recurrence.is_within(T::of(T::ROUNDING));
@@ -271,12 +207,10 @@ impl<T: Real, const N: usize> Observer<T, N> {
             // It had not settled after all: the observation is discarded and the transient goes on.
             self.recurrence = Recurrence::anchored(point.state);
             self.stage = Stage::Transient;
-            if self.periods >= schedule.transient {
-                self.begin_observation(flight, schedule.observe);
-            }
-        } else {
-            self.stage = Stage::Observed;
+            return self.observation_of_unsettled(schedule);
         }
+        self.stage = Stage::Observed;
+        Observation::NONE
     }
 
     /// How the tangent vector grew in the last period, as far as that is measured period by period.

@@ -2,8 +2,8 @@
 
 use super::deciding::{Evidence, NEUTRAL_GROWTH};
 use super::loss::Loss;
+use super::observation::NEUTRAL_RATE;
 use super::observer::Observer;
-use super::observing::NEUTRAL_RATE;
 use super::regime::{Counts, Measures, Regime, Verdict};
 use super::stage::Stage;
 use super::turn::reported;

@@ -21,7 +21,7 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 29] = [
+const COMMON: [&str; 30] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -47,6 +47,7 @@ const COMMON: [&str; 29] = [
     include_str!("../../../../shaders/analysis/quiet.wgsl"),
     include_str!("../../../../shaders/analysis/loss.wgsl"),
     include_str!("../../../../shaders/analysis/observer.wgsl"),
+    include_str!("../../../../shaders/analysis/beginning.wgsl"),
     include_str!("../../../../shaders/analysis/observing.wgsl"),
     include_str!("../../../../shaders/analysis/leap.wgsl"),
     include_str!("../../../../shaders/analysis/deciding.wgsl"),
