@@ -94,7 +94,7 @@ pub fn record(
 ) -> Recording {
     let start = start.as_ref();
     let window = Window { transient, periods, samples: samples_per_period };
-    match system.plant().n {
+    match system.coordinates() {
         1 => window.record::<1>(system, start),
         2 => window.record::<2>(system, start),
         3 => window.record::<3>(system, start),

@@ -91,14 +91,14 @@ impl<const N: usize> Flight<f64, N> {
     /// Takes over the stops of another cell with the same flow.
     pub(super) fn take_stops_of(&mut self, system: &System) {
         for normal in &mut self.normals[..self.count] {
-            let along = StopsAlong::of(system.plant(), normal);
+            let along = StopsAlong::of(system, normal);
             (normal.gap, normal.restitution) = (along.gap, along.restitution);
         }
     }
 
     /// The stops along each normal of another cell with the same flow.
     pub(super) fn stops_of(&self, system: &System) -> impl Iterator<Item = StopsAlong> {
-        self.normals().iter().map(|normal| StopsAlong::of(system.plant(), normal))
+        self.normals().iter().map(|normal| StopsAlong::of(system, normal))
     }
 
     fn of(system: &System) -> Self {

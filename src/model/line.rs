@@ -51,25 +51,18 @@ impl System {
 
     /// Whether two opposed stops leave no room between them: the limit of a closing clearance.
     pub fn is_clamped(&self) -> bool {
-        self.plant().stops.iter().enumerate().any(|(i, stop)| {
-            self.plant().stops[..i].iter().any(|other| {
-                let scale = stop.direction.dot(&other.direction) / other.direction.norm_squared();
-                are_parallel(&stop.direction, &other.direction)
-                    && scale < 0.0
-                    && stop.gap == scale * other.gap
+        self.stops().enumerate().any(|(i, (direction, stop))| {
+            self.stops().take(i).any(|(line, other)| {
+                let scale = direction.dot(line) / line.norm_squared();
+                are_parallel(direction, line) && scale < 0.0 && stop.gap == scale * other.gap
             })
         })
     }
 
     /// How many contact normals the stops have: parallel directions share one.
     pub fn normals(&self) -> usize {
-        let mut found: Vec<&DVector<f64>> = Vec::new();
-        for stop in &self.plant().stops {
-            if !found.iter().any(|other| are_parallel(&stop.direction, other)) {
-                found.push(&stop.direction);
-            }
-        }
-        found.len()
+        let is_first = |i: usize, own| !self.stops().take(i).any(|(other, _)| are_parallel(own, other));
+        self.stops().enumerate().filter(|&(i, (direction, _))| is_first(i, direction)).count()
     }
 
     /// The contact normal on which a stop stands, by its place in the plant's order.

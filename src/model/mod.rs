@@ -17,6 +17,7 @@ mod parameters;
 mod quiet;
 mod real;
 mod registers;
+mod restopped;
 mod shared;
 mod state;
 mod stops_along;

@@ -30,7 +30,10 @@ pub(crate) struct OfFlow {
 impl OfFlow {
     /// Several systems have it from now on: what is large is kept.
     pub(super) fn share(&self) {
-        self.is_shared.store(true, Ordering::Relaxed);
+        // What others read is written once.
+        if !self.is_shared.load(Ordering::Relaxed) {
+            self.is_shared.store(true, Ordering::Relaxed);
+        }
     }
 
     /// The mirror of its systems.

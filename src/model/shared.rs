@@ -4,26 +4,35 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::Arc;
 
+use arrayvec::ArrayVec;
 use parking_lot::{Mutex, RwLock};
 use rayon::prelude::*;
+use rustc_hash::FxHashMap;
 
 use super::flight::Flight;
 use super::of_flow::OfFlow;
 use super::stops_along::StopsAlong;
 use super::system::System;
 use super::system_error::SystemError;
-use crate::system::Setting;
+use crate::system::{MOST_PARAMETERS, Setting};
 
 /// The most systems that are kept to make others of, and after [`Flows::tidy`] the most that is kept of what follows from their
 /// flows: enough for the columns of large planes.
 const MOST_SYSTEMS: usize = 1 << 14;
+
+/// A family, and the values on which more depends than gaps and restitutions.
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct FlowKey {
+    family: usize,
+    bits: ArrayVec<u64, MOST_PARAMETERS>,
+}
 
 /// Finds systems with the same flow, so that what follows from it is found once for all of them.
 #[derive(Debug, Default)]
 pub struct Flows {
     flows: Mutex<HashMap<Vec<u64>, Arc<OfFlow>>>,
     /// One system of each family and of each set of values on which more depends than gaps and restitutions.
-    systems: RwLock<HashMap<(usize, Vec<u64>), System>>,
+    systems: RwLock<FxHashMap<FlowKey, System>>,
 }
 
 impl Flows {
@@ -34,7 +43,7 @@ impl Flows {
     /// As [`System::new`].
     pub fn system(&self, setting: Setting) -> Result<System, SystemError> {
         // A family is kept for the life of the process.
-        let key = (std::ptr::from_ref(setting.family()).addr(), setting.flow_bits());
+        let key = FlowKey { family: std::ptr::from_ref(setting.family()).addr(), bits: setting.flow_bits() };
         {
             let known = self.systems.read();
             if let Some((known, system)) =
@@ -93,14 +102,14 @@ impl<const N: usize> Flights<N> {
     /// Prepares cells of N coordinates.
     pub fn of(systems: &[&System]) -> Self {
         // Systems that are known to share their flow need not be compared.
-        let mut known: HashMap<*const OfFlow, usize> = HashMap::new();
+        let mut known: FxHashMap<*const OfFlow, usize> = FxHashMap::default();
         let mut seen: Vec<&System> = Vec::new();
         let mut of_cell: Vec<usize> = Vec::with_capacity(systems.len());
         for system in systems {
             of_cell.push(numbered(&mut known, Arc::as_ptr(system.of_flow()), system, &mut seen));
         }
         let flows: Vec<Vec<u64>> = seen.par_iter().map(|system| flow(system)).collect();
-        let mut first: HashMap<&[u64], usize> = HashMap::new();
+        let mut first: FxHashMap<&[u64], usize> = FxHashMap::default();
         let mut cells: Vec<&System> = Vec::new();
         let of_seen: Vec<usize> = (flows.iter().zip(&seen))
             .map(|(flow, system)| numbered(&mut first, &flow[..], system, &mut cells))
@@ -144,7 +153,7 @@ impl<const N: usize> Flights<N> {
 
 /// The number of a key, a new one for one that is not known yet; `first` are the systems that brought them.
 fn numbered<'a, K: Eq + Hash>(
-    known: &mut HashMap<K, usize>,
+    known: &mut FxHashMap<K, usize>,
     key: K,
     system: &'a System,
     first: &mut Vec<&'a System>,

@@ -2,7 +2,8 @@
 
 use super::contact_normal::{ContactNormal, FAR};
 use super::equations::closed;
-use crate::system::Plant;
+use super::system::System;
+use crate::system::StopValues;
 
 /// The stops at the upper and the lower end of a normal; a gap of [`FAR`] where there is none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,18 +15,18 @@ pub struct StopsAlong {
 }
 
 impl StopsAlong {
-    /// Those of a plant with the same flow as that of the normal.
-    pub(super) fn of<const N: usize>(plant: &Plant, normal: &ContactNormal<f64, N>) -> Self {
+    /// Those of a system with the same flow as that of the normal.
+    pub(super) fn of<const N: usize>(system: &System, normal: &ContactNormal<f64, N>) -> Self {
         let mut along = StopsAlong { gap: normal.gap, restitution: normal.restitution };
         let ends = [0, 1].map(|side| (normal.gap[side] < FAR).then(|| usize::from(normal.stop[side])));
         // The direction of a line is that of the first stop on it.
         let Some(first) = ends.into_iter().flatten().min() else { return along };
         for (side, stop) in ends.into_iter().enumerate() {
             let Some(stop) = stop else { continue };
-            let (given, line) = (&plant.stops[stop], &plant.stops[first].direction);
-            let scale = if stop == first { 1.0 } else { given.direction.dot(line) / line.norm_squared() };
-            along.gap[side] = given.gap / scale.abs();
-            along.restitution[side] = given.restitution;
+            let StopValues { gap, restitution } = system.stop_values()[stop];
+            let scale = if stop == first { 1.0 } else { system.stretch(stop, first) };
+            along.gap[side] = gap / scale.abs();
+            along.restitution[side] = restitution;
         }
         if ends.iter().all(Option::is_some) {
             along.gap[1] = closed(along.gap);

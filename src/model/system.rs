@@ -5,8 +5,11 @@ use std::sync::Arc;
 
 use super::of_flow::OfFlow;
 use super::parameters::Parameters;
+use super::restopped::Restopped;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
-use crate::system::{Mirror, Plant, Setting};
+use nalgebra::DVector;
+
+use crate::system::{Mirror, Plant, Setting, StopValues};
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
@@ -16,8 +19,8 @@ use crate::system::{Mirror, Plant, Setting};
 pub struct System {
     /// The setting it was made from, if it was made from one.
     setting: Option<Setting>,
-    plant: Plant,
-    label_order: Vec<usize>,
+    plant: Restopped,
+    label_order: Arc<[usize]>,
     rate: f64,
     steps: u32,
     pub(super) of_flow: Kept,
@@ -48,12 +51,8 @@ impl System {
     pub fn new(setting: impl Into<Setting>) -> Result<Self, SystemError> {
         let setting = setting.into();
         let plant = setting.plant()?;
-        let rate = rate(&plant);
-        let label_order = setting.family().label_order().to_vec();
-        let mut system =
-            System { setting: Some(setting), plant, label_order, rate, steps: 0, of_flow: Kept::default() };
-        system.divide()?;
-        Ok(system)
+        let label_order = setting.family().label_order().into();
+        System::divided(Some(setting), plant, label_order, Kept::default())
     }
 
     /// The system of a plant.
@@ -63,19 +62,15 @@ impl System {
     /// fastest motion.
     pub fn of_plant(plant: Plant) -> Result<Self, SystemError> {
         plant.check()?;
-        let rate = rate(&plant);
         let label_order = (0..plant.stops.len()).collect();
-        let mut system =
-            System { setting: None, plant, label_order, rate, steps: 0, of_flow: Kept::default() };
-        system.divide()?;
-        Ok(system)
+        System::divided(None, plant, label_order, Kept::default())
     }
 
     /// The system of a setting of the same family with the same flow: its plant differs from this one's in gaps and
     /// restitutions alone. None where all of the plant has to be looked at.
     pub(super) fn restopped(&self, setting: Setting) -> Option<Self> {
-        let plant = setting.restopped(&self.plant)?;
-        let label_order = self.label_order.clone();
+        let plant = self.plant.with_stops(setting.stop_values()?);
+        let label_order = Arc::clone(&self.label_order);
         let of_flow = Kept(Arc::clone(&self.of_flow.0));
         Some(System { setting: Some(setting), plant, label_order, of_flow, ..*self })
     }
@@ -85,7 +80,7 @@ impl System {
     /// # Errors
     /// As [`System::of_plant`].
     pub fn with_plant(&self, plant: Plant) -> Result<Self, SystemError> {
-        let label_order = self.label_order.clone();
+        let label_order = Arc::clone(&self.label_order);
         System::of_plant(plant).map(|system| System { label_order, ..system })
     }
 
@@ -97,22 +92,24 @@ impl System {
     pub fn labelled(self, label_order: Vec<usize>) -> Self {
         let mut sorted = label_order.clone();
         sorted.sort_unstable();
-        assert!(sorted.into_iter().eq(0..self.plant.stops.len()), "each stop once: {label_order:?}");
-        System { label_order, ..self }
+        assert!(sorted.into_iter().eq(0..self.stops().len()), "each stop once: {label_order:?}");
+        System { label_order: label_order.into(), ..self }
     }
 
-    /// Cuts the forcing period into steps short enough for the fastest motion.
-    fn divide(&mut self) -> Result<(), SystemError> {
-        let half_steps = (0.5 * self.rate * self.period() / Self::STEP).ceil();
+    /// A system whose forcing period is cut into steps short enough for the fastest motion.
+    fn divided(
+        setting: Option<Setting>,
+        plant: Plant,
+        label_order: Arc<[usize]>,
+        of_flow: Kept,
+    ) -> Result<Self, SystemError> {
+        let (rate, omega) = (rate(&plant), plant.omega);
+        let half_steps = (0.5 * rate * plant.period() / Self::STEP).ceil();
         if half_steps.is_nan() || half_steps > f64::from(Self::MOST_STEPS / 2) {
-            return Err(SystemError::TooStiff(Box::new(Stiff {
-                setting: self.setting,
-                omega: self.plant.omega,
-                rate: self.rate,
-            })));
+            return Err(SystemError::TooStiff(Box::new(Stiff { setting, omega, rate })));
         }
-        self.steps = 2 * half_steps as u32;
-        Ok(())
+        let (plant, steps) = (Restopped::new(plant), 2 * half_steps as u32);
+        Ok(System { setting, plant, label_order, rate, steps, of_flow })
     }
 
     /// The system of another plant that is known to be sound, with the same setting and its labels in the same order.
@@ -120,10 +117,7 @@ impl System {
     /// # Errors
     /// [`SystemError::TooStiff`] where one forcing period would hold too many steps.
     pub(super) fn with_sound_plant(&self, plant: Plant) -> Result<Self, SystemError> {
-        let (rate, label_order, of_flow) = (rate(&plant), self.label_order.clone(), Kept::default());
-        let mut system = System { plant, rate, label_order, of_flow, ..*self };
-        system.divide()?;
-        Ok(system)
+        System::divided(self.setting, plant, Arc::clone(&self.label_order), Kept::default())
     }
 
     /// The same system forced at another frequency ω: its setting's omega, where it was made from one that has it.
@@ -133,17 +127,17 @@ impl System {
     pub fn at_frequency(&self, omega: f64) -> Result<Self, SystemError> {
         match self.setting.filter(|setting| setting.named("omega").is_some()) {
             Some(setting) => System::new(setting.with_named("omega", omega)),
-            None => System::of_plant(Plant { omega, ..self.plant.clone() }),
+            None => System::of_plant(Plant { omega, ..self.plant().clone() }),
         }
     }
 
     /// The same system without forcing; ω stays as the clock that counts periods.
     #[must_use]
-    pub fn unforced(mut self) -> Self {
-        self.of_flow = Kept::default();
-        self.plant.force_sin.fill(0.0);
-        self.plant.force_cos.fill(0.0);
-        self
+    pub fn unforced(self) -> Self {
+        self.changed(|plant| {
+            plant.force_sin.fill(0.0);
+            plant.force_cos.fill(0.0);
+        })
     }
 
     /// The same system under a unit load of sin φ on one coordinate and no other.
@@ -152,18 +146,23 @@ impl System {
     /// If there is no such coordinate.
     #[must_use]
     pub fn loaded_alone(&self, coordinate: usize) -> Self {
-        let mut alone = self.clone().unforced();
-        alone.plant.load.fill(0.0);
-        alone.plant.force_sin[coordinate] = 1.0;
-        alone
+        self.clone().unforced().changed(|plant| {
+            plant.load.fill(0.0);
+            plant.force_sin[coordinate] = 1.0;
+        })
     }
 
     /// The same system with other loads of sin φ on its coordinates.
     #[must_use]
-    pub fn loaded(mut self, force_sin: &[f64]) -> Self {
-        self.of_flow = Kept::default();
-        self.plant.force_sin.copy_from_slice(force_sin);
-        self
+    pub fn loaded(self, force_sin: &[f64]) -> Self {
+        self.changed(|plant| plant.force_sin.copy_from_slice(force_sin))
+    }
+
+    /// The same system with another plant, as fast as its own.
+    fn changed(self, change: impl FnOnce(&mut Plant)) -> Self {
+        let mut plant = self.plant().clone();
+        change(&mut plant);
+        System { plant: Restopped::new(plant), of_flow: Kept::default(), ..self }
     }
 
     /// The stops in the order in which labels count their impacts: the family's, or that of the plant.
@@ -197,20 +196,42 @@ impl System {
 
     /// The numbers of its equations of motion.
     pub fn plant(&self) -> &Plant {
-        &self.plant
+        self.plant.plant()
+    }
+
+    /// How many coordinates it has.
+    pub fn coordinates(&self) -> usize {
+        self.plant.like().n
+    }
+
+    /// The gaps and restitutions of its stops, in the plant's order.
+    pub(super) fn stop_values(&self) -> &[StopValues] {
+        self.plant.stops()
+    }
+
+    /// The length of a stop's direction along a parallel one in units of that, with its sign.
+    pub(super) fn stretch(&self, stop: usize, line: usize) -> f64 {
+        let [own, line] = [stop, line].map(|i| &self.plant.like().stops[i].direction);
+        own.dot(line) / line.norm_squared()
+    }
+
+    /// Its stops in the plant's order, each with its direction.
+    pub(super) fn stops(&self) -> impl ExactSizeIterator<Item = (&DVector<f64>, StopValues)> {
+        let directions = self.plant.like().stops.iter().map(|stop| &stop.direction);
+        directions.zip(self.plant.stops().iter().copied())
     }
 
     /// A state (x1 … xn, v1 … vn) whose displacements lie beyond a stop, moved onto it along the stop's direction; any other
     /// as it is.
     #[must_use]
     pub fn between_stops<S: std::ops::DerefMut<Target = [f64]>>(&self, mut state: S) -> S {
-        for stop in &self.plant.stops {
+        for (direction, stop) in self.stops() {
             let along =
-                |state: &[f64]| -> f64 { stop.direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum() };
+                |state: &[f64]| -> f64 { direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum() };
             let beyond = along(&state) - stop.gap;
             if beyond > 0.0 {
-                let square = stop.direction.norm_squared();
-                for (value, d) in state.iter_mut().zip(stop.direction.iter()) {
+                let square = direction.norm_squared();
+                for (value, d) in state.iter_mut().zip(direction.iter()) {
                     *value -= beyond * d / square;
                 }
             }
@@ -220,7 +241,7 @@ impl System {
 
     /// The mirror P, P² = 1, under which the system half a forcing period later is itself, if there is one.
     pub fn mirror(&self) -> Option<&Mirror> {
-        self.of_flow.0.mirror(|| self.plant.mirror())
+        self.of_flow.0.mirror(|| self.plant().mirror())
     }
 
     /// What follows from its flow alone.
@@ -231,7 +252,7 @@ impl System {
     /// What follows from its flow and its coefficients of restitution, whatever its gaps: found once for all systems that
     /// share the flow.
     pub(crate) fn whatever_gaps<C: Any + Send + Sync>(&self, compute: impl FnOnce() -> C) -> Arc<C> {
-        let stops = &self.plant.stops;
+        let stops = self.plant.stops();
         let bits = |i: usize| stops.get(i).map_or(0, |stop| stop.restitution.to_bits());
         self.of_flow.0.of_restitutions(std::array::from_fn(bits), compute)
     }
@@ -239,27 +260,28 @@ impl System {
     /// Which stops have the same gap, per length of their direction, and the same restitution, within a few ulps: one value
     /// for each pair. Systems with the same flow and the same values have the same mirror.
     pub(super) fn mirrored_stops(&self) -> impl Iterator<Item = u64> + '_ {
-        let stops = &self.plant.stops;
-        let measures: [_; Plant::MOST_STOPS] = std::array::from_fn(|i| {
-            stops.get(i).map_or([0.0; 2], |stop| [stop.gap / stop.direction.norm(), stop.restitution])
-        });
+        let mut measures = [[0.0; 2]; Plant::MOST_STOPS];
+        for (measure, (direction, stop)) in measures.iter_mut().zip(self.stops()) {
+            *measure = [stop.gap / direction.norm(), stop.restitution];
+        }
         let alike = move |i: usize, j: usize| {
             let near = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
             near(measures[i][0], measures[j][0]) && near(measures[i][1], measures[j][1])
         };
-        let count = self.plant.stops.len();
+        let count = self.stops().len();
         (0..count).flat_map(move |i| (0..i).map(move |j| (i, j))).map(move |(i, j)| u64::from(alike(i, j)))
     }
 
     /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.
     pub fn contraction(&self) -> f64 {
-        let inverse = self.plant.mass.clone().try_inverse();
-        (inverse.expect("a plant's mass matrix was checked to be invertible") * &self.plant.damping).trace()
+        let inverse = self.plant.like().mass.clone().try_inverse();
+        (inverse.expect("a plant's mass matrix was checked to be invertible") * &self.plant.like().damping)
+            .trace()
     }
 
     /// The forcing period T = 2π/ω, non-dimensional.
     pub fn period(&self) -> f64 {
-        std::f64::consts::TAU / self.plant.omega
+        std::f64::consts::TAU / self.plant.like().omega
     }
 
     /// The fastest rate of the flow: ω, or ‖A⁸‖^(1/8) of the unforced generator A, which lies just above the

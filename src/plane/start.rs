@@ -30,7 +30,7 @@ impl Start {
     ///
     /// Rest is the origin, moved onto a stop beyond which it would lie.
     pub fn state(&self, system: &System) -> StateVector {
-        let rest = || system.between_stops(StateVector::zeros(system.plant().n));
+        let rest = || system.between_stops(StateVector::zeros(system.coordinates()));
         match *self {
             Start::Rest => rest(),
             Start::Symmetric => {

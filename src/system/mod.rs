@@ -13,9 +13,9 @@ mod number;
 mod parameter;
 mod plant;
 mod plant_error;
-mod restopped;
 mod setting;
 mod stop_place;
+mod stop_values;
 mod stops;
 mod struck;
 mod table;
@@ -32,7 +32,7 @@ pub use plant::Plant;
 pub use plant_error::{Part, PlantError};
 pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting};
 pub use stop_place::{Gap, StopPlace, Term};
-pub use stops::PlantStop;
+pub use stops::{PlantStop, StopValues};
 
 #[cfg(test)]
 mod tests;

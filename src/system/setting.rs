@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::LazyLock;
 
+use arrayvec::ArrayVec;
 use derive_more::{Debug, Display};
 use parking_lot::Mutex;
 
@@ -12,6 +13,7 @@ use super::error::{CellError, FamilyError};
 use super::family::Family;
 use super::parameter::{Parameter as ParameterRecord, ParameterError, ParameterId};
 use super::plant::Plant;
+use super::stops::StopValues;
 
 /// The most parameters of a family.
 pub const MOST_PARAMETERS: usize = 32;
@@ -210,14 +212,14 @@ impl Setting {
 
     /// The bits of the values on which more depends than gaps and restitutions: settings of one family in which they are the
     /// same have plants that differ in those alone.
-    pub fn flow_bits(&self) -> Vec<u64> {
+    pub fn flow_bits(&self) -> ArrayVec<u64, MOST_PARAMETERS> {
         self.family.flow_bits(self.values())
     }
 
-    /// The plant of these values from that of another setting of the family with the same [`Setting::flow_bits`]; none where
-    /// [`Setting::plant`] has to look at all of it.
-    pub fn restopped(&self, plant: &Plant) -> Option<Plant> {
-        self.family.restopped(plant, self.values())
+    /// The gaps and restitutions of these values, with which the plant of another setting of the family with the same
+    /// [`Setting::flow_bits`] is the plant of this one; none where [`Setting::plant`] has to look at all of it.
+    pub fn stop_values(&self) -> Option<[StopValues; Plant::MOST_STOPS]> {
+        self.family.stop_values(self.values())
     }
 
     /// Whether these values make a plant, and it has a mirror: then there is a symmetric motion to look for.

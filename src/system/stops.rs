@@ -15,6 +15,22 @@ pub struct PlantStop {
     pub restitution: f64,
 }
 
+/// What may differ in a stop among plants with the same flow.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StopValues {
+    /// The value of direction · x at contact, of any sign.
+    pub gap: f64,
+    /// The coefficient of restitution, 0 to 1.
+    pub restitution: f64,
+}
+
+impl StopValues {
+    /// Those of a stop.
+    pub fn of(stop: &PlantStop) -> Self {
+        StopValues { gap: stop.gap, restitution: stop.restitution }
+    }
+}
+
 /// Unit directions that differ by less than this are the same; expressions round by some ulps.
 const SAME: f64 = 1e-12;
 

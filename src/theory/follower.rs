@@ -69,7 +69,7 @@ pub(super) trait Follower {
 
 /// A follower of a system, to be begun.
 pub(super) fn follower(system: &System) -> Box<dyn Follower> {
-    match system.plant().n {
+    match system.coordinates() {
         1 => Box::new(Following::<1, 2>::new(system)),
         2 => Box::new(Following::<2, 4>::new(system)),
         3 => Box::new(Following::<3, 6>::new(system)),

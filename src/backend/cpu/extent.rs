@@ -20,7 +20,7 @@ pub(in crate::backend) fn extents<T: Real>(
 
 /// How far one trajectory goes in so many forcing periods, in the given precision; in f32 it does what the GPU does.
 pub fn extent<T: Real>(job: &Job, periods: u32) -> Extent {
-    match job.system.plant().n {
+    match job.system.coordinates() {
         1 => with::<T, 1>(job, periods),
         2 => with::<T, 2>(job, periods),
         3 => with::<T, 3>(job, periods),

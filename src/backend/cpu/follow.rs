@@ -49,7 +49,7 @@ macro_rules! precision {
     ($real:ty) => {
         impl Precision for $real {
             fn follow(job: &Job, schedule: &Schedule) -> Verdict {
-                match job.system.plant().n {
+                match job.system.coordinates() {
                     1 => followed::<$real, 1>(job, schedule),
                     2 => followed::<$real, 2>(job, schedule),
                     3 => followed::<$real, 3>(job, schedule),
@@ -59,7 +59,7 @@ macro_rules! precision {
 
             fn trace(job: &Job, schedule: &Schedule, probe: Probe, capacity: u32) -> Trace {
                 let tracer = Tracer::new(probe, capacity as usize);
-                match job.system.plant().n {
+                match job.system.coordinates() {
                     1 => traced::<$real, 1>(job, schedule, tracer),
                     2 => traced::<$real, 2>(job, schedule, tracer),
                     3 => traced::<$real, 3>(job, schedule, tracer),

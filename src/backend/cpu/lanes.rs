@@ -92,8 +92,8 @@ pub fn follow_counted(
     watch: &dyn Watch,
     width: Width,
 ) -> Result<(Vec<Verdict>, Usage), BackendError> {
-    let n = jobs.first().map_or(0, |job| job.system.plant().n);
-    let alike = jobs.iter().all(|job| job.system.plant().n == n);
+    let n = jobs.first().map_or(0, |job| job.system.coordinates());
+    let alike = jobs.iter().all(|job| job.system.coordinates() == n);
     match n {
         1 if alike && width != Width::One => spread::<1>(jobs, schedule, watch, width),
         2 if alike && width != Width::One => spread::<2>(jobs, schedule, watch, width),

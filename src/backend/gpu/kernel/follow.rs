@@ -1,5 +1,7 @@
 //! The kernel `follow`: trajectories to their verdicts.
 
+use rayon::prelude::*;
+
 use super::Kernel;
 use super::drive::{MOVE, SQUARES};
 use super::program::{Portion, Program, ROW};
@@ -35,6 +37,6 @@ impl Kernel {
             dispatch: &dispatch,
         };
         let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
-        Ok(verdicts.iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect())
+        Ok(verdicts.par_iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect())
     }
 }

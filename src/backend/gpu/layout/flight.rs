@@ -34,18 +34,18 @@ impl<const N: usize> Members<'_, N> {
         self.member(name, "u32", [value]);
     }
 
-    fn numbers(&mut self, name: &str, values: &[f32]) {
+    fn numbers(&mut self, name: &str, values: impl ExactSizeIterator<Item = f32>) {
         let kind = format_args!("array<f32, {}>", values.len());
-        self.member(name, kind, values.iter().map(|value| value.to_bits()));
+        self.member(name, kind, values.map(f32::to_bits));
     }
 
     fn integers(&mut self, name: &str, values: &[u32]) {
         self.member(name, format_args!("array<u32, {}>", values.len()), values.iter().copied());
     }
 
-    fn pairs(&mut self, name: &str, values: &[[f32; 2]]) {
+    fn pairs(&mut self, name: &str, values: impl ExactSizeIterator<Item = [f64; 2]>) {
         let kind = format_args!("array<array<f32, 2>, {}>", values.len());
-        self.member(name, kind, values.as_flattened().iter().map(|value| value.to_bits()));
+        self.member(name, kind, values.flat_map(|pair| pair.map(|value| (value as f32).to_bits())));
     }
 
     /// Fills up to the alignment of vectors.
@@ -94,7 +94,7 @@ fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut Members
     members.number("rate", flight.rate);
     members.number("linear_exponent", flight.linear_exponent);
     if flight.count > 1 {
-        members.numbers("pressing", &pressing(flight));
+        members.numbers("pressing", pressing(flight).into_iter());
     }
     members.align();
     members.states("phi_x", &flight.phi_x);
@@ -124,7 +124,7 @@ fn pressing<const N: usize>(flight: &Flight<f32, N>) -> Vec<f32> {
 
 fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut Members<N>) {
     members.integers("stop", &normal.stop.map(u32::from));
-    members.numbers("reach", &normal.reach);
+    members.numbers("reach", normal.reach.into_iter());
     members.number("bound_forcing", normal.bound_forcing);
     members.number("drag", normal.drag);
     members.number("coupling", normal.coupling);
@@ -139,12 +139,10 @@ fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut 
 
 /// What a cell has beside its flow: the stops at both ends of each normal, and the start.
 fn cell_members<const N: usize>(flow: u32, stops: &[StopsAlong], start: &[f64], members: &mut Members<N>) {
-    let ends =
-        |of: fn(&StopsAlong) -> [f64; 2]| stops.iter().map(|s| of(s).map(|v| v as f32)).collect::<Vec<_>>();
     members.integer("flow", flow);
-    members.pairs("gap", &ends(|along| along.gap));
-    members.pairs("restitution", &ends(|along| along.restitution));
-    members.numbers("start", &start.iter().map(|&value| value as f32).collect::<Vec<_>>());
+    members.pairs("gap", stops.iter().map(|along| along.gap));
+    members.pairs("restitution", stops.iter().map(|along| along.restitution));
+    members.numbers("start", start.iter().map(|&value| value as f32));
 }
 
 /// Words from one vector to the next in a buffer.

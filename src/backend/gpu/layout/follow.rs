@@ -73,7 +73,7 @@ fn measured(value: f32) -> f32 {
 impl Verdict {
     /// The state x1 … xn, v1 … vn.
     fn state_of(&self, system: &System) -> StateVector {
-        let mut state = StateVector::zeros(system.plant().n);
+        let mut state = StateVector::zeros(system.coordinates());
         for (value, &from) in state.iter_mut().zip(&self.state) {
             *value = f64::from(from);
         }

@@ -72,7 +72,7 @@ const CHUNK: usize = 256;
 impl Cells {
     /// Prepares jobs, all of them with as many coordinates; the constants of a flow are computed once for all its cells.
     pub fn of(jobs: &[&Job]) -> Self {
-        match jobs.first().map_or(1, |job| job.system.plant().n) {
+        match jobs.first().map_or(1, |job| job.system.coordinates()) {
             1 => Cells::with::<1>(jobs),
             2 => Cells::with::<2>(jobs),
             3 => Cells::with::<3>(jobs),
@@ -94,16 +94,17 @@ impl Cells {
         });
         let (flights, kicks): (Vec<_>, Vec<_>) = flows.unzip();
         let beside = jobs.par_chunks(CHUNK).enumerate().map(|(chunk, jobs)| {
-            let mut words = Vec::new();
+            let (mut words, mut stops) = (Vec::new(), Vec::new());
             for (job, cell) in jobs.iter().zip(chunk * CHUNK..) {
-                let stops = Vec::from_iter(shared.stops(cell, &job.system));
+                stops.clear();
+                stops.extend(shared.stops(cell, &job.system));
                 write_cell::<N>(shared.flow_of(cell), &stops, &job.start, &mut words);
             }
             words
         });
         let cells = beside.collect::<Vec<_>>().concat();
         let mut order: Vec<u32> = (0..jobs.len() as u32).collect();
-        order.sort_by_key(|&cell| shared.flow_of(cell as usize));
+        order.par_sort_by_key(|&cell| shared.flow_of(cell as usize));
         Cells { flights: flights.concat(), kicks: kicks.concat(), cells, order }
     }
 }

@@ -23,8 +23,11 @@ pub struct Shape {
 impl Shape {
     /// That of a system.
     pub fn of(system: &System) -> Self {
-        let plant = system.plant();
-        Shape { coordinates: plant.n, normals: system.normals(), stops: plant.stops.len() }
+        Shape {
+            coordinates: system.coordinates(),
+            normals: system.normals(),
+            stops: system.label_order().len(),
+        }
     }
 
     /// What selects component `i` of a vector: nothing where vectors are scalars.

@@ -1,9 +1,13 @@
-//! The plant of a cell from that of another, where only their stops may differ: in gaps and restitutions.
+//! Gaps and restitutions, in which alone the plants of cells may differ.
+
+use arrayvec::ArrayVec;
 
 use super::block::Block;
 use super::family::Family;
 use super::parameter::ParameterId;
 use super::plant::Plant;
+use super::setting::MOST_PARAMETERS;
+use super::stops::StopValues;
 
 impl Family {
     /// The parameters on which more depends than gaps and restitutions, in the order of the file.
@@ -19,21 +23,21 @@ impl Family {
     ///
     /// # Panics
     /// Where the values are not this family's.
-    pub fn flow_bits(&self, values: &[f64]) -> Vec<u64> {
+    pub fn flow_bits(&self, values: &[f64]) -> ArrayVec<u64, MOST_PARAMETERS> {
         self.of_flow.iter().map(|id| values[id.index()].to_bits()).collect()
     }
 
-    /// The plant of values from that of others with the same [`Family::flow_bits`], the same to the bit as
-    /// [`Family::plant`] makes it; none where that is not certain to be a plant without a look at all of it.
-    pub fn restopped(&self, plant: &Plant, values: &[f64]) -> Option<Plant> {
+    /// The gaps and restitutions of values, the same to the bit as [`Family::plant`] has them; none where they are not certain
+    /// to make a plant, with what others with the same [`Family::flow_bits`] have, without a look at all of it.
+    pub fn stop_values(&self, values: &[f64]) -> Option<[StopValues; Plant::MOST_STOPS]> {
         self.check(values).ok()?;
-        let mut plant = plant.clone();
-        for (own, stop) in self.stops.iter().zip(&mut plant.stops) {
+        let mut stops = [StopValues::default(); Plant::MOST_STOPS];
+        for (own, stop) in self.stops.iter().zip(&mut stops) {
             (stop.gap, stop.restitution) = (own.gap.number(values)?, own.restitution.number(values)?);
             // Stops at gaps that are not negative always leave room between them.
             let is_fit = stop.gap.is_finite() && stop.gap >= 0.0 && (0.0..=1.0).contains(&stop.restitution);
             is_fit.then_some(())?;
         }
-        Some(plant)
+        Some(stops)
     }
 }
