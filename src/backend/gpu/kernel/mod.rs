@@ -26,7 +26,7 @@ pub use spent::Spent;
 
 /// Trajectories of one tile.
 const HARDWARE_TILE: usize = 1 << 18;
-const SOFTWARE_TILE: usize = 1 << 13;
+const SOFTWARE_TILE: usize = 1 << 15;
 
 /// A device with the shaders compiled for it.
 pub struct Kernel {
