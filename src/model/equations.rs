@@ -183,8 +183,8 @@ impl<const N: usize> Equations<N> {
 /// Whether two directions lie along the same line.
 pub fn are_parallel(direction: &DVector<f64>, other: &DVector<f64>) -> bool {
     let scale = direction.dot(other) / other.norm_squared();
-    let off = direction.iter().zip(other).map(|(own, other)| (own - other * scale).abs()).fold(0.0, f64::max);
-    off <= PARALLEL * direction.amax()
+    let most = PARALLEL * direction.amax();
+    direction.iter().zip(other).all(|(own, other)| (own - other * scale).abs() <= most)
 }
 
 /// Directions whose difference is below this share of their length are parallel.

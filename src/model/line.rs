@@ -1,10 +1,11 @@
 //! The stops of a system: their names, and the contact normals on which they stand.
 
+use arrayvec::ArrayVec;
 use nalgebra::DVector;
 
 use super::equations::are_parallel;
 use super::system::System;
-use crate::system::{Gap, PlantStop};
+use crate::system::{Gap, Plant, PlantStop};
 
 /// A contact normal, and a stop on it.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,8 +62,13 @@ impl System {
 
     /// How many contact normals the stops have: parallel directions share one.
     pub fn normals(&self) -> usize {
-        let is_first = |i: usize, own| !self.stops().take(i).any(|(other, _)| are_parallel(own, other));
-        self.stops().enumerate().filter(|&(i, (direction, _))| is_first(i, direction)).count()
+        let mut found: ArrayVec<&DVector<f64>, { Plant::MOST_STOPS }> = ArrayVec::new();
+        for (direction, _) in self.stops() {
+            if !found.iter().any(|other| are_parallel(direction, other)) {
+                found.push(direction);
+            }
+        }
+        found.len()
     }
 
     /// The contact normal on which a stop stands, by its place in the plant's order.

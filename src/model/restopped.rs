@@ -9,7 +9,7 @@ use crate::system::{Plant, StopValues};
 pub(super) struct Restopped {
     /// One with the same flow.
     like: Arc<Plant>,
-    /// The gap and the restitution of every stop; from the last stop on they say nothing.
+    /// The gap and the restitution of every stop; after those of the last stop they say nothing.
     stops: [StopValues; Plant::MOST_STOPS],
     /// The plant itself, made when it is first asked for.
     own: OnceLock<Box<Plant>>,
@@ -39,7 +39,7 @@ impl Restopped {
 
     /// The plant.
     pub fn plant(&self) -> &Plant {
-        let same = |(stop, values): (_, &StopValues)| StopValues::of(stop) == *values;
+        let same = |(stop, values): (_, &StopValues)| StopValues::of(stop).bits() == values.bits();
         if self.like.stops.iter().zip(&self.stops).all(same) {
             return &self.like;
         }
@@ -72,13 +72,15 @@ mod tests {
     fn it_is_the_plant_with_those_stops() {
         let first = Restopped::new(plant(0.2, 0.8));
         assert_eq!(first.plant(), &plant(0.2, 0.8));
-        for (delta, r) in [(0.3, 0.8), (0.2, 0.5), (0.2, 0.8), (0.0, 0.0)] {
+        for (delta, r) in [(0.3, 0.8), (0.2, 0.5), (0.2, 0.8), (0.0, 0.0), (-0.0, 0.5)] {
             let wanted = plant(delta, r);
             let stops = std::array::from_fn(|i| wanted.stops.get(i).map(StopValues::of).unwrap_or_default());
             let changed = first.with_stops(stops);
             assert_eq!(changed.plant(), &wanted, "δ = {delta}, r = {r}");
             assert_eq!(changed.stops(), Restopped::new(wanted).stops());
             assert!(std::ptr::eq(changed.like(), first.like()), "the rest is there once");
+            let bits = |plant: &Plant| plant.stops.iter().map(|stop| stop.gap.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(changed.plant()), bits(&plant(delta, r)));
             assert_eq!(changed == first, (delta, r) == (0.2, 0.8), "δ = {delta}, r = {r}");
         }
     }

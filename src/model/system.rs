@@ -3,12 +3,12 @@
 use std::any::Any;
 use std::sync::Arc;
 
+use nalgebra::DVector;
+
 use super::of_flow::OfFlow;
 use super::parameters::Parameters;
 use super::restopped::Restopped;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
-use nalgebra::DVector;
-
 use crate::system::{Mirror, Plant, Setting, StopValues};
 
 /// A system whose parameters are in their physical range, ready to be followed.
@@ -172,9 +172,14 @@ impl System {
         self.plant.plant()
     }
 
+    /// A plant with the same flow: its gaps and restitutions may be those of another cell.
+    pub(super) fn like(&self) -> &Plant {
+        self.plant.like()
+    }
+
     /// How many coordinates it has.
     pub fn coordinates(&self) -> usize {
-        self.plant.like().n
+        self.like().n
     }
 
     /// The gaps and restitutions of its stops, in the plant's order.
@@ -184,13 +189,13 @@ impl System {
 
     /// The length of a stop's direction along a parallel one in units of that, with its sign.
     pub(super) fn stretch(&self, stop: usize, line: usize) -> f64 {
-        let [own, line] = [stop, line].map(|i| &self.plant.like().stops[i].direction);
+        let [own, line] = [stop, line].map(|i| &self.like().stops[i].direction);
         own.dot(line) / line.norm_squared()
     }
 
     /// Its stops in the plant's order, each with its direction.
     pub(super) fn stops(&self) -> impl ExactSizeIterator<Item = (&DVector<f64>, StopValues)> {
-        let directions = self.plant.like().stops.iter().map(|stop| &stop.direction);
+        let directions = self.like().stops.iter().map(|stop| &stop.direction);
         directions.zip(self.plant.stops().iter().copied())
     }
 
@@ -247,14 +252,13 @@ impl System {
 
     /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.
     pub fn contraction(&self) -> f64 {
-        let inverse = self.plant.like().mass.clone().try_inverse();
-        (inverse.expect("a plant's mass matrix was checked to be invertible") * &self.plant.like().damping)
-            .trace()
+        let inverse = self.like().mass.clone().try_inverse();
+        (inverse.expect("a plant's mass matrix was checked to be invertible") * &self.like().damping).trace()
     }
 
     /// The forcing period T = 2π/ω, non-dimensional.
     pub fn period(&self) -> f64 {
-        std::f64::consts::TAU / self.plant.like().omega
+        std::f64::consts::TAU / self.like().omega
     }
 
     /// The fastest rate of the flow: ω, or ‖A⁸‖^(1/8) of the unforced generator A, which lies just above the

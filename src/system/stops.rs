@@ -29,6 +29,11 @@ impl StopValues {
     pub fn of(stop: &PlantStop) -> Self {
         StopValues { gap: stop.gap, restitution: stop.restitution }
     }
+
+    /// Their bits.
+    pub fn bits(&self) -> [u64; 2] {
+        [self.gap, self.restitution].map(f64::to_bits)
+    }
 }
 
 /// Unit directions that differ by less than this are the same; expressions round by some ulps.

@@ -101,7 +101,7 @@ pub fn declaration_of_adapted() -> String {
 
 /// The words of `Control` for a controller on a system.
 pub fn control_words(controller: &Controller<f64>, system: &System) -> Vec<u32> {
-    match system.plant().n {
+    match system.coordinates() {
         1 => words_of::<1>(controller, system),
         2 => words_of::<2>(controller, system),
         3 => words_of::<3>(controller, system),

@@ -17,7 +17,11 @@ shared_struct! {
 
 impl Schedule {
     /// A schedule as the shader reads it.
+    ///
+    /// # Panics
+    /// If it observes nothing: such an observation never ends.
     pub fn new(schedule: &analysis::Schedule) -> Self {
+        assert!(schedule.observe > 0, "an observation takes at least one forcing period");
         Schedule {
             transient: schedule.transient,
             observe: schedule.observe,
