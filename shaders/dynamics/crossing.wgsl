@@ -3,6 +3,8 @@
 // A contact, and the point just after the impact.
 struct Crossing {
     certain: bool,
+    // Whether the leg comes near to a stop, turns, and provably stays off all stops.
+    passes: bool,
     end: End,
     time: f32,
     point: Point,
@@ -13,39 +15,7 @@ struct Crossing {
     pull: f32,
 }
 
-// The stop that lies between the ends of a leg: whether there is exactly one, and the leg stays off all stops along other
-// normals; and whether it stays off the stop at the other end of the normal.
-struct Face {
-    end: End,
-    only: bool,
-    opposite_clear: bool,
-}
-
-// The lanes of a processor keep what each leg stays off since it was found not to clear; here registers are dearer than the
-// few operations that find it anew.
-fn crossing_face(before: Point, after: Point, window: f32) -> Face {
-    var found = false;
-    var only = true;
-    var opposite_clear = false;
-    var normal = 0u;
-    var upper = false;
-    //: each normal
-    {
-        let ends = along(flight.normals[$k].direction, after.state.x);
-        let beyond_upper = stops.gap[$k][0] < ends;
-        let beyond = beyond_upper | (stops.gap[$k][1] < -ends);
-        let clear = leg_clearance(before, after, window, $ku);
-        only = only & !(beyond & found) & (beyond | (clear.upper & clear.lower));
-        found = found | beyond;
-        opposite_clear = opposite_clear | (beyond_upper & clear.lower) | (beyond & !beyond_upper & clear.upper);
-        normal = select(normal, $ku, beyond);
-        upper = upper | beyond_upper;
-    }
-    //: end
-    return Face(End(normal, select(1u, 0u, upper)), only & found, opposite_clear);
-}
-
-// The contact of a leg that ends beyond one stop.
+// The contact of a leg that ends beyond one stop, or touches one and returns.
 fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let face = crossing_face(before, after, window);
     let normal = face.end.normal;
@@ -62,11 +32,25 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
         gap - sign * along(direction, before.state.x),
         gap - sign * along(direction, after.state.x),
     );
-    let u = quintic_root(gaps, speeds, pulls, window);
+    let polynomial = quintic_through(gaps, speeds, pulls, window);
+    var start = quintic_chord(gaps, speeds.x * window);
+    // Where the leg returns, the gap is narrowest on its way.
+    var passes = false;
+    var turns = 0.0;
+    if face.returns {
+        let narrowest = quintic_narrowest(polynomial, speeds.y * window);
+        turns = narrowest.u;
+        passes = 0.0 < narrowest.gap;
+        start = narrowest_touch(narrowest);
+    }
+    let u = select(quintic_root(polynomial, start), turns, passes);
 
     // From the nearer end of the step, and what is left of the way as if the acceleration changed steadily.
     let near = u < 0.5;
     let reached = point_flown_near(point_select(near, before, after), window * select(u - 1.0, u, near));
+    if passes {
+        passes = turns_off(before, reached, after, face.end, u, window);
+    }
     let acceleration = point_accelerations(reached);
     let jerk = point_jerks(reached, acceleration);
     let snap = point_snaps(reached, acceleration, jerk);
@@ -103,11 +87,12 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
         | crossing_stays_off(face, gaps.x, width, ways, time, bound);
     let force = sign * along(direction, result);
     let parts = crossing_parts(face.end, restitution, rebound, point.state, force);
-    let size = abs(gap) + abs(window * velocity) + along(abs(direction), abs(slid.point.state.x));
-    let meets = abs(away) < size * (ROUNDINGS * EPSILON);
-    let certain = face.only & close & within & first & parts & meets;
+    let rounding = stop_rounding(face.end, slid.point.state, window * velocity);
+    let meets = abs(away) < rounding;
+    let deep = !face.returns | is_deep(ways.y, pulls, bound, window, rounding);
+    let certain = face.only & close & within & first & parts & deep & meets;
     let pull = along(direction, slid.acceleration);
-    return Crossing(certain, face.end, time, point, velocity, change, rebound, pull);
+    return Crossing(certain, passes, face.end, time, point, velocity, change, rebound, pull);
 }
 
 // Whether a contact is the first: the way to it is monotone, or bends towards the stop while it stays off the other one.
@@ -121,9 +106,9 @@ fn crossing_is_first(
 ) -> bool {
     let leaves = ways.x;
     let arrives = ways.y;
-    let swelling = (window * window) * (bound * 0.125);
-    let least = min(pulls.x, pulls.y) - swelling;
-    let most = max(pulls.x, pulls.y) + swelling;
+    let outside = swelling(bound, window);
+    let least = min(pulls.x, pulls.y) - outside;
+    let most = max(pulls.x, pulls.y) + outside;
     let sets_out = 0.0 < min(least, 0.0) * time + leaves;
     let comes_in = 0.0 < arrives - max(most, 0.0) * time;
     let bends = (0.0 < least) & face.opposite_clear;

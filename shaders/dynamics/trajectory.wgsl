@@ -102,6 +102,9 @@ fn fly(carry: bool) -> Move {
                 let stop = flight.normals[met.end.normal].stop[met.end.side];
                 return Move(EVENT_IMPACT, stop, met.velocity, met.rebound, CONTACT_FREE);
             }
+            if met.passes {
+                return go_ahead(window);
+            }
         }
     }
     return approach(carry);

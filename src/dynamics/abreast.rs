@@ -234,9 +234,9 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let ahead = Point::select(kicks.below(one), &from.stepped(flight), &self.ahead);
         let leg = Leg { from: &from, to: &ahead, window };
         let clearances = leg.clearances(flight);
-        let clears = begin.and(clearances.all(flight.count));
         let met = crossing(&leg, &clearances, flight);
         let few = kicks.below(window.all(f64::from(MOST_KICKS)));
+        let clears = begin.and(clearances.all(flight.count)).or(waits.and(met.passes).and(few));
         let struck = waits.and(met.certain).and(few);
         if struck.and(carries).bits() != 0 {
             let u = (window - met.time) * flight.inverse_h;

@@ -3,12 +3,13 @@
 use std::hint::black_box;
 
 use super::chatter::{FADING, STEADY};
-use super::contact::ROUNDINGS;
+use super::face::Face;
 use super::leg::{Clearances, Leg, SWELLING};
 use super::point::Point;
 use super::quintic::Quintic;
 use super::tangent::FreeSaltation;
-use crate::model::vector::{MOST, axpy, dot, select};
+use super::touching::{is_deep, swelling, turns_off};
+use crate::model::vector::{MOST, dot};
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
 /// A contact, and the flight after it.
@@ -16,6 +17,8 @@ use crate::model::{Flight, Lanes, Mask, Real, State};
 pub struct Crossing<L: Lanes, const N: usize> {
     /// Where all this holds: elsewhere the stops must be approached from the safe side.
     pub certain: L::Mask,
+    /// Where the leg comes near to a stop, turns, and provably stays off all stops.
+    pub passes: L::Mask,
     /// The normal that is met: one of them where it is certain.
     pub normals: [L::Mask; MOST],
     /// Where it is met at its upper end.
@@ -32,113 +35,8 @@ pub struct Crossing<L: Lanes, const N: usize> {
     pub rebound: L,
 }
 
-/// The stop that lies between the ends of a leg.
-struct Face<L: Lanes, const N: usize> {
-    /// Where there is exactly one, and the leg stays off all stops along other normals.
-    only: L::Mask,
-    /// Where there is one.
-    found: L::Mask,
-    /// Where the leg stays off the stop at the other end of the normal.
-    opposite_clear: L::Mask,
-    normals: [L::Mask; MOST],
-    upper: L::Mask,
-    /// +1 at the upper end, −1 at the lower one.
-    sign: L,
-    gap: L,
-    /// From there to the stop at the other end of the normal.
-    width: L,
-    restitution: L,
-    direction: [L; N],
-    response: [L; N],
-    bound: L,
-    /// See [`ContactNormal::coupling`](crate::model::ContactNormal::coupling).
-    coupling: L,
-}
-
-impl<L: Lanes, const N: usize> Face<L, N> {
-    #[inline(always)]
-    fn of(leg: &Leg<'_, L, N>, clearances: &Clearances<L::Mask>, flight: &Flight<L, N>) -> Self {
-        let mut face = Face::along(0, leg, clearances, flight);
-        for k in 1..flight.count {
-            face.or(k, &Face::along(k, leg, clearances, flight));
-        }
-        face.only = face.only.and(face.found);
-        face
-    }
-
-    /// The same along one normal.
-    #[inline(always)]
-    fn along(k: usize, leg: &Leg<'_, L, N>, clearances: &Clearances<L::Mask>, flight: &Flight<L, N>) -> Self {
-        let (normal, clear) = (&flight.normals[k], clearances.0[k]);
-        let ends = dot(&normal.direction, &leg.to.state.x);
-        let upper = normal.gap[0].below(ends);
-        let beyond = upper.or(normal.gap[1].below(-ends));
-        let mut normals = [beyond.and(beyond.not()); MOST];
-        normals[k] = beyond;
-        Face {
-            only: beyond.or(clear.both()),
-            found: beyond,
-            opposite_clear: upper.and(clear.lower).or(beyond.and(upper.not()).and(clear.upper)),
-            normals,
-            upper,
-            sign: L::select(upper, ends.all(1.0), ends.all(-1.0)),
-            gap: L::select(upper, normal.gap[0], normal.gap[1]),
-            width: normal.gap[0] + normal.gap[1],
-            restitution: L::select(upper, normal.restitution[0], normal.restitution[1]),
-            direction: normal.direction,
-            response: normal.response,
-            bound: leg.from.bound(flight, k),
-            coupling: normal.coupling,
-        }
-    }
-
-    /// That of another normal, where the leg ends beyond its stop.
-    #[inline(always)]
-    fn or(&mut self, k: usize, other: &Self) {
-        let beyond = other.found;
-        self.only = self.only.and(other.only).and(beyond.and(self.found).not());
-        self.found = self.found.or(beyond);
-        self.opposite_clear = self.opposite_clear.or(other.opposite_clear);
-        self.normals[k] = beyond;
-        self.upper = self.upper.or(other.upper);
-        self.sign = L::select(beyond, other.sign, self.sign);
-        self.gap = L::select(beyond, other.gap, self.gap);
-        self.width = L::select(beyond, other.width, self.width);
-        self.restitution = L::select(beyond, other.restitution, self.restitution);
-        self.bound = L::select(beyond, other.bound, self.bound);
-        self.coupling = L::select(beyond, other.coupling, self.coupling);
-        self.direction = select(beyond, &other.direction, &self.direction);
-        self.response = select(beyond, &other.response, &self.response);
-    }
-
-    /// A vector's part towards the stop.
-    #[inline(always)]
-    fn towards(&self, vector: &[L; N]) -> L {
-        self.sign * dot(&self.direction, vector)
-    }
-
-    /// Where a state is on the stop, up to rounding: `way` is the length of the way to it.
-    #[inline(always)]
-    fn meets(&self, state: &State<L, N>, way: L) -> L::Mask {
-        let mut parts = (self.direction[0] * state.x[0]).magnitude();
-        for i in 1..N {
-            parts = parts + (self.direction[i] * state.x[i]).magnitude();
-        }
-        let size = self.gap.magnitude() + way.magnitude() + parts;
-        let away = self.sign * self.gap - dot(&self.direction, &state.x);
-        away.magnitude().below(size * way.all(ROUNDINGS * L::Real::EPSILON))
-    }
-
-    /// Moved onto the stop, with d·v as given.
-    #[inline(always)]
-    fn placed(&self, state: &State<L, N>, speed: L) -> State<L, N> {
-        let away = self.sign * self.gap - dot(&self.direction, &state.x);
-        let change = speed - dot(&self.direction, &state.v);
-        State { x: axpy(away, &self.response, &state.x), v: axpy(change, &self.response, &state.v) }
-    }
-}
-
-/// The contact of a leg, with its clearances, that ends beyond one stop; nothing is certain elsewhere.
+/// The contact of a leg, with its clearances, that ends beyond one stop, or touches one and returns; nothing is certain
+/// elsewhere.
 #[inline(always)]
 pub fn crossing<L: Lanes, const N: usize>(
     leg: &Leg<'_, L, N>,
@@ -151,7 +49,17 @@ pub fn crossing<L: Lanes, const N: usize>(
     let pulls = [face.towards(&from.accelerations(flight)), face.towards(&to.accelerations(flight))];
     let speeds = [face.towards(&from.state.v), face.towards(&to.state.v)];
     let gaps = [face.gap - face.towards(&from.state.x), face.gap - face.towards(&to.state.x)];
-    let u = Quintic::through(gaps, speeds, pulls, window).root(gaps, speeds[0] * window);
+    let gap = Quintic::through(gaps, speeds, pulls, window);
+    let mut u = Quintic::chord(gaps, speeds[0] * window);
+    // Where the leg returns, the gap is narrowest on its way; few do.
+    let (mut turns, mut opens) = (u, face.returns.and(face.returns.not()));
+    if face.returns.bits() != 0 {
+        let narrowest = gap.narrowest(speeds[1] * window);
+        turns = narrowest.u;
+        opens = face.returns.and(zero.below(narrowest.gap));
+        u = L::select(face.returns, narrowest.touch(), u);
+    }
+    let u = L::select(opens, turns, gap.root(u));
 
     // From the nearer end of the step, and what is left of the way as if the acceleration changed steadily.
     let near = u.below(zero.all(0.5));
@@ -164,6 +72,10 @@ pub fn crossing<L: Lanes, const N: usize>(
     let snap = reached.snaps(flight, &acceleration, &jerk);
     let left = face.gap - face.towards(&reached.state.x);
     let speed = face.towards(&reached.state.v);
+    let mut passes = opens;
+    if opens.bits() != 0 {
+        passes = opens.and(turns_off(leg, &face, &reached, u, flight));
+    }
     let straight = left / speed;
     let bend = face.towards(&acceleration);
     let turn = face.towards(&jerk) * zero.all(0.5);
@@ -190,8 +102,10 @@ pub fn crossing<L: Lanes, const N: usize>(
         time,
     ));
     let parts = parts_for_good(&face, flight, rebound, &point.state.v, face.towards(&after));
+    let rounding = face.rounding(&arrived.state, window * velocity);
+    let deep = face.returns.not().or(is_deep(&face, arrives, pulls, window, rounding));
     let certain = face.only.and(close).and(within).and(first).and(parts);
-    let certain = certain.and(face.meets(&arrived.state, window * velocity));
+    let certain = certain.and(deep).and(face.meets(&arrived.state, rounding));
     let Face { direction, normals, upper, .. } = face;
     let left_of_step = (window - time) * flight.inverse_h;
     let mut wake = flight.normals[0].wake(left_of_step);
@@ -200,13 +114,11 @@ pub fn crossing<L: Lanes, const N: usize>(
     }
     let ahead = to.kicked(kick, &wake);
     let impact = FreeSaltation { velocity, kick, pull: dot(&direction, &before), wake };
-    Crossing { certain, normals, upper, time, point, ahead, impact, rebound }
+    Crossing { certain, passes, normals, upper, time, point, ahead, impact, rebound }
 }
 
 /// Where a contact after `time` is the first: the way to it is monotone, or bends towards the stop while it stays off the
 /// other one.
-///
-/// The acceleration towards the stop lies within w²/8·max|(d·x)''''| of what lies between those at the ends of the leg.
 #[inline(always)]
 fn is_first<L: Lanes, const N: usize>(
     face: &Face<L, N>,
@@ -216,9 +128,9 @@ fn is_first<L: Lanes, const N: usize>(
     window: L,
 ) -> L::Mask {
     let zero = window.all(0.0);
-    let swelling = (window * window) * (face.bound * window.all(0.125));
-    let least = pulls[0].smaller(pulls[1]) - swelling;
-    let most = pulls[0].larger(pulls[1]) + swelling;
+    let outside = swelling(face, window);
+    let least = pulls[0].smaller(pulls[1]) - outside;
+    let most = pulls[0].larger(pulls[1]) + outside;
     let sets_out = zero.below(least.smaller(zero).times_plus(time, leaves));
     let comes_in = zero.below((-most.larger(zero)).times_plus(time, arrives));
     let bends = zero.below(least).and(face.opposite_clear);

@@ -15,6 +15,7 @@ mod crossing;
 mod event_code;
 #[cfg(test)]
 mod example;
+mod face;
 mod leg;
 mod moves;
 mod near;
@@ -29,6 +30,7 @@ mod stop;
 mod striking;
 mod tally;
 mod tangent;
+mod touching;
 mod trajectory;
 mod usage;
 

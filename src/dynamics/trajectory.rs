@@ -188,6 +188,9 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
                 if crossing.certain {
                     return self.cross(flight, tangents, &crossing);
                 }
+                if crossing.passes {
+                    return self.go_ahead(flight, window);
+                }
             }
         }
         self.approach(flight, tangents)

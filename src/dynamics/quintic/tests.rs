@@ -25,7 +25,8 @@ impl Gap {
         let speeds = ends(&|s| self.speed(s));
         let pulls = ends(&|s| self.pull(s));
         let w = T::of(window);
-        Quintic::through(gaps, speeds, pulls, w).root(gaps, speeds[0] * w).widen() * window
+        let start = Quintic::chord(gaps, speeds[0] * w);
+        Quintic::through(gaps, speeds, pulls, w).root(start).widen() * window
     }
 }
 
@@ -91,4 +92,30 @@ fn crossed<T: Real>() {
 fn three_steps_of_newton_find_the_contact_of_a_step() {
     crossed::<f64>();
     crossed::<f32>();
+}
+
+#[test]
+fn a_gap_is_narrowest_where_its_derivative_is_zero() {
+    let way = |gap: f64| Gap([gap, -0.5, 0.4, 0.15, -0.06, 0.01]);
+    let narrowest = |gap: f64| {
+        let way = way(gap);
+        let ends = |function: &dyn Fn(f64) -> f64| [function(0.0), function(1.0)];
+        let [gaps, speeds, pulls] = [ends(&|s| way.at(s)), ends(&|s| way.speed(s)), ends(&|s| way.pull(s))];
+        Quintic::through(gaps, speeds, pulls, 1.0).narrowest(speeds[1])
+    };
+    let found = narrowest(0.2);
+    assert!(found.u > 0.3 && found.u < 0.7 && way(0.2).speed(found.u).abs() < 1e-9, "{found:?}");
+    assert!(
+        (found.gap - way(0.2).at(found.u)).abs() < 1e-15
+            && (found.bend + way(0.2).pull(found.u)).abs() < 1e-6
+    );
+    // A gap that is closed there closes before, about where the parabola does.
+    for depth in [1e-12, 1e-6, 1e-3, 1e-2] {
+        let gap = 0.2 - found.gap - depth;
+        let start = narrowest(gap).touch();
+        assert!(start < found.u && way(gap).at(start).abs() < 0.2 * depth, "{depth}: {start}");
+        let root = Quintic([gap, -0.5, 0.4, 0.15, -0.06, 0.01]).root(start);
+        assert!(way(gap).at(root).abs() < 1e-15 && root < found.u, "{depth}: {root}");
+    }
+    assert_eq!(narrowest(0.3).touch(), narrowest(0.3).u, "one that stays open does not");
 }

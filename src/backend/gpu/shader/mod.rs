@@ -21,7 +21,7 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 30] = [
+const COMMON: [&str; 32] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -34,6 +34,8 @@ const COMMON: [&str; 30] = [
     include_str!("../../../../shaders/dynamics/leg.wgsl"),
     include_str!("../../../../shaders/dynamics/quintic.wgsl"),
     include_str!("../../../../shaders/dynamics/near.wgsl"),
+    include_str!("../../../../shaders/dynamics/face.wgsl"),
+    include_str!("../../../../shaders/dynamics/touching.wgsl"),
     include_str!("../../../../shaders/dynamics/crossing.wgsl"),
     include_str!("../../../../shaders/dynamics/placing.wgsl"),
     include_str!("../../../../shaders/dynamics/corner.wgsl"),

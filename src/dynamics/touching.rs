@@ -1,0 +1,47 @@
+//! A leg that ends within the stops but comes near to one: it touches it and returns, or turns before.
+
+use super::face::Face;
+use super::leg::Leg;
+use super::point::Point;
+use crate::model::{Flight, Lanes, Mask};
+
+/// Where a leg turns off its stop and stays off all others, on its way to where it turns about, `middle`, the share `u` of it, and
+/// from there on: the hulls of the two parts are far nearer to the gap than that of the whole.
+#[inline(always)]
+pub fn turns_off<L: Lanes, const N: usize>(
+    leg: &Leg<'_, L, N>,
+    face: &Face<L, N>,
+    middle: &Point<L, N>,
+    u: L,
+    flight: &Flight<L, N>,
+) -> L::Mask {
+    let Leg { from, to, window } = *leg;
+    let (zero, time) = (window.all(0.0), u * window);
+    let within = zero.below(time).and(time.below(window));
+    let before = Leg { from, to: middle, window: time };
+    let after = Leg { from: middle, to, window: window - time };
+    let left = face.gap - face.towards(&middle.state.x);
+    let rounding = face.rounding(&middle.state, window * face.towards(&middle.state.v));
+    within.and(rounding.below(left)).and(before.clears(flight)).and(after.clears(flight))
+}
+
+/// Where a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding: what
+/// pulls it back is bounded, see [`swelling`].
+#[inline(always)]
+pub fn is_deep<L: Lanes, const N: usize>(
+    face: &Face<L, N>,
+    arrives: L,
+    pulls: [L; 2],
+    window: L,
+    rounding: L,
+) -> L::Mask {
+    let least = pulls[0].smaller(pulls[1]) - swelling(face, window);
+    ((rounding + rounding) * (-least).larger(window.all(0.0))).below(arrives * arrives)
+}
+
+/// How far the acceleration towards the stop may lie outside of what lies between those at the ends of the leg:
+/// w²/8·max|(d·x)''''|.
+#[inline(always)]
+pub fn swelling<L: Lanes, const N: usize>(face: &Face<L, N>, window: L) -> L {
+    (window * window) * (face.bound * window.all(0.125))
+}
