@@ -13,11 +13,11 @@
 //! largest Lyapunov exponent is below zero); the f64 path itself is held to an independent oracle by the tests.
 //!
 //! ```text
-//! cargo run --release --example throughput -- [cpu|one|gpu|exact|f32] [SIDE] [REPEATS] [--only=WORKLOAD] [--json]
+//! cargo run --release --example throughput -- [cpu|eight|four|one|gpu|exact|f32] [SIDE] [REPEATS] [--only=WORKLOAD] [--json]
 //! ```
 //!
 //! SIDE is the cells along either axis (32 by default; 1024 for a million-cell plane). `cpu` follows as many trajectories
-//! side by side as the processor has room for, `one` does so one by one. The number of threads is RAYON_NUM_THREADS, all
+//! side by side as the processor has room for, `eight`, `four` and `one` that many where it has room for them. The number of threads is RAYON_NUM_THREADS, all
 //! cores by default. `exact` is the GPU with arithmetic that no driver changes, `f32` the CPU in the GPU's precision: their
 //! end states have the same bits. Preparing the cells' constants is part of the time, and is measured by itself too.
 //!
@@ -162,11 +162,23 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
+/// How many trajectories one core follows at once.
+fn width(path: &str) -> Result<Width, String> {
+    let lanes = match path {
+        "eight" => 8,
+        "four" => 4,
+        "one" => 1,
+        _ => return Ok(Width::available()[0]),
+    };
+    let found = Width::available().into_iter().find(|width| width.lanes() == lanes);
+    found.ok_or_else(|| format!("this processor has no registers of {lanes} lanes: choose cpu or one"))
+}
+
 /// What computes, and how it is run.
 fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
     Ok(match path {
-        "cpu" | "one" => {
-            let width = if path == "cpu" { Width::available()[0] } else { Width::One };
+        "cpu" | "eight" | "four" | "one" => {
+            let width = width(path)?;
             let what = format!("{}, {}", Cpu.adapter(), width.instructions());
             (
                 what,
@@ -194,7 +206,11 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
             };
             (what, Box::new(run))
         }
-        other => return Err(format!("`{other}` is no path: choose cpu, one, gpu, exact or f32").into()),
+        other => {
+            return Err(
+                format!("`{other}` is no path: choose cpu, eight, four, one, gpu, exact or f32").into()
+            );
+        }
     })
 }
 
