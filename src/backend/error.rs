@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::analysis::ScheduleError;
+
 /// What a back end comes to.
 pub type Result<T, E = BackendError> = std::result::Result<T, E>;
 
@@ -11,6 +13,9 @@ pub enum BackendError {
     /// The watch asked to stop.
     #[error("interrupted")]
     Cancelled,
+    /// The schedule cannot be followed.
+    #[error(transparent)]
+    Schedule(#[from] ScheduleError),
     /// No adapter is there, or none that matches.
     #[error("{0}")]
     NoAdapter(String),

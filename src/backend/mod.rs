@@ -44,7 +44,8 @@ pub trait Backend: Debug + Sync {
     /// Follows every job and gives one verdict per job, in order.
     ///
     /// # Errors
-    /// [`BackendError::Cancelled`] when the watch asked for it, otherwise what the machine could not do.
+    /// [`BackendError::Schedule`] for one that cannot be followed, [`BackendError::Cancelled`] when the watch asked for it,
+    /// otherwise what the machine could not do.
     fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>>;
 
     /// Follows every job under control and gives one outcome per job, in order.

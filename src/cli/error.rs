@@ -70,6 +70,7 @@ impl From<BackendError> for CliError {
     fn from(error: BackendError) -> Self {
         match error {
             BackendError::Cancelled => CliError::Interrupted,
+            BackendError::Schedule(error) => CliError::input(error),
             error => CliError::machine(error),
         }
     }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use impact_atlas::analysis::{Probe, Reading, Regime, Schedule, Section};
-use impact_atlas::backend::{Backend, CpuSingle, Gpu, Job, Unwatched, extents, follow};
+use impact_atlas::backend::{Backend, BackendError, Cpu, CpuSingle, Gpu, Job, Unwatched, extents, follow};
 use impact_atlas::dynamics::{Event, Trajectory};
 use impact_atlas::model::{Flight, State};
 use impact_atlas::validate::are_same;
@@ -126,6 +126,22 @@ fn extents_and_sections_have_the_bits_of_the_twin() {
         let differing = there.iter().zip(&here).filter(|(a, b)| a.readings != b.readings).count();
         assert_eq!(differing, 0, "{reading:?}");
         assert!(here.iter().map(|trace| trace.readings.len()).sum::<usize>() > 400);
+    }
+}
+
+#[test]
+fn a_schedule_that_cannot_be_followed_is_refused() {
+    let jobs = paper(4);
+    let probe = Probe::new(Section::A, Reading::Tau).unwrap();
+    let backends: [&dyn Backend; 3] = [&Cpu, &CpuSingle, gpu()];
+    for backend in backends {
+        for refused in [Schedule { observe: 0, ..SHORT }, Schedule { max_period: 0, ..SHORT }] {
+            let run = backend.run(&jobs, &refused, &Unwatched);
+            assert!(matches!(run, Err(BackendError::Schedule(_))), "{run:?}");
+            let traced = backend.trace(&jobs, &refused, probe, 8, &Unwatched);
+            assert!(matches!(traced, Err(BackendError::Schedule(_))), "{traced:?}");
+        }
+        assert_eq!(backend.run(&jobs, &SHORT, &Unwatched).unwrap().len(), jobs.len());
     }
 }
 

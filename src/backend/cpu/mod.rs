@@ -47,6 +47,7 @@ macro_rules! on_the_processor {
                 schedule: &Schedule,
                 watch: &dyn Watch,
             ) -> Result<Vec<Verdict>, BackendError> {
+                schedule.check()?;
                 $run(jobs, schedule, watch)
             }
 
@@ -58,6 +59,7 @@ macro_rules! on_the_processor {
                 capacity: u32,
                 watch: &dyn Watch,
             ) -> Result<Vec<Trace>, BackendError> {
+                schedule.check()?;
                 each(jobs, watch, |job| trace::<$real>(job, schedule, probe, capacity))
             }
 

@@ -119,6 +119,7 @@ impl Backend for Gpu {
     }
 
     fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>> {
+        schedule.check()?;
         in_tiles(jobs, self.kernel.tile(), |tile| self.kernel.run(tile, schedule, watch))
     }
 
@@ -151,6 +152,7 @@ impl Backend for Gpu {
         capacity: u32,
         watch: &dyn Watch,
     ) -> Result<Vec<Trace>> {
+        schedule.check()?;
         let size = self.kernel.trace_tile(capacity);
         in_tiles(jobs, size, |tile| self.kernel.trace(tile, schedule, probe, capacity, watch))
     }
