@@ -92,7 +92,7 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let deep = !face.returns | is_deep(ways.y, pulls, bound, window, rounding);
     let certain = face.only & close & within & first & parts & deep & meets;
     let pull = along(direction, slid.acceleration);
-    return Crossing(certain, passes, face.end, time, point, velocity, change, rebound, pull);
+    return Crossing(certain, passes & !certain, face.end, time, point, velocity, change, rebound, pull);
 }
 
 // Whether a contact is the first: the way to it is monotone, or bends towards the stop while it stays off the other one.

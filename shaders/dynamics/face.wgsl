@@ -1,8 +1,8 @@
 // Which stop a leg has to meet, if any.
 
-// The stop that a leg ends beyond, or that it may touch on its way and return: whether there is exactly one, and the leg stays
-// off all stops along other normals; whether it ends within the stops; and whether it stays off the stop at the other end of
-// the normal.
+// The stop that a leg ends beyond, or that it may touch on its way and return, the last if there are several: whether there is
+// exactly one, and the leg stays off all stops along other normals; whether it may touch it and return; and whether it stays off
+// the stop at the other end of the normal.
 struct Face {
     end: End,
     only: bool,
@@ -34,7 +34,7 @@ fn crossing_face(before: Point, after: Point, window: f32) -> Face {
         returns = returns | returns_here;
         opposite_clear = opposite_clear | (upper_here & clear.lower) | (found_here & !upper_here & clear.upper);
         normal = select(normal, $ku, found_here);
-        upper = upper | upper_here;
+        upper = select(upper, upper_here, found_here);
     }
     //: end
     return Face(End(normal, select(1u, 0u, upper)), only & found, returns, opposite_clear);

@@ -10,7 +10,7 @@ struct Quintic {
     c5: f32,
 }
 
-// Where a gap is narrowest, how wide it is there, and its second derivative.
+// Where a gap is narrowest, how wide it is there, and its second derivative before the last of Newton's steps.
 struct Narrowest {
     u: f32,
     gap: f32,
@@ -64,7 +64,7 @@ fn quintic_root(c: Quintic, start: f32) -> f32 {
     return u;
 }
 
-// Where the gap is narrowest between u = 0 and u = 1, if the motion turns there.
+// Where the gap is narrowest if the motion comes near, turns and goes.
 fn quintic_narrowest(c: Quintic, departure: f32) -> Narrowest {
     let twice = c.c2 + c.c2;
     let thrice = c.c3 * 3.0;

@@ -113,6 +113,7 @@ pub fn crossing<L: Lanes, const N: usize>(
         wake = State::select(met, &normal.wake(left_of_step), &wake);
     }
     let ahead = to.kicked(kick, &wake);
+    let passes = passes.and(certain.not());
     let impact = FreeSaltation { velocity, kick, pull: dot(&direction, &before), wake };
     Crossing { certain, passes, normals, upper, time, point, ahead, impact, rebound }
 }

@@ -5,14 +5,14 @@ use super::leg::{Clearances, Leg};
 use crate::model::vector::{MOST, axpy, dot, select};
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
-/// The stop that a leg ends beyond, or that it may touch on its way and return.
+/// The stop that a leg ends beyond, or that it may touch on its way and return; the last if there are several.
 #[derive(Clone, Copy, Debug)]
 pub struct Face<L: Lanes, const N: usize> {
     /// Where there is exactly one, and the leg stays off all stops along other normals.
     pub only: L::Mask,
     /// Where there is one.
     pub found: L::Mask,
-    /// Where the leg ends within the stops.
+    /// Where the leg ends between the stops of the normal, and stays off one of them but may touch the other.
     pub returns: L::Mask,
     /// Where the leg stays off the stop at the other end of the normal.
     pub opposite_clear: L::Mask,
@@ -81,7 +81,7 @@ impl<L: Lanes, const N: usize> Face<L, N> {
         self.returns = self.returns.or(other.returns);
         self.opposite_clear = self.opposite_clear.or(other.opposite_clear);
         self.normals[k] = found;
-        self.upper = self.upper.or(other.upper);
+        self.upper = found.and(other.upper).or(found.not().and(self.upper));
         self.sign = L::select(found, other.sign, self.sign);
         self.gap = L::select(found, other.gap, self.gap);
         self.width = L::select(found, other.width, self.width);

@@ -28,6 +28,8 @@ mod series;
 mod sticking;
 mod stop;
 mod striking;
+#[cfg(test)]
+mod swing;
 mod tally;
 mod tangent;
 mod touching;

@@ -64,8 +64,8 @@ impl<L: Lanes> Quintic<L> {
         u
     }
 
-    /// Where the gap is narrowest between u = 0 and u = 1, if the motion turns there: by Newton's method, from where the chord
-    /// of the slopes at both ends is zero (`departure` = speed · w at u = 1).
+    /// Where the gap is narrowest if the motion comes near, turns and goes: by Newton's method, from where the chord of the slopes
+    /// at both ends is zero (`departure` = speed · w at u = 1). Otherwise it may be another extremum, or none.
     #[inline(always)]
     pub fn narrowest(&self, departure: L) -> Narrowest<L> {
         let Quintic(c) = self;
@@ -93,7 +93,7 @@ pub struct Narrowest<L> {
     pub u: L,
     /// How wide it is there.
     pub gap: L,
-    /// Its second derivative.
+    /// Its second derivative, before the last of Newton's steps.
     bend: L,
 }
 

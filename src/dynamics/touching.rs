@@ -6,7 +6,8 @@ use super::point::Point;
 use crate::model::{Flight, Lanes, Mask};
 
 /// Where a leg turns off its stop and stays off all others, on its way to where it turns about, `middle`, the share `u` of it, and
-/// from there on: the hulls of the two parts are far nearer to the gap than that of the whole.
+/// from there on: the hulls of the two parts are far nearer to the gap than that of the whole. The second begins where it must be
+/// off the stop, by more than rounding: a hull says nothing of where it begins.
 #[inline(always)]
 pub fn turns_off<L: Lanes, const N: usize>(
     leg: &Leg<'_, L, N>,
@@ -25,8 +26,8 @@ pub fn turns_off<L: Lanes, const N: usize>(
     within.and(rounding.below(left)).and(before.clears(flight)).and(after.clears(flight))
 }
 
-/// Where a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding: what
-/// pulls it back is bounded, see [`swelling`].
+/// Where a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding, then or
+/// in the next step: by v²/(2a) at least, where what pulls it back is at most a, see [`swelling`].
 #[inline(always)]
 pub fn is_deep<L: Lanes, const N: usize>(
     face: &Face<L, N>,
@@ -45,3 +46,6 @@ pub fn is_deep<L: Lanes, const N: usize>(
 pub fn swelling<L: Lanes, const N: usize>(face: &Face<L, N>, window: L) -> L {
     (window * window) * (face.bound * window.all(0.125))
 }
+
+#[cfg(test)]
+mod tests;
