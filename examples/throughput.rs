@@ -13,12 +13,13 @@
 //! largest Lyapunov exponent is below zero); the f64 path itself is held to an independent oracle by the tests.
 //!
 //! ```text
-//! cargo run --release --example throughput -- [cpu|eight|four|one|gpu|exact|f32] [SIDE] [REPEATS] [--only=WORKLOAD] [--json]
+//! cargo run --release --example throughput -- [cpu|eight|four|one|gpu|exact|f32] [SIDE] [REPEATS] \
+//!     [--only=WORKLOAD] [--json]
 //! ```
 //!
 //! SIDE is the cells along either axis (32 by default; 1024 for a million-cell plane). `cpu` follows as many trajectories
-//! side by side as the processor has room for, `eight`, `four` and `one` that many where it has room for them. The number of threads is RAYON_NUM_THREADS, all
-//! cores by default. `exact` is the GPU with arithmetic that no driver changes, `f32` the CPU in the GPU's precision: their
+//! side by side as the processor has room for, `eight`, `four` and `one` that many where it has room for them. The number of
+//! threads is RAYON_NUM_THREADS, all cores by default. `exact` is the GPU with arithmetic that no driver changes, `f32` the CPU in the GPU's precision: their
 //! end states have the same bits. Preparing the cells' constants is part of the time, and is measured by itself too.
 //!
 //! Lanes of the processor say how much of their room was used, and how many contacts were not certain; an adapter's time is

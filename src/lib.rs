@@ -73,10 +73,10 @@
 //! bound, d·x approaches the stop without turning, or is pressed towards it all the way. A step that ends within the stops but
 //! comes near to one turns there: where the polynomial is narrowest, the step is cut in two, whose hulls clear the stop; or the
 //! stop is met before, where the speed says that the motion would go beyond it by more than rounding. Where nothing is certified
-//! (a touch within rounding, two contacts in a step, chatter about to be complete), the stop is approached from the safe side: the gap is at least that
-//! of a quadratic whose acceleration bounds the true one on a window, and the trajectory flies to that quadratic's root: just
-//! short of the contact, never beyond. Repeated, this converges faster than Newton's method, and a touch that comes to
-//! nothing is passed without harm.
+//! (a touch within rounding, two contacts in a step, chatter about to be complete), the stop is approached from the safe side:
+//! the gap is at least that of a quadratic whose acceleration bounds the true one on a window, and the trajectory flies to that
+//! quadratic's root: just short of the contact, never beyond. Repeated, this converges faster than Newton's method, and a touch
+//! that comes to nothing is passed without harm.
 //!
 //! *Side by side.* With one or two coordinates, the CPU path follows as many trajectories at once as the processor has room
 //! for (eight with AVX-512, four with AVX2), from the same source as a single one and with the same bits: products and sums

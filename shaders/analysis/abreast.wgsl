@@ -51,12 +51,14 @@ fn pace_complete(carry: bool) {
 fn pace_cross(carry: bool) {
     let window = flight.h - trajectory.offset;
     let met = crossing_of(trajectory.point, trajectory.ahead, window);
-    let passes = met.passes & (trajectory.kicks < MOST_KICKS);
-    pace.rare = !(met.certain | passes) | (trajectory.kicks >= MOST_KICKS);
-    if passes {
+    pace.rare = !(met.certain | met.passes) | (trajectory.kicks >= MOST_KICKS);
+    if pace.rare {
+        return;
+    }
+    if met.passes {
         pace.waits = false;
         pace_complete(carry);
-    } else if !pace.rare {
+    } else {
         trajectory_cross(met, carry);
         tally_count(met.end, met.velocity, met.rebound, carry);
         pace_rest(carry);

@@ -22,7 +22,7 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     let sign = end_sign(face.end);
     let direction = flight.normals[normal].direction;
     let response = flight.normals[normal].response;
-    let gap = select(stops.gap[normal][1], stops.gap[normal][0], face.end.side == 0u);
+    let gap = face_gap(face.end);
     let pulls = sign * vec2(
         along(direction, point_accelerations(before)),
         along(direction, point_accelerations(after)),
@@ -106,12 +106,10 @@ fn crossing_is_first(
 ) -> bool {
     let leaves = ways.x;
     let arrives = ways.y;
-    let outside = swelling(bound, window);
-    let least = min(pulls.x, pulls.y) - outside;
-    let most = max(pulls.x, pulls.y) + outside;
-    let sets_out = 0.0 < min(least, 0.0) * time + leaves;
-    let comes_in = 0.0 < arrives - max(most, 0.0) * time;
-    let bends = (0.0 < least) & face.opposite_clear;
+    let within = pulled(pulls, bound, window);
+    let sets_out = 0.0 < min(within.x, 0.0) * time + leaves;
+    let comes_in = 0.0 < arrives - max(within.y, 0.0) * time;
+    let bends = (0.0 < within.x) & face.opposite_clear;
     return (0.0 < arrives) & (sets_out | comes_in | bends);
 }
 

@@ -43,6 +43,10 @@ fn crossing_face(before: Point, after: Point, window: f32) -> Face {
 // How far from the stop a state may seem to be for rounding, `way` being the length of the way to it.
 fn stop_rounding(end: End, state: State, way: f32) -> f32 {
     let parts = along(abs(flight.normals[end.normal].direction), abs(state.x));
-    let gap = select(stops.gap[end.normal][1], stops.gap[end.normal][0], end.side == 0u);
-    return (abs(gap) + abs(way) + parts) * (ROUNDINGS * EPSILON);
+    return (abs(face_gap(end)) + abs(way) + parts) * (ROUNDINGS * EPSILON);
+}
+
+// The gap at an end.
+fn face_gap(end: End) -> f32 {
+    return select(stops.gap[end.normal][1], stops.gap[end.normal][0], end.side == 0u);
 }

@@ -1,13 +1,9 @@
 // The gap to a stop along a leg, as the polynomial of fifth degree that agrees with it at both ends.
 
-// Its coefficients.
+// Its coefficients: the two lowest, and the others.
 struct Quintic {
-    c0: f32,
-    c1: f32,
-    c2: f32,
-    c3: f32,
-    c4: f32,
-    c5: f32,
+    low: vec2<f32>,
+    high: vec4<f32>,
 }
 
 // Where a gap is narrowest, how wide it is there, and its second derivative before the last of Newton's steps.
@@ -24,14 +20,13 @@ fn quintic_through(gaps: vec2<f32>, speeds: vec2<f32>, pulls: vec2<f32>, window:
     let place = gaps.y - gaps.x - slope - bend;
     let arrival = -(speeds.y * window) - slope - (bend + bend);
     let pull = (-(pulls.y * square) - (bend + bend)) * 0.5;
-    return Quintic(
-        gaps.x,
-        slope,
+    let high = vec4(
         bend,
         place * 10.0 + (arrival * -4.0 + pull),
         place * -15.0 + (arrival * 7.0 + -(pull + pull)),
         place * 6.0 + (arrival * -3.0 + pull),
     );
+    return Quintic(vec2(gaps.x, slope), high);
 }
 
 // About where a gap, open at u = 0 and closed beyond u = 1, closes.
@@ -47,45 +42,40 @@ fn quintic_chord(gaps: vec2<f32>, approach: f32) -> f32 {
 
 // Where the gap closes.
 fn quintic_root(c: Quintic, start: f32) -> f32 {
-    let twice = c.c2 + c.c2;
-    let thrice = c.c3 * 3.0;
-    let four = c.c4 * 4.0;
-    let five = c.c5 * 5.0;
+    let rise = quintic_rise(c);
     var u = start;
-    // By pairs of terms, which wait for each other less than one term after the other does.
     //: each newton step
-    {
-        let square = u * u;
-        let value = ((c.c5 * u + c.c4) * square + (c.c3 * u + c.c2)) * square + (c.c1 * u + c.c0);
-        let steep = (five * u + four) * square + (thrice * u + twice);
-        u = u - value / (steep * u + c.c1);
-    }
+    u = u - quintic_at(c, u) / (cubic(rise, u) * u + c.low.y);
     //: end
     return u;
 }
 
 // Where the gap is narrowest if the motion comes near, turns and goes.
 fn quintic_narrowest(c: Quintic, departure: f32) -> Narrowest {
-    let twice = c.c2 + c.c2;
-    let thrice = c.c3 * 3.0;
-    let four = c.c4 * 4.0;
-    let five = c.c5 * 5.0;
-    let six = thrice + thrice;
-    let twelve = four * 3.0;
-    let twenty = five * 4.0;
-    var u = c.c1 / (c.c1 + departure);
-    var bend = twice;
+    let rise = quintic_rise(c);
+    let bends = vec4(rise.x, rise.y + rise.y, rise.z * 3.0, rise.w * 4.0);
+    var u = c.low.y / (c.low.y + departure);
+    var bend = rise.x;
     //: each newton step
-    {
-        let square = u * u;
-        let steep = (five * u + four) * square + (thrice * u + twice);
-        bend = (twenty * u + twelve) * square + (six * u + twice);
-        u = u - (steep * u + c.c1) / bend;
-    }
+    bend = cubic(bends, u);
+    u = u - (cubic(rise, u) * u + c.low.y) / bend;
     //: end
-    let square = u * u;
-    let gap = ((c.c5 * u + c.c4) * square + (c.c3 * u + c.c2)) * square + (c.c1 * u + c.c0);
-    return Narrowest(u, gap, bend);
+    return Narrowest(u, quintic_at(c, u), bend);
+}
+
+// How wide the gap is.
+fn quintic_at(c: Quintic, u: f32) -> f32 {
+    return cubic(c.high, u) * (u * u) + (c.low.y * u + c.low.x);
+}
+
+// The coefficients of how much its derivative has risen since u = 0, over u.
+fn quintic_rise(c: Quintic) -> vec4<f32> {
+    return vec4(c.high.x + c.high.x, c.high.y * 3.0, c.high.z * 4.0, c.high.w * 5.0);
+}
+
+// A polynomial of third degree: by pairs of terms, which wait for each other less than one term after the other does.
+fn cubic(c: vec4<f32>, u: f32) -> f32 {
+    return (c.w * u + c.z) * (u * u) + (c.y * u + c.x);
 }
 
 // About where a gap that is closed there closes before.

@@ -6,8 +6,7 @@ fn turns_off(before: Point, middle: Point, after: Point, end: End, u: f32, windo
     let time = u * window;
     let within = (0.0 < time) & (time < window);
     let direction = flight.normals[end.normal].direction;
-    let gap = select(stops.gap[end.normal][1], stops.gap[end.normal][0], end.side == 0u);
-    let left = gap - end_sign(end) * along(direction, middle.state.x);
+    let left = face_gap(end) - end_sign(end) * along(direction, middle.state.x);
     let rounding = stop_rounding(end, middle.state, window * along(direction, middle.state.v));
     return within
         & (rounding < left)
@@ -17,11 +16,12 @@ fn turns_off(before: Point, middle: Point, after: Point, end: End, u: f32, windo
 
 // Whether a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding.
 fn is_deep(arrives: f32, pulls: vec2<f32>, bound: f32, window: f32, rounding: f32) -> bool {
-    let least = min(pulls.x, pulls.y) - swelling(bound, window);
+    let least = pulled(pulls, bound, window).x;
     return (rounding + rounding) * max(-least, 0.0) < arrives * arrives;
 }
 
-// How far the acceleration towards the stop may lie outside of what lies between those at the ends of the leg.
-fn swelling(bound: f32, window: f32) -> f32 {
-    return (window * window) * (bound * 0.125);
+// Between what the acceleration towards the stop lies all along a leg.
+fn pulled(pulls: vec2<f32>, bound: f32, window: f32) -> vec2<f32> {
+    let swelling = (window * window) * (bound * 0.125);
+    return vec2(min(pulls.x, pulls.y) - swelling, max(pulls.x, pulls.y) + swelling);
 }

@@ -8,7 +8,7 @@ use super::leg::{Clearances, Leg, SWELLING};
 use super::point::Point;
 use super::quintic::Quintic;
 use super::tangent::FreeSaltation;
-use super::touching::{is_deep, swelling, turns_off};
+use super::touching::{is_deep, pulled, turns_off};
 use crate::model::vector::{MOST, dot};
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
@@ -48,7 +48,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let zero = window.all(0.0);
     let pulls = [face.towards(&from.accelerations(flight)), face.towards(&to.accelerations(flight))];
     let speeds = [face.towards(&from.state.v), face.towards(&to.state.v)];
-    let gaps = [face.gap - face.towards(&from.state.x), face.gap - face.towards(&to.state.x)];
+    let gaps = [face.open(&from.state), face.open(&to.state)];
     let gap = Quintic::through(gaps, speeds, pulls, window);
     let mut u = Quintic::chord(gaps, speeds[0] * window);
     // Where the leg returns, the gap is narrowest on its way; few do.
@@ -70,7 +70,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let acceleration = reached.accelerations(flight);
     let jerk = reached.jerks(flight, &acceleration);
     let snap = reached.snaps(flight, &acceleration, &jerk);
-    let left = face.gap - face.towards(&reached.state.x);
+    let left = face.open(&reached.state);
     let speed = face.towards(&reached.state.v);
     let mut passes = opens;
     if opens.bits() != 0 {
@@ -129,9 +129,7 @@ fn is_first<L: Lanes, const N: usize>(
     window: L,
 ) -> L::Mask {
     let zero = window.all(0.0);
-    let outside = swelling(face, window);
-    let least = pulls[0].smaller(pulls[1]) - outside;
-    let most = pulls[0].larger(pulls[1]) + outside;
+    let [least, most] = pulled(face, pulls, window);
     let sets_out = zero.below(least.smaller(zero).times_plus(time, leaves));
     let comes_in = zero.below((-most.larger(zero)).times_plus(time, arrives));
     let bends = zero.below(least).and(face.opposite_clear);

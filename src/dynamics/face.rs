@@ -98,6 +98,12 @@ impl<L: Lanes, const N: usize> Face<L, N> {
         self.sign * dot(&self.direction, vector)
     }
 
+    /// How wide the gap is in a state.
+    #[inline(always)]
+    pub fn open(&self, state: &State<L, N>) -> L {
+        self.gap - self.towards(&state.x)
+    }
+
     /// How far from the stop a state may seem to be for rounding, `way` being the length of the way to it.
     #[inline(always)]
     pub fn rounding(&self, state: &State<L, N>, way: L) -> L {

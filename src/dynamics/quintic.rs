@@ -49,17 +49,10 @@ impl<L: Lanes> Quintic<L> {
     /// Where the gap closes, by Newton's method from `start`.
     #[inline(always)]
     pub fn root(&self, start: L) -> L {
-        let Quintic(c) = self;
-        let mut u = start;
-        let (twice, thrice) = (c[2] + c[2], c[3] * u.all(3.0));
-        let (four, five) = (c[4] * u.all(4.0), c[5] * u.all(5.0));
+        let (mut u, slope) = (start, self.0[1]);
+        let rise = self.rise();
         for _ in 0..STEPS {
-            // By pairs of terms, which wait for each other less than one term after the other does.
-            let square = u * u;
-            let high = c[5].times_plus(u, c[4]).times_plus(square, c[3].times_plus(u, c[2]));
-            let value = high.times_plus(square, c[1].times_plus(u, c[0]));
-            let steep = five.times_plus(u, four).times_plus(square, thrice.times_plus(u, twice));
-            u = u - value / steep.times_plus(u, c[1]);
+            u = u - self.at(u) / cubic(rise, u).times_plus(u, slope);
         }
         u
     }
@@ -68,22 +61,37 @@ impl<L: Lanes> Quintic<L> {
     /// at both ends is zero (`departure` = speed · w at u = 1). Otherwise it may be another extremum, or none.
     #[inline(always)]
     pub fn narrowest(&self, departure: L) -> Narrowest<L> {
-        let Quintic(c) = self;
-        let (twice, thrice) = (c[2] + c[2], c[3] * departure.all(3.0));
-        let (four, five) = (c[4] * departure.all(4.0), c[5] * departure.all(5.0));
-        let (six, twelve, twenty) = (thrice + thrice, four * departure.all(3.0), five * departure.all(4.0));
-        let mut u = c[1] / (c[1] + departure);
-        let mut bend = twice;
+        let slope = self.0[1];
+        let rise = self.rise();
+        let [first, second, third, fourth] = rise;
+        let bends = [first, second + second, third * slope.all(3.0), fourth * slope.all(4.0)];
+        let (mut u, mut bend) = (slope / (slope + departure), first);
         for _ in 0..STEPS {
-            let square = u * u;
-            let steep = five.times_plus(u, four).times_plus(square, thrice.times_plus(u, twice));
-            bend = twenty.times_plus(u, twelve).times_plus(square, six.times_plus(u, twice));
-            u = u - steep.times_plus(u, c[1]) / bend;
+            bend = cubic(bends, u);
+            u = u - cubic(rise, u).times_plus(u, slope) / bend;
         }
-        let square = u * u;
-        let high = c[5].times_plus(u, c[4]).times_plus(square, c[3].times_plus(u, c[2]));
-        Narrowest { u, gap: high.times_plus(square, c[1].times_plus(u, c[0])), bend }
+        Narrowest { u, gap: self.at(u), bend }
     }
+
+    /// How wide the gap is.
+    #[inline(always)]
+    fn at(&self, u: L) -> L {
+        let [c0, c1, c2, c3, c4, c5] = self.0;
+        cubic([c2, c3, c4, c5], u).times_plus(u * u, c1.times_plus(u, c0))
+    }
+
+    /// The coefficients of how much its derivative has risen since u = 0, over u.
+    #[inline(always)]
+    fn rise(&self) -> [L; 4] {
+        let [_, _, c2, c3, c4, c5] = self.0;
+        [c2 + c2, c3 * c2.all(3.0), c4 * c2.all(4.0), c5 * c2.all(5.0)]
+    }
+}
+
+/// A polynomial of third degree: by pairs of terms, which wait for each other less than one term after the other does.
+#[inline(always)]
+fn cubic<L: Lanes>(c: [L; 4], u: L) -> L {
+    c[3].times_plus(u, c[2]).times_plus(u * u, c[1].times_plus(u, c[0]))
 }
 
 /// Where a gap is narrowest.

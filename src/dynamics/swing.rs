@@ -26,15 +26,11 @@ impl<T: Real> Swing<T> {
     pub fn leg(&self) -> Leg<'_, T, 1> {
         Leg { from: &self.from, to: &self.to, window: self.flight.h }
     }
-
-    pub fn h(&self) -> f64 {
-        self.flight.h.widen()
-    }
 }
 
 /// The length of a step.
 pub fn step() -> f64 {
-    Swing::<f64>::new(0.0, 0.0, |_| {}).h()
+    Swing::<f64>::new(0.0, 0.0, |_| {}).flight.h
 }
 
 /// Sets both gaps and restitutions.

@@ -21,13 +21,13 @@ pub fn turns_off<L: Lanes, const N: usize>(
     let within = zero.below(time).and(time.below(window));
     let before = Leg { from, to: middle, window: time };
     let after = Leg { from: middle, to, window: window - time };
-    let left = face.gap - face.towards(&middle.state.x);
+    let left = face.open(&middle.state);
     let rounding = face.rounding(&middle.state, window * face.towards(&middle.state.v));
     within.and(rounding.below(left)).and(before.clears(flight)).and(after.clears(flight))
 }
 
 /// Where a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding, then or
-/// in the next step: by v²/(2a) at least, where what pulls it back is at most a, see [`swelling`].
+/// in the next step: by v²/(2a) at least, where what pulls it back is at most a, see [`pulled`].
 #[inline(always)]
 pub fn is_deep<L: Lanes, const N: usize>(
     face: &Face<L, N>,
@@ -36,15 +36,16 @@ pub fn is_deep<L: Lanes, const N: usize>(
     window: L,
     rounding: L,
 ) -> L::Mask {
-    let least = pulls[0].smaller(pulls[1]) - swelling(face, window);
+    let [least, _] = pulled(face, pulls, window);
     ((rounding + rounding) * (-least).larger(window.all(0.0))).below(arrives * arrives)
 }
 
-/// How far the acceleration towards the stop may lie outside of what lies between those at the ends of the leg:
-/// w²/8·max|(d·x)''''|.
+/// Between what the acceleration towards the stop lies all along a leg: it lies w²/8·max|(d·x)''''| outside of what lies between
+/// those at its ends, `pulls`, at most.
 #[inline(always)]
-pub fn swelling<L: Lanes, const N: usize>(face: &Face<L, N>, window: L) -> L {
-    (window * window) * (face.bound * window.all(0.125))
+pub fn pulled<L: Lanes, const N: usize>(face: &Face<L, N>, pulls: [L; 2], window: L) -> [L; 2] {
+    let swelling = (window * window) * (face.bound * window.all(0.125));
+    [pulls[0].smaller(pulls[1]) - swelling, pulls[0].larger(pulls[1]) + swelling]
 }
 
 #[cfg(test)]
