@@ -21,6 +21,8 @@ const HALF_TURN_STEPS: usize = 4;
 const MOST_HALVINGS: usize = 10;
 /// The largest residual of a solution, for states of order one: what closing complete chatter leaves uncertain.
 const SOLVED: f64 = 1e-9;
+/// The longest step, for states of order one, that is made whole or not at all: parts of it are lost in rounding.
+const SHORT: f64 = 1e-10;
 /// The largest distance from the mirror image of a motion that is called symmetric, for states of order one.
 const MIRRORED: f64 = 1e-7;
 /// The largest distance after a divisor of N, for states of order one, of a motion that has the divisor as its period.
@@ -81,7 +83,8 @@ impl StrobeMotion {
             let defect = &turn.end - &state;
             let step = (&turn.jacobian - DMatrix::identity(size, size)).lu().solve(&defect);
             let better = step.and_then(|step| {
-                (0..MOST_HALVINGS).find_map(|halvings| {
+                let halves = step.amax() > SHORT * (1.0 + state.amax());
+                (0..if halves { MOST_HALVINGS } else { 1 }).find_map(|halvings| {
                     let mut trial = &state - &step * 0.5f64.powi(halvings as i32);
                     follower.bring_within(&mut trial.as_mut_slice()[..size / 2]);
                     let next = Turn::from(follower.as_mut(), &flow, &trial, n)?;
