@@ -16,7 +16,7 @@ fn observer_is_to_leap() -> bool {
 // leads, if the map says that it leads there.
 fn observer_leap() {
     let since = observer.recurrence.since;
-    if observer.turn.n == 0u || (since > 0u && since < observer.turn.n) {
+    if since > 0u && since < observer.turn.n {
         return;
     }
     let state = trajectory.point.state;

@@ -15,7 +15,8 @@ fn observer_note(taken: Move) {
     } else if taken.event != EVENT_STEP_END {
         observer.moves = observer.moves + 1u;
         if taken.event == EVENT_STROBE {
-            observer_strobe(observer.stage == STAGE_OBSERVATION);
+            let observed = observer.stage == STAGE_OBSERVATION;
+            observer_strobe(observed, observer_is_at_turn(observed));
         }
     }
     observer_give_up();
@@ -57,14 +58,21 @@ fn observer_count_beside(beside: u32) {
     //: end
 }
 
-// Notes that the trajectory came to phase 0 in free flight: under observation, or in the transient.
+// Notes that the trajectory came to phase 0 in free flight, under observation or in the transient, where nothing is to be made of
+// the map of a turn.
 fn observer_arrive(observed: bool) {
     observer.moves = observer.moves + 1u;
-    observer_strobe(observed);
+    observer_strobe(observed, false);
     observer_give_up();
 }
 
-fn observer_strobe(observed: bool) {
+// Whether the strobe that the trajectory comes to completes the map of a turn, or may be left by a leap: both are long and rare.
+fn observer_is_at_turn(observed: bool) -> bool {
+    let n = observer.turn.n;
+    return n > 0u && (!observed || observer.observed + 1u == n * COMPONENTS);
+}
+
+fn observer_strobe(observed: bool, at_turn: bool) {
     let state = trajectory.point.state;
     let moved = observer.moves > 1u;
     observer.moves = observer.moves - min(observer.moves, FAIR_MOVES);
@@ -81,15 +89,15 @@ fn observer_strobe(observed: bool) {
     //: end
     var begins = NO_OBSERVATION;
     if observed {
-        begins = observer_observe(state);
+        begins = observer_observe(state, at_turn);
     } else {
-        begins = observer_settle(state, moved);
+        begins = observer_settle(state, moved, at_turn);
     }
     observer_begin_observation(begins);
 }
 
 // A strobe of the transient: what observation begins there. Where the trajectory `moved`, it can impact again.
-fn observer_settle(state: State, moved: bool) -> Observation {
+fn observer_settle(state: State, moved: bool, at_turn: bool) -> Observation {
     if schedule.fixed_periods == 0u {
         if !moved && trajectory.contact == CONTACT_FREE && is_quiet(trajectory.point) {
             observer.stage = STAGE_QUIET;
@@ -97,7 +105,9 @@ fn observer_settle(state: State, moved: bool) -> Observation {
         }
         let patience = max(min(observer.periods / PATIENCE_SHARE, schedule.max_period), 1u);
         recurrence_at_strobe(state, RETURNING, patience, false);
-        observer_leap();
+        if at_turn {
+            observer_leap();
+        }
         let at_rest = observer.recurrence.worst <= AT_REST;
         let still = at_rest && recurrence_holds_for(SETTLING_AT_REST);
         let keeps = !at_rest && recurrence_kept_for(SETTLING) && observer.recurrence.worst <= SETTLED;
@@ -116,10 +126,10 @@ fn observer_settle(state: State, moved: bool) -> Observation {
 }
 
 // A strobe of the observation: what other observation begins there.
-fn observer_observe(state: State) -> Observation {
+fn observer_observe(state: State, at_turn: bool) -> Observation {
     observer.observed = observer.observed + 1u;
     let half = observer.observe / 2u;
-    let growth = observer_measure_growth();
+    let growth = observer_measure_growth(at_turn);
     recurrence_at_strobe(state, RETURNED, schedule.max_period, observer.observed >= half);
     observer.grown = select(observer.grown + growth, 0.0, observer.recurrence.since == 0u);
     if observer.observed <= 2u * half {
@@ -141,13 +151,13 @@ fn observer_observe(state: State) -> Observation {
 }
 
 // How the tangent vector grew in the last period, as far as that is measured period by period.
-fn observer_measure_growth() -> f32 {
+fn observer_measure_growth(at_turn: bool) -> f32 {
     if observer.turn.n == 0u {
         return exponent_at_strobe();
     }
     if observer.observed % observer.turn.n == 0u {
         let turns = observer.observed / observer.turn.n;
-        turn_complete(turns);
+        turn_complete(turns, at_turn);
         observer_carry(state_unit(turns));
     }
     return 0.0;

@@ -13,14 +13,14 @@ fn turn_over(n: u32) -> Turn {
     return Turn(n, array<State, COMPONENTS>(), EXPLODES, FARTHEST);
 }
 
-// Sees the tangent vector after `turns` ≥ 1 turns.
-fn turn_complete(turns: u32) {
+// Sees the tangent vector after `turns` ≥ 1 turns, the last of them if all columns are measured.
+fn turn_complete(turns: u32, last: bool) {
     //: each component
     if turns == $ku + 1u {
         observer.turn.columns[$k] = tangent;
     }
     //: end
-    if turns == COMPONENTS {
+    if last {
         observer.turn.exponent = turn_measured();
     }
 }

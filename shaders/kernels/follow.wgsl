@@ -20,7 +20,11 @@ fn follow_stage(stage: u32, carry: bool) {
         pace_rounds(carry);
         observer_pass_impacts();
         if pace.arrived {
-            observer_arrive(carry);
+            if observer_is_at_turn(carry) {
+                pace.rare = true;
+            } else {
+                observer_arrive(carry);
+            }
         }
     }
 }
@@ -31,7 +35,11 @@ fn follow_turn() {
     follow_stage(STAGE_TRANSIENT, false);
     follow_stage(STAGE_OBSERVATION, true);
     if pace.rare {
-        observer_note(advance_warily(observer.stage == STAGE_OBSERVATION));
+        var taken = Move(EVENT_STROBE, 0u, 0.0, 0.0, CONTACT_FREE);
+        if !pace.arrived {
+            taken = advance_warily(observer.stage == STAGE_OBSERVATION);
+        }
+        observer_note(taken);
     }
     observer_give_up();
 }
