@@ -113,22 +113,10 @@ fn crossing_is_first(
     return (0.0 < arrives) & (sets_out | comes_in | bends);
 }
 
-// Whether a contact is the first since what bounds the gap lies within the hull of its five Bernstein coefficients on the
-// way there, and these lie between the stops.
+// Whether a contact is the first since the gap lies within its hull on the way there, and that between the stops.
 fn crossing_stays_off(face: Face, gap: f32, width: f32, ways: vec2<f32>, time: f32, bound: f32) -> bool {
-    let leaves = ways.x;
-    let arrives = ways.y;
-    let quarter = time * 0.25;
-    let square = time * time;
-    let margin = (square * square) * (SWELLING * bound);
-    let second = -leaves * quarter + gap;
-    let fourth = arrives * quarter;
-    let turn = (arrives - leaves) * (time * SIXTH);
-    let middle = gap * 0.5 + turn;
-    let nearest = min(min(second, fourth), middle - margin);
-    let farthest = max(max(second, fourth), middle + margin);
-    let sound = 0.0 < middle - margin;
-    return sound & (0.0 < nearest) & (face.opposite_clear | (farthest < width));
+    let hull = hull_of(vec2(gap, 0.0), -ways, bound, time);
+    return (0.0 < hull.middle) & (0.0 < hull.lowest) & (face.opposite_clear | (hull.highest < width));
 }
 
 // Whether the rebounds that follow an impact can surely not be closed, so that it ends in flight.

@@ -8,22 +8,13 @@ struct Clearance {
 
 fn leg_clearance(before: Point, after: Point, window: f32, normal: u32) -> Clearance {
     let direction = flight.normals[normal].direction;
-    let begins = along(direction, before.state.x);
-    let leaves = along(direction, before.state.v);
-    let ends = along(direction, after.state.x);
-    let arrives = along(direction, after.state.v);
-    let quarter = window * 0.25;
-    let square = window * window;
-    let margin = (square * square) * (SWELLING * point_bound(before, normal));
-    let second = leaves * quarter + begins;
-    let fourth = ends - arrives * quarter;
-    let turn = (leaves - arrives) * (window * SIXTH);
-    let middle = (begins + ends) * 0.5 + turn;
-    let highest = max(max(max(second, fourth), ends), middle + margin);
-    let lowest = min(min(min(second, fourth), ends), middle - margin);
+    let places = vec2(along(direction, before.state.x), along(direction, after.state.x));
+    let speeds = vec2(along(direction, before.state.v), along(direction, after.state.v));
+    let hull = hull_of(places, speeds, point_bound(before, normal), window);
     let gap = stops.gap[normal][0];
-    let sound = middle - margin < gap;
-    return Clearance(sound & (highest < gap), -stops.gap[normal][1] < lowest);
+    let sound = hull.middle < gap;
+    let upper = sound & (max(hull.highest, places.y) < gap);
+    return Clearance(upper, -stops.gap[normal][1] < min(hull.lowest, places.y));
 }
 
 fn leg_clears(before: Point, after: Point, window: f32) -> bool {

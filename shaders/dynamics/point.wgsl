@@ -168,14 +168,28 @@ fn point_motion(point: Point, contact: u32) -> Motion {
     return Motion(a.rest, j.rest, a.pressing, j.pressing);
 }
 
-// A bound on |(d·x)''''| along a normal for the rest of the step.
+// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for the rest of the step.
 fn point_bound(point: Point, normal: u32) -> f32 {
-    var bound = flight.normals[normal].bound_forcing;
+    return bound_of(normal, point.state.x, point.state.v, bound_forcing(normal));
+}
+
+// A bound on the fourth derivative of what presses on a contact, for the rest of the step.
+fn motion_bound(motion: Motion, normal: u32) -> f32 {
+    let forcing = bound_forcing(normal) * (flight.omega * flight.omega);
+    return bound_of(normal, motion.acceleration, motion.jerk, forcing);
+}
+
+fn bound_forcing(normal: u32) -> f32 {
+    return flight.normals[normal].bound_forcing;
+}
+
+fn bound_of(normal: u32, x: X, v: X, forcing: f32) -> f32 {
+    var bound = forcing;
     //: each coordinate
-    bound = bound + flight.normals[normal].bound_x$c * abs(point.state.x$c);
+    bound = bound + flight.normals[normal].bound_x$c * abs(x$c);
     //: end
     //: each coordinate
-    bound = bound + flight.normals[normal].bound_v$c * abs(point.state.v$c);
+    bound = bound + flight.normals[normal].bound_v$c * abs(v$c);
     //: end
     return bound;
 }

@@ -37,11 +37,51 @@ fn rest(carry: bool) -> Move {
     if opens {
         return release(carry, opening, opening_bound);
     }
-    glide(carry, min(time, window));
-    if time >= window {
+    let held = held_flight(motion, time, clear, least);
+    glide_to(carry, held.point, held.time);
+    if held.time >= window {
         return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
     }
     return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE);
+}
+
+// A flight under the present contacts.
+struct HeldFlight {
+    time: f32,
+    point: Point,
+}
+
+// As long as is found: `sure` is for how long the contacts surely hold, reckoned from here alone, and `clear` for how long nothing
+// else is met. They may hold up to `late` longer than they should.
+fn held_flight(motion: Motion, sure: f32, clear: f32, late: f32) -> HeldFlight {
+    let contact = trajectory.contact;
+    var reach = clear;
+    var there = trajectory.point;
+    for (var tries = 1u; tries <= HELD_FLIGHTS + 1u; tries++) {
+        there = glided(reach);
+        if reach <= sure {
+            break;
+        }
+        let then = point_motion(there, contact);
+        var next = clear;
+        var lasts = true;
+        //: each normal
+        if (contact_held(contact) >> $ku & 1u) == 1u && !contact_is_clamped_along(contact, $ku) {
+            let sign = end_sign(contact_end_along(contact, $ku));
+            let forces = vec2(sign * motion.pressing[$k], sign * then.pressing[$k]);
+            let slopes = vec2(sign * motion.pressing_rate[$k], sign * then.pressing_rate[$k]);
+            let tried = pressed_next(Pressed(forces, slopes, motion_bound(motion, $ku), reach), sure, late);
+            next = min(next, tried.next);
+            lasts = lasts && tried.lasts;
+        }
+        //: end
+        let last = tries == HELD_FLIGHTS;
+        if lasts && (last || next <= reach + late) {
+            break;
+        }
+        reach = select(next, sure, last);
+    }
+    return HeldFlight(reach, there);
 }
 
 fn release(carry: bool, end: End, bound: f32) -> Move {

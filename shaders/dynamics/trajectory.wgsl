@@ -172,16 +172,6 @@ fn go_ahead(window: f32) -> Move {
     return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
 }
 
-// Moves on for a time within the step, with the present contacts.
-fn glide(carry: bool, time: f32) {
-    trajectory.point = point_flown(trajectory.point, time, trajectory.contact);
-    trajectory.point.state = rested(trajectory.point.state, trajectory.contact);
-    if carry && trajectory.under_way == 0u {
-        tangent = tangent_flown(tangent, time, trajectory.contact);
-    }
-    trajectory.offset = trajectory.offset + time;
-}
-
 fn end_step() -> u32 {
     trajectory.offset = 0.0;
     trajectory.under_way = 0u;

@@ -4,7 +4,8 @@ use std::hint::black_box;
 
 use super::chatter::{FADING, STEADY};
 use super::face::Face;
-use super::leg::{Clearances, Leg, SWELLING};
+use super::hull::Hull;
+use super::leg::{Clearances, Leg};
 use super::point::Point;
 use super::quintic::Quintic;
 use super::tangent::FreeSaltation;
@@ -136,9 +137,8 @@ fn is_first<L: Lanes, const N: usize>(
     zero.below(arrives).and(sets_out.or(comes_in).or(bends))
 }
 
-/// Where a contact after `time` is the first since what bounds the gap lies within the hull of its five Bernstein
-/// coefficients on the way there, and these lie between the stops; see [`Leg::clearance`]. The first of them is where the
-/// trajectory is, the last one the contact.
+/// Where a contact after `time` is the first since the gap lies within its [`Hull`] on the way there, and that between the stops.
+/// It begins where the trajectory is, and ends with the contact.
 #[inline(always)]
 fn stays_off<L: Lanes, const N: usize>(
     face: &Face<L, N>,
@@ -147,18 +147,11 @@ fn stays_off<L: Lanes, const N: usize>(
     time: L,
 ) -> L::Mask {
     let zero = time.all(0.0);
-    let quarter = time * time.all(0.25);
-    let square = time * time;
-    let margin = (square * square) * (time.all(SWELLING) * face.bound);
-    let second = (-leaves).times_plus(quarter, gap);
-    let fourth = arrives * quarter;
-    let turn = (arrives - leaves) * (time * time.all(1.0 / 6.0));
-    let middle = gap.times_plus(time.all(0.5), turn);
-    let nearest = second.smaller(fourth).smaller(middle - margin);
-    let farthest = second.larger(fourth).larger(middle + margin);
-    // A NaN anywhere makes `middle` a NaN, and no comparison holds.
-    let sound = zero.below(middle - margin);
-    sound.and(zero.below(nearest)).and(face.opposite_clear.or(farthest.below(face.width)))
+    let hull = Hull::of([gap, zero], [-leaves, -arrives], face.bound, time);
+    // No comparison with a NaN holds.
+    let sound = zero.below(hull.middle - hull.margin);
+    let off = face.opposite_clear.or(hull.highest().below(face.width));
+    sound.and(zero.below(hull.lowest())).and(off)
 }
 
 /// Where the rebounds that follow an impact can surely not be closed, so that it ends in flight; see

@@ -1,5 +1,6 @@
 //! The rest of a step of free flight, and whether it stays off the stops.
 
+use super::hull::Hull;
 use super::point::Point;
 use crate::model::vector::{MOST, dot};
 use crate::model::{Flight, Lanes, Mask};
@@ -48,9 +49,6 @@ impl<M: Mask> Clearance<M> {
     }
 }
 
-/// What the error of a cubic Hermite interpolant adds to the middle one of five Bernstein coefficients, in w⁴·max|x''''|.
-pub const SWELLING: f64 = 1.0 / 144.0;
-
 impl<L: Lanes, const N: usize> Leg<'_, L, N> {
     /// Where the leg provably stays off the stops along each normal.
     #[inline(always)]
@@ -72,30 +70,20 @@ impl<L: Lanes, const N: usize> Leg<'_, L, N> {
         clear
     }
 
-    /// Where the leg provably stays off the stops along one normal.
-    ///
-    /// d·x differs from its cubic Hermite interpolant by s²(w − s)²/24·max|(d·x)''''| at most: a polynomial of fourth
-    /// degree, so that what bounds d·x lies within the hull of its five Bernstein coefficients. The first of them is where
-    /// the trajectory is, and that is not beyond a stop.
+    /// Where the leg provably stays off the stops along one normal: where d·x, from where the trajectory is, which is not beyond
+    /// a stop, lies within its [`Hull`].
     #[inline(always)]
     pub fn clearance(&self, flight: &Flight<L, N>, k: usize) -> Clearance<L::Mask> {
         let Leg { from, to, window } = *self;
         let normal = &flight.normals[k];
-        let begins = dot(&normal.direction, &from.state.x);
-        let leaves = dot(&normal.direction, &from.state.v);
         let ends = dot(&normal.direction, &to.state.x);
-        let arrives = dot(&normal.direction, &to.state.v);
-        let quarter = window * window.all(0.25);
-        let square = window * window;
-        let margin = (square * square) * (window.all(SWELLING) * from.bound(flight, k));
-        let second = leaves.times_plus(quarter, begins);
-        let fourth = (-arrives).times_plus(quarter, ends);
-        let turn = (leaves - arrives) * (window * window.all(1.0 / 6.0));
-        let middle = (begins + ends).times_plus(window.all(0.5), turn);
-        let highest = second.larger(fourth).larger(ends).larger(middle + margin);
-        let lowest = second.smaller(fourth).smaller(ends).smaller(middle - margin);
-        // A NaN anywhere makes `middle` a NaN, and no comparison holds.
-        let sound = (middle - margin).below(normal.gap[0]);
+        let places = [dot(&normal.direction, &from.state.x), ends];
+        let speeds = [dot(&normal.direction, &from.state.v), dot(&normal.direction, &to.state.v)];
+        let hull = Hull::of(places, speeds, from.bound(flight, k), window);
+        let highest = hull.highest().larger(ends);
+        let lowest = hull.lowest().smaller(ends);
+        // No comparison with a NaN holds.
+        let sound = (hull.middle - hull.margin).below(normal.gap[0]);
         Clearance { upper: sound.and(highest.below(normal.gap[0])), lower: (-normal.gap[1]).below(lowest) }
     }
 }

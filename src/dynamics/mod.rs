@@ -16,6 +16,9 @@ mod event_code;
 #[cfg(test)]
 mod example;
 mod face;
+mod gliding;
+mod holding;
+mod hull;
 mod leg;
 mod moves;
 mod near;
@@ -56,7 +59,8 @@ pub(crate) mod constants {
     pub use super::chatter::{FADING, NEARLY, PUSH, SLOW, STEADY};
     pub use super::contact::{ROUNDINGS, WIDENING};
     pub use super::crossing::WIDER;
-    pub use super::leg::SWELLING;
+    pub use super::holding::HELD_FLIGHTS;
+    pub use super::hull::SWELLING;
     pub use super::moves::{FAIR_MOVES, MOST_MOVES};
     pub use super::quintic::STEPS as NEWTON_STEPS;
     pub use super::series::INVERSE_FACTORIALS;

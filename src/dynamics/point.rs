@@ -5,7 +5,7 @@ use pulp::NullaryFnOnce;
 use super::series::{Flown, INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
 use crate::model::vector::{MOST, absolute_onto, applied_onto, axpy, dot, scaled};
-use crate::model::{Flight, Lanes, Real, State};
+use crate::model::{ContactNormal, Flight, Lanes, Real, State};
 
 /// State and forcing phasor at one instant; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,8 +131,24 @@ impl<L: Lanes, const N: usize> Point<L, N> {
     #[inline(always)]
     pub fn bound(&self, flight: &Flight<L, N>, normal: usize) -> L {
         let along = &flight.normals[normal];
-        let moved = absolute_onto(&along.bound_x, &self.state.x, along.bound_forcing);
-        absolute_onto(&along.bound_v, &self.state.v, moved)
+        bound_of(along, &self.state.x, &self.state.v, along.bound_forcing)
+    }
+}
+
+/// See [`Point::bound`]; `forcing` is the bound's part that comes from outside.
+#[inline(always)]
+fn bound_of<L: Lanes, const N: usize>(along: &ContactNormal<L, N>, x: &[L; N], v: &[L; N], forcing: L) -> L {
+    absolute_onto(&along.bound_v, v, absolute_onto(&along.bound_x, x, forcing))
+}
+
+impl<T: Real, const N: usize> Motion<T, N> {
+    /// A bound on the fourth derivative of what presses on a contact, for the rest of the step: x'' flows like x, forced by −ω²
+    /// times as much.
+    #[inline(always)]
+    pub fn bound(&self, flight: &Flight<T, N>, normal: usize) -> T {
+        let along = &flight.normals[normal];
+        let forcing = along.bound_forcing * (flight.omega * flight.omega);
+        bound_of(along, &self.acceleration, &self.jerk, forcing)
     }
 }
 

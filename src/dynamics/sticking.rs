@@ -1,6 +1,8 @@
 //! Sticking: masses resting on stops, until what presses on a contact vanishes.
 
 use super::contact;
+use super::holding::{HELD_FLIGHTS, Pressed};
+use super::point::{Motion, Point};
 use super::stop::{End, Stop};
 use super::tangent::Tangent;
 use super::trajectory::{Event, Move, Trajectory};
@@ -37,12 +39,62 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             let pressed = if pressed > least { pressed } else { least };
             time = if pressed < time { pressed } else { time };
         }
-        if time >= window {
-            self.glide(flight, tangents, window);
-            return Move { time: window, contact, event: self.end_step(flight) };
+        let (time, point) = self.held_flight(flight, &motion, [time, clear], least);
+        self.glide_to(flight, tangents, point, time);
+        let event = if time >= window { self.end_step(flight) } else { Event::Flight };
+        Move { time, contact, event }
+    }
+
+    /// A flight under the present contacts, as long as is found: `sure` ≤ `clear` is for how long they surely hold, reckoned from
+    /// here alone, and `clear` for how long nothing else is met. They may hold up to `late` longer than they should.
+    #[inline(always)]
+    fn held_flight(
+        &self,
+        flight: &Flight<T, N>,
+        motion: &Motion<T, N>,
+        [sure, clear]: [T; 2],
+        late: T,
+    ) -> (T, Point<T, N>) {
+        let (mut reach, mut tries) = (clear, 0);
+        loop {
+            let there = self.glided(flight, reach);
+            tries += 1;
+            if reach <= sure {
+                return (reach, there);
+            }
+            let then = there.motion(flight, self.contact);
+            let (mut next, mut lasts) = (clear, true);
+            for k in 0..flight.count {
+                let Some(pressed) = self.pressed(flight, [motion, &then], k, reach) else { continue };
+                let (own, holds) = pressed.next(sure, late);
+                next = if own < next { own } else { next };
+                lasts &= holds;
+            }
+            let last = tries == HELD_FLIGHTS;
+            if lasts && (last || next <= reach + late) {
+                return (reach, there);
+            }
+            reach = if last { sure } else { next };
         }
-        self.glide(flight, tangents, time);
-        Move { time, contact, event: Event::Flight }
+    }
+
+    /// What presses on the contact along a normal at both ends of a flight of length `time`; none where none holds, or both do.
+    #[inline(always)]
+    fn pressed(
+        &self,
+        flight: &Flight<T, N>,
+        motions: [&Motion<T, N>; 2],
+        k: usize,
+        time: T,
+    ) -> Option<Pressed<T>> {
+        let end = self.contact.end_along(k).filter(|_| !self.contact.is_clamped_along(k))?;
+        let sign = end.sign::<T>();
+        Some(Pressed {
+            forces: motions.map(|motion| sign * motion.pressing[k]),
+            slopes: motions.map(|motion| sign * motion.pressing_rate[k]),
+            bound: motions[0].bound(flight, k),
+            time,
+        })
     }
 
     /// A contact opens, from rest and without acceleration; the jerk alone pulls the masses off.

@@ -257,17 +257,6 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         Move { time: window, contact, event: self.end_step(flight) }
     }
 
-    /// Moves on for a time within the step, with the present contacts.
-    #[inline(always)]
-    pub(super) fn glide(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>], time: T) {
-        let point = self.point.flown(flight, time, self.contact);
-        self.point = Point { state: rested(flight, &point.state, self.contact), ..point };
-        if !self.under_way {
-            fly_all(tangents, flight, time, self.contact);
-        }
-        self.offset = self.offset + time;
-    }
-
     /// Begins the next step; the forcing phasor is exact at phases 0 and π.
     #[inline(always)]
     pub(super) fn end_step(&mut self, flight: &Flight<T, N>) -> Event<T> {

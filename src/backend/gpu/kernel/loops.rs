@@ -6,6 +6,7 @@ use super::{control, extent, follow, trace};
 use crate::analysis::constants::{CLEAR_STEPS, ROUNDS, SQUARINGS, TURNS};
 use crate::backend::gpu::shader::{Arithmetic, Kernel, Residence, Shape, source};
 use crate::control::{ControlSchedule, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
+use crate::dynamics::constants::HELD_FLIGHTS;
 use crate::model::Real;
 
 /// The largest number of iterates in one period that the schedule of the test looks for.
@@ -19,6 +20,7 @@ fn bound(head: &str) -> u32 {
     let counted = [
         ("taken < dispatch.budget", 1),
         ("k <= ORDER", <f32 as Real>::ORDER as u32),
+        ("tries <= HELD_FLIGHTS + 1u", HELD_FLIGHTS + 1),
         ("k <= SQUARINGS", SQUARINGS + 1),
         ("turn < TURNS", TURNS),
         ("round < ROUNDS", ROUNDS),

@@ -45,6 +45,7 @@ pub fn source(shape: &Shape) -> String {
         ("MOST_LEAPS", analysis::MOST_LEAPS),
         ("LEAST_RETURNS", analysis::LEAST_RETURNS),
         ("MOST_KICKS", dynamics::MOST_KICKS),
+        ("HELD_FLIGHTS", dynamics::HELD_FLIGHTS),
         ("ROUNDS", analysis::ROUNDS),
         ("TURNS", analysis::TURNS),
         ("CLEAR_STEPS", analysis::CLEAR_STEPS),

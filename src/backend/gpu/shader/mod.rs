@@ -21,7 +21,7 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 32] = [
+const COMMON: [&str; 35] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -31,6 +31,7 @@ const COMMON: [&str; 32] = [
     include_str!("../../../../shaders/dynamics/tangent.wgsl"),
     include_str!("../../../../shaders/dynamics/contact.wgsl"),
     include_str!("../../../../shaders/dynamics/chatter.wgsl"),
+    include_str!("../../../../shaders/dynamics/hull.wgsl"),
     include_str!("../../../../shaders/dynamics/leg.wgsl"),
     include_str!("../../../../shaders/dynamics/quintic.wgsl"),
     include_str!("../../../../shaders/dynamics/near.wgsl"),
@@ -39,8 +40,10 @@ const COMMON: [&str; 32] = [
     include_str!("../../../../shaders/dynamics/crossing.wgsl"),
     include_str!("../../../../shaders/dynamics/placing.wgsl"),
     include_str!("../../../../shaders/dynamics/corner.wgsl"),
+    include_str!("../../../../shaders/dynamics/gliding.wgsl"),
     include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
     include_str!("../../../../shaders/dynamics/striking.wgsl"),
+    include_str!("../../../../shaders/dynamics/holding.wgsl"),
     include_str!("../../../../shaders/dynamics/sticking.wgsl"),
     include_str!("../../../../shaders/analysis/recurrence.wgsl"),
     include_str!("../../../../shaders/analysis/exponent.wgsl"),
@@ -57,8 +60,8 @@ const COMMON: [&str; 32] = [
 ];
 
 /// How the bound on a normal is read, and how where a force comes on top.
-const BOUND: &str = "var bound = flight.normals[normal].bound_forcing;";
-const DRIVEN_BOUND: &str = "var bound = flight.normals[normal].bound_forcing + driven.bound[normal];";
+const BOUND: &str = "return flight.normals[normal].bound_forcing;";
+const DRIVEN_BOUND: &str = "return flight.normals[normal].bound_forcing + driven.bound[normal];";
 
 /// The source of a kernel for a shape.
 pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: Arithmetic) -> String {

@@ -1,0 +1,72 @@
+//! How long a mass surely stays on its stop: what presses on the contact, looked at from both ends of a flight under it.
+
+use super::hull::Hull;
+use super::quintic::{Quintic, STEPS};
+use crate::model::{FAR, Real};
+
+/// Flights that are tried in one move under contacts, before the one for which they surely hold as reckoned from its beginning
+/// alone: as long as nothing else is met, to where a contact seems to open, and there again from nearer.
+pub const HELD_FLIGHTS: u32 = 4;
+
+/// What presses on a contact at the beginning and at the end of a flight under it, as an acceleration towards the stop.
+#[derive(Clone, Copy, Debug)]
+pub struct Pressed<T> {
+    /// At the two ends.
+    pub forces: [T; 2],
+    /// Their derivatives.
+    pub slopes: [T; 2],
+    /// A bound on the fourth derivative in between.
+    pub bound: T,
+    /// How long the flight takes.
+    pub time: T,
+}
+
+impl<T: Real> Pressed<T> {
+    /// Whether it surely presses all the time, but for the last `late` of it at most, as it does at the beginning: its [`Hull`] does.
+    #[inline(always)]
+    pub fn lasts(&self, late: T) -> bool {
+        let Pressed { forces, slopes, bound, time } = *self;
+        let hull = Hull::of(forces, slopes, bound, time);
+        // No comparison with a NaN holds.
+        let sound = hull.middle > hull.margin;
+        sound && hull.lowest() > T::zero() && forces[1] >= -(late * slopes[1].abs())
+    }
+
+    /// About when it vanishes: where the cubic through both ends does, by Newton's method, before the end where it does not press
+    /// there, else after it. [`FAR`] where it presses there and does not fall.
+    #[inline(always)]
+    pub fn vanishes(&self) -> T {
+        let Pressed { forces, slopes, time, .. } = *self;
+        let opens = forces[1] < T::zero();
+        if !opens && slopes[1] >= T::zero() {
+            return T::of(FAR);
+        }
+        let [leaves, arrives] = [slopes[0] * time, slopes[1] * time];
+        let fall = forces[1] - forces[0];
+        let bend = T::of(3.0) * fall - (leaves + leaves) - arrives;
+        let twist = leaves + arrives - (fall + fall);
+        let mut u = if opens { Quintic::chord(forces, -leaves) } else { T::one() };
+        for _ in 0..STEPS {
+            let force = ((twist * u + bend) * u + leaves) * u + forces[0];
+            let slope = (T::of(3.0) * twist * u + (bend + bend)) * u + leaves;
+            u = u - force / slope;
+        }
+        u * time
+    }
+
+    /// How long a flight is to be tried next, and whether this one may be made: `sure` is for how long the contact holds as reckoned
+    /// from the beginning alone, `late` how long it may hold after nothing presses.
+    #[inline(always)]
+    pub fn next(&self, sure: T, late: T) -> (T, bool) {
+        let vanishes = self.vanishes();
+        if self.lasts(late) {
+            return (if vanishes > self.time { vanishes } else { self.time }, true);
+        }
+        // What bounds the force may be too far from it to see that it lasts.
+        let next = if vanishes < self.time { vanishes } else { sure + sure };
+        (if next > sure && next < self.time { next } else { sure }, false)
+    }
+}
+
+#[cfg(test)]
+mod tests;
