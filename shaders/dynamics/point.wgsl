@@ -23,12 +23,6 @@ struct Approach {
     bound: f32,
 }
 
-// What contacts leave of accelerations, and what presses on each.
-struct Held {
-    rest: X,
-    pressing: array<f32, NORMALS>,
-}
-
 fn point_at_phase_zero(state: State) -> Point {
     return Point(state, 0.0, 1.0);
 }
@@ -67,16 +61,13 @@ fn point_select(choice: bool, yes: Point, no: Point) -> Point {
 
 // A flight of length s ≤ h with the contacts that hold.
 fn point_flown(point: Point, s: f32, contact: u32) -> Point {
-    let series = series_new(s);
+    let series = series_under(s, contact);
     let turn = flight.omega * s;
-    let force_sin = s * flight.sin;
-    let force_cos = s * flight.cos;
+    let force_sin = s * spared(contact, flight.sin);
+    let force_cos = s * spared(contact, flight.cos);
     var before = point.state.v;
-    let first = series_first(series, point.state.x, before);
-    var last = ((first + point.sin * force_sin) + point.cos * force_cos) + s * flight.load;
-    if contact != CONTACT_FREE {
-        last = held(contact, last).rest;
-    }
+    let first = series_first(series, contact, point.state.x, before);
+    var last = ((first + point.sin * force_sin) + point.cos * force_cos) + s * spared(contact, flight.load);
     var phasor = vec2(point.cos * turn, -(point.sin * turn));
     var velocity = before;
     var mean = before;
@@ -92,10 +83,7 @@ fn point_flown(point: Point, s: f32, contact: u32) -> Point {
         if power * weight < TRUNCATION {
             break;
         }
-        var next = series_next(series, before, last, phasor.x * force_sin + phasor.y * force_cos);
-        if contact != CONTACT_FREE {
-            next = held(contact, next).rest;
-        }
+        let next = series_next(series, before, last, phasor.x * force_sin + phasor.y * force_cos);
         before = last;
         last = next;
         phasor = vec2(phasor.y * turn, -(phasor.x * turn));
@@ -128,7 +116,7 @@ fn point_kicked(point: Point, kick: f32, wake: State) -> Point {
 
 // The point a time s later, so short that its square is lost in rounding.
 fn point_nudged(point: Point, s: f32, contact: u32) -> Point {
-    let acceleration = held(contact, point_accelerations(point)).rest;
+    let acceleration = spared(contact, point_accelerations(point));
     let turn = flight.omega * s;
     return Point(
         State(point.state.x + s * point.state.v, point.state.v + s * acceleration),
@@ -201,24 +189,4 @@ fn point_approach(point: Point, motion: Motion, normal: u32) -> Approach {
         along(direction, motion.jerk),
         point_bound(point, normal),
     );
-}
-
-// Accelerations (or their derivatives) with what the contacts that hold take from them, and what presses on each.
-fn held(contact: u32, free: X) -> Held {
-    var pressing = array<f32, NORMALS>();
-    if contact == CONTACT_FREE {
-        return Held(free, pressing);
-    }
-    let contacts = contact_held(contact);
-    //: each normal
-    let along$k = along(flight.normals[$k].direction, free);
-    //: end
-    //: each pair of normals
-    pressing[$k] = pressing[$k] + pressing_share(contacts, $ku, $lu) * along$l;
-    //: end
-    var rest = free;
-    //: each normal
-    rest = rest - pressing[$k] * flight.normals[$k].response;
-    //: end
-    return Held(rest, pressing);
 }

@@ -112,8 +112,8 @@ fn strike_catch(carry: bool, contact: u32) {
 fn at_rest(end: End, gap_integral: f32) -> Point {
     let contact = contact_with(trajectory.contact, end);
     let response = flight.normals[end.normal].response;
-    let push = held(contact, applied(flight.damping, response)).rest;
-    let pull = held(contact, applied(flight.stiffness, response) + applied(flight.damping, push)).rest;
+    let push = spared(contact, applied(flight.damping, response));
+    let pull = spared(contact, applied(flight.stiffness, response) + applied(flight.damping, push));
     let signed_integral = -(end_sign(end) * gap_integral);
     let state = trajectory.point.state;
     let moved = State(state.x + signed_integral * push, state.v + signed_integral * pull);

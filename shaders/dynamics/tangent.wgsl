@@ -23,7 +23,7 @@ fn tangent_stepped(tangent: State) -> State {
 fn tangent_flown_freely(tangent: State, s: f32) -> State {
     let series = series_new(s);
     var before = tangent.v;
-    var last = series_first(series, tangent.x, before);
+    var last = series_first(series, CONTACT_FREE, tangent.x, before);
     var velocity = before;
     var mean = before;
     var power = 1.0;
@@ -44,12 +44,9 @@ fn tangent_flown_freely(tangent: State, s: f32) -> State {
 
 // A time s ≤ h later with the contacts that hold.
 fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
-    let series = series_new(s);
+    let series = series_under(s, contact);
     var before = tangent.v;
-    var last = series_first(series, tangent.x, before);
-    if contact != CONTACT_FREE {
-        last = held(contact, last).rest;
-    }
+    var last = series_first(series, contact, tangent.x, before);
     var velocity = before;
     var mean = before;
     var power = 1.0;
@@ -61,10 +58,7 @@ fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
         if power * weight < TRUNCATION {
             break;
         }
-        var next = series_next(series, before, last, X(0.0));
-        if contact != CONTACT_FREE {
-            next = held(contact, next).rest;
-        }
+        let next = series_next(series, before, last, X(0.0));
         before = last;
         last = next;
     }
@@ -105,7 +99,7 @@ fn tangent_struck_ahead(tangent: State, back: State, velocity: f32, kick: f32, p
 }
 
 fn tangent_caught(tangent: State, contact: u32) -> State {
-    return State(held(contact, tangent.x).rest, held(contact, tangent.v).rest);
+    return State(spared(contact, tangent.x), spared(contact, tangent.v));
 }
 
 fn tangent_length(tangent: State) -> f32 {

@@ -17,6 +17,7 @@ mod event_code;
 mod example;
 mod face;
 mod gliding;
+mod held;
 mod holding;
 mod hull;
 mod leg;

@@ -2,6 +2,7 @@
 
 use pulp::NullaryFnOnce;
 
+use super::held::{held, spared};
 use super::series::{Flown, INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
 use crate::model::vector::{MOST, absolute_onto, applied_onto, axpy, dot, scaled};
@@ -164,7 +165,7 @@ impl<T: Real, const N: usize> Point<T, N> {
     /// The point a time `s` later, so short that its square is lost in rounding.
     #[inline(always)]
     pub fn nudged(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
-        let acceleration = held(flight, contact, self.accelerations(flight)).0;
+        let acceleration = spared(flight, contact, self.accelerations(flight));
         let turn = flight.omega * s;
         Point {
             state: State {
@@ -202,15 +203,14 @@ impl<T: Real, const N: usize> NullaryFnOnce for Flown<'_, Point<T, N>, T, N> {
     #[inline(always)]
     fn call(self) -> Point<T, N> {
         let Flown { from, flight, s, contact } = self;
-        let series = Series::new(flight, s);
+        let series = Series::new(flight, s, contact);
         let turn = flight.omega * s;
-        let force_sin = scaled(s, &flight.sin);
-        let force_cos = scaled(s, &flight.cos);
+        let force_sin = scaled(s, &spared(flight, contact, flight.sin));
+        let force_cos = scaled(s, &spared(flight, contact, flight.cos));
         let mut before = from.state.v;
-        let first = series.first(flight, &from.state.x, &before);
+        let first = series.first(flight, contact, &from.state.x, &before);
         let first = axpy(from.cos, &force_cos, &axpy(from.sin, &force_sin, &first));
-        let first = axpy(s, &flight.load, &first);
-        let mut last = held(flight, contact, first).0;
+        let mut last = axpy(s, &spared(flight, contact, flight.load), &first);
         let mut phasor = [from.cos * turn, -(from.sin * turn)];
         let mut velocity = before;
         let mut mean = before;
@@ -229,35 +229,9 @@ impl<T: Real, const N: usize> NullaryFnOnce for Flown<'_, Point<T, N>, T, N> {
             }
             let forced = axpy(phasor[1], &force_cos, &scaled(phasor[0], &force_sin));
             let next = series.next(&before, &last, &forced);
-            before = last;
-            last = held(flight, contact, next).0;
+            (before, last) = (last, next);
             phasor = [phasor[1] * turn, -(phasor[0] * turn)];
         }
         Point { state: State { x: axpy(s, &mean, &from.state.x), v: velocity }, sin: phase[0], cos: phase[1] }
     }
-}
-
-/// Accelerations (or their derivatives) with what the contacts that hold take from them, and what presses on each.
-#[inline(always)]
-pub fn held<T: Real, const N: usize>(
-    flight: &Flight<T, N>,
-    contact: Contact,
-    free: [T; N],
-) -> ([T; N], [T; MOST]) {
-    let mut pressing = [T::zero(); MOST];
-    if contact.is_free() {
-        return (free, pressing);
-    }
-    let matrix = &flight.pressing[contact.held() as usize];
-    for (t, normal) in flight.normals().iter().enumerate() {
-        let along = dot(&normal.direction, &free);
-        for s in 0..flight.count {
-            pressing[s] = pressing[s] + matrix[s][t] * along;
-        }
-    }
-    let mut rest = free;
-    for (s, normal) in flight.normals().iter().enumerate() {
-        rest = axpy(-pressing[s], &normal.response, &rest);
-    }
-    (rest, pressing)
 }

@@ -1,5 +1,6 @@
 //! The Taylor series of flight: one recurrence for motions and deviations.
 
+use super::held::spared;
 use super::stop::Contact;
 use crate::model::vector::{added, applied, scaled, scaled_columns};
 use crate::model::{Flight, Real};
@@ -16,7 +17,7 @@ pub const INVERSE_FACTORIALS: [f64; f64::ORDER + 2] = {
 };
 
 /// The unforced part of Vₖ₊₁ = s² A Vₖ₋₁ + s B Vₖ (+ forcing), with Vₖ = v⁽ᵏ⁾ sᵏ for all coordinates, A = −M⁻¹K and
-/// B = −M⁻¹C.
+/// B = −M⁻¹C but for what contacts take from them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Series<T, const N: usize> {
     /// s² A, column by column.
@@ -30,22 +31,23 @@ pub(super) struct Series<T, const N: usize> {
 }
 
 impl<T: Real, const N: usize> Series<T, N> {
-    /// For a flight of length `s`, backwards where that is negative.
+    /// For a flight of length `s` with the contacts that hold, backwards where that is negative.
     #[inline(always)]
-    pub fn new(flight: &Flight<T, N>, s: T) -> Self {
+    pub fn new(flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
         let square = s * s;
-        Series {
-            springs: scaled_columns(square, &flight.stiffness),
-            dampers: scaled_columns(s, &flight.damping),
-            time: s,
-            reach: flight.rate * s.abs(),
+        let mut springs = scaled_columns(square, &flight.stiffness);
+        let mut dampers = scaled_columns(s, &flight.damping);
+        for column in springs.iter_mut().chain(&mut dampers) {
+            *column = spared(flight, contact, *column);
         }
+        Series { springs, dampers, time: s, reach: flight.rate * s.abs() }
     }
 
     /// V₁ from the displacements and V₀, the velocities.
     #[inline(always)]
-    pub fn first(&self, flight: &Flight<T, N>, x: &[T; N], v: &[T; N]) -> [T; N] {
-        added(&applied(&self.dampers, v), &scaled(self.time, &applied(&flight.stiffness, x)))
+    pub fn first(&self, flight: &Flight<T, N>, contact: Contact, x: &[T; N], v: &[T; N]) -> [T; N] {
+        let pulled = spared(flight, contact, applied(&flight.stiffness, x));
+        added(&applied(&self.dampers, v), &scaled(self.time, &pulled))
     }
 
     /// Vₖ₊₁ from Vₖ₋₁, Vₖ and what the forcing adds; the newest term comes last, for the shortest chain.

@@ -5,6 +5,7 @@ use pulp::NullaryFnOnce;
 use super::chatter::{self, Closure, Rebound};
 use super::contact::{self, Reached};
 use super::corner;
+use super::held::spared;
 use super::placing::{placed, rested};
 use super::point::{Approach, Motion, Point};
 use super::stop::{Contact, End, Stop};
@@ -173,7 +174,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     #[inline(never)]
     fn at_rest(&self, flight: &Flight<T, N>, end: End, gap_integral: T) -> Point<T, N> {
         let contact = self.contact.with(end);
-        let free = |v: [T; N]| super::point::held(flight, contact, v).0;
+        let free = |v: [T; N]| spared(flight, contact, v);
         let response = &flight.normals[end.normal].response;
         let push = free(applied(&flight.damping, response));
         let pull = free(added(&applied(&flight.stiffness, response), &applied(&flight.damping, &push)));

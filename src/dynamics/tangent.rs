@@ -5,7 +5,7 @@
 
 use pulp::NullaryFnOnce;
 
-use super::point::held;
+use super::held::spared;
 use super::series::{Flown, INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
 use crate::model::vector::{applied, applied_onto, axpy, dot};
@@ -84,7 +84,7 @@ impl<T: Real, const N: usize> Tangent<T, N> {
     #[inline(always)]
     #[must_use]
     pub fn caught(&self, flight: &Flight<T, N>, contact: Contact) -> Self {
-        Tangent(State { x: held(flight, contact, self.0.x).0, v: held(flight, contact, self.0.v).0 })
+        Tangent(State { x: spared(flight, contact, self.0.x), v: spared(flight, contact, self.0.v) })
     }
 }
 
@@ -94,9 +94,9 @@ impl<T: Real, const N: usize> NullaryFnOnce for Flown<'_, Tangent<T, N>, T, N> {
     #[inline(always)]
     fn call(self) -> Tangent<T, N> {
         let Flown { from, flight, s, contact } = self;
-        let series = Series::new(flight, s);
+        let series = Series::new(flight, s, contact);
         let mut before = from.0.v;
-        let mut last = held(flight, contact, series.first(flight, &from.0.x, &before)).0;
+        let mut last = series.first(flight, contact, &from.0.x, &before);
         let mut velocity = before;
         let mut mean = before;
         let mut power = T::one();
@@ -108,8 +108,7 @@ impl<T: Real, const N: usize> NullaryFnOnce for Flown<'_, Tangent<T, N>, T, N> {
             if negligible {
                 break;
             }
-            let next = held(flight, contact, series.next(&before, &last, &[T::zero(); N])).0;
-            (before, last) = (last, next);
+            (before, last) = (last, series.next(&before, &last, &[T::zero(); N]));
         }
         Tangent(State { x: axpy(s, &mean, &from.0.x), v: velocity })
     }

@@ -21,11 +21,12 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 35] = [
+const COMMON: [&str; 36] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
     include_str!("../../../../shaders/dynamics/stop.wgsl"),
+    include_str!("../../../../shaders/dynamics/held.wgsl"),
     include_str!("../../../../shaders/dynamics/series.wgsl"),
     include_str!("../../../../shaders/dynamics/point.wgsl"),
     include_str!("../../../../shaders/dynamics/tangent.wgsl"),
