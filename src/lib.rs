@@ -96,8 +96,9 @@
 //! the mass rests on its stop, its impulse on the others is summed in closed form, and infinitely many impacts
 //! are counted. Rebounds without loss (r = 1) never end, but damping drags them down like exp(−ct/3): they are closed once
 //! neither the next strobe nor the force that vanishes can find them. Rebounds between several stops at once, each impact throwing the masses on the next stop, end in the
-//! corner between them. Contacts hold until the force on one of them changes sign, found by the same quadratic bounds; it
-//! opens along its jerk.
+//! corner between them. Contacts hold until the force on one of them changes sign: what presses on a contact during a flight lies in
+//! a hull like that of d·x during a step, and where that reaches below 0, the flight ends where the cubic through both ends does, or
+//! for as long as a quadratic bound from its beginning says. The contact then opens along its jerk.
 //!
 //! *Verdict.* The strobe state is compared with one remembered state: its first return gives N, and it must keep
 //! returning, with the same impacts. A trajectory that has settled, or that energy shows can never impact again, finishes

@@ -2,7 +2,8 @@
 // happens outside.
 
 // Whether the trajectory waits for a contact within its step, whether it came to phase 0 or, under observation, to phase π,
-// and whether its contact must be approached from the safe side.
+// and whether something rare is to be done: its contact is to be approached from the safe side, or holds; or, where it came to
+// phase 0, a turn is over of which something is to be made.
 struct Pace {
     waits: bool,
     arrived: bool,

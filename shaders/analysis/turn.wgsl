@@ -13,7 +13,7 @@ fn turn_over(n: u32) -> Turn {
     return Turn(n, array<State, COMPONENTS>(), EXPLODES, FARTHEST);
 }
 
-// Sees the tangent vector after `turns` ≥ 1 turns, the last of them if all columns are measured.
+// Sees the tangent vector after `turns` ≥ 1 turns; with the `last` of them all columns are measured.
 fn turn_complete(turns: u32, last: bool) {
     //: each component
     if turns == $ku + 1u {

@@ -116,7 +116,7 @@ fn crossing_is_first(
 // Whether a contact is the first since the gap lies within its hull on the way there, and that between the stops.
 fn crossing_stays_off(face: Face, gap: f32, width: f32, ways: vec2<f32>, time: f32, bound: f32) -> bool {
     let hull = hull_of(vec2(gap, 0.0), -ways, bound, time);
-    return (0.0 < hull.middle) & (0.0 < hull.lowest) & (face.opposite_clear | (hull.highest < width));
+    return (0.0 < hull.lower) & (0.0 < hull.lowest) & (face.opposite_clear | (hull.highest < width));
 }
 
 // Whether the rebounds that follow an impact can surely not be closed, so that it ends in flight.

@@ -9,10 +9,10 @@ struct Pressed {
     time: f32,
 }
 
-// Whether it surely presses all the time, but for the last `late` of it at most, as it does at the beginning.
+// Whether it surely presses all the time, but for about the last `late` of it, as it does at the beginning.
 fn pressed_lasts(pressed: Pressed, late: f32) -> bool {
     let hull = hull_of(pressed.forces, pressed.slopes, pressed.bound, pressed.time);
-    let presses = hull.middle > 0.0 && hull.lowest > 0.0;
+    let presses = hull.lower > 0.0 && hull.lowest > 0.0;
     return presses && pressed.forces.y >= -(late * abs(pressed.slopes.y));
 }
 
@@ -45,7 +45,8 @@ struct Tried {
 }
 
 fn pressed_next(pressed: Pressed, sure: f32, late: f32) -> Tried {
-    let vanishes = pressed_vanishes(pressed);
+    // A little beyond, for the contact to open there whatever rounding adds.
+    let vanishes = pressed_vanishes(pressed) + late * 0.5;
     if pressed_lasts(pressed, late) {
         return Tried(select(pressed.time, vanishes, vanishes > pressed.time), true);
     }

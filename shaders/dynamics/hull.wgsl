@@ -4,7 +4,7 @@
 struct Hull {
     lowest: f32,
     highest: f32,
-    middle: f32,
+    lower: f32,
 }
 
 // Of what is `ends` at both ends of a time `window`, with the derivatives `slopes`; `bound` is on its fourth derivative.

@@ -12,7 +12,7 @@ fn leg_clearance(before: Point, after: Point, window: f32, normal: u32) -> Clear
     let speeds = vec2(along(direction, before.state.v), along(direction, after.state.v));
     let hull = hull_of(places, speeds, point_bound(before, normal), window);
     let gap = stops.gap[normal][0];
-    let sound = hull.middle < gap;
+    let sound = hull.lower < gap;
     let upper = sound & (max(hull.highest, places.y) < gap);
     return Clearance(upper, -stops.gap[normal][1] < min(hull.lowest, places.y));
 }

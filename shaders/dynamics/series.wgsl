@@ -1,6 +1,7 @@
 // The Taylor series of flight: one recurrence for motions and deviations.
 
-// The unforced part of V(k+1) = s² A V(k-1) + s B V(k) (+ forcing), V(k) = v^(k) s^k, A = -M⁻¹K and B = -M⁻¹C but for what contacts take from them.
+// The unforced part of V(k+1) = s² A V(k-1) + s B V(k) (+ forcing), V(k) = v^(k) s^k, A = -M⁻¹K and B = -M⁻¹C, but for what
+// contacts take from them.
 struct Series {
     springs: array<X, COORDINATES>,
     dampers: array<X, COORDINATES>,

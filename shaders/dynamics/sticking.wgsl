@@ -18,7 +18,7 @@ fn rest(carry: bool) -> Move {
     var opening = End(0u, 0u);
     var opening_bound = 0.0;
     //: each normal
-    if !opens && (contact_held(contact) >> $ku & 1u) == 1u && !contact_is_clamped_along(contact, $ku) {
+    if !opens && contact_opens_along(contact, $ku) {
         let end = contact_end_along(contact, $ku);
         let sign = end_sign(end);
         let force = sign * motion.pressing[$k];
@@ -52,21 +52,22 @@ struct HeldFlight {
 }
 
 // As long as is found: `sure` is for how long the contacts surely hold, reckoned from here alone, and `clear` for how long nothing
-// else is met. They may hold up to `late` longer than they should.
+// else is met. They may hold about `late` longer than they should.
 fn held_flight(motion: Motion, sure: f32, clear: f32, late: f32) -> HeldFlight {
     let contact = trajectory.contact;
     var reach = clear;
+    var failed = FAR;
     var there = trajectory.point;
     for (var tries = 1u; tries <= HELD_FLIGHTS + 1u; tries++) {
         there = glided(reach);
-        if reach <= sure {
+        if reach <= sure || tries > HELD_FLIGHTS {
             break;
         }
         let then = point_motion(there, contact);
         var next = clear;
         var lasts = true;
         //: each normal
-        if (contact_held(contact) >> $ku & 1u) == 1u && !contact_is_clamped_along(contact, $ku) {
+        if contact_opens_along(contact, $ku) {
             let sign = end_sign(contact_end_along(contact, $ku));
             let forces = vec2(sign * motion.pressing[$k], sign * then.pressing[$k]);
             let slopes = vec2(sign * motion.pressing_rate[$k], sign * then.pressing_rate[$k]);
@@ -76,9 +77,10 @@ fn held_flight(motion: Motion, sure: f32, clear: f32, late: f32) -> HeldFlight {
         }
         //: end
         let last = tries == HELD_FLIGHTS;
-        if lasts && (last || next <= reach + late) {
+        if lasts && (last || next <= reach + late || next >= failed) {
             break;
         }
+        failed = select(reach, failed, lasts);
         reach = select(next, sure, last);
     }
     return HeldFlight(reach, there);

@@ -36,6 +36,11 @@ fn contact_is_clamped_along(contact: u32, normal: u32) -> bool {
     return (((contact >> normal) & (contact >> (normal + MOST))) & 1u) == 1u;
 }
 
+// Whether a normal holds with a contact that can open: both ends together clamp the masses for ever.
+fn contact_opens_along(contact: u32, normal: u32) -> bool {
+    return (contact_held(contact) >> normal & 1u) == 1u && !contact_is_clamped_along(contact, normal);
+}
+
 // Whether every contact is one that is clamped.
 fn contact_is_clamped_only(contact: u32) -> bool {
     return contact != CONTACT_FREE && (contact & ((1u << MOST) - 1u)) == (contact >> MOST);

@@ -43,9 +43,8 @@ pub fn closes<T: Real, const N: usize>(
     let mut closes = true;
     for (k, normal) in flight.normals().iter().enumerate() {
         let Some(end) = corner.end_along(k).filter(|_| !contact.is_clamped_along(k)) else { continue };
-        let sign = end.sign::<T>();
         let speed = dot(&normal.direction, &point.state.v).abs();
-        let (force, slope) = (sign * motion.pressing[k], sign * motion.pressing_rate[k]);
+        let [force, slope] = motion.pressure(end);
         let lossy = force * (T::one() - normal.restitution[end.side]);
         closes &= force > T::zero() && speed * speed <= negligible(normal, point, end.side) * lossy;
         closes &= -(slope * speed) <= T::of(STEADY) * force * lossy;

@@ -149,7 +149,7 @@ fn stays_off<L: Lanes, const N: usize>(
     let zero = time.all(0.0);
     let hull = Hull::of([gap, zero], [-leaves, -arrives], face.bound, time);
     // No comparison with a NaN holds.
-    let sound = zero.below(hull.middle - hull.margin);
+    let sound = zero.below(hull.lower);
     let off = face.opposite_clear.or(hull.highest().below(face.width));
     sound.and(zero.below(hull.lowest())).and(off)
 }

@@ -22,14 +22,14 @@ pub struct Pressed<T> {
 }
 
 impl<T: Real> Pressed<T> {
-    /// Whether it surely presses all the time, but for the last `late` of it at most, as it does at the beginning: its [`Hull`] does.
+    /// Whether it surely presses all the time, but for about the last `late` of it, as it does at the beginning: its [`Hull`]
+    /// does.
     #[inline(always)]
     pub fn lasts(&self, late: T) -> bool {
         let Pressed { forces, slopes, bound, time } = *self;
         let hull = Hull::of(forces, slopes, bound, time);
         // No comparison with a NaN holds.
-        let sound = hull.middle > hull.margin;
-        sound && hull.lowest() > T::zero() && forces[1] >= -(late * slopes[1].abs())
+        hull.lower > T::zero() && hull.lowest() > T::zero() && forces[1] >= -(late * slopes[1].abs())
     }
 
     /// About when it vanishes: where the cubic through both ends does, by Newton's method, before the end where it does not press
@@ -54,11 +54,12 @@ impl<T: Real> Pressed<T> {
         u * time
     }
 
-    /// How long a flight is to be tried next, and whether this one may be made: `sure` is for how long the contact holds as reckoned
-    /// from the beginning alone, `late` how long it may hold after nothing presses.
+    /// How long a flight is to be tried next, and whether this one may be made: `sure` is for how long the contact holds as
+    /// reckoned from the beginning alone, `late` about how long it may hold after nothing presses.
     #[inline(always)]
     pub fn next(&self, sure: T, late: T) -> (T, bool) {
-        let vanishes = self.vanishes();
+        // A little beyond, for the contact to open there whatever rounding adds.
+        let vanishes = self.vanishes() + late * T::of(0.5);
         if self.lasts(late) {
             return (if vanishes > self.time { vanishes } else { self.time }, true);
         }

@@ -7,16 +7,16 @@ pub const SWELLING: f64 = 1.0 / 144.0;
 
 /// The inner three of the five Bernstein coefficients of what bounds f from above and from below; the outer two are f at both ends.
 ///
-/// f differs from its cubic Hermite interpolant by s²(w − s)²/24·max|f''''| at most: a polynomial of fourth degree, so that what
-/// bounds f lies within the hull of its coefficients.
+/// f differs from its cubic Hermite interpolant by s²(w − s)²/24·max|f''''| at most: a polynomial of fourth degree, so that
+/// what bounds f lies within the hull of its coefficients.
 #[derive(Clone, Copy, Debug)]
 pub struct Hull<L> {
     second: L,
-    /// The middle one of the interpolant itself.
-    pub middle: L,
     fourth: L,
-    /// How far the middle ones of the two bounds are from that.
-    pub margin: L,
+    /// The middle one of the lower bound: a NaN where anything is.
+    pub lower: L,
+    /// The middle one of the upper bound.
+    upper: L,
 }
 
 impl<L: Lanes> Hull<L> {
@@ -30,19 +30,19 @@ impl<L: Lanes> Hull<L> {
         let fourth = (-slopes[1]).times_plus(quarter, ends[1]);
         let turn = (slopes[0] - slopes[1]) * (window * window.all(1.0 / 6.0));
         let middle = (ends[0] + ends[1]).times_plus(window.all(0.5), turn);
-        Hull { second, middle, fourth, margin }
+        Hull { second, fourth, lower: middle - margin, upper: middle + margin }
     }
 
-    /// The lowest of the inner three. A NaN anywhere makes `middle` a NaN.
+    /// The lowest of the inner three.
     #[inline(always)]
     pub fn lowest(&self) -> L {
-        self.second.smaller(self.fourth).smaller(self.middle - self.margin)
+        self.second.smaller(self.fourth).smaller(self.lower)
     }
 
     /// The highest.
     #[inline(always)]
     pub fn highest(&self) -> L {
-        self.second.larger(self.fourth).larger(self.middle + self.margin)
+        self.second.larger(self.fourth).larger(self.upper)
     }
 }
 
@@ -86,12 +86,12 @@ mod tests {
 
     #[test]
     fn nothing_is_known_of_a_motion_that_is_not_a_number() {
-        for wrong in 0..4 {
-            let mut values = [0.1f64, 0.2, 0.3, 0.4];
+        for wrong in 0..6 {
+            let mut values = [0.1f64, 0.2, 0.3, 0.4, 0.5, 0.6];
             values[wrong] = f64::NAN;
-            let [from, to, leaves, arrives] = values;
-            assert!(Hull::of([from, to], [leaves, arrives], 1.0, 1.0).middle.is_nan());
+            let [from, to, leaves, arrives, bound, window] = values;
+            assert!(Hull::of([from, to], [leaves, arrives], bound, window).lower.is_nan());
         }
-        assert!(!Hull::of([0.1f64, 0.2], [0.3, 0.4], 1.0, 1.0).middle.is_nan());
+        assert!(!Hull::of([0.1f64, 0.2], [0.3, 0.4], 0.5, 0.6).lower.is_nan());
     }
 }

@@ -83,7 +83,7 @@ impl<L: Lanes, const N: usize> Leg<'_, L, N> {
         let highest = hull.highest().larger(ends);
         let lowest = hull.lowest().smaller(ends);
         // No comparison with a NaN holds.
-        let sound = (hull.middle - hull.margin).below(normal.gap[0]);
+        let sound = hull.lower.below(normal.gap[0]);
         Clearance { upper: sound.and(highest.below(normal.gap[0])), lower: (-normal.gap[1]).below(lowest) }
     }
 }

@@ -4,7 +4,7 @@ use pulp::NullaryFnOnce;
 
 use super::held::{held, spared};
 use super::series::{Flown, INVERSE_FACTORIALS, Series};
-use super::stop::Contact;
+use super::stop::{Contact, End};
 use crate::model::vector::{MOST, absolute_onto, applied_onto, axpy, dot, scaled};
 use crate::model::{ContactNormal, Flight, Lanes, Real, State};
 
@@ -143,6 +143,13 @@ fn bound_of<L: Lanes, const N: usize>(along: &ContactNormal<L, N>, x: &[L; N], v
 }
 
 impl<T: Real, const N: usize> Motion<T, N> {
+    /// What presses masses on the stop at an end where they rest, as an acceleration towards it, and its derivative.
+    #[inline(always)]
+    pub fn pressure(&self, end: End) -> [T; 2] {
+        let sign = end.sign::<T>();
+        [sign * self.pressing[end.normal], sign * self.pressing_rate[end.normal]]
+    }
+
     /// A bound on the fourth derivative of what presses on a contact, for the rest of the step: x'' flows like x, forced by −ω²
     /// times as much.
     #[inline(always)]

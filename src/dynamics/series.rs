@@ -17,7 +17,7 @@ pub const INVERSE_FACTORIALS: [f64; f64::ORDER + 2] = {
 };
 
 /// The unforced part of Vₖ₊₁ = s² A Vₖ₋₁ + s B Vₖ (+ forcing), with Vₖ = v⁽ᵏ⁾ sᵏ for all coordinates, A = −M⁻¹K and
-/// B = −M⁻¹C but for what contacts take from them.
+/// B = −M⁻¹C, but for what contacts take from them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Series<T, const N: usize> {
     /// s² A, column by column.

@@ -7,7 +7,7 @@ use super::stop::{End, Stop};
 use super::tangent::Tangent;
 use super::trajectory::{Event, Move, Trajectory};
 use crate::model::vector::dot;
-use crate::model::{Flight, Real};
+use crate::model::{FAR, Flight, Real};
 
 impl<T: Real, const N: usize> Trajectory<T, N> {
     /// Sticking: the masses that are free move on until a stop is met, or what presses on a contact vanishes.
@@ -26,9 +26,8 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         }
         let mut time = clear;
         for k in 0..flight.count {
-            let Some(end) = contact.end_along(k).filter(|_| !contact.is_clamped_along(k)) else { continue };
-            let sign = end.sign::<T>();
-            let (force, slope) = (sign * motion.pressing[k], sign * motion.pressing_rate[k]);
+            let Some(end) = contact.opening_along(k) else { continue };
+            let [force, slope] = motion.pressure(end);
             let bound = self.point.bound(flight, k);
             let unresolved = contact::unresolved(&flight.normals[k], end.side, &self.point.state);
             // What would open just before the step's end opens in the next one.
@@ -46,7 +45,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     }
 
     /// A flight under the present contacts, as long as is found: `sure` ≤ `clear` is for how long they surely hold, reckoned from
-    /// here alone, and `clear` for how long nothing else is met. They may hold up to `late` longer than they should.
+    /// here alone, and `clear` for how long nothing else is met. They may hold about `late` longer than they should.
     #[inline(always)]
     fn held_flight(
         &self,
@@ -55,46 +54,35 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         [sure, clear]: [T; 2],
         late: T,
     ) -> (T, Point<T, N>) {
-        let (mut reach, mut tries) = (clear, 0);
+        let (mut reach, mut failed, mut tries) = (clear, T::of(FAR), 0);
         loop {
             let there = self.glided(flight, reach);
             tries += 1;
-            if reach <= sure {
+            if reach <= sure || tries > HELD_FLIGHTS {
                 return (reach, there);
             }
             let then = there.motion(flight, self.contact);
             let (mut next, mut lasts) = (clear, true);
             for k in 0..flight.count {
-                let Some(pressed) = self.pressed(flight, [motion, &then], k, reach) else { continue };
+                let Some(end) = self.contact.opening_along(k) else { continue };
+                let (from, to) = (motion.pressure(end), then.pressure(end));
+                let pressed = Pressed {
+                    forces: [from[0], to[0]],
+                    slopes: [from[1], to[1]],
+                    bound: motion.bound(flight, k),
+                    time: reach,
+                };
                 let (own, holds) = pressed.next(sure, late);
                 next = if own < next { own } else { next };
                 lasts &= holds;
             }
             let last = tries == HELD_FLIGHTS;
-            if lasts && (last || next <= reach + late) {
+            if lasts && (last || next <= reach + late || next >= failed) {
                 return (reach, there);
             }
+            failed = if lasts { failed } else { reach };
             reach = if last { sure } else { next };
         }
-    }
-
-    /// What presses on the contact along a normal at both ends of a flight of length `time`; none where none holds, or both do.
-    #[inline(always)]
-    fn pressed(
-        &self,
-        flight: &Flight<T, N>,
-        motions: [&Motion<T, N>; 2],
-        k: usize,
-        time: T,
-    ) -> Option<Pressed<T>> {
-        let end = self.contact.end_along(k).filter(|_| !self.contact.is_clamped_along(k))?;
-        let sign = end.sign::<T>();
-        Some(Pressed {
-            forces: motions.map(|motion| sign * motion.pressing[k]),
-            slopes: motions.map(|motion| sign * motion.pressing_rate[k]),
-            bound: motions[0].bound(flight, k),
-            time,
-        })
     }
 
     /// A contact opens, from rest and without acceleration; the jerk alone pulls the masses off.

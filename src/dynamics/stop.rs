@@ -122,6 +122,12 @@ impl Contact {
         ((self.0 >> normal) & (self.0 >> (normal + MOST))) & 1 == 1
     }
 
+    /// The end at which a normal holds, if that contact can open: both ends together clamp the masses for ever.
+    #[inline(always)]
+    pub fn opening_along(self, normal: usize) -> Option<End> {
+        self.end_along(normal).filter(|_| !self.is_clamped_along(normal))
+    }
+
     /// Whether some normal holds at both ends.
     #[inline(always)]
     pub fn is_clamped(self) -> bool {

@@ -21,7 +21,7 @@ const HALF_TURN_STEPS: usize = 4;
 const MOST_HALVINGS: usize = 10;
 /// The largest residual of a solution, for states of order one: what closing complete chatter leaves uncertain.
 const SOLVED: f64 = 1e-9;
-/// The longest step, for states of order one, that is made whole or not at all: parts of it are lost in rounding.
+/// The longest step from a solution, for states of order one, that is made whole or not at all.
 const SHORT: f64 = 1e-10;
 /// The largest distance from the mirror image of a motion that is called symmetric, for states of order one.
 const MIRRORED: f64 = 1e-7;
@@ -83,8 +83,9 @@ impl StrobeMotion {
             let defect = &turn.end - &state;
             let step = (&turn.jacobian - DMatrix::identity(size, size)).lu().solve(&defect);
             let better = step.and_then(|step| {
-                let halves = step.amax() > SHORT * (1.0 + state.amax());
-                (0..if halves { MOST_HALVINGS } else { 1 }).find_map(|halvings| {
+                let scale = 1.0 + state.amax();
+                let solved = step.amax() <= SHORT * scale && defect.amax() <= SOLVED * scale;
+                (0..if solved { 1 } else { MOST_HALVINGS }).find_map(|halvings| {
                     let mut trial = &state - &step * 0.5f64.powi(halvings as i32);
                     follower.bring_within(&mut trial.as_mut_slice()[..size / 2]);
                     let next = Turn::from(follower.as_mut(), &flow, &trial, n)?;

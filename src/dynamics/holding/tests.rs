@@ -1,4 +1,8 @@
 use super::*;
+use crate::dynamics::placing::rested;
+use crate::dynamics::{Contact, End, Point};
+use crate::model::{Flight, Setting, State, System};
+use crate::system::Family;
 
 /// What presses by a force a + b cos(t − φ), from a time on.
 fn pressed<T: Real>([steady, swing, phase]: [f64; 3], begins: f64, time: f64) -> Pressed<T> {
@@ -98,4 +102,35 @@ fn the_next_flight_is_longer_than_what_is_sure_and_ends_within_the_last() {
     assert_eq!(falls.next(0.25, 0.0), (2.0, true));
     let opens = Pressed { forces: [1.0, -1.0], slopes: [-2.0, -2.0], bound: 0.0, time: 1.0 };
     assert_eq!(opens.next(0.25, 0.0), (0.5, false));
+}
+
+/// The largest |p''''| of what presses on the stop of the first normal, by differences of its derivative, as a share of the bound.
+fn share_of_bound(omega: f64, state: State<f64, 2>) -> f64 {
+    let setting = Setting::defaults(Family::paper()).with_named("omega", omega).with_named("delta", 0.1);
+    let flight = Flight::<f64, 2>::new(&System::new(setting).unwrap());
+    let end = End { normal: 0, side: 0 };
+    let contact = Contact::FREE.with(end);
+    let (sin, cos) = 0.4f64.sin_cos();
+    let point = Point { state: rested(&flight, &state, contact), sin, cos };
+    let bound = point.motion(&flight, contact).bound(&flight, 0);
+    let d = flight.h / 16.0;
+    let slope = |k: u32| {
+        let there = point.flown(&flight, f64::from(k) * d, contact);
+        there.motion(&flight, contact).pressure(end)[1]
+    };
+    let fourth = |k: u32| (slope(k + 3) - 3.0 * slope(k + 2) + 3.0 * slope(k + 1) - slope(k)) / (d * d * d);
+    (0..=13).map(|k| (fourth(k) / bound).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn the_fourth_derivative_of_what_presses_is_bounded() {
+    let still = State { x: [0.1, 0.0], v: [0.0, 0.0] };
+    // The forcing alone, fast; and mostly what the masses do of themselves.
+    for (omega, state) in
+        [(6.0, still), (0.1, State { x: [0.1, 40.0], ..still }), (0.1, State { v: [0.0, 40.0], ..still })]
+    {
+        let share = share_of_bound(omega, state);
+        assert!(share < 1.001, "{omega} {state:?}: {share}");
+        assert!(share > 0.1, "nothing of the bound can be left out: {omega} {state:?}: {share}");
+    }
 }

@@ -23,13 +23,15 @@ struct Rested {
     contact: Contact,
     released: Vec<f64>,
     caught: Vec<f64>,
+    /// Moves within a step, at rest.
+    pieces: u32,
 }
 
 fn rested<T: Real>(system: &System, until: f64) -> Rested {
     let flight = Flight::<f64, 1>::new(system).round::<T>();
     let start = State { x: [T::of(0.5)], v: [T::zero()] };
     let mut trajectory = Trajectory::new(&flight, start);
-    let (mut at, mut released, mut caught) = (0.0, Vec::new(), Vec::new());
+    let (mut at, mut released, mut caught, mut pieces) = (0.0, Vec::new(), Vec::new(), 0);
     while at < until {
         let begins = at;
         let taken = trajectory.advance(&flight, &mut []);
@@ -41,10 +43,17 @@ fn rested<T: Real>(system: &System, until: f64) -> Rested {
                 caught.push(at);
             }
             Event::Impact(impact) => panic!("no impact: {impact:?} at {at}"),
+            Event::Flight => pieces += u32::from(!taken.contact.is_free()),
             _ => {}
         }
     }
-    Rested { state: trajectory.point.state.map(Real::widen), contact: trajectory.contact, released, caught }
+    Rested {
+        state: trajectory.point.state.map(Real::widen),
+        contact: trajectory.contact,
+        released,
+        caught,
+        pieces,
+    }
 }
 
 fn releases<T: Real>() {
@@ -57,6 +66,7 @@ fn releases<T: Real>() {
         let until = expected + 1.5 * h;
         let found = rested::<T>(&pressed(0.0, phase), until);
         assert_eq!((found.released.len(), found.caught.len()), (1, 1), "{place}");
+        assert!(found.pieces <= 1, "{place}: a mass does not creep towards its release: {}", found.pieces);
         // A force of the size of rounding, and flights of √ε h at least.
         let allowed = 8.0 * T::EPSILON.sqrt() * h;
         let near = |expected: f64| (found.released[0] - expected).abs() < allowed;
@@ -94,6 +104,31 @@ fn holds<T: Real>() {
 fn a_contact_holds_while_a_force_presses() {
     holds::<f64>();
     holds::<f32>();
+}
+
+/// A force that falls below 0 for far less than a step, somewhere in the middle of one.
+fn lets_go_within_a_step<T: Real>() {
+    let h = TAU / f64::from(pressed(0.0, 0.0).steps());
+    for (beneath, place) in [(1e-3, 2.5), (1e-2, 2.3)] {
+        let opens = (1.0f64 - beneath).acos();
+        let middle = place * h;
+        assert!(opens < 0.35 * h, "{opens} of {h}");
+        // 1 − beneath − cos(t − middle), which is below 0 for `opens` on either side of the middle.
+        let found = rested::<T>(&pressed(1.0 - beneath, middle - PI), middle);
+        assert_eq!(found.released.len(), 1, "{beneath}");
+        let away = (found.released[0] - (middle - opens)).abs();
+        assert!(away < 8.0 * T::EPSILON.sqrt() * h + 4.0 * T::EPSILON / opens, "{beneath}: {away}");
+        assert_eq!(
+            rested::<T>(&pressed(1.0 + beneath, middle - PI), 2.0 * middle).released,
+            Vec::<f64>::new()
+        );
+    }
+}
+
+#[test]
+fn a_force_that_vanishes_for_a_moment_lets_the_mass_go() {
+    lets_go_within_a_step::<f64>();
+    lets_go_within_a_step::<f32>();
 }
 
 /// A force that comes to 0 without changing its sign, at phase π.
