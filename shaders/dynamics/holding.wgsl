@@ -22,20 +22,8 @@ fn pressed_vanishes(pressed: Pressed) -> f32 {
     if !opens && pressed.slopes.y >= 0.0 {
         return FAR;
     }
-    let leaves = pressed.slopes.x * pressed.time;
-    let arrives = pressed.slopes.y * pressed.time;
-    let fall = pressed.forces.y - pressed.forces.x;
-    let bend = 3.0 * fall - (leaves + leaves) - arrives;
-    let twist = leaves + arrives - (fall + fall);
-    var u = select(1.0, quintic_chord(pressed.forces, -leaves), opens);
-    //: each newton step
-    {
-        let force = ((twist * u + bend) * u + leaves) * u + pressed.forces.x;
-        let slope = (3.0 * twist * u + (bend + bend)) * u + leaves;
-        u = u - force / slope;
-    }
-    //: end
-    return u * pressed.time;
+    let start = select(1.0, quintic_chord(pressed.forces, -(pressed.slopes.x * pressed.time)), opens);
+    return quintic_root(quintic_cubic(pressed.forces, pressed.slopes, pressed.time), start) * pressed.time;
 }
 
 // How long a flight is to be tried next, and whether this one may be made.

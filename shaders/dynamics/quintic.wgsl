@@ -29,6 +29,16 @@ fn quintic_through(gaps: vec2<f32>, speeds: vec2<f32>, pulls: vec2<f32>, window:
     return Quintic(vec2(gaps.x, slope), high);
 }
 
+// The cubic with the same places and slopes at the two ends.
+fn quintic_cubic(places: vec2<f32>, slopes: vec2<f32>, window: f32) -> Quintic {
+    let leaves = slopes.x * window;
+    let arrives = slopes.y * window;
+    let change = places.y - places.x;
+    let bend = change * 3.0 - (leaves + leaves) - arrives;
+    let twist = leaves + arrives - (change + change);
+    return Quintic(vec2(places.x, leaves), vec4(bend, twist, 0.0, 0.0));
+}
+
 // About where a gap, open at u = 0 and closed beyond u = 1, closes.
 fn quintic_chord(gaps: vec2<f32>, approach: f32) -> f32 {
     let chord = gaps.y - gaps.x + approach;

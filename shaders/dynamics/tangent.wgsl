@@ -18,31 +18,7 @@ fn tangent_stepped(tangent: State) -> State {
     return state_flown(tangent);
 }
 
-// A time s of free flight later, |s| ≤ h, or earlier where s is negative: apart from contact, which would make much of little code
-// where functions are inlined.
-fn tangent_flown_freely(tangent: State, s: f32) -> State {
-    let series = series_new(s);
-    var before = tangent.v;
-    var last = series_first(series, CONTACT_FREE, tangent.x, before);
-    var velocity = before;
-    var mean = before;
-    var power = 1.0;
-    for (var k = 1u; k <= ORDER; k++) {
-        let weight = INVERSE_FACTORIALS[k];
-        velocity = velocity + weight * last;
-        mean = mean + INVERSE_FACTORIALS[k + 1u] * last;
-        power = power * series.reach;
-        if power * weight < TRUNCATION {
-            break;
-        }
-        let next = series_next(series, before, last, X(0.0));
-        before = last;
-        last = next;
-    }
-    return State(tangent.x + s * mean, velocity);
-}
-
-// A time s ≤ h later with the contacts that hold.
+// A time s later with the contacts that hold, |s| ≤ h, or earlier where s is negative.
 fn tangent_flown(tangent: State, s: f32, contact: u32) -> State {
     let series = series_under(s, contact);
     var before = tangent.v;

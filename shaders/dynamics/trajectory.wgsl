@@ -65,7 +65,7 @@ fn trajectory_look_ahead(carry: bool) {
 // A tangent of the present point, as it is carried along from here.
 fn tangent_carried(present: State) -> State {
     if trajectory.under_way == 1u {
-        return tangent_flown_freely(present, flight.h - trajectory.offset);
+        return tangent_flown(present, flight.h - trajectory.offset, CONTACT_FREE);
     }
     return present;
 }
@@ -73,7 +73,7 @@ fn tangent_carried(present: State) -> State {
 // What a tangent that is carried along is at the present point.
 fn tangent_present(carried: State) -> State {
     if trajectory.under_way == 1u {
-        return tangent_flown_freely(carried, trajectory.offset - flight.h);
+        return tangent_flown(carried, trajectory.offset - flight.h, CONTACT_FREE);
     }
     return carried;
 }

@@ -1,7 +1,7 @@
 //! How long a mass surely stays on its stop: what presses on the contact, looked at from both ends of a flight under it.
 
 use super::hull::Hull;
-use super::quintic::{Quintic, STEPS};
+use super::quintic::Quintic;
 use crate::model::{FAR, Real};
 
 /// Flights that are tried in one move under contacts, before the one for which they surely hold as reckoned from its beginning
@@ -41,17 +41,8 @@ impl<T: Real> Pressed<T> {
         if !opens && slopes[1] >= T::zero() {
             return T::of(FAR);
         }
-        let [leaves, arrives] = [slopes[0] * time, slopes[1] * time];
-        let fall = forces[1] - forces[0];
-        let bend = T::of(3.0) * fall - (leaves + leaves) - arrives;
-        let twist = leaves + arrives - (fall + fall);
-        let mut u = if opens { Quintic::chord(forces, -leaves) } else { T::one() };
-        for _ in 0..STEPS {
-            let force = ((twist * u + bend) * u + leaves) * u + forces[0];
-            let slope = (T::of(3.0) * twist * u + (bend + bend)) * u + leaves;
-            u = u - force / slope;
-        }
-        u * time
+        let start = if opens { Quintic::chord(forces, -(slopes[0] * time)) } else { T::one() };
+        Quintic::cubic(forces, slopes, time).root(start) * time
     }
 
     /// How long a flight is to be tried next, and whether this one may be made: `sure` is for how long the contact holds as

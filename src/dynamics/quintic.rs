@@ -30,6 +30,17 @@ impl<L: Lanes> Quintic<L> {
         ])
     }
 
+    /// The cubic with the same `places` and `slopes` at the two ends.
+    #[inline(always)]
+    pub fn cubic(places: [L; 2], slopes: [L; 2], window: L) -> Self {
+        let [leaves, arrives] = [slopes[0] * window, slopes[1] * window];
+        let change = places[1] - places[0];
+        let bend = change * window.all(3.0) - (leaves + leaves) - arrives;
+        let twist = leaves + arrives - (change + change);
+        let zero = window.all(0.0);
+        Quintic([places[0], leaves, bend, twist, zero, zero])
+    }
+
     /// About where a gap, open at u = 0 and closed beyond u = 1, closes: the root of the parabola with the same places and the
     /// same approach (`approach` = speed · w at u = 0).
     #[inline(always)]

@@ -279,8 +279,7 @@ fn resting<const N: usize>(flight: &Flight<f64, N>, contact: Contact) -> Vec<Sto
     if contact.is_free() {
         return Vec::new();
     }
-    let held = (0..flight.count).filter(|&k| !contact.is_clamped_along(k));
-    let ends = held.filter_map(|k| contact.end_along(k));
+    let ends = (0..flight.count).filter_map(|k| contact.opening_along(k));
     ends.map(|end| Stop(flight.normals[end.normal].stop[end.side])).collect()
 }
 
@@ -289,7 +288,6 @@ pub fn resting_on<T: crate::model::Real, const N: usize>(
     flight: &Flight<T, N>,
     contact: Contact,
 ) -> Option<Stop> {
-    let held =
-        (0..flight.count).filter(|&k| !contact.is_clamped_along(k)).find_map(|k| contact.end_along(k))?;
+    let held = (0..flight.count).find_map(|k| contact.opening_along(k))?;
     Some(Stop(flight.normals[held.normal].stop[held.side]))
 }

@@ -119,3 +119,19 @@ fn a_gap_is_narrowest_where_its_derivative_is_zero() {
     }
     assert_eq!(narrowest(0.3).touch(), narrowest(0.3).u, "one that stays open does not");
 }
+
+#[test]
+fn the_cubic_has_the_places_and_slopes_of_both_ends() {
+    for (places, slopes, window) in [([1.0, -0.5], [-2.0, -1.0], 0.5), ([0.2, 0.3], [1.0, -4.0], 2.0)] {
+        let found = Quintic::cubic(places, slopes, window);
+        let slope = |u: f64| (cubic(found.rise(), u) * u + found.0[1]) / window;
+        let away = [
+            found.at(0.0) - places[0],
+            found.at(1.0) - places[1],
+            slope(0.0) - slopes[0],
+            slope(1.0) - slopes[1],
+        ];
+        assert!(away.iter().all(|away| away.abs() < 1e-14), "{away:?}");
+        assert_eq!(found.0[4..], [0.0, 0.0]);
+    }
+}
