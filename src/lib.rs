@@ -68,8 +68,10 @@
 //! *No impact is missed.* Within a step d·x differs from its cubic Hermite interpolant by s²(h − s)²/24 times a bound on
 //! |(d·x)''''|: so it lies in the hull of five Bernstein coefficients. Where that hull clears the stops, the step is taken.
 //! Where the step ends beyond a stop, the contact is found directly: the polynomial of fifth degree through both ends has
-//! its root by three of Newton's steps, a Taylor polynomial of fixed order leads there from the nearer end, and the rest of
-//! the way is so short that its fourth power is lost in rounding. A certificate says that this contact is the first: by the same
+//! its root by three of Newton's steps. How d·x goes along the step, the end of the step says of the way to it, by a polynomial that
+//! rounding cannot tell from the whole series; that corrects the root, by so little that the fourth power is lost, and gives the
+//! speed of the impact. The impact then changes the end of the step, and the point where it happens is found only where it is asked
+//! for. A certificate says that this contact is the first: by the same
 //! bound, d·x approaches the stop without turning, or is pressed towards it all the way. A step that ends within the stops but
 //! comes near to one turns there: where the polynomial is narrowest, the step is cut in two, whose hulls clear the stop; or the
 //! stop is met before, where the speed says that the motion would go beyond it by more than rounding. Where nothing is certified

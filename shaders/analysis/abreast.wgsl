@@ -25,7 +25,7 @@ fn pace_begin() {
 // A whole step of free flight, where it clears the stops.
 fn pace_step(carry: bool) {
     trajectory_begin_step(carry);
-    pace.waits = !leg_clears(trajectory.point, trajectory.ahead, flight.h);
+    pace.waits = !leg_clears(along_each(trajectory.point), trajectory.ahead, flight.h);
     if !pace.waits {
         pace_complete(carry);
     }
@@ -34,7 +34,7 @@ fn pace_step(carry: bool) {
 // The rest of the step, where it clears the stops.
 fn pace_rest(carry: bool) {
     let rest = flight.h - trajectory.offset;
-    if leg_clears(trajectory.point, trajectory.ahead, rest) {
+    if leg_clears(trajectory.along, trajectory.ahead, rest) {
         pace.waits = false;
         pace_complete(carry);
     }
@@ -51,7 +51,7 @@ fn pace_complete(carry: bool) {
 // The contact that the trajectory waits for, and the rest of the step after it.
 fn pace_cross(carry: bool) {
     let window = flight.h - trajectory.offset;
-    let met = crossing_of(trajectory.point, trajectory.ahead, window);
+    let met = crossing_of(trajectory_along(), trajectory.ahead, window);
     pace.rare = !(met.certain | met.passes) | (trajectory.kicks >= MOST_KICKS);
     if pace.rare {
         return;

@@ -1,13 +1,15 @@
 // Contact found directly: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
 
-// A contact, and the point just after the impact.
+// A contact, and where the motion is along each normal just after the impact.
 struct Crossing {
     certain: bool,
     // Whether the leg comes near to a stop, turns, and provably stays off all stops.
     passes: bool,
     end: End,
     time: f32,
-    point: Point,
+    // The share of a whole step that is left.
+    rest: f32,
+    after: Alongs,
     velocity: f32,
     kick: f32,
     rebound: f32,
@@ -15,23 +17,20 @@ struct Crossing {
     pull: f32,
 }
 
-// The contact of a leg that ends beyond one stop, or touches one and returns.
-fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
-    let face = crossing_face(before, after, window);
+// The contact of a leg to the end of a step, which ends beyond one stop, or touches one and returns.
+fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
+    let face = crossing_face(before, ahead, window);
     let normal = face.end.normal;
     let sign = end_sign(face.end);
-    let direction = flight.normals[normal].direction;
-    let response = flight.normals[normal].response;
     let gap = face_gap(face.end);
-    let pulls = sign * vec2(
-        along(direction, point_accelerations(before)),
-        along(direction, point_accelerations(after)),
-    );
-    let speeds = sign * vec2(along(direction, before.state.v), along(direction, after.state.v));
-    let gaps = vec2(
-        gap - sign * along(direction, before.state.x),
-        gap - sign * along(direction, after.state.x),
-    );
+    let course = course_to(ahead, normal);
+    let leaves = before[normal];
+    let ends = along_of(ahead, normal);
+    let whole = window * flight.inverse_h;
+    let scale = sign * (flight.inverse_h * flight.inverse_h);
+    let pulls = scale * vec2(course_bend(course, whole), course_bend_at_end(course));
+    let speeds = sign * vec2(leaves.speed, ends.speed);
+    let gaps = vec2(gap - sign * leaves.place, gap - sign * ends.place);
     let polynomial = quintic_through(gaps, speeds, pulls, window);
     var start = quintic_chord(gaps, speeds.x * window);
     // Where the leg returns, the gap is narrowest on its way.
@@ -45,54 +44,58 @@ fn crossing_of(before: Point, after: Point, window: f32) -> Crossing {
     }
     let u = select(quintic_root(polynomial, start), turns, passes);
 
-    // From the nearer end of the step, and what is left of the way as if the acceleration changed steadily.
-    let near = u < 0.5;
-    let reached = point_flown_near(point_select(near, before, after), window * select(u - 1.0, u, near));
+    // What that misses is little: the course itself says how much.
+    let nearly = (1.0 - u) * whole;
+    let here = course_about(course, nearly, whole, leaves.place);
     if passes {
-        passes = turns_off(before, reached, after, face.end, u, window);
+        passes = turns_off(before, here_along(here), ahead, face.end, u, nearly, window);
     }
-    let acceleration = point_accelerations(reached);
-    let jerk = point_jerks(reached, acceleration);
-    let snap = point_snaps(reached, acceleration, jerk);
-    let left = gap - sign * along(direction, reached.state.x);
-    let speed = sign * along(direction, reached.state.v);
-    let straight = left / speed;
-    let bend = sign * along(direction, acceleration);
-    let turn = (sign * along(direction, jerk)) * 0.5;
-    let nearly = left / ((bend * 0.5) * straight + speed);
-    let far = ((turn * THIRD) * nearly + bend * 0.5) * nearly + speed;
-    let steep = (turn * nearly + bend) * nearly + speed;
-    let slide = nearly - (far * nearly - left) / steep;
-    let slid = point_slid(reached, slide, acceleration, jerk, snap);
-    let time = u * window + slide;
+    let change = here_change_to(here, sign * gap);
+    let there = here_changed(here, change);
+    let rest = nearly + change;
+    let time = window - rest * flight.h;
 
-    let velocity = along(direction, slid.point.state.v);
+    let arrival = here_along(there);
+    let velocity = arrival.speed;
     let restitution = select(
         stops.restitution[normal][1],
         stops.restitution[normal][0],
         face.end.side == 0u,
     );
     let rebound = -(restitution * velocity);
-    var point = slid.point;
-    let away = sign * gap - along(direction, point.state.x);
-    let change = rebound - velocity;
-    point.state = State(point.state.x + away * response, point.state.v + change * response);
-    let result = point_accelerations(point);
-    let close = abs(slide) * flight.rate < STRAIGHT;
+    let kick = rebound - velocity;
+    let pull = here_pull(there);
+    let force = sign * (pull - flight.normals[normal].drag * kick);
+    let close = abs(change) * (flight.h * flight.rate) < STRAIGHT;
     let within = (0.0 < time) & (time < window);
     let ways = vec2(speeds.x, sign * velocity);
-    let bound = point_bound(before, normal);
+    let bound = point_bound(ahead, normal);
     let width = stops.gap[normal][0] + stops.gap[normal][1];
     let first = crossing_is_first(face, ways, pulls, time, bound, window)
         | crossing_stays_off(face, gaps.x, width, ways, time, bound);
-    let force = sign * along(direction, result);
-    let parts = crossing_parts(face.end, restitution, rebound, point.state, force);
-    let rounding = stop_rounding(face.end, slid.point.state, window * velocity);
-    let meets = abs(away) < rounding;
+    let parts = crossing_parts(face.end, restitution, rebound, ahead.state, force);
+    let rounding = stop_rounding(face.end, ahead.state, window, window * velocity);
+    let meets = abs(gap - sign * arrival.place) < rounding;
     let deep = !face.returns | is_deep(ways.y, pulls, bound, window, rounding);
     let certain = face.only & close & within & first & parts & deep & meets;
-    let pull = along(direction, slid.acceleration);
-    return Crossing(certain, passes & !certain, face.end, time, point, velocity, change, rebound, pull);
+    let own = Along(sign * gap, rebound);
+    let passed = course_each(before, ahead, rest, whole, normal, own);
+    let after = crossing_struck(face.end, passed, kick);
+    return Crossing(certain, passes & !certain, face.end, time, rest, after, velocity, kick, rebound, pull);
+}
+
+// Where the motion is along each normal just after an impact: what the kick changes along those that are not met.
+fn crossing_struck(end: End, passed: Alongs, kick: f32) -> Alongs {
+    var each = passed;
+    if NORMALS > 1u {
+        let response = flight.normals[end.normal].response;
+        //: each normal
+        if $ku != end.normal {
+            each[$k].speed = kick * along(flight.normals[$k].direction, response) + each[$k].speed;
+        }
+        //: end
+    }
+    return each;
 }
 
 // Whether a contact is the first: the way to it is monotone, or bends towards the stop while it stays off the other one.

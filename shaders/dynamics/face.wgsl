@@ -12,7 +12,7 @@ struct Face {
 
 // The lanes of a processor keep what each leg stays off since it was found not to clear; here registers are dearer than the
 // few operations that find it anew.
-fn crossing_face(before: Point, after: Point, window: f32) -> Face {
+fn crossing_face(before: Alongs, end: Point, window: f32) -> Face {
     var found = false;
     var only = true;
     var returns = false;
@@ -21,10 +21,10 @@ fn crossing_face(before: Point, after: Point, window: f32) -> Face {
     var upper = false;
     //: each normal
     {
-        let ends = along(flight.normals[$k].direction, after.state.x);
-        let beyond_upper = stops.gap[$k][0] < ends;
-        let beyond = beyond_upper | (stops.gap[$k][1] < -ends);
-        let clear = leg_clearance(before, after, window, $ku);
+        let after = along_of(end, $ku);
+        let beyond_upper = stops.gap[$k][0] < after.place;
+        let beyond = beyond_upper | (stops.gap[$k][1] < -after.place);
+        let clear = leg_clearance(before[$k], after, window, point_bound(end, $ku), $ku);
         let both_clear = clear.upper & clear.lower;
         let returns_here = (clear.upper | clear.lower) & !(both_clear | beyond);
         let upper_here = beyond_upper | (returns_here & clear.lower);
@@ -40,9 +40,17 @@ fn crossing_face(before: Point, after: Point, window: f32) -> Face {
     return Face(End(normal, select(1u, 0u, upper)), only & found, returns, opposite_clear);
 }
 
-// How far from the stop a state may seem to be for rounding, `way` being the length of the way to it.
-fn stop_rounding(end: End, state: State, way: f32) -> f32 {
-    let parts = along(abs(flight.normals[end.normal].direction), abs(state.x));
+// How far from the stop a place on a leg to a state, so long before, may seem to be for rounding, `way` being the length of the way
+// to it.
+fn stop_rounding(end: End, state: State, window: f32, way: f32) -> f32 {
+    let direction = flight.normals[end.normal].direction;
+    var parts = 0.0;
+    //: each coordinate
+    parts = parts + abs(direction$c * state.x$c);
+    //: end
+    //: each coordinate
+    parts = parts + abs(window * (direction$c * state.v$c));
+    //: end
     return (abs(face_gap(end)) + abs(way) + parts) * (ROUNDINGS * EPSILON);
 }
 

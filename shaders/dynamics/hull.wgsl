@@ -11,7 +11,7 @@ struct Hull {
 fn hull_of(ends: vec2<f32>, slopes: vec2<f32>, bound: f32, window: f32) -> Hull {
     let quarter = window * 0.25;
     let square = window * window;
-    let margin = (square * square) * (SWELLING * bound);
+    let margin = ((square * square) * SWELLING) * bound;
     let second = slopes.x * quarter + ends.x;
     let fourth = ends.y - slopes.y * quarter;
     let turn = (slopes.x - slopes.y) * (window * SIXTH);

@@ -6,21 +6,20 @@ struct Clearance {
     lower: bool,
 }
 
-fn leg_clearance(before: Point, after: Point, window: f32, normal: u32) -> Clearance {
-    let direction = flight.normals[normal].direction;
-    let places = vec2(along(direction, before.state.x), along(direction, after.state.x));
-    let speeds = vec2(along(direction, before.state.v), along(direction, after.state.v));
-    let hull = hull_of(places, speeds, point_bound(before, normal), window);
+// Whether a leg stays off both stops of a normal, or one, from where it is `before` and to where it is `after`, so much later.
+fn leg_clearance(before: Along, after: Along, window: f32, bound: f32, normal: u32) -> Clearance {
+    let hull = hull_of(vec2(before.place, after.place), vec2(before.speed, after.speed), bound, window);
     let gap = stops.gap[normal][0];
     let sound = hull.lower < gap;
-    let upper = sound & (max(hull.highest, places.y) < gap);
-    return Clearance(upper, -stops.gap[normal][1] < min(hull.lowest, places.y));
+    let upper = sound & (max(hull.highest, after.place) < gap);
+    return Clearance(upper, -stops.gap[normal][1] < min(hull.lowest, after.place));
 }
 
-fn leg_clears(before: Point, after: Point, window: f32) -> bool {
+// Whether the way to the end of a step, so much later, stays off all stops.
+fn leg_clears(before: Alongs, end: Point, window: f32) -> bool {
     var clear = true;
     //: each normal
-    let clearance$k = leg_clearance(before, after, window, $ku);
+    let clearance$k = leg_clearance(before[$k], along_of(end, $ku), window, point_bound(end, $ku), $ku);
     clear = clear & clearance$k.upper & clearance$k.lower;
     //: end
     return clear;

@@ -1,12 +1,17 @@
 // States moved onto the stops that they rest on, or that they have reached, against the rounding of flights.
 
-// A state moved onto a stop along the response of its normal, with the given speed along it.
-fn placed(state: State, end: End, speed: f32) -> State {
-    let direction = flight.normals[end.normal].direction;
-    let response = flight.normals[end.normal].response;
-    let away = end_sign(end) * stops.gap[end.normal][end.side] - along(direction, state.x);
-    let change = speed - along(direction, state.v);
+// A state moved to where it is to be along a normal, along the response of that.
+fn placed(normal: u32, state: State, there: Along) -> State {
+    let direction = flight.normals[normal].direction;
+    let response = flight.normals[normal].response;
+    let away = there.place - along(direction, state.x);
+    let change = there.speed - along(direction, state.v);
     return State(state.x + away * response, state.v + change * response);
+}
+
+// A state moved onto a stop, with the given speed along its normal.
+fn placed_on(state: State, end: End, speed: f32) -> State {
+    return placed(end.normal, state, Along(end_sign(end) * stops.gap[end.normal][end.side], speed));
 }
 
 // A state moved onto all stops on which masses rest, at rest there: along the responses of their normals, together.

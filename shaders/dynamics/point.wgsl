@@ -32,7 +32,7 @@ fn point_stepped(point: Point) -> Point {
     let sine = state_plus(flight.gamma_one, point.sin, flight.gamma_sin);
     let forced = state_plus(sine, point.cos, flight.gamma_cos);
     return Point(
-        state_plus(forced, 1.0, state_flown(point.state)),
+        state_flown_onto(forced, point.state),
         point.sin * flight.turn_cos + point.cos * flight.turn_sin,
         point.cos * flight.turn_cos + -(point.sin * flight.turn_sin),
     );
@@ -40,7 +40,12 @@ fn point_stepped(point: Point) -> Point {
 
 // What one step makes of a deviation.
 fn state_flown(deviation: State) -> State {
-    var state = State(X(0.0), X(0.0));
+    return state_flown_onto(State(X(0.0), X(0.0)), deviation);
+}
+
+// The same on top of a state.
+fn state_flown_onto(base: State, deviation: State) -> State {
+    var state = base;
     //: each coordinate
     state = state_plus(state, deviation.x$c, flight.phi_x[$i]);
     //: end
@@ -50,16 +55,7 @@ fn state_flown(deviation: State) -> State {
     return state;
 }
 
-// `yes` where the choice is true, else `no`.
-fn point_select(choice: bool, yes: Point, no: Point) -> Point {
-    return Point(
-        State(select(no.state.x, yes.state.x, choice), select(no.state.v, yes.state.v, choice)),
-        select(no.sin, yes.sin, choice),
-        select(no.cos, yes.cos, choice),
-    );
-}
-
-// A flight of length s ≤ h with the contacts that hold.
+// A flight of length s ≤ h with the contacts that hold; in free flight s may be negative.
 fn point_flown(point: Point, s: f32, contact: u32) -> Point {
     let series = series_under(s, contact);
     let turn = flight.omega * s;
@@ -91,20 +87,20 @@ fn point_flown(point: Point, s: f32, contact: u32) -> Point {
     return Point(State(point.state.x + s * mean, velocity), phase.x, phase.y);
 }
 
-// What a change of d·v by 1 has become a time s ≤ h later.
-fn wake(normal: u32, s: f32) -> State {
-    return impact_polynomial(normal, 0u, s * flight.inverse_h);
-}
-
-// The row that gives d·x of a deviation a time s ≤ h ago, from the deviation now.
-fn look_back(normal: u32, s: f32) -> State {
-    return impact_polynomial(normal, KICK_TERMS, s * flight.inverse_h);
-}
-
-fn impact_polynomial(normal: u32, first: u32, u: f32) -> State {
-    var sum = kick_term(normal, first + KICK_ORDER);
+// What a change of d·v by 1 has become after the share u of a step.
+fn wake(normal: u32, u: f32) -> State {
+    var sum = kick_term(normal, KICK_ORDER);
     //: each kick term
-    sum = state_plus(kick_term(normal, first + $ku), u, sum);
+    sum = state_plus(kick_term(normal, $ku), u, sum);
+    //: end
+    return sum;
+}
+
+// The row that gives d·x of a deviation before the share u of a step, from the deviation after it.
+fn look_back(normal: u32, u: f32) -> State {
+    var sum = kick_term(normal, KICK_TERMS + BACK_ORDER);
+    //: each back term
+    sum = state_plus(kick_term(normal, KICK_TERMS + $ku), u, sum);
     //: end
     return sum;
 }
@@ -140,15 +136,6 @@ fn point_jerks(point: Point, acceleration: X) -> X {
     return applied_onto(flight.damping, acceleration, pulled);
 }
 
-// x'''' in free flight, from x'' and x'''.
-fn point_snaps(point: Point, acceleration: X, jerk: X) -> X {
-    let square = flight.omega * flight.omega;
-    let turned = -(square * point.sin) * flight.sin;
-    let forced = turned + -(square * point.cos) * flight.cos;
-    let pulled = applied_onto(flight.stiffness, acceleration, forced);
-    return applied_onto(flight.damping, jerk, pulled);
-}
-
 // What decides when a stop can be reached, or left.
 fn point_motion(point: Point, contact: u32) -> Motion {
     let a = held(contact, point_accelerations(point));
@@ -156,12 +143,12 @@ fn point_motion(point: Point, contact: u32) -> Motion {
     return Motion(a.rest, j.rest, a.pressing, j.pressing);
 }
 
-// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for the rest of the step.
+// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for less than a step before the point, or after it.
 fn point_bound(point: Point, normal: u32) -> f32 {
     return bound_of(normal, point.state.x, point.state.v, bound_forcing(normal));
 }
 
-// A bound on the fourth derivative of what presses on a contact, for the rest of the step.
+// A bound on the fourth derivative of what presses on a contact, for less than a step before the point, or after it.
 fn motion_bound(motion: Motion, normal: u32) -> f32 {
     let forcing = bound_forcing(normal) * (flight.omega * flight.omega);
     return bound_of(normal, motion.acceleration, motion.jerk, forcing);

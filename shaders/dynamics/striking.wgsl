@@ -20,13 +20,13 @@ fn strike(carry: bool, reached: Reached) -> Move {
     let rebound = -(stops.restitution[end.normal][end.side] * velocity);
     let kick = rebound - velocity;
     trajectory.point = arrived;
-    trajectory.point.state = placed(arrived.state, end, rebound);
+    trajectory.point.state = placed_on(arrived.state, end, rebound);
     trajectory.offset = trajectory.offset + reached.left;
     if before_contact != CONTACT_FREE {
         keep_pressed(end.normal, kick);
     }
     let after = point_motion(trajectory.point, trajectory.contact);
-    let rest = flight.h - trajectory.offset;
+    let rest = (flight.h - trajectory.offset) * flight.inverse_h;
     let later = wake(end.normal, rest);
     if carry && velocity != 0.0 {
         if trajectory.under_way == 1u {
@@ -49,7 +49,7 @@ fn strike(carry: bool, reached: Reached) -> Move {
         let lost = unresolved(end, trajectory.point.state);
         if abs(rebound) <= lost {
             // Pulled off the stop as soon as it is met: rounding must not make that another impact.
-            trajectory.point.state = placed(trajectory.point.state, end, -(sign * (lost + lost)));
+            trajectory.point.state = placed_on(trajectory.point.state, end, -(sign * (lost + lost)));
         }
         bounce(carry, kick, later);
         return Move(EVENT_IMPACT, stop, velocity, rebound, CONTACT_FREE);

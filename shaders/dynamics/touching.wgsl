@@ -1,17 +1,20 @@
 // A leg that ends within the stops but comes near to one: it touches it and returns, or turns before.
 
-// Whether a leg turns off its stop and stays off all others, on its way to where it turns about, the share `u` of it, and from
-// there on.
-fn turns_off(before: Point, middle: Point, after: Point, end: End, u: f32, window: f32) -> bool {
+// Whether a leg turns off its stop and stays off all others, on its way to where it turns about, `middle`, and from there on; the
+// share `u` of it lies before, and `rest` of a whole step is left then.
+fn turns_off(before: Alongs, middle: Along, end: Point, stop: End, u: f32, rest: f32, window: f32) -> bool {
     let time = u * window;
-    let within = (0.0 < time) & (time < window);
-    let direction = flight.normals[end.normal].direction;
-    let left = face_gap(end) - end_sign(end) * along(direction, middle.state.x);
-    let rounding = stop_rounding(end, middle.state, window * along(direction, middle.state.v));
-    return within
-        & (rounding < left)
-        & leg_clears(before, middle, time)
-        & leg_clears(middle, after, window - time);
+    let left = face_gap(stop) - end_sign(stop) * middle.place;
+    let rounding = stop_rounding(stop, end.state, window, window * middle.speed);
+    let each = course_each(before, end, rest, window * flight.inverse_h, stop.normal, middle);
+    var off = (0.0 < time) & (time < window) & (rounding < left);
+    //: each normal
+    let bound$k = point_bound(end, $ku);
+    let first$k = leg_clearance(before[$k], each[$k], time, bound$k, $ku);
+    let second$k = leg_clearance(each[$k], along_of(end, $ku), window - time, bound$k, $ku);
+    off = off & first$k.upper & first$k.lower & second$k.upper & second$k.lower;
+    //: end
+    return off;
 }
 
 // Whether a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding.

@@ -9,6 +9,10 @@ struct Trajectory {
     offset: f32,
     // 1 while a step of free flight is under way: `ahead` is its end then, and a tangent that is carried along is that of its end.
     under_way: u32,
+    // One more than the number of the normal that was met directly just now, and where it is along each: the point is yet to be
+    // found then. Otherwise 0.
+    met: u32,
+    along: Alongs,
 }
 
 // A move: what ended it, and with an impact, at which stop, and d·v before and after it.
@@ -38,16 +42,38 @@ fn trajectory_new(start: State) -> Trajectory {
     }
     //: end
     point.state = rested(point.state, contact);
-    return Trajectory(point, point, 0u, contact, 0u, 0.0, 0u);
+    return trajectory_at(point, point, contact, 0u, 0.0, 0u);
 }
 
 // A trajectory that goes on from a point at a time `offset` after the beginning of a step.
 fn trajectory_from_point(point: Point, contact: u32, step: u32, offset: f32) -> Trajectory {
     if contact == CONTACT_FREE && offset > 0.0 {
         let ahead = point_flown(point, flight.h - offset, contact);
-        return Trajectory(point, ahead, 0u, contact, step, offset, 1u);
+        return trajectory_at(point, ahead, contact, step, offset, 1u);
     }
-    return Trajectory(point, point, 0u, contact, step, offset, 0u);
+    return trajectory_at(point, point, contact, step, offset, 0u);
+}
+
+fn trajectory_at(point: Point, ahead: Point, contact: u32, step: u32, offset: f32, under_way: u32) -> Trajectory {
+    return Trajectory(point, ahead, 0u, contact, step, offset, under_way, 0u, Alongs());
+}
+
+// Where it is along each normal.
+fn trajectory_along() -> Alongs {
+    if trajectory.met > 0u {
+        return trajectory.along;
+    }
+    return along_each(trajectory.point);
+}
+
+// The point just after a contact that was met directly: where the end of the step was so long before, and exactly on its stop.
+fn trajectory_find_point() {
+    if trajectory.met > 0u {
+        let normal = trajectory.met - 1u;
+        var before = point_flown(trajectory.ahead, trajectory.offset - flight.h, CONTACT_FREE);
+        before.state = placed(normal, before.state, trajectory.along[normal]);
+        trajectory.point = before;
+    }
 }
 
 // Within a step: finds its end where flight is free, and what the tangent of the present point is there.
@@ -88,17 +114,19 @@ fn advance(carry: bool) -> Move {
 
 fn fly(carry: bool) -> Move {
     let window = flight.h - trajectory.offset;
+    let before = trajectory_along();
     if trajectory.under_way == 0u {
         trajectory_begin_step(carry);
     }
     if trajectory.kicks <= MOST_KICKS {
-        if leg_clears(trajectory.point, trajectory.ahead, window) {
+        if leg_clears(before, trajectory.ahead, window) {
             return go_ahead(window);
         }
         if trajectory.kicks < MOST_KICKS {
-            let met = crossing_of(trajectory.point, trajectory.ahead, window);
+            let met = crossing_of(before, trajectory.ahead, window);
             if met.certain {
                 trajectory_cross(met, carry);
+                trajectory_find_point();
                 let stop = flight.normals[met.end.normal].stop[met.end.side];
                 return Move(EVENT_IMPACT, stop, met.velocity, met.rebound, CONTACT_FREE);
             }
@@ -122,13 +150,13 @@ fn trajectory_begin_step(carry: bool) {
 
 // Up to and through a contact that is certain.
 fn trajectory_cross(met: Crossing, carry: bool) {
-    let rest = (flight.h - trajectory.offset) - met.time;
-    let later = wake(met.end.normal, rest);
+    let later = wake(met.end.normal, met.rest);
     if carry {
-        let back = look_back(met.end.normal, rest);
+        let back = look_back(met.end.normal, met.rest);
         tangent = tangent_struck_ahead(tangent, back, met.velocity, met.kick, met.pull, later);
     }
-    trajectory.point = met.point;
+    trajectory.met = met.end.normal + 1u;
+    trajectory.along = met.after;
     trajectory.ahead = point_kicked(trajectory.ahead, met.kick, later);
     trajectory.kicks = trajectory.kicks + 1u;
     trajectory.offset = trajectory.offset + met.time;
@@ -137,6 +165,8 @@ fn trajectory_cross(met: Crossing, carry: bool) {
 // Free flight towards a stop, as far as is safe.
 fn approach(carry: bool) -> Move {
     let window = flight.h - trajectory.offset;
+    trajectory_find_point();
+    trajectory.met = 0u;
     let motion = point_motion(trajectory.point, CONTACT_FREE);
     let time = contact_safe_time(trajectory.point, motion, CONTACT_FREE, window);
     if time >= window {
@@ -155,7 +185,7 @@ fn approach(carry: bool) -> Move {
 fn advance_warily(carry: bool) -> Move {
     if trajectory.contact == CONTACT_FREE {
         let window = flight.h - trajectory.offset;
-        if trajectory.kicks <= MOST_KICKS && leg_clears(trajectory.point, trajectory.ahead, window) {
+        if trajectory.kicks <= MOST_KICKS && leg_clears(trajectory_along(), trajectory.ahead, window) {
             return go_ahead(window);
         }
         return approach(carry);
@@ -175,6 +205,7 @@ fn go_ahead(window: f32) -> Move {
 fn end_step() -> u32 {
     trajectory.offset = 0.0;
     trajectory.under_way = 0u;
+    trajectory.met = 0u;
     trajectory.step = trajectory.step + 1u;
     if trajectory.step == flight.steps {
         trajectory.step = 0u;

@@ -83,7 +83,9 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     /// Follows the trajectory to its end.
     pub fn follow(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
-        self.follow_listening(flight, schedule, &mut |_: &Trajectory<T, N>, _: &Event<T>| ());
+        while !self.is_done() {
+            self.follow_to_phase::<false>(flight, schedule, &mut |_: &Trajectory<T, N>, _: &Event<T>| ());
+        }
     }
 
     /// Follows the trajectory to its end; `listen` is told of every event of the observation, with the trajectory
@@ -96,13 +98,13 @@ impl<T: Real, const N: usize> Observer<T, N> {
         listen: &mut impl FnMut(&Trajectory<T, N>, &Event<T>),
     ) {
         while !self.is_done() {
-            self.follow_to_phase(flight, schedule, listen);
+            self.follow_to_phase::<true>(flight, schedule, listen);
         }
     }
 
-    /// Follows the trajectory to the next phase 0 or π, on copies.
+    /// Follows the trajectory to the next phase 0 or π, on copies; who `LISTENS` is told where it is at every event.
     #[inline(always)]
-    fn follow_to_phase(
+    fn follow_to_phase<const LISTENS: bool>(
         &mut self,
         flight: &Flight<T, N>,
         schedule: &Schedule,
@@ -111,7 +113,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         let (mut trajectory, mut tangent) = (self.trajectory, self.tangent);
         let observing = self.stage == Stage::Observation;
         loop {
-            let taken = trajectory.advance(flight, carried(&mut tangent, observing));
+            let taken = trajectory.advance_blindly(flight, carried(&mut tangent, observing));
             if taken.event == Event::StepEnd {
                 continue;
             }
@@ -120,6 +122,9 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 (self.trajectory, self.tangent) = (trajectory, tangent);
             }
             if observing {
+                if LISTENS {
+                    trajectory.find_point(flight);
+                }
                 listen(&trajectory, &taken.event);
                 self.loss.note(flight, &trajectory, &taken.event);
             }
@@ -155,7 +160,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             let taken = if warily {
                 self.trajectory.approach(flight, tangents)
             } else {
-                self.trajectory.advance(flight, tangents)
+                self.trajectory.advance_blindly(flight, tangents)
             };
             if taken.event != Event::StepEnd {
                 if self.stage == Stage::Observation {

@@ -2,8 +2,12 @@
 
 use std::hint::black_box;
 
+use super::along::{Along, is_normal};
+use super::clock::Clock;
 use super::crossing::crossing;
+use super::hull::Span;
 use super::leg::Leg;
+use super::meeting::Met;
 use super::moves::Moves;
 use super::passing::{Passing, Unseen};
 use super::point::Point;
@@ -11,6 +15,7 @@ use super::tally::Tally;
 use super::tangent::Tangent;
 use super::trajectory::{MOST_KICKS, Trajectory};
 use super::usage::Usage;
+use crate::model::vector::MOST;
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
 /// As many trajectories as there are lanes, each of them in free flight, or none in its lane.
@@ -20,19 +25,19 @@ use crate::model::{Flight, Lanes, Mask, Real, State};
 #[derive(Debug)]
 pub struct Abreast<L: Lanes, const N: usize> {
     flight: Flight<L, N>,
+    /// The beginning of the step under way.
     point: Point<L, N>,
     /// The end of the step under way, where something was met in it.
     ahead: Point<L, N>,
+    /// Where it is along each normal then: `point` is the beginning of the step still.
+    along: [Along<L>; MOST],
+    /// The number of the normal that was met last.
+    met: L,
     tangent: Tangent<L, N>,
     offset: L,
     /// Impacts in the step under way; where there was none it is at its beginning, and its end is found again for a contact.
     kicks: L,
-    /// Steps to the next phase 0 or π.
-    left: L,
-    /// Steps from one of them to the other.
-    half: L,
-    /// Cosine of the last of them: 1 or −1.
-    phase: L,
+    clock: Clock<L>,
     /// Where a trajectory is at the beginning of a step.
     steps: L::Mask,
     /// Where the rest of the step does not clear the stops; the tangent is that of the end of the step there.
@@ -66,12 +71,12 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             flight: Flight::blank(normals, zero),
             point,
             ahead: point,
+            along: [Along { place: zero, speed: zero }; MOST],
+            met: zero,
             tangent: Tangent(state),
             offset: zero,
             kicks: zero,
-            left: zero,
-            half: zero,
-            phase: zero,
+            clock: Clock::stopped(zero),
             steps: never,
             waits: never,
             carries: never,
@@ -85,7 +90,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     /// Puts the constants of a cell into a lane.
     pub fn prepare(&mut self, lane: usize, flight: &Flight<L::Real, N>) {
         self.flight.set_lane(lane, flight);
-        self.half.set_lane(lane, L::Real::of(f64::from(flight.steps / 2)));
+        self.clock.prepare(lane, flight.steps);
     }
 
     /// Puts a trajectory at the beginning of a step of free flight into a lane.
@@ -95,10 +100,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.point.set_lane(lane, &trajectory.point);
         self.offset.set_lane(lane, number(0.0));
         self.kicks.set_lane(lane, number(0.0));
-        let half = flight.steps / 2;
-        let left = half - trajectory.step % half;
-        self.left.set_lane(lane, number(f64::from(left)));
-        self.phase.set_lane(lane, number(if trajectory.step < half { 1.0 } else { -1.0 }));
+        self.clock.set_lane(lane, flight.steps, trajectory.step);
         self.steps.set_lane(lane, true);
         self.waits.set_lane(lane, false);
     }
@@ -145,15 +147,13 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     /// The trajectory in a lane that waits for a contact, `flight` being its cell's.
     pub fn trajectory(&self, lane: usize, flight: &Flight<L::Real, N>) -> Trajectory<L::Real, N> {
         debug_assert!((self.waits.bits() >> lane) & 1 == 1);
-        let half = flight.steps / 2;
-        let ahead = self.left.lane(lane).widen() as u32;
-        let step = if self.is_past_half(lane) { flight.steps - ahead } else { half - ahead };
+        let normal = self.met.lane(lane).widen() as usize;
         Trajectory::resumed(
             self.point.lane(lane),
-            self.ahead.lane(lane),
-            self.kicks.lane(lane).widen() as u32,
-            step,
+            (self.ahead.lane(lane), self.kicks.lane(lane).widen() as u32),
+            self.clock.step(lane, flight.steps),
             self.offset.lane(lane),
+            Met { normal, along: self.along.map(|along| along.lane(lane)) },
         )
     }
 
@@ -166,7 +166,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     /// Whether the last of the phases 0 and π that a lane's trajectory passed was π.
     #[inline(always)]
     pub fn is_past_half(&self, lane: usize) -> bool {
-        self.phase.lane(lane) < L::Real::of(0.0)
+        self.clock.is_past_half(lane)
     }
 
     /// The tangent in a lane, as its trajectory there is resumed with it.
@@ -186,13 +186,15 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     #[inline(always)]
     pub fn fly(&mut self, enough: u32) -> u32 {
         // Copies: a load of all lanes soon after a store to some of them waits for that store to end.
-        let (mut point, mut tangent, mut left) = (self.point, self.tangent.0, self.left);
+        let (mut point, mut tangent, mut clock) = (self.point, self.tangent.0, self.clock);
         let (mut ready, mut waits) = (self.steps, self.waits);
         let (mut phases, mut made) = (0, 0);
+        let (mut from, span) = (Along::each(&point, &self.flight), Span::of(self.flight.h));
         while phases == 0 && ready.bits() != 0 && waits.bits().count_ones() < enough {
             let flight = &self.flight;
+            let may = ready;
             let ahead = point.stepped(flight);
-            let leg = Leg { from: &point, to: &ahead, window: flight.h };
+            let leg = Leg { from, to: Along::each(&ahead, flight), end: &ahead, span };
             let moves = ready.and(leg.clears(flight));
             let carried = ready.and(self.carries);
             if carried.bits() != 0 {
@@ -204,10 +206,14 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             ready = moves;
             made += moves.bits().count_ones();
             self.usage.step_slots += L::WIDTH as u64;
-            point = Point::select(moves, &ahead, &point);
-            phases = self.complete(moves, &mut point, &mut left);
+            for k in 0..flight.count {
+                from[k] = Along::select(moves, &leg.to[k], &from[k]);
+            }
+            let end = clock.exact(&ahead);
+            point = Point::select(moves, &end, &point);
+            phases = self.complete(may, moves, &end, &mut clock);
         }
-        (self.point, self.tangent.0, self.left) = (point, tangent, left);
+        (self.point, self.tangent.0, self.clock) = (point, tangent, clock);
         (self.steps, self.waits) = (ready, waits);
         self.usage.steps += u64::from(made);
         phases
@@ -222,7 +228,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let waits = self.waits.or(begin);
         // Copies, here and below: a blend with what is stored already becomes a store where a mask holds, which takes some
         // processors ten times as long.
-        let (from, kicks, offset, mut left) = (self.point, self.kicks, self.offset, self.left);
+        let (mut point, kicks, offset, mut clock) = (self.point, self.kicks, self.offset, self.clock);
         let mut tangent = self.tangent;
         let flight = &self.flight;
         let carried = begin.and(carries);
@@ -231,60 +237,64 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         }
         let window = flight.h - offset;
         let (zero, one) = (window.all(0.0), window.all(1.0));
-        let ahead = Point::select(kicks.below(one), &from.stepped(flight), &self.ahead);
-        let leg = Leg { from: &from, to: &ahead, window };
+        let begins = kicks.below(one);
+        let ahead = Point::select(begins, &point.stepped(flight), &self.ahead);
+        let mut from = Along::each(&point, flight);
+        for k in 0..flight.count {
+            from[k] = Along::select(begins, &from[k], &self.along[k]);
+        }
+        let leg = Leg::new(from, &ahead, window, flight);
         let clearances = leg.clearances(flight);
         let met = crossing(&leg, &clearances, flight);
         let few = kicks.below(window.all(f64::from(MOST_KICKS)));
         let clears = begin.and(clearances.all(flight.count)).or(waits.and(met.passes).and(few));
         let struck = waits.and(met.certain).and(few);
         if struck.and(carries).bits() != 0 {
-            let u = (window - met.time) * flight.inverse_h;
-            let mut back = flight.normals[0].look_back(u);
+            let mut back = flight.normals[0].look_back(met.rest);
             for k in 1..flight.count {
-                back = State::select(met.normals[k], &flight.normals[k].look_back(u), &back);
+                back = State::select(is_normal(met.normal, k), &flight.normals[k].look_back(met.rest), &back);
             }
             let changed = tangent.struck_ahead(flight, &back, &met.impact);
             tangent.0 = State::select(struck.and(carries), &changed.0, &tangent.0);
         }
         self.tangent = tangent;
-        let point = Point::select(struck, &met.point, &from);
+        for k in 0..flight.count {
+            from[k] = Along::select(struck, &met.after[k], &from[k]);
+        }
+        let normal = L::select(struck, met.normal, self.met);
         let ahead = Point::select(struck, &met.ahead, &ahead);
         let kicks = kicks + L::select(struck, one, zero);
         let offset = offset + L::select(struck, met.time, zero);
-        let leg = Leg { from: &point, to: &ahead, window: flight.h - offset };
+        let leg = Leg::new(from, &ahead, flight.h - offset, flight);
         let moves = struck.and(leg.clears(flight)).or(clears);
         self.tally.count(flight, struck, carries, &met);
         let uncertain = waits.and(struck.or(clears).not()).bits();
         self.usage.contact_slots += L::WIDTH as u64;
         self.usage.contacts += u64::from(struck.bits().count_ones());
         self.usage.fallbacks += u64::from(uncertain.count_ones());
-        self.ahead = ahead;
+        (self.ahead, self.along, self.met) = (ahead, from, normal);
         (self.waits, self.steps) = (waits.and(moves.not()), moves);
         (self.offset, self.kicks) = (L::select(moves, zero, offset), L::select(moves, zero, kicks));
-        let mut point = Point::select(moves, &ahead, &point);
-        let phases = self.complete(moves, &mut point, &mut left);
-        (self.point, self.left) = (point, left);
+        let end = clock.exact(&ahead);
+        point = Point::select(moves, &end, &point);
+        let phases = self.complete(waits, moves, &end, &mut clock);
+        (self.point, self.clock) = (point, clock);
         Round { uncertain, phases }
     }
 
-    /// Counts the step of some lanes that are at its end, `left` until the next phase 0 or π; there the forcing phasor is exact.
-    /// Those that come to phase 0 or π where they are to be seen there.
+    /// Counts the step of some lanes, of those that may make it, which ends at a point. Those that come to phase 0 or π where they
+    /// are to be seen there.
     #[inline(always)]
-    fn complete(&mut self, moves: L::Mask, point: &mut Point<L, N>, left: &mut L) -> u32 {
-        let (zero, one) = (left.all(0.0), left.all(1.0));
-        *left = *left - L::select(moves, one, zero);
-        let arrived = moves.and(left.below(left.all(0.5)));
-        self.phase = self.phase * L::select(arrived, -one, one);
-        point.sin = L::select(arrived, zero, point.sin);
-        point.cos = L::select(arrived, self.phase, point.cos);
-        *left = L::select(arrived, self.half, *left);
-        let at_zero = arrived.and(zero.below(self.phase));
-        let halted = arrived.and(self.halts);
-        if at_zero.or(halted).bits() == 0 {
+    fn complete(&mut self, may: L::Mask, moves: L::Mask, end: &Point<L, N>, clock: &mut Clock<L>) -> u32 {
+        let comes_to_zero = clock.comes_to_zero();
+        let halts = clock.arrives().and(self.halts);
+        clock.count(moves);
+        // Asked of all that may come there, not of those that do: the processor need not wait to know how it goes on.
+        if may.and(comes_to_zero.or(halts)).bits() == 0 {
             return 0;
         }
-        let unseen = self.passing.pass(at_zero, &point.state, &mut self.tally);
+        let (at_zero, halted) = (moves.and(comes_to_zero), moves.and(halts));
+        let unseen = self.passing.pass(at_zero, &end.state, &mut self.tally);
         halted.or(at_zero.and(unseen.not())).bits()
     }
 }

@@ -14,10 +14,17 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     /// the present point, [`Trajectory::bring_back`] says.
     #[inline]
     pub fn advance(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
-        let taken =
-            if self.contact.is_free() { self.fly(flight, tangents) } else { self.rest(flight, tangents) };
+        let taken = self.advance_blindly(flight, tangents);
+        self.find_point(flight);
         debug_assert!(contact::holds(flight, &self.point), "beyond a stop after {taken:?}: {self:?}");
         taken
+    }
+
+    /// Moves on like [`Trajectory::advance`], but leaves the point of an impact to [`Trajectory::find_point`]: who goes on does not
+    /// need it.
+    #[inline]
+    pub fn advance_blindly(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
+        if self.contact.is_free() { self.fly(flight, tangents) } else { self.rest(flight, tangents) }
     }
 
     /// Moves on like [`Trajectory::advance`], but passes over the ends of steps at which nothing happens.

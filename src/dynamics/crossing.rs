@@ -1,10 +1,10 @@
 //! Contact found directly: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
 
-use std::hint::black_box;
-
+use super::along::{Along, is_normal};
 use super::chatter::{FADING, STEADY};
+use super::course::Course;
 use super::face::Face;
-use super::hull::Hull;
+use super::hull::{Hull, Span};
 use super::leg::{Clearances, Leg};
 use super::point::Point;
 use super::quintic::Quintic;
@@ -20,14 +20,16 @@ pub struct Crossing<L: Lanes, const N: usize> {
     pub certain: L::Mask,
     /// Where the leg comes near to a stop, turns, and provably stays off all stops.
     pub passes: L::Mask,
-    /// The normal that is met: one of them where it is certain.
-    pub normals: [L::Mask; MOST],
+    /// The number of the normal that is met.
+    pub normal: L,
     /// Where it is met at its upper end.
     pub upper: L::Mask,
     /// The time since the beginning of the leg.
     pub time: L,
-    /// Just after the impact.
-    pub point: Point<L, N>,
+    /// The share of a whole step that is left.
+    pub rest: L,
+    /// Where the motion is along each normal just after the impact.
+    pub after: [Along<L>; MOST],
     /// Where the step ends now.
     pub ahead: Point<L, N>,
     /// The impact as deviations meet it.
@@ -45,11 +47,18 @@ pub fn crossing<L: Lanes, const N: usize>(
     flight: &Flight<L, N>,
 ) -> Crossing<L, N> {
     let face = Face::of(leg, clearances, flight);
-    let Leg { from, to, window } = *leg;
-    let zero = window.all(0.0);
-    let pulls = [face.towards(&from.accelerations(flight)), face.towards(&to.accelerations(flight))];
-    let speeds = [face.towards(&from.state.v), face.towards(&to.state.v)];
-    let gaps = [face.open(&from.state), face.open(&to.state)];
+    let Face { sign, way, .. } = face;
+    let mut course = Course::to(leg.end, &flight.normals[0]);
+    for k in 1..flight.count {
+        course = Course::select(is_normal(face.normal, k), &Course::to(leg.end, &flight.normals[k]), &course);
+    }
+    let window = leg.span.time;
+    let (zero, one) = (window.all(0.0), window.all(1.0));
+    let whole = leg.share(flight);
+    let scale = sign * (flight.inverse_h * flight.inverse_h);
+    let pulls = [scale * course.bend(whole), scale * course.bend_at_end()];
+    let speeds = [sign * way.from.speed, sign * way.to.speed];
+    let gaps = [face.open(way.from.place), face.open(way.to.place)];
     let gap = Quintic::through(gaps, speeds, pulls, window);
     let mut u = Quintic::chord(gaps, speeds[0] * window);
     // Where the leg returns, the gap is narrowest on its way; few do.
@@ -62,61 +71,68 @@ pub fn crossing<L: Lanes, const N: usize>(
     }
     let u = L::select(opens, turns, gap.root(u));
 
-    // From the nearer end of the step, and what is left of the way as if the acceleration changed steadily.
-    let near = u.below(zero.all(0.5));
-    let base = Point::select(near, from, to);
-    // The constants are read again here and below: without these hints they are copied to the stack above.
-    let flight = black_box(flight);
-    let reached = base.flown_near(flight, window * L::select(near, u, u - zero.all(1.0)));
-    let acceleration = reached.accelerations(flight);
-    let jerk = reached.jerks(flight, &acceleration);
-    let snap = reached.snaps(flight, &acceleration, &jerk);
-    let left = face.open(&reached.state);
-    let speed = face.towards(&reached.state.v);
+    // What that misses is little: the course itself says how much.
+    let nearly = (one - u) * whole;
+    let here = course.about(nearly, [whole, way.from.place]);
     let mut passes = opens;
     if opens.bits() != 0 {
-        passes = opens.and(turns_off(leg, &face, &reached, u, flight));
+        passes = opens.and(turns_off(leg, &face, here.along(flight), [u, nearly], flight));
     }
-    let straight = left / speed;
-    let bend = face.towards(&acceleration);
-    let turn = face.towards(&jerk) * zero.all(0.5);
-    let nearly = left / (bend * zero.all(0.5)).times_plus(straight, speed);
-    let far = (turn * zero.all(1.0 / 3.0)).times_plus(nearly, bend * zero.all(0.5)).times_plus(nearly, speed);
-    let steep = turn.times_plus(nearly, bend).times_plus(nearly, speed);
-    let slide = nearly - far.times_plus(nearly, -left) / steep;
-    let (arrived, before) = reached.slid(flight, slide, [&acceleration, &jerk, &snap]);
-    let time = u.times_plus(window, slide);
+    let change = here.change_to(sign * face.gap);
+    let there = here.changed(change);
+    let rest = nearly + change;
+    let time = window - rest * flight.h;
 
-    let velocity = dot(&face.direction, &arrived.state.v);
+    let Along { place, speed: velocity } = there.along(flight);
     let rebound = -(face.restitution * velocity);
     let kick = rebound - velocity;
-    let point = Point { state: face.placed(&arrived.state, rebound), ..arrived };
-    let flight = black_box(flight);
-    let after = point.accelerations(flight);
-    let close = (slide.magnitude() * flight.rate).below(zero.all(L::Real::STRAIGHT));
+    let pull = there.pull(flight);
+    let force = sign * (pull - face.drag * kick);
+    let close = (change.magnitude() * (flight.h * flight.rate)).below(zero.all(L::Real::STRAIGHT));
     let within = zero.below(time).and(time.below(window));
-    let arrives = face.sign * velocity;
-    let first = is_first(&face, [speeds[0], arrives], pulls, time, window).or(stays_off(
+    let arrives = sign * velocity;
+    let first = is_first(&face, [speeds[0], arrives], pulls, time).or(stays_off(
         &face,
         gaps[0],
         [speeds[0], arrives],
         time,
     ));
-    let parts = parts_for_good(&face, flight, rebound, &point.state.v, face.towards(&after));
-    let rounding = face.rounding(&arrived.state, window * velocity);
-    let deep = face.returns.not().or(is_deep(&face, arrives, pulls, window, rounding));
-    let certain = face.only.and(close).and(within).and(first).and(parts);
-    let certain = certain.and(deep).and(face.meets(&arrived.state, rounding));
-    let Face { direction, normals, upper, .. } = face;
-    let left_of_step = (window - time) * flight.inverse_h;
-    let mut wake = flight.normals[0].wake(left_of_step);
-    for (normal, &met) in flight.normals.iter().zip(&normals).take(flight.count).skip(1) {
-        wake = State::select(met, &normal.wake(left_of_step), &wake);
+    let parts = parts_for_good(&face, flight, rebound, &leg.end.state.v, force);
+    let rounding = face.rounding(&leg.end.state, window * velocity);
+    let deep = face.returns.not().or(is_deep(&way, arrives, pulls, rounding));
+    let meets = face.open(place).magnitude().below(rounding);
+    let certain = face.only.and(close).and(within).and(first).and(parts).and(deep).and(meets);
+    let Face { normal, upper, .. } = face;
+    let mut wake = flight.normals[0].wake(rest);
+    for k in 1..flight.count {
+        wake = State::select(is_normal(normal, k), &flight.normals[k].wake(rest), &wake);
     }
-    let ahead = to.kicked(kick, &wake);
+    let after = struck(leg, &face, [rest, kick], Along { place: sign * face.gap, speed: rebound }, flight);
+    let ahead = leg.end.kicked(kick, &wake);
     let passes = passes.and(certain.not());
-    let impact = FreeSaltation { velocity, kick, pull: dot(&direction, &before), wake };
-    Crossing { certain, passes, normals, upper, time, point, ahead, impact, rebound }
+    let impact = FreeSaltation { velocity, kick, pull, wake };
+    Crossing { certain, passes, normal, upper, time, rest, after, ahead, impact, rebound }
+}
+
+/// Where the motion is along each normal just after an impact: on the stop with its rebound, and where the step goes along the
+/// others, with what the kick changes there.
+#[inline(always)]
+fn struck<L: Lanes, const N: usize>(
+    leg: &Leg<'_, L, N>,
+    face: &Face<L, N>,
+    [rest, kick]: [L; 2],
+    own: Along<L>,
+    flight: &Flight<L, N>,
+) -> [Along<L>; MOST] {
+    let mut each = leg.each(rest, (face.normal, own), flight);
+    if flight.count > 1 {
+        for k in 0..flight.count {
+            let change = dot(&flight.normals[k].direction, &face.response);
+            let changed = Along { speed: kick.times_plus(change, each[k].speed), ..each[k] };
+            each[k] = Along::select(is_normal(face.normal, k), &own, &changed);
+        }
+    }
+    each
 }
 
 /// Where a contact after `time` is the first: the way to it is monotone, or bends towards the stop while it stays off the
@@ -127,10 +143,9 @@ fn is_first<L: Lanes, const N: usize>(
     [leaves, arrives]: [L; 2],
     pulls: [L; 2],
     time: L,
-    window: L,
 ) -> L::Mask {
-    let zero = window.all(0.0);
-    let [least, most] = pulled(face, pulls, window);
+    let zero = time.all(0.0);
+    let [least, most] = pulled(&face.way, pulls);
     let sets_out = zero.below(least.smaller(zero).times_plus(time, leaves));
     let comes_in = zero.below((-most.larger(zero)).times_plus(time, arrives));
     let bends = zero.below(least).and(face.opposite_clear);
@@ -147,14 +162,14 @@ fn stays_off<L: Lanes, const N: usize>(
     time: L,
 ) -> L::Mask {
     let zero = time.all(0.0);
-    let hull = Hull::of([gap, zero], [-leaves, -arrives], face.bound, time);
+    let hull = Hull::of([gap, zero], [-leaves, -arrives], face.way.bound, &Span::of(time));
     // No comparison with a NaN holds.
     let sound = zero.below(hull.lower);
     let off = face.opposite_clear.or(hull.highest().below(face.width));
     sound.and(zero.below(hull.lowest())).and(off)
 }
 
-/// Where the rebounds that follow an impact can surely not be closed, so that it ends in flight; see
+/// Where the rebounds that follow an impact can surely not be closed, so that it ends in flight, `v` being velocities near by; see
 /// [`close`](super::chatter::close).
 #[inline(always)]
 fn parts_for_good<L: Lanes, const N: usize>(

@@ -1,6 +1,6 @@
 //! How long a mass surely stays on its stop: what presses on the contact, looked at from both ends of a flight under it.
 
-use super::hull::Hull;
+use super::hull::{Hull, Span};
 use super::quintic::Quintic;
 use crate::model::{FAR, Real};
 
@@ -27,7 +27,7 @@ impl<T: Real> Pressed<T> {
     #[inline(always)]
     pub fn lasts(&self, late: T) -> bool {
         let Pressed { forces, slopes, bound, time } = *self;
-        let hull = Hull::of(forces, slopes, bound, time);
+        let hull = Hull::of(forces, slopes, bound, &Span::of(time));
         // No comparison with a NaN holds.
         hull.lower > T::zero() && hull.lowest() > T::zero() && forces[1] >= -(late * slopes[1].abs())
     }

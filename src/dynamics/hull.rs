@@ -5,6 +5,31 @@ use crate::model::Lanes;
 /// What the error of a cubic Hermite interpolant adds to the middle one of five Bernstein coefficients, in w⁴·max|f''''|.
 pub const SWELLING: f64 = 1.0 / 144.0;
 
+/// A time, and what hulls need of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Span<L> {
+    /// How long it is.
+    pub time: L,
+    quarter: L,
+    sixth: L,
+    /// By what a bound on the fourth derivative is multiplied.
+    swelling: L,
+}
+
+impl<L: Lanes> Span<L> {
+    /// Of such a length.
+    #[inline(always)]
+    pub fn of(time: L) -> Self {
+        let square = time * time;
+        Span {
+            time,
+            quarter: time * time.all(0.25),
+            sixth: time * time.all(1.0 / 6.0),
+            swelling: (square * square) * time.all(SWELLING),
+        }
+    }
+}
+
 /// The inner three of the five Bernstein coefficients of what bounds f from above and from below; the outer two are f at both ends.
 ///
 /// f differs from its cubic Hermite interpolant by s²(w − s)²/24·max|f''''| at most: a polynomial of fourth degree, so that
@@ -20,16 +45,14 @@ pub struct Hull<L> {
 }
 
 impl<L: Lanes> Hull<L> {
-    /// Of what is `ends` at both ends of a time `window`, with the derivatives `slopes`; `bound` is on its fourth derivative.
+    /// Of what is `ends` at both ends of a time, with the derivatives `slopes`; `bound` is on its fourth derivative.
     #[inline(always)]
-    pub fn of(ends: [L; 2], slopes: [L; 2], bound: L, window: L) -> Self {
-        let quarter = window * window.all(0.25);
-        let square = window * window;
-        let margin = (square * square) * (window.all(SWELLING) * bound);
-        let second = slopes[0].times_plus(quarter, ends[0]);
-        let fourth = (-slopes[1]).times_plus(quarter, ends[1]);
-        let turn = (slopes[0] - slopes[1]) * (window * window.all(1.0 / 6.0));
-        let middle = (ends[0] + ends[1]).times_plus(window.all(0.5), turn);
+    pub fn of(ends: [L; 2], slopes: [L; 2], bound: L, span: &Span<L>) -> Self {
+        let margin = span.swelling * bound;
+        let second = slopes[0].times_plus(span.quarter, ends[0]);
+        let fourth = (-slopes[1]).times_plus(span.quarter, ends[1]);
+        let turn = (slopes[0] - slopes[1]) * span.sixth;
+        let middle = (ends[0] + ends[1]).times_plus(bound.all(0.5), turn);
         Hull { second, fourth, lower: middle - margin, upper: middle + margin }
     }
 
@@ -65,7 +88,7 @@ mod tests {
         for phase in (0..64).map(|i| 0.1 * f64::from(i)) {
             for window in [0.01, 0.3, 1.0, 2.0] {
                 let [from, to] = [motion(phase, 0.0), motion(phase, window)];
-                let hull = Hull::of([from[0], to[0]], [from[1], to[1]], bound, window);
+                let hull = Hull::of([from[0], to[0]], [from[1], to[1]], bound, &Span::of(window));
                 let (lowest, highest) =
                     (hull.lowest().min(from[0]).min(to[0]), hull.highest().max(from[0]).max(to[0]));
                 for part in 0..=256 {
@@ -90,8 +113,8 @@ mod tests {
             let mut values = [0.1f64, 0.2, 0.3, 0.4, 0.5, 0.6];
             values[wrong] = f64::NAN;
             let [from, to, leaves, arrives, bound, window] = values;
-            assert!(Hull::of([from, to], [leaves, arrives], bound, window).lower.is_nan());
+            assert!(Hull::of([from, to], [leaves, arrives], bound, &Span::of(window)).lower.is_nan());
         }
-        assert!(!Hull::of([0.1f64, 0.2], [0.3, 0.4], 0.5, 0.6).lower.is_nan());
+        assert!(!Hull::of([0.1f64, 0.2], [0.3, 0.4], 0.5, &Span::of(0.6)).lower.is_nan());
     }
 }

@@ -1,19 +1,36 @@
 //! The rest of a step of free flight, and whether it stays off the stops.
 
-use super::hull::Hull;
+use super::along::{Along, is_normal};
+use super::course::Course;
+use super::hull::{Hull, Span};
 use super::point::Point;
-use crate::model::vector::{MOST, dot};
-use crate::model::{Flight, Lanes, Mask};
+use crate::model::vector::MOST;
+use crate::model::{ContactNormal, Flight, Lanes, Mask};
 
 /// From where a trajectory is to where its step ends if nothing more is met on the way.
 #[derive(Clone, Copy, Debug)]
 pub struct Leg<'a, L, const N: usize> {
-    /// Where the trajectory is.
-    pub from: &'a Point<L, N>,
-    /// Where the step ends.
-    pub to: &'a Point<L, N>,
-    /// The time in between, 0 < window ≤ h.
-    pub window: L,
+    /// Where the trajectory is along each normal.
+    pub from: [Along<L>; MOST],
+    /// Where it is at the end of the step.
+    pub to: [Along<L>; MOST],
+    /// The end of the step.
+    pub end: &'a Point<L, N>,
+    /// The time in between, at most h.
+    pub span: Span<L>,
+}
+
+/// A leg along one normal.
+#[derive(Clone, Copy, Debug)]
+pub struct Way<L> {
+    /// Where it begins, not beyond a stop.
+    pub from: Along<L>,
+    /// Where it ends.
+    pub to: Along<L>,
+    /// The time in between.
+    pub span: Span<L>,
+    /// A bound on |(d·x)''''| all along.
+    pub bound: L,
 }
 
 /// Where a leg provably stays off the stops at the two ends of a normal.
@@ -49,7 +66,46 @@ impl<M: Mask> Clearance<M> {
     }
 }
 
-impl<L: Lanes, const N: usize> Leg<'_, L, N> {
+impl<'a, L: Lanes, const N: usize> Leg<'a, L, N> {
+    /// From somewhere along each normal to the end of the step, so much later.
+    #[inline(always)]
+    pub fn new(from: [Along<L>; MOST], end: &'a Point<L, N>, window: L, flight: &Flight<L, N>) -> Self {
+        Leg { from, to: Along::each(end, flight), end, span: Span::of(window) }
+    }
+
+    /// The leg along one normal.
+    #[inline(always)]
+    pub fn along(&self, flight: &Flight<L, N>, k: usize) -> Way<L> {
+        Way { from: self.from[k], to: self.to[k], span: self.span, bound: self.end.bound(flight, k) }
+    }
+
+    /// The share of a whole step that it takes.
+    #[inline(always)]
+    pub fn share(&self, flight: &Flight<L, N>) -> L {
+        self.span.time * flight.inverse_h
+    }
+
+    /// Where the motion is along each normal with the share u of a whole step left, `own` along the one that has a number: there it
+    /// is known.
+    #[inline(always)]
+    pub fn each(&self, u: L, (normal, own): (L, Along<L>), flight: &Flight<L, N>) -> [Along<L>; MOST] {
+        let mut each = [own; MOST];
+        if flight.count > 1 {
+            for k in 0..flight.count {
+                let course = Course::to(self.end, &flight.normals[k]);
+                let other = course.about(u, [self.share(flight), self.from[k].place]).along(flight);
+                each[k] = Along::select(is_normal(normal, k), &own, &other);
+            }
+        }
+        each
+    }
+
+    /// Where the leg provably stays off the stops along one normal.
+    #[inline(always)]
+    fn clearance(&self, flight: &Flight<L, N>, k: usize) -> Clearance<L::Mask> {
+        self.along(flight, k).clearance(&flight.normals[k])
+    }
+
     /// Where the leg provably stays off the stops along each normal.
     #[inline(always)]
     pub fn clearances(&self, flight: &Flight<L, N>) -> Clearances<L::Mask> {
@@ -69,19 +125,27 @@ impl<L: Lanes, const N: usize> Leg<'_, L, N> {
         }
         clear
     }
+}
 
-    /// Where the leg provably stays off the stops along one normal: where d·x, from where the trajectory is, which is not beyond
-    /// a stop, lies within its [`Hull`].
+impl<L: Lanes> Way<L> {
+    /// `yes` where the mask holds, `no` elsewhere; they take as long.
     #[inline(always)]
-    pub fn clearance(&self, flight: &Flight<L, N>, k: usize) -> Clearance<L::Mask> {
-        let Leg { from, to, window } = *self;
-        let normal = &flight.normals[k];
-        let ends = dot(&normal.direction, &to.state.x);
-        let places = [dot(&normal.direction, &from.state.x), ends];
-        let speeds = [dot(&normal.direction, &from.state.v), dot(&normal.direction, &to.state.v)];
-        let hull = Hull::of(places, speeds, from.bound(flight, k), window);
-        let highest = hull.highest().larger(ends);
-        let lowest = hull.lowest().smaller(ends);
+    pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
+        Way {
+            from: Along::select(mask, &yes.from, &no.from),
+            to: Along::select(mask, &yes.to, &no.to),
+            span: no.span,
+            bound: L::select(mask, yes.bound, no.bound),
+        }
+    }
+
+    /// Where it provably stays off the stops of the normal: where d·x lies within its [`Hull`].
+    #[inline(always)]
+    pub fn clearance<const N: usize>(&self, normal: &ContactNormal<L, N>) -> Clearance<L::Mask> {
+        let Way { from, to, span, bound } = *self;
+        let hull = Hull::of([from.place, to.place], [from.speed, to.speed], bound, &span);
+        let highest = hull.highest().larger(to.place);
+        let lowest = hull.lowest().smaller(to.place);
         // No comparison with a NaN holds.
         let sound = hull.lower.below(normal.gap[0]);
         Clearance { upper: sound.and(highest.below(normal.gap[0])), lower: (-normal.gap[1]).below(lowest) }

@@ -8,9 +8,12 @@
 
 mod abreast;
 mod advance;
+mod along;
 mod chatter;
+mod clock;
 mod contact;
 mod corner;
+mod course;
 mod crossing;
 mod event_code;
 #[cfg(test)]
@@ -21,8 +24,8 @@ mod held;
 mod holding;
 mod hull;
 mod leg;
+mod meeting;
 mod moves;
-mod near;
 mod passing;
 mod placing;
 mod point;

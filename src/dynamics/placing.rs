@@ -1,21 +1,32 @@
 //! States moved onto the stops that they rest on, or that they have reached, against the rounding of flights.
 
+use super::along::Along;
 use super::stop::{Contact, End};
 use crate::model::vector::{MOST, axpy, dot};
-use crate::model::{Flight, Real, State};
+use crate::model::{ContactNormal, Flight, Real, State};
 
-/// A state moved onto a stop along the response of its normal, with the given speed along it.
+/// A state moved to where it is to be along a normal, along the response of that.
 #[inline(always)]
 pub fn placed<T: Real, const N: usize>(
+    normal: &ContactNormal<T, N>,
+    state: &State<T, N>,
+    Along { place, speed }: Along<T>,
+) -> State<T, N> {
+    let away = place - dot(&normal.direction, &state.x);
+    let change = speed - dot(&normal.direction, &state.v);
+    State { x: axpy(away, &normal.response, &state.x), v: axpy(change, &normal.response, &state.v) }
+}
+
+/// A state moved onto a stop, with the given speed along its normal.
+#[inline(always)]
+pub fn placed_on<T: Real, const N: usize>(
     flight: &Flight<T, N>,
     state: &State<T, N>,
     end: End,
     speed: T,
 ) -> State<T, N> {
     let normal = &flight.normals[end.normal];
-    let away = end.sign::<T>() * normal.gap[end.side] - dot(&normal.direction, &state.x);
-    let change = speed - dot(&normal.direction, &state.v);
-    State { x: axpy(away, &normal.response, &state.x), v: axpy(change, &normal.response, &state.v) }
+    placed(normal, state, Along { place: end.sign::<T>() * normal.gap[end.side], speed })
 }
 
 /// A state moved onto all stops on which masses rest, at rest there: along the responses of their normals, together.

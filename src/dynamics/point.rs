@@ -77,16 +77,15 @@ impl<L: Lanes, const N: usize> Point<L, N> {
     /// The point one whole step h of free flight later.
     #[inline(always)]
     pub fn stepped(&self, flight: &Flight<L, N>) -> Self {
-        let forced = flight.gamma_one.plus(self.sin, &flight.gamma_sin).plus(self.cos, &flight.gamma_cos);
-        let mut flown = flight.phi_x[0].scaled(self.state.x[0]);
-        for i in 1..N {
-            flown = flown.plus(self.state.x[i], &flight.phi_x[i]);
+        let mut state = flight.gamma_one.plus(self.sin, &flight.gamma_sin).plus(self.cos, &flight.gamma_cos);
+        for i in 0..N {
+            state = state.plus(self.state.x[i], &flight.phi_x[i]);
         }
         for i in 0..N {
-            flown = flown.plus(self.state.v[i], &flight.phi_v[i]);
+            state = state.plus(self.state.v[i], &flight.phi_v[i]);
         }
         Point {
-            state: forced.added(&flown),
+            state,
             sin: self.sin.times_plus(flight.turn_cos, self.cos * flight.turn_sin),
             cos: self.cos.times_plus(flight.turn_cos, -(self.sin * flight.turn_sin)),
         }
@@ -117,18 +116,8 @@ impl<L: Lanes, const N: usize> Point<L, N> {
         applied_onto(&flight.damping, acceleration, &pulled)
     }
 
-    /// x'''' in free flight, from x'' and x'''.
-    #[inline(always)]
-    pub fn snaps(&self, flight: &Flight<L, N>, acceleration: &[L; N], jerk: &[L; N]) -> [L; N] {
-        let square = flight.omega * flight.omega;
-        let turned = scaled(-(square * self.sin), &flight.sin);
-        let forced = axpy(-(square * self.cos), &flight.cos, &turned);
-        let pulled = applied_onto(&flight.stiffness, acceleration, &forced);
-        applied_onto(&flight.damping, jerk, &pulled)
-    }
-
-    /// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for the rest
-    /// of the step.
+    /// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for less
+    /// than a step before the point, or after it.
     #[inline(always)]
     pub fn bound(&self, flight: &Flight<L, N>, normal: usize) -> L {
         let along = &flight.normals[normal];
@@ -161,7 +150,8 @@ impl<T: Real, const N: usize> Motion<T, N> {
 }
 
 impl<T: Real, const N: usize> Point<T, N> {
-    /// The point a time `s` ≤ h later with the contacts that hold, by the Taylor polynomial of the equations of motion.
+    /// The point a time `s` ≤ h later with the contacts that hold, by the Taylor polynomial of the equations of motion; in free flight
+    /// `s` may be negative.
     ///
     /// The terms are kept as Vₖ = v⁽ᵏ⁾ sᵏ, which obey a recurrence of second order; 1/k! comes from a table.
     #[inline(never)]

@@ -6,7 +6,7 @@ use super::chatter::{self, Closure, Rebound};
 use super::contact::{self, Reached};
 use super::corner;
 use super::held::spared;
-use super::placing::{placed, rested};
+use super::placing::{placed_on, rested};
 use super::point::{Approach, Motion, Point};
 use super::stop::{Contact, End, Stop};
 use super::tangent::{FreeSaltation, Saltation, Tangent, catch_all, strike_all};
@@ -71,7 +71,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let velocity = dot(&normal.direction, &arrived.state.v);
         let rebound = -(normal.restitution[end.side] * velocity);
         let kick = rebound - velocity;
-        self.point = Point { state: placed(flight, &arrived.state, end, rebound), ..arrived };
+        self.point = Point { state: placed_on(flight, &arrived.state, end, rebound), ..arrived };
         self.offset = self.offset + left;
         if !held.is_free() {
             self.keep_pressed(flight, end.normal, kick);
@@ -79,8 +79,8 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let after = self.point.motion(flight, self.contact);
         if velocity != T::zero() && !tangents.is_empty() {
             if self.under_way {
-                let rest = flight.h - self.offset;
-                let wake = normal.wake(rest * flight.inverse_h);
+                let rest = (flight.h - self.offset) * flight.inverse_h;
+                let wake = normal.wake(rest);
                 let impact = FreeSaltation { velocity, kick, pull: dot(&normal.direction, &before), wake };
                 strike_all(tangents, flight, end.normal, rest, &impact);
             } else {
@@ -104,7 +104,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             if rebound.abs() <= lost {
                 // Pulled off the stop as soon as it is met: rounding must not make that another impact.
                 let parting = -(sign * (lost + lost));
-                self.point.state = placed(flight, &self.point.state, end, parting);
+                self.point.state = placed_on(flight, &self.point.state, end, parting);
             }
             self.bounce(flight, tangents, end.normal, kick);
             return Event::Impact(impact);

@@ -1,8 +1,10 @@
 //! A swing within a step, and a stop: what the tests of contacts share.
 
+use super::along::Along;
 use super::example::single;
 use super::face::Face;
-use super::leg::Leg;
+use super::hull::Span;
+use super::leg::{Leg, Way};
 use super::point::Point;
 use crate::model::{Flight, Real, State};
 use crate::system::Plant;
@@ -24,7 +26,7 @@ impl<T: Real> Swing<T> {
     }
 
     pub fn leg(&self) -> Leg<'_, T, 1> {
-        Leg { from: &self.from, to: &self.to, window: self.flight.h }
+        Leg::new(Along::each(&self.from, &self.flight), &self.to, self.flight.h, &self.flight)
     }
 }
 
@@ -42,6 +44,12 @@ pub fn stops(gap: f64, restitution: f64) -> impl Fn(&mut Plant) {
     }
 }
 
+/// A leg of a time 1 on which (d·x)'''' is bounded, from where nothing matters.
+pub fn bounded(bound: f64) -> Way<f64> {
+    let along = Along { place: 0.0, speed: 0.0 };
+    Way { from: along, to: along, span: Span::of(1.0), bound }
+}
+
 /// The upper stop of a unit mass.
 pub fn towards_upper(gap: f64, bound: f64, width: f64) -> Face<f64, 1> {
     Face {
@@ -49,7 +57,7 @@ pub fn towards_upper(gap: f64, bound: f64, width: f64) -> Face<f64, 1> {
         found: true,
         returns: false,
         opposite_clear: false,
-        normals: [true, false, false, false],
+        normal: 0.0,
         upper: true,
         sign: 1.0,
         gap,
@@ -57,7 +65,8 @@ pub fn towards_upper(gap: f64, bound: f64, width: f64) -> Face<f64, 1> {
         restitution: 1.0,
         direction: [1.0],
         response: [1.0],
-        bound,
+        way: bounded(bound),
+        drag: 0.0,
         coupling: 0.0,
     }
 }

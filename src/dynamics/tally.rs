@@ -1,5 +1,6 @@
 //! What the impacts of trajectories side by side came to.
 
+use super::along::is_normal;
 use super::crossing::Crossing;
 use super::striking::energy_taken;
 use crate::model::vector::MOST;
@@ -42,10 +43,11 @@ impl<L: Lanes> Tally<L> {
         let (zero, one) = (before.all(0.0), before.all(1.0));
         let mut mass = flight.normals[0].mass;
         for (k, [upper, lower]) in self.impacts.iter_mut().enumerate().take(flight.count) {
-            let here = struck.and(met.normals[k]);
+            let own = is_normal(met.normal, k);
+            let here = struck.and(own);
             *upper = *upper + L::select(here.and(met.upper), one, zero);
             *lower = *lower + L::select(here.and(met.upper.not()), one, zero);
-            mass = L::select(met.normals[k], flight.normals[k].mass, mass);
+            mass = L::select(own, flight.normals[k].mass, mass);
         }
         self.moves = self.moves + L::select(struck, one, zero);
         self.fastest = L::select(struck, before.magnitude(), zero).larger(self.fastest);

@@ -175,7 +175,7 @@ pub(crate) fn catch_all<T: Real, const N: usize>(
     }
 }
 
-/// All deviations of the end of the step after an impact along a normal, a time `rest` before that end.
+/// All deviations of the end of the step after an impact along a normal, the share `rest` of a whole step before that end.
 #[inline(always)]
 pub(super) fn strike_all<T: Real, const N: usize>(
     tangents: &mut [Tangent<T, N>],
@@ -185,7 +185,7 @@ pub(super) fn strike_all<T: Real, const N: usize>(
     impact: &FreeSaltation<T, N>,
 ) {
     if !tangents.is_empty() {
-        let back = flight.normals[normal].look_back(rest * flight.inverse_h);
+        let back = flight.normals[normal].look_back(rest);
         for tangent in tangents {
             *tangent = tangent.struck_ahead(flight, &back, impact);
         }

@@ -1,50 +1,52 @@
 //! A leg that ends within the stops but comes near to one: it touches it and returns, or turns before.
 
+use super::along::Along;
 use super::face::Face;
-use super::leg::Leg;
-use super::point::Point;
+use super::hull::Span;
+use super::leg::{Leg, Way};
 use crate::model::{Flight, Lanes, Mask};
 
-/// Where a leg turns off its stop and stays off all others, on its way to where it turns about, `middle`, the share `u` of it, and
-/// from there on: the hulls of the two parts are far nearer to the gap than that of the whole. The second begins where it must be
-/// off the stop, by more than rounding: a hull says nothing of where it begins.
+/// Where a leg turns off its stop and stays off all others, on its way to where it turns about, `middle`, and from there on: the
+/// hulls of the two parts are far nearer to the gap than that of the whole. The second begins where it must be off the stop, by
+/// more than rounding: a hull says nothing of where it begins.
+///
+/// `u` is the share of the leg that lies before, `rest` that of a whole step which is left then.
 #[inline(always)]
 pub fn turns_off<L: Lanes, const N: usize>(
     leg: &Leg<'_, L, N>,
     face: &Face<L, N>,
-    middle: &Point<L, N>,
-    u: L,
+    middle: Along<L>,
+    [u, rest]: [L; 2],
     flight: &Flight<L, N>,
 ) -> L::Mask {
-    let Leg { from, to, window } = *leg;
-    let (zero, time) = (window.all(0.0), u * window);
-    let within = zero.below(time).and(time.below(window));
-    let before = Leg { from, to: middle, window: time };
-    let after = Leg { from: middle, to, window: window - time };
-    let left = face.open(&middle.state);
-    let rounding = face.rounding(&middle.state, window * face.towards(&middle.state.v));
-    within.and(rounding.below(left)).and(before.clears(flight)).and(after.clears(flight))
+    let (zero, time) = (u.all(0.0), u * leg.span.time);
+    let within = zero.below(time).and(time.below(leg.span.time));
+    let left = face.open(middle.place);
+    let rounding = face.rounding(&leg.end.state, leg.span.time * middle.speed);
+    let mut off = within.and(rounding.below(left));
+    let each = leg.each(rest, (face.normal, middle), flight);
+    for k in 0..flight.count {
+        let (normal, way) = (&flight.normals[k], leg.along(flight, k));
+        let before = Way { to: each[k], span: Span::of(time), ..way };
+        let after = Way { from: each[k], span: Span::of(leg.span.time - time), ..way };
+        off = off.and(before.clearance(normal).both()).and(after.clearance(normal).both());
+    }
+    off
 }
 
 /// Where a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding, then or
 /// in the next step: by v²/(2a) at least, where what pulls it back is at most a, see [`pulled`].
 #[inline(always)]
-pub fn is_deep<L: Lanes, const N: usize>(
-    face: &Face<L, N>,
-    arrives: L,
-    pulls: [L; 2],
-    window: L,
-    rounding: L,
-) -> L::Mask {
-    let [least, _] = pulled(face, pulls, window);
-    ((rounding + rounding) * (-least).larger(window.all(0.0))).below(arrives * arrives)
+pub fn is_deep<L: Lanes>(way: &Way<L>, arrives: L, pulls: [L; 2], rounding: L) -> L::Mask {
+    let [least, _] = pulled(way, pulls);
+    ((rounding + rounding) * (-least).larger(arrives.all(0.0))).below(arrives * arrives)
 }
 
 /// Between what the acceleration towards the stop lies all along a leg: it lies w²/8·max|(d·x)''''| outside of what lies between
 /// those at its ends, `pulls`, at most.
 #[inline(always)]
-pub fn pulled<L: Lanes, const N: usize>(face: &Face<L, N>, pulls: [L; 2], window: L) -> [L; 2] {
-    let swelling = (window * window) * (face.bound * window.all(0.125));
+pub fn pulled<L: Lanes>(way: &Way<L>, pulls: [L; 2]) -> [L; 2] {
+    let swelling = (way.span.time * way.span.time) * (way.bound * way.span.time.all(0.125));
     [pulls[0].smaller(pulls[1]) - swelling, pulls[0].larger(pulls[1]) + swelling]
 }
 

@@ -1,12 +1,14 @@
 //! One trajectory: steps of flight, impacts, chatter, sticking, until it has gone as far as was asked.
 
+use super::along::Along;
 use super::contact::{self, Reached};
-use super::crossing::{Crossing, crossing};
+use super::crossing::crossing;
 use super::leg::Leg;
+use super::meeting::Met;
 use super::placing::{clamped, rested};
 use super::point::Point;
 use super::stop::{Contact, Stop};
-use super::tangent::{Tangent, fly_all, strike_all};
+use super::tangent::{Tangent, fly_all};
 use crate::model::{Flight, Real, State};
 
 /// The most kicks that are added to the end of one step; after more, the step is flown to its end instead.
@@ -80,19 +82,25 @@ pub struct Trajectory<T, const N: usize> {
     /// Whether a step of free flight is under way: `ahead` is its end then, and a tangent that is carried along is that of
     /// its end.
     pub(super) under_way: bool,
+    /// The contact that was met directly just now: the point is yet to be found then.
+    pub(super) met: Option<Met<T>>,
 }
 
 impl<T: Real, const N: usize> Trajectory<T, N> {
-    /// A trajectory within a step of free flight that is under way, where it was left.
-    pub(super) fn resumed(point: Point<T, N>, ahead: Point<T, N>, kicks: u32, step: u32, offset: T) -> Self {
-        Trajectory { point, ahead, kicks, contact: Contact::FREE, step, offset, under_way: true }
-    }
-
     /// A trajectory that begins at forcing phase 0 with a state within the stops.
     pub fn new(flight: &Flight<T, N>, start: State<T, N>) -> Self {
         let contact = clamped(flight);
         let point = Point::at_phase_zero(rested(flight, &start, contact));
-        Trajectory { point, ahead: point, kicks: 0, contact, step: 0, offset: T::zero(), under_way: false }
+        Trajectory {
+            point,
+            ahead: point,
+            kicks: 0,
+            contact,
+            step: 0,
+            offset: T::zero(),
+            under_way: false,
+            met: None,
+        }
     }
 
     /// A trajectory that begins at forcing phase `phase`, 0 ≤ phase < 2π, with a state within the stops.
@@ -118,7 +126,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         offset: T,
     ) -> Self {
         let mut trajectory =
-            Trajectory { point, ahead: point, kicks: 0, contact, step, offset, under_way: false };
+            Trajectory { point, ahead: point, kicks: 0, contact, step, offset, under_way: false, met: None };
         if offset > T::zero() {
             trajectory.look_ahead(flight, &mut []);
         }
@@ -130,6 +138,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     pub(crate) fn come_to_phase_zero(&mut self, point: Point<T, N>) {
         self.point = point;
         (self.contact, self.step, self.offset, self.under_way) = (Contact::FREE, 0, T::zero(), false);
+        self.met = None;
     }
 
     /// Within a step: finds its end where flight is free, and what deviations of the present point are there.
@@ -178,7 +187,11 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             }
         }
         if self.kicks <= MOST_KICKS {
-            let leg = Leg { from: &self.point, to: &self.ahead, window };
+            let from = match self.met {
+                Some(met) => met.along,
+                None => Along::each(&self.point, flight),
+            };
+            let leg = Leg::new(from, &self.ahead, window, flight);
             let clearances = leg.clearances(flight);
             if clearances.all(flight.count) {
                 return self.go_ahead(flight, window);
@@ -196,27 +209,6 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         self.approach(flight, tangents)
     }
 
-    /// Up to and through a contact that is certain.
-    #[inline(always)]
-    fn cross(
-        &mut self,
-        flight: &Flight<T, N>,
-        tangents: &mut [Tangent<T, N>],
-        crossing: &Crossing<T, N>,
-    ) -> Move<T> {
-        let Crossing { time, point, ahead, impact, rebound, .. } = *crossing;
-        let normal = (0..flight.count).find(|&k| crossing.normals[k]).unwrap_or(0);
-        let rest = (flight.h - self.offset) - time;
-        strike_all(tangents, flight, normal, rest, &impact);
-        self.point = point;
-        self.ahead = ahead;
-        self.kicks += 1;
-        self.offset = self.offset + time;
-        let stop = Stop(flight.normals[normal].stop[usize::from(!crossing.upper)]);
-        let impact = Impact { stop, velocity_before: impact.velocity, velocity_after: rebound };
-        Move { time, contact: Contact::FREE, event: Event::Impact(impact) }
-    }
-
     /// Free flight towards a stop, as far as is safe.
     #[inline(always)]
     pub(super) fn approach_inlined(
@@ -224,6 +216,8 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         flight: &Flight<T, N>,
         tangents: &mut [Tangent<T, N>],
     ) -> Move<T> {
+        self.find_point(flight);
+        self.met = None;
         let window = flight.h - self.offset;
         let contact = Contact::FREE;
         let motion = self.point.motion(flight, contact);
@@ -262,6 +256,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     pub(super) fn end_step(&mut self, flight: &Flight<T, N>) -> Event<T> {
         self.offset = T::zero();
         self.under_way = false;
+        self.met = None;
         self.step += 1;
         if self.step == flight.steps {
             self.step = 0;

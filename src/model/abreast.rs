@@ -48,9 +48,15 @@ impl<L: Lanes, const N: usize> ContactNormal<L, N> {
         set_vector(&mut self.bound_v, lane, &from.bound_v);
         self.bound_forcing.set_lane(lane, from.bound_forcing);
         self.coupling.set_lane(lane, from.coupling);
-        let terms = self.kick.iter_mut().zip(&from.kick).chain(self.back.iter_mut().zip(&from.back));
-        for (term, from) in terms {
+        self.drag.set_lane(lane, from.drag);
+        for (term, from) in self.kick.iter_mut().zip(&from.kick) {
             term.set_lane(lane, from);
+        }
+        for (term, from) in self.back.iter_mut().zip(&from.back) {
+            term.state.set_lane(lane, &from.state);
+            term.sin.set_lane(lane, from.sin);
+            term.cos.set_lane(lane, from.cos);
+            term.one.set_lane(lane, from.one);
         }
     }
 }

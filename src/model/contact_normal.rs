@@ -2,11 +2,13 @@
 
 use nalgebra::SVector;
 
+use super::back::{self, BACK_TERMS, back};
 use super::equations::{Equations, Normal};
 use super::flow::{self, Functional};
 use super::forced::{ForcedResponse, Trap};
-use super::kick::{KICK_TERMS, back, kick, polynomial, rounded};
+use super::kick::{self, KICK_TERMS, kick, polynomial};
 use super::real::{Lanes, Real};
+use super::row::Row;
 use super::state::State;
 
 /// What a contact normal is to a trajectory.
@@ -24,8 +26,8 @@ pub struct ContactNormal<T, const N: usize> {
     pub restitution: [T; 2],
     /// Which of the plant's stops are at the ends.
     pub stop: [u8; 2],
-    /// |(d·x)''''| ≤ bound_x·|x| + bound_v·|v| + bound_forcing within one step, in free flight and in any contact; the
-    /// same bounds the second derivative of what presses on this contact.
+    /// |(d·x)''''| ≤ bound_x·|x| + bound_v·|v| + bound_forcing within one step from a state, and to one, in free flight and
+    /// in any contact; the same bounds the second derivative of what presses on this contact.
     pub bound_x: [T; N],
     /// See `bound_x`.
     pub bound_v: [T; N],
@@ -33,8 +35,9 @@ pub struct ContactNormal<T, const N: usize> {
     pub bound_forcing: T,
     /// What a change of d·v by 1 has become a time s later: Σ kickₖ (s/h)ᵏ, 0 ≤ s ≤ h, up to [`Real::KICK_ORDER`].
     pub kick: [State<T, N>; KICK_TERMS],
-    /// What a deviation y had along d a time s ago in free flight: d·x = Σ backₖ·y (s/h)ᵏ, likewise.
-    pub back: [State<T, N>; KICK_TERMS],
+    /// Where a motion was along d a time s ago in free flight: d·x = Σ (s/h)ᵏ backₖ·(x, v, sin φ, cos φ, 1), likewise, up
+    /// to [`Real::BACK_ORDER`].
+    pub back: [Row<T, N>; BACK_TERMS],
     /// How fast damping alone takes speed along the normal: −d·(−M⁻¹C)·response.
     pub drag: T,
     /// A bound on what ∫ gap dt of skipped rebounds does to the masses, per unit of it.
@@ -65,7 +68,7 @@ impl<T: Copy, const N: usize> ContactNormal<T, N> {
             bound_v: vector,
             bound_forcing: zero,
             kick: [State { x: vector, v: vector }; KICK_TERMS],
-            back: [State { x: vector, v: vector }; KICK_TERMS],
+            back: [Row::all(zero); BACK_TERMS],
             drag: zero,
             coupling: zero,
             reach: [zero; 2],
@@ -84,7 +87,11 @@ impl<L: Lanes, const N: usize> ContactNormal<L, N> {
     /// The row that gives d·x of a deviation before the share u = s/h of a step, from the deviation after it.
     #[inline(always)]
     pub fn look_back(&self, u: L) -> State<L, N> {
-        polynomial(&self.back, u)
+        let mut sum = self.back[L::Real::BACK_ORDER].state;
+        for k in (0..L::Real::BACK_ORDER).rev() {
+            sum = self.back[k].state.plus(u, &sum);
+        }
+        sum
     }
 }
 
@@ -104,8 +111,8 @@ impl<const N: usize> ContactNormal<f64, N> {
             bound_x: self.bound_x.map(T::of),
             bound_v: self.bound_v.map(T::of),
             bound_forcing: T::of(self.bound_forcing),
-            kick: rounded(&self.kick),
-            back: rounded(&self.back),
+            kick: kick::rounded(&self.kick),
+            back: back::rounded(&self.back),
             drag: T::of(self.drag),
             coupling: T::of(self.coupling),
             reach: self.reach.map(|reach| T::of(reach.min(FAR))),

@@ -83,8 +83,8 @@ pub fn series<const N: usize>(
     .map(|(_, term)| term)
 }
 
-/// The terms f Gᵏ (−t)ᵏ/k! of f exp(−G t) in free flight, until they vanish against their sum: what the functional f was of a
-/// deviation a time t ago.
+/// The terms f Gᵏ (−t)ᵏ/k! of f exp(−G t) in free flight, until they vanish against their sum: what the functional f was a time t
+/// ago.
 pub fn series_back<const N: usize>(
     equations: &Equations<N>,
     t: f64,
@@ -92,8 +92,7 @@ pub fn series_back<const N: usize>(
 ) -> impl Iterator<Item = Functional<N>> {
     let mut size = f.amax();
     std::iter::successors(Some((1.0, f)), move |(k, term)| {
-        let derived = term.derived(equations, &SMatrix::identity());
-        let next = Functional { sin: 0.0, cos: 0.0, one: 0.0, ..derived.scaled(-t / k) };
+        let next = term.derived(equations, &SMatrix::identity()).scaled(-t / k);
         let length = next.amax();
         size = size.max(length);
         (length > 1e-19 * size).then_some((k + 1.0, next))
@@ -192,7 +191,7 @@ impl<const N: usize> Functional<N> {
     }
 }
 
-/// A bound on the second derivative of a functional for every time 0 ≤ s ≤ t of a motion, component by component:
+/// A bound on the second derivative of a functional for every time |s| ≤ t from a state of a motion, component by component:
 /// Σ tᵏ/k! |functional · Gᵏ⁺²|.
 pub fn second_derivative_bound<const N: usize>(
     equations: &Equations<N>,

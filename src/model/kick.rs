@@ -1,5 +1,4 @@
-//! What an impact does to the rest of a step, and what the end of a step says of the deviations that met the impact: polynomials
-//! in the time that is left of it.
+//! What an impact does to the rest of a step: a polynomial in the time that is left of it.
 //!
 //! Flight is linear, so a change of d·v by 1 just adds exp(G s)(0, response) to the state a time s later. Its Taylor series
 //! converges as if every time mattered as much as the longest one. On 0 ≤ s ≤ h a polynomial of far lower order is as near:
@@ -8,8 +7,9 @@
 use nalgebra::SVector;
 
 use super::equations::Equations;
-use super::flow::{self, Augmented, Functional, mechanical};
+use super::flow::{self, Augmented, mechanical};
 use super::real::{Lanes, Real};
+use super::row::Term;
 use super::state::State;
 
 /// The most coefficients of a kick's polynomial: those of f64.
@@ -23,19 +23,6 @@ pub(super) fn kick<const N: usize>(
 ) -> [State<f64, N>; KICK_TERMS] {
     let unit = Augmented { v: response, ..Augmented::zeros() };
     let mut terms: Vec<_> = flow::series(equations, h, unit).map(|term| mechanical(&term)).collect();
-    economize(&mut terms, f64::KICK_ORDER);
-    std::array::from_fn(|k| terms.get(k).copied().unwrap_or(State::zero()))
-}
-
-/// The coefficients of (s/h)ᵏ, 0 ≤ s ≤ h, of d·x of a deviation a time s ago: a row, to be multiplied with the deviation now.
-pub(super) fn back<const N: usize>(
-    equations: &Equations<N>,
-    h: f64,
-    direction: SVector<f64, N>,
-) -> [State<f64, N>; KICK_TERMS] {
-    let now = Functional { x: direction, v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 };
-    let row = |term: Functional<N>| State { x: term.x.into(), v: term.v.into() };
-    let mut terms: Vec<_> = flow::series_back(equations, h, now).map(row).collect();
     economize(&mut terms, f64::KICK_ORDER);
     std::array::from_fn(|k| terms.get(k).copied().unwrap_or(State::zero()))
 }
@@ -64,9 +51,9 @@ pub(super) fn rounded<T: Real, const N: usize>(
 /// Of all polynomials of order m with the highest coefficient 1, T*ₘ(u)/2²ᵐ⁻¹ is nowhere more than 2¹⁻²ᵐ on the interval, T*ₘ
 /// being Chebyshev's polynomial of 2u − 1. So cₖ uᵏ is made one of lower order by taking cₖ u T*ₖ₋₁(u)/2²ᵏ⁻³ from it. The factor
 /// u keeps the value at u = 0 exact, and the error in proportion to the time near it.
-fn economize<const N: usize>(terms: &mut [State<f64, N>], order: usize) {
+pub(super) fn economize<V: Term>(terms: &mut [V], order: usize) {
     for highest in (order + 1..terms.len()).rev() {
-        let term = std::mem::replace(&mut terms[highest], State::zero());
+        let term = std::mem::replace(&mut terms[highest], V::zero());
         let m = (highest - 1) as f64;
         let mut coefficient = 1.0;
         for k in (1..highest).rev() {
@@ -238,10 +225,7 @@ mod tests {
             assert!(single[f32::KICK_ORDER + 1..].iter().all(|term| *term == State::zero()));
             assert_eq!(rounded::<f64, 2>(&normal.kick), normal.kick);
         }
-        let highest = |terms: &[State<f32, 2>]| terms[f32::KICK_ORDER];
-        assert_ne!(
-            highest(&rounded(&flight.normals[0].kick)),
-            flight.normals[0].kick[f32::KICK_ORDER].map(|x| x as f32)
-        );
+        let kick = &flight.normals[0].kick;
+        assert_ne!(rounded::<f32, 2>(kick)[f32::KICK_ORDER], kick[f32::KICK_ORDER].map(|x| x as f32));
     }
 }

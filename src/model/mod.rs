@@ -1,6 +1,7 @@
 //! The system: its parameters, the equations of motion, and the constants of linear flight.
 
 mod abreast;
+mod back;
 mod contact_normal;
 mod driven;
 mod equations;
@@ -20,6 +21,7 @@ mod quiet;
 mod real;
 mod registers;
 mod restopped;
+mod row;
 mod shared;
 mod state;
 mod stops_along;
@@ -29,6 +31,7 @@ pub mod vector;
 
 pub use crate::system::{Number, joined, whole};
 pub use crate::system::{Parameter, ParameterError, Setting};
+pub use back::BACK_TERMS;
 pub use contact_normal::{ContactNormal, FAR};
 pub use equations::{Equations, are_parallel};
 pub use flight::Flight;
@@ -42,6 +45,7 @@ pub use parameters::Parameters;
 pub use quiet::Quiet;
 pub use real::{Lanes, Mask, Real};
 pub use registers::Registers;
+pub use row::Row;
 pub use shared::Flows;
 pub use state::{State, StateVector};
 pub use stops_along::StopsAlong;

@@ -17,13 +17,13 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const TRUNCATION: f64;
     /// The largest order of a flight's Taylor polynomial.
     const ORDER: usize;
-    /// The order of the polynomials of an impact, what it does to the end of its step and what that says of deviations at the impact:
-    /// what they leave out is lost in rounding.
+    /// The order of the polynomial of an impact, what it does to the end of its step: what it leaves out is lost in rounding.
     const KICK_ORDER: usize;
-    /// The order of the Taylor polynomial by which a contact is reached from the nearer end of a step; even.
-    const CONTACT_ORDER: usize;
-    /// What may be left of the way to a contact after that, in units of the fastest motion's time scale: its fourth power is lost
-    /// in rounding.
+    /// The order of the polynomial of what the end of a step says of the way to it: what it leaves out of place and speed is not
+    /// more than what rounding adds on the way.
+    const BACK_ORDER: usize;
+    /// What may be left of the way to a contact that a polynomial of low order finds, in units of the fastest motion's time scale: its
+    /// fourth power is lost in rounding.
     const STRAIGHT: f64;
     /// A gap below this multiple of δ is contact.
     const TOUCH: f64;
@@ -165,7 +165,7 @@ impl Real for f64 {
     const TRUNCATION: f64 = 2e-16;
     const ORDER: usize = 20;
     const KICK_ORDER: usize = 12;
-    const CONTACT_ORDER: usize = 14;
+    const BACK_ORDER: usize = 12;
     const STRAIGHT: f64 = 1e-4;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
@@ -204,7 +204,7 @@ impl Real for f32 {
     const TRUNCATION: f64 = 1e-8;
     const ORDER: usize = 12;
     const KICK_ORDER: usize = 6;
-    const CONTACT_ORDER: usize = 8;
+    const BACK_ORDER: usize = 7;
     const STRAIGHT: f64 = 1e-2;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
     const IMMINENT: f64 = 1e-4;

@@ -12,7 +12,7 @@ use super::files;
 const ARITHMETIC: [f64; 4] = [0.0, 1.0, 2.0, 0.5];
 
 /// Numbers that a formula consists of: the file, the number, how often it is there, and the formula.
-const FORMULAS: [(&str, &str, usize, &str); 32] = [
+const FORMULAS: [(&str, &str, usize, &str); 33] = [
     ("analysis/extent.wgsl", "0.25", 1, "a quarter of a piece, from one point of its quadrature to the next"),
     ("analysis/extent.wgsl", "15.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
     ("analysis/extent.wgsl", "16.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
@@ -24,6 +24,7 @@ const FORMULAS: [(&str, &str, usize, &str); 32] = [
     ("dynamics/chatter.wgsl", "1.5", 1, "k = 3a(1 − r)/(2c)"),
     ("dynamics/chatter.wgsl", "3.0", 1, "u falls like exp(−ct/3)"),
     ("dynamics/contact.wgsl", "4.0", 1, "the discriminant b² − 4ac"),
+    ("dynamics/course.wgsl", "3.0", 1, "the derivative of a power"),
     ("dynamics/hull.wgsl", "0.25", 1, "the second and the fourth of five Bernstein coefficients"),
     ("dynamics/quintic.wgsl", "10.0", 1, "the quintic through two values, slopes and curvatures"),
     ("dynamics/quintic.wgsl", "15.0", 1, "the quintic through two values, slopes and curvatures"),

@@ -16,7 +16,7 @@ fn through<T: Real>() {
                     let crossing =
                         crossing(&swing.leg(), &swing.leg().clearances(&swing.flight), &swing.flight);
                     assert!(crossing.certain, "{restitution} {phase} {share} {side}");
-                    assert_eq!((crossing.normals[0], crossing.upper), (true, side > 0.0));
+                    assert_eq!((crossing.normal.widen(), crossing.upper), (0.0, side > 0.0));
                     let slope = (phase + share * h).cos();
                     let close = |found: T, expected: f64| {
                         (found.widen() - expected).abs() < 32.0 * T::EPSILON / slope
@@ -26,7 +26,13 @@ fn through<T: Real>() {
                     let velocity = side * slope;
                     assert!(close(crossing.impact.velocity, velocity));
                     assert!(close(crossing.rebound, -restitution * velocity));
-                    assert_eq!(crossing.point.state.x[0].widen(), side * T::of(gap).widen(), "on the stop");
+                    let [after, ..] = crossing.after;
+                    assert_eq!(after.place.widen(), side * T::of(gap).widen(), "on the stop");
+                    assert_eq!(after.speed, crossing.rebound);
+                    let left = crossing.rest * swing.flight.h;
+                    assert!(close(left, h - share * h));
+                    let pull = crossing.impact.pull.widen() + side * gap;
+                    assert!(pull.abs() < 256.0 * T::EPSILON / (h * h), "{pull}");
                     // The rest of the step: a swing from the stop, back.
                     let (sin, cos) = (h - share * h).sin_cos();
                     let [x, v] = [
@@ -90,7 +96,7 @@ impl Way {
         let gap = self.place(self.time);
         let face = towards_upper(gap, bound, width);
         [
-            is_first(&face, [self.speed, arrives], self.pulls, self.time, 1.0),
+            is_first(&face, [self.speed, arrives], self.pulls, self.time),
             stays_off(&face, gap, [self.speed, arrives], self.time),
         ]
     }

@@ -3,8 +3,8 @@ use nalgebra::{DMatrix, DVector};
 use super::*;
 use crate::dynamics::crossing::{Crossing, crossing};
 use crate::dynamics::leg::{Clearance, Clearances};
-use crate::dynamics::swing::{Swing, step, stops, towards_upper};
-use crate::dynamics::{Contact, Trajectory};
+use crate::dynamics::swing::{Swing, bounded, step, stops};
+use crate::dynamics::{Contact, Point, Trajectory};
 use crate::model::vector::MOST;
 use crate::model::{Real, State, System};
 use crate::system::{Plant, PlantStop};
@@ -150,7 +150,7 @@ fn two_masses(gaps: [[Option<f64>; 2]; 2], [place, speed]: [f64; 2]) -> Crossing
     let (sin, cos) = (0.5 * std::f64::consts::PI - 0.5 * flight.h).sin_cos();
     let from = Point::at_phase_zero(State { x: [0.5 * sin, place], v: [0.5 * cos, speed] });
     let to = from.stepped(&flight);
-    let leg = Leg { from: &from, to: &to, window: flight.h };
+    let leg = Leg::new(Along::each(&from, &flight), &to, flight.h, &flight);
     crossing(&leg, &leg.clearances(&flight), &flight)
 }
 
@@ -168,7 +168,7 @@ fn a_leg_that_passes_one_stop_may_meet_another() {
     for second in [[Some(2.0), Some(0.51)], [None, Some(0.51)]] {
         let met = two_masses([first, second], turns.map(|x| -x));
         assert_eq!((met.certain, met.passes), (false, true), "{second:?}");
-        assert_eq!((met.normals[1], met.upper), (true, second[0].is_none()));
+        assert_eq!((met.normal, met.upper), (1.0, second[0].is_none()));
     }
     // Through its own stop.
     let met = two_masses([first, [Some(0.3), None]], [0.0, 0.9]);
@@ -211,9 +211,8 @@ fn what_is_not_a_number_meets_and_passes_nothing() {
 #[test]
 fn a_touch_is_deep_where_it_goes_beyond_the_stop_by_more_than_rounding() {
     // At most 0.5 + 0.8/8 pulls it back: v² is held against 2 · 1e-10 · 0.6.
-    let deep = |arrives: f64, pulls: [f64; 2], rounding: f64| {
-        is_deep(&towards_upper(0.1, 0.8, 1.0), arrives, pulls, 1.0, rounding)
-    };
+    let deep =
+        |arrives: f64, pulls: [f64; 2], rounding: f64| is_deep(&bounded(0.8), arrives, pulls, rounding);
     assert!(deep(1.1e-5, [-0.3, -0.5], 1e-10) && deep(1.1e-5, [-0.5, -0.3], 1e-10));
     assert!(!deep(1.09e-5, [-0.3, -0.5], 1e-10));
     assert!(deep(1e-9, [1.0, 0.5], 1e-10), "nothing pulls it back");

@@ -1,5 +1,6 @@
 //! What the kernel `control_trajectories` reads and writes.
 
+use super::flight::BACK_TERMS;
 use super::follow::Verdict;
 use crate::analysis;
 use crate::control::{
@@ -64,6 +65,8 @@ pub fn declaration_of_control() -> String {
         ("drive_sin", "array<f32, COMPONENTS>"),
         ("drive_cos", "array<f32, COMPONENTS>"),
         ("drive_bound", "array<f32, NORMALS>"),
+        ("drive_back_sin", "array<array<f32, BACK_TERMS>, NORMALS>"),
+        ("drive_back_cos", "array<array<f32, BACK_TERMS>, NORMALS>"),
     ];
     let of_methods = METHODS.iter().flat_map(|method| {
         method.members.iter().map(|(name, member)| {
@@ -126,8 +129,11 @@ fn words_of<const N: usize>(controller: &Controller<f64>, system: &System) -> Ve
             let (sin, cos) = (force.gamma_sin.values(), force.gamma_cos.values());
             let numbers = force.sin.into_iter().chain(sin).chain(cos).chain(bounds);
             words.extend(numbers.map(|number| (number as f32).to_bits()));
+            let force = force.round::<f32>();
+            let back = || force.normals().iter().flat_map(|normal| &normal.back[..BACK_TERMS]);
+            words.extend(back().map(|row| row.sin.to_bits()).chain(back().map(|row| row.cos.to_bits())));
         }
-        None => words.extend(vec![0; 5 * N + flight.count]),
+        None => words.extend(vec![0; 5 * N + (1 + 2 * BACK_TERMS) * flight.count]),
     }
     for own in METHODS {
         let size = |&(_, member): &(&str, Member)| if member == Member::Components { 2 * N } else { 1 };

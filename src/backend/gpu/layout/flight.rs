@@ -9,8 +9,11 @@ use crate::model::{ContactNormal, Flight, Real, State, StopsAlong};
 /// Terms of an impact's polynomials in f32: up to their order.
 pub const KICK_TERMS: usize = <f32 as Real>::KICK_ORDER + 1;
 
+/// Terms of the polynomials of the way to the end of a step in f32.
+pub const BACK_TERMS: usize = <f32 as Real>::BACK_ORDER + 1;
+
 /// Terms of both polynomials of a normal: its wake and its look back.
-pub const NORMAL_TERMS: usize = 2 * KICK_TERMS;
+pub const NORMAL_TERMS: usize = KICK_TERMS + BACK_TERMS;
 
 /// Writes the members of a struct in their order: their words and, where wanted, their declarations in WGSL.
 struct Members<'a, const N: usize> {
@@ -130,6 +133,10 @@ fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut 
     members.number("coupling", normal.coupling);
     members.number("stretch", normal.stretch);
     members.number("mass", normal.mass);
+    let back = || normal.back[..BACK_TERMS].iter();
+    members.numbers("back_sin", back().map(|row| row.sin));
+    members.numbers("back_cos", back().map(|row| row.cos));
+    members.numbers("back_one", back().map(|row| row.one));
     members.align();
     members.vector("direction", &normal.direction);
     members.vector("response", &normal.response);
@@ -186,7 +193,8 @@ pub fn write_flight<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>
 pub fn write_kicks<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>) {
     let mut members = Members { words: into, declared: None };
     for normal in flight.normals() {
-        for term in normal.kick[..KICK_TERMS].iter().chain(&normal.back[..KICK_TERMS]) {
+        let back = normal.back[..BACK_TERMS].iter().map(|row| &row.state);
+        for term in normal.kick[..KICK_TERMS].iter().chain(back) {
             members.state("", term);
         }
     }

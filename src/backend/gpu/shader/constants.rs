@@ -6,7 +6,7 @@ use super::template::Shape;
 use super::workgroup::WORKGROUP;
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Section};
-use crate::backend::gpu::layout::{FINISHED, KICK_TERMS, NORMAL_TERMS, NOT_MEASURED};
+use crate::backend::gpu::layout::{BACK_TERMS, FINISHED, KICK_TERMS, NORMAL_TERMS, NOT_MEASURED};
 use crate::control::constants as control;
 use crate::control::{Constant, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, METHODS, NEVER};
 use crate::dynamics::Contact;
@@ -27,9 +27,11 @@ pub fn source(shape: &Shape) -> String {
         ("MOST_COMPONENTS", 2 * MOST as u32),
         ("CONTACT_FREE", Contact::FREE.code()),
         ("KICK_TERMS", KICK_TERMS as u32),
+        ("BACK_TERMS", BACK_TERMS as u32),
         ("NORMAL_TERMS", NORMAL_TERMS as u32),
         ("ORDER", <f32 as Real>::ORDER as u32),
         ("KICK_ORDER", <f32 as Real>::KICK_ORDER as u32),
+        ("BACK_ORDER", <f32 as Real>::BACK_ORDER as u32),
         ("INFINITELY_MANY", u32::from(INFINITELY_MANY)),
         ("BATCHES", analysis::BATCHES),
         ("ALIGNING", analysis::ALIGNING),

@@ -21,7 +21,7 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 36] = [
+const COMMON: [&str; 37] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -29,13 +29,14 @@ const COMMON: [&str; 36] = [
     include_str!("../../../../shaders/dynamics/held.wgsl"),
     include_str!("../../../../shaders/dynamics/series.wgsl"),
     include_str!("../../../../shaders/dynamics/point.wgsl"),
+    include_str!("../../../../shaders/dynamics/along.wgsl"),
+    include_str!("../../../../shaders/dynamics/course.wgsl"),
     include_str!("../../../../shaders/dynamics/tangent.wgsl"),
     include_str!("../../../../shaders/dynamics/contact.wgsl"),
     include_str!("../../../../shaders/dynamics/chatter.wgsl"),
     include_str!("../../../../shaders/dynamics/hull.wgsl"),
     include_str!("../../../../shaders/dynamics/leg.wgsl"),
     include_str!("../../../../shaders/dynamics/quintic.wgsl"),
-    include_str!("../../../../shaders/dynamics/near.wgsl"),
     include_str!("../../../../shaders/dynamics/face.wgsl"),
     include_str!("../../../../shaders/dynamics/touching.wgsl"),
     include_str!("../../../../shaders/dynamics/crossing.wgsl"),
@@ -60,9 +61,21 @@ const COMMON: [&str; 36] = [
     include_str!("../../../../shaders/analysis/verdict.wgsl"),
 ];
 
-/// How the bound on a normal is read, and how where a force comes on top.
-const BOUND: &str = "return flight.normals[normal].bound_forcing;";
-const DRIVEN_BOUND: &str = "return flight.normals[normal].bound_forcing + driven.bound[normal];";
+/// What is read of a normal that a force changes, and how where one comes on top.
+const DRIVEN: [[&str; 2]; 3] = [
+    [
+        "return flight.normals[normal].bound_forcing;",
+        "return flight.normals[normal].bound_forcing + driven.bound[normal];",
+    ],
+    [
+        "return flight.normals[normal].back_sin[term];",
+        "return flight.normals[normal].back_sin[term] + controlled.force * control.drive_back_sin[normal][term];",
+    ],
+    [
+        "return flight.normals[normal].back_cos[term];",
+        "return flight.normals[normal].back_cos[term] + controlled.force * control.drive_back_cos[normal][term];",
+    ],
+];
 
 /// The source of a kernel for a shape.
 pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: Arithmetic) -> String {
@@ -73,12 +86,17 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: A
     // A force in phase with the forcing is added to what it changes.
     let fragments = match kernel {
         Kernel::Follow | Kernel::Trace | Kernel::Extent => fragments,
-        Kernel::Control => ["gamma_sin", "gamma_cos", "sin"].iter().fold(fragments, |text, name| {
-            text.replace(&format!("flight.{name};"), &format!("driven.{name};"))
-                .replace(&format!("flight.{name},"), &format!("driven.{name},"))
-                .replace(&format!("flight.{name})"), &format!("driven.{name})"))
-                .replace(BOUND, DRIVEN_BOUND)
-        }),
+        Kernel::Control => {
+            let fragments = ["gamma_sin", "gamma_cos", "sin"].iter().fold(fragments, |text, name| {
+                text.replace(&format!("flight.{name};"), &format!("driven.{name};"))
+                    .replace(&format!("flight.{name},"), &format!("driven.{name},"))
+                    .replace(&format!("flight.{name})"), &format!("driven.{name})"))
+            });
+            DRIVEN.iter().fold(fragments, |text, [alone, driven]| {
+                assert_eq!(text.matches(alone).count(), 1, "{alone}");
+                text.replace(alone, driven)
+            })
+        }
     };
     let control = if is_control { sections::source(shape) + &methods::source() } else { String::new() };
     [

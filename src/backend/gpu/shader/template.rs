@@ -3,8 +3,10 @@
 //! A block between the lines `//: each normal` and `//: end` stands once for every normal, with `$k` as its number; so do
 //! `each stop`, `each component` of a state (and `each further component` after the first) and, with `$i` as the number and
 //! `$c` as what selects the component, `each coordinate`. A block of `each pair of normals` stands once for every ordered pair,
-//! with `$k` and `$l`; one of `each pair of contact terms` for every odd order of the series and the even one after it. Terms of
-//! kicks, from the highest but one down, and Newton steps are unrolled too, with `$k` as the order.
+//! with `$k` and `$l`. Terms of
+//! polynomials and Newton steps are unrolled too, with `$k` as the order: `each kick term` and `each back term` from the highest but
+//! one down, `each slope term` and `each bend term` from the highest to the first and to the second, with `$w` as the weight of a
+//! second derivative.
 
 use crate::dynamics::constants::NEWTON_STEPS;
 use crate::model::{Real, System};
@@ -18,6 +20,11 @@ pub struct Shape {
     pub normals: usize,
     /// Stops.
     pub stops: usize,
+}
+
+/// A block with a number in it.
+fn numbered(block: &str, k: usize) -> String {
+    block.replace("$k", &k.to_string())
 }
 
 impl Shape {
@@ -81,14 +88,13 @@ impl Shape {
                 }
             }
             // Horner's scheme, from the highest order below the last.
-            "kick term" => {
-                (0..<f32 as Real>::KICK_ORDER).rev().for_each(|k| push(block.replace("$k", &k.to_string())));
-            }
-            "pair of contact terms" => {
-                for k in (1..<f32 as Real>::CONTACT_ORDER).step_by(2) {
-                    push(block.replace("$k", &k.to_string()).replace("$l", &(k + 1).to_string()));
-                }
-            }
+            "kick term" => (0..<f32 as Real>::KICK_ORDER).rev().for_each(|k| push(numbered(block, k))),
+            "back term" => (0..<f32 as Real>::BACK_ORDER).rev().for_each(|k| push(numbered(block, k))),
+            // From the highest order on, for what does not ask for the last, or the last two.
+            "slope term" => (1..=<f32 as Real>::BACK_ORDER).rev().for_each(|k| push(numbered(block, k))),
+            "bend term" => (2..=<f32 as Real>::BACK_ORDER).rev().for_each(|k| {
+                push(numbered(block, k).replace("$w", &format!("{}.0", k * (k - 1))));
+            }),
             "newton step" => (1..=NEWTON_STEPS).for_each(|k| push(block.replace("$k", &k.to_string()))),
             other => panic!("a shader repeats over `{other}`"),
         }

@@ -1,0 +1,139 @@
+//! How a step of free flight goes along a contact normal: d·x, a polynomial in what is left of the step, from the step's end.
+
+use super::along::Along;
+use super::point::Point;
+use crate::model::{BACK_TERMS, ContactNormal, Flight, Lanes, Real};
+
+/// The coefficients of uᵏ in d·x, u = s/h being the share of the step that is left, 0 ≤ u ≤ 1; see [`ContactNormal::back`].
+#[derive(Clone, Copy, Debug)]
+pub struct Course<L>([L; BACK_TERMS]);
+
+/// The course about a time: of d·x what multiplies wᵏ when u changes by w.
+#[derive(Clone, Copy, Debug)]
+pub struct Here<L>([L; NEAR]);
+
+/// As many as matter near by: the next is lost in rounding.
+const NEAR: usize = 5;
+
+impl<L: Lanes> Course<L> {
+    /// Of the step that ends at a point, as it would go without another impact.
+    #[inline(always)]
+    pub fn to<const N: usize>(end: &Point<L, N>, normal: &ContactNormal<L, N>) -> Self {
+        let mut terms = [end.sin.all(0.0); BACK_TERMS];
+        for k in 0..L::Real::BACK_ORDER + 1 {
+            let row = &normal.back[k];
+            let forced = end.cos.times_plus(row.cos, end.sin.times_plus(row.sin, row.one));
+            let mut sum = forced;
+            for i in 0..N {
+                sum = end.state.x[i].times_plus(row.state.x[i], sum);
+            }
+            for i in 0..N {
+                sum = end.state.v[i].times_plus(row.state.v[i], sum);
+            }
+            terms[k] = sum;
+        }
+        Course(terms)
+    }
+
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[inline(always)]
+    pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
+        let mut terms = no.0;
+        for k in 0..L::Real::BACK_ORDER + 1 {
+            terms[k] = L::select(mask, yes.0[k], no.0[k]);
+        }
+        Course(terms)
+    }
+
+    /// d²(d·x)/du².
+    #[inline(always)]
+    pub fn bend(&self, u: L) -> L {
+        let weighed = |k: usize| self.0[k] * u.all((k * (k - 1)) as f64);
+        let mut sum = weighed(L::Real::BACK_ORDER);
+        for k in (2..L::Real::BACK_ORDER).rev() {
+            sum = sum.times_plus(u, weighed(k));
+        }
+        sum
+    }
+
+    /// The same at the end of the step.
+    #[inline(always)]
+    pub fn bend_at_end(&self) -> L {
+        self.0[2] + self.0[2]
+    }
+
+    /// About where the share u is left, on the way from a `place` where the share `since` was: d·x changes by u − since times a
+    /// polynomial, the quotient of Horner's scheme there. So it is as exact as that change, which may be far less than what the
+    /// step would come to without an impact.
+    #[inline(always)]
+    pub fn about(&self, u: L, [since, place]: [L; 2]) -> Here<L> {
+        let order = L::Real::BACK_ORDER;
+        let mut quotient = self.0[order];
+        let mut slopes = [quotient; NEAR];
+        for k in (1..order).rev() {
+            quotient = quotient.times_plus(since, self.0[k]);
+            carry_on(&mut slopes, order - k, u, quotient);
+        }
+        let way = u - since;
+        let mut here = [way.times_plus(slopes[0], place); NEAR];
+        for k in 1..NEAR {
+            here[k] = way.times_plus(slopes[k], slopes[k - 1]);
+        }
+        Here(here)
+    }
+}
+
+/// The next step of Horner's scheme, with the next coefficient, for a polynomial's value at u, for that of the quotient, and so on,
+/// of which so many have begun.
+#[inline(always)]
+fn carry_on<L: Lanes>(values: &mut [L; NEAR], begun: usize, u: L, next: L) {
+    for j in (0..NEAR).rev() {
+        let next = if j == 0 { next } else { values[j - 1] };
+        if j < begun {
+            values[j] = values[j].times_plus(u, next);
+        } else if j == begun {
+            values[j] = next;
+        }
+    }
+}
+
+impl<L: Lanes> Here<L> {
+    /// Where the motion is.
+    #[inline(always)]
+    pub fn along<const N: usize>(&self, flight: &Flight<L, N>) -> Along<L> {
+        Along { place: self.0[0], speed: -(self.0[1] * flight.inverse_h) }
+    }
+
+    /// By how much the share changes that is left until d·x is at a place near by: once along the straight line, once along a
+    /// parabola through what that gives, and by one of Newton's steps on the cubic.
+    #[inline(always)]
+    pub fn change_to(&self, place: L) -> L {
+        let [here, slope, bend, twist, _] = self.0;
+        let left = place - here;
+        let straight = left / slope;
+        let nearly = left / bend.times_plus(straight, slope);
+        let far = twist.times_plus(nearly, bend).times_plus(nearly, slope);
+        let steep = (twist * left.all(3.0)).times_plus(nearly, bend + bend).times_plus(nearly, slope);
+        nearly - far.times_plus(nearly, -left) / steep
+    }
+
+    /// About the place after such a change.
+    #[inline(always)]
+    pub fn changed(&self, by: L) -> Self {
+        let mut here = [self.0[NEAR - 1]; NEAR];
+        for k in (0..NEAR - 1).rev() {
+            carry_on(&mut here, NEAR - 1 - k, by, self.0[k]);
+        }
+        Here(here)
+    }
+
+    /// d·x''.
+    #[inline(always)]
+    pub fn pull<const N: usize>(&self, flight: &Flight<L, N>) -> L {
+        let bend = self.0[2];
+        (bend + bend) * (flight.inverse_h * flight.inverse_h)
+    }
+}
+
+#[cfg(test)]
+mod tests;
