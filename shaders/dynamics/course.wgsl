@@ -25,7 +25,7 @@ fn course_to(end: Point, normal: u32) -> Course {
 }
 
 fn course_term(end: Point, normal: u32, term: u32) -> f32 {
-    let row = kick_term(normal, KICK_TERMS + term);
+    let row = normal_term(normal, KICK_TERMS + term);
     var sum = end.sin * course_of_sine(normal, term) + flight.normals[normal].back_one[term];
     sum = end.cos * course_of_cosine(normal, term) + sum;
     //: each coordinate

@@ -89,18 +89,18 @@ fn point_flown(point: Point, s: f32, contact: u32) -> Point {
 
 // What a change of d·v by 1 has become after the share u of a step.
 fn wake(normal: u32, u: f32) -> State {
-    var sum = kick_term(normal, KICK_ORDER);
+    var sum = normal_term(normal, KICK_ORDER);
     //: each kick term
-    sum = state_plus(kick_term(normal, $ku), u, sum);
+    sum = state_plus(normal_term(normal, $ku), u, sum);
     //: end
     return sum;
 }
 
 // The row that gives d·x of a deviation before the share u of a step, from the deviation after it.
 fn look_back(normal: u32, u: f32) -> State {
-    var sum = kick_term(normal, KICK_TERMS + BACK_ORDER);
+    var sum = normal_term(normal, KICK_TERMS + BACK_ORDER);
     //: each back term
-    sum = state_plus(kick_term(normal, KICK_TERMS + $ku), u, sum);
+    sum = state_plus(normal_term(normal, KICK_TERMS + $ku), u, sum);
     //: end
     return sum;
 }
@@ -143,7 +143,8 @@ fn point_motion(point: Point, contact: u32) -> Motion {
     return Motion(a.rest, j.rest, a.pressing, j.pressing);
 }
 
-// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for less than a step before the point, or after it.
+// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for less than a step before
+// the point, or after it.
 fn point_bound(point: Point, normal: u32) -> f32 {
     return bound_of(normal, point.state.x, point.state.v, bound_forcing(normal));
 }

@@ -170,6 +170,9 @@ impl<T: Real, const N: usize> Observer<T, N> {
             }
             warily = false;
         }
+        if self.is_done() {
+            self.trajectory.find_point(flight);
+        }
     }
 
     /// How often it may pass phase 0 in free flight before it is to see that.

@@ -2,12 +2,11 @@
 
 use std::hint::black_box;
 
-use super::along::{Along, is_normal};
+use super::along::{Along, Met, is_normal};
 use super::clock::Clock;
 use super::crossing::crossing;
 use super::hull::Span;
 use super::leg::Leg;
-use super::meeting::Met;
 use super::moves::Moves;
 use super::passing::{Passing, Unseen};
 use super::point::Point;

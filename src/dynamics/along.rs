@@ -49,3 +49,12 @@ impl<L: Lanes> Along<L> {
         Along { place: L::select(mask, yes.place, no.place), speed: L::select(mask, yes.speed, no.speed) }
     }
 }
+
+/// Just after a contact that was met directly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Met<T> {
+    /// The normal.
+    pub normal: usize,
+    /// Where the motion is along each normal: exactly on that one's stop.
+    pub along: [Along<T>; MOST],
+}

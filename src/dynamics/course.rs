@@ -22,8 +22,7 @@ impl<L: Lanes> Course<L> {
         let mut terms = [end.sin.all(0.0); BACK_TERMS];
         for k in 0..L::Real::BACK_ORDER + 1 {
             let row = &normal.back[k];
-            let forced = end.cos.times_plus(row.cos, end.sin.times_plus(row.sin, row.one));
-            let mut sum = forced;
+            let mut sum = end.cos.times_plus(row.cos, end.sin.times_plus(row.sin, row.one));
             for i in 0..N {
                 sum = end.state.x[i].times_plus(row.state.x[i], sum);
             }
@@ -48,10 +47,10 @@ impl<L: Lanes> Course<L> {
     /// d²(d·x)/du².
     #[inline(always)]
     pub fn bend(&self, u: L) -> L {
-        let weighed = |k: usize| self.0[k] * u.all((k * (k - 1)) as f64);
-        let mut sum = weighed(L::Real::BACK_ORDER);
-        for k in (2..L::Real::BACK_ORDER).rev() {
-            sum = sum.times_plus(u, weighed(k));
+        let mut sum = u.all(0.0);
+        for k in (2..L::Real::BACK_ORDER + 1).rev() {
+            let weighed = self.0[k] * u.all((k * (k - 1)) as f64);
+            sum = if k == L::Real::BACK_ORDER { weighed } else { sum.times_plus(u, weighed) };
         }
         sum
     }

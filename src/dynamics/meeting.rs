@@ -1,23 +1,13 @@
 //! A trajectory within a step of free flight, up to and through a contact that is met directly.
 
-use super::along::Along;
+use super::along::Met;
 use super::crossing::Crossing;
 use super::placing::placed;
 use super::point::Point;
 use super::stop::{Contact, Stop};
 use super::tangent::{Tangent, strike_all};
 use super::trajectory::{Event, Impact, Move, Trajectory};
-use crate::model::vector::MOST;
 use crate::model::{Flight, Real};
-
-/// Just after a contact that was met directly.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Met<T> {
-    /// The normal.
-    pub normal: usize,
-    /// Where the motion is along each normal: exactly on that one's stop.
-    pub along: [Along<T>; MOST],
-}
 
 impl<T: Real, const N: usize> Trajectory<T, N> {
     /// A trajectory within a step of free flight that is under way, where it was left; `met` is the last contact that was met

@@ -98,24 +98,6 @@ impl<L: Lanes, const N: usize> Point<L, N> {
         Point { state: self.state.plus(kick, wake), ..*self }
     }
 
-    /// x'' in free flight.
-    #[inline(always)]
-    pub fn accelerations(&self, flight: &Flight<L, N>) -> [L; N] {
-        let forced = axpy(self.sin, &flight.sin, &flight.load);
-        let forced = axpy(self.cos, &flight.cos, &forced);
-        let pulled = applied_onto(&flight.stiffness, &self.state.x, &forced);
-        applied_onto(&flight.damping, &self.state.v, &pulled)
-    }
-
-    /// x''' in free flight, from x''.
-    #[inline(always)]
-    pub fn jerks(&self, flight: &Flight<L, N>, acceleration: &[L; N]) -> [L; N] {
-        let turned = scaled(-(flight.omega * self.sin), &flight.cos);
-        let forced = axpy(flight.omega * self.cos, &flight.sin, &turned);
-        let pulled = applied_onto(&flight.stiffness, &self.state.v, &forced);
-        applied_onto(&flight.damping, acceleration, &pulled)
-    }
-
     /// A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for less
     /// than a step before the point, or after it.
     #[inline(always)]
@@ -139,8 +121,8 @@ impl<T: Real, const N: usize> Motion<T, N> {
         [sign * self.pressing[end.normal], sign * self.pressing_rate[end.normal]]
     }
 
-    /// A bound on the fourth derivative of what presses on a contact, for the rest of the step: x'' flows like x, forced by −ω²
-    /// times as much.
+    /// A bound on the fourth derivative of what presses on a contact, for less than a step before or after: x'' flows like x, forced
+    /// by −ω² times as much.
     #[inline(always)]
     pub fn bound(&self, flight: &Flight<T, N>, normal: usize) -> T {
         let along = &flight.normals[normal];
@@ -157,6 +139,24 @@ impl<T: Real, const N: usize> Point<T, N> {
     #[inline(never)]
     pub fn flown(&self, flight: &Flight<T, N>, s: T, contact: Contact) -> Self {
         T::fused(Flown { from: self, flight, s, contact })
+    }
+
+    /// x'' in free flight.
+    #[inline(always)]
+    pub fn accelerations(&self, flight: &Flight<T, N>) -> [T; N] {
+        let forced = axpy(self.sin, &flight.sin, &flight.load);
+        let forced = axpy(self.cos, &flight.cos, &forced);
+        let pulled = applied_onto(&flight.stiffness, &self.state.x, &forced);
+        applied_onto(&flight.damping, &self.state.v, &pulled)
+    }
+
+    /// x''' in free flight, from x''.
+    #[inline(always)]
+    pub fn jerks(&self, flight: &Flight<T, N>, acceleration: &[T; N]) -> [T; N] {
+        let turned = scaled(-(flight.omega * self.sin), &flight.cos);
+        let forced = axpy(flight.omega * self.cos, &flight.sin, &turned);
+        let pulled = applied_onto(&flight.stiffness, &self.state.v, &forced);
+        applied_onto(&flight.damping, acceleration, &pulled)
     }
 
     /// The point a time `s` later, so short that its square is lost in rounding.

@@ -1,10 +1,9 @@
 //! One trajectory: steps of flight, impacts, chatter, sticking, until it has gone as far as was asked.
 
-use super::along::Along;
+use super::along::{Along, Met};
 use super::contact::{self, Reached};
 use super::crossing::crossing;
 use super::leg::Leg;
-use super::meeting::Met;
 use super::placing::{clamped, rested};
 use super::point::Point;
 use super::stop::{Contact, Stop};
@@ -67,7 +66,7 @@ pub struct Move<T> {
 /// Time is never summed up: the place is a step within the forcing period and an offset within the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trajectory<T, const N: usize> {
-    /// The present state and forcing phasor.
+    /// The present state and forcing phasor; within a step of free flight, only to be read.
     pub point: Point<T, N>,
     /// Where the present step ends if nothing more is met on the way; known while a step of free flight is under way.
     pub(super) ahead: Point<T, N>,
@@ -82,7 +81,7 @@ pub struct Trajectory<T, const N: usize> {
     /// Whether a step of free flight is under way: `ahead` is its end then, and a tangent that is carried along is that of
     /// its end.
     pub(super) under_way: bool,
-    /// The contact that was met directly just now: the point is yet to be found then.
+    /// The contact that was met directly just now: the point follows from it, once somebody asks for it.
     pub(super) met: Option<Met<T>>,
 }
 

@@ -15,7 +15,6 @@ impl<L: Lanes, const N: usize> Flight<L, N> {
         self.inverse_h.set_lane(lane, flight.inverse_h);
         self.turn_sin.set_lane(lane, flight.turn_sin);
         self.turn_cos.set_lane(lane, flight.turn_cos);
-        self.omega.set_lane(lane, flight.omega);
         self.rate.set_lane(lane, flight.rate);
         for i in 0..N {
             self.phi_x[i].set_lane(lane, &flight.phi_x[i]);
@@ -28,9 +27,6 @@ impl<L: Lanes, const N: usize> Flight<L, N> {
             set_vector(&mut self.stiffness[i], lane, &flight.stiffness[i]);
             set_vector(&mut self.damping[i], lane, &flight.damping[i]);
         }
-        set_vector(&mut self.sin, lane, &flight.sin);
-        set_vector(&mut self.cos, lane, &flight.cos);
-        set_vector(&mut self.load, lane, &flight.load);
         for (normal, from) in self.normals.iter_mut().zip(flight.normals()) {
             normal.set_lane(lane, from);
         }

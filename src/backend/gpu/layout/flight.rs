@@ -6,7 +6,7 @@ use std::fmt::Display;
 use crate::backend::gpu::shader::Shape;
 use crate::model::{ContactNormal, Flight, Real, State, StopsAlong};
 
-/// Terms of an impact's polynomials in f32: up to their order.
+/// Terms of the polynomial of an impact in f32: up to its order.
 pub const KICK_TERMS: usize = <f32 as Real>::KICK_ORDER + 1;
 
 /// Terms of the polynomials of the way to the end of a step in f32.
@@ -189,7 +189,7 @@ pub fn write_flight<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>
     }
 }
 
-/// The polynomials of impacts, normal by normal: its wake, and then its look back.
+/// The polynomials of a step, normal by normal: what a kick becomes, and then what the end says of the way to it.
 pub fn write_kicks<const N: usize>(flight: &Flight<f32, N>, into: &mut Vec<u32>) {
     let mut members = Members { words: into, declared: None };
     for normal in flight.normals() {

@@ -74,7 +74,7 @@ fn observer_save() {
         }
     }
 
-    /// Declares `flight_load`, which a kernel calls when it knows its cell, and `kick_term`.
+    /// Declares `flight_load`, which a kernel calls when it knows its cell, and `normal_term`.
     pub fn source(self) -> &'static str {
         match self {
             Residence::Buffer => {
@@ -82,8 +82,8 @@ fn observer_save() {
     flow = cells[cell].flow;
 }
 
-// A term of the polynomials of a normal's impacts: its wake, then its look back.
-fn kick_term(normal: u32, term: u32) -> State {
+// A term of the polynomials of a normal: what a kick becomes, then what the end of a step says of the way to it.
+fn normal_term(normal: u32, term: u32) -> State {
     return kicks[(flow * NORMALS + normal) * NORMAL_TERMS + term];
 }
 "
@@ -105,8 +105,8 @@ fn flight_load() {
     }
 }
 
-// A term of the polynomials of a normal's impacts: its wake, then its look back.
-fn kick_term(normal: u32, term: u32) -> State {
+// A term of the polynomials of a normal: what a kick becomes, then what the end of a step says of the way to it.
+fn normal_term(normal: u32, term: u32) -> State {
     return cell_kicks[normal][term];
 }
 "

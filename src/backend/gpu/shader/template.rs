@@ -3,10 +3,9 @@
 //! A block between the lines `//: each normal` and `//: end` stands once for every normal, with `$k` as its number; so do
 //! `each stop`, `each component` of a state (and `each further component` after the first) and, with `$i` as the number and
 //! `$c` as what selects the component, `each coordinate`. A block of `each pair of normals` stands once for every ordered pair,
-//! with `$k` and `$l`. Terms of
-//! polynomials and Newton steps are unrolled too, with `$k` as the order: `each kick term` and `each back term` from the highest but
-//! one down, `each slope term` and `each bend term` from the highest to the first and to the second, with `$w` as the weight of a
-//! second derivative.
+//! with `$k` and `$l`. Terms of polynomials and Newton steps are unrolled too, with `$k` as the order: `each kick term` and `each back
+//! term` from the highest but one down, `each slope term` and `each bend term` from the highest to the first and to the second,
+//! with `$w` as the weight of a second derivative.
 
 use crate::dynamics::constants::NEWTON_STEPS;
 use crate::model::{Real, System};
