@@ -36,7 +36,7 @@ fn observer_state(regime: u32) -> State {
     if regime == REGIME_NO_IMPACT && observer.stage == STAGE_QUIET && flight.quiet_decays == 1u {
         return flight.quiet_forced;
     }
-    return trajectory.point.state;
+    return trajectory_present().state;
 }
 
 fn observer_verdict() -> Verdict {

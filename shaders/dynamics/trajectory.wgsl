@@ -9,8 +9,8 @@ struct Trajectory {
     offset: f32,
     // 1 while a step of free flight is under way: `ahead` is its end then, and a tangent that is carried along is that of its end.
     under_way: u32,
-    // One more than the number of the normal that was met directly just now, and where it is along each: the point is yet to be
-    // found then. Otherwise 0.
+    // One more than the number of the normal that was met directly just now, and where it is along each: the point follows from
+    // them then. Otherwise 0.
     met: u32,
     along: Alongs,
 }
@@ -66,14 +66,15 @@ fn trajectory_along() -> Alongs {
     return along_each(trajectory.point);
 }
 
-// The point just after a contact that was met directly: where the end of the step was so long before, and exactly on its stop.
-fn trajectory_find_point() {
-    if trajectory.met > 0u {
-        let normal = trajectory.met - 1u;
-        var before = point_flown(trajectory.ahead, trajectory.offset - flight.h, CONTACT_FREE);
-        before.state = placed(normal, before.state, trajectory.along[normal]);
-        trajectory.point = before;
+// The present point: just after a contact that was met directly, where the end of the step was so long before, and exactly on the
+// stop.
+fn trajectory_present() -> Point {
+    if trajectory.met == 0u {
+        return trajectory.point;
     }
+    let normal = trajectory.met - 1u;
+    let before = point_flown(trajectory.ahead, trajectory.offset - flight.h, CONTACT_FREE);
+    return Point(placed(normal, before.state, trajectory.along[normal]), before.sin, before.cos);
 }
 
 // Within a step: finds its end where flight is free, and what the tangent of the present point is there.
@@ -126,7 +127,7 @@ fn fly(carry: bool) -> Move {
             let met = crossing_of(before, trajectory.ahead, window);
             if met.certain {
                 trajectory_cross(met, carry);
-                trajectory_find_point();
+                trajectory.point = trajectory_present();
                 let stop = flight.normals[met.end.normal].stop[met.end.side];
                 return Move(EVENT_IMPACT, stop, met.velocity, met.rebound, CONTACT_FREE);
             }
@@ -165,7 +166,7 @@ fn trajectory_cross(met: Crossing, carry: bool) {
 // Free flight towards a stop, as far as is safe.
 fn approach(carry: bool) -> Move {
     let window = flight.h - trajectory.offset;
-    trajectory_find_point();
+    trajectory.point = trajectory_present();
     trajectory.met = 0u;
     let motion = point_motion(trajectory.point, CONTACT_FREE);
     let time = contact_safe_time(trajectory.point, motion, CONTACT_FREE, window);

@@ -69,7 +69,6 @@ fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     observer_save();
     if stage_is_over(observer.stage) {
-        trajectory_find_point();
         verdicts[cell] = observer_verdict();
         unfinished[index] = FINISHED;
     }

@@ -83,13 +83,11 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     /// Follows the trajectory to its end.
     pub fn follow(&mut self, flight: &Flight<T, N>, schedule: &Schedule) {
-        while !self.is_done() {
-            self.follow_to_phase::<false>(flight, schedule, &mut |_: &Trajectory<T, N>, _: &Event<T>| ());
-        }
+        self.follow_listening(flight, schedule, &mut |_: &Trajectory<T, N>, _: &Event<T>| ());
     }
 
     /// Follows the trajectory to its end; `listen` is told of every event of the observation, with the trajectory
-    /// just after it.
+    /// just after it, whose point is [`Trajectory::present`].
     #[inline(always)]
     pub fn follow_listening(
         &mut self,
@@ -98,13 +96,13 @@ impl<T: Real, const N: usize> Observer<T, N> {
         listen: &mut impl FnMut(&Trajectory<T, N>, &Event<T>),
     ) {
         while !self.is_done() {
-            self.follow_to_phase::<true>(flight, schedule, listen);
+            self.follow_to_phase(flight, schedule, listen);
         }
     }
 
-    /// Follows the trajectory to the next phase 0 or π, on copies; who `LISTENS` is told where it is at every event.
+    /// Follows the trajectory to the next phase 0 or π, on copies.
     #[inline(always)]
-    fn follow_to_phase<const LISTENS: bool>(
+    fn follow_to_phase(
         &mut self,
         flight: &Flight<T, N>,
         schedule: &Schedule,
@@ -122,9 +120,6 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 (self.trajectory, self.tangent) = (trajectory, tangent);
             }
             if observing {
-                if LISTENS {
-                    trajectory.find_point(flight);
-                }
                 listen(&trajectory, &taken.event);
                 self.loss.note(flight, &trajectory, &taken.event);
             }
@@ -169,9 +164,6 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 self.note(flight, schedule, &taken);
             }
             warily = false;
-        }
-        if self.is_done() {
-            self.trajectory.find_point(flight);
         }
     }
 

@@ -53,9 +53,8 @@ impl Probe {
         trajectory: &Trajectory<T, N>,
         event: &Event<T>,
     ) -> Option<T> {
-        let state = trajectory.point.state;
         match (self.section, event) {
-            (Section::Strobe, Event::Strobe) => Some(self.of_state(flight, &state)),
+            (Section::Strobe, Event::Strobe) => Some(self.of_state(flight, &trajectory.point.state)),
             (Section::Impact(stop), Event::Impact(impact) | Event::Caught { impact, .. })
                 if stop == impact.stop && impact.velocity_before != T::zero() =>
             {
@@ -63,7 +62,10 @@ impl Probe {
                     Reading::VBefore => impact.velocity_before,
                     Reading::VAfter => impact.velocity_after,
                     Reading::Tau => phase(flight, trajectory),
-                    _ => self.of_state(flight, &leaving(flight, &state, stop, impact.velocity_after)),
+                    _ => {
+                        let state = trajectory.present(flight).state;
+                        self.of_state(flight, &leaving(flight, &state, stop, impact.velocity_after))
+                    }
                 })
             }
             _ => None,

@@ -60,7 +60,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// another impact, that response.
     fn state(&self, flight: &Flight<T, N>, regime: Regime) -> State<T, N> {
         let forced = regime == Regime::NoImpact && self.stage == Stage::Quiet && flight.quiet.decays;
-        if forced { flight.quiet.forced } else { self.trajectory.point.state }
+        if forced { flight.quiet.forced } else { self.trajectory.present(flight).state }
     }
 
     /// Whether the state began to return only within the observation.

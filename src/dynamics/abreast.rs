@@ -193,7 +193,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             let flight = &self.flight;
             let may = ready;
             let ahead = point.stepped(flight);
-            let leg = Leg { from, to: Along::each(&ahead, flight), end: &ahead, span };
+            let leg = Leg::new(from, &ahead, span, flight);
             let moves = ready.and(leg.clears(flight));
             let carried = ready.and(self.carries);
             if carried.bits() != 0 {
@@ -205,9 +205,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             ready = moves;
             made += moves.bits().count_ones();
             self.usage.step_slots += L::WIDTH as u64;
-            for k in 0..flight.count {
-                from[k] = Along::select(moves, &leg.to[k], &from[k]);
-            }
+            from = Along::select_each(moves, &leg.to, &from, flight.count);
             let end = clock.exact(&ahead);
             point = Point::select(moves, &end, &point);
             phases = self.complete(may, moves, &end, &mut clock);
@@ -238,11 +236,8 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let (zero, one) = (window.all(0.0), window.all(1.0));
         let begins = kicks.below(one);
         let ahead = Point::select(begins, &point.stepped(flight), &self.ahead);
-        let mut from = Along::each(&point, flight);
-        for k in 0..flight.count {
-            from[k] = Along::select(begins, &from[k], &self.along[k]);
-        }
-        let leg = Leg::new(from, &ahead, window, flight);
+        let from = Along::select_each(begins, &Along::each(&point, flight), &self.along, flight.count);
+        let leg = Leg::new(from, &ahead, Span::of(window), flight);
         let clearances = leg.clearances(flight);
         let met = crossing(&leg, &clearances, flight);
         let few = kicks.below(window.all(f64::from(MOST_KICKS)));
@@ -257,14 +252,12 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             tangent.0 = State::select(struck.and(carries), &changed.0, &tangent.0);
         }
         self.tangent = tangent;
-        for k in 0..flight.count {
-            from[k] = Along::select(struck, &met.after[k], &from[k]);
-        }
+        let from = Along::select_each(struck, &met.after, &from, flight.count);
         let normal = L::select(struck, met.normal, self.met);
         let ahead = Point::select(struck, &met.ahead, &ahead);
         let kicks = kicks + L::select(struck, one, zero);
         let offset = offset + L::select(struck, met.time, zero);
-        let leg = Leg::new(from, &ahead, flight.h - offset, flight);
+        let leg = Leg::new(from, &ahead, Span::of(flight.h - offset), flight);
         let moves = struck.and(leg.clears(flight)).or(clears);
         self.tally.count(flight, struck, carries, &met);
         let uncertain = waits.and(struck.or(clears).not()).bits();

@@ -15,13 +15,13 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     #[inline]
     pub fn advance(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
         let taken = self.advance_blindly(flight, tangents);
-        self.find_point(flight);
+        self.point = self.present(flight);
         debug_assert!(contact::holds(flight, &self.point), "beyond a stop after {taken:?}: {self:?}");
         taken
     }
 
-    /// Moves on like [`Trajectory::advance`], but leaves the point of an impact to [`Trajectory::find_point`]: who goes on does not
-    /// need it.
+    /// Moves on like [`Trajectory::advance`], but leaves the point of an impact to [`Trajectory::present`]: who goes on does not need
+    /// it.
     #[inline]
     pub fn advance_blindly(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>]) -> Move<T> {
         if self.contact.is_free() { self.fly(flight, tangents) } else { self.rest(flight, tangents) }

@@ -48,6 +48,16 @@ impl<L: Lanes> Along<L> {
     pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
         Along { place: L::select(mask, yes.place, no.place), speed: L::select(mask, yes.speed, no.speed) }
     }
+
+    /// The same along so many normals; the others mean nothing.
+    #[inline(always)]
+    pub fn select_each(mask: L::Mask, yes: &[Self; MOST], no: &[Self; MOST], count: usize) -> [Self; MOST] {
+        let mut each = *no;
+        for k in 0..count {
+            each[k] = Along::select(mask, &yes[k], &no[k]);
+        }
+        each
+    }
 }
 
 /// Just after a contact that was met directly.

@@ -69,8 +69,8 @@ impl<M: Mask> Clearance<M> {
 impl<'a, L: Lanes, const N: usize> Leg<'a, L, N> {
     /// From somewhere along each normal to the end of the step, so much later.
     #[inline(always)]
-    pub fn new(from: [Along<L>; MOST], end: &'a Point<L, N>, window: L, flight: &Flight<L, N>) -> Self {
-        Leg { from, to: Along::each(end, flight), end, span: Span::of(window) }
+    pub fn new(from: [Along<L>; MOST], end: &'a Point<L, N>, span: Span<L>, flight: &Flight<L, N>) -> Self {
+        Leg { from, to: Along::each(end, flight), end, span }
     }
 
     /// The leg along one normal.
@@ -116,7 +116,7 @@ impl<'a, L: Lanes, const N: usize> Leg<'a, L, N> {
         clearances
     }
 
-    /// Where the leg provably stays off all stops. The first normal is written out: most cells have no other.
+    /// Where the leg provably stays off all stops: all [`clearances`](Self::clearances), which need not be kept.
     #[inline(always)]
     pub fn clears(&self, flight: &Flight<L, N>) -> L::Mask {
         let mut clear = self.clearance(flight, 0).both();

@@ -23,15 +23,13 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         Trajectory { point, ahead, kicks, contact: Contact::FREE, step, offset, under_way: true, met }
     }
 
-    /// The point just after a contact that was met directly: where the end of the step was so long before, and exactly on its
-    /// stop.
+    /// The present point: just after a contact that was met directly, where the end of the step was so long before, and exactly on
+    /// the stop.
     #[inline]
-    pub fn find_point(&mut self, flight: &Flight<T, N>) {
-        if let Some(Met { normal, along }) = self.met {
-            let before = self.ahead.flown(flight, self.offset - flight.h, Contact::FREE);
-            let state = placed(&flight.normals[normal], &before.state, along[normal]);
-            self.point = Point { state, ..before };
-        }
+    pub fn present(&self, flight: &Flight<T, N>) -> Point<T, N> {
+        let Some(Met { normal, along }) = self.met else { return self.point };
+        let before = self.ahead.flown(flight, self.offset - flight.h, Contact::FREE);
+        Point { state: placed(&flight.normals[normal], &before.state, along[normal]), ..before }
     }
 
     /// Up to and through a contact that is certain.

@@ -26,7 +26,7 @@ impl<T: Real> Swing<T> {
     }
 
     pub fn leg(&self) -> Leg<'_, T, 1> {
-        Leg::new(Along::each(&self.from, &self.flight), &self.to, self.flight.h, &self.flight)
+        Leg::new(Along::each(&self.from, &self.flight), &self.to, Span::of(self.flight.h), &self.flight)
     }
 }
 

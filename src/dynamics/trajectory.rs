@@ -3,6 +3,7 @@
 use super::along::{Along, Met};
 use super::contact::{self, Reached};
 use super::crossing::crossing;
+use super::hull::Span;
 use super::leg::Leg;
 use super::placing::{clamped, rested};
 use super::point::Point;
@@ -66,7 +67,7 @@ pub struct Move<T> {
 /// Time is never summed up: the place is a step within the forcing period and an offset within the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trajectory<T, const N: usize> {
-    /// The present state and forcing phasor; within a step of free flight, only to be read.
+    /// The present state and forcing phasor, but after [`Trajectory::advance_blindly`]; within a step of free flight only to be read.
     pub point: Point<T, N>,
     /// Where the present step ends if nothing more is met on the way; known while a step of free flight is under way.
     pub(super) ahead: Point<T, N>,
@@ -190,7 +191,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
                 Some(met) => met.along,
                 None => Along::each(&self.point, flight),
             };
-            let leg = Leg::new(from, &self.ahead, window, flight);
+            let leg = Leg::new(from, &self.ahead, Span::of(window), flight);
             let clearances = leg.clearances(flight);
             if clearances.all(flight.count) {
                 return self.go_ahead(flight, window);
@@ -215,7 +216,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         flight: &Flight<T, N>,
         tangents: &mut [Tangent<T, N>],
     ) -> Move<T> {
-        self.find_point(flight);
+        self.point = self.present(flight);
         self.met = None;
         let window = flight.h - self.offset;
         let contact = Contact::FREE;

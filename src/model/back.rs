@@ -8,7 +8,7 @@ use nalgebra::SVector;
 
 use super::equations::Equations;
 use super::flow::{self, Functional};
-use super::kick::economize;
+use super::kick::{economize, filled};
 use super::real::Real;
 use super::row::{Row, Term};
 
@@ -24,7 +24,7 @@ pub(super) fn back<const N: usize>(
     let now = Functional { x: direction, v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 };
     let mut terms: Vec<_> = flow::series_back(equations, h, now).map(Row::of).collect();
     economize_slope(&mut terms, f64::BACK_ORDER);
-    std::array::from_fn(|k| terms.get(k).copied().unwrap_or(Term::zero()))
+    filled(&terms)
 }
 
 /// The same in another precision, of as many terms as that needs; the others are 0.

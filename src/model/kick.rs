@@ -24,7 +24,12 @@ pub(super) fn kick<const N: usize>(
     let unit = Augmented { v: response, ..Augmented::zeros() };
     let mut terms: Vec<_> = flow::series(equations, h, unit).map(|term| mechanical(&term)).collect();
     economize(&mut terms, f64::KICK_ORDER);
-    std::array::from_fn(|k| terms.get(k).copied().unwrap_or(State::zero()))
+    filled(&terms)
+}
+
+/// The first of these terms, as many as there is room for; 0 where there are fewer.
+pub(super) fn filled<V: Term, const M: usize>(terms: &[V]) -> [V; M] {
+    std::array::from_fn(|k| terms.get(k).copied().unwrap_or(V::zero()))
 }
 
 /// Such a polynomial at u = s/h, 0 ≤ u ≤ 1, by Horner's scheme.

@@ -150,7 +150,7 @@ fn two_masses(gaps: [[Option<f64>; 2]; 2], [place, speed]: [f64; 2]) -> Crossing
     let (sin, cos) = (0.5 * std::f64::consts::PI - 0.5 * flight.h).sin_cos();
     let from = Point::at_phase_zero(State { x: [0.5 * sin, place], v: [0.5 * cos, speed] });
     let to = from.stepped(&flight);
-    let leg = Leg::new(Along::each(&from, &flight), &to, flight.h, &flight);
+    let leg = Leg::new(Along::each(&from, &flight), &to, Span::of(flight.h), &flight);
     crossing(&leg, &leg.clearances(&flight), &flight)
 }
 

@@ -63,7 +63,7 @@ fn runs_stay_where_the_multipliers_say_so() {
 
 #[test]
 fn adaptation_captures_some_starts() {
-    let runs = starts(48).map(|start| run(&sine(Convention::Kick, 0.0, 0.1, 0.0055), 6000, start));
+    let runs = starts(24).map(|start| run(&sine(Convention::Kick, 0.0, 0.1, 0.0055), 6000, start));
     let captured: Vec<f64> = runs
         .filter(|(outcome, _)| outcome.verdict.label() == "1-2-1")
         .map(|(_, returns)| {
@@ -73,7 +73,7 @@ fn adaptation_captures_some_starts() {
             last.signal
         })
         .collect();
-    assert!(captured.len() >= 3 && captured.len() < 48, "{captured:?}");
+    assert!(captured.len() >= 3 && captured.len() < 24, "{captured:?}");
     assert!(captured.iter().all(|b| (0.10..0.40).contains(b)), "{captured:?}");
 }
 
