@@ -14,11 +14,12 @@ struct Here {
     last: f32,
 }
 
-// Of the step that ends at a point, as it would go without another impact.
-fn course_to(end: Point, normal: u32) -> Course {
+// Of the step that ends at a point, `there` along one normal, as it would go without another impact.
+fn course_to(end: Point, there: Along, normal: u32) -> Course {
     var course: Course;
-    course.terms[BACK_ORDER] = course_term(end, normal, BACK_ORDER);
-    //: each back term
+    course.terms[0] = there.place;
+    course.terms[1] = -(there.speed * flight.h);
+    //: each bend term
     course.terms[$k] = course_term(end, normal, $ku);
     //: end
     return course;
@@ -47,18 +48,9 @@ fn course_of_cosine(normal: u32, term: u32) -> f32 {
     return flight.normals[normal].back_cos[term];
 }
 
-// d²(d·x)/du².
-fn course_bend(course: Course, u: f32) -> f32 {
-    var sum = 0.0;
-    //: each bend term
-    sum = sum * u + course.terms[$k] * $w;
-    //: end
-    return sum;
-}
-
-// The same at the end of the step.
-fn course_bend_at_end(course: Course) -> f32 {
-    return course.terms[2] + course.terms[2];
+// What multiplies u² and u³.
+fn course_bends(course: Course) -> vec2<f32> {
+    return vec2(course.terms[2], course.terms[3]);
 }
 
 // About where the share u is left, on the way from a `place` where the share `since` was: by the quotient of Horner's scheme there,
@@ -96,7 +88,7 @@ fn course_each(before: Alongs, end: Point, u: f32, since: f32, normal: u32, own:
     if NORMALS > 1u {
         //: each normal
         if $ku != normal {
-            each[$k] = here_along(course_about(course_to(end, $ku), u, since, before[$k].place));
+            each[$k] = here_along(course_about(course_to(end, along_of(end, $ku), $ku), u, since, before[$k].place));
         }
         //: end
     }
@@ -110,11 +102,14 @@ fn here_along(here: Here) -> Along {
 // By how much the share changes that is left until d·x is at a place near by.
 fn here_change_to(here: Here, place: f32) -> f32 {
     let left = place - here.place;
-    let straight = left / here.slope;
-    let nearly = left / (here.bend * straight + here.slope);
+    let inverse = 1.0 / here.slope;
+    let straight = left * inverse;
+    let bent = here.bend * inverse * straight;
+    let nearly = ((bent + bent) * bent + -bent) * straight + straight;
     let far = (here.twist * nearly + here.bend) * nearly + here.slope;
-    let steep = ((here.twist * 3.0) * nearly + (here.bend + here.bend)) * nearly + here.slope;
-    return nearly - (far * nearly + -left) / steep;
+    let missed = (far * nearly + -left) * inverse;
+    let steeper = ((here.twist * 3.0) * nearly + (here.bend + here.bend)) * nearly * inverse;
+    return nearly - ((steeper * steeper + -steeper) * missed + missed);
 }
 
 // About the place after such a change, up to the second power.

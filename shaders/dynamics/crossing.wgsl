@@ -23,21 +23,23 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let normal = face.end.normal;
     let sign = end_sign(face.end);
     let gap = face_gap(face.end);
-    let course = course_to(ahead, normal);
-    let leaves = before[normal];
+    let begins = before[normal];
     let ends = along_of(ahead, normal);
+    let course = course_to(ahead, ends, normal);
+    // The gap, seen from the end of the leg: u is the share of it that is left.
     let whole = window * flight.inverse_h;
-    let scale = sign * (flight.inverse_h * flight.inverse_h);
-    let pulls = scale * vec2(course_bend(course, whole), course_bend_at_end(course));
-    let speeds = sign * vec2(leaves.speed, ends.speed);
-    let gaps = vec2(gap - sign * leaves.place, gap - sign * ends.place);
-    let polynomial = quintic_through(gaps, speeds, pulls, window);
-    var start = quintic_chord(gaps, speeds.x * window);
+    let bends = course_bends(course);
+    let square = -sign * (whole * whole);
+    let leaves = sign * begins.speed;
+    let slopes = vec2(sign * ends.speed * window, leaves * window);
+    let gaps = vec2(gap - sign * ends.place, gap - sign * begins.place);
+    let polynomial = quintic_through(gaps, slopes, square * bends.x, square * whole * bends.y);
+    var start = 1.0 - quintic_chord(gaps.yx, slopes.y);
     // Where the leg returns, the gap is narrowest on its way.
     var passes = false;
     var turns = 0.0;
     if face.returns {
-        let narrowest = quintic_narrowest(polynomial, speeds.y * window);
+        let narrowest = quintic_narrowest(polynomial, slopes.y);
         turns = narrowest.u;
         passes = 0.0 < narrowest.gap;
         start = narrowest_touch(narrowest);
@@ -45,10 +47,10 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let u = select(quintic_root(polynomial, start), turns, passes);
 
     // What that misses is little: the course itself says how much.
-    let nearly = (1.0 - u) * whole;
-    let here = course_about(course, nearly, whole, leaves.place);
+    let nearly = u * whole;
+    let here = course_about(course, nearly, whole, begins.place);
     if passes {
-        passes = turns_off(before, here_along(here), ahead, face.end, u, nearly, window);
+        passes = turns_off(before, here_along(here), ahead, face.end, 1.0 - u, nearly, window);
     }
     let change = here_change_to(here, sign * gap);
     let there = here_changed(here, change);
@@ -68,15 +70,15 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let force = sign * (pull - flight.normals[normal].drag * kick);
     let close = abs(change) * (flight.h * flight.rate) < STRAIGHT;
     let within = (0.0 < time) & (time < window);
-    let ways = vec2(speeds.x, sign * velocity);
+    let ways = vec2(leaves, sign * velocity);
     let bound = point_bound(ahead, normal);
     let width = stops.gap[normal][0] + stops.gap[normal][1];
-    let first = crossing_is_first(face, ways, pulls, time, bound, window)
-        | crossing_stays_off(face, gaps.x, width, ways, time, bound);
+    let first = crossing_stays_off(face, gaps.y, width, ways, time, bound);
     let parts = crossing_parts(face.end, restitution, rebound, ahead.state, force);
     let rounding = stop_rounding(face.end, ahead.state, window, window * velocity);
     let meets = abs(gap - sign * arrival.place) < rounding;
-    let deep = !face.returns | is_deep(ways.y, pulls, bound, window, rounding);
+    let last = (bends.x + bends.x) * (flight.inverse_h * flight.inverse_h);
+    let deep = !face.returns | is_deep(ways.y, vec2(sign * pull, sign * last), bound, window, rounding);
     let certain = face.only & close & within & first & parts & deep & meets;
     let own = Along(sign * gap, rebound);
     let passed = course_each(before, ahead, rest, whole, normal, own);
@@ -96,24 +98,6 @@ fn crossing_struck(end: End, passed: Alongs, kick: f32) -> Alongs {
         //: end
     }
     return each;
-}
-
-// Whether a contact is the first: the way to it is monotone, or bends towards the stop while it stays off the other one.
-fn crossing_is_first(
-    face: Face,
-    ways: vec2<f32>,
-    pulls: vec2<f32>,
-    time: f32,
-    bound: f32,
-    window: f32,
-) -> bool {
-    let leaves = ways.x;
-    let arrives = ways.y;
-    let within = pulled(pulls, bound, window);
-    let sets_out = 0.0 < min(within.x, 0.0) * time + leaves;
-    let comes_in = 0.0 < arrives - max(within.y, 0.0) * time;
-    let bends = (0.0 < within.x) & face.opposite_clear;
-    return (0.0 < arrives) & (sets_out | comes_in | bends);
 }
 
 // Whether a contact is the first since the gap lies within its hull on the way there, and that between the stops.

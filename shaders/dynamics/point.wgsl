@@ -160,14 +160,13 @@ fn bound_forcing(normal: u32) -> f32 {
 }
 
 fn bound_of(normal: u32, x: X, v: X, forcing: f32) -> f32 {
-    var bound = forcing;
+    var of_places = forcing;
+    var of_speeds = 0.0;
     //: each coordinate
-    bound = bound + flight.normals[normal].bound_x$c * abs(x$c);
+    of_places = flight.normals[normal].bound_x$c * abs(x$c) + of_places;
+    of_speeds = flight.normals[normal].bound_v$c * abs(v$c) + of_speeds;
     //: end
-    //: each coordinate
-    bound = bound + flight.normals[normal].bound_v$c * abs(v$c);
-    //: end
-    return bound;
+    return of_places + of_speeds;
 }
 
 fn point_approach(point: Point, motion: Motion, normal: u32) -> Approach {

@@ -13,20 +13,12 @@ struct Narrowest {
     bend: f32,
 }
 
-fn quintic_through(gaps: vec2<f32>, speeds: vec2<f32>, pulls: vec2<f32>, window: f32) -> Quintic {
-    let square = window * window;
-    let slope = -(speeds.x * window);
-    let bend = -(pulls.x * square * 0.5);
-    let place = gaps.y - gaps.x - slope - bend;
-    let arrival = -(speeds.y * window) - slope - (bend + bend);
-    let pull = (-(pulls.y * square) - (bend + bend)) * 0.5;
-    let high = vec4(
-        bend,
-        place * 10.0 + (arrival * -4.0 + pull),
-        place * -15.0 + (arrival * 7.0 + -(pull + pull)),
-        place * 6.0 + (arrival * -3.0 + pull),
-    );
-    return Quintic(vec2(gaps.x, slope), high);
+// With the same places and slopes at the two ends, and such coefficients of u² and u³.
+fn quintic_through(places: vec2<f32>, slopes: vec2<f32>, bend: f32, twist: f32) -> Quintic {
+    let change = places.y - places.x - slopes.x - bend - twist;
+    let rise = twist * -3.0 + (slopes.y - slopes.x - (bend + bend));
+    let high = vec4(bend, twist, change * 5.0 + -rise, change * -4.0 + rise);
+    return Quintic(vec2(places.x, slopes.x), high);
 }
 
 // The cubic with the same places and slopes at the two ends.
@@ -50,26 +42,30 @@ fn quintic_chord(gaps: vec2<f32>, approach: f32) -> f32 {
     return above / below;
 }
 
-// Where the gap closes.
+// Where the gap closes; the last of Newton's steps takes over the slope of the one before.
 fn quintic_root(c: Quintic, start: f32) -> f32 {
     let rise = quintic_rise(c);
     var u = start;
+    var inverse = start;
     //: each newton step
-    u = u - quintic_at(c, u) / (cubic(rise, u) * u + c.low.y);
+    inverse = 1.0 / (cubic(rise, u) * u + c.low.y);
+    u = -inverse * quintic_at(c, u) + u;
     //: end
-    return u;
+    return -inverse * quintic_at(c, u) + u;
 }
 
 // Where the gap is narrowest if the motion comes near, turns and goes.
-fn quintic_narrowest(c: Quintic, departure: f32) -> Narrowest {
+fn quintic_narrowest(c: Quintic, last: f32) -> Narrowest {
     let rise = quintic_rise(c);
     let bends = vec4(rise.x, rise.y + rise.y, rise.z * 3.0, rise.w * 4.0);
-    var u = c.low.y / (c.low.y + departure);
+    var u = c.low.y / (c.low.y - last);
     var bend = rise.x;
     //: each newton step
     bend = cubic(bends, u);
     u = u - (cubic(rise, u) * u + c.low.y) / bend;
     //: end
+    bend = cubic(bends, u);
+    u = u - (cubic(rise, u) * u + c.low.y) / bend;
     return Narrowest(u, quintic_at(c, u), bend);
 }
 
@@ -88,7 +84,7 @@ fn cubic(c: vec4<f32>, u: f32) -> f32 {
     return (c.w * u + c.z) * (u * u) + (c.y * u + c.x);
 }
 
-// About where a gap that is closed there closes before.
+// About where a gap that is closed there opens, beyond.
 fn narrowest_touch(narrowest: Narrowest) -> f32 {
-    return narrowest.u - sqrt(max(-(narrowest.gap + narrowest.gap) / narrowest.bend, 0.0));
+    return narrowest.u + sqrt(max(-(narrowest.gap + narrowest.gap) / narrowest.bend, 0.0));
 }

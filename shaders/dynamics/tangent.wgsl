@@ -68,10 +68,11 @@ fn tangent_rate(y: State) -> State {
 // d·x'' before it: it adds as much of the wake and of its derivative as the saltation adds of a velocity along the response, and
 // of its derivative.
 fn tangent_struck_ahead(tangent: State, back: State, velocity: f32, kick: f32, pull: f32, wake: State) -> State {
-    let shift = state_dot(back, tangent) / velocity;
-    let factor = kick / velocity;
-    let speed = -pull * shift + state_dot(back, tangent_rate(tangent));
-    return state_plus(state_plus(tangent, factor * speed, wake), kick * shift, tangent_rate(wake));
+    let inverse = 1.0 / velocity;
+    let factor = kick * inverse;
+    let there = state_dot(back, tangent);
+    let speed = -(pull * inverse) * there + state_dot(back, tangent_rate(tangent));
+    return state_plus(state_plus(tangent, factor * speed, wake), factor * there, tangent_rate(wake));
 }
 
 fn tangent_caught(tangent: State, contact: u32) -> State {

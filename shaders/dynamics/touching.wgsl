@@ -17,14 +17,10 @@ fn turns_off(before: Alongs, middle: Along, end: Point, stop: End, u: f32, rest:
     return off;
 }
 
-// Whether a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding.
+// Whether a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding; the
+// acceleration towards it is `pulls` there and at the end of the leg.
 fn is_deep(arrives: f32, pulls: vec2<f32>, bound: f32, window: f32, rounding: f32) -> bool {
-    let least = pulled(pulls, bound, window).x;
-    return (rounding + rounding) * max(-least, 0.0) < arrives * arrives;
-}
-
-// Between what the acceleration towards the stop lies all along a leg.
-fn pulled(pulls: vec2<f32>, bound: f32, window: f32) -> vec2<f32> {
     let swelling = (window * window) * (bound * 0.125);
-    return vec2(min(pulls.x, pulls.y) - swelling, max(pulls.x, pulls.y) + swelling);
+    let least = min(pulls.x, pulls.y) - swelling;
+    return (rounding + rounding) * max(-least, 0.0) < arrives * arrives;
 }

@@ -189,12 +189,14 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let (mut ready, mut waits) = (self.steps, self.waits);
         let (mut phases, mut made) = (0, 0);
         let (mut from, span) = (Along::each(&point, &self.flight), Span::of(self.flight.h));
+        // From nowhere nothing clears: no other mask stands between a step and the next.
+        from[0].place = L::select(ready, from[0].place, span.time.all(f64::NAN));
         while phases == 0 && ready.bits() != 0 && waits.bits().count_ones() < enough {
             let flight = &self.flight;
             let may = ready;
             let ahead = point.stepped(flight);
             let leg = Leg::new(from, &ahead, span, flight);
-            let moves = ready.and(leg.clears(flight));
+            let moves = leg.clears(flight);
             let carried = ready.and(self.carries);
             if carried.bits() != 0 {
                 // The constants are read again: without this hint they are copied to the stack above, carried or not.

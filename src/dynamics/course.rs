@@ -2,7 +2,7 @@
 
 use super::along::Along;
 use super::point::Point;
-use crate::model::{BACK_TERMS, ContactNormal, Flight, Lanes, Real};
+use crate::model::{BACK_TERMS, Flight, Lanes, Real, Row};
 
 /// The coefficients of uᵏ in d·x, u = s/h being the share of the step that is left, 0 ≤ u ≤ 1; see [`ContactNormal::back`].
 #[derive(Clone, Copy, Debug)]
@@ -14,24 +14,40 @@ pub struct Here<L>([L; NEAR]);
 
 /// As many as matter near by: the next is lost in rounding.
 const NEAR: usize = 5;
+/// The terms of a cubic.
+const BEGUN: usize = 4;
 
 impl<L: Lanes> Course<L> {
-    /// Of the step that ends at a point, as it would go without another impact.
+    /// Of the step that ends at a point, `there` along one normal, as it would go without another impact.
     #[inline(always)]
-    pub fn to<const N: usize>(end: &Point<L, N>, normal: &ContactNormal<L, N>) -> Self {
-        let mut terms = [end.sin.all(0.0); BACK_TERMS];
-        for k in 0..L::Real::BACK_ORDER + 1 {
-            let row = &normal.back[k];
-            let mut sum = end.cos.times_plus(row.cos, end.sin.times_plus(row.sin, row.one));
-            for i in 0..N {
-                sum = end.state.x[i].times_plus(row.state.x[i], sum);
-            }
-            for i in 0..N {
-                sum = end.state.v[i].times_plus(row.state.v[i], sum);
-            }
-            terms[k] = sum;
+    pub fn to<const N: usize>(end: &Point<L, N>, there: Along<L>, flight: &Flight<L, N>, k: usize) -> Self {
+        Course::begun(end, there, flight, k).completed(end, flight, k)
+    }
+
+    /// Of that the terms of a cubic alone, which can be had sooner.
+    #[inline(always)]
+    pub fn begun<const N: usize>(
+        end: &Point<L, N>,
+        there: Along<L>,
+        flight: &Flight<L, N>,
+        k: usize,
+    ) -> Self {
+        let mut terms = [there.place; BACK_TERMS];
+        terms[1] = -(there.speed * flight.h);
+        for term in 2..BEGUN {
+            terms[term] = term_of(&flight.normals[k].back[term], end);
         }
         Course(terms)
+    }
+
+    /// With the terms that are missing then.
+    #[inline(always)]
+    #[must_use]
+    pub fn completed<const N: usize>(mut self, end: &Point<L, N>, flight: &Flight<L, N>, k: usize) -> Self {
+        for term in BEGUN..L::Real::BACK_ORDER + 1 {
+            self.0[term] = term_of(&flight.normals[k].back[term], end);
+        }
+        self
     }
 
     /// `yes` where the mask holds, `no` elsewhere.
@@ -44,21 +60,10 @@ impl<L: Lanes> Course<L> {
         Course(terms)
     }
 
-    /// d²(d·x)/du².
+    /// What multiplies u² and u³.
     #[inline(always)]
-    pub fn bend(&self, u: L) -> L {
-        let mut sum = u.all(0.0);
-        for k in (2..L::Real::BACK_ORDER + 1).rev() {
-            let weighed = self.0[k] * u.all((k * (k - 1)) as f64);
-            sum = if k == L::Real::BACK_ORDER { weighed } else { sum.times_plus(u, weighed) };
-        }
-        sum
-    }
-
-    /// The same at the end of the step.
-    #[inline(always)]
-    pub fn bend_at_end(&self) -> L {
-        self.0[2] + self.0[2]
+    pub fn bends(&self) -> [L; 2] {
+        [self.0[2], self.0[3]]
     }
 
     /// About where the share u is left, on the way from a `place` where the share `since` was: d·x changes by u − since times a
@@ -82,6 +87,19 @@ impl<L: Lanes> Course<L> {
     }
 }
 
+/// What a row makes of a point.
+#[inline(always)]
+fn term_of<L: Lanes, const N: usize>(row: &Row<L, N>, point: &Point<L, N>) -> L {
+    let mut sum = point.cos.times_plus(row.cos, point.sin.times_plus(row.sin, row.one));
+    for i in 0..N {
+        sum = point.state.x[i].times_plus(row.state.x[i], sum);
+    }
+    for i in 0..N {
+        sum = point.state.v[i].times_plus(row.state.v[i], sum);
+    }
+    sum
+}
+
 /// The next step of Horner's scheme, with the next coefficient, for a polynomial's value at u, for that of the quotient, and so on,
 /// of which so many have begun.
 #[inline(always)]
@@ -103,17 +121,21 @@ impl<L: Lanes> Here<L> {
         Along { place: self.0[0], speed: -(self.0[1] * flight.inverse_h) }
     }
 
-    /// By how much the share changes that is left until d·x is at a place near by: once along the straight line, once along a
-    /// parabola through what that gives, and by one of Newton's steps on the cubic.
+    /// By how much the share changes that is left until d·x is at a place near by: along the parabola, nearly, and by one of
+    /// Newton's steps on the cubic.
     #[inline(always)]
     pub fn change_to(&self, place: L) -> L {
         let [here, slope, bend, twist, _] = self.0;
         let left = place - here;
-        let straight = left / slope;
-        let nearly = left / bend.times_plus(straight, slope);
+        let inverse = slope.all(1.0) / slope;
+        let straight = left * inverse;
+        let bent = bend * inverse * straight;
+        let nearly = (bent + bent).times_plus(bent, -bent).times_plus(straight, straight);
         let far = twist.times_plus(nearly, bend).times_plus(nearly, slope);
-        let steep = (twist * left.all(3.0)).times_plus(nearly, bend + bend).times_plus(nearly, slope);
-        nearly - far.times_plus(nearly, -left) / steep
+        let missed = far.times_plus(nearly, -left) * inverse;
+        // One over the slope there is this multiple of that here, but for the third power.
+        let steeper = (twist * left.all(3.0)).times_plus(nearly, bend + bend) * nearly * inverse;
+        nearly - steeper.times_plus(steeper, -steeper).times_plus(missed, missed)
     }
 
     /// About the place after such a change.

@@ -9,7 +9,7 @@ use super::leg::{Clearances, Leg};
 use super::point::Point;
 use super::quintic::Quintic;
 use super::tangent::FreeSaltation;
-use super::touching::{is_deep, pulled, turns_off};
+use super::touching::{is_deep, turns_off};
 use crate::model::vector::{MOST, dot};
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
@@ -48,35 +48,43 @@ pub fn crossing<L: Lanes, const N: usize>(
 ) -> Crossing<L, N> {
     let face = Face::of(leg, clearances, flight);
     let Face { sign, way, .. } = face;
-    let mut course = Course::to(leg.end, &flight.normals[0]);
+    let mut begun = Course::begun(leg.end, leg.to[0], flight, 0);
     for k in 1..flight.count {
-        course = Course::select(is_normal(face.normal, k), &Course::to(leg.end, &flight.normals[k]), &course);
+        let other = Course::begun(leg.end, leg.to[k], flight, k);
+        begun = Course::select(is_normal(face.normal, k), &other, &begun);
     }
     let window = leg.span.time;
     let (zero, one) = (window.all(0.0), window.all(1.0));
+    // The gap, seen from the end of the leg: u is the share of it that is left.
     let whole = leg.share(flight);
-    let scale = sign * (flight.inverse_h * flight.inverse_h);
-    let pulls = [scale * course.bend(whole), scale * course.bend_at_end()];
-    let speeds = [sign * way.from.speed, sign * way.to.speed];
-    let gaps = [face.open(way.from.place), face.open(way.to.place)];
-    let gap = Quintic::through(gaps, speeds, pulls, window);
-    let mut u = Quintic::chord(gaps, speeds[0] * window);
+    let [bend, twist] = begun.bends();
+    let square = -sign * (whole * whole);
+    let leaves = sign * way.from.speed;
+    let slopes = [sign * way.to.speed * window, leaves * window];
+    let gaps = [face.open(way.to.place), face.open(way.from.place)];
+    let gap = Quintic::through(gaps, slopes, [square * bend, square * whole * twist]);
+    let mut u = one - Quintic::chord([gaps[1], gaps[0]], slopes[1]);
     // Where the leg returns, the gap is narrowest on its way; few do.
     let (mut turns, mut opens) = (u, face.returns.and(face.returns.not()));
     if face.returns.bits() != 0 {
-        let narrowest = gap.narrowest(speeds[1] * window);
+        let narrowest = gap.narrowest(slopes[1]);
         turns = narrowest.u;
         opens = face.returns.and(zero.below(narrowest.gap));
         u = L::select(face.returns, narrowest.touch(), u);
     }
+    // Begun before the root is found, which takes long but leaves room for it.
+    let mut course = begun.completed(leg.end, flight, 0);
+    for k in 1..flight.count {
+        course = Course::select(is_normal(face.normal, k), &begun.completed(leg.end, flight, k), &course);
+    }
     let u = L::select(opens, turns, gap.root(u));
 
     // What that misses is little: the course itself says how much.
-    let nearly = (one - u) * whole;
+    let nearly = u * whole;
     let here = course.about(nearly, [whole, way.from.place]);
     let mut passes = opens;
     if opens.bits() != 0 {
-        passes = opens.and(turns_off(leg, &face, here.along(flight), [u, nearly], flight));
+        passes = opens.and(turns_off(leg, &face, here.along(flight), [one - u, nearly], flight));
     }
     let change = here.change_to(sign * face.gap);
     let there = here.changed(change);
@@ -91,15 +99,11 @@ pub fn crossing<L: Lanes, const N: usize>(
     let close = (change.magnitude() * (flight.h * flight.rate)).below(zero.all(L::Real::STRAIGHT));
     let within = zero.below(time).and(time.below(window));
     let arrives = sign * velocity;
-    let first = is_first(&face, [speeds[0], arrives], pulls, time).or(stays_off(
-        &face,
-        gaps[0],
-        [speeds[0], arrives],
-        time,
-    ));
+    let first = stays_off(&face, gaps[1], [leaves, arrives], time);
     let parts = parts_for_good(&face, flight, rebound, &leg.end.state.v, force);
     let rounding = face.rounding(&leg.end.state, window * velocity);
-    let deep = face.returns.not().or(is_deep(&way, arrives, pulls, rounding));
+    let last = (bend + bend) * (flight.inverse_h * flight.inverse_h);
+    let deep = face.returns.not().or(is_deep(&way, arrives, [sign * pull, sign * last], rounding));
     let meets = face.open(place).magnitude().below(rounding);
     let certain = face.only.and(close).and(within).and(first).and(parts).and(deep).and(meets);
     let Face { normal, upper, .. } = face;
@@ -133,23 +137,6 @@ fn struck<L: Lanes, const N: usize>(
         }
     }
     each
-}
-
-/// Where a contact after `time` is the first: the way to it is monotone, or bends towards the stop while it stays off the
-/// other one.
-#[inline(always)]
-fn is_first<L: Lanes, const N: usize>(
-    face: &Face<L, N>,
-    [leaves, arrives]: [L; 2],
-    pulls: [L; 2],
-    time: L,
-) -> L::Mask {
-    let zero = time.all(0.0);
-    let [least, most] = pulled(&face.way, pulls);
-    let sets_out = zero.below(least.smaller(zero).times_plus(time, leaves));
-    let comes_in = zero.below((-most.larger(zero)).times_plus(time, arrives));
-    let bends = zero.below(least).and(face.opposite_clear);
-    zero.below(arrives).and(sets_out.or(comes_in).or(bends))
 }
 
 /// Where a contact after `time` is the first since the gap lies within its [`Hull`] on the way there, and that between the stops.

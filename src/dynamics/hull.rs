@@ -49,10 +49,11 @@ impl<L: Lanes> Hull<L> {
     #[inline(always)]
     pub fn of(ends: [L; 2], slopes: [L; 2], bound: L, span: &Span<L>) -> Self {
         let margin = span.swelling * bound;
+        let half = bound.all(0.5);
         let second = slopes[0].times_plus(span.quarter, ends[0]);
         let fourth = (-slopes[1]).times_plus(span.quarter, ends[1]);
-        let turn = (slopes[0] - slopes[1]) * span.sixth;
-        let middle = (ends[0] + ends[1]).times_plus(bound.all(0.5), turn);
+        let begins = slopes[0].times_plus(span.sixth, ends[0] * half);
+        let middle = ends[1].times_plus(half, (-slopes[1]).times_plus(span.sixth, begins));
         Hull { second, fourth, lower: middle - margin, upper: middle + margin }
     }
 
@@ -66,6 +67,18 @@ impl<L: Lanes> Hull<L> {
     #[inline(always)]
     pub fn highest(&self) -> L {
         self.second.larger(self.fourth).larger(self.upper)
+    }
+
+    /// The lowest of the inner three and an outer one.
+    #[inline(always)]
+    pub fn lowest_with(&self, outer: L) -> L {
+        self.second.smaller(self.fourth).smaller(outer).smaller(self.lower)
+    }
+
+    /// The highest.
+    #[inline(always)]
+    pub fn highest_with(&self, outer: L) -> L {
+        self.second.larger(self.fourth).larger(outer).larger(self.upper)
     }
 }
 

@@ -92,7 +92,7 @@ impl<'a, L: Lanes, const N: usize> Leg<'a, L, N> {
         let mut each = [own; MOST];
         if flight.count > 1 {
             for k in 0..flight.count {
-                let course = Course::to(self.end, &flight.normals[k]);
+                let course = Course::to(self.end, self.to[k], flight, k);
                 let other = course.about(u, [self.share(flight), self.from[k].place]).along(flight);
                 each[k] = Along::select(is_normal(normal, k), &own, &other);
             }
@@ -144,8 +144,7 @@ impl<L: Lanes> Way<L> {
     pub fn clearance<const N: usize>(&self, normal: &ContactNormal<L, N>) -> Clearance<L::Mask> {
         let Way { from, to, span, bound } = *self;
         let hull = Hull::of([from.place, to.place], [from.speed, to.speed], bound, &span);
-        let highest = hull.highest().larger(to.place);
-        let lowest = hull.lowest().smaller(to.place);
+        let (highest, lowest) = (hull.highest_with(to.place), hull.lowest_with(to.place));
         // No comparison with a NaN holds.
         let sound = hull.lower.below(normal.gap[0]);
         Clearance { upper: sound.and(highest.below(normal.gap[0])), lower: (-normal.gap[1]).below(lowest) }

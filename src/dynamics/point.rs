@@ -110,7 +110,7 @@ impl<L: Lanes, const N: usize> Point<L, N> {
 /// See [`Point::bound`]; `forcing` is the bound's part that comes from outside.
 #[inline(always)]
 fn bound_of<L: Lanes, const N: usize>(along: &ContactNormal<L, N>, x: &[L; N], v: &[L; N], forcing: L) -> L {
-    absolute_onto(&along.bound_v, v, absolute_onto(&along.bound_x, x, forcing))
+    absolute_onto(&along.bound_x, x, forcing) + absolute_onto(&along.bound_v, v, forcing.all(0.0))
 }
 
 impl<T: Real, const N: usize> Motion<T, N> {

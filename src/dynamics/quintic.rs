@@ -2,32 +2,23 @@
 
 use crate::model::Lanes;
 
-/// A polynomial in u = s/w, from places, velocities and accelerations at u = 0 and u = 1.
+/// A polynomial on 0 ≤ u ≤ 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Quintic<L>([L; 6]);
 
-/// Newton steps to its root, and to where it is narrowest.
-pub const STEPS: usize = 3;
+/// Newton steps to its root, and to where it is narrowest, before the last.
+pub const STEPS: usize = 2;
 
 impl<L: Lanes> Quintic<L> {
-    /// For a gap that is `gaps` wide at the two ends, approached with `speeds` and the accelerations `pulls`.
+    /// With the same `places` and `slopes` at the two ends, and such coefficients of u² and u³.
     #[inline(always)]
-    pub fn through(gaps: [L; 2], speeds: [L; 2], pulls: [L; 2], window: L) -> Self {
-        let number = |value: f64| window.all(value);
-        let square = window * window;
-        let slope = -(speeds[0] * window);
-        let bend = -(pulls[0] * square * number(0.5));
-        let place = gaps[1] - gaps[0] - slope - bend;
-        let arrival = -(speeds[1] * window) - slope - (bend + bend);
-        let pull = (-(pulls[1] * square) - (bend + bend)) * number(0.5);
-        Quintic([
-            gaps[0],
-            slope,
-            bend,
-            place.times_plus(number(10.0), arrival.times_plus(number(-4.0), pull)),
-            place.times_plus(number(-15.0), arrival.times_plus(number(7.0), -(pull + pull))),
-            place.times_plus(number(6.0), arrival.times_plus(number(-3.0), pull)),
-        ])
+    pub fn through(places: [L; 2], slopes: [L; 2], [bend, twist]: [L; 2]) -> Self {
+        let number = |value: f64| bend.all(value);
+        let change = places[1] - places[0] - slopes[0] - bend - twist;
+        let rise = twist.times_plus(number(-3.0), slopes[1] - slopes[0] - (bend + bend));
+        let fourth = change.times_plus(number(5.0), -rise);
+        let fifth = change.times_plus(number(-4.0), rise);
+        Quintic([places[0], slopes[0], bend, twist, fourth, fifth])
     }
 
     /// The cubic with the same `places` and `slopes` at the two ends.
@@ -57,27 +48,28 @@ impl<L: Lanes> Quintic<L> {
         above / below
     }
 
-    /// Where the gap closes, by Newton's method from `start`.
+    /// Where the gap closes, by Newton's method from `start`; the last step takes over the slope of the one before.
     #[inline(always)]
     pub fn root(&self, start: L) -> L {
-        let (mut u, slope) = (start, self.0[1]);
+        let (mut u, mut inverse) = (start, start);
         let rise = self.rise();
         for _ in 0..STEPS {
-            u = u - self.at(u) / cubic(rise, u).times_plus(u, slope);
+            inverse = u.all(1.0) / cubic(rise, u).times_plus(u, self.0[1]);
+            u = (-inverse).times_plus(self.at(u), u);
         }
-        u
+        (-inverse).times_plus(self.at(u), u)
     }
 
     /// Where the gap is narrowest if the motion comes near, turns and goes: by Newton's method, from where the chord of the slopes
-    /// at both ends is zero (`departure` = speed · w at u = 1). Otherwise it may be another extremum, or none.
+    /// at both ends is zero, `last` being that at u = 1. Otherwise it may be another extremum, or none.
     #[inline(always)]
-    pub fn narrowest(&self, departure: L) -> Narrowest<L> {
+    pub fn narrowest(&self, last: L) -> Narrowest<L> {
         let slope = self.0[1];
         let rise = self.rise();
         let [first, second, third, fourth] = rise;
         let bends = [first, second + second, third * slope.all(3.0), fourth * slope.all(4.0)];
-        let (mut u, mut bend) = (slope / (slope + departure), first);
-        for _ in 0..STEPS {
+        let (mut u, mut bend) = (slope / (slope - last), first);
+        for _ in 0..STEPS + 1 {
             bend = cubic(bends, u);
             u = u - cubic(rise, u).times_plus(u, slope) / bend;
         }
@@ -117,11 +109,11 @@ pub struct Narrowest<L> {
 }
 
 impl<L: Lanes> Narrowest<L> {
-    /// About where a gap that is closed there closes before.
+    /// About where a gap that is closed there opens, beyond.
     #[inline(always)]
     pub fn touch(&self) -> L {
         let zero = self.u.all(0.0);
-        self.u - (-(self.gap + self.gap) / self.bend).larger(zero).root()
+        self.u + (-(self.gap + self.gap) / self.bend).larger(zero).root()
     }
 }
 

@@ -142,11 +142,12 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
         impact: &FreeSaltation<L, N>,
     ) -> Self {
         let FreeSaltation { velocity, kick, pull, wake } = impact;
-        let shift = back.dot(&self.0) / *velocity;
+        let inverse = velocity.all(1.0) / *velocity;
         // −(1 + r), as it acted.
-        let factor = *kick / *velocity;
-        let along = (-*pull).times_plus(shift, back.dot(&rate(flight, &self.0)));
-        Tangent(self.0.plus(factor * along, wake).plus(*kick * shift, &rate(flight, wake)))
+        let factor = *kick * inverse;
+        let there = back.dot(&self.0);
+        let along = (-(*pull * inverse)).times_plus(there, back.dot(&rate(flight, &self.0)));
+        Tangent(self.0.plus(factor * along, wake).plus(factor * there, &rate(flight, wake)))
     }
 }
 

@@ -35,19 +35,13 @@ pub fn turns_off<L: Lanes, const N: usize>(
 }
 
 /// Where a leg that returns from a stop, which it meets with the speed `arrives`, would go beyond it by more than rounding, then or
-/// in the next step: by v²/(2a) at least, where what pulls it back is at most a, see [`pulled`].
+/// in the next step: by v²/(2a) at least, where what pulls it back is at most a. The acceleration towards the stop is `pulls` there
+/// and at the end of the leg, and in between w²/8·max|(d·x)''''| less than either at most.
 #[inline(always)]
 pub fn is_deep<L: Lanes>(way: &Way<L>, arrives: L, pulls: [L; 2], rounding: L) -> L::Mask {
-    let [least, _] = pulled(way, pulls);
-    ((rounding + rounding) * (-least).larger(arrives.all(0.0))).below(arrives * arrives)
-}
-
-/// Between what the acceleration towards the stop lies all along a leg: it lies w²/8·max|(d·x)''''| outside of what lies between
-/// those at its ends, `pulls`, at most.
-#[inline(always)]
-pub fn pulled<L: Lanes>(way: &Way<L>, pulls: [L; 2]) -> [L; 2] {
     let swelling = (way.span.time * way.span.time) * (way.bound * way.span.time.all(0.125));
-    [pulls[0].smaller(pulls[1]) - swelling, pulls[0].larger(pulls[1]) + swelling]
+    let least = pulls[0].smaller(pulls[1]) - swelling;
+    ((rounding + rounding) * (-least).larger(arrives.all(0.0))).below(arrives * arrives)
 }
 
 #[cfg(test)]

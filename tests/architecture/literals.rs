@@ -12,7 +12,7 @@ use super::files;
 const ARITHMETIC: [f64; 4] = [0.0, 1.0, 2.0, 0.5];
 
 /// Numbers that a formula consists of: the file, the number, how often it is there, and the formula.
-const FORMULAS: [(&str, &str, usize, &str); 33] = [
+const FORMULAS: [(&str, &str, usize, &str); 30] = [
     ("analysis/extent.wgsl", "0.25", 1, "a quarter of a piece, from one point of its quadrature to the next"),
     ("analysis/extent.wgsl", "15.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
     ("analysis/extent.wgsl", "16.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
@@ -24,20 +24,17 @@ const FORMULAS: [(&str, &str, usize, &str); 33] = [
     ("dynamics/chatter.wgsl", "1.5", 1, "k = 3a(1 − r)/(2c)"),
     ("dynamics/chatter.wgsl", "3.0", 1, "u falls like exp(−ct/3)"),
     ("dynamics/contact.wgsl", "4.0", 1, "the discriminant b² − 4ac"),
+    ("dynamics/course.wgsl", "3", 1, "the term of third degree"),
     ("dynamics/course.wgsl", "3.0", 1, "the derivative of a power"),
     ("dynamics/hull.wgsl", "0.25", 1, "the second and the fourth of five Bernstein coefficients"),
-    ("dynamics/quintic.wgsl", "10.0", 1, "the quintic through two values, slopes and curvatures"),
-    ("dynamics/quintic.wgsl", "15.0", 1, "the quintic through two values, slopes and curvatures"),
+    ("dynamics/quintic.wgsl", "3.0", 4, "the polynomials through two values and slopes; derivatives"),
+    ("dynamics/quintic.wgsl", "4.0", 4, "the same; derivatives; the discriminant b² − 4ac"),
     (
         "dynamics/quintic.wgsl",
-        "3.0",
-        4,
-        "the polynomials through two values, slopes and curvatures; derivatives",
+        "5.0",
+        2,
+        "the quintic through two values and slopes; the derivative of a power",
     ),
-    ("dynamics/quintic.wgsl", "4.0", 4, "the same; derivatives; the discriminant b² − 4ac"),
-    ("dynamics/quintic.wgsl", "5.0", 1, "the derivative of a power"),
-    ("dynamics/quintic.wgsl", "6.0", 1, "the quintic through two values, slopes and curvatures"),
-    ("dynamics/quintic.wgsl", "7.0", 1, "the quintic through two values, slopes and curvatures"),
     ("dynamics/touching.wgsl", "0.125", 1, "s(w − s)/2 is w²/8 at most"),
     ("model/logarithm.wgsl", "0x007fffffu", 1, "the bits of the fraction in an f32"),
     ("model/logarithm.wgsl", "0x3f800000u", 1, "the bits of 1 in an f32"),

@@ -23,8 +23,8 @@ fn errors<T: Real, const N: usize>(system: &System, left: f64, said: f64) -> [f6
     let end = from.flown(&flight, flight.h, Contact::FREE);
     let there = from.flown(&flight, flight.h * T::of(1.0 - left), Contact::FREE);
     let mut most = [0.0f64; 3];
-    for normal in flight.normals() {
-        let course = Course::to(&end, normal);
+    for (k, normal) in flight.normals().iter().enumerate() {
+        let course = Course::to(&end, Along::of(&end, normal), &flight, k);
         let began = [T::one(), dot(&normal.direction, &from.state.x)];
         let nudge = 0.2 * T::STRAIGHT;
         let nearly = course.about(T::of(said + nudge), began).changed(T::of(-nudge));
@@ -38,9 +38,6 @@ fn errors<T: Real, const N: usize>(system: &System, left: f64, said: f64) -> [f6
                 *most = most.max((found - exact).widen().abs() / (T::EPSILON * size));
             }
         }
-        let bend = course.bend(T::of(said)) * flight.inverse_h * flight.inverse_h;
-        let exact = dot(&normal.direction, &there.accelerations(&flight));
-        most[2] = most[2].max((bend - exact).widen().abs() / (T::EPSILON * flight.rate.widen()));
     }
     most
 }
@@ -82,7 +79,7 @@ fn a_place_near_by_is_found() {
     let system = System::new(Setting::defaults(Family::paper())).unwrap();
     let (flight, from) = begun::<f64, 2>(&system);
     let end = from.flown(&flight, flight.h, Contact::FREE);
-    let course = Course::to(&end, &flight.normals[0]);
+    let course = Course::to(&end, Along::of(&end, &flight.normals[0]), &flight, 0);
     let began = [1.0, dot(&flight.normals[0].direction, &from.state.x)];
     let place = |u: f64| course.about(u, began).along(&flight).place;
     for off in [1e-5, -1e-5] {
@@ -97,7 +94,7 @@ fn a_narrow_way_is_as_exact_as_it_is_narrow() {
     let (flight, mut from) = begun::<f32, 2>(&System::new(setting).unwrap());
     from.state.x[0] = -1e-3;
     let end = from.flown(&flight, flight.h, Contact::FREE);
-    let course = Course::to(&end, &flight.normals[0]);
+    let course = Course::to(&end, Along::of(&end, &flight.normals[0]), &flight, 0);
     let missed = |began: [f32; 2]| {
         // A share without rounding.
         let after = flight.h / 512.0;

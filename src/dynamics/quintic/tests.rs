@@ -2,7 +2,7 @@ use super::*;
 use crate::dynamics::example::first_below;
 use crate::model::Real;
 
-/// A gap by its coefficients in s, up to the fifth degree; approached with −gap′ and −gap″.
+/// A gap by its coefficients in s, up to the fifth degree.
 struct Gap([f64; 6]);
 
 impl Gap {
@@ -10,23 +10,30 @@ impl Gap {
         self.0.iter().rev().fold(0.0, |sum, c| sum * s + c)
     }
 
-    fn speed(&self, s: f64) -> f64 {
-        -(1..6).rev().fold(0.0, |sum, k| sum * s + k as f64 * self.0[k])
+    /// Its m-th derivative.
+    fn derivative(&self, m: usize, s: f64) -> f64 {
+        let weight = |k: usize| (k + 1 - m..=k).map(|j| j as f64).product::<f64>();
+        (m..6).rev().fold(0.0, |sum, k| sum * s + weight(k) * self.0[k])
     }
 
-    fn pull(&self, s: f64) -> f64 {
-        -(2..6).rev().fold(0.0, |sum, k| sum * s + (k * (k - 1)) as f64 * self.0[k])
+    /// The speed with which it closes.
+    fn speed(&self, s: f64) -> f64 {
+        -self.derivative(1, s)
+    }
+
+    /// The polynomial in the share of a window that is left, by what is known at both ends of it.
+    fn seen_from_the_end<T: Real>(&self, window: f64) -> Quintic<T> {
+        let ends = |m: usize, weight: f64| [window, 0.0].map(|s| T::of(weight * self.derivative(m, s)));
+        let [bend, _] = ends(2, window.powi(2) / 2.0);
+        let [twist, _] = ends(3, -window.powi(3) / 6.0);
+        Quintic::through(ends(0, 1.0), ends(1, -window), [bend, twist])
     }
 
     /// The root in a window, as a time, at a precision.
     fn root<T: Real>(&self, window: f64) -> f64 {
-        let ends = |function: &dyn Fn(f64) -> f64| [T::of(function(0.0)), T::of(function(window))];
-        let gaps = ends(&|s| self.at(s));
-        let speeds = ends(&|s| self.speed(s));
-        let pulls = ends(&|s| self.pull(s));
-        let w = T::of(window);
-        let start = Quintic::chord(gaps, speeds[0] * w);
-        Quintic::through(gaps, speeds, pulls, w).root(start).widen() * window
+        let gaps = [T::of(self.at(0.0)), T::of(self.at(window))];
+        let start = Quintic::chord(gaps, T::of(self.speed(0.0) * window));
+        (1.0 - self.seen_from_the_end::<T>(window).root(T::one() - start).widen()) * window
     }
 }
 
@@ -99,23 +106,21 @@ fn a_gap_is_narrowest_where_its_derivative_is_zero() {
     let way = |gap: f64| Gap([gap, -0.5, 0.4, 0.15, -0.06, 0.01]);
     let narrowest = |gap: f64| {
         let way = way(gap);
-        let ends = |function: &dyn Fn(f64) -> f64| [function(0.0), function(1.0)];
-        let [gaps, speeds, pulls] = [ends(&|s| way.at(s)), ends(&|s| way.speed(s)), ends(&|s| way.pull(s))];
-        Quintic::through(gaps, speeds, pulls, 1.0).narrowest(speeds[1])
+        way.seen_from_the_end::<f64>(1.0).narrowest(way.speed(0.0))
     };
     let found = narrowest(0.2);
-    assert!(found.u > 0.3 && found.u < 0.7 && way(0.2).speed(found.u).abs() < 1e-9, "{found:?}");
-    assert!(
-        (found.gap - way(0.2).at(found.u)).abs() < 1e-15
-            && (found.bend + way(0.2).pull(found.u)).abs() < 1e-6
-    );
+    let s = 1.0 - found.u;
+    assert!(s > 0.3 && s < 0.7 && way(0.2).speed(s).abs() < 1e-9, "{found:?}");
+    let bend = way(0.2).derivative(2, s);
+    assert!((found.gap - way(0.2).at(s)).abs() < 1e-15 && (found.bend - bend).abs() < 1e-6);
     // A gap that is closed there closes before, about where the parabola does.
     for depth in [1e-12, 1e-6, 1e-3, 1e-2] {
-        let gap = 0.2 - found.gap - depth;
-        let start = narrowest(gap).touch();
-        assert!(start < found.u && way(gap).at(start).abs() < 0.2 * depth, "{depth}: {start}");
-        let root = Quintic([gap, -0.5, 0.4, 0.15, -0.06, 0.01]).root(start);
-        assert!(way(gap).at(root).abs() < 1e-15 && root < found.u, "{depth}: {root}");
+        let way = way(0.2 - found.gap - depth);
+        let seen = way.seen_from_the_end::<f64>(1.0);
+        let start = seen.narrowest(way.speed(0.0)).touch();
+        assert!(start > found.u && way.at(1.0 - start).abs() < 0.2 * depth, "{depth}: {start}");
+        let root = seen.root(start);
+        assert!(way.at(1.0 - root).abs() < 1e-15 && root > found.u, "{depth}: {root}");
     }
     assert_eq!(narrowest(0.3).touch(), narrowest(0.3).u, "one that stays open does not");
 }

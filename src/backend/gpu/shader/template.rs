@@ -4,8 +4,7 @@
 //! `each stop`, `each component` of a state (and `each further component` after the first) and, with `$i` as the number and
 //! `$c` as what selects the component, `each coordinate`. A block of `each pair of normals` stands once for every ordered pair,
 //! with `$k` and `$l`. Terms of polynomials and Newton steps are unrolled too, with `$k` as the order: `each kick term` and `each back
-//! term` from the highest but one down, `each slope term` and `each bend term` from the highest to the first and to the second,
-//! with `$w` as the weight of a second derivative.
+//! term` from the highest but one down, `each slope term` and `each bend term` from the highest to the first and to the second.
 
 use crate::dynamics::constants::NEWTON_STEPS;
 use crate::model::{Real, System};
@@ -89,11 +88,9 @@ impl Shape {
             // Horner's scheme, from the highest order below the last.
             "kick term" => (0..<f32 as Real>::KICK_ORDER).rev().for_each(|k| push(numbered(block, k))),
             "back term" => (0..<f32 as Real>::BACK_ORDER).rev().for_each(|k| push(numbered(block, k))),
-            // From the highest order on, for what does not ask for the last, or the last two.
+            // From the highest order on, for what does not ask for the lowest, or the lowest two.
             "slope term" => (1..=<f32 as Real>::BACK_ORDER).rev().for_each(|k| push(numbered(block, k))),
-            "bend term" => (2..=<f32 as Real>::BACK_ORDER).rev().for_each(|k| {
-                push(numbered(block, k).replace("$w", &format!("{}.0", k * (k - 1))));
-            }),
+            "bend term" => (2..=<f32 as Real>::BACK_ORDER).rev().for_each(|k| push(numbered(block, k))),
             "newton step" => (1..=NEWTON_STEPS).for_each(|k| push(block.replace("$k", &k.to_string()))),
             other => panic!("a shader repeats over `{other}`"),
         }
