@@ -42,6 +42,8 @@ pub const TURNS: u32 = 8;
 pub struct Seat<T, const N: usize, K> {
     /// What tells it from the others.
     pub ticket: K,
+    /// The number of its cell's flow: what it has in common with others are all constants but those of the stops.
+    pub flow: u32,
     /// The constants of its cell.
     pub flight: Flight<T, N>,
     /// What has been noted about it.
@@ -50,8 +52,8 @@ pub struct Seat<T, const N: usize, K> {
 
 impl<T, const N: usize, K> Seat<T, N, K> {
     /// For a trajectory that has yet to begin.
-    pub fn new(ticket: K, flight: Flight<T, N>, observer: Observer<T, N>) -> Self {
-        Seat { ticket, flight, observer }
+    pub fn new(ticket: K, flow: u32, flight: Flight<T, N>, observer: Observer<T, N>) -> Self {
+        Seat { ticket, flow, flight, observer }
     }
 }
 
@@ -87,13 +89,16 @@ type Seats<T, const N: usize, K> = Vec<Option<Box<Seat<T, N, K>>>>;
 struct Lane<L: Lanes, const N: usize, Q: Queue<L::Real, N>> {
     abreast: Box<Abreast<L, N>>,
     seats: Seats<L::Real, N, Q::Ticket>,
+    /// The flow of the constants in each lane.
+    flows: Vec<Option<u32>>,
     busy: u32,
 }
 
 impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
     fn all(zero: L, normals: usize, queue: &mut Q, schedule: &Schedule) -> Self {
         let seats = (0..L::WIDTH).map(|_| None).collect();
-        let mut lanes = Lane { abreast: Box::new(Abreast::new(zero, normals)), seats, busy: 0 };
+        let flows = vec![None; L::WIDTH];
+        let mut lanes = Lane { abreast: Box::new(Abreast::new(zero, normals)), seats, flows, busy: 0 };
         (0..L::WIDTH).for_each(|lane| lanes.fill(lane, schedule, queue));
         lanes
     }
@@ -107,7 +112,11 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Lane<L, N, Q> {
                 queue.done(seat);
                 continue;
             }
-            self.abreast.prepare(lane, &seat.flight);
+            if self.flows[lane].replace(seat.flow) == Some(seat.flow) {
+                self.abreast.restop(lane, &seat.flight);
+            } else {
+                self.abreast.prepare(lane, &seat.flight);
+            }
             self.seats[lane] = Some(seat);
             self.busy += 1;
             self.sit(lane, schedule);

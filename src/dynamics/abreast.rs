@@ -92,6 +92,11 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         self.clock.prepare(lane, flight.steps);
     }
 
+    /// Puts the stops of a cell into a lane that has the constants of another with the same flow.
+    pub fn restop(&mut self, lane: usize, flight: &Flight<L::Real, N>) {
+        self.flight.restop_lane(lane, flight);
+    }
+
     /// Puts a trajectory at the beginning of a step of free flight into a lane.
     pub fn seat(&mut self, lane: usize, flight: &Flight<L::Real, N>, trajectory: &Trajectory<L::Real, N>) {
         debug_assert!(trajectory.begins_free_step());

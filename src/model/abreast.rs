@@ -5,6 +5,14 @@ use super::flight::Flight;
 use super::real::Lanes;
 
 impl<L: Lanes, const N: usize> Flight<L, N> {
+    /// Puts the stops of a cell into a lane whose constants are those of another with the same flow.
+    pub fn restop_lane(&mut self, lane: usize, flight: &Flight<L::Real, N>) {
+        for (normal, from) in self.normals.iter_mut().zip(flight.normals()) {
+            set_vector(&mut normal.gap, lane, &from.gap);
+            set_vector(&mut normal.restitution, lane, &from.restitution);
+        }
+    }
+
     /// Puts the constants of a cell into one lane. What sticking, symmetry and the end of a trajectory need stays out.
     ///
     /// # Panics

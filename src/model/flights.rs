@@ -47,10 +47,19 @@ impl<const N: usize> Flights<N> {
         self.distinct[self.of_cell[cell]].with_stops_of(system)
     }
 
-    /// Puts the constants of one of the cells in the place of another's, as [`Flights::get`] has them.
-    pub fn put(&self, cell: usize, system: &System, into: &mut Flight<f64, N>) {
-        *into = self.distinct[self.of_cell[cell]];
+    /// Puts the constants of one of the cells, as [`Flights::get`] has them, in the place of those of another, `from`.
+    pub fn put(&self, cell: usize, system: &System, from: usize, into: &mut Flight<f64, N>) {
+        if self.of_cell[cell] != self.of_cell[from] {
+            *into = self.distinct[self.of_cell[cell]];
+        }
         into.take_stops_of(system);
+    }
+
+    /// The cells, those with the same flow one after the other.
+    pub fn by_flow(&self) -> Vec<usize> {
+        let mut cells: Vec<usize> = (0..self.of_cell.len()).collect();
+        cells.sort_by_key(|&cell| self.of_cell[cell]);
+        cells
     }
 
     /// How many contact normals one of the cells has.
@@ -112,6 +121,11 @@ mod tests {
             // The test can fail: the constants of another cell differ.
             let other = &systems[(i + 1) % systems.len()];
             assert_ne!(flights.get(i, system), Flight::new(other));
+            for from in 0..systems.len() {
+                let mut flight = flights.get(from, &systems[from]);
+                flights.put(i, system, from, &mut flight);
+                assert_eq!(flight, flights.get(i, system), "{i} after {from}");
+            }
         }
     }
 }

@@ -114,16 +114,17 @@ fn spread<const N: usize>(
     let usage = Mutex::new(Usage::default());
     let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
     let flights = Flights::<N>::of(&systems);
+    let order = flights.by_flow();
     let threads = rayon::current_num_threads().min(jobs.len().div_ceil(width.lanes()));
     let (sender, done) = mpsc::channel();
-    let (taken, flights, used) = (&taken, &flights, &usage);
+    let (taken, flights, order, used) = (&taken, &flights, &order[..], &usage);
     rayon::scope(|scope| {
         for _ in 0..threads {
             let done = sender.clone();
             let normals = jobs[0].system.normals();
             scope.spawn(move |scope| {
                 let left = None;
-                Line { jobs, flights, schedule, watch, taken, used, normals, done, left, scope }
+                Line { jobs, flights, order, schedule, watch, taken, used, normals, done, left, scope }
                     .follow(width);
             });
         }
@@ -144,6 +145,8 @@ fn spread<const N: usize>(
 struct Line<'a, 'scope, const N: usize> {
     jobs: &'scope [Job],
     flights: &'scope Flights<N>,
+    /// The jobs in the order in which they are taken: a lane has most constants of the next already.
+    order: &'scope [usize],
     schedule: &'scope Schedule,
     watch: &'scope dyn Watch,
     /// Jobs that some thread has taken.
@@ -186,8 +189,7 @@ impl<const N: usize> Line<'_, '_, N> {
         if self.watch.cancelled() {
             return None;
         }
-        let index = self.taken.fetch_add(1, Ordering::Relaxed);
-        (index < self.jobs.len()).then_some(index)
+        self.order.get(self.taken.fetch_add(1, Ordering::Relaxed)).copied()
     }
 
     fn follow_alone(&mut self, index: usize) {
@@ -211,14 +213,15 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
             index = self.take()?;
         }
         let Job { system, start } = &self.jobs[index];
+        let flow = self.flights.flow_of(index);
         let begun = |flight: &Flight<f64, N>| Observer::new(flight, self.schedule, start.state());
         // What a trajectory and its constants lie in is large: that of one that is done is taken again.
         let Some(mut seat) = self.left.take() else {
             let flight = self.flights.get(index, system);
-            return Some(Box::new(Seat::new(index, flight, begun(&flight))));
+            return Some(Box::new(Seat::new(index, flow, flight, begun(&flight))));
         };
-        self.flights.put(index, system, &mut seat.flight);
-        (seat.ticket, seat.observer) = (index, begun(&seat.flight));
+        self.flights.put(index, system, seat.ticket, &mut seat.flight);
+        (seat.ticket, seat.flow, seat.observer) = (index, flow, begun(&seat.flight));
         Some(seat)
     }
 
