@@ -123,7 +123,7 @@ fn spread<const N: usize>(
             let done = sender.clone();
             let normals = jobs[0].system.normals();
             scope.spawn(move |scope| {
-                let left = None;
+                let left = Vec::new();
                 Line { jobs, flights, order, schedule, watch, taken, used, normals, done, left, scope }
                     .follow(width);
             });
@@ -156,8 +156,8 @@ struct Line<'a, 'scope, const N: usize> {
     /// Contact normals of the cells that fit.
     normals: usize,
     done: Sender<(usize, Verdict)>,
-    /// The seat of a trajectory that is done.
-    left: Option<Box<Seat<f64, N, usize>>>,
+    /// Seats of trajectories that are done.
+    left: Vec<Box<Seat<f64, N, usize>>>,
     /// Where what would keep the other lanes waiting is left for any thread that has nothing else to do.
     scope: &'a Scope<'scope>,
 }
@@ -216,7 +216,7 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
         let flow = self.flights.flow_of(index);
         let begun = |flight: &Flight<f64, N>| Observer::new(flight, self.schedule, start.state());
         // What a trajectory and its constants lie in is large: that of one that is done is taken again.
-        let Some(mut seat) = self.left.take() else {
+        let Some(mut seat) = self.left.pop() else {
             let flight = self.flights.get(index, system);
             return Some(Box::new(Seat::new(index, flow, flight, begun(&flight))));
         };
@@ -245,7 +245,7 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
     fn done(&mut self, seat: Box<Seat<f64, N, usize>>) {
         let verdict = seat.observer.verdict(&seat.flight, self.jobs[seat.ticket].system.label_order());
         tell(&self.done, self.watch, seat.ticket, verdict);
-        self.left = Some(seat);
+        self.left.push(seat);
     }
 }
 
