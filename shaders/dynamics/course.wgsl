@@ -1,6 +1,6 @@
 // How a step of free flight goes along a contact normal: d·x, a polynomial in what is left of the step, from the step's end.
 
-// The coefficients of uᵏ, u being the share of the step that is left.
+// The coefficients of uᵏ, u being the share of the step that is left; what d·x is at the end of the step is not asked.
 struct Course {
     terms: array<f32, BACK_TERMS>,
 }
@@ -14,11 +14,10 @@ struct Here {
     last: f32,
 }
 
-// Of the step that ends at a point, `there` along one normal, as it would go without another impact.
-fn course_to(end: Point, there: Along, normal: u32) -> Course {
+// Of the step that ends at a point, with a `speed` along one normal, as it would go without another impact.
+fn course_to(end: Point, speed: f32, normal: u32) -> Course {
     var course: Course;
-    course.terms[0] = there.place;
-    course.terms[1] = -(there.speed * flight.h);
+    course.terms[1] = -(speed * flight.h);
     //: each bend term
     course.terms[$k] = course_term(end, normal, $ku);
     //: end
@@ -88,7 +87,7 @@ fn course_each(before: Alongs, end: Point, u: f32, since: f32, normal: u32, own:
     if NORMALS > 1u {
         //: each normal
         if $ku != normal {
-            each[$k] = here_along(course_about(course_to(end, along_of(end, $ku), $ku), u, since, before[$k].place));
+            each[$k] = here_along(course_about(course_to(end, along_of(end, $ku).speed, $ku), u, since, before[$k].place));
         }
         //: end
     }
@@ -107,9 +106,8 @@ fn here_change_to(here: Here, place: f32) -> f32 {
     let bent = here.bend * inverse * straight;
     let nearly = ((bent + bent) * bent + -bent) * straight + straight;
     let far = (here.twist * nearly + here.bend) * nearly + here.slope;
-    let missed = (far * nearly + -left) * inverse;
-    let steeper = ((here.twist * 3.0) * nearly + (here.bend + here.bend)) * nearly * inverse;
-    return nearly - ((steeper * steeper + -steeper) * missed + missed);
+    let steep = ((here.twist * 3.0) * nearly + (here.bend + here.bend)) * nearly + here.slope;
+    return nearly - (far * nearly + -left) / steep;
 }
 
 // About the place after such a change, up to the second power.

@@ -25,7 +25,7 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let gap = face_gap(face.end);
     let begins = before[normal];
     let ends = along_of(ahead, normal);
-    let course = course_to(ahead, ends, normal);
+    let course = course_to(ahead, ends.speed, normal);
     // The gap, seen from the end of the leg: u is the share of it that is left.
     let whole = window * flight.inverse_h;
     let bends = course_bends(course);
@@ -76,7 +76,7 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let first = crossing_stays_off(face, gaps.y, width, ways, time, bound);
     let parts = crossing_parts(face.end, restitution, rebound, ahead.state, force);
     let rounding = stop_rounding(face.end, ahead.state, window, window * velocity);
-    let meets = abs(gap - sign * arrival.place) < rounding;
+    let meets = abs(gap - sign * arrival.place) * EXACT < rounding;
     let last = (bends.x + bends.x) * (flight.inverse_h * flight.inverse_h);
     let deep = !face.returns | is_deep(ways.y, vec2(sign * pull, sign * last), bound, window, rounding);
     let certain = face.only & close & within & first & parts & deep & meets;

@@ -46,10 +46,6 @@ fn contact_is_clamped_only(contact: u32) -> bool {
     return contact != CONTACT_FREE && (contact & ((1u << MOST) - 1u)) == (contact >> MOST);
 }
 
-fn contact_is_clamped(contact: u32) -> bool {
-    return (contact & (contact >> MOST)) != 0u;
-}
-
 // The end at which a normal holds, the upper one where it is clamped; it must hold.
 fn contact_end_along(contact: u32, normal: u32) -> End {
     return End(normal, select(1u, 0u, contact_includes(contact, End(normal, 0u))));

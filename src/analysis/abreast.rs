@@ -3,6 +3,7 @@
 use super::queue::{Queue, Source};
 use super::schedule::Schedule;
 use super::side::{Side, bits};
+use crate::dynamics::Usage;
 use crate::model::Lanes;
 
 /// Contacts are looked for when five of eight trajectories wait for one, three of four.
@@ -16,11 +17,11 @@ pub const ROUNDS: u32 = 16;
 /// Turns of such rounds on the GPU, each up to phase 0 at the latest, before lanes with something rare have waited enough.
 pub const TURNS: u32 = 8;
 
-/// Follows everything in a queue, in as many lanes as `zero` has, each trajectory exactly as [`Observer::follow`](super::Observer::follow) does;
-/// all cells have `normals` contact normals.
+/// Follows everything in a queue, in as many lanes as `zero` has, each trajectory exactly as
+/// [`Observer::follow`](super::Observer::follow) does; all cells have `normals` contact normals.
 ///
 /// What is computed for one lane is computed for all of them: those that carry a tangent along are followed side by side, and the
-/// others apart from them, by turns.
+/// others apart from them, by turns. When no more begin, those that are left stay where they are.
 #[inline(always)]
 pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
     zero: L,
@@ -30,11 +31,15 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
 ) {
     let mut source = Source::new(queue, L::WIDTH);
     let mut sides = [false, true].map(|observed| Side::<L, N, Q>::new(zero, normals, observed));
-    let (mut observed, mut last) = (false, false);
-    loop {
+    let mut observed = false;
+    while !source.queue.is_given_up() {
+        let idle = sides[usize::from(!observed)].busy == 0;
         let side = &mut sides[usize::from(observed)];
         side.fill_all(schedule, &mut source);
-        while side.busy > 0 && (last || !side.has_enough(&source)) {
+        if side.busy == 0 && idle && source.is_empty(!observed) && source.is_empty(observed) {
+            break;
+        }
+        while side.busy > 0 && !side.gives_way(&source, idle) {
             let phases = side.abreast.fly((WAITING * side.busy).div_ceil(OF_ALL));
             if phases > 0 {
                 side.pass_phases(phases, schedule, &mut source);
@@ -46,14 +51,11 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
                 side.go_warily(lane, schedule, &mut source);
             }
         }
-        if last {
-            break;
-        }
-        // Where nothing flies any more that is not observed, what is left is observed to its end.
-        last = !observed && side.busy == 0 && !source.is_full();
         observed = !observed;
     }
+    let mut usage = Usage::default();
     for side in &sides {
-        source.queue.used(side.abreast.usage());
+        usage += side.abreast.usage();
     }
+    source.queue.used(usage);
 }

@@ -16,7 +16,10 @@ pub trait Queue<T, const N: usize> {
     /// A trajectory makes so many moves that the others would wait for it: it is to be followed to its end elsewhere.
     fn hand_over(&mut self, seat: Box<Seat<T, N, Self::Ticket>>);
 
-    /// Everything is at its end.
+    /// Whether nobody waits for what is followed any more.
+    fn is_given_up(&self) -> bool;
+
+    /// Everything is at its end, or given up.
     fn used(&mut self, usage: Usage);
 
     /// A trajectory is at its end; its seat may be taken by another.
@@ -50,66 +53,78 @@ pub(super) enum Leaving {
     Done,
     /// The others would wait for it.
     Slow,
-    /// It is to be observed from here on, beside others that are.
-    Observed,
+    /// It is observed from here on, or no longer.
+    ChangesOver,
 }
 
-impl Leaving {
-    /// Whether one does, from a side where trajectories are `observed` or not; `slow` where the others would wait for it.
-    #[inline(always)]
-    pub fn of<T: Real, const N: usize>(
-        observer: &Observer<T, N>,
-        slow: bool,
-        observed: bool,
-    ) -> Option<Self> {
-        if observer.is_done() {
-            Some(Leaving::Done)
-        } else if slow {
-            Some(Leaving::Slow)
-        } else {
-            (!observed && observer.carried().is_some()).then_some(Leaving::Observed)
-        }
-    }
-}
+/// Trajectories at the beginning of a step of free flight.
+type Waiting<T, const N: usize, K> = Vec<Box<Seat<T, N, K>>>;
 
 /// Where trajectories come from, and where they go.
 pub(super) struct Source<'a, T, const N: usize, Q: Queue<T, N>> {
+    /// Those that are to begin.
     pub queue: &'a mut Q,
-    /// Those that are to be observed, at the beginning of a step of free flight.
-    waiting: Vec<Box<Seat<T, N, Q::Ticket>>>,
-    /// How many may wait.
-    most: usize,
+    /// Whether there are none any more.
+    exhausted: bool,
+    /// Those that wait to change over: to where trajectories are not observed, and to where they are.
+    waiting: [Waiting<T, N, Q::Ticket>; 2],
+    /// How many that are to be observed are enough.
+    enough: usize,
 }
 
 impl<'a, T: Real, const N: usize, Q: Queue<T, N>> Source<'a, T, N, Q> {
-    /// Of a queue, where so many may wait.
-    pub fn new(queue: &'a mut Q, most: usize) -> Self {
-        Source { queue, waiting: Vec::new(), most }
+    /// Of a queue.
+    pub fn new(queue: &'a mut Q, enough: usize) -> Self {
+        Source { queue, exhausted: false, waiting: [Vec::new(), Vec::new()], enough }
     }
 
-    /// The next trajectory that still flies, one that is observed or one that is not; those that do not fly are followed on the
-    /// spot. None where there is none, or where enough wait to be observed.
+    /// The next trajectory for a side; those that do not fly at all are followed on the spot. None where there is none, or where
+    /// enough wait for the other side.
     pub fn next(&mut self, observed: bool, schedule: &Schedule) -> Option<Box<Seat<T, N, Q::Ticket>>> {
-        if observed {
-            return self.waiting.pop();
+        let waiting = self.waiting[usize::from(observed)].pop();
+        if observed || waiting.is_some() {
+            return waiting;
         }
-        while !self.is_full() {
-            let mut seat = self.queue.next()?;
+        while !self.has_enough() {
+            let Some(mut seat) = self.queue.next() else {
+                self.exhausted = true;
+                return None;
+            };
             seat.observer.settle_down(&seat.flight, schedule, false);
-            if seat.observer.is_done() {
-                self.queue.done(seat);
-            } else if seat.observer.carried().is_some() {
-                self.waiting.push(seat);
-            } else {
-                return Some(seat);
+            match self.leaving(&seat.observer, false, observed) {
+                Some(leaving) => self.take(seat, leaving),
+                None => return Some(seat),
             }
         }
         None
     }
 
+    /// Whether nobody waits any more for what is left.
+    pub fn is_given_up(&self) -> bool {
+        self.exhausted && self.queue.is_given_up()
+    }
+
     /// Whether enough wait to be observed.
-    pub fn is_full(&self) -> bool {
-        self.waiting.len() >= self.most
+    pub fn has_enough(&self) -> bool {
+        self.waiting[1].len() >= self.enough
+    }
+
+    /// Whether there is nothing for a side any more, but for what the other side may bring.
+    pub fn is_empty(&self, observed: bool) -> bool {
+        self.waiting[usize::from(observed)].is_empty() && (observed || self.exhausted)
+    }
+
+    /// Whether one leaves its lane on a side where trajectories are `observed` or not; `slow` where the others would wait for it.
+    /// Where no more begin, those that are left stay in their lanes.
+    #[inline(always)]
+    pub fn leaving(&self, observer: &Observer<T, N>, slow: bool, observed: bool) -> Option<Leaving> {
+        if observer.is_done() {
+            Some(Leaving::Done)
+        } else if slow {
+            Some(Leaving::Slow)
+        } else {
+            (!self.exhausted && observer.carried().is_some() != observed).then_some(Leaving::ChangesOver)
+        }
     }
 
     /// Takes a trajectory that leaves its lane.
@@ -117,7 +132,9 @@ impl<'a, T: Real, const N: usize, Q: Queue<T, N>> Source<'a, T, N, Q> {
         match leaving {
             Leaving::Done => self.queue.done(seat),
             Leaving::Slow => self.queue.hand_over(seat),
-            Leaving::Observed => self.waiting.push(seat),
+            Leaving::ChangesOver => {
+                self.waiting[usize::from(seat.observer.carried().is_some())].push(seat);
+            }
         }
     }
 }

@@ -41,9 +41,15 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Side<L, N, Q> {
         }
     }
 
-    /// Whether it is the other side's turn: enough are to be observed, or lanes that observe are empty.
-    pub fn has_enough(&self, source: &Source<'_, L::Real, N, Q>) -> bool {
-        if self.observed { self.busy < L::WIDTH as u32 } else { source.is_full() }
+    /// Whether its turn is over: enough wait to be observed; or lanes that observe are empty while the other side, `idle` where its
+    /// lanes are empty, has something to do; or all is given up.
+    pub fn gives_way(&self, source: &Source<'_, L::Real, N, Q>, idle: bool) -> bool {
+        let over = if self.observed {
+            self.busy < L::WIDTH as u32 && !(idle && source.is_empty(false))
+        } else {
+            source.has_enough()
+        };
+        over || source.is_given_up()
     }
 
     /// Gives an empty lane the next trajectory.
@@ -121,7 +127,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Side<L, N, Q> {
         } else {
             leapt = seat.observer.arrive(&seat.flight, schedule, None);
         }
-        if let Some(leaving) = Leaving::of(&seat.observer, many, self.observed) {
+        if let Some(leaving) = source.leaving(&seat.observer, many, self.observed) {
             self.exchange(lane, leaving, schedule, source);
         } else if leapt {
             self.sit(lane, schedule);
@@ -143,7 +149,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Side<L, N, Q> {
         }
         seat.observer.settle_down(&seat.flight, schedule, true);
         let slow = seat.observer.keeps_others_waiting();
-        if let Some(leaving) = Leaving::of(&seat.observer, slow, self.observed) {
+        if let Some(leaving) = source.leaving(&seat.observer, slow, self.observed) {
             self.exchange(lane, leaving, schedule, source);
         } else {
             self.sit(lane, schedule);

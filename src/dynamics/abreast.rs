@@ -194,7 +194,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         let (mut ready, mut waits) = (self.steps, self.waits);
         let (mut phases, mut made) = (0, 0);
         let (mut from, span) = (Along::each(&point, &self.flight), Span::of(self.flight.h));
-        // From nowhere nothing clears: no other mask stands between a step and the next.
+        // From nowhere nothing clears, and what did not clear is the same leg again: no other mask stands between a step and the next.
         from[0].place = L::select(ready, from[0].place, span.time.all(f64::NAN));
         while phases == 0 && ready.bits() != 0 && waits.bits().count_ones() < enough {
             let flight = &self.flight;

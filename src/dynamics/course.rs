@@ -4,7 +4,8 @@ use super::along::Along;
 use super::point::Point;
 use crate::model::{BACK_TERMS, Flight, Lanes, Real, Row};
 
-/// The coefficients of uᵏ in d·x, u = s/h being the share of the step that is left, 0 ≤ u ≤ 1; see [`ContactNormal::back`].
+/// The coefficients of uᵏ in d·x, u = s/h being the share of the step that is left, 0 ≤ u ≤ 1, but for what it is at the end of the
+/// step; see [`ContactNormal::back`](crate::model::ContactNormal::back).
 #[derive(Clone, Copy, Debug)]
 pub struct Course<L>([L; BACK_TERMS]);
 
@@ -18,22 +19,16 @@ const NEAR: usize = 5;
 const BEGUN: usize = 4;
 
 impl<L: Lanes> Course<L> {
-    /// Of the step that ends at a point, `there` along one normal, as it would go without another impact.
+    /// Of the step that ends at a point, with a `speed` along one normal, as it would go without another impact.
     #[inline(always)]
-    pub fn to<const N: usize>(end: &Point<L, N>, there: Along<L>, flight: &Flight<L, N>, k: usize) -> Self {
-        Course::begun(end, there, flight, k).completed(end, flight, k)
+    pub fn to<const N: usize>(end: &Point<L, N>, speed: L, flight: &Flight<L, N>, k: usize) -> Self {
+        Course::begun(end, speed, flight, k).completed(end, flight, k)
     }
 
     /// Of that the terms of a cubic alone, which can be had sooner.
     #[inline(always)]
-    pub fn begun<const N: usize>(
-        end: &Point<L, N>,
-        there: Along<L>,
-        flight: &Flight<L, N>,
-        k: usize,
-    ) -> Self {
-        let mut terms = [there.place; BACK_TERMS];
-        terms[1] = -(there.speed * flight.h);
+    pub fn begun<const N: usize>(end: &Point<L, N>, speed: L, flight: &Flight<L, N>, k: usize) -> Self {
+        let mut terms = [-(speed * flight.h); BACK_TERMS];
         for term in 2..BEGUN {
             terms[term] = term_of(&flight.normals[k].back[term], end);
         }
@@ -132,10 +127,8 @@ impl<L: Lanes> Here<L> {
         let bent = bend * inverse * straight;
         let nearly = (bent + bent).times_plus(bent, -bent).times_plus(straight, straight);
         let far = twist.times_plus(nearly, bend).times_plus(nearly, slope);
-        let missed = far.times_plus(nearly, -left) * inverse;
-        // One over the slope there is this multiple of that here, but for the third power.
-        let steeper = (twist * left.all(3.0)).times_plus(nearly, bend + bend) * nearly * inverse;
-        nearly - steeper.times_plus(steeper, -steeper).times_plus(missed, missed)
+        let steep = (twist * left.all(3.0)).times_plus(nearly, bend + bend).times_plus(nearly, slope);
+        nearly - far.times_plus(nearly, -left) / steep
     }
 
     /// About the place after such a change.

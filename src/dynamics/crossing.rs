@@ -48,9 +48,9 @@ pub fn crossing<L: Lanes, const N: usize>(
 ) -> Crossing<L, N> {
     let face = Face::of(leg, clearances, flight);
     let Face { sign, way, .. } = face;
-    let mut begun = Course::begun(leg.end, leg.to[0], flight, 0);
+    let mut begun = Course::begun(leg.end, leg.to[0].speed, flight, 0);
     for k in 1..flight.count {
-        let other = Course::begun(leg.end, leg.to[k], flight, k);
+        let other = Course::begun(leg.end, leg.to[k].speed, flight, k);
         begun = Course::select(is_normal(face.normal, k), &other, &begun);
     }
     let window = leg.span.time;
@@ -72,7 +72,7 @@ pub fn crossing<L: Lanes, const N: usize>(
         opens = face.returns.and(zero.below(narrowest.gap));
         u = L::select(face.returns, narrowest.touch(), u);
     }
-    // Begun before the root is found, which takes long but leaves room for it.
+    // The root does not ask for the other terms: it is a chain of operations that wait for each other, beside which there is room.
     let mut course = begun.completed(leg.end, flight, 0);
     for k in 1..flight.count {
         course = Course::select(is_normal(face.normal, k), &begun.completed(leg.end, flight, k), &course);
@@ -104,7 +104,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let rounding = face.rounding(&leg.end.state, window * velocity);
     let last = (bend + bend) * (flight.inverse_h * flight.inverse_h);
     let deep = face.returns.not().or(is_deep(&way, arrives, [sign * pull, sign * last], rounding));
-    let meets = face.open(place).magnitude().below(rounding);
+    let meets = (face.open(place).magnitude() * zero.all(EXACT)).below(rounding);
     let certain = face.only.and(close).and(within).and(first).and(parts).and(deep).and(meets);
     let Face { normal, upper, .. } = face;
     let mut wake = flight.normals[0].wake(rest);
@@ -150,10 +150,8 @@ fn stays_off<L: Lanes, const N: usize>(
 ) -> L::Mask {
     let zero = time.all(0.0);
     let hull = Hull::of([gap, zero], [-leaves, -arrives], face.way.bound, &Span::of(time));
-    // No comparison with a NaN holds.
-    let sound = zero.below(hull.lower);
     let off = face.opposite_clear.or(hull.highest().below(face.width));
-    sound.and(zero.below(hull.lowest())).and(off)
+    zero.below(hull.lowest()).and(off)
 }
 
 /// Where the rebounds that follow an impact can surely not be closed, so that it ends in flight, `v` being velocities near by; see
@@ -186,6 +184,8 @@ fn parts_for_good<L: Lanes, const N: usize>(
     slow.below(speed).and(may_close.not())
 }
 
+/// A contact is accepted only this many times nearer to its stop than rounding may make it seem.
+pub const EXACT: f64 = 8.0;
 /// What rounding may add to a bound.
 pub const WIDER: f64 = 1.001;
 

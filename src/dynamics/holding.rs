@@ -28,8 +28,7 @@ impl<T: Real> Pressed<T> {
     pub fn lasts(&self, late: T) -> bool {
         let Pressed { forces, slopes, bound, time } = *self;
         let hull = Hull::of(forces, slopes, bound, &Span::of(time));
-        // No comparison with a NaN holds.
-        hull.lower > T::zero() && hull.lowest() > T::zero() && forces[1] >= -(late * slopes[1].abs())
+        hull.lowest() > T::zero() && forces[1] >= -(late * slopes[1].abs())
     }
 
     /// About when it vanishes: where the cubic through both ends does, by Newton's method, before the end where it does not press

@@ -39,8 +39,8 @@ pub struct Hull<L> {
     second: L,
     fourth: L,
     /// The middle one of the lower bound: a NaN where anything is.
-    pub lower: L,
-    /// The middle one of the upper bound.
+    lower: L,
+    /// The middle one of the upper bound, likewise.
     upper: L,
 }
 
@@ -57,7 +57,8 @@ impl<L: Lanes> Hull<L> {
         Hull { second, fourth, lower: middle - margin, upper: middle + margin }
     }
 
-    /// The lowest of the inner three.
+    /// The lowest of the inner three; here and below the middle one is asked last, so that it is a NaN where anything is, and the
+    /// others do not wait for it.
     #[inline(always)]
     pub fn lowest(&self) -> L {
         self.second.smaller(self.fourth).smaller(self.lower)
@@ -122,12 +123,17 @@ mod tests {
 
     #[test]
     fn nothing_is_known_of_a_motion_that_is_not_a_number() {
+        let all = |hull: &Hull<f64>, to: f64| {
+            [hull.lowest(), hull.highest(), hull.lowest_with(to), hull.highest_with(to)]
+        };
         for wrong in 0..6 {
             let mut values = [0.1f64, 0.2, 0.3, 0.4, 0.5, 0.6];
             values[wrong] = f64::NAN;
             let [from, to, leaves, arrives, bound, window] = values;
-            assert!(Hull::of([from, to], [leaves, arrives], bound, &Span::of(window)).lower.is_nan());
+            let hull = Hull::of([from, to], [leaves, arrives], bound, &Span::of(window));
+            assert!(all(&hull, to).iter().all(|value| value.is_nan()), "{wrong}");
         }
-        assert!(!Hull::of([0.1f64, 0.2], [0.3, 0.4], 0.5, &Span::of(0.6)).lower.is_nan());
+        let hull = Hull::of([0.1f64, 0.2], [0.3, 0.4], 0.5, &Span::of(0.6));
+        assert!(all(&hull, 0.2).iter().all(|value| value.is_finite()));
     }
 }

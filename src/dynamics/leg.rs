@@ -92,7 +92,7 @@ impl<'a, L: Lanes, const N: usize> Leg<'a, L, N> {
         let mut each = [own; MOST];
         if flight.count > 1 {
             for k in 0..flight.count {
-                let course = Course::to(self.end, self.to[k], flight, k);
+                let course = Course::to(self.end, self.to[k].speed, flight, k);
                 let other = course.about(u, [self.share(flight), self.from[k].place]).along(flight);
                 each[k] = Along::select(is_normal(normal, k), &own, &other);
             }
@@ -145,8 +145,6 @@ impl<L: Lanes> Way<L> {
         let Way { from, to, span, bound } = *self;
         let hull = Hull::of([from.place, to.place], [from.speed, to.speed], bound, &span);
         let (highest, lowest) = (hull.highest_with(to.place), hull.lowest_with(to.place));
-        // No comparison with a NaN holds.
-        let sound = hull.lower.below(normal.gap[0]);
-        Clearance { upper: sound.and(highest.below(normal.gap[0])), lower: (-normal.gap[1]).below(lowest) }
+        Clearance { upper: highest.below(normal.gap[0]), lower: (-normal.gap[1]).below(lowest) }
     }
 }

@@ -62,7 +62,7 @@ pub use usage::Usage;
 pub(crate) mod constants {
     pub use super::chatter::{FADING, NEARLY, PUSH, SLOW, STEADY};
     pub use super::contact::{ROUNDINGS, WIDENING};
-    pub use super::crossing::WIDER;
+    pub use super::crossing::{EXACT, WIDER};
     pub use super::holding::HELD_FLIGHTS;
     pub use super::hull::SWELLING;
     pub use super::moves::{FAIR_MOVES, MOST_MOVES};

@@ -56,9 +56,9 @@ impl<const N: usize> Flights<N> {
     }
 
     /// The cells, those with the same flow one after the other.
-    pub fn by_flow(&self) -> Vec<usize> {
-        let mut cells: Vec<usize> = (0..self.of_cell.len()).collect();
-        cells.sort_by_key(|&cell| self.of_cell[cell]);
+    pub fn by_flow(&self) -> Vec<u32> {
+        let mut cells: Vec<u32> = (0..self.of_cell.len() as u32).collect();
+        cells.par_sort_by_key(|&cell| self.of_cell[cell as usize]);
         cells
     }
 

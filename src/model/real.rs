@@ -23,7 +23,7 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     /// more than what rounding adds on the way.
     const BACK_ORDER: usize;
     /// What may be left of the way to a contact that a polynomial of low order finds, in units of the fastest motion's time scale: a
-    /// twenty-fourth of its fourth power is lost in rounding.
+    /// twenty-fourth of its fourth power is less than a rounding.
     const STRAIGHT: f64;
     /// A gap below this multiple of δ is contact.
     const TOUCH: f64;
@@ -166,7 +166,7 @@ impl Real for f64 {
     const ORDER: usize = 20;
     const KICK_ORDER: usize = 12;
     const BACK_ORDER: usize = 12;
-    const STRAIGHT: f64 = 3e-4;
+    const STRAIGHT: f64 = 2e-4;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
     const CHATTER: f64 = 1e-12;

@@ -2,7 +2,7 @@
 
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Job, Unwatched, Width, follow, follow_all, follow_counted};
-use impact_atlas::model::{Parameters, System};
+use impact_atlas::model::{Flows, Parameters, System};
 use impact_atlas::validate::are_same;
 
 use crate::common::drawn::{families, paper};
@@ -11,6 +11,8 @@ const SETTLING: Schedule = Schedule { transient: 60, observe: 40, max_period: 16
 /// A long transient, most strobes of which are passed unseen in lanes.
 const TRANSIENT: Schedule = Schedule { transient: 100, observe: 1, max_period: 16, fixed_periods: true };
 const FIXED: Schedule = Schedule { transient: 3, observe: 30, max_period: 8, fixed_periods: true };
+/// Observed from the start.
+const OBSERVED: Schedule = Schedule { transient: 0, observe: 40, max_period: 8, fixed_periods: true };
 
 /// The verdicts that are not bit for bit the same at every width.
 fn differ(jobs: &[Job], schedule: &Schedule, altered: fn(&Job) -> Job) -> usize {
@@ -31,7 +33,34 @@ fn differ(jobs: &[Job], schedule: &Schedule, altered: fn(&Job) -> Job) -> usize 
 #[test]
 fn the_papers_oscillator_has_the_same_bits_at_every_width() {
     let jobs = paper(300);
-    for schedule in [SETTLING, FIXED, TRANSIENT] {
+    for schedule in [SETTLING, FIXED, TRANSIENT, OBSERVED] {
+        assert_eq!(differ(&jobs, &schedule, Job::clone), 0, "{schedule:?}");
+    }
+}
+
+/// About as many as there are lanes: some stay empty, and no more begin at once or soon.
+#[test]
+fn a_few_have_the_same_bits_at_every_width() {
+    let jobs = paper(17);
+    for count in [1, 3, 4, 5, 7, 8, 9, 15, 16, 17] {
+        for schedule in [SETTLING, OBSERVED] {
+            assert_eq!(differ(&jobs[..count], &schedule, Job::clone), 0, "{count} by {schedule:?}");
+        }
+    }
+}
+
+/// Lanes take such cells one after the other, and keep what they have in common.
+#[test]
+fn cells_that_differ_in_their_stops_alone_have_the_same_bits_at_every_width() {
+    let flows = Flows::default();
+    let jobs: Vec<Job> = (0..180)
+        .map(|i| {
+            let (omega, delta) = ([1.5, 2.4, 3.7][i % 3], 0.05 + 0.01 * (i % 41) as f64);
+            let cell = Parameters { omega, delta, r: 0.5 + 0.05 * (i % 10) as f64, ..Parameters::default() };
+            Job { system: flows.system(cell.into()).unwrap(), start: [0.0; 4].into() }
+        })
+        .collect();
+    for schedule in [SETTLING, FIXED, OBSERVED] {
         assert_eq!(differ(&jobs, &schedule, Job::clone), 0, "{schedule:?}");
     }
 }

@@ -146,7 +146,7 @@ struct Line<'a, 'scope, const N: usize> {
     jobs: &'scope [Job],
     flights: &'scope Flights<N>,
     /// The jobs in the order in which they are taken: a lane has most constants of the next already.
-    order: &'scope [usize],
+    order: &'scope [u32],
     schedule: &'scope Schedule,
     watch: &'scope dyn Watch,
     /// Jobs that some thread has taken.
@@ -189,7 +189,7 @@ impl<const N: usize> Line<'_, '_, N> {
         if self.watch.cancelled() {
             return None;
         }
-        self.order.get(self.taken.fetch_add(1, Ordering::Relaxed)).copied()
+        self.order.get(self.taken.fetch_add(1, Ordering::Relaxed)).map(|&index| index as usize)
     }
 
     fn follow_alone(&mut self, index: usize) {
@@ -236,6 +236,10 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
                 tell(&done, watch, *ticket, verdict);
             }
         });
+    }
+
+    fn is_given_up(&self) -> bool {
+        self.watch.cancelled()
     }
 
     fn used(&mut self, usage: Usage) {

@@ -24,11 +24,10 @@ fn errors<T: Real, const N: usize>(system: &System, left: f64, said: f64) -> [f6
     let there = from.flown(&flight, flight.h * T::of(1.0 - left), Contact::FREE);
     let mut most = [0.0f64; 3];
     for (k, normal) in flight.normals().iter().enumerate() {
-        let course = Course::to(&end, Along::of(&end, normal), &flight, k);
+        let course = Course::to(&end, Along::of(&end, normal).speed, &flight, k);
         let began = [T::one(), dot(&normal.direction, &from.state.x)];
-        let nudge = 0.2 * T::STRAIGHT;
-        let nearly = course.about(T::of(said + nudge), began).changed(T::of(-nudge));
-        for found in [course.about(T::of(said), began), nearly] {
+        let nudged = |by: f64| course.about(T::of(said + by), began).changed(T::of(-by));
+        for found in [course.about(T::of(said), began), nudged(T::STRAIGHT), nudged(-T::STRAIGHT)] {
             let Along { place, speed } = found.along(&flight);
             let pull = found.pull(&flight);
             let exact = [there.state.x, there.state.v, there.accelerations(&flight)]
@@ -74,18 +73,27 @@ fn the_end_of_a_step_tells_the_way_to_it() {
     follows_the_flight::<f32>([8.0, 16.0, 256.0]);
 }
 
+fn finds_a_place_near_by<T: Real>() {
+    let system = System::new(Setting::defaults(Family::paper())).unwrap();
+    let (flight, from) = begun::<T, 2>(&system);
+    let end = from.flown(&flight, flight.h, Contact::FREE);
+    let course = Course::to(&end, Along::of(&end, &flight.normals[0]).speed, &flight, 0);
+    let began = [T::one(), dot(&flight.normals[0].direction, &from.state.x)];
+    let place = course.about(T::of(0.4), began).along(&flight).place;
+    for share in [1.0, 0.1, -0.1, -1.0] {
+        let off = T::of(share * T::STRAIGHT);
+        let about = course.about(T::of(0.4) + off, began);
+        let change = about.change_to(place);
+        let missed = (change + off).widen().abs() / T::EPSILON;
+        assert!(missed < 8.0, "{missed} roundings for {share}");
+        assert!((about.change_to(place * T::of(1.001)) + off).widen().abs() > 64.0 * T::EPSILON);
+    }
+}
+
 #[test]
 fn a_place_near_by_is_found() {
-    let system = System::new(Setting::defaults(Family::paper())).unwrap();
-    let (flight, from) = begun::<f64, 2>(&system);
-    let end = from.flown(&flight, flight.h, Contact::FREE);
-    let course = Course::to(&end, Along::of(&end, &flight.normals[0]), &flight, 0);
-    let began = [1.0, dot(&flight.normals[0].direction, &from.state.x)];
-    let place = |u: f64| course.about(u, began).along(&flight).place;
-    for off in [1e-5, -1e-5] {
-        let change = course.about(0.4 + off, began).change_to(place(0.4));
-        assert!((change + off).abs() < 1e-15, "{change} for {off}");
-    }
+    finds_a_place_near_by::<f64>();
+    finds_a_place_near_by::<f32>();
 }
 
 #[test]
@@ -94,7 +102,7 @@ fn a_narrow_way_is_as_exact_as_it_is_narrow() {
     let (flight, mut from) = begun::<f32, 2>(&System::new(setting).unwrap());
     from.state.x[0] = -1e-3;
     let end = from.flown(&flight, flight.h, Contact::FREE);
-    let course = Course::to(&end, Along::of(&end, &flight.normals[0]), &flight, 0);
+    let course = Course::to(&end, Along::of(&end, &flight.normals[0]).speed, &flight, 0);
     let missed = |began: [f32; 2]| {
         // A share without rounding.
         let after = flight.h / 512.0;

@@ -75,7 +75,7 @@ fn what_is_not_certain_is_refused() {
     refuses::<f32>();
 }
 
-/// A way to the stop that the certificates are asked about: from rest at `gap` with the speed and the accelerations at both
+/// A way to the stop that the certificate is asked about: from rest at `gap` with the speed and the accelerations at both
 /// ends of a step of length 1, between which the acceleration changes steadily.
 struct Way {
     speed: f64,

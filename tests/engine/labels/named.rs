@@ -54,9 +54,9 @@ fn a_narrow_chaotic_band_has_no_period() {
     on_both(|backend| {
         let verdict = decided(backend, &band, 6000);
         assert!(matches!(verdict.regime, Regime::Chaotic | Regime::Unresolved), "{verdict:?}");
-        // In single precision each trajectory ends on a cycle of rounding with an exponent of its own, from 0.04 to 0.12 and a
-        // quarter of them below 0.05: what holds for one in f64 holds for their mean there.
-        let least = if backend.name() == "gpu" { 0.03 } else { 0.08 };
+        // From 0.07 to 0.12 in f64. In single precision each trajectory ends on a cycle of rounding with an exponent of its own,
+        // from 0.04 to 0.12 and a quarter of them below 0.05.
+        let [least, least_mean] = if backend.name() == "gpu" { [0.03, 0.05] } else { [0.06, 0.08] };
         assert!(verdict.lyapunov > least, "{verdict:?}");
         let start = |i| [1e-3 * f64::from(i), 0.0, 0.0, 0.0].into();
         let starts: Vec<Job> =
@@ -64,7 +64,7 @@ fn a_narrow_chaotic_band_has_no_period() {
         let fixed = Schedule { observe: 600, fixed_periods: true, ..schedule(600) };
         let verdicts = backend.run(&starts, &fixed, &Unwatched).unwrap();
         let mean = verdicts.iter().map(|verdict| f64::from(verdict.lyapunov)).sum::<f64>() / 16.0;
-        assert!(mean > 0.05, "{mean} on {}", backend.name());
+        assert!(mean > f64::from(least_mean), "{mean} on {}", backend.name());
     });
 }
 

@@ -103,8 +103,6 @@ impl Cells {
             words
         });
         let cells = beside.collect::<Vec<_>>().concat();
-        let mut order: Vec<u32> = (0..jobs.len() as u32).collect();
-        order.par_sort_by_key(|&cell| shared.flow_of(cell as usize));
-        Cells { flights: flights.concat(), kicks: kicks.concat(), cells, order }
+        Cells { flights: flights.concat(), kicks: kicks.concat(), cells, order: shared.by_flow() }
     }
 }

@@ -102,6 +102,7 @@ pub fn source(shape: &Shape) -> String {
         ("SWELLING", dynamics::SWELLING),
         ("SIXTH", 1.0 / 6.0),
         ("STRAIGHT", <f32 as Real>::STRAIGHT),
+        ("EXACT", dynamics::EXACT),
         ("STEADY_BOUND", dynamics::STEADY * dynamics::WIDER),
         ("CHATTER_BOUND", <f32 as Real>::CHATTER * dynamics::WIDER),
         ("FAR", dynamics::FAR),
