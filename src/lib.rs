@@ -96,8 +96,8 @@
 //!
 //! *Chatter and sticking.* Rebounds against a pressing force shrink geometrically. Once the effect of the rest of them on the
 //! other masses is known to be below rounding, and the force surely outlasts them, the sequence is closed: the mass rests on its
-//! stop, its impulse on the others is summed in closed form, and infinitely many impacts are counted. Rebounds without loss (r =
-//! 1) never end, but damping drags them down like exp(−ct/3): they are closed once neither the next strobe nor the force that
+//! stop, its impulse on the others is summed in closed form, and infinitely many impacts are counted. Rebounds without loss
+//! (r = 1) never end, but damping drags them down like exp(−ct/3): they are closed once neither the next strobe nor the force that
 //! vanishes can find them. Rebounds between several stops at once, each impact throwing the masses on the next stop, end in the
 //! corner between them. Contacts hold until the force on one of them changes sign: what presses on a contact during a flight lies
 //! in a hull like that of d·x during a step, and where that reaches below 0, the flight ends where the cubic through both ends

@@ -44,8 +44,8 @@ fn without_a_terminal_progress_is_lines() {
 
 #[test]
 fn what_will_take_long_is_announced() {
-    // 10,000 cells of 10,100 forcing periods each; nothing finishes early.
-    let plane = "--x omega=2:4:100 --y delta=0.05:0.3:100 --transient 1e4 --observe 100 --fixed-periods --backend cpu";
+    // 10,000 cells of 30,100 forcing periods each; nothing finishes early.
+    let plane = "--x omega=2:4:100 --y delta=0.05:0.3:100 --transient 3e4 --observe 100 --fixed-periods --backend cpu";
     let said = interrupted_after(6, &format!("map {plane} --threads 1"));
     let (_, announced) =
         ["will take about ", "may take "].iter().find_map(|words| said.split_once(words)).expect(&said);
