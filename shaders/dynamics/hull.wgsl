@@ -1,6 +1,6 @@
 // Between what a motion lies that is known at both ends of a time: the hull of five Bernstein coefficients.
 
-// The lowest and the highest of the inner three coefficients, and the middle one of the lower bound, which is a NaN where anything is.
+// The lowest and the highest of the inner three, and the middle one of the lower bound, which is a NaN where anything is.
 struct Hull {
     lowest: f32,
     highest: f32,

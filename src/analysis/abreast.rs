@@ -32,7 +32,7 @@ pub fn follow_abreast<L: Lanes, const N: usize, Q: Queue<L::Real, N>>(
     let mut source = Source::new(queue, L::WIDTH);
     let mut sides = [false, true].map(|observed| Side::<L, N, Q>::new(zero, normals, observed));
     let mut observed = false;
-    while !source.queue.is_given_up() {
+    while !source.is_given_up() {
         let idle = sides[usize::from(!observed)].busy == 0;
         let side = &mut sides[usize::from(observed)];
         side.fill_all(schedule, &mut source);

@@ -18,7 +18,7 @@ pub(super) struct Side<L: Lanes, const N: usize, Q: Queue<L::Real, N>> {
     seats: Seats<L::Real, N, Q::Ticket>,
     /// The flow of the constants in each lane.
     flows: Vec<Option<u32>>,
-    /// How many of them are not empty.
+    /// How many lanes are not empty.
     pub busy: u32,
     /// Whether this is where trajectories are observed.
     observed: bool,

@@ -8,8 +8,7 @@ impl<L: Lanes, const N: usize> Flight<L, N> {
     /// Puts the stops of a cell into a lane whose constants are those of another with the same flow.
     pub fn restop_lane(&mut self, lane: usize, flight: &Flight<L::Real, N>) {
         for (normal, from) in self.normals.iter_mut().zip(flight.normals()) {
-            set_vector(&mut normal.gap, lane, &from.gap);
-            set_vector(&mut normal.restitution, lane, &from.restitution);
+            normal.set_stops(lane, from);
         }
     }
 
@@ -42,12 +41,16 @@ impl<L: Lanes, const N: usize> Flight<L, N> {
 }
 
 impl<L: Lanes, const N: usize> ContactNormal<L, N> {
+    fn set_stops(&mut self, lane: usize, from: &ContactNormal<L::Real, N>) {
+        set_vector(&mut self.gap, lane, &from.gap);
+        set_vector(&mut self.restitution, lane, &from.restitution);
+    }
+
     fn set_lane(&mut self, lane: usize, from: &ContactNormal<L::Real, N>) {
         set_vector(&mut self.direction, lane, &from.direction);
         set_vector(&mut self.response, lane, &from.response);
         self.mass.set_lane(lane, from.mass);
-        set_vector(&mut self.gap, lane, &from.gap);
-        set_vector(&mut self.restitution, lane, &from.restitution);
+        self.set_stops(lane, from);
         set_vector(&mut self.bound_x, lane, &from.bound_x);
         set_vector(&mut self.bound_v, lane, &from.bound_v);
         self.bound_forcing.set_lane(lane, from.bound_forcing);
