@@ -20,3 +20,13 @@ fn along_each(point: Point) -> Alongs {
     //: end
     return each;
 }
+
+// Along one of them: a compiler keeps in memory what is read at an index that it does not know.
+fn along_at(each: Alongs, normal: u32) -> Along {
+    var own = each[0];
+    //: each further normal
+    own.place = select(own.place, each[$k].place, normal == $ku);
+    own.speed = select(own.speed, each[$k].speed, normal == $ku);
+    //: end
+    return own;
+}

@@ -25,14 +25,15 @@ fn course_to(end: Point, speed: f32, normal: u32) -> Course {
 }
 
 fn course_term(end: Point, normal: u32, term: u32) -> f32 {
-    let row = normal_term(normal, KICK_TERMS + term);
+    let of_places = flight.normals[normal].back_x[term];
+    let of_speeds = flight.normals[normal].back_v[term];
     var sum = end.sin * course_of_sine(normal, term) + flight.normals[normal].back_one[term];
     sum = end.cos * course_of_cosine(normal, term) + sum;
     //: each coordinate
-    sum = end.state.x$c * row.x$c + sum;
+    sum = end.state.x$c * of_places$c + sum;
     //: end
     //: each coordinate
-    sum = end.state.v$c * row.v$c + sum;
+    sum = end.state.v$c * of_speeds$c + sum;
     //: end
     return sum;
 }

@@ -23,7 +23,7 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let normal = face.end.normal;
     let sign = end_sign(face.end);
     let gap = face_gap(face.end);
-    let begins = before[normal];
+    let begins = along_at(before, normal);
     let ends = along_of(ahead, normal);
     let course = course_to(ahead, ends.speed, normal);
     // The gap, seen from the end of the leg: u is the share of it that is left.
@@ -34,7 +34,7 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let slopes = vec2(sign * ends.speed * window, leaves * window);
     let gaps = vec2(gap - sign * ends.place, gap - sign * begins.place);
     let polynomial = quintic_through(gaps, slopes, square * bends.x, square * whole * bends.y);
-    var start = 1.0 - quintic_chord(gaps.yx, slopes.y);
+    var start = 1.0 - quintic_chord(vec2(gaps.y, gaps.x), slopes.y);
     // Where the leg returns, the gap is narrowest on its way.
     var passes = false;
     var turns = 0.0;

@@ -74,7 +74,7 @@ fn trajectory_present() -> Point {
     }
     let normal = trajectory.met - 1u;
     let before = point_flown(trajectory.ahead, trajectory.offset - flight.h, CONTACT_FREE);
-    return Point(placed(normal, before.state, trajectory.along[normal]), before.sin, before.cos);
+    return Point(placed(normal, before.state, along_at(trajectory.along, normal)), before.sin, before.cos);
 }
 
 // Within a step: finds its end where flight is free, and what the tangent of the present point is there.

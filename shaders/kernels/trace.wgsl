@@ -2,7 +2,7 @@
 
 @group(0) @binding(0) var<uniform> dispatch: TraceDispatch;
 @group(0) @binding(1) var<storage, read> flights: array<Flight>;
-@group(0) @binding(2) var<storage, read> kicks: array<State>;
+@group(0) @binding(2) var<storage, read> kicks: array<array<State, NORMAL_TERMS>>;
 @group(0) @binding(3) var<storage, read> cells: array<Cell>;
 // Which cells are not finished yet; FINISHED in the place of one that is, once this dispatch is over.
 @group(0) @binding(4) var<storage, read_write> unfinished: array<u32>;

@@ -65,6 +65,10 @@ impl<const N: usize> Members<'_, N> {
         self.aligned(name, "array<X, COORDINATES>", values);
     }
 
+    fn rows<'v>(&mut self, name: &str, rows: impl ExactSizeIterator<Item = &'v [f32; N]>) {
+        self.aligned(name, format_args!("array<X, {}>", rows.len()), rows);
+    }
+
     fn state(&mut self, name: &str, State { x, v }: &State<f32, N>) {
         self.aligned(name, "State", [x, v]);
     }
@@ -74,7 +78,12 @@ impl<const N: usize> Members<'_, N> {
     }
 
     /// Vectors, each up to the alignment of the next.
-    fn aligned<'v>(&mut self, name: &str, kind: &str, vectors: impl IntoIterator<Item = &'v [f32; N]>) {
+    fn aligned<'v>(
+        &mut self,
+        name: &str,
+        kind: impl Display,
+        vectors: impl IntoIterator<Item = &'v [f32; N]>,
+    ) {
         self.member(name, kind, []);
         for vector in vectors {
             self.words.extend(vector.iter().map(|value| value.to_bits()));
@@ -125,6 +134,8 @@ fn pressing<const N: usize>(flight: &Flight<f32, N>) -> Vec<f32> {
         .collect()
 }
 
+/// What the course of a step is found with stands here, and again among the [`write_kicks`] that a tangent is met with: a compiler
+/// would keep what is read twice in registers in between.
 fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut Members<N>) {
     members.integers("stop", &normal.stop.map(u32::from));
     members.numbers("reach", normal.reach.into_iter());
@@ -142,6 +153,8 @@ fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut 
     members.vector("response", &normal.response);
     members.vector("bound_x", &normal.bound_x);
     members.vector("bound_v", &normal.bound_v);
+    members.rows("back_x", back().map(|row| &row.state.x));
+    members.rows("back_v", back().map(|row| &row.state.v));
 }
 
 /// What a cell has beside its flow: the stops at both ends of each normal, and the start.

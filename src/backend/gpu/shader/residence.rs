@@ -84,7 +84,7 @@ fn observer_save() {
 
 // A term of the polynomials of a normal: what a kick becomes, then what the end of a step says of the way to it.
 fn normal_term(normal: u32, term: u32) -> State {
-    return kicks[(flow * NORMALS + normal) * NORMAL_TERMS + term];
+    return kicks[flow * NORMALS + normal][term];
 }
 "
             }
@@ -100,7 +100,7 @@ fn flight_load() {
     cell_stops = cells[cell];
     for (var term = 0u; term < NORMAL_TERMS; term++) {
         for (var normal = 0u; normal < NORMALS; normal++) {
-            cell_kicks[normal][term] = kicks[(flow * NORMALS + normal) * NORMAL_TERMS + term];
+            cell_kicks[normal][term] = kicks[flow * NORMALS + normal][term];
         }
     }
 }

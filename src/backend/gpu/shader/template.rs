@@ -1,7 +1,7 @@
 //! Loops unrolled in the text of a shader, for so many coordinates, contact normals and stops.
 //!
 //! A block between the lines `//: each normal` and `//: end` stands once for every normal, with `$k` as its number; so do
-//! `each stop`, `each component` of a state (and `each further component` after the first) and, with `$i` as the number and
+//! `each stop`, `each component` of a state (and `each further normal` or `component` after the first) and, with `$i` as the number and
 //! `$c` as what selects the component, `each coordinate`. A block of `each pair of normals` stands once for every ordered pair,
 //! with `$k` and `$l`. Terms of polynomials and Newton steps are unrolled too, with `$k` as the order: `each kick term` and `each back
 //! term` from the highest but one down, `each slope term` and `each bend term` from the highest to the first and to the second.
@@ -72,12 +72,11 @@ impl Shape {
             "coordinate" => (0..self.coordinates).for_each(|i| {
                 push(block.replace("$i", &i.to_string()).replace("$c", self.component(i)));
             }),
-            "normal" => (0..self.normals).for_each(|k| push(block.replace("$k", &k.to_string()))),
-            "component" => (0..2 * self.coordinates).for_each(|k| push(block.replace("$k", &k.to_string()))),
-            "further component" => {
-                (1..2 * self.coordinates).for_each(|k| push(block.replace("$k", &k.to_string())));
-            }
-            "stop" => (0..self.stops).for_each(|k| push(block.replace("$k", &k.to_string()))),
+            "normal" => (0..self.normals).for_each(|k| push(numbered(block, k))),
+            "further normal" => (1..self.normals).for_each(|k| push(numbered(block, k))),
+            "component" => (0..2 * self.coordinates).for_each(|k| push(numbered(block, k))),
+            "further component" => (1..2 * self.coordinates).for_each(|k| push(numbered(block, k))),
+            "stop" => (0..self.stops).for_each(|k| push(numbered(block, k))),
             "pair of normals" => {
                 for k in 0..self.normals {
                     for l in 0..self.normals {
@@ -91,7 +90,7 @@ impl Shape {
             // From the highest order on, for what does not ask for the lowest, or the lowest two.
             "slope term" => (1..=<f32 as Real>::BACK_ORDER).rev().for_each(|k| push(numbered(block, k))),
             "bend term" => (2..=<f32 as Real>::BACK_ORDER).rev().for_each(|k| push(numbered(block, k))),
-            "newton step" => (1..=NEWTON_STEPS).for_each(|k| push(block.replace("$k", &k.to_string()))),
+            "newton step" => (1..=NEWTON_STEPS).for_each(|k| push(numbered(block, k))),
             other => panic!("a shader repeats over `{other}`"),
         }
     }
