@@ -27,8 +27,11 @@ const ONE_OF_FEWER: u64 = 8;
 /// Planes of fewer cells are not worth it.
 const FEWEST: u64 = 64;
 
-/// How long measuring should take.
+/// How long measuring should take …
 const LONGEST: Duration = Duration::from_secs(1);
+
+/// … and no more than one part in so many of what is measured, as far as that is known.
+const PARTS: u32 = 64;
 
 /// When those that are being measured are given up, each where its back end looks whether it should end. At most one cell in eight
 /// is measured, so that all of them may take long then.
@@ -82,7 +85,8 @@ fn of_cells(
         estimate = time_of_all(began_with_these.elapsed());
         let is_short = measured as u64 >= all / ONE_OF && estimate < WORTH_SAYING;
         // The next part is at least twice as large.
-        if is_short || began.elapsed() + 2 * began_with_these.elapsed() > LONGEST {
+        let longest = LONGEST.min(estimate / PARTS);
+        if is_short || began.elapsed() + 2 * began_with_these.elapsed() > longest {
             break;
         }
     }
