@@ -1,8 +1,9 @@
 //! Writing a map.
 
-use std::io::{self, BufWriter, Seek, Write};
+use std::io::{self, BufWriter, Cursor, Seek, Write};
 
 use npyz::{AutoSerialize, DType, WriteOptions, WriterBuilder};
+use rayon::prelude::*;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
@@ -47,17 +48,25 @@ impl<W: Write + Seek> Archive<W> {
         self.zip.finish()?.end()
     }
 
-    /// An array for each of some fields of a plane's cells.
-    pub fn cells<'a, T>(
+    /// An array for each of some fields of a plane's cells: compressing takes long, so as many of them at once as there are
+    /// threads.
+    pub fn cells<'a, T: Sync>(
         &mut self,
         plane: &Plane<T>,
         fields: impl Iterator<Item = &'static CellField>,
-        cells: impl Iterator<Item = CellResult<'a>> + Clone,
+        cells: impl Iterator<Item = CellResult<'a>> + Clone + Sync,
     ) -> io::Result<()> {
         let family = plane.parameters.family();
-        for field in fields {
-            let values = field.values(cells.clone(), field.inner.len(family));
-            of_any!(values, values => self.array(field.name, &field.shape(plane), values))?;
+        for fields in fields.collect::<Vec<_>>().chunks(rayon::current_num_threads()) {
+            let compressed = fields.par_iter().map(|field| {
+                let mut alone = ZipWriter::new(Cursor::new(Vec::new()));
+                let values = field.values(cells.clone(), field.inner.len(family));
+                of_any!(values, values => array_in(&mut alone, field.name, &field.shape(plane), values))?;
+                Ok(alone.finish_into_readable()?)
+            });
+            for alone in compressed.collect::<io::Result<Vec<_>>>()? {
+                self.zip.merge_archive(alone)?;
+            }
         }
         Ok(())
     }
@@ -69,18 +78,13 @@ impl<W: Write + Seek> Archive<W> {
         shape: &[u64],
         values: impl IntoIterator<Item = T>,
     ) -> io::Result<()> {
-        self.entry(name)?;
-        let mut file = BufWriter::with_capacity(1 << 16, &mut self.zip);
-        let mut array = WriteOptions::new().default_dtype().shape(shape).writer(&mut file).begin_nd()?;
-        array.extend(values)?;
-        array.finish()?;
-        file.flush()
+        array_in(&mut self.zip, name, shape, values)
     }
 
     /// A single text, which NumPy shows as an array without dimensions.
     pub fn text(&mut self, name: &str, text: &str) -> io::Result<()> {
         let kind = format!("<U{}", text.chars().count()).parse().expect("a length in characters is a type");
-        self.entry(name)?;
+        begin(&mut self.zip, name)?;
         let mut array = WriteOptions::<str>::new()
             .dtype(DType::Plain(kind))
             .shape(&[])
@@ -89,9 +93,25 @@ impl<W: Write + Seek> Archive<W> {
         array.push(text)?;
         array.finish()
     }
+}
 
-    fn entry(&mut self, name: &str) -> io::Result<()> {
-        let options = SimpleFileOptions::default().last_modified_time(zip::DateTime::DEFAULT);
-        Ok(self.zip.start_file(npyz::npz::file_name_from_array_name(name), options)?)
-    }
+/// Writes one array into an archive.
+fn array_in<T: AutoSerialize>(
+    zip: &mut ZipWriter<impl Write + Seek>,
+    name: &str,
+    shape: &[u64],
+    values: impl IntoIterator<Item = T>,
+) -> io::Result<()> {
+    begin(zip, name)?;
+    let mut file = BufWriter::with_capacity(1 << 16, zip);
+    let mut array = WriteOptions::new().default_dtype().shape(shape).writer(&mut file).begin_nd()?;
+    array.extend(values)?;
+    array.finish()?;
+    file.flush()
+}
+
+/// Begins an array of an archive.
+fn begin(zip: &mut ZipWriter<impl Write + Seek>, name: &str) -> io::Result<()> {
+    let options = SimpleFileOptions::default().last_modified_time(zip::DateTime::DEFAULT);
+    Ok(zip.start_file(npyz::npz::file_name_from_array_name(name), options)?)
 }
