@@ -76,8 +76,23 @@ impl<const N: usize> Flight<f64, N> {
     /// # Panics
     /// If the system does not have N coordinates.
     pub fn new(system: &System) -> Self {
-        let kept: Option<&Self> = system.of_flow().constants(|| Flight::of(system));
-        kept.map_or_else(|| Flight::of(system), |flight| flight.with_stops_of(system))
+        Flight::kept(system).map_or_else(|| Flight::of(system), |flight| flight.with_stops_of(system))
+    }
+
+    /// The same, prepared where it stays: it is large.
+    ///
+    /// # Panics
+    /// As [`Flight::new`].
+    pub fn boxed(system: &System) -> Box<Self> {
+        let Some(kept) = Flight::kept(system) else { return Box::new(Flight::of(system)) };
+        let mut flight = Box::new(*kept);
+        flight.take_stops_of(system);
+        flight
+    }
+
+    /// The constants that are kept for a cell's flow, those of any one of its cells.
+    fn kept(system: &System) -> Option<&Self> {
+        system.of_flow().constants(|| Flight::of(system))
     }
 
     /// The constants of another cell with the same flow.
@@ -89,7 +104,7 @@ impl<const N: usize> Flight<f64, N> {
     }
 
     /// Takes over the stops of another cell with the same flow.
-    pub(super) fn take_stops_of(&mut self, system: &System) {
+    pub(crate) fn take_stops_of(&mut self, system: &System) {
         for normal in &mut self.normals[..self.count] {
             let along = StopsAlong::of(system, normal);
             (normal.gap, normal.restitution) = (along.gap, along.restitution);

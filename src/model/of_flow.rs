@@ -1,12 +1,12 @@
 //! What follows from the flow of a system alone: from everything but gaps and restitutions, and which of those are alike.
 
 use std::any::{Any, TypeId};
-use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use nalgebra::DMatrix;
 use parking_lot::RwLock;
+use rustc_hash::FxHashMap;
 
 use crate::system::{Mirror, Plant};
 
@@ -14,7 +14,7 @@ use crate::system::{Mirror, Plant};
 pub(super) type Restitutions = [u64; Plant::MOST_STOPS];
 
 /// What was found for some coefficients of restitution, by its type.
-type Found = HashMap<(TypeId, Restitutions), Arc<dyn Any + Send + Sync>>;
+type Found = FxHashMap<(TypeId, Restitutions), Arc<dyn Any + Send + Sync>>;
 
 /// What follows from a flow, found when it is first asked for.
 #[derive(Debug, Default)]

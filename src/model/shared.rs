@@ -40,15 +40,11 @@ impl Flows {
     pub fn system(&self, setting: Setting) -> Result<System, SystemError> {
         // A family is kept for the life of the process.
         let key = FlowKey { family: std::ptr::from_ref(setting.family()).addr(), bits: setting.flow_bits() };
-        {
-            let known = self.systems.read();
-            if let Some((known, system)) =
-                known.get(&key).and_then(|known| Some((known, known.restopped(setting)?)))
-            {
-                if system.mirrored_stops().eq(known.mirrored_stops()) {
-                    system.of_flow.0.share();
-                    return Ok(system);
-                }
+        if let Some(known) = self.systems.read().get(&key) {
+            if let Some(system) = known.neighbour(setting) {
+                return Ok(system);
+            }
+            if let Some(system) = known.restopped(setting) {
                 return Ok(self.share(system.alone()));
             }
         }

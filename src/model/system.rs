@@ -75,6 +75,17 @@ impl System {
         Some(System { setting: Some(setting), plant, label_order, of_flow, ..*self })
     }
 
+    /// The system of a setting that has its flow in common with this one, and with it all that follows from that: the same as
+    /// [`Flows::system`](super::Flows::system) has it, if it is known at once to be.
+    pub(crate) fn neighbour(&self, setting: Setting) -> Option<Self> {
+        let own = self.setting.as_ref().filter(|own| own.has_flow_of(&setting));
+        let system = own.and_then(|_| self.restopped(setting))?;
+        system.mirrored_stops().eq(self.mirrored_stops()).then(|| {
+            self.of_flow.0.share();
+            system
+        })
+    }
+
     /// The system of another plant with the same stops, its labels in the same order.
     ///
     /// # Errors
@@ -172,8 +183,9 @@ impl System {
         self.plant.plant()
     }
 
-    /// A plant with the same flow: its gaps and restitutions may be those of another cell.
-    pub(super) fn like(&self) -> &Plant {
+    /// A plant with the same flow: its gaps and restitutions may be those of another cell. It is there already, as
+    /// [`System::plant`] may not be.
+    pub(crate) fn like(&self) -> &Plant {
         self.plant.like()
     }
 
@@ -194,7 +206,7 @@ impl System {
     }
 
     /// Its stops in the plant's order, each with its direction.
-    pub(super) fn stops(&self) -> impl ExactSizeIterator<Item = (&DVector<f64>, StopValues)> {
+    pub(crate) fn stops(&self) -> impl ExactSizeIterator<Item = (&DVector<f64>, StopValues)> {
         let directions = self.like().stops.iter().map(|stop| &stop.direction);
         directions.zip(self.plant.stops().iter().copied())
     }

@@ -117,12 +117,13 @@ impl<T> Plane<T> {
 
     /// The parameters of the cell in column `column` of row `row`.
     pub fn parameters_at(&self, column: u32, row: u32) -> Setting {
-        self.values_at(column, row).into_iter().fold(self.parameters, |parameters, (quantity, value)| {
-            match quantity {
-                Quantity::Parameter(parameter) => parameters.with(parameter, value),
-                Quantity::Start(_) | Quantity::Control(_) => parameters,
+        let mut parameters = self.parameters;
+        for (quantity, value) in self.values_at(column, row) {
+            if let Quantity::Parameter(parameter) = quantity {
+                parameters.set(parameter, value);
             }
-        })
+        }
+        parameters
     }
 
     /// The start of the cell in column `column` of row `row`.

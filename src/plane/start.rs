@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use crate::model::{Number, StateVector, System, joined};
 use crate::system::{Family, Plant};
-use crate::theory::symmetric_start;
+use crate::theory::{SymmetricStarts, symmetric_start};
 
 /// How a trajectory begins, at forcing phase 0.
 #[derive(Clone, Copy, Debug, PartialEq, Display, Serialize, Deserialize)]
@@ -30,11 +30,16 @@ impl Start {
     ///
     /// Rest is the origin, moved onto a stop beyond which it would lie.
     pub fn state(&self, system: &System) -> StateVector {
+        self.state_by(system, &mut SymmetricStarts::default())
+    }
+
+    /// The same of one system after the other.
+    pub fn state_by(&self, system: &System, symmetric: &mut SymmetricStarts) -> StateVector {
         let rest = || system.between_stops(StateVector::zeros(system.coordinates()));
         match *self {
             Start::Rest => rest(),
             Start::Symmetric => {
-                symmetric_start(system).and_then(|state| StateVector::from_slice(&state)).unwrap_or_else(rest)
+                symmetric.of(system).and_then(|state| StateVector::from_slice(&state)).unwrap_or_else(rest)
             }
             Start::State(state) => state,
         }

@@ -11,10 +11,9 @@ use rayon::prelude::*;
 
 use super::Result;
 use super::map::window_jobs;
-use super::swept::cell_job;
+use super::preparing::jobs;
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
 use crate::backend::{self, Backend, Job, Silent, Watch, decide, long_look};
-use crate::model::Flows;
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
 use crate::theory::{StrobeMotion, approached, approached_from, with_motion};
 
@@ -160,10 +159,8 @@ fn beyond(
     places.sort_unstable();
     places.dedup();
     let whole = Window::whole(plane);
-    let flows = Flows::default();
-    let jobs: Vec<Job> = (places.iter())
-        .map(|&place| cell_job(plane, whole.index(place) as u64, &flows))
-        .collect::<Result<_, _>>()?;
+    let cells: Vec<u64> = places.iter().map(|&place| whole.index(place) as u64).collect();
+    let jobs = jobs(plane, &cells)?;
     let mut verdicts = Vec::with_capacity(jobs.len());
     for jobs in jobs.chunks(backend.tile().max(1)) {
         verdicts.extend(decide(backend, jobs, &plane.task, &Silent(watch))?);

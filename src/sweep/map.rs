@@ -5,9 +5,8 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
-use super::swept::{Swept, asked_of, cell_job};
+use super::preparing::{each, jobs};
+use super::swept::Swept;
 use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
 use crate::backend::{Backend, Job, Watch, decide};
@@ -38,18 +37,19 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
     let (mut first, mut next) = (0, prepare(0));
     while first < cells {
         watch.check()?;
-        let Prepared { jobs, is_there, missing: missing_here } = next?;
+        let Prepared { jobs, places, cells: here, missing: missing_here } = next?;
         missing = missing.or(missing_here);
         any |= !jobs.is_empty();
-        watch.finished((is_there.len() - jobs.len()) as u64);
+        watch.finished((here - jobs.len()) as u64);
         // While a back end is busy with one tile, the processor prepares the next.
         first += tile as u64;
         let (computed, following) = rayon::join(|| plane.task.run(backend, &jobs, watch), || prepare(first));
         next = following;
-        let mut computed = computed?.into_iter();
-        let left_out = T::Cell::unresolved(plane.parameters.family().n());
-        let result = |there| if there { computed.next() } else { Some(left_out.clone()) };
-        verdicts.extend(is_there.into_iter().filter_map(result));
+        let before = verdicts.len();
+        verdicts.resize(before + here, T::Cell::unresolved(plane.parameters.family().n()));
+        for (place, cell) in places.into_iter().zip(computed?) {
+            verdicts[before + place as usize] = cell;
+        }
     }
     match missing {
         Some(why) if !any => Err(why),
@@ -59,10 +59,13 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
 
 /// What a back end is given for one tile.
 struct Prepared<J> {
+    /// Flow by flow.
     jobs: Vec<J>,
-    /// Of every cell, whether there is a job for it.
-    is_there: Vec<bool>,
-    /// Why the first cell without one has none, where that is an error.
+    /// Which of the tile's cells each of them is for.
+    places: Vec<u32>,
+    /// How many cells there are.
+    cells: usize,
+    /// Why a cell without a job has none, where that is an error.
     missing: Option<SweepError>,
 }
 
@@ -72,10 +75,11 @@ impl<J> Prepared<J> {
     where
         J: Send,
     {
-        let found: Vec<_> = cells.into_par_iter().map(|cell| asked_of(plane, cell, flows)).collect();
-        let (mut jobs, mut is_there) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
+        let cells: Vec<u64> = cells.collect();
+        let found = each(plane, &cells, flows, |preparing, cell| preparing.asked_of(cell));
+        let (mut jobs, mut places) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
         let mut missing = None;
-        for job in found {
+        for (place, job) in found {
             let job = job.or_else(|error| match error.is_of_one_cell() {
                 true => {
                     missing.get_or_insert(error);
@@ -83,10 +87,10 @@ impl<J> Prepared<J> {
                 }
                 false => Err(error),
             })?;
-            is_there.push(job.is_some());
+            places.extend(job.is_some().then_some(place));
             jobs.extend(job);
         }
-        Ok(Prepared { jobs, is_there, missing })
+        Ok(Prepared { jobs, places, cells: cells.len(), missing })
     }
 }
 
@@ -103,9 +107,7 @@ pub(super) fn check_border<T>(plane: &Plane<T>) -> Result<(), SystemError> {
 /// The jobs of some cells of a plane, row by row.
 pub(super) fn window_jobs(plane: &Plane, window: Window) -> Result<Vec<Job>, SystemError> {
     let whole = Window::whole(plane);
-    let cells: Vec<u64> = window.places().map(|place| whole.index(place) as u64).collect();
-    let flows = Flows::default();
-    cells.into_par_iter().map(|cell| cell_job(plane, cell, &flows)).collect()
+    jobs(plane, &window.places().map(|place| whole.index(place) as u64).collect::<Vec<_>>())
 }
 
 /// Computes some cells of a plane on a back end, the same as in the whole; row by row.

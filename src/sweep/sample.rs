@@ -1,8 +1,7 @@
 //! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
-use rayon::prelude::*;
-
-use super::swept::{Swept, asked_of};
+use super::preparing::each;
+use super::swept::Swept;
 use super::{Result, SweepError};
 use crate::backend::{Backend, Watch};
 use crate::model::Flows;
@@ -41,9 +40,9 @@ pub fn sample<T: Swept>(
     cells: &[u64],
     watch: &dyn Watch,
 ) -> Result<Vec<T::Cell>> {
-    let flows = Flows::default();
-    let made: Vec<_> = cells.par_iter().map(|&cell| asked_of(plane, cell, &flows)).collect();
-    let jobs: Result<Vec<_>, _> = (made.into_iter())
+    let mut made = each(plane, cells, &Flows::default(), |preparing, cell| preparing.asked_of(cell));
+    made.sort_unstable_by_key(|&(place, _)| place);
+    let jobs: Result<Vec<_>, _> = (made.into_iter().map(|(_, job)| job))
         .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))
         .filter_map(Result::transpose)
         .collect();

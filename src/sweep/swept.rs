@@ -3,7 +3,6 @@
 use super::Result;
 use crate::analysis::Schedule;
 use crate::backend::{self, Backend, ControlJob, Job, Watch, decide};
-use crate::model::{Flows, SystemError};
 use crate::plane::{Control, Plane, Task};
 
 /// A task that back ends do.
@@ -67,23 +66,4 @@ impl Swept for Control {
     ) -> backend::Result<Vec<Self::Cell>> {
         backend.control(jobs, &self.schedule, watch)
     }
-}
-
-/// The column and the row of a cell, counted row by row.
-fn place<T>(plane: &Plane<T>, cell: u64) -> (u32, u32) {
-    let columns = u64::from(plane.x.count);
-    ((cell % columns) as u32, (cell / columns) as u32)
-}
-
-/// The system and the start of a cell, counted row by row; it shares what follows from its flow with cells before it.
-pub(super) fn cell_job<T>(plane: &Plane<T>, cell: u64, flows: &Flows) -> Result<Job, SystemError> {
-    let (column, row) = place(plane, cell);
-    let system = flows.system(plane.parameters_at(column, row))?;
-    let start = plane.start_at(column, row).state(&system);
-    Ok(Job { system, start })
-}
-
-/// What a back end is given for a cell, counted row by row.
-pub(super) fn asked_of<T: Swept>(plane: &Plane<T>, cell: u64, flows: &Flows) -> Result<Option<T::Job>> {
-    T::job(plane, place(plane, cell), cell_job(plane, cell, flows)?)
 }

@@ -109,6 +109,11 @@ impl Parameter {
         &self.about().name
     }
 
+    /// Whether more depends on it than gaps and restitutions.
+    pub fn is_of_flow(self) -> bool {
+        self.family.of_flow.contains(&self.id)
+    }
+
     /// What the file says about it.
     pub fn about(self) -> &'static ParameterRecord {
         self.family.about(self.id)
@@ -170,8 +175,19 @@ impl Setting {
     /// The same setting with one parameter changed (not checked; see [`Setting::check`]).
     #[must_use]
     pub fn with(mut self, parameter: Parameter, value: f64) -> Self {
-        self.values[parameter.id.index()] = value;
+        self.set(parameter, value);
         self
+    }
+
+    /// Changes one parameter (not checked; see [`Setting::check`]).
+    pub fn set(&mut self, parameter: Parameter, value: f64) {
+        self.values[parameter.id.index()] = value;
+    }
+
+    /// Whether it is of the same family, with the same [`Setting::flow_bits`].
+    pub fn has_flow_of(&self, other: &Setting) -> bool {
+        let same = |id: &ParameterId| self.values[id.index()].to_bits() == other.values[id.index()].to_bits();
+        std::ptr::eq(self.family, other.family) && self.family.of_flow.iter().all(same)
     }
 
     /// The same setting with a parameter changed that is given by its name.

@@ -56,12 +56,12 @@ impl WhateverGaps {
 impl Flow {
     /// The flow of a system.
     pub fn new(system: &System) -> Self {
-        let plant = system.plant();
         let whatever_gaps = system.whatever_gaps(|| WhateverGaps::new(system));
-        let faces = whatever_gaps.faces.iter().zip(&plant.stops).map(|(face, stop)| face.at_gap(stop.gap));
+        let faces =
+            whatever_gaps.faces.iter().zip(system.stops()).map(|(face, (_, stop))| face.at_gap(stop.gap));
         Flow {
-            n: plant.n,
-            omega: plant.omega,
+            n: system.coordinates(),
+            omega: system.like().omega,
             faces: faces.collect(),
             whatever_gaps,
             kept: Arc::clone(system.of_flow()),

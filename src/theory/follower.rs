@@ -1,14 +1,19 @@
 //! A trajectory of any number of coordinates, behind one trait.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::section_vector::wrapped;
 use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory, catch_all};
 use crate::model::vector::axpy;
-use crate::model::{Flight, State, System};
+use crate::model::{Flight, OfFlow, State, System};
 
 /// A trajectory of the certified flight, with or without tangent vectors.
 pub(super) trait Follower {
+    /// Takes over the stops of another system, where its flow is known to be the same; says whether it is.
+    fn restop(&mut self, system: &System) -> bool;
+
     /// Begins at forcing phase 0 with (x, v) within the stops, without tangent vectors.
     fn begin(&mut self, state: &[f64]);
 
@@ -77,9 +82,23 @@ pub(super) fn follower(system: &System) -> Box<dyn Follower> {
     }
 }
 
+/// A follower of one system after the other: those with the same flow have it in common.
+#[derive(Default)]
+pub(super) struct Kept(Option<Box<dyn Follower>>);
+
+impl Kept {
+    /// A follower of a system.
+    pub fn of(&mut self, system: &System) -> &mut dyn Follower {
+        let fits = self.0.as_mut().is_some_and(|kept| kept.restop(system));
+        let kept = if fits { self.0.take() } else { None };
+        self.0.insert(kept.unwrap_or_else(|| follower(system))).as_mut()
+    }
+}
+
 /// With N coordinates and K = 2N tangent vectors.
 struct Following<const N: usize, const K: usize> {
-    flight: Flight<f64, N>,
+    of_flow: Arc<OfFlow>,
+    flight: Box<Flight<f64, N>>,
     trajectory: Trajectory<f64, N>,
     frame: [Tangent<f64, N>; K],
     carries: bool,
@@ -87,13 +106,22 @@ struct Following<const N: usize, const K: usize> {
 
 impl<const N: usize, const K: usize> Following<N, K> {
     fn new(system: &System) -> Self {
-        let flight = Flight::new(system);
+        let flight = Flight::boxed(system);
         let trajectory = Trajectory::new(&flight, State::zero());
-        Following { flight, trajectory, frame: [Tangent(State::zero()); K], carries: false }
+        let of_flow = Arc::clone(system.of_flow());
+        Following { of_flow, flight, trajectory, frame: [Tangent(State::zero()); K], carries: false }
     }
 }
 
 impl<const N: usize, const K: usize> Follower for Following<N, K> {
+    fn restop(&mut self, system: &System) -> bool {
+        let fits = Arc::ptr_eq(&self.of_flow, system.of_flow());
+        if fits {
+            self.flight.take_stops_of(system);
+        }
+        fits
+    }
+
     fn begin(&mut self, state: &[f64]) {
         self.trajectory = Trajectory::new(&self.flight, State::from_slice(state));
         self.carries = false;

@@ -7,8 +7,8 @@ use thiserror::Error;
 use super::admissible::{Inadmissible, NamedStop, fly_by, leaves_inwards};
 use super::face::Face;
 use super::flow::Flow;
-use super::follower::{Follower, follower};
-use super::matching_line::{MatchingLine, distance};
+use super::follower::Kept;
+use super::matching_line::MatchingLine;
 use super::motion::PeriodicMotion;
 use super::multipliers::{contracts, turn};
 use super::pattern::{Pattern, StopSet};
@@ -33,8 +33,12 @@ impl SymmetricMotion {
     ///
     /// Infinite where the impacts graze, since there is nothing to linearise about.
     pub fn spectral_radius(&self, system: &System) -> f64 {
-        self.motion.half_multipliers(system).map_or(f64::INFINITY, |values| values[0].norm())
+        spectral_radius(&self.motion, system)
     }
+}
+
+fn spectral_radius(motion: &PeriodicMotion, system: &System) -> f64 {
+    motion.half_multipliers(system).map_or(f64::INFINITY, |values| values[0].norm())
 }
 
 /// Why the matching conditions (5) have no solution.
@@ -78,8 +82,6 @@ pub(super) struct Matched<'a> {
     sections: [SectionVector; 2],
     residuals: [f64; 2],
     regular: usize,
-    /// A follower of the system, once there is one.
-    follower: Option<Box<dyn Follower>>,
 }
 
 impl<'a> Matched<'a> {
@@ -87,22 +89,17 @@ impl<'a> Matched<'a> {
     pub fn of(system: &'a System) -> Result<Self, NoSymmetricMotion> {
         let stop = exchanged_stop(system).ok_or(NoSymmetricMotion::NoMirror)?;
         let among = StopSet::of(system);
-        let stops = &system.plant().stops;
-        let opposite = &stops[among.image(stop).index()];
-        let own = &stops[stop.index()];
-        let room = own.gap / own.direction.norm() + opposite.gap / opposite.direction.norm();
-        let facing = &own.direction / own.direction.norm() + &opposite.direction / opposite.direction.norm();
-        if room == 0.0 && facing.amax() <= 1e-12 {
-            return Err(NoSymmetricMotion::Clamped(system.closed()));
-        }
         let flow = Flow::new(system);
         let face = flow.face(stop);
+        if leaves_no_room(face, flow.face(among.image(stop))) {
+            return Err(NoSymmetricMotion::Clamped(system.closed()));
+        }
         let line = system.whatever_gaps(|| MatchingLine::of(&flow, stop, among.image(stop)));
         let line = line.as_ref().as_ref().ok_or(NoSymmetricMotion::Singular)?;
         let point = line.at_gap(face.gap);
-        let nearest = distance(&point);
+        let nearest = line.distance(&point);
         if nearest > 1.0 {
-            let load = system.plant().load.amax() > 0.0;
+            let load = system.like().load.amax() > 0.0;
             let (amplitude, delta) = (face.gap / nearest, face.gap);
             return Err(match load || delta == 0.0 {
                 false => NoSymmetricMotion::OutOfReach { along: met_by(face), amplitude, delta },
@@ -129,7 +126,7 @@ impl<'a> Matched<'a> {
             return Err(NoSymmetricMotion::Singular);
         }
         let pattern = Pattern { stops: vec![stop], half_turns: 1, mirrored: true, among };
-        Ok(Matched { system, flow, pattern, sections, residuals, regular, follower: None })
+        Ok(Matched { system, flow, pattern, sections, residuals, regular })
     }
 
     /// The one of the two that can be stable.
@@ -139,6 +136,11 @@ impl<'a> Matched<'a> {
     /// mirror, and its determinant goes with the place on the line (5), which has the other sign at the other solution.
     pub fn regular(&self) -> usize {
         self.regular
+    }
+
+    /// Whether one of them would leave its stop outwards, so that the system does not follow it.
+    pub fn leaves_outwards(&self, k: usize) -> bool {
+        self.flow.face(self.pattern.stops[0]).is_left_outwards(&self.sections[k])
     }
 
     /// Whether all multipliers of one of them surely lie within the unit circle.
@@ -151,19 +153,29 @@ impl<'a> Matched<'a> {
         turn(&self.flow, &self.pattern, &self.sections[k..=k])
     }
 
+    /// The largest modulus among its half map's multipliers; see [`SymmetricMotion::spectral_radius`].
+    pub fn spectral_radius(&self, k: usize) -> f64 {
+        spectral_radius(&self.motion(k), self.system)
+    }
+
     /// One of them, with (x, v) at forcing phase 0 if the system follows it.
-    pub fn followed(&mut self, k: usize) -> SymmetricMotion {
-        let at_phase_zero = self.follow(k);
+    pub fn followed(&self, k: usize, kept: &mut Kept) -> SymmetricMotion {
+        let at_phase_zero = self.follow(k, kept);
+        SymmetricMotion { motion: self.motion(k), at_phase_zero }
+    }
+
+    /// One of them, whether or not the system follows it.
+    pub fn motion(&self, k: usize) -> PeriodicMotion {
         let (pattern, sections) = (self.pattern.clone(), vec![self.sections[k].clone()]);
-        SymmetricMotion {
-            motion: PeriodicMotion { pattern, sections, residual: self.residuals[k] },
-            at_phase_zero,
-        }
+        PeriodicMotion { pattern, sections, residual: self.residuals[k] }
     }
 
     /// (x, v) at forcing phase 0 if the system follows one of them.
-    fn follow(&mut self, k: usize) -> Result<Vec<f64>, Inadmissible> {
-        let Matched { system, flow, pattern, sections, follower: kept, .. } = self;
+    ///
+    /// # Errors
+    /// Why it does not.
+    pub fn follow(&self, k: usize, kept: &mut Kept) -> Result<Vec<f64>, Inadmissible> {
+        let Matched { system, flow, pattern, sections, .. } = self;
         let section = &sections[k];
         let stop = pattern.stops[0];
         let face = flow.face(stop);
@@ -177,10 +189,17 @@ impl<'a> Matched<'a> {
             });
         }
         leaves_inwards(system, flow, stop, section)?;
-        let follower = kept.get_or_insert_with(|| follower(system));
-        let flown = fly_by(system, flow, follower.as_mut(), pattern, &sections[k..=k])?;
+        let flown = fly_by(system, flow, kept.of(system), pattern, &sections[k..=k])?;
         flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, pattern.closing_stop())))
     }
+}
+
+/// Whether two stops face each other without room between them.
+fn leaves_no_room(own: &Face, opposite: &Face) -> bool {
+    let [own_length, opposite_length] = [own, opposite].map(|face| face.direction.norm());
+    let room = own.gap / own_length + opposite.gap / opposite_length;
+    let facing = || &own.direction / own_length + &opposite.direction / opposite_length;
+    room == 0.0 && facing().amax() <= 1e-12
 }
 
 /// What meets a stop: a coordinate, or d·x.

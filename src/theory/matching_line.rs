@@ -2,11 +2,20 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::flow::Flow;
 use super::section_vector::{SectionVector, phase};
 use crate::dynamics::Stop;
+use crate::system::Plant;
+
+/// 2n equations, of so many at most …
+const EQUATIONS: usize = 2 * Plant::MOST_COORDINATES;
+/// … for 2n + 1 unknowns.
+const UNKNOWNS: usize = EQUATIONS + 1;
+
+/// A place on the line; what a system has not as many unknowns for is 0. Every cell asks for some, so that none is on the heap.
+pub(super) type Place = SVector<f64, UNKNOWNS>;
 
 /// The matching conditions (5) between a stop and its image, of one flow and one restitution.
 ///
@@ -15,15 +24,17 @@ use crate::dynamics::Stop;
 /// is found once for all gaps: u = point + δ slope + s direction for any s. Everything is non-dimensional.
 #[derive(Clone, Debug)]
 pub(super) struct MatchingLine {
-    matrix: DMatrix<f64>,
-    constant: DVector<f64>,
-    growth: DVector<f64>,
+    /// 2n.
+    size: usize,
+    matrix: SMatrix<f64, EQUATIONS, UNKNOWNS>,
+    constant: SVector<f64, EQUATIONS>,
+    growth: SVector<f64, EQUATIONS>,
     /// At a gap of 0 the point nearest to (sin τ, cos τ) = 0 in those two.
-    point: DVector<f64>,
+    point: Place,
     /// How that grows with the gap.
-    slope: DVector<f64>,
+    slope: Place,
     /// Of unit length in (sin τ, cos τ).
-    direction: DVector<f64>,
+    direction: Place,
     /// Whether the mirror turns the orientation of the section.
     turns: bool,
 }
@@ -65,9 +76,16 @@ impl MatchingLine {
             let along = direction[size - 1] * point[size - 1] + direction[size] * point[size];
             point - &direction * along
         };
-        let (point, slope) = (nearest(0), nearest(1));
-        let turns = flow.reflection(from).determinant() < 0.0;
-        Some(MatchingLine { matrix, constant, growth, point, slope, direction, turns })
+        Some(MatchingLine {
+            size,
+            matrix: widened(&matrix),
+            constant: widened(&DMatrix::from_columns(&[constant])),
+            growth: widened(&DMatrix::from_columns(&[growth])),
+            point: widened(&DMatrix::from_columns(&[nearest(0)])),
+            slope: widened(&DMatrix::from_columns(&[nearest(1)])),
+            turns: flow.reflection(from).determinant() < 0.0,
+            direction: widened(&DMatrix::from_columns(&[direction])),
+        })
     }
 
     /// Which of the two that [`MatchingLine::meeting`] finds has det(1 − J) > 0, J being the Jacobian of half a turn, if both
@@ -77,20 +95,25 @@ impl MatchingLine {
     }
 
     /// Its point nearest to (sin τ, cos τ) = 0 for a gap, in those two.
-    pub fn at_gap(&self, gap: f64) -> DVector<f64> {
-        &self.point + &self.slope * gap
+    pub fn at_gap(&self, gap: f64) -> Place {
+        self.point + self.slope * gap
+    }
+
+    /// How far a point of it is from (sin τ, cos τ) = 0 in those two.
+    pub fn distance(&self, point: &Place) -> f64 {
+        point[self.size - 1].hypot(point[self.size])
     }
 
     /// The two points with sin² τ + cos² τ = 1, each as a section with τ in [−π, π]; `nearest` is the point of their gap, and
     /// not more than 1 from (sin τ, cos τ) = 0.
-    pub fn meeting(&self, nearest: &DVector<f64>) -> [SectionVector; 2] {
-        let distance = distance(nearest);
+    pub fn meeting(&self, nearest: &Place) -> [SectionVector; 2] {
+        let distance = self.distance(nearest);
         let half_chord = (1.0 - distance * distance).sqrt();
         [-half_chord, half_chord].map(|along| {
-            let values = nearest + &self.direction * along;
-            let last = values.len() - 2;
+            let values = nearest + self.direction * along;
+            let last = self.size - 1;
             let tau = values[last].atan2(values[last + 1]);
-            SectionVector::from_fn(last + 1, |k, _| if k == last { tau } else { values[k] })
+            SectionVector::from_fn(self.size, |k, _| if k == last { tau } else { values[k] })
         })
     }
 
@@ -98,19 +121,18 @@ impl MatchingLine {
     pub fn residual(&self, section: &SectionVector, gap: f64) -> f64 {
         let last = section.len() - 1;
         let (sin, cos) = phase(section).sin_cos();
-        let mut residual = &self.constant + &self.growth * gap;
-        for (k, column) in self.matrix.column_iter().enumerate() {
+        let mut residual = self.constant + self.growth * gap;
+        for k in 0..=self.size {
             let value = if k < last { section[k] } else { [sin, cos][k - last] };
-            residual.axpy(value, &column, 1.0);
+            residual.axpy(value, &self.matrix.column(k), 1.0);
         }
         residual.amax()
     }
 }
 
-/// How far a point of the line is from (sin τ, cos τ) = 0 in those two.
-pub(super) fn distance(point: &DVector<f64>) -> f64 {
-    let last = point.len() - 1;
-    point[last - 1].hypot(point[last])
+/// The same matrix, with zeros beside and below it.
+fn widened<const R: usize, const C: usize>(matrix: &DMatrix<f64>) -> SMatrix<f64, R, C> {
+    SMatrix::from_fn(|i, j| matrix.get((i, j)).copied().unwrap_or(0.0))
 }
 
 #[cfg(test)]
@@ -172,7 +194,7 @@ mod tests {
             let ((own, unit), (other, _)) = (line(0.8), line(0.75));
             let gap = 0.05 * unit;
             let nearest = own.at_gap(gap);
-            if distance(&nearest) > 1.0 {
+            if own.distance(&nearest) > 1.0 {
                 continue;
             }
             for section in own.meeting(&nearest) {

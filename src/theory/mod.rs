@@ -54,4 +54,6 @@ pub use seeding::{Search, settled_motion};
 pub use settled::SettledMotion;
 pub use spectrum::{Spectrum, SpectrumFailed};
 pub use strobe::StrobeMotion;
-pub use symmetric::{symmetric_motions, symmetric_start, symmetric_target, symmetric_target_at};
+pub use symmetric::{
+    SymmetricStarts, symmetric_motions, symmetric_start, symmetric_target, symmetric_target_at,
+};

@@ -1,6 +1,7 @@
 //! The period-one double-impact symmetric motion of section 3, in closed form, of any system with a mirror.
 
 use super::flow::Flow;
+use super::follower::Kept;
 use super::matched::{Matched, NoSymmetricMotion, SymmetricMotion};
 use super::section_vector::wrapped;
 use crate::dynamics::Stop;
@@ -20,8 +21,8 @@ pub const NUDGE: f64 = 1e-3;
 /// # Errors
 /// [`NoSymmetricMotion`] where no real τ solves it, or there is no such mirror.
 pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymmetricMotion> {
-    let mut matched = Matched::of(system)?;
-    Ok([0, 1].map(|k| matched.followed(k)))
+    let (matched, mut kept) = (Matched::of(system)?, Kept::default());
+    Ok([0, 1].map(|k| matched.followed(k, &mut kept)))
 }
 
 /// (x, v) at forcing phase 0 on the stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical.
@@ -29,12 +30,23 @@ pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymm
 /// Of two physical solutions the one with the smaller multipliers is taken. The first displacement that no stop bears on
 /// is nudged, the first velocity where there is none.
 pub fn symmetric_start(system: &System) -> Option<Vec<f64>> {
-    let mut state = stable_branch(system)?.at_phase_zero.ok()?;
-    let plant = system.plant();
-    let borne = |i: &usize| plant.stops.iter().any(|stop| stop.direction[*i] != 0.0);
-    let nudged = (0..plant.n).find(|i| !borne(i)).unwrap_or(plant.n);
-    state[nudged] += NUDGE;
-    Some(state)
+    SymmetricStarts::default().of(system)
+}
+
+/// The same of one system after the other, cheaper where they have their flow in common.
+#[derive(Default)]
+pub struct SymmetricStarts(Kept);
+
+impl SymmetricStarts {
+    /// As [`symmetric_start`].
+    pub fn of(&mut self, system: &System) -> Option<Vec<f64>> {
+        let (_, mut state) = stable(&Matched::of(system).ok()?, &mut self.0)?;
+        let n = system.coordinates();
+        let borne = |i: &usize| system.stops().any(|(direction, _)| direction[*i] != 0.0);
+        let nudged = (0..n).find(|i| !borne(i)).unwrap_or(n);
+        state[nudged] += NUDGE;
+        Some(state)
+    }
 }
 
 /// The fixed point of the same motion on the section at its first stop, (v1+, x2, v2, τ) of the paper's oscillator, where
@@ -57,23 +69,29 @@ pub fn symmetric_target_at(system: &System, stop: Stop) -> Option<Vec<f64>> {
 }
 
 /// Of two physical solutions the one with the smaller multipliers, of one that one.
-///
-/// Where the one that can be stable is, the other is a saddle and need not be looked at; see [`Matched::regular`].
 pub(super) fn stable_branch(system: &System) -> Option<SymmetricMotion> {
-    let mut matched = Matched::of(system).ok()?;
+    let matched = Matched::of(system).ok()?;
+    let (k, state) = stable(&matched, &mut Kept::default())?;
+    Some(SymmetricMotion { motion: matched.motion(k), at_phase_zero: Ok(state) })
+}
+
+/// The number of that one, and (x, v) at forcing phase 0 on it.
+///
+/// Where the one that can be stable is, the other is a saddle and need not be looked at; see [`Matched::regular`]. Nor need any
+/// multipliers where the other would leave its stop outwards.
+fn stable(matched: &Matched, kept: &mut Kept) -> Option<(usize, Vec<f64>)> {
     let regular = matched.regular();
-    let first = matched.followed(regular);
-    if first.at_phase_zero.is_ok() && matched.contracts(regular) {
-        return Some(first);
+    let first = matched.follow(regular, kept).ok();
+    if first.is_some() && (matched.leaves_outwards(1 - regular) || matched.contracts(regular)) {
+        return first.map(|state| (regular, state));
     }
-    let second = matched.followed(1 - regular);
-    let [a, b] = if regular == 0 { [first, second] } else { [second, first] };
-    match (a.at_phase_zero.is_ok(), b.at_phase_zero.is_ok()) {
-        (true, true) => Some(if a.spectral_radius(system) <= b.spectral_radius(system) { a } else { b }),
-        (true, false) => Some(a),
-        (false, true) => Some(b),
-        (false, false) => None,
-    }
+    let second = matched.follow(1 - regular, kept).ok();
+    let k = match (&first, &second) {
+        (Some(_), Some(_)) => usize::from(matched.spectral_radius(1) < matched.spectral_radius(0)),
+        (Some(_), None) => regular,
+        _ => 1 - regular,
+    };
+    Some((k, if k == regular { first? } else { second? }))
 }
 
 #[cfg(test)]
@@ -98,8 +116,8 @@ mod tests {
                 );
                 plant.omega *= random.random_range(0.5..2.5);
                 let system = System::of_plant(plant).unwrap();
-                let Ok(mut matched) = Matched::of(&system) else { continue };
-                let motions = [0, 1].map(|k| matched.followed(k));
+                let Ok(matched) = Matched::of(&system) else { continue };
+                let motions = [0, 1].map(|k| matched.followed(k, &mut Kept::default()));
                 if motions.iter().any(|motion| motion.at_phase_zero.is_err()) {
                     continue;
                 }

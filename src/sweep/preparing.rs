@@ -1,0 +1,154 @@
+//! What back ends are given for cells, made flow by flow: what cells have in common is found once.
+
+use rayon::prelude::*;
+
+use super::Result;
+use super::swept::Swept;
+use crate::backend::Job;
+use crate::model::{Flows, System, SystemError};
+use crate::plane::{Axis, Plane, Quantity};
+use crate::theory::SymmetricStarts;
+
+/// As many cells as are worth a thread's turn.
+const AT_ONCE: usize = 64;
+
+/// Makes what is asked of one cell after the other.
+pub(super) struct Preparing<'a, T> {
+    plane: &'a Plane<T>,
+    flows: &'a Flows,
+    /// A system that the next one may have its flow in common with.
+    like: Option<System>,
+    symmetric: SymmetricStarts,
+}
+
+impl<'a, T> Preparing<'a, T> {
+    /// Of a plane; `flows` are those of cells before.
+    pub fn new(plane: &'a Plane<T>, flows: &'a Flows) -> Self {
+        Preparing { plane, flows, like: None, symmetric: SymmetricStarts::default() }
+    }
+
+    /// The system and the start of a cell, counted row by row; it shares what follows from its flow with cells before it.
+    ///
+    /// # Errors
+    /// As [`System::new`].
+    pub fn job(&mut self, cell: u64) -> Result<Job, SystemError> {
+        let (column, row) = place(self.plane, cell);
+        let setting = self.plane.parameters_at(column, row);
+        let system = match self.like.as_ref().and_then(|like| like.neighbour(setting)) {
+            Some(system) => system,
+            None => self.like.insert(self.flows.system(setting)?).clone(),
+        };
+        let start = self.plane.start_at(column, row).state_by(&system, &mut self.symmetric);
+        Ok(Job { system, start })
+    }
+}
+
+impl<T: Swept> Preparing<'_, T> {
+    /// What a back end is given for a cell, counted row by row.
+    ///
+    /// # Errors
+    /// What cannot be used.
+    pub fn asked_of(&mut self, cell: u64) -> Result<Option<T::Job>> {
+        let job = self.job(cell)?;
+        T::job(self.plane, place(self.plane, cell), job)
+    }
+}
+
+/// The column and the row of a cell, counted row by row.
+fn place<T>(plane: &Plane<T>, cell: u64) -> (u32, u32) {
+    let columns = u64::from(plane.x.count);
+    ((cell % columns) as u32, (cell / columns) as u32)
+}
+
+/// What is made of each of some cells, flow by flow, with its place among them.
+pub(super) fn each<T: Sync, M: Send>(
+    plane: &Plane<T>,
+    cells: &[u64],
+    flows: &Flows,
+    make: impl Fn(&mut Preparing<'_, T>, u64) -> M + Sync,
+) -> Vec<(u32, M)> {
+    let mut order: Vec<u32> = (0..cells.len() as u32).collect();
+    if varies_flow(&plane.x) && !varies_flow(&plane.y) {
+        // Cells above each other have their flow in common.
+        order.sort_by_key(|&place| cells[place as usize] % u64::from(plane.x.count));
+    }
+    (order.into_par_iter().with_min_len(AT_ONCE))
+        .map_init(
+            || Preparing::new(plane, flows),
+            |preparing, place| (place, make(preparing, cells[place as usize])),
+        )
+        .collect()
+}
+
+/// The systems and the starts of some cells, in their order.
+///
+/// # Errors
+/// As [`System::new`].
+pub(super) fn jobs<T: Sync>(plane: &Plane<T>, cells: &[u64]) -> Result<Vec<Job>, SystemError> {
+    let mut made = each(plane, cells, &Flows::default(), |preparing, cell| preparing.job(cell));
+    made.sort_unstable_by_key(|&(place, _)| place);
+    made.into_iter().map(|(_, job)| job).collect()
+}
+
+/// Whether cells along an axis have different flows.
+fn varies_flow(axis: &Axis) -> bool {
+    matches!(axis.quantity, Quantity::Parameter(parameter) if parameter.is_of_flow())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plane::Start;
+
+    /// How far apart two jobs are that should be the same: in their starts, or infinitely.
+    fn apart(a: &Job, b: &Job) -> f64 {
+        let systems = [a, b]
+            .map(|Job { system, .. }| (system.plant(), system.mirror(), system.steps(), system.setting()));
+        if systems[0] != systems[1] || a.start.len() != b.start.len() {
+            return f64::INFINITY;
+        }
+        a.start.iter().zip(b.start.iter()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn cells_are_the_same_whichever_way_the_flow_varies() {
+        let alone = |plane: &Plane<()>, cell: u64| {
+            let (column, row) = place(plane, cell);
+            let system = System::new(plane.parameters_at(column, row)).unwrap();
+            let start = plane.start_at(column, row).state(&system);
+            Job { system, start }
+        };
+        for (x, y) in [
+            ("omega=2:4:9", "delta=0.05:0.3:31"),
+            ("delta=0.05:0.3:31", "omega=2:4:9"),
+            ("delta=0.05:0.3:17", "r=0.5:0.9:11"),
+            ("omega=2:4:9", "zeta=0.01:0.3:8"),
+        ] {
+            let plane = Plane::of_paper(x, y, Start::Symmetric, ()).unwrap();
+            let cells: Vec<u64> = (3..plane.cells() - 5).collect();
+            let made = jobs(&plane, &cells).unwrap();
+            for (&cell, job) in cells.iter().zip(&made) {
+                let apart = apart(job, &alone(&plane, cell));
+                assert!(apart < 1e-9, "{x}, {y}: cell {cell} by {apart}");
+            }
+            assert!(apart(&made[0], &alone(&plane, 4)) > 1e-9, "the check can fail");
+            assert!(made.iter().any(|job| job.start[0] != 0.0), "{x}, {y}: a symmetric motion");
+        }
+    }
+
+    #[test]
+    fn cells_with_the_same_flow_come_one_after_the_other() {
+        for (x, y) in [("omega=2:4:9", "delta=0.05:0.3:31"), ("delta=0.05:0.3:31", "omega=2:4:9")] {
+            let plane = Plane::of_paper(x, y, Start::Rest, ()).unwrap();
+            let cells: Vec<u64> = (0..plane.cells()).collect();
+            let made =
+                each(&plane, &cells, &Flows::default(), |preparing, cell| preparing.job(cell).unwrap());
+            let omega = |(_, job): &(u32, Job)| job.system.parameters().omega;
+            let changes = made.windows(2).filter(|pair| omega(&pair[0]) != omega(&pair[1])).count();
+            assert_eq!(changes, 8, "{x}, {y}");
+            let mut places: Vec<u32> = made.iter().map(|&(place, _)| place).collect();
+            places.sort_unstable();
+            assert!(places.into_iter().eq(0..plane.cells() as u32), "each cell once");
+        }
+    }
+}
