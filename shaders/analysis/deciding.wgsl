@@ -20,13 +20,17 @@ fn evidence_regime(seen: Evidence) -> u32 {
     if observer.exponent.batches == 0u || !seen.measured {
         return REGIME_UNRESOLVED;
     }
-    let growth = observer.exponent.sum;
-    let significant = exponent_per_period() > SIGNIFICANCE * exponent_standard_error();
-    if growth > CHAOTIC_GROWTH && significant && !seen.sticks {
+    if exponent_grows(CHAOTIC_GROWTH) && !seen.sticks {
         return REGIME_CHAOTIC;
     }
-    if !seen.returns && abs(growth) < NEUTRAL_GROWTH && spread_is_stationary(seen.half) {
+    if !seen.returns && abs(observer.exponent.sum) < NEUTRAL_GROWTH && spread_is_stationary(seen.half) {
         return REGIME_QUASI_PERIODIC;
     }
     return REGIME_UNRESOLVED;
+}
+
+// Whether a tangent vector grows, by more than that in all and by more than may be chance.
+fn exponent_grows(least: f32) -> bool {
+    let significant = exponent_per_period() > SIGNIFICANCE * exponent_standard_error();
+    return observer.exponent.sum > least && significant;
 }

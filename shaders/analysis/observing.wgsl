@@ -135,6 +135,12 @@ fn observer_observe(state: State, at_turn: bool) -> Observation {
     if observer.observed <= 2u * half {
         spread_at_strobe(trajectory.point, observer.observed > half);
     }
+    if observer.observed == half && observer_is_plainly_chaotic() {
+        // The rest of the observation would say the same.
+        observer.observe = observer.observed;
+        observer.stage = STAGE_OBSERVED;
+        return NO_OBSERVATION;
+    }
     if observer.observed < observer.observe {
         return NO_OBSERVATION;
     }
@@ -148,6 +154,13 @@ fn observer_observe(state: State, at_turn: bool) -> Observation {
     }
     observer.stage = STAGE_OBSERVED;
     return NO_OBSERVATION;
+}
+
+// Whether chaos is plain now that half of a whole observation is over, and that was long enough to tell.
+fn observer_is_plainly_chaotic() -> bool {
+    let whole = schedule.fixed_periods == 0u && observer.turn.n == 0u && observer.observe == schedule.observe;
+    let may_be = whole && observer.observed >= SETTLING && observer.stuck == 0u && !recurrence_holds_for(0u);
+    return may_be && exponent_grows(PLAIN_GROWTH);
 }
 
 // How the tangent vector grew in the last period, as far as that is measured period by period.

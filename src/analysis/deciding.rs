@@ -11,6 +11,8 @@ pub const NEUTRAL_GROWTH: f64 = 3.0;
 pub const CHAOTIC_GROWTH: f64 = 5.0;
 /// Standard errors by which a positive exponent must exceed zero.
 pub const SIGNIFICANCE: f64 = 3.0;
+/// The same for chaos that half an observation is enough for.
+pub const PLAIN_GROWTH: f64 = 10.0;
 
 /// What was observed of a motion that impacts, strobe by strobe or from return to return on a section.
 #[derive(Clone, Copy, Debug)]
@@ -42,12 +44,10 @@ impl<T: Real, const N: usize> Evidence<'_, T, N> {
         let Some(exponent) = self.exponent.filter(|exponent| exponent.batches > 0) else {
             return Regime::Unresolved;
         };
-        let growth = exponent.total_growth();
-        let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
-        if growth > T::of(CHAOTIC_GROWTH) && significant && !self.sticks {
+        if grows(exponent, CHAOTIC_GROWTH) && !self.sticks {
             Regime::Chaotic
         } else if !self.returns
-            && growth.abs() < T::of(NEUTRAL_GROWTH)
+            && exponent.total_growth().abs() < T::of(NEUTRAL_GROWTH)
             && self.spread.is_stationary(self.half)
         {
             Regime::QuasiPeriodic
@@ -55,4 +55,10 @@ impl<T: Real, const N: usize> Evidence<'_, T, N> {
             Regime::Unresolved
         }
     }
+}
+
+/// Whether a tangent vector grows, by more than that in all and by more than may be chance.
+pub(super) fn grows<T: Real>(exponent: &Exponent<T>, least: f64) -> bool {
+    let significant = exponent.per_period() > T::of(SIGNIFICANCE) * exponent.standard_error();
+    exponent.total_growth() > T::of(least) && significant
 }

@@ -5,6 +5,7 @@ mod beginning;
 mod deciding;
 mod exponent;
 mod extent;
+mod going_on;
 mod leap;
 mod loss;
 mod observation;
@@ -46,7 +47,7 @@ pub(crate) use turn::reported;
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::abreast::{CLEAR_STEPS, ROUNDS, TURNS};
-    pub use super::deciding::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, SIGNIFICANCE};
+    pub use super::deciding::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, PLAIN_GROWTH, SIGNIFICANCE};
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::leap::{LEFT_BY_LEAP, LONGEST_LEAP};
     pub use super::observation::{BRIEF, NEUTRAL_RATE, SETTLED_OBSERVATION, SETTLED_TURNS};

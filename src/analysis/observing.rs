@@ -1,5 +1,6 @@
 //! What is noted of a trajectory: its impacts, and at every strobe whether the transient or the observation ends.
 
+use super::deciding::{PLAIN_GROWTH, grows};
 use super::observation::Observation;
 use super::observer::Observer;
 use super::quiet::is_quiet;
@@ -197,6 +198,12 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if self.observed <= 2 * half {
             self.spread.at_strobe(&point.state, self.observed > half);
         }
+        if self.observed == half && self.is_plainly_chaotic(schedule) {
+            // The rest of the observation would say the same.
+            self.observe = self.observed;
+            self.stage = Stage::Observed;
+            return Observation::NONE;
+        }
         if self.observed < self.observe {
             return Observation::NONE;
         }
@@ -211,6 +218,13 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
         self.stage = Stage::Observed;
         Observation::NONE
+    }
+
+    /// Whether chaos is plain now that half of a whole observation is over, and that was long enough to tell.
+    fn is_plainly_chaotic(&self, schedule: &Schedule) -> bool {
+        let whole = !schedule.fixed_periods && !self.turn.is_measured() && self.observe == schedule.observe;
+        let may_be = whole && self.observed >= SETTLING && !self.stuck && !self.recurrence.holds_for(0);
+        may_be && grows(&self.exponent, PLAIN_GROWTH)
     }
 
     /// How the tangent vector grew in the last period, as far as that is measured period by period.

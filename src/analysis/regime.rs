@@ -141,16 +141,6 @@ impl Verdict {
         }
     }
 
-    /// The verdict on a trajectory that went on from where an earlier one left it, over the periods and impacts of both.
-    #[must_use]
-    pub fn going_on_from(self, earlier: &Verdict) -> Self {
-        Verdict {
-            periods: earlier.periods.saturating_add(self.periods),
-            impacts_total: earlier.impacts_total.saturating_add(self.impacts_total),
-            ..self
-        }
-    }
-
     /// A verdict of which only the motion matters, for tests.
     #[cfg(test)]
     pub(crate) fn of_motion(regime: Regime, [n, p, q]: [u16; 3], symmetric: bool) -> Self {

@@ -4,7 +4,8 @@
 //!
 //! - A state that returns without having settled is held against the exact motion beside it, which Newton's method finds at
 //!   the cost of a few turns: slow spirals and alternations need not be waited for, and a multiple of the period is no period.
-//! - Chaos may be transient: it goes on for up to [`CHAOS_LOOK`] forcing periods, and is chaos unless it settles by then.
+//! - Chaos may be transient: it goes on for up to [`CHAOS_LOOK`] forcing periods, and is chaos unless it settles by then; what is
+//!   observed of it then counts as well as what was before.
 //! - What is still undecided or neutral, or returns although its exponent is positive, goes on for another transient and is
 //!   observed [`LONGER_OBSERVATION`] times as long: beside a Neimark–Sacker curve spirals are slow, and weak chaos needs time to
 //!   be significant. Quasi-periodic motion whose points scatter alike in both halves of that is believed.
@@ -118,8 +119,13 @@ impl Look {
         confirm(&again, &mut later);
         for (i, later) in open.into_iter().zip(later) {
             let first = verdicts[i];
-            let decided =
-                if (self.decides)(&later) { later } else { Verdict { state: later.state, ..first } };
+            let decided = if (self.decides)(&later) {
+                later
+            } else if later.regime == first.regime {
+                first.observed_further(&later)
+            } else {
+                Verdict { state: later.state, ..first }
+            };
             let Verdict { periods, impacts_total, .. } = later.going_on_from(&first);
             verdicts[i] = Verdict { periods, impacts_total, ..decided };
         }

@@ -10,6 +10,8 @@ use crate::common::drawn::{families, paper};
 const SETTLING: Schedule = Schedule { transient: 60, observe: 40, max_period: 16, fixed_periods: false };
 /// A long transient, most strobes of which are passed unseen in lanes.
 const TRANSIENT: Schedule = Schedule { transient: 100, observe: 1, max_period: 16, fixed_periods: true };
+/// Chaos that is plain is observed for half of it.
+const LONG: Schedule = Schedule { transient: 30, observe: 140, max_period: 8, fixed_periods: false };
 const FIXED: Schedule = Schedule { transient: 3, observe: 30, max_period: 8, fixed_periods: true };
 /// Observed from the start.
 const OBSERVED: Schedule = Schedule { transient: 0, observe: 40, max_period: 8, fixed_periods: true };
@@ -33,7 +35,7 @@ fn differ(jobs: &[Job], schedule: &Schedule, altered: fn(&Job) -> Job) -> usize 
 #[test]
 fn the_papers_oscillator_has_the_same_bits_at_every_width() {
     let jobs = paper(300);
-    for schedule in [SETTLING, FIXED, TRANSIENT, OBSERVED] {
+    for schedule in [SETTLING, LONG, FIXED, TRANSIENT, OBSERVED] {
         assert_eq!(differ(&jobs, &schedule, Job::clone), 0, "{schedule:?}");
     }
 }

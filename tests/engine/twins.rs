@@ -14,6 +14,8 @@ use crate::common::drawn::{families, paper};
 
 const SHORT: Schedule = Schedule { transient: 1, observe: 4, max_period: 2, fixed_periods: true };
 const LOOK: Schedule = Schedule { transient: 100, observe: 48, max_period: 16, fixed_periods: false };
+/// Long enough for chaos to be plain after half the observation.
+const LONG: Schedule = Schedule { transient: 50, observe: 140, max_period: 16, fixed_periods: false };
 
 /// The adapter with exact arithmetic, opened once.
 fn exact() -> &'static Gpu {
@@ -51,6 +53,23 @@ fn verdicts_have_the_bits_of_the_twin_in_every_regime() {
     for regime in [Regime::Periodic, Regime::PeriodicSticking, Regime::Chaotic, Regime::NoImpact] {
         assert!(met(regime) > 20, "{regime:?}: {}", met(regime));
     }
+}
+
+#[test]
+fn chaos_that_is_plain_is_observed_half_as_long_by_both() {
+    let jobs = paper(300);
+    assert_eq!(differ(exact(), &jobs, &LONG), 0);
+    let observed = |schedule: &Schedule, periods: u32| {
+        let met = CpuSingle.run(&jobs, schedule, &Unwatched).unwrap();
+        let chaotic = met.into_iter().filter(|verdict| verdict.regime == Regime::Chaotic);
+        chaotic.filter(|verdict| verdict.measures.observed == periods).count()
+    };
+    let (half, whole) = (observed(&LONG, 70), observed(&LONG, 140));
+    println!("chaotic: {half} observed for half as long, {whole} for all of it");
+    assert!(half > 20 && half > whole, "{half}, {whole}");
+    // Where the periods are fixed, none; nor where half of it is too short to tell.
+    assert_eq!(observed(&Schedule { fixed_periods: true, ..LONG }, 70), 0);
+    assert_eq!(observed(&Schedule { observe: 120, ..LONG }, 60), 0);
 }
 
 /// What is rare is among what was compared: every event, and every kind of contact that a move begins in.

@@ -27,6 +27,8 @@ pub struct PlaneArgs {
     transient: Option<u32>,
 
     /// Forcing periods of the observation [default: 150]
+    ///
+    /// Chaos that is plain after half of it is not observed any longer, unless the periods are fixed.
     #[arg(long, value_parser = count, value_name = "P")]
     observe: Option<u32>,
 

@@ -112,6 +112,8 @@ fn array_in<T: AutoSerialize>(
 
 /// Begins an array of an archive.
 fn begin(zip: &mut ZipWriter<impl Write + Seek>, name: &str) -> io::Result<()> {
-    let options = SimpleFileOptions::default().last_modified_time(zip::DateTime::DEFAULT);
+    // Most of an archive are states, which hardly compress, however long one tries.
+    let options =
+        SimpleFileOptions::default().last_modified_time(zip::DateTime::DEFAULT).compression_level(Some(1));
     Ok(zip.start_file(npyz::npz::file_name_from_array_name(name), options)?)
 }

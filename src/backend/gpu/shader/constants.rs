@@ -121,6 +121,7 @@ pub fn source(shape: &Shape) -> String {
         ("EXPLODES", analysis::EXPLODES),
         ("CHAOTIC_GROWTH", analysis::CHAOTIC_GROWTH),
         ("SIGNIFICANCE", analysis::SIGNIFICANCE),
+        ("PLAIN_GROWTH", analysis::PLAIN_GROWTH),
         ("STATIONARY", analysis::STATIONARY),
     ];
     for (name, value) in numbers {
