@@ -110,7 +110,8 @@
 //! the returns are as close as rounding lets them be, or come closer by the half, where a turn by a divisor of N ends a
 //! thousand times farther away, and where nearby trajectories do not part. A tangent vector, carried through flight and
 //! impact (the saltation of Eq. (3)), gives λ1 with a standard error from sixteen batches; of a motion that was reached
-//! within the observation, only from there on. A motion that no longer moves at all and whose turns are short is observed
+//! within the observation, only from there on. Where it grows by more than e¹⁰ in the first half of the observation, no less than
+//! 64 periods without sticking, chaos is plain, and the other half is left out. A motion that no longer moves at all and whose turns are short is observed
 //! turn by turn instead: unit deviations carried through one turn each are the columns of its monodromy matrix, and the
 //! spectral radius of that is its largest multiplier. That matrix M is measured of a state that returns and still moves,
 //! too: where it contracts, the state leaps to where its returns lead, anchor + Σ Mᵏ (state − anchor), if that is no
@@ -121,7 +122,8 @@
 //!
 //! *In doubt.* What returns without having settled is held against the exact motion beside it: Newton's method on the
 //! strobe map finds it, its multipliers say whether it is stable and what λ1 is, and its Jacobian must foretell where the
-//! state is one turn later. Chaos may be transient, and goes on for 320 forcing periods more. What is still undecided, or
+//! state is one turn later. Chaos may be transient, and goes on for 320 forcing periods more; what is observed of it
+//! in 64 further ones counts, too. What is still undecided, or
 //! neutral, goes on for another transient and is observed four times as long: beside a Neimark–Sacker curve a spiral is slow.
 //! What even that leaves undecided goes on for eight transients.
 //! [`sweep::certify`] solves the motion of every periodic cell.

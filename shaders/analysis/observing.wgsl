@@ -136,7 +136,6 @@ fn observer_observe(state: State, at_turn: bool) -> Observation {
         spread_at_strobe(trajectory.point, observer.observed > half);
     }
     if observer.observed == half && observer_is_plainly_chaotic() {
-        // The rest of the observation would say the same.
         observer.observe = observer.observed;
         observer.stage = STAGE_OBSERVED;
         return NO_OBSERVATION;
@@ -159,8 +158,8 @@ fn observer_observe(state: State, at_turn: bool) -> Observation {
 // Whether chaos is plain now that half of a whole observation is over, and that was long enough to tell.
 fn observer_is_plainly_chaotic() -> bool {
     let whole = schedule.fixed_periods == 0u && observer.turn.n == 0u && observer.observe == schedule.observe;
-    let may_be = whole && observer.observed >= SETTLING && observer.stuck == 0u && !recurrence_holds_for(0u);
-    return may_be && exponent_grows(PLAIN_GROWTH);
+    let impacts = observer.impacts > 0u && observer.stuck == 0u && !recurrence_holds_for(0u);
+    return whole && impacts && observer.observed >= SETTLING && exponent_grows(PLAIN_GROWTH);
 }
 
 // How the tangent vector grew in the last period, as far as that is measured period by period.

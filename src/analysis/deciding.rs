@@ -9,10 +9,11 @@ use crate::model::Real;
 pub const NEUTRAL_GROWTH: f64 = 3.0;
 /// Total logarithmic growth above which the exponent can be positive.
 pub const CHAOTIC_GROWTH: f64 = 5.0;
+/// Total logarithmic growth above which chaos is plain after half an observation, of which half is left for the tangent vector to
+/// align.
+pub const PLAIN_GROWTH: f64 = 10.0;
 /// Standard errors by which a positive exponent must exceed zero.
 pub const SIGNIFICANCE: f64 = 3.0;
-/// The same for chaos that half an observation is enough for.
-pub const PLAIN_GROWTH: f64 = 10.0;
 
 /// What was observed of a motion that impacts, strobe by strobe or from return to return on a section.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! What a longer look at a trajectory adds to the verdict on it.
 
-use super::regime::{Measures, Verdict};
+use super::regime::{Measures, Regime, Verdict};
 
 impl Verdict {
     /// The verdict on a trajectory that went on from where an earlier one left it, over the periods and impacts of both.
@@ -13,12 +13,19 @@ impl Verdict {
         }
     }
 
-    /// The same verdict, with what was observed of the trajectory later as well: means over the periods of both.
+    /// The verdict on a trajectory without a period, with what was observed of it later, of which no other regime came out: means
+    /// by the periods of both, and sticking if either sticks.
     #[must_use]
     pub fn observed_further(self, later: &Verdict) -> Self {
         let [own, more] = [&self, later].map(|verdict| f64::from(verdict.measures.observed));
-        let mean = |a: f32, b: f32| ((own * f64::from(a) + more * f64::from(b)) / (own + more)) as f32;
+        let mean = |a: f32, b: f32| match (a.is_nan(), b.is_nan()) {
+            (_, true) => a,
+            (true, false) => b,
+            (false, false) => ((own * f64::from(a) + more * f64::from(b)) / (own + more)) as f32,
+        };
+        let sticks = later.regime == Regime::AperiodicSticking;
         Verdict {
+            regime: if sticks { later.regime } else { self.regime },
             lyapunov: mean(self.lyapunov, later.lyapunov),
             state: later.state,
             impacts: self.impacts.saturating_add(later.impacts),
@@ -36,7 +43,6 @@ impl Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::Regime;
 
     fn observed(periods: u32, value: f32) -> Verdict {
         let measures = Measures { observed: periods, power: 2.0 * value, contact: 0.5 * value };
@@ -63,6 +69,19 @@ mod tests {
         let end = Verdict { state: [1.0, 2.0, 3.0, 4.0].into(), ..later };
         assert_eq!(first.observed_further(&end).state, end.state, "it ends where the later look ends");
         assert_ne!(first.observed_further(&end).state, first.state);
+    }
+
+    #[test]
+    fn what_sticks_at_any_time_is_not_chaos_alone() {
+        let (chaos, sticks) = (Regime::Chaotic, Regime::AperiodicSticking);
+        for (first, later, both) in [(chaos, chaos, chaos), (chaos, sticks, sticks), (sticks, chaos, sticks)]
+        {
+            let [first, later] = [first, later].map(|regime| Verdict { regime, ..observed(9, 0.5) });
+            assert_eq!(first.observed_further(&later).regime, both);
+        }
+        let undecided = Verdict { regime: Regime::Unresolved, lyapunov: f32::NAN, ..observed(9, 0.5) };
+        let both = observed(9, 0.7).observed_further(&undecided);
+        assert_eq!((both.regime, both.lyapunov), (chaos, 0.7), "what was not measured takes nothing away");
     }
 
     #[test]

@@ -199,7 +199,6 @@ impl<T: Real, const N: usize> Observer<T, N> {
             self.spread.at_strobe(&point.state, self.observed > half);
         }
         if self.observed == half && self.is_plainly_chaotic(schedule) {
-            // The rest of the observation would say the same.
             self.observe = self.observed;
             self.stage = Stage::Observed;
             return Observation::NONE;
@@ -223,8 +222,8 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// Whether chaos is plain now that half of a whole observation is over, and that was long enough to tell.
     fn is_plainly_chaotic(&self, schedule: &Schedule) -> bool {
         let whole = !schedule.fixed_periods && !self.turn.is_measured() && self.observe == schedule.observe;
-        let may_be = whole && self.observed >= SETTLING && !self.stuck && !self.recurrence.holds_for(0);
-        may_be && grows(&self.exponent, PLAIN_GROWTH)
+        let impacts = self.impacts > 0 && !self.stuck && !self.recurrence.holds_for(0);
+        whole && impacts && self.observed >= SETTLING && grows(&self.exponent, PLAIN_GROWTH)
     }
 
     /// How the tangent vector grew in the last period, as far as that is measured period by period.

@@ -12,7 +12,8 @@ pub struct Schedule {
     pub observe: u32,
     /// Largest N looked for in N-p-q.
     pub max_period: u32,
-    /// Whether every cell runs `transient` + `observe` periods; otherwise a settled one finishes early.
+    /// Whether every cell runs `transient` + `observe` periods; otherwise a settled one finishes early, and so does
+    /// one that is plainly chaotic after half its observation.
     pub fixed_periods: bool,
 }
 

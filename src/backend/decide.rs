@@ -4,8 +4,8 @@
 //!
 //! - A state that returns without having settled is held against the exact motion beside it, which Newton's method finds at
 //!   the cost of a few turns: slow spirals and alternations need not be waited for, and a multiple of the period is no period.
-//! - Chaos may be transient: it goes on for up to [`CHAOS_LOOK`] forcing periods, and is chaos unless it settles by then; what is
-//!   observed of it then counts as well as what was before.
+//! - Chaos may be transient: it goes on for up to [`CHAOS_LOOK`] forcing periods, and is chaos unless it settles by then, with
+//!   sticking if it sticks then. What is observed of it meanwhile counts as well as what was before.
 //! - What is still undecided or neutral, or returns although its exponent is positive, goes on for another transient and is
 //!   observed [`LONGER_OBSERVATION`] times as long: beside a Neimark–Sacker curve spirals are slow, and weak chaos needs time to
 //!   be significant. Quasi-periodic motion whose points scatter alike in both halves of that is believed.
@@ -26,7 +26,7 @@ pub const LONGER_OBSERVATION: u32 = 4;
 /// For how many forcing periods chaos goes on before it is believed, but at most two transients.
 pub const CHAOS_LOOK: u32 = 320;
 
-/// For how many forcing periods it is then observed, to see whether it has settled.
+/// For how many forcing periods it is then observed: to see whether it has settled, and for what is measured of chaos.
 const CHAOS_OBSERVATION: u32 = 64;
 
 /// The verdicts of a back end on some jobs, those in doubt taken anew from where they ended.
@@ -53,7 +53,7 @@ pub fn decide(
 struct Look {
     /// Which verdicts are in doubt.
     in_doubt: fn(&Verdict) -> bool,
-    /// Which of the verdicts that the look comes to take the place of those; the others stay what they were.
+    /// Which of the verdicts that the look comes to take the place of those; the others only add what was observed.
     decides: fn(&Verdict) -> bool,
     /// How long the trajectories go on.
     schedule: Schedule,
@@ -119,13 +119,7 @@ impl Look {
         confirm(&again, &mut later);
         for (i, later) in open.into_iter().zip(later) {
             let first = verdicts[i];
-            let decided = if (self.decides)(&later) {
-                later
-            } else if later.regime == first.regime {
-                first.observed_further(&later)
-            } else {
-                Verdict { state: later.state, ..first }
-            };
+            let decided = if (self.decides)(&later) { later } else { first.observed_further(&later) };
             let Verdict { periods, impacts_total, .. } = later.going_on_from(&first);
             verdicts[i] = Verdict { periods, impacts_total, ..decided };
         }

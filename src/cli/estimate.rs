@@ -18,11 +18,8 @@ const MOST: u32 = 4096;
 /// So many of them first where a device works on many at once.
 const AT_ONCE: usize = 512;
 
-/// One cell of so many is measured, so that measuring costs little beside the rest.
-const ONE_OF: u64 = 32;
-
-/// One of so many where it will take long: a few cells may cost more than all the others.
-const ONE_OF_FEWER: u64 = 8;
+/// No more than one cell in so many is measured.
+const ONE_OF: u64 = 8;
 
 /// Planes of fewer cells are not worth it.
 const FEWEST: u64 = 64;
@@ -30,7 +27,7 @@ const FEWEST: u64 = 64;
 /// How long measuring should take …
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// … and no more than one part in so many of what is measured, as far as that is known.
+/// … and beyond the first cells no more than one part in so many of what it is estimated that all will take.
 const PARTS: u32 = 64;
 
 /// When those that are being measured are given up, each where its back end looks whether it should end. At most one cell in eight
@@ -57,7 +54,7 @@ fn of_cells(
     if all < FEWEST {
         return Ok(());
     }
-    let count = u32::try_from(all / ONE_OF_FEWER).unwrap_or(MOST).min(MOST);
+    let count = u32::try_from(all / ONE_OF).unwrap_or(MOST).min(MOST);
     let cells = spread(columns, rows, count);
     // A device works on many cells at once; a processor on as many as its threads have lanes. Towards the end of its cells
     // most lanes wait for the last of them: the more cells, the less that counts, and only the latest are reckoned with.
@@ -83,10 +80,9 @@ fn of_cells(
         let Some(()) = before(DEADLINE, announce, |watch| compute(some, watch))? else { return Ok(()) };
         measured += some.len();
         estimate = time_of_all(began_with_these.elapsed());
-        let is_short = measured as u64 >= all / ONE_OF && estimate < WORTH_SAYING;
         // The next part is at least twice as large.
         let longest = LONGEST.min(estimate / PARTS);
-        if is_short || began.elapsed() + 2 * began_with_these.elapsed() > longest {
+        if began.elapsed() + 2 * began_with_these.elapsed() > longest {
             break;
         }
     }

@@ -75,7 +75,7 @@ impl System {
         Some(System { setting: Some(setting), plant, label_order, of_flow, ..*self })
     }
 
-    /// The system of a setting that has its flow in common with this one, and with it all that follows from that: the same as
+    /// The system of a setting that has its flow in common with this one, which is that of its own setting: the same as
     /// [`Flows::system`](super::Flows::system) has it, if it is known at once to be.
     pub(crate) fn neighbour(&self, setting: Setting) -> Option<Self> {
         let own = self.setting.as_ref().filter(|own| own.has_flow_of(&setting));

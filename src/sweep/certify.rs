@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::Result;
 use super::map::window_jobs;
-use super::preparing::jobs;
+use super::preparing::jobs_of;
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
 use crate::backend::{self, Backend, Job, Silent, Watch, decide, long_look};
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
@@ -160,7 +160,7 @@ fn beyond(
     places.dedup();
     let whole = Window::whole(plane);
     let cells: Vec<u64> = places.iter().map(|&place| whole.index(place) as u64).collect();
-    let jobs = jobs(plane, &cells)?;
+    let jobs = jobs_of(plane, &cells)?;
     let mut verdicts = Vec::with_capacity(jobs.len());
     for jobs in jobs.chunks(backend.tile().max(1)) {
         verdicts.extend(decide(backend, jobs, &plane.task, &Silent(watch))?);

@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::preparing::{each, jobs};
+use super::preparing::{jobs_of, made_by_flow};
 use super::swept::Swept;
 use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
@@ -76,7 +76,7 @@ impl<J> Prepared<J> {
         J: Send,
     {
         let cells: Vec<u64> = cells.collect();
-        let found = each(plane, &cells, flows, |preparing, cell| preparing.asked_of(cell));
+        let found = made_by_flow(plane, &cells, flows, |preparing, cell| preparing.asked_of(cell));
         let (mut jobs, mut places) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
         let mut missing = None;
         for (place, job) in found {
@@ -107,7 +107,7 @@ pub(super) fn check_border<T>(plane: &Plane<T>) -> Result<(), SystemError> {
 /// The jobs of some cells of a plane, row by row.
 pub(super) fn window_jobs(plane: &Plane, window: Window) -> Result<Vec<Job>, SystemError> {
     let whole = Window::whole(plane);
-    jobs(plane, &window.places().map(|place| whole.index(place) as u64).collect::<Vec<_>>())
+    jobs_of(plane, &window.places().map(|place| whole.index(place) as u64).collect::<Vec<_>>())
 }
 
 /// Computes some cells of a plane on a back end, the same as in the whole; row by row.

@@ -1,6 +1,6 @@
 //! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
-use super::preparing::each;
+use super::preparing::made_by_flow;
 use super::swept::Swept;
 use super::{Result, SweepError};
 use crate::backend::{Backend, Watch};
@@ -40,7 +40,7 @@ pub fn sample<T: Swept>(
     cells: &[u64],
     watch: &dyn Watch,
 ) -> Result<Vec<T::Cell>> {
-    let mut made = each(plane, cells, &Flows::default(), |preparing, cell| preparing.asked_of(cell));
+    let mut made = made_by_flow(plane, cells, &Flows::default(), |preparing, cell| preparing.asked_of(cell));
     made.sort_unstable_by_key(|&(place, _)| place);
     let jobs: Result<Vec<_>, _> = (made.into_iter().map(|(_, job)| job))
         .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))

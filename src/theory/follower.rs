@@ -84,9 +84,9 @@ pub(super) fn follower(system: &System) -> Box<dyn Follower> {
 
 /// A follower of one system after the other: those with the same flow have it in common.
 #[derive(Default)]
-pub(super) struct Kept(Option<Box<dyn Follower>>);
+pub(super) struct KeptFollower(Option<Box<dyn Follower>>);
 
-impl Kept {
+impl KeptFollower {
     /// A follower of a system.
     pub fn of(&mut self, system: &System) -> &mut dyn Follower {
         let fits = self.0.as_mut().is_some_and(|kept| kept.restop(system));

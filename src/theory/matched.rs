@@ -7,7 +7,7 @@ use thiserror::Error;
 use super::admissible::{Inadmissible, NamedStop, fly_by, leaves_inwards};
 use super::face::Face;
 use super::flow::Flow;
-use super::follower::Kept;
+use super::follower::KeptFollower;
 use super::matching_line::MatchingLine;
 use super::motion::PeriodicMotion;
 use super::multipliers::{contracts, turn};
@@ -159,7 +159,7 @@ impl<'a> Matched<'a> {
     }
 
     /// One of them, with (x, v) at forcing phase 0 if the system follows it.
-    pub fn followed(&self, k: usize, kept: &mut Kept) -> SymmetricMotion {
+    pub fn followed(&self, k: usize, kept: &mut KeptFollower) -> SymmetricMotion {
         let at_phase_zero = self.follow(k, kept);
         SymmetricMotion { motion: self.motion(k), at_phase_zero }
     }
@@ -174,7 +174,7 @@ impl<'a> Matched<'a> {
     ///
     /// # Errors
     /// Why it does not.
-    pub fn follow(&self, k: usize, kept: &mut Kept) -> Result<Vec<f64>, Inadmissible> {
+    pub fn follow(&self, k: usize, kept: &mut KeptFollower) -> Result<Vec<f64>, Inadmissible> {
         let Matched { system, flow, pattern, sections, .. } = self;
         let section = &sections[k];
         let stop = pattern.stops[0];

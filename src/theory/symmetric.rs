@@ -1,7 +1,7 @@
 //! The period-one double-impact symmetric motion of section 3, in closed form, of any system with a mirror.
 
 use super::flow::Flow;
-use super::follower::Kept;
+use super::follower::KeptFollower;
 use super::matched::{Matched, NoSymmetricMotion, SymmetricMotion};
 use super::section_vector::wrapped;
 use crate::dynamics::Stop;
@@ -21,7 +21,7 @@ pub const NUDGE: f64 = 1e-3;
 /// # Errors
 /// [`NoSymmetricMotion`] where no real τ solves it, or there is no such mirror.
 pub fn symmetric_motions(system: &System) -> Result<[SymmetricMotion; 2], NoSymmetricMotion> {
-    let (matched, mut kept) = (Matched::of(system)?, Kept::default());
+    let (matched, mut kept) = (Matched::of(system)?, KeptFollower::default());
     Ok([0, 1].map(|k| matched.followed(k, &mut kept)))
 }
 
@@ -35,7 +35,7 @@ pub fn symmetric_start(system: &System) -> Option<Vec<f64>> {
 
 /// The same of one system after the other, cheaper where they have their flow in common.
 #[derive(Default)]
-pub struct SymmetricStarts(Kept);
+pub struct SymmetricStarts(KeptFollower);
 
 impl SymmetricStarts {
     /// As [`symmetric_start`].
@@ -71,7 +71,7 @@ pub fn symmetric_target_at(system: &System, stop: Stop) -> Option<Vec<f64>> {
 /// Of two physical solutions the one with the smaller multipliers, of one that one.
 pub(super) fn stable_branch(system: &System) -> Option<SymmetricMotion> {
     let matched = Matched::of(system).ok()?;
-    let (k, state) = stable(&matched, &mut Kept::default())?;
+    let (k, state) = stable(&matched, &mut KeptFollower::default())?;
     Some(SymmetricMotion { motion: matched.motion(k), at_phase_zero: Ok(state) })
 }
 
@@ -79,7 +79,7 @@ pub(super) fn stable_branch(system: &System) -> Option<SymmetricMotion> {
 ///
 /// Where the one that can be stable is, the other is a saddle and need not be looked at; see [`Matched::regular`]. Nor need any
 /// multipliers where the other would leave its stop outwards.
-fn stable(matched: &Matched, kept: &mut Kept) -> Option<(usize, Vec<f64>)> {
+fn stable(matched: &Matched, kept: &mut KeptFollower) -> Option<(usize, Vec<f64>)> {
     let regular = matched.regular();
     let first = matched.follow(regular, kept).ok();
     if first.is_some() && (matched.leaves_outwards(1 - regular) || matched.contracts(regular)) {
@@ -117,7 +117,7 @@ mod tests {
                 plant.omega *= random.random_range(0.5..2.5);
                 let system = System::of_plant(plant).unwrap();
                 let Ok(matched) = Matched::of(&system) else { continue };
-                let motions = [0, 1].map(|k| matched.followed(k, &mut Kept::default()));
+                let motions = [0, 1].map(|k| matched.followed(k, &mut KeptFollower::default()));
                 if motions.iter().any(|motion| motion.at_phase_zero.is_err()) {
                     continue;
                 }

@@ -38,6 +38,9 @@ fn the_papers_oscillator_has_the_same_bits_at_every_width() {
     for schedule in [SETTLING, LONG, FIXED, TRANSIENT, OBSERVED] {
         assert_eq!(differ(&jobs, &schedule, Job::clone), 0, "{schedule:?}");
     }
+    let ended =
+        jobs.iter().filter(|job| follow::<f64>(job, &LONG).measures.observed == LONG.observe / 2).count();
+    assert!(ended > 10, "{ended} observed for half as long");
 }
 
 /// About as many as there are lanes: some stay empty, and no more begin at once or soon.

@@ -67,7 +67,13 @@ fn chaos_that_is_plain_is_observed_half_as_long_by_both() {
     let (half, whole) = (observed(&LONG, 70), observed(&LONG, 140));
     println!("chaotic: {half} observed for half as long, {whole} for all of it");
     assert!(half > 20 && half > whole, "{half}, {whole}");
-    // Where the periods are fixed, none; nor where half of it is too short to tell.
+    // All of the observation says the same.
+    let fixed = CpuSingle.run(&jobs, &Schedule { fixed_periods: true, ..LONG }, &Unwatched).unwrap();
+    let ended = CpuSingle.run(&jobs, &LONG, &Unwatched).unwrap();
+    let ended = ended.iter().zip(&fixed).filter(|(ended, _)| ended.measures.observed == 70);
+    let other = ended.filter(|(ended, whole)| ended.regime != whole.regime).count();
+    assert!(20 * other <= half, "{other} of {half} would have another regime");
+    // Where the periods are fixed, none ends early; nor where half of it is too short to tell.
     assert_eq!(observed(&Schedule { fixed_periods: true, ..LONG }, 70), 0);
     assert_eq!(observed(&Schedule { observe: 120, ..LONG }, 60), 0);
 }

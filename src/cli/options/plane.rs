@@ -28,7 +28,8 @@ pub struct PlaneArgs {
 
     /// Forcing periods of the observation [default: 150]
     ///
-    /// Chaos that is plain after half of it is not observed any longer, unless the periods are fixed.
+    /// Chaos that is plain after half of it, and no less than 64 periods, is not observed any longer, unless the periods are fixed;
+    /// what is observed of it when it is looked at for longer counts, too.
     #[arg(long, value_parser = count, value_name = "P")]
     observe: Option<u32>,
 

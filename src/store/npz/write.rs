@@ -32,6 +32,9 @@ pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + 
     archive.finish()
 }
 
+/// So many arrays are compressed at once, and held until they are written.
+const AT_ONCE: usize = 4;
+
 /// An archive under way.
 pub(super) struct Archive<W: Write + Seek> {
     zip: ZipWriter<Fused<W>>,
@@ -48,8 +51,7 @@ impl<W: Write + Seek> Archive<W> {
         self.zip.finish()?.end()
     }
 
-    /// An array for each of some fields of a plane's cells: compressing takes long, so as many of them at once as there are
-    /// threads.
+    /// An array for each of some fields of a plane's cells, a few of them at a time.
     pub fn cells<'a, T: Sync>(
         &mut self,
         plane: &Plane<T>,
@@ -57,7 +59,7 @@ impl<W: Write + Seek> Archive<W> {
         cells: impl Iterator<Item = CellResult<'a>> + Clone + Sync,
     ) -> io::Result<()> {
         let family = plane.parameters.family();
-        for fields in fields.collect::<Vec<_>>().chunks(rayon::current_num_threads()) {
+        for fields in fields.collect::<Vec<_>>().chunks(AT_ONCE) {
             let compressed = fields.par_iter().map(|field| {
                 let mut alone = ZipWriter::new(Cursor::new(Vec::new()));
                 let values = field.values(cells.clone(), field.inner.len(family));

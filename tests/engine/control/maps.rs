@@ -1,6 +1,6 @@
 //! Maps under control: the GPU's against the CPU's, held to what `validate` demands of a plain map.
 
-use impact_atlas::analysis::{Schedule, Trace, Verdict};
+use impact_atlas::analysis::{Regime, Schedule, Trace, Verdict};
 use impact_atlas::backend::{
     Backend, BackendError, ControlJob, Cpu, CpuSingle, Job, Unwatched, Watch, follow_controlled,
 };
@@ -279,6 +279,23 @@ fn outcomes_do_not_depend_on_tiles_or_threads() {
         .install(|| map(&plane, &Altered(|job, schedule| follow_controlled::<f64>(job, schedule).unwrap())));
     // As text, in which NaN equals NaN: an exponent that was not measured.
     assert_eq!(format!("{:?}", whole.verdicts), format!("{:?}", in_tiles.verdicts));
+}
+
+/// At δ = 0 there is nothing to control: such cells are unresolved, and the others stay in their places.
+#[test]
+fn cells_without_anything_to_control_are_left_out() {
+    let feedback = delay(0.5, Sign::Stabilising);
+    let whole = map(&plane(feedback, "omega=2.6:3:5", "delta=0:0.2:3"), &Cpu);
+    let without = map(&plane(feedback, "omega=2.6:3:5", "delta=0.1:0.2:2"), &Cpu);
+    for column in 0..5 {
+        let left_out = whole.at(column, 0);
+        assert_eq!((left_out.verdict.regime, left_out.iterates), (Regime::Unresolved, 0));
+        for row in 0..2 {
+            let (there, alone) = (whole.at(column, row + 1), without.at(column, row));
+            assert_eq!(format!("{there:?}"), format!("{alone:?}"), "column {column}, row {row}");
+        }
+    }
+    assert!(without.verdicts.iter().any(|outcome| outcome.iterates > 0));
 }
 
 #[test]
