@@ -16,7 +16,7 @@ fn observer_note(taken: Move) {
         observer.moves = observer.moves + 1u;
         if taken.event == EVENT_STROBE {
             let observed = observer.stage == STAGE_OBSERVATION;
-            observer_strobe(observed, observer_is_at_turn(observed));
+            observer_strobe(observed, observer_is_at_rare_strobe(observed));
         }
     }
     observer_give_up();
@@ -66,13 +66,21 @@ fn observer_arrive(observed: bool) {
     observer_give_up();
 }
 
-// Whether the strobe that the trajectory comes to completes the map of a turn, or may be left by a leap: both are long and rare.
-fn observer_is_at_turn(observed: bool) -> bool {
+// Whether the strobe that the trajectory comes to asks for what is long and rare: it completes the map of a turn, may be left by a
+// leap, or halves an observation that may end there.
+fn observer_is_at_rare_strobe(observed: bool) -> bool {
     let n = observer.turn.n;
-    return n > 0u && (!observed || observer.observed + 1u == n * COMPONENTS);
+    let next = observer.observed + 1u;
+    return select(n > 0u, (n > 0u && next == n * COMPONENTS) || observer_is_halved(next), observed);
 }
 
-fn observer_strobe(observed: bool, at_turn: bool) {
+// Whether half of a whole observation is over after so many periods, and that is long enough to see that chaos is plain.
+fn observer_is_halved(observed: u32) -> bool {
+    let whole = schedule.fixed_periods == 0u && observer.turn.n == 0u && observer.observe == schedule.observe;
+    return whole && observed >= SETTLING && observed == observer.observe / 2u;
+}
+
+fn observer_strobe(observed: bool, rare: bool) {
     let state = trajectory.point.state;
     let moved = observer.moves > 1u;
     observer.moves = observer.moves - min(observer.moves, FAIR_MOVES);
@@ -89,15 +97,15 @@ fn observer_strobe(observed: bool, at_turn: bool) {
     //: end
     var begins = NO_OBSERVATION;
     if observed {
-        begins = observer_observe(state, at_turn);
+        begins = observer_observe(state, rare);
     } else {
-        begins = observer_settle(state, moved, at_turn);
+        begins = observer_settle(state, moved, rare);
     }
     observer_begin_observation(begins);
 }
 
 // A strobe of the transient: what observation begins there. Where the trajectory `moved`, it can impact again.
-fn observer_settle(state: State, moved: bool, at_turn: bool) -> Observation {
+fn observer_settle(state: State, moved: bool, rare: bool) -> Observation {
     if schedule.fixed_periods == 0u {
         if !moved && trajectory.contact == CONTACT_FREE && is_quiet(trajectory.point) {
             observer.stage = STAGE_QUIET;
@@ -105,7 +113,7 @@ fn observer_settle(state: State, moved: bool, at_turn: bool) -> Observation {
         }
         let patience = max(min(observer.periods / PATIENCE_SHARE, schedule.max_period), 1u);
         recurrence_at_strobe(state, RETURNING, patience, false);
-        if at_turn {
+        if rare {
             observer_leap();
         }
         let at_rest = observer.recurrence.worst <= AT_REST;
@@ -126,16 +134,16 @@ fn observer_settle(state: State, moved: bool, at_turn: bool) -> Observation {
 }
 
 // A strobe of the observation: what other observation begins there.
-fn observer_observe(state: State, at_turn: bool) -> Observation {
+fn observer_observe(state: State, rare: bool) -> Observation {
     observer.observed = observer.observed + 1u;
     let half = observer.observe / 2u;
-    let growth = observer_measure_growth(at_turn);
+    let growth = observer_measure_growth(rare);
     recurrence_at_strobe(state, RETURNED, schedule.max_period, observer.observed >= half);
     observer.grown = select(observer.grown + growth, 0.0, observer.recurrence.since == 0u);
     if observer.observed <= 2u * half {
         spread_at_strobe(trajectory.point, observer.observed > half);
     }
-    if observer.observed == half && observer_is_plainly_chaotic() {
+    if rare && observer_is_halved(observer.observed) && observer_is_plainly_chaotic() {
         observer.observe = observer.observed;
         observer.stage = STAGE_OBSERVED;
         return NO_OBSERVATION;
@@ -155,21 +163,20 @@ fn observer_observe(state: State, at_turn: bool) -> Observation {
     return NO_OBSERVATION;
 }
 
-// Whether chaos is plain now that half of a whole observation is over, and that was long enough to tell.
+// Whether what was observed so far says plainly that the motion is chaotic.
 fn observer_is_plainly_chaotic() -> bool {
-    let whole = schedule.fixed_periods == 0u && observer.turn.n == 0u && observer.observe == schedule.observe;
     let impacts = observer.impacts > 0u && observer.stuck == 0u && !recurrence_holds_for(0u);
-    return whole && impacts && observer.observed >= SETTLING && exponent_grows(PLAIN_GROWTH);
+    return impacts && exponent_grows(PLAIN_GROWTH);
 }
 
 // How the tangent vector grew in the last period, as far as that is measured period by period.
-fn observer_measure_growth(at_turn: bool) -> f32 {
+fn observer_measure_growth(rare: bool) -> f32 {
     if observer.turn.n == 0u {
         return exponent_at_strobe();
     }
     if observer.observed % observer.turn.n == 0u {
         let turns = observer.observed / observer.turn.n;
-        turn_complete(turns, at_turn);
+        turn_complete(turns, rare);
         observer_carry(state_unit(turns));
     }
     return 0.0;

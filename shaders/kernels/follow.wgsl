@@ -20,7 +20,7 @@ fn follow_stage(stage: u32, carry: bool) {
         pace_rounds(carry);
         observer_pass_impacts();
         if pace.arrived {
-            if observer_is_at_turn(carry) {
+            if observer_is_at_rare_strobe(carry) {
                 pace.rare = true;
             } else {
                 observer_arrive(carry);

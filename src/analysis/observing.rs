@@ -198,7 +198,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if self.observed <= 2 * half {
             self.spread.at_strobe(&point.state, self.observed > half);
         }
-        if self.observed == half && self.is_plainly_chaotic(schedule) {
+        if self.is_halved(schedule) && self.is_plainly_chaotic() {
             self.observe = self.observed;
             self.stage = Stage::Observed;
             return Observation::NONE;
@@ -219,11 +219,16 @@ impl<T: Real, const N: usize> Observer<T, N> {
         Observation::NONE
     }
 
-    /// Whether chaos is plain now that half of a whole observation is over, and that was long enough to tell.
-    fn is_plainly_chaotic(&self, schedule: &Schedule) -> bool {
+    /// Whether half of a whole observation is over, and that is long enough to see that chaos is plain.
+    fn is_halved(&self, schedule: &Schedule) -> bool {
         let whole = !schedule.fixed_periods && !self.turn.is_measured() && self.observe == schedule.observe;
+        whole && self.observed >= SETTLING && self.observed == self.observe / 2
+    }
+
+    /// Whether what was observed so far says plainly that the motion is chaotic.
+    fn is_plainly_chaotic(&self) -> bool {
         let impacts = self.impacts > 0 && !self.stuck && !self.recurrence.holds_for(0);
-        whole && impacts && self.observed >= SETTLING && grows(&self.exponent, PLAIN_GROWTH)
+        impacts && grows(&self.exponent, PLAIN_GROWTH)
     }
 
     /// How the tangent vector grew in the last period, as far as that is measured period by period.

@@ -116,6 +116,6 @@ fn array_in<T: AutoSerialize>(
 fn begin(zip: &mut ZipWriter<impl Write + Seek>, name: &str) -> io::Result<()> {
     // Most of an archive are states, which hardly compress, however long one tries.
     let options =
-        SimpleFileOptions::default().last_modified_time(zip::DateTime::DEFAULT).compression_level(Some(1));
+        SimpleFileOptions::default().last_modified_time(zip::DateTime::DEFAULT).compression_level(Some(2));
     Ok(zip.start_file(npyz::npz::file_name_from_array_name(name), options)?)
 }
