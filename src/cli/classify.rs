@@ -61,6 +61,9 @@ pub struct ClassifyArgs {
     transient: u32,
 
     /// Forcing periods of the observation
+    ///
+    /// Chaos that is plain after half of it, and no less than 64 periods, is not observed any longer, unless the periods are fixed;
+    /// what is observed of it when it is looked at for longer counts, too.
     #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::OBSERVE)]
     observe: u32,
 

@@ -39,7 +39,8 @@ impl Flows {
     /// As [`System::new`].
     pub fn system(&self, setting: Setting) -> Result<System, SystemError> {
         // A family is kept for the life of the process.
-        let key = FlowKey { family: std::ptr::from_ref(setting.family()).addr(), bits: setting.flow_bits() };
+        let family = std::ptr::from_ref(setting.family()).addr();
+        let key = FlowKey { family, bits: setting.flow_bits().collect() };
         if let Some(known) = self.systems.read().get(&key) {
             if let Some(system) = known.neighbour(setting) {
                 return Ok(system);

@@ -78,12 +78,12 @@ impl System {
     /// The system of a setting that has its flow in common with this one, which is that of its own setting: the same as
     /// [`Flows::system`](super::Flows::system) has it, if it is known at once to be.
     pub(crate) fn neighbour(&self, setting: Setting) -> Option<Self> {
-        let own = self.setting.as_ref().filter(|own| own.has_flow_of(&setting));
-        let system = own.and_then(|_| self.restopped(setting))?;
-        system.mirrored_stops().eq(self.mirrored_stops()).then(|| {
-            self.of_flow.0.share();
-            system
-        })
+        if !self.setting.as_ref()?.has_flow_of(&setting) {
+            return None;
+        }
+        let system = self.restopped(setting).filter(|own| own.mirrored_stops().eq(self.mirrored_stops()))?;
+        self.of_flow.0.share();
+        Some(system)
     }
 
     /// The system of another plant with the same stops, its labels in the same order.

@@ -80,14 +80,23 @@ pub(super) fn made_by_flow<T: Sync, M: Send>(
         .collect()
 }
 
+/// The same, in the order of the cells, which share with no others.
+pub(super) fn made_in_order<T: Sync, M: Send>(
+    plane: &Plane<T>,
+    cells: &[u64],
+    make: impl Fn(&mut Preparing<'_, T>, u64) -> M + Sync,
+) -> impl Iterator<Item = M> {
+    let mut made = made_by_flow(plane, cells, &Flows::default(), make);
+    made.sort_unstable_by_key(|&(place, _)| place);
+    made.into_iter().map(|(_, made)| made)
+}
+
 /// The systems and the starts of some cells, in their order.
 ///
 /// # Errors
 /// As [`System::new`].
 pub(super) fn jobs_of<T: Sync>(plane: &Plane<T>, cells: &[u64]) -> Result<Vec<Job>, SystemError> {
-    let mut made = made_by_flow(plane, cells, &Flows::default(), |preparing, cell| preparing.job(cell));
-    made.sort_unstable_by_key(|&(place, _)| place);
-    made.into_iter().map(|(_, job)| job).collect()
+    made_in_order(plane, cells, |preparing, cell| preparing.job(cell)).collect()
 }
 
 /// Whether cells along an axis have different flows.

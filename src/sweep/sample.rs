@@ -1,10 +1,9 @@
 //! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
-use super::preparing::made_by_flow;
+use super::preparing::made_in_order;
 use super::swept::Swept;
 use super::{Result, SweepError};
 use crate::backend::{Backend, Watch};
-use crate::model::Flows;
 use crate::plane::Plane;
 
 /// In so many columns, where they are high enough: cells of a column may share what follows from their flow, as they do in the
@@ -40,9 +39,7 @@ pub fn sample<T: Swept>(
     cells: &[u64],
     watch: &dyn Watch,
 ) -> Result<Vec<T::Cell>> {
-    let mut made = made_by_flow(plane, cells, &Flows::default(), |preparing, cell| preparing.asked_of(cell));
-    made.sort_unstable_by_key(|&(place, _)| place);
-    let jobs: Result<Vec<_>, _> = (made.into_iter().map(|(_, job)| job))
+    let jobs: Result<Vec<_>, _> = made_in_order(plane, cells, |preparing, cell| preparing.asked_of(cell))
         .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))
         .filter_map(Result::transpose)
         .collect();

@@ -4,7 +4,6 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::LazyLock;
 
-use arrayvec::ArrayVec;
 use derive_more::{Debug, Display};
 use parking_lot::Mutex;
 
@@ -186,8 +185,7 @@ impl Setting {
 
     /// Whether it is of the same family, with the same [`Setting::flow_bits`].
     pub fn has_flow_of(&self, other: &Setting) -> bool {
-        let same = |id: &ParameterId| self.values[id.index()].to_bits() == other.values[id.index()].to_bits();
-        std::ptr::eq(self.family, other.family) && self.family.of_flow.iter().all(same)
+        std::ptr::eq(self.family, other.family) && self.flow_bits().eq(other.flow_bits())
     }
 
     /// The same setting with a parameter changed that is given by its name.
@@ -228,7 +226,7 @@ impl Setting {
 
     /// The bits of the values on which more depends than gaps and restitutions: settings of one family in which they are the
     /// same have plants that differ in those alone.
-    pub fn flow_bits(&self) -> ArrayVec<u64, MOST_PARAMETERS> {
+    pub fn flow_bits(&self) -> impl Iterator<Item = u64> + '_ {
         self.family.flow_bits(self.values())
     }
 

@@ -1,12 +1,9 @@
 //! Gaps and restitutions, in which alone the plants of cells may differ.
 
-use arrayvec::ArrayVec;
-
 use super::block::Block;
 use super::family::Family;
 use super::parameter::ParameterId;
 use super::plant::Plant;
-use super::setting::MOST_PARAMETERS;
 use super::stops::StopValues;
 
 impl Family {
@@ -23,8 +20,8 @@ impl Family {
     ///
     /// # Panics
     /// Where the values are not this family's.
-    pub fn flow_bits(&self, values: &[f64]) -> ArrayVec<u64, MOST_PARAMETERS> {
-        self.of_flow.iter().map(|id| values[id.index()].to_bits()).collect()
+    pub fn flow_bits<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = u64> + 'a {
+        self.of_flow.iter().map(|id| values[id.index()].to_bits())
     }
 
     /// The gaps and restitutions of values, the same to the bit as [`Family::plant`] has them; none where they are not certain

@@ -89,9 +89,8 @@ pub(super) struct KeptFollower(Option<Box<dyn Follower>>);
 impl KeptFollower {
     /// A follower of a system.
     pub fn of(&mut self, system: &System) -> &mut dyn Follower {
-        let fits = self.0.as_mut().is_some_and(|kept| kept.restop(system));
-        let kept = if fits { self.0.take() } else { None };
-        self.0.insert(kept.unwrap_or_else(|| follower(system))).as_mut()
+        self.0.take_if(|kept| !kept.restop(system));
+        self.0.get_or_insert_with(|| follower(system)).as_mut()
     }
 }
 

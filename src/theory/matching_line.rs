@@ -78,13 +78,13 @@ impl MatchingLine {
         };
         Some(MatchingLine {
             size,
-            matrix: widened(&matrix),
-            constant: widened(&DMatrix::from_columns(&[constant])),
-            growth: widened(&DMatrix::from_columns(&[growth])),
-            point: widened(&DMatrix::from_columns(&[nearest(0)])),
-            slope: widened(&DMatrix::from_columns(&[nearest(1)])),
+            matrix: matrix.fixed_resize(0.0),
+            constant: constant.fixed_resize(0.0),
+            growth: growth.fixed_resize(0.0),
+            point: nearest(0).fixed_resize(0.0),
+            slope: nearest(1).fixed_resize(0.0),
+            direction: direction.fixed_resize(0.0),
             turns: flow.reflection(from).determinant() < 0.0,
-            direction: widened(&DMatrix::from_columns(&[direction])),
         })
     }
 
@@ -128,11 +128,6 @@ impl MatchingLine {
         }
         residual.amax()
     }
-}
-
-/// The same matrix, with zeros beside and below it.
-fn widened<const R: usize, const C: usize>(matrix: &DMatrix<f64>) -> SMatrix<f64, R, C> {
-    SMatrix::from_fn(|i, j| matrix.get((i, j)).copied().unwrap_or(0.0))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-use impact_atlas::analysis::{Probe, Reading, Regime, Schedule, Section};
+use impact_atlas::analysis::{Probe, Reading, Regime, Schedule, Section, Verdict};
 use impact_atlas::backend::{Backend, BackendError, Cpu, CpuSingle, Gpu, Job, Unwatched, extents, follow};
 use impact_atlas::dynamics::{Event, Trajectory};
 use impact_atlas::model::{Flight, State};
@@ -59,23 +59,22 @@ fn verdicts_have_the_bits_of_the_twin_in_every_regime() {
 fn chaos_that_is_plain_is_observed_half_as_long_by_both() {
     let jobs = paper(300);
     assert_eq!(differ(exact(), &jobs, &LONG), 0);
-    let observed = |schedule: &Schedule, periods: u32| {
-        let met = CpuSingle.run(&jobs, schedule, &Unwatched).unwrap();
-        let chaotic = met.into_iter().filter(|verdict| verdict.regime == Regime::Chaotic);
+    let run = |schedule: Schedule| CpuSingle.run(&jobs, &schedule, &Unwatched).unwrap();
+    let observed = |met: &[Verdict], periods: u32| {
+        let chaotic = met.iter().filter(|verdict| verdict.regime == Regime::Chaotic);
         chaotic.filter(|verdict| verdict.measures.observed == periods).count()
     };
-    let (half, whole) = (observed(&LONG, 70), observed(&LONG, 140));
+    let (ended, fixed) = (run(LONG), run(Schedule { fixed_periods: true, ..LONG }));
+    let (half, whole) = (observed(&ended, 70), observed(&ended, 140));
     println!("chaotic: {half} observed for half as long, {whole} for all of it");
     assert!(half > 20 && half > whole, "{half}, {whole}");
     // All of the observation says the same.
-    let fixed = CpuSingle.run(&jobs, &Schedule { fixed_periods: true, ..LONG }, &Unwatched).unwrap();
-    let ended = CpuSingle.run(&jobs, &LONG, &Unwatched).unwrap();
     let ended = ended.iter().zip(&fixed).filter(|(ended, _)| ended.measures.observed == 70);
     let other = ended.filter(|(ended, whole)| ended.regime != whole.regime).count();
     assert!(20 * other <= half, "{other} of {half} would have another regime");
     // Where the periods are fixed, none ends early; nor where half of it is too short to tell.
-    assert_eq!(observed(&Schedule { fixed_periods: true, ..LONG }, 70), 0);
-    assert_eq!(observed(&Schedule { observe: 120, ..LONG }, 60), 0);
+    assert_eq!(observed(&fixed, 70), 0);
+    assert_eq!(observed(&run(Schedule { observe: 120, ..LONG }), 60), 0);
 }
 
 /// What is rare is among what was compared: every event, and every kind of contact that a move begins in.
