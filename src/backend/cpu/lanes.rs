@@ -81,8 +81,8 @@ pub fn follow_all(
     follow_counted(jobs, schedule, watch, width).map(|(verdicts, _)| verdicts)
 }
 
-/// Follows every job in f64, `width` trajectories at once on each thread of rayon's current pool; one by one where there
-/// are more than two coordinates, or not equally many in all jobs. Says how well the lanes were used, too.
+/// Follows every job in f64, `width` trajectories at once on each thread of rayon's current pool; one by one where they have not
+/// equally many coordinates. Says how well the lanes were used, too.
 ///
 /// # Errors
 /// [`BackendError::Cancelled`] when the watch asked for it.
@@ -97,6 +97,8 @@ pub fn follow_counted(
     match n {
         1 if alike && width != Width::One => spread::<1>(jobs, schedule, watch, width),
         2 if alike && width != Width::One => spread::<2>(jobs, schedule, watch, width),
+        3 if alike && width != Width::One => spread::<3>(jobs, schedule, watch, width),
+        4 if alike && width != Width::One => spread::<4>(jobs, schedule, watch, width),
         _ => {
             each(jobs, watch, |job| follow::<f64>(job, schedule)).map(|verdicts| (verdicts, Usage::default()))
         }
