@@ -1,10 +1,10 @@
 //! A whole plane on one back end, tile by tile.
 //!
-//! Jobs are made for one tile at a time, so that memory beyond the verdicts themselves does not grow with the plane.
+//! Jobs are made for one tile at a time, so that memory beyond the verdicts themselves does not grow with the plane; a tile holds
+//! cells of as few flows as there can be.
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
 
-use std::ops::Range;
-
+use super::order::Order;
 use super::preparing::{jobs_of, made_by_flow};
 use super::swept::Swept;
 use super::{Result, SweepError, provenance};
@@ -28,16 +28,17 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
     let tile = backend.tile().max(1);
     let mut verdicts = Vec::new();
     verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory(cells))?;
-    let flows = Flows::default();
+    verdicts.resize(cells as usize, T::Cell::unresolved(plane.parameters.family().n()));
+    let (flows, order) = (Flows::default(), Order::by_flow(plane));
     let prepare = |first: u64| {
         flows.tidy();
-        Prepared::of(plane, first..cells.min(first.saturating_add(tile as u64)), &flows)
+        Prepared::of(plane, order.cells(first..cells.min(first.saturating_add(tile as u64))), &flows)
     };
     let (mut missing, mut any) = (None, false);
     let (mut first, mut next) = (0, prepare(0));
     while first < cells {
         watch.check()?;
-        let Prepared { jobs, places, cells: here, missing: missing_here } = next?;
+        let Prepared { jobs, cells_of_jobs, cells: here, missing: missing_here } = next?;
         missing = missing.or(missing_here);
         any |= !jobs.is_empty();
         watch.finished((here - jobs.len()) as u64);
@@ -45,10 +46,8 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
         first += tile as u64;
         let (computed, following) = rayon::join(|| plane.task.run(backend, &jobs, watch), || prepare(first));
         next = following;
-        let before = verdicts.len();
-        verdicts.resize(before + here, T::Cell::unresolved(plane.parameters.family().n()));
-        for (place, cell) in places.into_iter().zip(computed?) {
-            verdicts[before + place as usize] = cell;
+        for (cell, found) in cells_of_jobs.into_iter().zip(computed?) {
+            verdicts[cell as usize] = found;
         }
     }
     match missing {
@@ -61,8 +60,8 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
 struct Prepared<J> {
     /// Flow by flow.
     jobs: Vec<J>,
-    /// Which of the tile's cells each of them is for.
-    places: Vec<u32>,
+    /// Which cell each of them is for, counted row by row.
+    cells_of_jobs: Vec<u64>,
     /// How many cells there are.
     cells: usize,
     /// Why a cell without a job has none, where that is an error.
@@ -70,14 +69,19 @@ struct Prepared<J> {
 }
 
 impl<J> Prepared<J> {
-    /// Of some cells of a plane, row by row; `flows` are those of cells before.
-    fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: Range<u64>, flows: &Flows) -> Result<Self>
+    /// Of some cells of a plane, counted row by row; `flows` are those of cells before.
+    fn of<T: Swept<Job = J>>(
+        plane: &Plane<T>,
+        cells: impl Iterator<Item = u64>,
+        flows: &Flows,
+    ) -> Result<Self>
     where
         J: Send,
     {
         let cells: Vec<u64> = cells.collect();
         let found = made_by_flow(plane, &cells, flows, |preparing, cell| preparing.asked_of(cell));
-        let (mut jobs, mut places) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
+        let (mut jobs, mut cells_of_jobs) =
+            (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
         let mut missing = None;
         for (place, job) in found {
             let job = job.or_else(|error| match error.is_of_one_cell() {
@@ -87,10 +91,10 @@ impl<J> Prepared<J> {
                 }
                 false => Err(error),
             })?;
-            places.extend(job.is_some().then_some(place));
+            cells_of_jobs.extend(job.is_some().then_some(cells[place as usize]));
             jobs.extend(job);
         }
-        Ok(Prepared { jobs, places, cells: cells.len(), missing })
+        Ok(Prepared { jobs, cells_of_jobs, cells: cells.len(), missing })
     }
 }
 

@@ -4,6 +4,7 @@ mod certify;
 mod diagram;
 mod extents;
 mod map;
+mod order;
 mod preparing;
 mod sample;
 mod stored;

@@ -3,10 +3,11 @@
 use rayon::prelude::*;
 
 use super::Result;
+use super::order::Order;
 use super::swept::Swept;
 use crate::backend::Job;
 use crate::model::{Flows, System, SystemError};
-use crate::plane::{Axis, Plane, Quantity};
+use crate::plane::Plane;
 use crate::theory::SymmetricStarts;
 
 /// As many cells as are worth a thread's turn.
@@ -68,10 +69,8 @@ pub(super) fn made_by_flow<T: Sync, M: Send>(
     make: impl Fn(&mut Preparing<'_, T>, u64) -> M + Sync,
 ) -> Vec<(u32, M)> {
     let mut order: Vec<u32> = (0..cells.len() as u32).collect();
-    if varies_flow(&plane.x) && !varies_flow(&plane.y) {
-        // Cells above each other have their flow in common.
-        order.sort_by_key(|&place| cells[place as usize] % u64::from(plane.x.count));
-    }
+    let by_flow = Order::by_flow(plane);
+    order.sort_by_key(|&place| by_flow.place(cells[place as usize]));
     (order.into_par_iter().with_min_len(AT_ONCE))
         .map_init(
             || Preparing::new(plane, flows),
@@ -99,16 +98,11 @@ pub(super) fn jobs_of<T: Sync>(plane: &Plane<T>, cells: &[u64]) -> Result<Vec<Jo
     made_in_order(plane, cells, |preparing, cell| preparing.job(cell)).collect()
 }
 
-/// Whether cells along an axis have different flows.
-fn varies_flow(axis: &Axis) -> bool {
-    matches!(axis.quantity, Quantity::Parameter(parameter) if parameter.is_of_flow())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::Setting;
-    use crate::plane::Start;
+    use crate::plane::{Axis, Start};
     use crate::system::Family;
 
     /// How far apart two jobs are that should be the same: in their starts, or infinitely.

@@ -38,7 +38,7 @@ macro_rules! on_the_processor {
             }
 
             fn tile(&self) -> usize {
-                1 << 14
+                1 << 15
             }
 
             fn run(
