@@ -131,6 +131,11 @@ impl<'a> Batch<'a> {
         Ok(())
     }
 
+    /// The files of another one, after its own.
+    pub fn append(&mut self, mut other: Batch<'a>) {
+        self.filled.append(&mut other.filled);
+    }
+
     /// A picture in the format that its file asks for.
     pub fn picture(&mut self, output: &'a Option<Output>, picture: &Picture) -> Result<()> {
         let Some(format) = output.as_ref().map(|output| pictures::format_of(output.path())) else {

@@ -121,10 +121,17 @@ fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extra
         measure_extents(&mut map, &*backend, &progress)?;
     }
     let source = args.curves.map(CurveSource::Computed);
-    let (drawn, curves) = args.drawing.draw(&map, Window::whole(plane), source)?;
-    let mut batch = Batch::default();
-    batch.picture(&picture, &drawn)?;
-    batch.add(&data, |file| store::write_map(&map, file))?;
+    let (mut batch, mut archive) = (Batch::default(), Batch::default());
+    let (drawn, archived) = rayon::join(
+        || {
+            let (drawn, curves) = args.drawing.draw(&map, Window::whole(plane), source)?;
+            batch.picture(&picture, &drawn).map(|()| curves)
+        },
+        || archive.add(&data, |file| store::write_map(&map, file)),
+    );
+    let curves = drawn?;
+    archived?;
+    batch.append(archive);
     curve_list::add_table(&mut batch, &table, &curves, plane)?;
     batch.show()?;
     let summary = Summary { certified, ..Summary::new(&map, seconds) };

@@ -1,5 +1,6 @@
 //! Writing a map.
 
+use std::cmp::Reverse;
 use std::io::{self, BufWriter, Cursor, Seek, Write};
 
 use npyz::{AutoSerialize, DType, WriteOptions, WriterBuilder};
@@ -32,9 +33,6 @@ pub(super) fn write_with_config(map: &RegionMap, config: &str, to: impl Write + 
     archive.finish()
 }
 
-/// So many arrays are compressed at once, and held until they are written.
-const AT_ONCE: usize = 4;
-
 /// An archive under way.
 pub(super) struct Archive<W: Write + Seek> {
     zip: ZipWriter<Fused<W>>,
@@ -51,7 +49,8 @@ impl<W: Write + Seek> Archive<W> {
         self.zip.finish()?.end()
     }
 
-    /// An array for each of some fields of a plane's cells, a few of them at a time.
+    /// An array for each of some fields of a plane's cells, the largest first: all of them are compressed beside each other, and
+    /// held until they are written.
     pub fn cells<'a, T: Sync>(
         &mut self,
         plane: &Plane<T>,
@@ -59,16 +58,16 @@ impl<W: Write + Seek> Archive<W> {
         cells: impl Iterator<Item = CellResult<'a>> + Clone + Sync,
     ) -> io::Result<()> {
         let family = plane.parameters.family();
-        for fields in fields.collect::<Vec<_>>().chunks(AT_ONCE) {
-            let compressed = fields.par_iter().map(|field| {
-                let mut alone = ZipWriter::new(Cursor::new(Vec::new()));
-                let values = field.values(cells.clone(), field.inner.len(family));
-                of_any!(values, values => array_in(&mut alone, field.name, &field.shape(plane), values))?;
-                Ok(alone.finish_into_readable()?)
-            });
-            for alone in compressed.collect::<io::Result<Vec<_>>>()? {
-                self.zip.merge_archive(alone)?;
-            }
+        let mut fields: Vec<_> = fields.collect();
+        fields.sort_by_key(|field| Reverse(field.inner.len(family)));
+        let compressed = fields.par_iter().with_max_len(1).map(|field| {
+            let mut alone = ZipWriter::new(Cursor::new(Vec::new()));
+            let values = field.values(cells.clone(), field.inner.len(family));
+            of_any!(values, values => array_in(&mut alone, field.name, &field.shape(plane), values))?;
+            Ok(alone.finish_into_readable()?)
+        });
+        for alone in compressed.collect::<io::Result<Vec<_>>>()? {
+            self.zip.merge_archive(alone)?;
         }
         Ok(())
     }
