@@ -36,23 +36,31 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let polynomial = quintic_through(gaps, slopes, square * bends.x, square * whole * bends.y);
     var start = 1.0 - quintic_chord(vec2(gaps.y, gaps.x), slopes.y);
     // Where the leg returns, the gap is narrowest on its way.
-    var passes = false;
+    var opens = false;
     var turns = 0.0;
     if face.returns {
         let narrowest = quintic_narrowest(polynomial, slopes.y);
         turns = narrowest.u;
-        passes = 0.0 < narrowest.gap;
+        opens = 0.0 < narrowest.gap;
         start = narrowest_touch(narrowest);
     }
-    let u = select(quintic_root(polynomial, start), turns, passes);
+    let u = select(quintic_root(polynomial, start), turns, opens);
 
     // What that misses is little: the course itself says how much.
-    let nearly = u * whole;
-    let here = course_about(course, nearly, whole, begins.place);
-    if passes {
+    let place = sign * gap;
+    var nearly = u * whole;
+    var here = course_about(course, nearly, whole, begins.place);
+    var passes = false;
+    if opens {
         passes = turns_off(before, here_along(here), ahead, face.end, 1.0 - u, nearly, window);
     }
-    let change = here_change_to(here, sign * gap);
+    var change = here_change_to(here, place);
+    // Where it is not little, it is asked again from there.
+    if !opens & !crossing_is_little(change) {
+        nearly = nearly + change;
+        here = course_about(course, nearly, whole, begins.place);
+        change = here_change_to(here, place);
+    }
     let there = here_changed(here, change);
     let rest = nearly + change;
     let time = window - rest * flight.h;
@@ -68,7 +76,7 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let kick = rebound - velocity;
     let pull = here_pull(there);
     let force = sign * (pull - flight.normals[normal].drag * kick);
-    let close = abs(change) * (flight.h * flight.rate) < STRAIGHT;
+    let close = crossing_is_little(change);
     let within = (0.0 < time) & (time < window);
     let ways = vec2(leaves, sign * velocity);
     let bound = point_bound(ahead, normal);
@@ -80,10 +88,15 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let last = (bends.x + bends.x) * (flight.inverse_h * flight.inverse_h);
     let deep = !face.returns | is_deep(ways.y, vec2(sign * pull, sign * last), bound, window, rounding);
     let certain = face.only & close & within & first & parts & deep & meets;
-    let own = Along(sign * gap, rebound);
+    let own = Along(place, rebound);
     let passed = course_each(before, ahead, rest, whole, normal, own);
     let after = crossing_struck(face.end, passed, kick);
     return Crossing(certain, passes & !certain, face.end, time, rest, after, velocity, kick, rebound, pull);
+}
+
+// Whether a change of the share of a step is so small that what is known of the course near by says where it leads.
+fn crossing_is_little(change: f32) -> bool {
+    return abs(change) * (flight.h * flight.rate) < STRAIGHT;
 }
 
 // Where the motion is along each normal just after an impact: what the kick changes along those that are not met.

@@ -54,7 +54,7 @@ fn quintic_root(c: Quintic, start: f32) -> f32 {
     return -inverse * quintic_at(c, u) + u;
 }
 
-// Where the gap is narrowest if the motion comes near, turns and goes.
+// Where the gap is narrowest if the motion comes near, turns and goes; where it has no extremum on the way, near its narrower end.
 fn quintic_narrowest(c: Quintic, last: f32) -> Narrowest {
     let rise = quintic_rise(c);
     let bends = vec4(rise.x, rise.y + rise.y, rise.z * 3.0, rise.w * 4.0);
@@ -66,6 +66,8 @@ fn quintic_narrowest(c: Quintic, last: f32) -> Narrowest {
     //: end
     bend = cubic(bends, u);
     u = u - (cubic(rise, u) * u + c.low.y) / bend;
+    let aside = select(1.0 - ASIDE, ASIDE, c.low.x < quintic_at(c, 1.0));
+    u = select(aside, u, (0.0 < u) & (u < 1.0));
     return Narrowest(u, quintic_at(c, u), bend);
 }
 

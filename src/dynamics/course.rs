@@ -110,6 +110,16 @@ fn carry_on<L: Lanes>(values: &mut [L; NEAR], begun: usize, u: L, next: L) {
 }
 
 impl<L: Lanes> Here<L> {
+    /// `yes` where the mask holds, `no` elsewhere.
+    #[inline(always)]
+    pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
+        let mut terms = no.0;
+        for k in 0..NEAR {
+            terms[k] = L::select(mask, yes.0[k], no.0[k]);
+        }
+        Here(terms)
+    }
+
     /// Where the motion is.
     #[inline(always)]
     pub fn along<const N: usize>(&self, flight: &Flight<L, N>) -> Along<L> {

@@ -2,7 +2,7 @@
 
 use super::along::{Along, is_normal};
 use super::chatter::{FADING, STEADY};
-use super::course::Course;
+use super::course::{Course, Here};
 use super::face::Face;
 use super::hull::{Hull, Span};
 use super::leg::{Clearances, Leg};
@@ -80,13 +80,23 @@ pub fn crossing<L: Lanes, const N: usize>(
     let u = L::select(opens, turns, gap.root(u));
 
     // What that misses is little: the course itself says how much.
-    let nearly = u * whole;
-    let here = course.about(nearly, [whole, way.from.place]);
+    let target = sign * face.gap;
+    let mut nearly = u * whole;
+    let mut here = course.about(nearly, [whole, way.from.place]);
     let mut passes = opens;
     if opens.bits() != 0 {
         passes = opens.and(turns_off(leg, &face, here.along(flight), [one - u, nearly], flight));
     }
-    let change = here.change_to(sign * face.gap);
+    let mut change = here.change_to(target);
+    // Where it is not little, as on a small hop off the stop, it is asked again from there.
+    let again = face.found.and(opens.not()).and(is_little(change, flight).not());
+    if again.bits() != 0 {
+        let nearer = nearly + change;
+        let there = course.about(nearer, [whole, way.from.place]);
+        change = L::select(again, there.change_to(target), change);
+        nearly = L::select(again, nearer, nearly);
+        here = Here::select(again, &there, &here);
+    }
     let there = here.changed(change);
     let rest = nearly + change;
     let time = window - rest * flight.h;
@@ -96,7 +106,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let kick = rebound - velocity;
     let pull = there.pull(flight);
     let force = sign * (pull - face.drag * kick);
-    let close = (change.magnitude() * (flight.h * flight.rate)).below(zero.all(L::Real::STRAIGHT));
+    let close = is_little(change, flight);
     let within = zero.below(time).and(time.below(window));
     let arrives = sign * velocity;
     let first = stays_off(&face, gaps[1], [leaves, arrives], time);
@@ -111,11 +121,17 @@ pub fn crossing<L: Lanes, const N: usize>(
     for k in 1..flight.count {
         wake = State::select(is_normal(normal, k), &flight.normals[k].wake(rest), &wake);
     }
-    let after = struck(leg, &face, [rest, kick], Along { place: sign * face.gap, speed: rebound }, flight);
+    let after = struck(leg, &face, [rest, kick], Along { place: target, speed: rebound }, flight);
     let ahead = leg.end.kicked(kick, &wake);
     let passes = passes.and(certain.not());
     let impact = FreeSaltation { velocity, kick, pull, wake };
     Crossing { certain, passes, normal, upper, time, rest, after, ahead, impact, rebound }
+}
+
+/// Where a change of the share of a step is so small that what is known of the course near by says where it leads.
+#[inline(always)]
+fn is_little<L: Lanes, const N: usize>(change: L, flight: &Flight<L, N>) -> L::Mask {
+    (change.magnitude() * (flight.h * flight.rate)).below(change.all(L::Real::STRAIGHT))
 }
 
 /// Where the motion is along each normal just after an impact: on the stop with its rebound, and where the step goes along the

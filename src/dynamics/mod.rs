@@ -66,7 +66,7 @@ pub(crate) mod constants {
     pub use super::holding::HELD_FLIGHTS;
     pub use super::hull::SWELLING;
     pub use super::moves::{FAIR_MOVES, MOST_MOVES};
-    pub use super::quintic::STEPS as NEWTON_STEPS;
+    pub use super::quintic::{ASIDE, STEPS as NEWTON_STEPS};
     pub use super::series::INVERSE_FACTORIALS;
     pub use super::striking::KICK_ROUNDINGS;
     pub use super::trajectory::MOST_KICKS;

@@ -1,10 +1,13 @@
 //! The gap to a stop along a leg, as the polynomial of fifth degree that agrees with it at both ends.
 
-use crate::model::Lanes;
+use crate::model::{Lanes, Mask};
 
 /// A polynomial on 0 ≤ u ≤ 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Quintic<L>([L; 6]);
+
+/// How far from its narrower end a gap is looked at that is narrowest at an end.
+pub const ASIDE: f64 = 0.25;
 
 /// Newton steps to its root, and to where it is narrowest, before the last.
 pub const STEPS: usize = 2;
@@ -61,7 +64,8 @@ impl<L: Lanes> Quintic<L> {
     }
 
     /// Where the gap is narrowest if the motion comes near, turns and goes: by Newton's method, from where the chord of the slopes
-    /// at both ends is zero, `last` being that at u = 1. Otherwise it may be another extremum, or none.
+    /// at both ends is zero, `last` being that at u = 1. Otherwise it may be another extremum, or, where there is none on the way,
+    /// [`ASIDE`] from the end where the gap is narrower.
     #[inline(always)]
     pub fn narrowest(&self, last: L) -> Narrowest<L> {
         let slope = self.0[1];
@@ -73,6 +77,9 @@ impl<L: Lanes> Quintic<L> {
             bend = cubic(bends, u);
             u = u - cubic(rise, u).times_plus(u, slope) / bend;
         }
+        let (zero, one) = (u.all(0.0), u.all(1.0));
+        let aside = L::select(self.0[0].below(self.at(one)), u.all(ASIDE), u.all(1.0 - ASIDE));
+        u = L::select(zero.below(u).and(u.below(one)), u, aside);
         Narrowest { u, gap: self.at(u), bend }
     }
 

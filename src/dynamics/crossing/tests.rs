@@ -1,5 +1,6 @@
 use super::*;
 use crate::dynamics::swing::{Swing, step, stops, towards_upper};
+use crate::system::Plant;
 
 fn through<T: Real>() {
     let h = step();
@@ -52,6 +53,40 @@ fn through<T: Real>() {
 fn a_contact_within_a_step_is_that_of_the_closed_form() {
     through::<f64>();
     through::<f32>();
+}
+
+/// Hops off a stop against which a load presses, of which the polynomial of fifth degree alone says too little: they end where the
+/// closed form says.
+fn hops<T: Real>() {
+    let (gap, load) = (0.5, 2.0);
+    let shares = [0.02, 0.05, 0.1, 0.2, 0.4, 0.6, 0.9];
+    for (side, share) in [1.0, -1.0].into_iter().flat_map(|side| shares.map(|share| (side, share))) {
+        let edit = |plant: &mut Plant| {
+            stops(gap, 1.0)(plant);
+            plant.load[0] = side * load;
+        };
+        let mut swing = Swing::<T>::new(0.0, 0.0, edit);
+        let time = share * step();
+        let speed = (load - gap) * (0.5 * time).tan();
+        swing.from.state = State { x: [T::of(side * gap)], v: [T::of(-side * speed)] };
+        swing.to = swing.from.stepped(&swing.flight);
+        let crossing = crossing(&swing.leg(), &swing.leg().clearances(&swing.flight), &swing.flight);
+        assert!(crossing.certain, "{side} {share}");
+        let most = 64.0 * T::EPSILON / speed;
+        assert!(
+            (crossing.time.widen() - time).abs() < most,
+            "{side} {share}: {:?} for {time}",
+            crossing.time
+        );
+        assert!((side * crossing.impact.velocity.widen() - speed).abs() < most, "{side} {share}");
+        assert!((crossing.time.widen() - 0.9 * time).abs() > most, "the check can fail: {side} {share}");
+    }
+}
+
+#[test]
+fn a_hop_off_a_stop_ends_where_the_closed_form_says() {
+    hops::<f64>();
+    hops::<f32>();
 }
 
 /// What is left to the approach from the safe side.

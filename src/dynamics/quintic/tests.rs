@@ -126,6 +126,18 @@ fn a_gap_is_narrowest_where_its_derivative_is_zero() {
 }
 
 #[test]
+fn a_gap_without_an_extremum_is_looked_at_beside_its_narrower_end() {
+    for (way, aside) in [
+        (Gap([0.4, -0.3, -0.02, 0.01, 0.0, 0.0]), ASIDE),
+        (Gap([0.1, 0.3, 0.02, -0.01, 0.0, 0.0]), 1.0 - ASIDE),
+    ] {
+        let found = way.seen_from_the_end::<f64>(1.0).narrowest(-way.derivative(1, 0.0));
+        assert_eq!(found.u, aside);
+        assert!((found.gap - way.at(1.0 - aside)).abs() < 1e-15, "{found:?}");
+    }
+}
+
+#[test]
 fn the_cubic_has_the_places_and_slopes_of_both_ends() {
     for (places, slopes, window) in [([1.0, -0.5], [-2.0, -1.0], 0.5), ([0.2, 0.3], [1.0, -4.0], 2.0)] {
         let found = Quintic::cubic(places, slopes, window);

@@ -110,6 +110,40 @@ fn turns_within_rounding<T: Real>() {
     }
 }
 
+/// Swings that come near to the stop and end before they turn, or turned before they began; what is known of them beforehand is
+/// far less than what they do.
+fn comes_near<T: Real>() {
+    let (h, quarter) = (step(), 0.5 * std::f64::consts::PI);
+    const BOUND: f64 = 16.0;
+    let (mut passed, mut met) = (0, 0);
+    for (side, late) in [1.0, -1.0].into_iter().flat_map(|side| [0.02, 0.1, 0.2].map(|late| (side, late))) {
+        for phase in [quarter - h - late, quarter + late] {
+            let nearest = phase.sin().max((phase + h).sin());
+            let to = |place: f64| {
+                let mut swing = Swing::<T>::new(side * place / nearest, phase, stops(0.5, 0.7));
+                swing.flight.normals[0].bound_forcing = T::of(BOUND);
+                fate(&swing)
+            };
+            for left in [1e-4, 1e-3, 1e-2, 0.05] {
+                let fate = to(0.5 - left);
+                assert!(
+                    matches!(fate, Fate::Clears | Fate::Passes),
+                    "{side} {late} {left} {phase}: {fate:?}"
+                );
+                passed += usize::from(fate == Fate::Passes);
+            }
+            met += usize::from(phase < quarter && to(0.51) == Fate::Meets);
+        }
+    }
+    assert!(passed > 8 && met == 6, "{passed} of 48 passed, {met} of 6 met");
+}
+
+#[test]
+fn a_swing_that_comes_near_to_the_stop_and_does_not_turn_passes_it() {
+    comes_near::<f64>();
+    comes_near::<f32>();
+}
+
 #[test]
 fn no_swing_that_turns_within_rounding_of_the_stop_is_certain_to_meet_it() {
     turns_within_rounding::<f64>();

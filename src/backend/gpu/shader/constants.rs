@@ -103,6 +103,7 @@ pub fn source(shape: &Shape) -> String {
         ("SIXTH", 1.0 / 6.0),
         ("STRAIGHT", <f32 as Real>::STRAIGHT),
         ("EXACT", dynamics::EXACT),
+        ("ASIDE", dynamics::ASIDE),
         ("STEADY_BOUND", dynamics::STEADY * dynamics::WIDER),
         ("CHATTER_BOUND", <f32 as Real>::CHATTER * dynamics::WIDER),
         ("FAR", dynamics::FAR),
