@@ -4,37 +4,46 @@ use std::ops::Range;
 
 use crate::plane::{Axis, Plane, Quantity};
 
-/// An order of the cells of a plane.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The golden ratio's inverse, whose multiples are spread evenly by their fractions.
+const GOLDEN: f64 = 0.618_033_988_749_895;
+
+/// An order of the cells of a plane in which those that have their flow in common come one after the other.
+#[derive(Clone, Debug)]
 pub(super) struct Order {
     columns: u64,
     rows: u64,
-    /// Column by column, or else row by row.
-    by_column: bool,
+    /// The columns one after the other, where the flow varies from left to right alone; none row by row.
+    by_column: Option<Vec<u32>>,
 }
 
 impl Order {
-    /// The one in which cells that have their flow in common come one after the other: column by column where the flow varies
-    /// from left to right alone, else row by row.
+    /// Of the cells of a plane.
+    ///
+    /// Columns next to each other are as dear as each other: they come far apart, so that all parts of the order take as long.
     pub fn by_flow<T>(plane: &Plane<T>) -> Self {
-        let by_column = varies_flow(&plane.x) && !varies_flow(&plane.y);
-        Order { columns: plane.x.count.into(), rows: plane.y.count.into(), by_column }
+        let columns = plane.x.count;
+        let by_column = (varies_flow(&plane.x) && !varies_flow(&plane.y)).then(|| {
+            let share = |&column: &u32| (f64::from(column) * GOLDEN).fract();
+            let mut spread: Vec<u32> = (0..columns).collect();
+            spread.sort_by(|a, b| share(a).total_cmp(&share(b)));
+            spread
+        });
+        Order { columns: columns.into(), rows: plane.y.count.into(), by_column }
     }
 
     /// The cells at some places of the order, counted row by row.
-    pub fn cells(self, places: Range<u64>) -> impl Iterator<Item = u64> {
-        places.map(move |place| match self.by_column {
-            true => place % self.rows * self.columns + place / self.rows,
-            false => place,
+    pub fn cells(&self, places: Range<u64>) -> impl Iterator<Item = u64> {
+        places.map(|place| match &self.by_column {
+            Some(columns) => {
+                place % self.rows * self.columns + u64::from(columns[(place / self.rows) as usize])
+            }
+            None => place,
         })
     }
 
-    /// The place of a cell, counted row by row, in the order.
-    pub fn place(self, cell: u64) -> u64 {
-        match self.by_column {
-            true => cell % self.columns * self.rows + cell / self.columns,
-            false => cell,
-        }
+    /// The column, or the row, of a cell counted row by row: by these numbers cells come together that may have their flow in common.
+    pub fn line(&self, cell: u64) -> u64 {
+        if self.by_column.is_some() { cell % self.columns } else { cell / self.columns }
     }
 }
 
@@ -48,28 +57,56 @@ mod tests {
     use super::*;
     use crate::plane::Start;
 
+    const PLANES: [(&str, &str, bool); 4] = [
+        ("omega=2:4:9", "delta=0.05:0.3:31", true),
+        ("delta=0.05:0.3:31", "omega=2:4:9", false),
+        ("omega=2:4:9", "zeta=0.05:0.3:31", false),
+        ("v1=-1:1:9", "delta=0.05:0.3:31", false),
+    ];
+
+    fn plane(x: &str, y: &str) -> Plane<()> {
+        Plane::of_paper(x, y, Start::State([0.0; 4].into()), ()).unwrap()
+    }
+
     #[test]
     fn cells_with_the_same_flow_come_one_after_the_other() {
-        for (x, y, by_column) in [
-            ("omega=2:4:9", "delta=0.05:0.3:31", true),
-            ("delta=0.05:0.3:31", "omega=2:4:9", false),
-            ("omega=2:4:9", "zeta=0.05:0.3:31", false),
-            ("v1=-1:1:9", "delta=0.05:0.3:31", false),
-        ] {
-            let plane = Plane::of_paper(x, y, Start::State([0.0; 4].into()), ()).unwrap();
+        for (x, y, by_column) in PLANES {
+            let plane = plane(x, y);
             let order = Order::by_flow(&plane);
-            assert_eq!(order.by_column, by_column, "{x}, {y}");
+            assert_eq!(order.by_column.is_some(), by_column, "{x}, {y}");
             let cells: Vec<u64> = order.cells(0..plane.cells()).collect();
-            for (place, &cell) in cells.iter().enumerate() {
-                assert_eq!(order.place(cell), place as u64, "{x}, {y}: each cell once, and back");
-            }
+            let mut sorted = cells.clone();
+            sorted.sort_unstable();
+            assert!(sorted.into_iter().eq(0..plane.cells()), "{x}, {y}: each cell once");
             let omega = |cell: u64| {
                 let columns = u64::from(plane.x.count);
                 plane.parameters_at((cell % columns) as u32, (cell / columns) as u32).named("omega")
             };
-            let changes = cells.windows(2).filter(|pair| omega(pair[0]) != omega(pair[1])).count();
-            let fewest = usize::from(x.contains("omega") || y.contains("omega")) * 8;
-            assert_eq!(changes == fewest, by_column || !x.contains("omega"), "{x}, {y}: {changes}");
+            let changes =
+                |of: &dyn Fn(u64, u64) -> bool| cells.windows(2).filter(|pair| of(pair[0], pair[1])).count();
+            let flows = changes(&|a, b| omega(a) != omega(b));
+            let numbers = changes(&|a, b| order.line(a) != order.line(b));
+            match (x.contains("omega"), by_column) {
+                (true, true) => assert_eq!((flows, numbers), (8, 8), "{x}, {y}"),
+                (true, false) => assert!(flows > 8, "{x}, {y}: the check can fail"),
+                (false, _) => assert!(flows <= numbers, "{x}, {y}"),
+            }
+        }
+    }
+
+    #[test]
+    fn every_part_of_the_order_has_columns_from_everywhere() {
+        let plane = plane("omega=0.5:4.4:800", "delta=0.05:0.3:31");
+        let order = Order::by_flow(&plane);
+        let part = plane.cells() / 16;
+        for i in 0..16 {
+            let columns: Vec<u64> = order.cells(i * part..(i + 1) * part).map(|cell| cell % 800).collect();
+            let mean = columns.iter().sum::<u64>() as f64 / columns.len() as f64;
+            assert!((mean - 400.0).abs() < 40.0, "{mean} in part {i}");
+            for quarter in 0..4 {
+                let there = columns.iter().filter(|&column| column / 200 == quarter).count();
+                assert!(5 * there > columns.len(), "{there} of {} in quarter {quarter}", columns.len());
+            }
         }
     }
 }

@@ -70,7 +70,7 @@ pub(super) fn made_by_flow<T: Sync, M: Send>(
 ) -> Vec<(u32, M)> {
     let mut order: Vec<u32> = (0..cells.len() as u32).collect();
     let by_flow = Order::by_flow(plane);
-    order.sort_by_key(|&place| by_flow.place(cells[place as usize]));
+    order.sort_by_key(|&place| by_flow.line(cells[place as usize]));
     (order.into_par_iter().with_min_len(AT_ONCE))
         .map_init(
             || Preparing::new(plane, flows),
