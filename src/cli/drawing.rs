@@ -60,9 +60,10 @@ pub enum CurveSource<'a> {
 }
 
 /// Curves, and the map that they are drawn over.
-struct Curves {
+pub struct Curves {
     map: RegionMap,
-    curves: Vec<Curve>,
+    /// The curves.
+    pub curves: Vec<Curve>,
     which: Shown,
     max_period: Option<u32>,
 }
@@ -102,7 +103,7 @@ impl DrawingArgs {
     }
 
     /// The curves over a window.
-    fn curves(&self, cells: &dyn Cells, window: Window, source: CurveSource) -> Result<Curves> {
+    pub fn curves(&self, cells: &dyn Cells, window: Window, source: CurveSource) -> Result<Curves> {
         let map = thinned(cells, window, MOST_CELLS_OF_CURVES).map_err(CliError::input)?;
         Ok(match source {
             CurveSource::Table(path) => Curves {
@@ -127,9 +128,15 @@ impl DrawingArgs {
         window: Window,
         source: Option<CurveSource>,
     ) -> Result<(Picture, Vec<Curve>)> {
-        let layer = self.check_there(cells)?;
+        self.check_there(cells)?;
         let found = source.map(|source| self.curves(cells, window, source)).transpose()?;
-        let curves = found.as_ref().map(|found| DrawnCurves {
+        let drawn = self.draw_under(cells, window, found.as_ref())?;
+        Ok((drawn, found.map(|found| found.curves).unwrap_or_default()))
+    }
+
+    /// Draws a window of a plane, with curves over it.
+    pub fn draw_under(&self, cells: &dyn Cells, window: Window, found: Option<&Curves>) -> Result<Picture> {
+        let curves = found.map(|found| DrawnCurves {
             map: &found.map,
             curves: &found.curves,
             shown: found.which,
@@ -138,15 +145,14 @@ impl DrawingArgs {
         let picture = PlanePicture {
             cells,
             window,
-            layer,
+            layer: self.check_there(cells)?,
             curves,
             title: self.title.clone(),
             palette: self.palette,
             range: self.range,
             legend: !self.no_legend,
         };
-        let drawn = picture.draw(self.size).map_err(CliError::input)?;
-        Ok((drawn, found.map(|found| found.curves).unwrap_or_default()))
+        picture.draw(self.size).map_err(CliError::input)
     }
 }
 

@@ -120,18 +120,17 @@ fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extra
         let progress = Progress::of_cells("measuring", plane.cells());
         measure_extents(&mut map, &*backend, &progress)?;
     }
+    let whole = Window::whole(plane);
     let source = args.curves.map(CurveSource::Computed);
+    let found = source.map(|source| args.drawing.curves(&map, whole, source)).transpose()?;
     let (mut batch, mut archive) = (Batch::default(), Batch::default());
     let (drawn, archived) = rayon::join(
-        || {
-            let (drawn, curves) = args.drawing.draw(&map, Window::whole(plane), source)?;
-            batch.picture(&picture, &drawn).map(|()| curves)
-        },
+        || batch.picture(&picture, &args.drawing.draw_under(&map, whole, found.as_ref())?),
         || archive.add(&data, |file| store::write_map(&map, file)),
     );
-    let curves = drawn?;
-    archived?;
+    drawn.and(archived)?;
     batch.append(archive);
+    let curves = found.map(|found| found.curves).unwrap_or_default();
     curve_list::add_table(&mut batch, &table, &curves, plane)?;
     batch.show()?;
     let summary = Summary { certified, ..Summary::new(&map, seconds) };
