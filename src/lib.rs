@@ -67,27 +67,27 @@
 //!
 //! *No impact is missed.* Within a step d·x differs from its cubic Hermite interpolant by s²(h − s)²/24 times a bound on
 //! |(d·x)''''|: so it lies in the hull of five Bernstein coefficients. Where that hull clears the stops, the step is taken. Where
-//! the step ends beyond a stop, the contact is found directly: the polynomial of fifth degree that agrees with d·x and d·v at
-//! both ends, and with the two derivatives after them at the end, has its root by three of Newton's steps. How d·x goes along the
-//! step, the end of the step says of the way to it, by a polynomial that rounding cannot tell from the whole series; that
-//! corrects the root, by so little that what its fourth power comes to is less than a rounding, and gives the speed of the
-//! impact. The impact then changes the end of the step, and the point where it happens is found only where it is asked for. That
-//! this contact is the first is certified by the same bound: the hull of the way to it clears the stops. A step that ends within
-//! the stops but comes near to one turns there: where the polynomial is narrowest, the step is cut in two, whose hulls clear the
-//! stop; or the stop is met before, where the speed says that the motion would go beyond it by more than rounding. Where nothing
-//! is certified (a touch within rounding, two contacts in a step, chatter about to be complete), the stop is approached from the
-//! safe side: the gap is at least that of a quadratic whose acceleration bounds the true one on a window, and the trajectory
-//! flies to that quadratic's root: just short of the contact, never beyond. Repeated, this converges faster than Newton's method,
-//! and a touch that comes to nothing is passed without harm.
+//! the step ends beyond a stop, the contact is found directly: the polynomial of fifth degree that agrees with d·x and d·v at both
+//! ends, and with the two derivatives after them at the end, has its root by three of Newton's steps. How d·x goes along the step,
+//! the end of the step says of the way to it, by a polynomial that rounding cannot tell from the whole series; that corrects the
+//! root, by so little, the second time at the latest, that what its fourth power comes to is less than a rounding, and gives the
+//! speed of the impact. The impact then changes the end of the step, and the point where it happens is found only where it is asked
+//! for. That this contact is the first is certified by the same bound: the hull of the way to it clears the stops. A step that ends
+//! within the stops but comes near to one is cut in two, whose hulls clear the stop, where the gap is narrowest, or beside the end
+//! towards which it narrows; or the stop is met before, where the speed says that the motion would go beyond it by more than
+//! rounding. Where nothing is certified (a touch within rounding, two contacts in a step, chatter about to be complete), the stop
+//! is approached from the safe side: the gap is at least that of a quadratic whose acceleration bounds the true one on a window,
+//! and the trajectory flies to that quadratic's root: just short of the contact, never beyond. Repeated, this converges faster than
+//! Newton's method, and a touch that comes to nothing is passed without harm.
 //!
 //! *Side by side.* The CPU path follows as many trajectories at once as the processor has room for (eight with AVX-512, four with
-//! AVX2), from the same source as a single one and with the same bits: products and sums are fused
-//! where that is written and nowhere else, and every machine rounds alike. The lanes step together until five of eight of them
-//! wait for a contact; contacts are then found, and steps taken, by all of them, impacts are tallied lane by lane and noted at
-//! the next phase 0 that is looked at, and what is rare is left to the single trajectory. Phase π is passed over except where an
-//! odd cycle may show its mirror image, and phase 0 while a transient only waits for its state to return. What is computed for
-//! one lane is computed for all: trajectories that carry a tangent along fly in lanes of their own, by turns with the others. The
-//! GPU's kernel goes in rounds of the same kind, each invocation for itself.
+//! AVX2), from the same source as a single one and with the same bits: products and sums are fused where that is written and
+//! nowhere else, and every machine rounds alike. The lanes step together until five of eight of them wait for a contact; contacts
+//! are then found, and steps taken, by all of them, impacts are tallied lane by lane and noted at the next phase 0 that is looked
+//! at, and what is rare is left to the single trajectory. Phase π is passed over except where an odd cycle may show its mirror
+//! image, and phase 0 while a transient only waits for its state to return. What is computed for one lane is computed for all:
+//! trajectories that carry a tangent along fly in lanes of their own, by turns with the others. The GPU's kernel goes in rounds of
+//! the same kind, each invocation for itself.
 //!
 //! *Impacts* change the velocities along M⁻¹d. What the change does to the end of the step is a polynomial that is known beforehand, so
 //! the rest of the step need not be flown again. A small deviation that is carried along is likewise that of the end of the step: a

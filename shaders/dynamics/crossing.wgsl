@@ -3,7 +3,7 @@
 // A contact, and where the motion is along each normal just after the impact.
 struct Crossing {
     certain: bool,
-    // Whether the leg comes near to a stop, turns, and provably stays off all stops.
+    // Whether the leg comes near to a stop, and provably stays off all stops.
     passes: bool,
     end: End,
     time: f32,
@@ -35,7 +35,7 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let gaps = vec2(gap - sign * ends.place, gap - sign * begins.place);
     let polynomial = quintic_through(gaps, slopes, square * bends.x, square * whole * bends.y);
     var start = 1.0 - quintic_chord(vec2(gaps.y, gaps.x), slopes.y);
-    // Where the leg returns, the gap is narrowest on its way.
+    // Where the leg returns, it is asked about where the gap is narrowest.
     var opens = false;
     var turns = 0.0;
     if face.returns {
@@ -55,8 +55,8 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
         passes = turns_off(before, here_along(here), ahead, face.end, 1.0 - u, nearly, window);
     }
     var change = here_change_to(here, place);
-    // Where it is not little, it is asked again from there.
-    if !opens & !crossing_is_little(change) {
+    // Where it is not little, as where the stop is met slowly, it is asked again from there.
+    if face.only & !opens & !crossing_is_little(change) {
         nearly = nearly + change;
         here = course_about(course, nearly, whole, begins.place);
         change = here_change_to(here, place);

@@ -6,7 +6,8 @@ struct Quintic {
     high: vec4<f32>,
 }
 
-// Where a gap is narrowest, how wide it is there, and its second derivative before the last of Newton's steps.
+// Where a gap is narrowest, or near its narrower end, how wide it is there, and its second derivative before the last of Newton's
+// steps.
 struct Narrowest {
     u: f32,
     gap: f32,

@@ -1,7 +1,7 @@
-// A leg that ends within the stops but comes near to one: it touches it and returns, or turns before.
+// A leg that ends within the stops but comes near to one: it touches it and returns, or turns before, or not on its way.
 
-// Whether a leg turns off its stop and stays off all others, on its way to where it turns about, `middle`, and from there on; the
-// share `u` of it lies before, and `rest` of a whole step is left then.
+// Whether a leg turns off its stop and stays off all others, on its way to a `middle`, where it turns or comes near, and from there
+// on; the share `u` of it lies before, and `rest` of a whole step is left then.
 fn turns_off(before: Alongs, middle: Along, end: Point, stop: End, u: f32, rest: f32, window: f32) -> bool {
     let time = u * window;
     let left = face_gap(stop) - end_sign(stop) * middle.place;

@@ -18,7 +18,7 @@ use crate::model::{Flight, Lanes, Mask, Real, State};
 pub struct Crossing<L: Lanes, const N: usize> {
     /// Where all this holds: elsewhere the stops must be approached from the safe side.
     pub certain: L::Mask,
-    /// Where the leg comes near to a stop, turns, and provably stays off all stops.
+    /// Where the leg comes near to a stop, and provably stays off all stops.
     pub passes: L::Mask,
     /// The number of the normal that is met.
     pub normal: L,
@@ -64,7 +64,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let gaps = [face.open(way.to.place), face.open(way.from.place)];
     let gap = Quintic::through(gaps, slopes, [square * bend, square * whole * twist]);
     let mut u = one - Quintic::chord([gaps[1], gaps[0]], slopes[1]);
-    // Where the leg returns, the gap is narrowest on its way; few do.
+    // Where the leg returns, it is asked about where the gap is narrowest; few do.
     let (mut turns, mut opens) = (u, face.returns.and(face.returns.not()));
     if face.returns.bits() != 0 {
         let narrowest = gap.narrowest(slopes[1]);
@@ -88,8 +88,8 @@ pub fn crossing<L: Lanes, const N: usize>(
         passes = opens.and(turns_off(leg, &face, here.along(flight), [one - u, nearly], flight));
     }
     let mut change = here.change_to(target);
-    // Where it is not little, as on a small hop off the stop, it is asked again from there.
-    let again = face.found.and(opens.not()).and(is_little(change, flight).not());
+    // Where it is not little, as where the stop is met slowly, it is asked again from there.
+    let again = face.only.and(opens.not()).and(is_little(change, flight).not());
     if again.bits() != 0 {
         let nearer = nearly + change;
         let there = course.about(nearer, [whole, way.from.place]);

@@ -104,14 +104,14 @@ fn cubic<L: Lanes>(c: [L; 4], u: L) -> L {
     c[3].times_plus(u, c[2]).times_plus(u * u, c[1].times_plus(u, c[0]))
 }
 
-/// Where a gap is narrowest.
+/// Where a gap is narrowest, or near its narrower end.
 #[derive(Clone, Copy, Debug)]
 pub struct Narrowest<L> {
     /// When.
     pub u: L,
     /// How wide it is there.
     pub gap: L,
-    /// Its second derivative, before the last of Newton's steps.
+    /// Its second derivative before the last of Newton's steps.
     bend: L,
 }
 

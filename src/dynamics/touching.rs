@@ -1,4 +1,4 @@
-//! A leg that ends within the stops but comes near to one: it touches it and returns, or turns before.
+//! A leg that ends within the stops but comes near to one: it touches it and returns, or turns before, or not on its way.
 
 use super::along::Along;
 use super::face::Face;
@@ -6,8 +6,8 @@ use super::hull::Span;
 use super::leg::{Leg, Way};
 use crate::model::{Flight, Lanes, Mask};
 
-/// Where a leg turns off its stop and stays off all others, on its way to where it turns about, `middle`, and from there on: the
-/// hulls of the two parts are far nearer to the gap than that of the whole. The second begins where it must be off the stop, by
+/// Where a leg turns off its stop and stays off all others, on its way to a `middle`, where it turns or comes near, and from there
+/// on: the hulls of the two parts are far nearer to the gap than that of the whole. The second begins where it must be off the stop, by
 /// more than rounding: a hull says nothing of where it begins.
 ///
 /// `u` is the share of the leg that lies before, `rest` that of a whole step which is left then.

@@ -55,8 +55,7 @@ fn a_contact_within_a_step_is_that_of_the_closed_form() {
     through::<f32>();
 }
 
-/// Hops off a stop against which a load presses, of which the polynomial of fifth degree alone says too little: they end where the
-/// closed form says.
+/// Hops off a stop against which a load presses: they end where the closed form says.
 fn hops<T: Real>() {
     let (gap, load) = (0.5, 2.0);
     let shares = [0.02, 0.05, 0.1, 0.2, 0.4, 0.6, 0.9];

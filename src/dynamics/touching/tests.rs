@@ -56,7 +56,7 @@ fn grazes<T: Real>() {
     for (share, side) in cases {
         let touch = share * h;
         let phase = 0.5 * std::f64::consts::PI - touch;
-        for beyond in [-0.3f64, -0.1, -0.05, -1e-3, 1e-3, 1e-2] {
+        for beyond in [-0.3f64, -0.1, -0.05, -1e-3, 1e-4, 1e-3, 1e-2] {
             if (1.0 + beyond) * phase.sin() > 1.0 {
                 // It begins beyond the stop.
                 continue;
@@ -66,8 +66,8 @@ fn grazes<T: Real>() {
                 Fate::Clears => assert!(beyond < -1e-3, "{share} {beyond}"),
                 Fate::Passes => assert!((-0.1..0.0).contains(&beyond), "{share} {beyond}"),
                 Fate::Meets => assert!(beyond > 0.0, "{share} {beyond}"),
-                // The polynomial finds a contact the less exactly the more it is tangential.
-                Fate::Uncertain => assert_eq!(beyond, 1e-3, "{share}"),
+                // The polynomial finds a contact the less exactly the more it is tangential: the course is asked again.
+                Fate::Uncertain => panic!("{share} {beyond}"),
             }
             let impact = first_impact(&swing);
             assert_eq!(impact.is_some(), beyond > 0.0, "{share} {beyond}");
@@ -96,7 +96,7 @@ fn grazes<T: Real>() {
             }
         }
     }
-    assert_eq!(met, 2 * 13, "contacts are met");
+    assert_eq!(met, 2 * 20, "contacts are met");
 }
 
 /// Every turn within rounding short of the stop.

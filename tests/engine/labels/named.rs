@@ -98,7 +98,7 @@ fn the_exponent_of_a_motion_leaves_out_the_transient() {
         let once = follow::<f64>(&job, &schedule(*transient));
         once.returning > 0 && once.periods == transient + 150
     };
-    let late: Vec<u32> = (200..12_000).step_by(40).filter(is_late).take(2).collect();
+    let late: Vec<u32> = (200..12_000).step_by(7).filter(is_late).take(2).collect();
     assert!(!late.is_empty(), "none of the trajectories arrives within its observation");
     for transient in late.into_iter().chain([1900, 2000, 6000]) {
         on_both(|backend| {
