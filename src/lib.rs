@@ -70,15 +70,15 @@
 //! the step ends beyond a stop, the contact is found directly: the polynomial of fifth degree that agrees with d·x and d·v at both
 //! ends, and with the two derivatives after them at the end, has its root by three of Newton's steps. How d·x goes along the step,
 //! the end of the step says of the way to it, by a polynomial that rounding cannot tell from the whole series; that corrects the
-//! root, by so little, the second time at the latest, that what its fourth power comes to is less than a rounding, and gives the
-//! speed of the impact. The impact then changes the end of the step, and the point where it happens is found only where it is asked
-//! for. That this contact is the first is certified by the same bound: the hull of the way to it clears the stops. A step that ends
-//! within the stops but comes near to one is cut in two, whose hulls clear the stop, where the gap is narrowest, or beside the end
-//! towards which it narrows; or the stop is met before, where the speed says that the motion would go beyond it by more than
-//! rounding. Where nothing is certified (a touch within rounding, two contacts in a step, chatter about to be complete), the stop
-//! is approached from the safe side: the gap is at least that of a quadratic whose acceleration bounds the true one on a window,
-//! and the trajectory flies to that quadratic's root: just short of the contact, never beyond. Repeated, this converges faster than
-//! Newton's method, and a touch that comes to nothing is passed without harm.
+//! root, by so little, in f64 the second time at the latest, that what its fourth power comes to is less than a rounding, and gives
+//! the speed of the impact. The impact then changes the end of the step, and the point where it happens is found only where it is
+//! asked for. That this contact is the first is certified by the same bound: the hull of the way to it clears the stops. A step
+//! that ends within the stops but comes near to one is cut in two, whose hulls clear the stop, where the gap is narrowest, or
+//! beside the end towards which it narrows; or the stop is met before, where the speed says that the motion would go beyond it by
+//! more than rounding. Where nothing is certified (a touch within rounding, two contacts in a step, chatter about to be complete),
+//! the stop is approached from the safe side: the gap is at least that of a quadratic whose acceleration bounds the true one on a
+//! window, and the trajectory flies to that quadratic's root: just short of the contact, never beyond. Repeated, this converges
+//! faster than Newton's method, and a touch that comes to nothing is passed without harm.
 //!
 //! *Side by side.* The CPU path follows as many trajectories at once as the processor has room for (eight with AVX-512, four with
 //! AVX2), from the same source as a single one and with the same bits: products and sums are fused where that is written and

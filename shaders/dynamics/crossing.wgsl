@@ -48,19 +48,13 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
 
     // What that misses is little: the course itself says how much.
     let place = sign * gap;
-    var nearly = u * whole;
-    var here = course_about(course, nearly, whole, begins.place);
+    let nearly = u * whole;
+    let here = course_about(course, nearly, whole, begins.place);
     var passes = false;
     if opens {
         passes = turns_off(before, here_along(here), ahead, face.end, 1.0 - u, nearly, window);
     }
-    var change = here_change_to(here, place);
-    // Where it is not little, as where the stop is met slowly, it is asked again from there.
-    if face.only & !opens & !crossing_is_little(change) {
-        nearly = nearly + change;
-        here = course_about(course, nearly, whole, begins.place);
-        change = here_change_to(here, place);
-    }
+    let change = here_change_to(here, place);
     let there = here_changed(here, change);
     let rest = nearly + change;
     let time = window - rest * flight.h;
@@ -76,7 +70,7 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let kick = rebound - velocity;
     let pull = here_pull(there);
     let force = sign * (pull - flight.normals[normal].drag * kick);
-    let close = crossing_is_little(change);
+    let close = abs(change) * (flight.h * flight.rate) < STRAIGHT;
     let within = (0.0 < time) & (time < window);
     let ways = vec2(leaves, sign * velocity);
     let bound = point_bound(ahead, normal);
@@ -92,11 +86,6 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let passed = course_each(before, ahead, rest, whole, normal, own);
     let after = crossing_struck(face.end, passed, kick);
     return Crossing(certain, passes & !certain, face.end, time, rest, after, velocity, kick, rebound, pull);
-}
-
-// Whether a change of the share of a step is so small that what is known of the course near by says where it leads.
-fn crossing_is_little(change: f32) -> bool {
-    return abs(change) * (flight.h * flight.rate) < STRAIGHT;
 }
 
 // Where the motion is along each normal just after an impact: what the kick changes along those that are not met.

@@ -90,7 +90,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let mut change = here.change_to(target);
     // Where it is not little, as where the stop is met slowly, it is asked again from there.
     let again = face.only.and(opens.not()).and(is_little(change, flight).not());
-    if again.bits() != 0 {
+    if L::Real::ASKS_AGAIN && again.bits() != 0 {
         let nearer = nearly + change;
         let there = course.about(nearer, [whole, way.from.place]);
         change = L::select(again, there.change_to(target), change);

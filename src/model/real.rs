@@ -25,6 +25,8 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     /// What may be left of the way to a contact that a polynomial of low order finds, in units of the fastest motion's time scale: a
     /// twenty-fourth of its fourth power is less than a rounding.
     const STRAIGHT: f64;
+    /// Whether contacts are missed by more than that so often that it is worth while to ask the course again.
+    const ASKS_AGAIN: bool;
     /// A gap below this multiple of δ is contact.
     const TOUCH: f64;
     /// Contact less than this far ahead, in units of the fastest motion's time scale, is reached in one straight line.
@@ -167,6 +169,7 @@ impl Real for f64 {
     const KICK_ORDER: usize = 12;
     const BACK_ORDER: usize = 12;
     const STRAIGHT: f64 = 2e-4;
+    const ASKS_AGAIN: bool = true;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const IMMINENT: f64 = 1e-8;
     const CHATTER: f64 = 1e-12;
@@ -206,6 +209,7 @@ impl Real for f32 {
     const KICK_ORDER: usize = 6;
     const BACK_ORDER: usize = 7;
     const STRAIGHT: f64 = 2e-2;
+    const ASKS_AGAIN: bool = false;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
     const IMMINENT: f64 = 1e-4;
     const CHATTER: f64 = 1e-8;

