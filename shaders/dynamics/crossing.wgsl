@@ -47,14 +47,14 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let u = select(quintic_root(polynomial, start), turns, opens);
 
     // What that misses is little: the course itself says how much.
-    let place = sign * gap;
+    let stop = sign * gap;
     let nearly = u * whole;
     let here = course_about(course, nearly, whole, begins.place);
     var passes = false;
     if opens {
         passes = turns_off(before, here_along(here), ahead, face.end, 1.0 - u, nearly, window);
     }
-    let change = here_change_to(here, place);
+    let change = here_change_to(here, stop);
     let there = here_changed(here, change);
     let rest = nearly + change;
     let time = window - rest * flight.h;
@@ -82,7 +82,7 @@ fn crossing_of(before: Alongs, ahead: Point, window: f32) -> Crossing {
     let last = (bends.x + bends.x) * (flight.inverse_h * flight.inverse_h);
     let deep = !face.returns | is_deep(ways.y, vec2(sign * pull, sign * last), bound, window, rounding);
     let certain = face.only & close & within & first & parts & deep & meets;
-    let own = Along(place, rebound);
+    let own = Along(stop, rebound);
     let passed = course_each(before, ahead, rest, whole, normal, own);
     let after = crossing_struck(face.end, passed, kick);
     return Crossing(certain, passes & !certain, face.end, time, rest, after, velocity, kick, rebound, pull);

@@ -80,20 +80,20 @@ pub fn crossing<L: Lanes, const N: usize>(
     let u = L::select(opens, turns, gap.root(u));
 
     // What that misses is little: the course itself says how much.
-    let target = sign * face.gap;
+    let stop = sign * face.gap;
     let mut nearly = u * whole;
     let mut here = course.about(nearly, [whole, way.from.place]);
     let mut passes = opens;
     if opens.bits() != 0 {
         passes = opens.and(turns_off(leg, &face, here.along(flight), [one - u, nearly], flight));
     }
-    let mut change = here.change_to(target);
+    let mut change = here.change_to(stop);
     // Where it is not little, as where the stop is met slowly, it is asked again from there.
     let again = face.only.and(opens.not()).and(is_little(change, flight).not());
     if L::Real::ASKS_AGAIN && again.bits() != 0 {
         let nearer = nearly + change;
         let there = course.about(nearer, [whole, way.from.place]);
-        change = L::select(again, there.change_to(target), change);
+        change = L::select(again, there.change_to(stop), change);
         nearly = L::select(again, nearer, nearly);
         here = Here::select(again, &there, &here);
     }
@@ -121,7 +121,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     for k in 1..flight.count {
         wake = State::select(is_normal(normal, k), &flight.normals[k].wake(rest), &wake);
     }
-    let after = struck(leg, &face, [rest, kick], Along { place: target, speed: rebound }, flight);
+    let after = struck(leg, &face, [rest, kick], Along { place: stop, speed: rebound }, flight);
     let ahead = leg.end.kicked(kick, &wake);
     let passes = passes.and(certain.not());
     let impact = FreeSaltation { velocity, kick, pull, wake };

@@ -5,7 +5,7 @@
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
 
 use super::order::Order;
-use super::preparing::{jobs_of, made_by_flow};
+use super::preparing::{jobs_of, made};
 use super::swept::Swept;
 use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
@@ -58,7 +58,7 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
 
 /// What a back end is given for one tile.
 struct Prepared<J> {
-    /// Flow by flow.
+    /// In the order of its cells.
     jobs: Vec<J>,
     /// Which cell each of them is for, counted row by row.
     cells_of_jobs: Vec<u64>,
@@ -69,7 +69,7 @@ struct Prepared<J> {
 }
 
 impl<J> Prepared<J> {
-    /// Of some cells of a plane, counted row by row; `flows` are those of cells before.
+    /// Of some cells of a plane, flow by flow, counted row by row; `flows` are those of cells before.
     fn of<T: Swept<Job = J>>(
         plane: &Plane<T>,
         cells: impl Iterator<Item = u64>,
@@ -79,11 +79,11 @@ impl<J> Prepared<J> {
         J: Send,
     {
         let cells: Vec<u64> = cells.collect();
-        let found = made_by_flow(plane, &cells, flows, |preparing, cell| preparing.asked_of(cell));
+        let found = made(plane, &cells, flows, |preparing, cell| preparing.asked_of(cell));
         let (mut jobs, mut cells_of_jobs) =
             (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
         let mut missing = None;
-        for (place, job) in found {
+        for (&cell, job) in cells.iter().zip(found) {
             let job = job.or_else(|error| match error.is_of_one_cell() {
                 true => {
                     missing.get_or_insert(error);
@@ -91,7 +91,7 @@ impl<J> Prepared<J> {
                 }
                 false => Err(error),
             })?;
-            cells_of_jobs.extend(job.is_some().then_some(cells[place as usize]));
+            cells_of_jobs.extend(job.is_some().then_some(cell));
             jobs.extend(job);
         }
         Ok(Prepared { jobs, cells_of_jobs, cells: cells.len(), missing })

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::Result;
-use super::order::Order;
+use super::order::has_flows_by_column;
 use super::swept::Swept;
 use crate::backend::Job;
 use crate::model::{Flows, System, SystemError};
@@ -61,22 +61,31 @@ fn column_and_row<T>(plane: &Plane<T>, cell: u64) -> (u32, u32) {
     ((cell % columns) as u32, (cell / columns) as u32)
 }
 
-/// What is made of each of some cells, flow by flow, with its place among them.
-pub(super) fn made_by_flow<T: Sync, M: Send>(
+/// What is made of each of some cells, in their order; those that come one after the other share what they can.
+pub(super) fn made<T: Sync, M: Send>(
+    plane: &Plane<T>,
+    cells: &[u64],
+    flows: &Flows,
+    make: impl Fn(&mut Preparing<'_, T>, u64) -> M + Sync,
+) -> Vec<M> {
+    (cells.par_iter().with_min_len(AT_ONCE))
+        .map_init(|| Preparing::new(plane, flows), |preparing, &cell| make(preparing, cell))
+        .collect()
+}
+
+/// The same of cells in any order, made flow by flow, each with its place among them.
+fn made_by_flow<T: Sync, M: Send>(
     plane: &Plane<T>,
     cells: &[u64],
     flows: &Flows,
     make: impl Fn(&mut Preparing<'_, T>, u64) -> M + Sync,
 ) -> Vec<(u32, M)> {
-    let mut order: Vec<u32> = (0..cells.len() as u32).collect();
-    let by_flow = Order::by_flow(plane);
-    order.sort_by_key(|&place| by_flow.line(cells[place as usize]));
-    (order.into_par_iter().with_min_len(AT_ONCE))
-        .map_init(
-            || Preparing::new(plane, flows),
-            |preparing, place| (place, make(preparing, cells[place as usize])),
-        )
-        .collect()
+    let mut order: Vec<(u32, u64)> = (0..).zip(cells.iter().copied()).collect();
+    if has_flows_by_column(plane) {
+        order.sort_by_key(|&(_, cell)| cell % u64::from(plane.x.count));
+    }
+    let (places, cells): (Vec<u32>, Vec<u64>) = order.into_iter().unzip();
+    places.into_iter().zip(made(plane, &cells, flows, make)).collect()
 }
 
 /// The same, in the order of the cells, which share with no others.

@@ -93,12 +93,12 @@ pub fn follow_counted(
     width: Width,
 ) -> Result<(Vec<Verdict>, Usage), BackendError> {
     let n = jobs.first().map_or(0, |job| job.system.coordinates());
-    let alike = jobs.iter().all(|job| job.system.coordinates() == n);
-    match n {
-        1 if alike && width != Width::One => spread::<1>(jobs, schedule, watch, width),
-        2 if alike && width != Width::One => spread::<2>(jobs, schedule, watch, width),
-        3 if alike && width != Width::One => spread::<3>(jobs, schedule, watch, width),
-        4 if alike && width != Width::One => spread::<4>(jobs, schedule, watch, width),
+    let abreast = width != Width::One && jobs.iter().all(|job| job.system.coordinates() == n);
+    match (abreast, n) {
+        (true, 1) => spread::<1>(jobs, schedule, watch, width),
+        (true, 2) => spread::<2>(jobs, schedule, watch, width),
+        (true, 3) => spread::<3>(jobs, schedule, watch, width),
+        (true, 4) => spread::<4>(jobs, schedule, watch, width),
         _ => {
             each(jobs, watch, |job| follow::<f64>(job, schedule)).map(|verdicts| (verdicts, Usage::default()))
         }

@@ -48,9 +48,8 @@ fn family(family: &Family, count: usize) -> Vec<Job> {
     (0..count).filter_map(cell).collect()
 }
 
-/// Cells of masses in a row, as many as coordinates are followed, between stops along one or two contact normals.
-pub fn rows_of_four(count: usize) -> [Vec<Job>; 2] {
-    let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0042);
+/// Four equal masses in a row, as many as coordinates are followed, joined by springs and dampers; the first is forced.
+pub fn row_of_four(omega: f64, stops: Vec<PlantStop>) -> Plant {
     let row = |diagonal: f64, beside: f64| {
         DMatrix::from_fn(4, 4, |i: usize, j: usize| match i.abs_diff(j) {
             0 => diagonal,
@@ -58,30 +57,35 @@ pub fn rows_of_four(count: usize) -> [Vec<Job>; 2] {
             _ => 0.0,
         })
     };
-    [[1, 1], [1, 2]].map(|met| {
-        let mut cell = || {
-            let stop = |(coordinate, sign): (usize, f64), gap: f64| PlantStop {
-                direction: DVector::from_fn(4, |i, _| if i == coordinate { sign } else { 0.0 }),
-                gap,
-                restitution: 0.8,
-            };
-            let plant = Plant {
-                n: 4,
-                mass: DMatrix::identity(4, 4),
-                damping: row(0.2, -0.1),
-                stiffness: row(2.0, -1.0),
-                force_sin: DVector::from_row_slice(&[1.0, 0.0, 0.0, 0.0]),
-                force_cos: DVector::zeros(4),
-                load: DVector::zeros(4),
-                omega: rng.random_range(0.3..2.5),
-                stops: vec![
-                    stop((met[0], 1.0), rng.random_range(0.05..0.6)),
-                    stop((met[1], -1.0), rng.random_range(0.05..0.6)),
-                ],
-            };
-            job(&plant).expect("a row of masses can be followed")
+    Plant {
+        n: 4,
+        mass: DMatrix::identity(4, 4),
+        damping: row(0.2, -0.1),
+        stiffness: row(2.0, -1.0),
+        force_sin: DVector::from_row_slice(&[1.0, 0.0, 0.0, 0.0]),
+        force_cos: DVector::zeros(4),
+        load: DVector::zeros(4),
+        omega,
+        stops,
+    }
+}
+
+/// Cells of such a row, between stops along one contact normal, and along two.
+pub fn rows_of_four(count: usize) -> [Vec<Job>; 2] {
+    let mut rng = ChaCha8Rng::seed_from_u64(0x01AC_7A71_A500_0042);
+    let stop = |coordinate: usize, sign: f64, gap: f64| PlantStop {
+        direction: DVector::from_fn(4, |i, _| if i == coordinate { sign } else { 0.0 }),
+        gap,
+        restitution: 0.8,
+    };
+    [[1, 1], [1, 2]].map(|[upper, lower]| {
+        let cell = |_| {
+            let [omega, above, below] =
+                [(0.3, 2.5), (0.05, 0.6), (0.05, 0.6)].map(|(first, last)| rng.random_range(first..last));
+            let stops = vec![stop(upper, 1.0, above), stop(lower, -1.0, below)];
+            job(&row_of_four(omega, stops)).expect("a row of masses can be followed")
         };
-        std::iter::repeat_with(&mut cell).take(count).collect()
+        (0..count).map(cell).collect()
     })
 }
 

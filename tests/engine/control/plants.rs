@@ -13,6 +13,8 @@ use impact_atlas::model::{Flight, State, StateVector, System};
 use impact_atlas::system::{Family, Plant, PlantStop, builtin};
 use nalgebra::{DMatrix, DVector};
 
+use crate::common::drawn::row_of_four;
+
 use super::{FIXED_POINT, Returns, TARGET, away, gpu, starts, system};
 
 /// A family that comes with the program, at its defaults but for what is set.
@@ -293,29 +295,9 @@ fn a_force_on_the_second_mass_is_a_change_of_its_forcing() {
 
 #[test]
 fn a_force_on_the_last_of_four_masses_is_a_change_of_its_forcing() {
-    let chain = |diagonal: f64, beside: f64| {
-        DMatrix::from_fn(4, 4, |i: usize, j: usize| match i.abs_diff(j) {
-            0 => diagonal,
-            1 => beside,
-            _ => 0.0,
-        })
-    };
-    let system = System::of_plant(Plant {
-        n: 4,
-        mass: DMatrix::identity(4, 4),
-        damping: chain(0.2, -0.1),
-        stiffness: chain(2.0, -1.0),
-        force_sin: DVector::from_row_slice(&[1.0, 0.0, 0.0, 0.0]),
-        force_cos: DVector::zeros(4),
-        load: DVector::zeros(4),
-        omega: 1.1,
-        stops: vec![PlantStop {
-            direction: DVector::from_row_slice(&[1.0, 0.0, 0.0, 0.0]),
-            gap: 0.2,
-            restitution: 0.8,
-        }],
-    })
-    .unwrap();
+    let stop =
+        PlantStop { direction: DVector::from_row_slice(&[1.0, 0.0, 0.0, 0.0]), gap: 0.2, restitution: 0.8 };
+    let system = System::of_plant(row_of_four(1.1, vec![stop])).unwrap();
     let start = [-0.4, 0.1, 0.1, 0.0, 0.0, 0.1, -0.1, 1.0];
     let changed = system.clone().loaded(&[1.0, 0.0, 0.0, -0.3]);
     let expected = returns::<4, 4>(&changed, Controller::None(Stop::A), &start);

@@ -24,9 +24,15 @@ fn job(parameters: Parameters) -> Job {
 
 /// The same system, a thousandth beside the motion that it settles on.
 fn beside(job: &Job) -> Job {
-    let mut start = decided(&Cpu, job, 300).state;
-    start[2] += 1e-3;
-    Job { system: job.system.clone(), start }
+    let start = decided(&Cpu, job, 300).state;
+    moved(&Job { start, ..job.clone() }, 1e-3)
+}
+
+/// The same system with a start at which the first coordinate is so much faster.
+fn moved(job: &Job, by: f64) -> Job {
+    let mut start = job.start;
+    start[2] += by;
+    Job { start, ..job.clone() }
 }
 
 fn at(omega: f64, delta: f64) -> Parameters {

@@ -5,7 +5,7 @@ use impact_atlas::backend::{Backend, Cpu, Job, Unwatched, follow};
 use impact_atlas::model::Parameters;
 use impact_atlas::theory::SettledMotion;
 
-use super::{at, beside, decided, job, schedule};
+use super::{at, beside, decided, job, moved, schedule};
 use crate::common::adapter::gpu;
 
 fn on_both(check: impl Fn(&dyn Backend)) {
@@ -94,20 +94,19 @@ fn a_period_with_a_positive_exponent_is_looked_at_for_longer() {
 fn the_exponent_of_a_motion_leaves_out_the_transient() {
     // Chaos lasts about as long as the look: each of these ends on 1-2-2, after a different share of the observation.
     let first = job(at(2.11, 0.08662));
-    let moved = |by: u32| {
-        let mut start = first.start;
-        start[2] += 1e-3 * f64::from(by);
-        Job { system: first.system.clone(), start }
-    };
+    let starts = (0..40).map(|by| moved(&first, 1e-3 * f64::from(by)));
     let is_late = |(job, transient): &(Job, u32)| {
         let once = follow::<f64>(job, &schedule(*transient));
         once.returning > 0 && once.periods == transient + 150
     };
-    let tried = (0..40).flat_map(|by| (200..3000).step_by(20).map(move |transient| (by, transient)));
-    let late: Vec<(Job, u32)> =
-        tried.map(|(by, transient)| (moved(by), transient)).filter(is_late).take(2).collect();
+    let late: Vec<(Job, u32)> = starts
+        .flat_map(|job| (200..3000).step_by(20).map(move |transient| (job.clone(), transient)))
+        .filter(is_late)
+        .take(2)
+        .collect();
     assert!(!late.is_empty(), "none of the trajectories arrives within its observation");
-    for (job, transient) in late.into_iter().chain([1900, 2000, 6000].map(|transient| (moved(0), transient)))
+    for (job, transient) in
+        late.into_iter().chain([1900, 2000, 6000].map(|transient| (first.clone(), transient)))
     {
         on_both(|backend| {
             let verdict = decided(backend, &job, transient);
