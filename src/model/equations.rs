@@ -1,5 +1,6 @@
 //! The equations of motion, solved for the accelerations, and the geometry of the contacts.
 
+use arrayvec::ArrayVec;
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::vector::MOST;
@@ -108,10 +109,9 @@ impl<const N: usize> Equations<N> {
     /// The normal along a direction, a new one if there is none yet, and the direction in units of it.
     fn normal_along(&mut self, inverse: &SMatrix<f64, N, N>, direction: SVector<f64, N>) -> (usize, f64) {
         for (k, normal) in self.normals[..self.count].iter().enumerate() {
-            let [given, other] =
-                [&direction, &normal.direction].map(|d| DVector::from_column_slice(d.as_slice()));
-            if are_parallel(&given, &other) {
-                return (k, given.dot(&other) / other.norm_squared());
+            let other = &normal.direction;
+            if are_parallel(direction.as_slice(), other.as_slice()) {
+                return (k, direction.dot(other) / other.norm_squared());
             }
         }
         let response = inverse * direction;
@@ -132,7 +132,10 @@ impl<const N: usize> Equations<N> {
     ///
     /// The accelerations with the contacts are a − Σₛ responseₛ pressingₛ. None where the normals depend on each other.
     pub fn pressing(&self, held: u32) -> Option<SMatrix<f64, MOST, MOST>> {
-        let members: Vec<usize> = (0..self.count).filter(|k| held >> k & 1 == 1).collect();
+        let members: ArrayVec<usize, MOST> = (0..self.count).filter(|k| held >> k & 1 == 1).collect();
+        if members.is_empty() {
+            return Some(SMatrix::zeros());
+        }
         // coupling[t][s] = d_t · response_s.
         let coupling = DMatrix::from_fn(members.len(), members.len(), |t, s| {
             self.normals[members[t]].direction.dot(&self.normals[members[s]].response)
@@ -181,9 +184,10 @@ impl<const N: usize> Equations<N> {
 }
 
 /// Whether two directions lie along the same line.
-pub fn are_parallel(direction: &DVector<f64>, other: &DVector<f64>) -> bool {
-    let scale = direction.dot(other) / other.norm_squared();
-    let most = PARALLEL * direction.amax();
+pub fn are_parallel(direction: &[f64], other: &[f64]) -> bool {
+    let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+    let scale = dot(direction, other) / dot(other, other);
+    let most = PARALLEL * direction.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
     direction.iter().zip(other).all(|(own, other)| (own - other * scale).abs() <= most)
 }
 

@@ -22,10 +22,14 @@ pub(super) fn kick<const N: usize>(
     response: SVector<f64, N>,
 ) -> [State<f64, N>; KICK_TERMS] {
     let unit = Augmented { v: response, ..Augmented::zeros() };
-    let mut terms: Vec<_> = flow::series(equations, h, unit).map(|term| mechanical(&term)).collect();
+    let mut terms = Vec::with_capacity(SOME);
+    terms.extend(flow::series(equations, h, unit).map(|term| mechanical(&term)));
     economize(&mut terms, f64::KICK_ORDER);
     filled(&terms)
 }
+
+/// About as many terms as a series has over a step.
+pub(super) const SOME: usize = 32;
 
 /// The first of these terms, as many as there is room for; 0 where there are fewer.
 pub(super) fn filled<V: Term, const M: usize>(terms: &[V]) -> [V; M] {

@@ -55,7 +55,9 @@ impl System {
         self.stops().enumerate().any(|(i, (direction, stop))| {
             self.stops().take(i).any(|(line, other)| {
                 let scale = direction.dot(line) / line.norm_squared();
-                are_parallel(direction, line) && scale < 0.0 && stop.gap == scale * other.gap
+                are_parallel(direction.as_slice(), line.as_slice())
+                    && scale < 0.0
+                    && stop.gap == scale * other.gap
             })
         })
     }
@@ -64,7 +66,7 @@ impl System {
     pub fn normals(&self) -> usize {
         let mut found: ArrayVec<&DVector<f64>, { Plant::MOST_STOPS }> = ArrayVec::new();
         for (direction, _) in self.stops() {
-            if !found.iter().any(|other| are_parallel(direction, other)) {
+            if !found.iter().any(|other| are_parallel(direction.as_slice(), other.as_slice())) {
                 found.push(direction);
             }
         }
@@ -78,7 +80,7 @@ impl System {
     pub fn line(&self, stop: usize) -> Line {
         let stops = &self.plant().stops;
         let own = &stops[stop].direction;
-        let parallel = |other: &&PlantStop| are_parallel(own, &other.direction);
+        let parallel = |other: &&PlantStop| are_parallel(own.as_slice(), other.direction.as_slice());
         let direction = stops[..stop].iter().find(parallel).map_or(own, |first| &first.direction).clone();
         let scale = own.dot(&direction) / direction.norm_squared();
         let response = self.plant().mass.clone().lu().solve(&direction);

@@ -13,7 +13,9 @@ pub(super) fn along(setting: &Setting, stop: Stop) -> Text {
     let stops = |i: usize| setting.family().stop_place(i);
     let first = setting.plant().ok().map_or(stop.index(), |plant| {
         let own = &plant.stops[stop.index()].direction;
-        (0..stop.index()).find(|&i| are_parallel(own, &plant.stops[i].direction)).unwrap_or(stop.index())
+        (0..stop.index())
+            .find(|&i| are_parallel(own.as_slice(), plant.stops[i].direction.as_slice()))
+            .unwrap_or(stop.index())
     });
     let place = stops(first);
     let alone = place.is_alone();

@@ -1,7 +1,10 @@
 //! The expressions of one part of a plant: a matrix, a vector or a number.
 
+use arrayvec::ArrayVec;
+
 use super::error::{CellFault, CellProblem, FamilyError, Place};
 use super::expression::Expression;
+use super::limits;
 use super::parameter::{Parameter, ParameterId, named};
 use super::table::Item;
 
@@ -11,6 +14,9 @@ pub(super) struct Block {
     pub place: Place,
     entries: Vec<(Place, Expression)>,
 }
+
+/// As many numbers as a matrix has, at most.
+pub(super) type Numbers = ArrayVec<f64, { limits::MOST_COORDINATES * limits::MOST_COORDINATES }>;
 
 const EXPRESSION: &str = "an expression in quotes, or a number";
 const LIST: &str = r#"a list of expressions, one for each coordinate: ["1", "0"]"#;
@@ -73,7 +79,7 @@ impl Block {
     ///
     /// # Errors
     /// The first expression that has no value, with its place and the values that it names.
-    pub fn evaluate(&self, parameters: &[Parameter], values: &[f64]) -> Result<Vec<f64>, Box<CellFault>> {
+    pub fn evaluate(&self, parameters: &[Parameter], values: &[f64]) -> Result<Numbers, Box<CellFault>> {
         let number = |(place, expression): &(Place, Expression)| {
             expression.evaluate(values).map_err(|fault| {
                 let named = named(parameters, expression.uses(), values);

@@ -174,7 +174,7 @@ impl Family {
         let n = self.n();
         let numbers = |block: &Block| block.evaluate(&self.parameters, values);
         let scalar = |block: &Block| numbers(block).map(|entries| entries[0]);
-        let vector = |block: &Block| numbers(block).map(DVector::from_vec);
+        let vector = |block: &Block| numbers(block).map(|entries| DVector::from_column_slice(&entries));
         let matrix = |block: &Block| numbers(block).map(|entries| DMatrix::from_row_slice(n, n, &entries));
         let stop = |stop: &FamilyStop| {
             Ok(PlantStop {

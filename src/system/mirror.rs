@@ -1,5 +1,8 @@
 //! The symmetry of a plant half a forcing period later.
 
+use std::sync::LazyLock;
+
+use arrayvec::ArrayVec;
 use nalgebra::{DMatrix, DVector};
 
 use super::plant::Plant;
@@ -17,11 +20,21 @@ pub struct Mirror {
     pub stops: Vec<usize>,
 }
 
+/// The most coordinates, with a force that is one of them.
+const MOST: usize = Plant::MOST_COORDINATES + 1;
+
+/// As many numbers as there are coordinates.
+type Numbers = ArrayVec<f64, MOST>;
+
 /// (P x)[to[i]] = sign[i] x[i].
 struct SignedPermutation {
     to: Vec<usize>,
     sign: Vec<f64>,
 }
+
+/// Those of each number of coordinates, from 1 on; see [`SignedPermutation::all`].
+static ALL: LazyLock<[Vec<SignedPermutation>; MOST]> =
+    LazyLock::new(|| std::array::from_fn(|i| SignedPermutation::all(i + 1).collect()));
 
 impl SignedPermutation {
     /// Those with P² = 1 but 1 itself: −1 first; permutations in lexicographic order, for each of them the signs
@@ -38,18 +51,23 @@ impl SignedPermutation {
         })
     }
 
-    /// P M P⁻¹.
-    fn conjugate(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut image = matrix.clone();
-        for (i, j) in (0..matrix.nrows()).flat_map(|i| (0..matrix.ncols()).map(move |j| (i, j))) {
-            image[(self.to[i], self.to[j])] = self.sign[i] * self.sign[j] * matrix[(i, j)];
-        }
-        image
+    /// Whether P M P⁻¹ = M.
+    fn leaves(&self, matrix: &DMatrix<f64>) -> bool {
+        let (n, size) = (self.to.len(), matrix.amax());
+        (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).all(|(i, j)| {
+            let image = self.sign[i] * self.sign[j] * matrix[(i, j)];
+            (image - matrix[(self.to[i], self.to[j])]).abs() <= SAME * size
+        })
+    }
+
+    /// Whether P v = v, or −v where `sign` is −1.
+    fn takes(&self, vector: &DVector<f64>, sign: f64) -> bool {
+        same(&self.apply(vector), vector.iter().map(|value| sign * value))
     }
 
     /// P v.
-    fn apply(&self, vector: &DVector<f64>) -> DVector<f64> {
-        let mut image = vector.clone();
+    fn apply(&self, vector: &DVector<f64>) -> Numbers {
+        let mut image: Numbers = vector.iter().copied().collect();
         for (i, value) in vector.iter().enumerate() {
             image[self.to[i]] = self.sign[i] * value;
         }
@@ -91,17 +109,18 @@ fn involutions(n: usize) -> Vec<Vec<usize>> {
     found
 }
 
-fn same(a: &[f64], b: &[f64]) -> bool {
-    let size = a.iter().chain(b).fold(0.0, |size: f64, value| size.max(value.abs()));
+fn same(a: &[f64], b: impl Iterator<Item = f64> + Clone) -> bool {
+    let size = a.iter().copied().chain(b.clone()).fold(0.0, |size: f64, value| size.max(value.abs()));
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * size)
 }
 
 /// Whether two stops are one: the same direction, whatever its length, the same gap and restitution.
-fn same_stop(direction: &DVector<f64>, stop: &PlantStop, other: &PlantStop) -> bool {
-    let (length, other_length) = (direction.norm(), other.direction.norm());
-    same((direction / length).as_slice(), (&other.direction / other_length).as_slice())
-        && same(&[stop.gap / length], &[other.gap / other_length])
-        && same(&[stop.restitution], &[other.restitution])
+fn same_stop(direction: &Numbers, stop: &PlantStop, other: &PlantStop) -> bool {
+    let (length, other_length) = (stop.direction.norm(), other.direction.norm());
+    let unit: Numbers = direction.iter().map(|value| value / length).collect();
+    same(&unit, other.direction.iter().map(|value| value / other_length))
+        && same(&[stop.gap / length], std::iter::once(other.gap / other_length))
+        && same(&[stop.restitution], std::iter::once(other.restitution))
 }
 
 impl Plant {
@@ -113,16 +132,15 @@ impl Plant {
     /// coordinate's changing fastest). `None` where the plant has no mirror; the identity, which an unforced plant
     /// would admit, is none.
     pub fn mirror(&self) -> Option<Mirror> {
-        SignedPermutation::all(self.n).find_map(|p| self.mirrored_by(&p))
+        ALL[self.n - 1].iter().find_map(|p| self.mirrored_by(p))
     }
 
     fn mirrored_by(&self, p: &SignedPermutation) -> Option<Mirror> {
-        let unchanged = |m: &DMatrix<f64>| same(p.conjugate(m).as_slice(), m.as_slice());
-        let turned = |v: &DVector<f64>| same(p.apply(v).as_slice(), (-v).as_slice());
-        let symmetric = [&self.mass, &self.damping, &self.stiffness].into_iter().all(unchanged)
-            && turned(&self.force_sin)
-            && turned(&self.force_cos)
-            && same(p.apply(&self.load).as_slice(), self.load.as_slice());
+        let symmetric =
+            [&self.mass, &self.damping, &self.stiffness].into_iter().all(|matrix| p.leaves(matrix))
+                && p.takes(&self.force_sin, -1.0)
+                && p.takes(&self.force_cos, -1.0)
+                && p.takes(&self.load, 1.0);
         if !symmetric {
             return None;
         }

@@ -89,29 +89,30 @@ impl Plant {
         Ok(())
     }
 
-    fn arrays(&self) -> Vec<Array<'_>> {
+    fn arrays(&self) -> impl Iterator<Item = Array<'_>> {
         let matrices =
             [(Part::Mass, &self.mass), (Part::Damping, &self.damping), (Part::Stiffness, &self.stiffness)];
         let loads =
             [(Part::ForceSin, &self.force_sin), (Part::ForceCos, &self.force_cos), (Part::Load, &self.load)];
         let directions = self.stops.iter().enumerate().map(|(i, stop)| (Part::Direction(i), &stop.direction));
-        let matrices = matrices.into_iter().map(|(part, m)| Array {
+        let n = self.n;
+        let matrices = matrices.into_iter().map(move |(part, m)| Array {
             part,
             shape: m.shape(),
-            wanted: (self.n, self.n),
+            wanted: (n, n),
             entries: m.as_slice(),
         });
-        let vectors = loads.into_iter().chain(directions).map(|(part, v)| Array {
+        let vectors = loads.into_iter().chain(directions).map(move |(part, v)| Array {
             part,
             shape: v.shape(),
-            wanted: (self.n, 1),
+            wanted: (n, 1),
             entries: v.as_slice(),
         });
-        matrices.chain(vectors).collect()
+        matrices.chain(vectors)
     }
 
     fn check_shapes(&self) -> Result<(), PlantError> {
-        match self.arrays().into_iter().find(|array| array.shape != array.wanted) {
+        match self.arrays().find(|array| array.shape != array.wanted) {
             Some(Array { part, shape: (rows, columns), wanted, .. }) => {
                 Err(PlantError::Shape { part, rows, columns, wanted })
             }
@@ -125,8 +126,7 @@ impl Plant {
             .iter()
             .enumerate()
             .flat_map(|(i, stop)| [(Part::Gap(i), stop.gap), (Part::Restitution(i), stop.restitution)]);
-        let entries =
-            self.arrays().into_iter().flat_map(|array| array.entries.iter().map(move |&x| (array.part, x)));
+        let entries = self.arrays().flat_map(|array| array.entries.iter().map(move |&x| (array.part, x)));
         let mut all = std::iter::once((Part::Frequency, self.omega)).chain(entries).chain(scalars);
         match all.find(|(_, value)| !value.is_finite()) {
             Some((part, value)) => Err(PlantError::NotFinite { part, value }),

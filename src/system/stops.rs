@@ -1,7 +1,9 @@
 //! The stops of a plant, and how they stand to each other.
 
+use arrayvec::ArrayVec;
 use nalgebra::{DMatrix, DVector};
 
+use super::limits;
 use super::plant_error::PlantError;
 
 /// A rigid stop: the motion keeps direction · x ≤ gap, and touches the stop where they are equal.
@@ -56,15 +58,21 @@ struct Line {
 /// # Errors
 /// See [`Plant::check`](super::Plant::check).
 pub(super) fn check(stops: &[PlantStop], inverse_mass: &DMatrix<f64>) -> Result<(), PlantError> {
-    let mut lines = Vec::with_capacity(stops.len());
+    let mut lines: ArrayVec<Line, { limits::MOST_STOPS }> = ArrayVec::new();
     for (stop, PlantStop { direction, gap, .. }) in stops.iter().enumerate() {
         let size = direction.amax();
         if size == 0.0 {
             return Err(PlantError::NoDirection(stop));
         }
         let scaled = direction / size;
-        let value = (scaled.transpose() * inverse_mass * &scaled)[0];
-        let terms = (scaled.abs().transpose() * inverse_mass.abs() * scaled.abs())[0];
+        // dᵀM⁻¹d, and the sum of its terms' moduli.
+        let (mut value, mut terms) = (0.0, 0.0);
+        for (column, d) in inverse_mass.column_iter().zip(&scaled) {
+            for (entry, own) in column.iter().zip(&scaled) {
+                let term = own * entry * d;
+                (value, terms) = (value + term, terms + term.abs());
+            }
+        }
         if value <= POSITIVE * terms {
             return Err(PlantError::NoImpulse { stop, value: value * size * size });
         }
@@ -78,7 +86,7 @@ pub(super) fn check(stops: &[PlantStop], inverse_mass: &DMatrix<f64>) -> Result<
 /// 1 for two lines of the same direction, −1 for opposed ones.
 fn sense(a: &DVector<f64>, b: &DVector<f64>) -> Option<f64> {
     let sign = a.dot(b).signum();
-    ((a - b * sign).amax() <= SAME).then_some(sign)
+    a.iter().zip(b).all(|(a, b)| (a - b * sign).abs() <= SAME).then_some(sign)
 }
 
 fn check_pairs(lines: &[Line]) -> Result<(), PlantError> {
@@ -100,7 +108,7 @@ fn check_pairs(lines: &[Line]) -> Result<(), PlantError> {
 
 /// Directions, parallel ones counted once, must be linearly independent.
 fn check_independence(lines: &[Line]) -> Result<(), PlantError> {
-    let mut basis: Vec<DVector<f64>> = Vec::new();
+    let mut basis: ArrayVec<DVector<f64>, { limits::MOST_STOPS }> = ArrayVec::new();
     for (stop, line) in lines.iter().enumerate() {
         if lines[..stop].iter().any(|other| sense(&line.unit, &other.unit).is_some()) {
             continue;
