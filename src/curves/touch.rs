@@ -35,7 +35,7 @@ pub(super) fn touches(system: &System, pattern: &Pattern, sections: &[SectionVec
         let step = flow.over(h);
         let mut here = flow.lifted(pattern.stops[arc], section);
         for k in 0..steps as u32 {
-            let there = &step * &here;
+            let there = step.as_ref() * &here;
             for (stop, face) in flow.faces() {
                 let ([x, v], [x_end, v_end]) = (face.along(&here), face.along(&there));
                 if v > 0.0 && v_end < 0.0 {
@@ -85,7 +85,7 @@ pub(super) fn grazing(
 ) -> [f64; 2] {
     let (arc, stop) = touch;
     let section = &sections[arc];
-    let z = flow.over((at - phase(section)) / flow.omega) * flow.lifted(pattern.stops[arc], section);
+    let z = &*flow.over((at - phase(section)) / flow.omega) * flow.lifted(pattern.stops[arc], section);
     let face = flow.face(stop);
     let [place, speed] = face.along(&z);
     [place - face.gap, speed]

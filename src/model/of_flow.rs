@@ -23,6 +23,7 @@ pub(crate) struct OfFlow {
     is_shared: AtomicBool,
     mirror: OnceLock<Option<Mirror>>,
     constants: OnceLock<Box<dyn Any + Send + Sync>>,
+    generator: OnceLock<DMatrix<f64>>,
     half_period: OnceLock<DMatrix<f64>>,
     of_restitutions: RwLock<Found>,
 }
@@ -37,7 +38,7 @@ impl OfFlow {
     }
 
     /// The mirror of its systems.
-    pub(super) fn mirror(&self, find: impl FnOnce() -> Option<Mirror>) -> Option<&Mirror> {
+    pub fn mirror(&self, find: impl FnOnce() -> Option<Mirror>) -> Option<&Mirror> {
         self.mirror.get_or_init(find).as_ref()
     }
 
@@ -53,7 +54,12 @@ impl OfFlow {
         1 + self.of_restitutions.read().len()
     }
 
-    /// exp(Gπ/ω), half a forcing period of the flow z' = G z of z = (x, v, sin φ, cos φ, 1).
+    /// G of the flow z' = G z of z = (x, v, sin φ, cos φ, 1).
+    pub fn generator(&self, compute: impl FnOnce() -> DMatrix<f64>) -> &DMatrix<f64> {
+        self.generator.get_or_init(compute)
+    }
+
+    /// exp(Gπ/ω), half a forcing period of that flow.
     pub fn half_period(&self, compute: impl FnOnce() -> DMatrix<f64>) -> &DMatrix<f64> {
         self.half_period.get_or_init(compute)
     }

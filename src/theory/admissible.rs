@@ -150,7 +150,7 @@ impl<'a> Passage<'a> {
         } else {
             // The speed after the impact says little or nothing of that before it.
             let time = (phase(&due.section) - phase(&from.section)) / flow.omega;
-            let z = flow.over(time) * flow.lifted(from.stop, &from.section);
+            let z = &*flow.over(time) * flow.lifted(from.stop, &from.section);
             due_face.along(&z)[1] / due_face.direction.norm()
         };
         if arrival < -TOLERANCE * scale {

@@ -1,5 +1,6 @@
 //! A stop as the theory sees it: the section just after an impact there, and the law of the impact.
 
+use std::cmp::Ordering;
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -8,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::section_vector::SectionVector;
 use crate::dynamics::Stop;
 use crate::model::System;
-use crate::system::PlantStop;
+use crate::system::StopValues;
 
 /// A stop of a plant with n coordinates, and the section just after an impact there.
 ///
@@ -38,17 +39,17 @@ pub(crate) struct Side {
 }
 
 impl Face {
-    /// The face of a stop, given M⁻¹.
-    pub fn new(stop: &PlantStop, inverse_mass: &DMatrix<f64>) -> Self {
-        let n = stop.direction.len();
+    /// The face of a stop with a direction, given M⁻¹.
+    pub fn new(direction: &DVector<f64>, stop: StopValues, inverse_mass: &DMatrix<f64>) -> Self {
+        let n = direction.len();
         let (size, last) = (2 * n + 3, 2 * n - 1);
-        let direction = stop.direction.clone();
-        let response = inverse_mass * &direction;
-        let response = &response / direction.dot(&response);
+        let direction = direction.clone();
+        let mut response = inverse_mass * &direction;
+        response /= direction.dot(&response);
         let coordinate = own_coordinate(&direction);
         let mut lift = DMatrix::zeros(size, 2 * n);
         let mut restituted = DMatrix::zeros(2 * n, size);
-        for (k, slot) in slots(n, coordinate).into_iter().enumerate() {
+        for (k, slot) in slots(n, coordinate).enumerate() {
             lift[(slot, k)] = 1.0;
             if slot < n {
                 lift[(coordinate, k)] = -direction[slot] / direction[coordinate];
@@ -86,32 +87,39 @@ impl Face {
     /// The section of a state on the stop, just after an impact.
     pub fn section(&self, x: &[f64], v: &[f64], phase: f64) -> SectionVector {
         let n = x.len();
-        let values = slots(n, self.coordinate).into_iter().map(|k| if k < n { x[k] } else { v[k - n] });
+        let values = slots(n, self.coordinate).map(|k| if k < n { x[k] } else { v[k - n] });
         DVector::from_iterator(2 * n, values.chain(std::iter::once(phase)))
+    }
+
+    /// The terms of d·v of a section.
+    fn speeds(&self, section: &SectionVector) -> impl Iterator<Item = f64> {
+        let (n, c) = (self.direction.len(), self.coordinate);
+        self.direction.iter().enumerate().map(move |(j, d)| {
+            d * match j.cmp(&c) {
+                Ordering::Equal => section[0],
+                Ordering::Less => section[n + j],
+                Ordering::Greater => section[n + j - 1],
+            }
+        })
     }
 
     /// d·v of a section, per unit of |d|: the speed into the stop.
     pub fn speed(&self, section: &SectionVector) -> f64 {
-        let n = self.direction.len();
-        self.speed_of(&(&self.lift * section).as_slice()[n..2 * n])
+        self.speeds(section).sum::<f64>() / self.direction.norm()
     }
 
     /// The speed along the contact's own coordinate with which a section has d·v = 0.
     pub fn resting_speed(&self, section: &SectionVector) -> f64 {
-        let n = self.direction.len();
-        let v = &self.lift * section;
-        let others: f64 =
-            (0..n).filter(|&j| j != self.coordinate).map(|j| self.direction[j] * v[n + j]).sum();
+        let own = |&(j, _): &(usize, f64)| j != self.coordinate;
+        let others: f64 = self.speeds(section).enumerate().filter(own).map(|(_, speed)| speed).sum();
         // No −0.
         0.0 - others / self.direction[self.coordinate]
     }
 
     /// Whether a section leaves the stop outwards, by more than rounding.
     pub fn is_left_outwards(&self, section: &SectionVector) -> bool {
-        let n = self.direction.len();
-        let z = &self.lift * section;
-        let terms = self.direction.iter().zip(&z.as_slice()[n..2 * n]).map(|(d, v)| d * v);
-        let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), term: f64| (sum + term, size + term.abs()));
+        let (sum, size) =
+            self.speeds(section).fold((0.0, 0.0), |(sum, size), term: f64| (sum + term, size + term.abs()));
         sum > 8.0 * f64::EPSILON * size
     }
 
@@ -141,9 +149,9 @@ fn own_coordinate(direction: &DVector<f64>) -> usize {
 }
 
 /// Where the components of a section but the phase stand in (x, v).
-pub(super) fn slots(n: usize, coordinate: usize) -> Vec<usize> {
-    let others = || (0..n).filter(move |&j| j != coordinate);
-    std::iter::once(n + coordinate).chain(others()).chain(others().map(|j| n + j)).collect()
+pub(super) fn slots(n: usize, coordinate: usize) -> impl Iterator<Item = usize> {
+    let others = move || (0..n).filter(move |&j| j != coordinate);
+    std::iter::once(n + coordinate).chain(others()).chain(others().map(move |j| n + j))
 }
 
 /// The names of a section's components at a stop: "v1", "x2", "v2", "tau" for the paper's oscillator.
@@ -155,7 +163,7 @@ pub fn section_names(system: &System, stop: Stop) -> Vec<String> {
     let n = plant.n;
     let name = |slot: usize| if slot < n { format!("x{}", slot + 1) } else { format!("v{}", slot + 1 - n) };
     let coordinate = own_coordinate(&plant.stops[stop.index()].direction);
-    slots(n, coordinate).into_iter().map(name).chain(std::iter::once("tau".to_owned())).collect()
+    slots(n, coordinate).map(name).chain(std::iter::once("tau".to_owned())).collect()
 }
 
 #[cfg(test)]
@@ -163,14 +171,16 @@ mod tests {
     use super::*;
 
     /// A stop on the second of three coordinates, between it and the first, in no special units.
-    fn stop() -> PlantStop {
-        PlantStop { direction: DVector::from_row_slice(&[0.5, -2.0, 0.0]), gap: 0.3, restitution: 0.7 }
+    fn face(mass: &DMatrix<f64>) -> Face {
+        let direction = DVector::from_row_slice(&[0.5, -2.0, 0.0]);
+        let values = StopValues { gap: 0.3, restitution: 0.7 };
+        Face::new(&direction, values, &mass.clone().try_inverse().unwrap())
     }
 
     #[test]
     fn sections_are_lifted_onto_the_stop_and_read_off_again() {
-        let face = Face::new(&stop(), &DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 0.5, 2.0])));
-        assert_eq!((face.coordinate, slots(3, 1)), (1, vec![4, 0, 2, 3, 5]));
+        let face = face(&DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 2.0, 0.5])));
+        assert_eq!((face.coordinate, slots(3, 1).collect()), (1, vec![4, 0, 2, 3, 5]));
         let section = DVector::from_row_slice(&[-0.4, 0.1, 0.2, 0.6, -0.7, 1.1]);
         let z = face.lifted(&section);
         assert!((face.direction.dot(&z.rows(0, 3)) - 0.3).abs() < 1e-15);
@@ -182,7 +192,7 @@ mod tests {
     #[test]
     fn the_impact_turns_the_speed_back() {
         let mass = DMatrix::from_row_slice(3, 3, &[2.0, 0.3, 0.0, 0.3, 1.0, 0.1, 0.0, 0.1, 0.7]);
-        let face = Face::new(&stop(), &mass.clone().try_inverse().unwrap());
+        let face = face(&mass);
         let before = DVector::from_row_slice(&[0.2, -0.9, 0.4]);
         let mut z = DVector::zeros(9);
         z.rows_mut(3, 3).copy_from(&before);

@@ -1,5 +1,6 @@
 //! Free flight over any length of time, as a matrix.
 
+use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -20,57 +21,57 @@ pub(crate) struct Flow {
     pub omega: f64,
     /// The stops.
     faces: Vec<Face>,
-    whatever_gaps: Arc<WhateverGaps>,
     kept: Arc<OfFlow>,
 }
 
-/// What does not depend on the gaps.
-#[derive(Clone, Debug)]
-struct WhateverGaps {
-    generator: DMatrix<f64>,
-    /// The stops, those of any one of the systems.
-    faces: Vec<Face>,
-    mirror: Option<Mirror>,
-}
+/// The stops, with the gaps of any one of the systems that have all else in common.
+struct WhateverGaps(Vec<Face>);
 
 impl WhateverGaps {
     fn new(system: &System) -> Self {
-        let plant = system.plant();
-        let n = plant.n;
-        let inverse =
-            plant.mass.clone().try_inverse().expect("a plant's mass matrix was checked to be invertible");
-        let mut g = DMatrix::zeros(2 * n + 3, 2 * n + 3);
-        g.view_mut((0, n), (n, n)).fill_with_identity();
-        g.view_mut((n, 0), (n, n)).copy_from(&-(&inverse * &plant.stiffness));
-        g.view_mut((n, n), (n, n)).copy_from(&-(&inverse * &plant.damping));
-        for (k, load) in [&plant.force_sin, &plant.force_cos, &plant.load].into_iter().enumerate() {
-            g.view_mut((n, 2 * n + k), (n, 1)).copy_from(&(&inverse * load));
-        }
-        g[(2 * n, 2 * n + 1)] = plant.omega;
-        g[(2 * n + 1, 2 * n)] = -plant.omega;
-        let faces = plant.stops.iter().map(|stop| Face::new(stop, &inverse)).collect();
-        WhateverGaps { generator: g, faces, mirror: system.mirror().cloned() }
+        let inverse = inverse_mass(system);
+        WhateverGaps(system.stops().map(|(direction, stop)| Face::new(direction, stop, &inverse)).collect())
     }
+}
+
+/// M⁻¹.
+fn inverse_mass(system: &System) -> DMatrix<f64> {
+    let mass = system.like().mass.clone();
+    mass.try_inverse().expect("a plant's mass matrix was checked to be invertible")
+}
+
+/// G of a system.
+fn generator(system: &System) -> DMatrix<f64> {
+    let (plant, inverse) = (system.like(), inverse_mass(system));
+    let n = plant.n;
+    let mut g = DMatrix::zeros(2 * n + 3, 2 * n + 3);
+    g.view_mut((0, n), (n, n)).fill_with_identity();
+    g.view_mut((n, 0), (n, n)).copy_from(&-(&inverse * &plant.stiffness));
+    g.view_mut((n, n), (n, n)).copy_from(&-(&inverse * &plant.damping));
+    for (k, load) in [&plant.force_sin, &plant.force_cos, &plant.load].into_iter().enumerate() {
+        g.view_mut((n, 2 * n + k), (n, 1)).copy_from(&(&inverse * load));
+    }
+    g[(2 * n, 2 * n + 1)] = plant.omega;
+    g[(2 * n + 1, 2 * n)] = -plant.omega;
+    g
 }
 
 impl Flow {
     /// The flow of a system.
     pub fn new(system: &System) -> Self {
         let whatever_gaps = system.whatever_gaps(|| WhateverGaps::new(system));
-        let faces =
-            whatever_gaps.faces.iter().zip(system.stops()).map(|(face, (_, stop))| face.at_gap(stop.gap));
-        Flow {
-            n: system.coordinates(),
-            omega: system.like().omega,
-            faces: faces.collect(),
-            whatever_gaps,
-            kept: Arc::clone(system.of_flow()),
-        }
+        let faces = whatever_gaps.0.iter().zip(system.stops()).map(|(face, (_, stop))| face.at_gap(stop.gap));
+        let faces = faces.collect();
+        let kept = Arc::clone(system.of_flow());
+        // What is asked of it here is known from now on.
+        kept.generator(|| generator(system));
+        system.mirror();
+        Flow { n: system.coordinates(), omega: system.like().omega, faces, kept }
     }
 
     /// G, (2n + 3) × (2n + 3).
     pub fn generator(&self) -> &DMatrix<f64> {
-        &self.whatever_gaps.generator
+        self.kept.generator(|| unreachable!("it was asked for when the flow was made"))
     }
 
     /// A stop.
@@ -84,12 +85,17 @@ impl Flow {
     }
 
     /// exp(G t). Half a forcing period is computed once, and taken for every time that rounding alone keeps from it.
-    pub fn over(&self, time: f64) -> DMatrix<f64> {
+    pub fn over(&self, time: f64) -> Cow<'_, DMatrix<f64>> {
         let half = PI / self.omega;
         if (time - half).abs() <= 4.0 * f64::EPSILON * half {
-            return self.kept.half_period(|| exponential(&(self.generator() * half))).clone();
+            return Cow::Borrowed(self.half_period());
         }
-        exponential(&(self.generator() * time))
+        Cow::Owned(exponential(&(self.generator() * time)))
+    }
+
+    /// The same over half a forcing period.
+    pub fn half_period(&self) -> &DMatrix<f64> {
+        self.kept.half_period(|| exponential(&(self.generator() * (PI / self.omega))))
     }
 
     /// The whole state z just after an impact.
@@ -114,12 +120,14 @@ impl Flow {
     /// # Panics
     /// If the system has none.
     fn mirror(&self) -> &Mirror {
-        self.whatever_gaps.mirror.as_ref().expect("a mirrored motion belongs to a system with a mirror")
+        let mirror = self.kept.mirror(|| unreachable!("it was asked for when the flow was made"));
+        mirror.expect("a mirrored motion belongs to a system with a mirror")
     }
 
     /// P x of displacements, or P v of velocities.
     pub fn reflected(&self, values: &[f64]) -> DVector<f64> {
-        &self.mirror().matrix * DVector::from_column_slice(values)
+        let p = &self.mirror().matrix;
+        DVector::from_fn(self.n, |i, _| (0..self.n).map(|j| p[(i, j)] * values[j]).sum())
     }
 
     /// The mirror image of (x, v).
@@ -152,12 +160,16 @@ impl Flow {
     /// The derivative of the mirror image with respect to the section at a stop; 2n × 2n.
     pub fn reflection(&self, stop: Stop) -> DMatrix<f64> {
         let n = self.n;
-        let image = &self.faces[self.mirror().stops[stop.index()]];
+        let mirror = self.mirror();
+        let image = &self.faces[mirror.stops[stop.index()]];
         let lift = &self.face(stop).lift;
-        let [x, v] = [0, n].map(|at| &self.mirror().matrix * lift.rows(at, n));
         let mut reflection = DMatrix::zeros(2 * n, 2 * n);
-        for (k, slot) in slots(n, image.coordinate).into_iter().enumerate() {
-            reflection.set_row(k, &if slot < n { x.row(slot) } else { v.row(slot - n) });
+        for (k, slot) in slots(n, image.coordinate).enumerate() {
+            let (at, i) = if slot < n { (0, slot) } else { (n, slot - n) };
+            for column in 0..2 * n {
+                reflection[(k, column)] =
+                    (0..n).map(|j| mirror.matrix[(i, j)] * lift[(at + j, column)]).sum();
+            }
         }
         reflection[(2 * n - 1, 2 * n - 1)] = 1.0;
         reflection

@@ -89,7 +89,7 @@ fn arc(flow: &Flow, from: Stop, sections: &Jets, time: f64, to: Stop) -> Option<
         let mut z = if k == 0 { departure.lifted(&sections[k]) } else { &departure.lift * &sections[k] };
         z[2 * flow.n] = sin.0[k];
         z[2 * flow.n + 1] = cos.0[k];
-        &over * z
+        over.as_ref() * z
     });
     let [place, speed] = arrived.along(&arrival[0]);
     debug_assert!((place - arrived.gap).abs() < 1e-6 * (1.0 + arrived.gap.abs()));

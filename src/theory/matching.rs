@@ -25,14 +25,15 @@ impl Arc {
         let start = flow.lifted(from.stop, &from.section);
         let time = (phase(&to.section) - phase(&from.section)) / flow.omega;
         let over = flow.over(time);
-        let arrival = &over * &start;
+        let over = over.as_ref();
+        let arrival = over * &start;
         let rate = flow.generator() * &arrival / flow.omega;
         let face = flow.face(to.stop);
         let last = 2 * flow.n - 1;
         let mut target = to.section.clone();
         target[last] = face.gap;
-        let mut through = &over * &flow.face(from.stop).lift;
-        through.set_column(last, &(&over * flow.turned(&start) - &rate));
+        let mut through = over * &flow.face(from.stop).lift;
+        through.set_column(last, &(over * flow.turned(&start) - &rate));
         Arc {
             residual: &face.restituted * arrival - target,
             from: &face.restituted * through,

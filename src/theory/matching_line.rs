@@ -1,11 +1,10 @@
 //! The straight line on which the matching conditions (5) hold but for sin² τ + cos² τ = 1, for every gap at once.
 
-use std::f64::consts::PI;
-
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{DVector, SMatrix, SVector};
 
 use super::flow::Flow;
 use super::section_vector::{SectionVector, phase};
+use super::underdetermined::{Solutions, solved};
 use crate::dynamics::Stop;
 use crate::system::Plant;
 
@@ -44,35 +43,28 @@ impl MatchingLine {
     pub fn of(flow: &Flow, from: Stop, to: Stop) -> Option<Self> {
         let (n, face, image) = (flow.n, flow.face(from), flow.face(to));
         let size = 2 * n;
-        let half = flow.over(PI / flow.omega);
         // After the impact, as components of the section there; the last one is d·x.
-        let arrived = &image.restituted * &half;
-        // The same of the mirror image.
-        let due = |z: &DVector<f64>| {
-            let y = flow.mirrored(&z.rows(0, size).into_owned());
-            let mut section = image.section(y.rows(0, n).as_slice(), y.rows(n, n).as_slice(), 0.0);
-            section[size - 1] = image.along(&y)[0];
-            section
-        };
-        let defect = |z: &DVector<f64>| &arrived * z - due(z);
-        let mut columns: Vec<DVector<f64>> =
-            (0..size - 1).map(|k| defect(&face.lift.column(k).into_owned())).collect();
-        columns.extend([size, size + 1].map(|k| arrived.column(k).into_owned()));
-        let matrix = DMatrix::from_columns(&columns);
-        let nothing = SectionVector::zeros(size);
-        let constant = defect(&face.at_gap(0.0).lifted(&nothing));
-        let growth = defect(&face.at_gap(1.0).lifted(&nothing)) - &constant;
-        let right = -DMatrix::from_columns(&[constant.clone(), growth.clone()]);
-        let solved = matrix.clone().svd(true, true).solve(&right, 0.0).ok()?;
-        // The null vector of 2n rows in 2n + 1 dimensions: their cross product.
-        let minor = |j: usize| matrix.clone().remove_column(j).determinant();
-        let null = DVector::from_fn(size + 1, |j, _| if j % 2 == 0 { minor(j) } else { -minor(j) });
-        let direction = &null / null[size - 1].hypot(null[size]);
-        if !direction.iter().chain(solved.iter()).all(|value| value.is_finite()) {
+        let arrived = &image.restituted * flow.half_period();
+        // Between two sections d·x stays on the stop, and so it does between their mirror images.
+        let reflection = flow.reflection(from);
+        let sections = (&arrived * &face.lift - &reflection).columns_range(..size - 1).into_owned();
+        let mut matrix = sections.resize_horizontally(size + 1, 0.0);
+        matrix.columns_mut(size - 1, 2).copy_from(&arrived.columns(size, 2));
+        let constant = arrived.column(size + 2).into_owned();
+        // What the contact's own coordinate does that follows from the gap.
+        let mut own = DVector::zeros(size);
+        own[face.coordinate] = 1.0 / face.direction[face.coordinate];
+        let mirrored = flow.mirrored(&own);
+        let mut due = image.section(mirrored.rows(0, n).as_slice(), mirrored.rows(n, n).as_slice(), 0.0);
+        due[size - 1] = image.along(&mirrored)[0];
+        let growth = arrived.columns(0, size) * own - due;
+        let Solutions { points, direction } = solved(&matrix, [&-&constant, &-&growth])?;
+        let direction = &direction / direction[size - 1].hypot(direction[size]);
+        if !direction.iter().all(|value| value.is_finite()) {
             return None;
         }
         let nearest = |k: usize| {
-            let point = solved.column(k);
+            let point = &points[k];
             let along = direction[size - 1] * point[size - 1] + direction[size] * point[size];
             point - &direction * along
         };
@@ -84,7 +76,7 @@ impl MatchingLine {
             point: nearest(0).fixed_resize(0.0),
             slope: nearest(1).fixed_resize(0.0),
             direction: direction.fixed_resize(0.0),
-            turns: flow.reflection(from).determinant() < 0.0,
+            turns: reflection.determinant() < 0.0,
         })
     }
 

@@ -34,6 +34,7 @@ mod spectrum;
 mod strobe;
 mod symmetric;
 mod turn;
+mod underdetermined;
 
 pub(crate) use admissible::fly;
 pub use admissible::{Inadmissible, NamedStop};

@@ -158,7 +158,7 @@ impl PeriodicMotion {
         let last = self.sections.iter().rposition(|section| phase(section) <= strobe).unwrap_or(0);
         let section = &self.sections[last];
         let start = flow.lifted(self.pattern.stops[last], section);
-        let z = flow.over((strobe - phase(section)) / flow.omega) * start;
+        let z = &*flow.over((strobe - phase(section)) / flow.omega) * start;
         // At an odd number of half turns the state is on the mirror image of a symmetric motion.
         let turned = half_turns.rem_euclid(2.0) != 0.0;
         let values = [0, flow.n].map(|at| {

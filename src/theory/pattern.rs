@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use arrayvec::ArrayVec;
 use nalgebra::DMatrix;
 
 use super::flow::Flow;
@@ -9,7 +10,7 @@ use super::label::spelled;
 use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
 use crate::model::System;
-use crate::system::Family;
+use crate::system::{Family, Plant};
 
 /// Which stops a motion strikes, in order, and how it closes on itself.
 ///
@@ -31,23 +32,26 @@ pub struct Pattern {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct StopSet {
     /// The order in which labels count the impacts at the stops, by their places in the plant's order.
-    label_order: Vec<usize>,
+    label_order: Places,
     /// The stop onto which the mirror maps each stop, where there is a mirror.
-    images: Option<Vec<usize>>,
+    images: Option<Places>,
 }
+
+/// Places in the plant's order of the stops.
+type Places = ArrayVec<usize, { Plant::MOST_STOPS }>;
 
 impl StopSet {
     /// The stops of a system.
     pub fn of(system: &System) -> Self {
         StopSet {
-            label_order: system.label_order().to_vec(),
-            images: system.mirror().map(|mirror| mirror.stops.clone()),
+            label_order: system.label_order().iter().copied().collect(),
+            images: system.mirror().map(|mirror| mirror.stops.iter().copied().collect()),
         }
     }
 
     /// The stops of a family, without a mirror.
     pub fn of_family(family: &Family) -> Self {
-        StopSet { label_order: family.label_order().to_vec(), images: None }
+        StopSet { label_order: family.label_order().iter().copied().collect(), images: None }
     }
 
     /// The same stops without the mirror.
@@ -174,7 +178,7 @@ mod tests {
 
     #[test]
     fn counts_go_from_one_order_to_the_other() {
-        let set = StopSet { label_order: vec![2, 0, 1], images: None };
+        let set = StopSet { label_order: Places::from_iter([2, 0, 1]), images: None };
         assert_eq!(set.in_label_order(&[1, 2, 3]), [3, 1, 2]);
         assert_eq!(set.in_plant_order(&[3, 1, 2]), [1, 2, 3]);
         let pattern =
@@ -187,7 +191,8 @@ mod tests {
 
     #[test]
     fn a_mirrored_pattern_counts_its_image_too() {
-        let set = StopSet { label_order: vec![0, 1, 2], images: Some(vec![1, 0, 2]) };
+        let set =
+            StopSet { label_order: Places::from_iter([0, 1, 2]), images: Some(Places::from_iter([1, 0, 2])) };
         let pattern = Pattern { stops: vec![Stop(0), Stop(2)], half_turns: 3, mirrored: true, among: set };
         assert_eq!((pattern.label().as_str(), pattern.n()), ("3-1-1-2", 3));
     }
