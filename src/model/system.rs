@@ -156,7 +156,7 @@ impl System {
 
     /// The same system, which shares nothing with others.
     #[must_use]
-    pub(super) fn alone(self) -> Self {
+    pub(crate) fn alone(self) -> Self {
         System { of_flow: Kept::default(), ..self }
     }
 

@@ -47,6 +47,11 @@ pub(super) fn has_flows_by_column<T>(plane: &Plane<T>) -> bool {
     varies_flow(&plane.x) && !varies_flow(&plane.y)
 }
 
+/// Whether no two cells of a plane have their flow in common.
+pub(super) fn has_flow_of_its_own<T>(plane: &Plane<T>) -> bool {
+    varies_flow(&plane.x) && varies_flow(&plane.y)
+}
+
 /// Whether cells along an axis have different flows.
 fn varies_flow(axis: &Axis) -> bool {
     matches!(axis.quantity, Quantity::Parameter(parameter) if parameter.is_of_flow())

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::Result;
-use super::order::has_flows_by_column;
+use super::order::{has_flow_of_its_own, has_flows_by_column};
 use super::swept::Swept;
 use crate::backend::Job;
 use crate::model::{Flows, System, SystemError};
@@ -19,13 +19,16 @@ pub(super) struct Preparing<'a, T> {
     flows: &'a Flows,
     /// A system that the next one may have its flow in common with.
     like: Option<System>,
+    /// Whether no cell has its flow in common with another.
+    each_alone: bool,
     symmetric: SymmetricStarts,
 }
 
 impl<'a, T> Preparing<'a, T> {
     /// Of a plane; `flows` are those of cells before.
     pub fn new(plane: &'a Plane<T>, flows: &'a Flows) -> Self {
-        Preparing { plane, flows, like: None, symmetric: SymmetricStarts::default() }
+        let (each_alone, symmetric) = (has_flow_of_its_own(plane), SymmetricStarts::default());
+        Preparing { plane, flows, like: None, each_alone, symmetric }
     }
 
     /// The system and the start of a cell, counted row by row; it shares what follows from its flow with cells before it.
@@ -34,12 +37,18 @@ impl<'a, T> Preparing<'a, T> {
     /// As [`System::new`].
     pub fn job(&mut self, cell: u64) -> Result<Job, SystemError> {
         let (column, row) = column_and_row(self.plane, cell);
-        let setting = self.plane.parameters_at(column, row);
+        let (setting, start) = (self.plane.parameters_at(column, row), self.plane.start_at(column, row));
+        if self.each_alone {
+            let system = System::new(setting)?;
+            // What is found on the way to its start would be kept as long as the system is, and nobody asks for it again.
+            let start = start.state_by(&system.clone().alone(), &mut self.symmetric);
+            return Ok(Job { system, start });
+        }
         let system = match self.like.as_ref().and_then(|like| like.neighbour(setting)) {
             Some(system) => system,
             None => self.like.insert(self.flows.system(setting)?).clone(),
         };
-        let start = self.plane.start_at(column, row).state_by(&system, &mut self.symmetric);
+        let start = start.state_by(&system, &mut self.symmetric);
         Ok(Job { system, start })
     }
 }
