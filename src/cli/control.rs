@@ -170,7 +170,7 @@ pub fn run(args: &ControlArgs) -> Result<()> {
     let config = Config {
         version: env!("CARGO_PKG_VERSION"),
         system: WrittenSystem::of(family),
-        parameters: system.setting().expect("a system that is asked for is made of a setting"),
+        parameters: &system.setting().expect("a system that is asked for is made of a setting"),
         start: args.start,
         control: &scheme,
         schedule,

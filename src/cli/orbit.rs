@@ -209,7 +209,7 @@ impl OrbitArgs {
         let figure = orbit_figure(orbit, self.start, panels, zooms);
         let width = if panels.len() == 1 { defaults::NARROW_FIGURE } else { defaults::WIDE_FIGURE };
         let size = self.size.unwrap_or_else(|| figure.natural_size(width));
-        let parameters = orbit.system.setting().expect("a system that is asked for is made of a setting");
+        let parameters = &orbit.system.setting().expect("a system that is asked for is made of a setting");
         let panels: Vec<String> = panels.iter().map(|panel| panel.name(family)).collect();
         let zooms: Vec<String> = zooms.iter().map(|zoom| zoom.name(family)).collect();
         let config = Config {

@@ -127,10 +127,15 @@ impl<const N: usize> Flight<f64, N> {
         let response = ForcedResponse::of(&equations);
         let trap = Trap::of(system.plant(), &equations);
         let decay = slowest(&generator(&equations));
-        let pressing: [_; 1 << MOST] = std::array::from_fn(|held| {
-            let matrix = equations.pressing(held as u32).unwrap_or_else(SMatrix::zeros);
-            std::array::from_fn(|s| std::array::from_fn(|t| matrix[(s, t)]))
-        });
+        let mut pressing = [[[0.0; MOST]; MOST]; 1 << MOST];
+        for held in 0..1 << MOST {
+            // There is nothing to hold on normals that there are not.
+            let there = held & ((1 << equations.count) - 1);
+            pressing[held] = match there == held {
+                true => equations.pressing(held as u32).unwrap_or_else(SMatrix::zeros).transpose().into(),
+                false => pressing[there],
+            };
+        }
         let normal = |k: usize| match equations.normals().get(k) {
             Some(normal) => contact_normal(&equations, normal, k, h, response.as_ref(), trap.as_ref()),
             None => ContactNormal::none(),

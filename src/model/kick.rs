@@ -4,6 +4,9 @@
 //! converges as if every time mattered as much as the longest one. On 0 ≤ s ≤ h a polynomial of far lower order is as near:
 //! the series economized, term by term, with Chebyshev polynomials of that interval (Lanczos, *Applied Analysis*, 1956).
 
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
 use nalgebra::SVector;
 
 use super::equations::Equations;
@@ -63,15 +66,28 @@ pub(super) fn rounded<T: Real, const N: usize>(
 pub(super) fn economize<V: Term>(terms: &mut [V], order: usize) {
     for highest in (order + 1..terms.len()).rev() {
         let term = std::mem::replace(&mut terms[highest], V::zero());
-        let m = (highest - 1) as f64;
-        let mut coefficient = 1.0;
-        for k in (1..highest).rev() {
-            let j = k as f64;
-            coefficient *= -j * (2.0 * j - 1.0) / (2.0 * (m + j - 1.0) * (m - j + 1.0));
-            terms[k] = terms[k].plus(-coefficient, &term);
+        let known = USUAL.get(highest).map_or_else(|| Cow::Owned(lower(highest)), Cow::from);
+        for (k, coefficient) in known.iter().enumerate() {
+            terms[k + 1] = terms[k + 1].plus(-coefficient, &term);
         }
     }
 }
+
+/// The coefficients of u, u² … uᵏ⁻¹ in u T*ₖ₋₁(u)/2²ᵏ⁻³, where that of uᵏ is 1.
+fn lower(k: usize) -> Vec<f64> {
+    let m = k as f64 - 1.0;
+    let mut coefficients = vec![0.0; k.saturating_sub(1)];
+    let mut coefficient = 1.0;
+    for (i, place) in coefficients.iter_mut().enumerate().rev() {
+        let j = (i + 1) as f64;
+        coefficient *= -j * (2.0 * j - 1.0) / (2.0 * (m + j - 1.0) * (m - j + 1.0));
+        *place = coefficient;
+    }
+    coefficients
+}
+
+/// Those of terms that most series have.
+static USUAL: LazyLock<[Vec<f64>; SOME]> = LazyLock::new(|| std::array::from_fn(lower));
 
 #[cfg(test)]
 mod tests {

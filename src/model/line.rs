@@ -26,8 +26,8 @@ impl System {
     /// # Panics
     /// If there is no such stop.
     pub fn stop_name(&self, stop: usize) -> &'static str {
-        match self.setting() {
-            Some(setting) => setting.family().stops()[stop].plain_name(),
+        match self.family() {
+            Some(family) => family.stops()[stop].plain_name(),
             None => ["A", "B", "C", "D"][stop],
         }
     }
@@ -40,7 +40,7 @@ impl System {
         let pair = stops.clone().flat_map(|a| stops.clone().map(move |b| (a, b)));
         let pair = pair.into_iter().find(|&(a, b)| a < b && same(&self.line(a), &self.line(b)));
         let Some((a, b)) = pair else { return "the stops leave no room to move".to_owned() };
-        let gap = |stop| self.setting().map(|setting| setting.family().stop_place(stop).gap);
+        let gap = |stop| self.family().map(|family| family.stop_place(stop).gap);
         let names = [a, b].map(|stop| self.stop_name(stop));
         match (gap(a), gap(b)) {
             (Some(Gap::Name(name)), Some(Gap::Name(other))) if name == other => {

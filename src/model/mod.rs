@@ -2,6 +2,7 @@
 
 mod abreast;
 mod back;
+mod common;
 mod contact_normal;
 mod driven;
 mod equations;

@@ -42,10 +42,10 @@ impl Flows {
         let family = std::ptr::from_ref(setting.family()).addr();
         let key = FlowKey { family, bits: setting.flow_bits().collect() };
         if let Some(known) = self.systems.read().get(&key) {
-            if let Some(system) = known.neighbour(setting) {
+            if let Some(system) = known.neighbour(&setting) {
                 return Ok(system);
             }
-            if let Some(system) = known.restopped(setting) {
+            if let Some(system) = known.restopped(&setting) {
                 return Ok(self.share(system.alone()));
             }
         }

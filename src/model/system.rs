@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
+use super::common::{Common, STEP};
 use super::of_flow::OfFlow;
 use super::parameters::Parameters;
 use super::restopped::Restopped;
-use super::system_error::{MOST_STEPS, Stiff, SystemError};
-use crate::system::{Mirror, Plant, Setting, StopValues};
+use super::system_error::{MOST_STEPS, SystemError};
+use crate::system::{Family, Mirror, Plant, Setting, StopParameters, StopValues};
 
 /// A system whose parameters are in their physical range, ready to be followed.
 ///
@@ -17,12 +18,10 @@ use crate::system::{Mirror, Plant, Setting, StopValues};
 /// Everything is non-dimensional.
 #[derive(Clone, Debug, PartialEq)]
 pub struct System {
-    /// The setting it was made from, if it was made from one.
-    setting: Option<Setting>,
+    common: Arc<Common>,
+    /// What its setting has of its own.
+    own: StopParameters,
     plant: Restopped,
-    label_order: Arc<[usize]>,
-    rate: f64,
-    steps: u32,
     pub(super) of_flow: Kept,
 }
 
@@ -37,8 +36,8 @@ impl PartialEq for Kept {
 }
 
 impl System {
-    /// rate·h is kept below this: large enough for few steps, small enough for low orders.
-    pub(crate) const STEP: f64 = 1.0;
+    /// rate·h of a step of length h is kept below this: large enough for few steps, small enough for low orders.
+    pub const STEP: f64 = STEP;
     /// The most steps of one forcing period that are accepted.
     pub const MOST_STEPS: u32 = MOST_STEPS;
 
@@ -51,8 +50,8 @@ impl System {
     pub fn new(setting: impl Into<Setting>) -> Result<Self, SystemError> {
         let setting = setting.into();
         let plant = setting.plant()?;
-        let label_order = setting.family().label_order().into();
-        System::divided(Some(setting), plant, label_order, Kept::default())
+        let label_order = setting.family().label_order().to_vec();
+        System::divided(Some(setting), plant, label_order)
     }
 
     /// The system of a plant.
@@ -63,22 +62,21 @@ impl System {
     pub fn of_plant(plant: Plant) -> Result<Self, SystemError> {
         plant.check()?;
         let label_order = (0..plant.stops.len()).collect();
-        System::divided(None, plant, label_order, Kept::default())
+        System::divided(None, plant, label_order)
     }
 
     /// The system of a setting of the same family with the same flow: its plant differs from this one's in gaps and
     /// restitutions alone. None where all of the plant has to be looked at.
-    pub(super) fn restopped(&self, setting: Setting) -> Option<Self> {
+    pub(super) fn restopped(&self, setting: &Setting) -> Option<Self> {
         let plant = self.plant.with_stops(setting.stop_values()?);
-        let label_order = Arc::clone(&self.label_order);
-        let of_flow = Kept(Arc::clone(&self.of_flow.0));
-        Some(System { setting: Some(setting), plant, label_order, of_flow, ..*self })
+        let (common, of_flow) = (Arc::clone(&self.common), self.of_flow.clone());
+        Some(System { common, own: setting.stop_parameters(), plant, of_flow })
     }
 
     /// The system of a setting that has its flow in common with this one, which is that of its own setting: the same as
     /// [`Flows::system`](super::Flows::system) has it, if it is known at once to be.
-    pub(crate) fn neighbour(&self, setting: Setting) -> Option<Self> {
-        if !self.setting.as_ref()?.has_flow_of(&setting) {
+    pub(crate) fn neighbour(&self, setting: &Setting) -> Option<Self> {
+        if !self.common.setting.as_ref()?.has_flow_of(setting) {
             return None;
         }
         let system = self.restopped(setting).filter(|own| own.mirrored_stops().eq(self.mirrored_stops()))?;
@@ -91,8 +89,7 @@ impl System {
     /// # Errors
     /// As [`System::of_plant`].
     pub fn with_plant(&self, plant: Plant) -> Result<Self, SystemError> {
-        let label_order = Arc::clone(&self.label_order);
-        System::of_plant(plant).map(|system| System { label_order, ..system })
+        System::of_plant(plant).map(|system| system.ordered(self.label_order().to_vec()))
     }
 
     /// The same system with another order in which labels count the impacts at its stops, each of them once.
@@ -104,23 +101,18 @@ impl System {
         let mut sorted = label_order.clone();
         sorted.sort_unstable();
         assert!(sorted.into_iter().eq(0..self.stops().len()), "each stop once: {label_order:?}");
-        System { label_order: label_order.into(), ..self }
+        self.ordered(label_order)
+    }
+
+    fn ordered(self, label_order: Vec<usize>) -> Self {
+        System { common: Arc::new(Common { label_order, ..Common::clone(&self.common) }), ..self }
     }
 
     /// A system whose forcing period is cut into steps short enough for the fastest motion.
-    fn divided(
-        setting: Option<Setting>,
-        plant: Plant,
-        label_order: Arc<[usize]>,
-        of_flow: Kept,
-    ) -> Result<Self, SystemError> {
-        let (rate, omega) = (rate(&plant), plant.omega);
-        let half_steps = (0.5 * rate * plant.period() / Self::STEP).ceil();
-        if half_steps.is_nan() || half_steps > f64::from(Self::MOST_STEPS / 2) {
-            return Err(SystemError::TooStiff(Box::new(Stiff { setting, omega, rate })));
-        }
-        let (plant, steps) = (Restopped::new(plant), 2 * half_steps as u32);
-        Ok(System { setting, plant, label_order, rate, steps, of_flow })
+    fn divided(setting: Option<Setting>, plant: Plant, label_order: Vec<usize>) -> Result<Self, SystemError> {
+        let own = setting.map(|setting| setting.stop_parameters()).unwrap_or_default();
+        let common = Arc::new(Common::of(setting, &plant, label_order)?);
+        Ok(System { common, own, plant: Restopped::new(plant), of_flow: Kept::default() })
     }
 
     /// The system of another plant that is known to be sound, with the same setting and its labels in the same order.
@@ -128,7 +120,7 @@ impl System {
     /// # Errors
     /// [`SystemError::TooStiff`] where one forcing period would hold too many steps.
     pub(super) fn with_sound_plant(&self, plant: Plant) -> Result<Self, SystemError> {
-        System::divided(self.setting, plant, Arc::clone(&self.label_order), Kept::default())
+        System::divided(self.setting(), plant, self.label_order().to_vec())
     }
 
     /// The same system forced at another frequency ω: its setting's omega, where it was made from one that has it.
@@ -136,7 +128,7 @@ impl System {
     /// # Errors
     /// As [`System::new`] and [`System::of_plant`].
     pub fn at_frequency(&self, omega: f64) -> Result<Self, SystemError> {
-        match self.setting.filter(|setting| setting.named("omega").is_some()) {
+        match self.setting().filter(|setting| setting.named("omega").is_some()) {
             Some(setting) => System::new(setting.with_named("omega", omega)),
             None => System::of_plant(Plant { omega, ..self.plant().clone() }),
         }
@@ -151,7 +143,7 @@ impl System {
 
     /// The stops in the order in which labels count their impacts: the family's, or that of the plant.
     pub fn label_order(&self) -> &[usize] {
-        &self.label_order
+        &self.common.label_order
     }
 
     /// The same system, which shares nothing with others.
@@ -161,13 +153,18 @@ impl System {
     }
 
     /// The setting that the system was made from; none where it was made from a plant.
-    pub fn setting(&self) -> Option<&Setting> {
-        self.setting.as_ref()
+    pub fn setting(&self) -> Option<Setting> {
+        self.common.setting.map(|like| like.with_stop_parameters(&self.own))
+    }
+
+    /// The family of that setting.
+    pub fn family(&self) -> Option<&'static Family> {
+        self.common.setting.as_ref().map(Setting::family)
     }
 
     /// Whether it is the paper's oscillator, of which the exact theory speaks.
     pub fn is_paper(&self) -> bool {
-        self.setting.as_ref().is_some_and(|setting| setting.family().is_paper())
+        self.family().is_some_and(Family::is_paper)
     }
 
     /// The parameters of the paper's oscillator.
@@ -175,7 +172,7 @@ impl System {
     /// # Panics
     /// If it is another system.
     pub fn parameters(&self) -> Parameters {
-        self.setting.as_ref().and_then(Parameters::of).expect("the system is the paper's oscillator")
+        self.setting().as_ref().and_then(Parameters::of).expect("the system is the paper's oscillator")
     }
 
     /// The numbers of its equations of motion.
@@ -276,22 +273,11 @@ impl System {
     /// The fastest rate of the flow: ω, or ‖A⁸‖^(1/8) of the unforced generator A, which lies just above the
     /// modulus of its largest eigenvalue. Taylor terms of a flight of length s shrink like (rate·s)ᵏ/k!.
     pub fn rate(&self) -> f64 {
-        self.rate
+        self.common.rate
     }
 
     /// M, the steps in one forcing period: even, so that phases 0 and π fall on steps.
     pub fn steps(&self) -> u32 {
-        self.steps
-    }
-}
-
-/// See [`System::rate`].
-fn rate(plant: &Plant) -> f64 {
-    match plant.n {
-        1 => super::Equations::<1>::new(plant).rate(),
-        2 => super::Equations::<2>::new(plant).rate(),
-        3 => super::Equations::<3>::new(plant).rate(),
-        4 => super::Equations::<4>::new(plant).rate(),
-        _ => super::Equations::<5>::new(plant).rate(),
+        self.common.steps
     }
 }

@@ -165,7 +165,7 @@ impl ControlPicture<'_> {
                 AxisTitle::new("velocity after impact", short)
             }
             Reading::VAfter | Reading::Tau => symbols::reading_title(reading),
-            _ => symbols::title_on(self.setting(), Section::Impact(self.scheme.stop()), reading),
+            _ => symbols::title_on(&self.setting(), Section::Impact(self.scheme.stop()), reading),
         }
     }
 
@@ -195,14 +195,14 @@ impl ControlPicture<'_> {
         }
     }
 
-    fn setting(&self) -> &Setting {
+    fn setting(&self) -> Setting {
         self.system.setting().expect("a system that is drawn is made of a setting")
     }
 
     /// The system, the start and the method, without the settings of which `varied` says so.
     pub fn title(&self, varied: impl Fn(ControlQuantity) -> bool) -> Vec<Text> {
-        let mut title = symbols::equations(self.setting(), |_| false);
         let setting = self.setting();
+        let mut title = symbols::equations(&setting, |_| false);
         title.extend(symbols::start(self.start, setting.has_mirror(), setting.family(), |_| false));
         if let Some(last) = title.last_mut() {
             *last = last.clone().upright(";");

@@ -44,7 +44,7 @@ impl<'a, T> Preparing<'a, T> {
             let start = start.state_by(&system.clone().alone(), &mut self.symmetric);
             return Ok(Job { system, start });
         }
-        let system = match self.like.as_ref().and_then(|like| like.neighbour(setting)) {
+        let system = match self.like.as_ref().and_then(|like| like.neighbour(&setting)) {
             Some(system) => system,
             None => self.like.insert(self.flows.system(setting)?).clone(),
         };

@@ -30,6 +30,8 @@ pub struct Family {
     pub(super) label_order: Vec<usize>,
     /// The parameters on which more depends than gaps and restitutions.
     pub(super) of_flow: Vec<ParameterId>,
+    /// The others.
+    pub(super) of_stops: Vec<ParameterId>,
     /// The axes of a map where none are given.
     pub plane: Option<DefaultPlane>,
 }

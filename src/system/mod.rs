@@ -30,7 +30,7 @@ pub use number::{Number, joined, whole};
 pub use parameter::{Bound, Parameter as ParameterRecord, ParameterError, ParameterId, Range};
 pub use plant::Plant;
 pub use plant_error::{Part, PlantError};
-pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting};
+pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting, StopParameters};
 pub use stop_place::{Gap, StopPlace, Term};
 pub use stops::{PlantStop, StopValues};
 

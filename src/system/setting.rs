@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 
 use derive_more::{Debug, Display};
 use parking_lot::Mutex;
+use smallvec::SmallVec;
 
 use super::builtin::builtin;
 use super::error::{CellError, FamilyError};
@@ -141,6 +142,9 @@ impl std::hash::Hash for Parameter {
     }
 }
 
+/// The values of the parameters of a family on which gaps and restitutions alone depend; few as a rule.
+pub type StopParameters = SmallVec<[f64; 4]>;
+
 /// The values of a family's parameters; everything is non-dimensional unless the family says otherwise.
 #[derive(Clone, Copy)]
 pub struct Setting {
@@ -181,6 +185,20 @@ impl Setting {
     /// Changes one parameter (not checked; see [`Setting::check`]).
     pub fn set(&mut self, parameter: Parameter, value: f64) {
         self.values[parameter.id.index()] = value;
+    }
+
+    /// The values on which gaps and restitutions alone depend, all others being the [`Setting::flow_bits`].
+    pub fn stop_parameters(&self) -> StopParameters {
+        self.family.of_stops.iter().map(|id| self.values[id.index()]).collect()
+    }
+
+    /// The same setting with [`Setting::stop_parameters`] of another with the same [`Setting::flow_bits`].
+    #[must_use]
+    pub fn with_stop_parameters(mut self, values: &StopParameters) -> Self {
+        for (id, value) in self.family.of_stops.iter().zip(values) {
+            self.values[id.index()] = *value;
+        }
+        self
     }
 
     /// Whether it is of the same family, with the same [`Setting::flow_bits`].

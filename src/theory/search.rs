@@ -95,7 +95,7 @@ struct Beside {
 /// The system a relative change of ω and δ away, in one of the directions; of a plant without parameters ω alone changes.
 fn neighbour(system: &System, reach: f64, direction: u32) -> Option<System> {
     let (sin, cos) = (TAU * f64::from(direction) / f64::from(DIRECTIONS)).sin_cos();
-    let Some(&setting) = system.setting() else {
+    let Some(setting) = system.setting() else {
         let plant = Plant { omega: system.plant().omega * (1.0 + reach * cos), ..system.plant().clone() };
         return system.with_plant(plant).ok();
     };
@@ -193,7 +193,7 @@ fn between(from: &System, to: &System, share: f64) -> Option<System> {
         let [a, b] = [from, to].map(|system| system.plant().omega);
         return to.with_plant(Plant { omega: a + share * (b - a), ..to.plant().clone() }).ok();
     };
-    let blended = last.entries().fold(*last, |setting, (parameter, b)| {
+    let blended = last.entries().fold(last, |setting, (parameter, b)| {
         let a = first.get(parameter);
         if a == b { setting } else { setting.with(parameter, a + share * (b - a)) }
     });

@@ -6,7 +6,7 @@ use crate::analysis::{Reading, Regime, Section, Verdict};
 use crate::dynamics::{self, Recording};
 use crate::explore::task::Task;
 use crate::figure::Size;
-use crate::model::{Setting, System};
+use crate::model::System;
 use crate::plane::Start;
 use crate::render::{Orbit, OrbitPanel, orbit_figure};
 
@@ -21,7 +21,7 @@ const SECTION: u32 = 2000;
 
 /// Sends the phase portrait and the time series of the motion that a cell has settled on.
 pub fn portrait(system: &System, verdict: &Verdict, width: u32, task: &Task) {
-    let Some(family) = system.setting().map(Setting::family) else { return };
+    let Some(family) = system.family() else { return };
     let periods = match verdict.n {
         0 if verdict.regime == Regime::NoImpact => 1,
         0 => APERIODIC,

@@ -16,7 +16,7 @@ const BESIDE: usize = 2;
 /// A figure of several plots of one orbit, under the system's parameters and the start.
 pub fn orbit_figure(orbit: &Orbit<'_>, start: Start, panels: &[OrbitPanel], zooms: &[Zoom]) -> Figure {
     let parameters = orbit.system.setting().expect("a system that is drawn is made of a setting");
-    let mut title = symbols::equations(parameters, |_| false);
+    let mut title = symbols::equations(&parameters, |_| false);
     title.extend(symbols::start(start, parameters.has_mirror(), parameters.family(), |_| false));
     let mut plots: Vec<Panel> = panels.iter().map(|&panel| orbit.panel(panel, zooms)).collect();
     let family = parameters.family();

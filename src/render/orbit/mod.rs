@@ -178,7 +178,7 @@ impl Orbit<'_> {
             Scale::around(points.iter().map(|point| point[i]).chain(stops(variable)), AROUND)
         };
         let setting = self.system.setting().expect("a system that is drawn is made of a setting");
-        let title = |variable| title(setting, section, variable);
+        let title = |variable| title(&setting, section, variable);
         Frame { x: scale(0, x), y: scale(1, y), x_title: title(x), y_title: title(y) }
     }
 }

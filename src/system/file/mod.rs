@@ -52,9 +52,11 @@ fn read(text: &str, origin: &str) -> Result<Family, FamilyError> {
         stops,
         label_order,
         of_flow: Vec::new(),
+        of_stops: Vec::new(),
         plane,
     };
     family.of_flow = family.parameters_of_flow();
+    family.of_stops = family.ids().filter(|id| !family.of_flow.contains(id)).collect();
     let used = |place: usize| family.blocks().flat_map(Block::uses).any(|id| id.index() == place);
     if let Some(unused) = (0..places.len()).find(|&i| !used(i)) {
         let problem =
