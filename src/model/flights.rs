@@ -15,7 +15,7 @@ use super::system::System;
 /// The constants of many cells, those of each distinct flow computed once.
 #[derive(Debug)]
 pub struct Flights<const N: usize> {
-    /// One flight of each distinct flow.
+    /// One flight of each distinct flow; none where they are computed when they are asked for.
     distinct: Vec<Flight<f64, N>>,
     /// Which of them belongs to each cell.
     of_cell: Vec<usize>,
@@ -24,6 +24,16 @@ pub struct Flights<const N: usize> {
 impl<const N: usize> Flights<N> {
     /// Prepares cells of N coordinates.
     pub fn of(systems: &[&System]) -> Self {
+        Flights::where_worth(systems, |_| true)
+    }
+
+    /// The same, but where hardly a cell has its flow in common with another: there they would be many and large, and each is
+    /// computed when it is asked for.
+    pub fn of_shared(systems: &[&System]) -> Self {
+        Flights::where_worth(systems, |distinct| 2 * distinct <= systems.len())
+    }
+
+    fn where_worth(systems: &[&System], is_worth: impl Fn(usize) -> bool) -> Self {
         // Systems that are known to share their flow need not be compared.
         let mut known: FxHashMap<*const OfFlow, usize> = FxHashMap::default();
         let mut seen: Vec<&System> = Vec::new();
@@ -38,19 +48,23 @@ impl<const N: usize> Flights<N> {
             .map(|(flow, system)| numbered(&mut first, &flow[..], system, &mut cells))
             .collect();
         of_cell.iter_mut().for_each(|cell| *cell = of_seen[*cell]);
+        cells.truncate(if is_worth(cells.len()) { cells.len() } else { 0 });
         let distinct = cells.par_iter().map(|system| Flight::new(system)).collect();
         Flights { distinct, of_cell }
     }
 
     /// The constants of one of the cells, the same as [`Flight::new`] has them.
     pub fn get(&self, cell: usize, system: &System) -> Flight<f64, N> {
-        self.distinct[self.of_cell[cell]].with_stops_of(system)
+        let known = self.distinct.get(self.of_cell[cell]);
+        known.map_or_else(|| Flight::new(system), |flight| flight.with_stops_of(system))
     }
 
     /// Puts the constants of one of the cells, as [`Flights::get`] has them, in the place of those of another, `from`.
     pub fn put(&self, cell: usize, system: &System, from: usize, into: &mut Flight<f64, N>) {
-        if self.of_cell[cell] != self.of_cell[from] {
-            *into = self.distinct[self.of_cell[cell]];
+        match self.distinct.get(self.of_cell[cell]) {
+            _ if self.of_cell[cell] == self.of_cell[from] => {}
+            Some(flight) => *into = *flight,
+            None => *into = Flight::new(system),
         }
         into.take_stops_of(system);
     }
@@ -62,12 +76,7 @@ impl<const N: usize> Flights<N> {
         cells
     }
 
-    /// How many contact normals one of the cells has.
-    pub fn normals(&self, cell: usize) -> usize {
-        self.distinct[self.of_cell[cell]].count
-    }
-
-    /// The constants of some cell of each distinct flow.
+    /// The constants of some cell of each distinct flow; none where [`Flights::of_shared`] found too many.
     pub fn distinct(&self) -> &[Flight<f64, N>] {
         &self.distinct
     }
@@ -116,15 +125,24 @@ mod tests {
         let cells: Vec<&System> = systems.iter().collect();
         let flights = Flights::<2>::of(&cells);
         assert_eq!(flights.distinct().len(), 2);
-        for (i, system) in systems.iter().enumerate() {
-            assert_eq!(flights.get(i, system), Flight::new(system), "{system:?}");
-            // The test can fail: the constants of another cell differ.
-            let other = &systems[(i + 1) % systems.len()];
-            assert_ne!(flights.get(i, system), Flight::new(other));
-            for from in 0..systems.len() {
-                let mut flight = flights.get(from, &systems[from]);
-                flights.put(i, system, from, &mut flight);
-                assert_eq!(flight, flights.get(i, system), "{i} after {from}");
+        let shared = Flights::<2>::of_shared(&cells);
+        assert_eq!(shared.distinct().len(), 2);
+        // Of cells that have nothing in common nothing is kept.
+        let (alone, cells) = ([&systems[0], &systems[5]], &cells[..]);
+        assert_eq!(Flights::<2>::of(&alone).distinct().len(), 2);
+        let alone_shared = Flights::<2>::of_shared(&alone);
+        assert!(alone_shared.distinct().is_empty());
+        for (flights, cells) in [(&flights, cells), (&shared, cells), (&alone_shared, &alone)] {
+            for (i, system) in cells.iter().enumerate() {
+                assert_eq!(flights.get(i, system), Flight::new(system), "{system:?}");
+                // The test can fail: the constants of another cell differ.
+                let other = cells[(i + 1) % cells.len()];
+                assert_ne!(flights.get(i, system), Flight::new(other));
+                for from in 0..cells.len() {
+                    let mut flight = flights.get(from, cells[from]);
+                    flights.put(i, system, from, &mut flight);
+                    assert_eq!(flight, flights.get(i, system), "{i} after {from}");
+                }
             }
         }
     }

@@ -115,7 +115,7 @@ fn spread<const N: usize>(
     let taken = AtomicUsize::new(0);
     let usage = Mutex::new(Usage::default());
     let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
-    let flights = Flights::<N>::of(&systems);
+    let flights = Flights::<N>::of_shared(&systems);
     let order = flights.by_flow();
     let threads = rayon::current_num_threads().min(jobs.len().div_ceil(width.lanes()));
     let (sender, done) = mpsc::channel();
@@ -210,7 +210,7 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
 
     fn next(&mut self) -> Option<Box<Seat<f64, N, usize>>> {
         let mut index = self.take()?;
-        while self.flights.normals(index) != self.normals {
+        while self.jobs[index].system.normals() != self.normals {
             self.follow_alone(index);
             index = self.take()?;
         }
