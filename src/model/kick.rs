@@ -8,6 +8,7 @@ use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use nalgebra::SVector;
+use pulp::NullaryFnOnce;
 
 use super::equations::Equations;
 use super::flow::{self, Augmented, mechanical};
@@ -64,11 +65,28 @@ pub(super) fn rounded<T: Real, const N: usize>(
 /// being Chebyshev's polynomial of 2u − 1. So cₖ uᵏ is made one of lower order by taking cₖ u T*ₖ₋₁(u)/2²ᵏ⁻³ from it. The factor
 /// u keeps the value at u = 0 exact, and the error in proportion to the time near it.
 pub(super) fn economize<V: Term>(terms: &mut [V], order: usize) {
-    for highest in (order + 1..terms.len()).rev() {
-        let term = std::mem::replace(&mut terms[highest], V::zero());
-        let known = USUAL.get(highest).map_or_else(|| Cow::Owned(lower(highest)), Cow::from);
-        for (k, coefficient) in known.iter().enumerate() {
-            terms[k + 1] = terms[k + 1].plus(-coefficient, &term);
+    f64::fused(Economizing { terms, order });
+}
+
+/// A polynomial that is yet to be brought to an order; a type of its own, since what a closure does is not compiled with the
+/// instructions that [`Real::fused`] asks for.
+struct Economizing<'a, V> {
+    terms: &'a mut [V],
+    order: usize,
+}
+
+impl<V: Term> NullaryFnOnce for Economizing<'_, V> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Economizing { terms, order } = self;
+        for highest in (order + 1..terms.len()).rev() {
+            let term = std::mem::replace(&mut terms[highest], V::zero());
+            let known = USUAL.get(highest).map_or_else(|| Cow::Owned(lower(highest)), Cow::from);
+            for k in 1..highest {
+                terms[k] = terms[k].plus(-known[k - 1], &term);
+            }
         }
     }
 }

@@ -51,6 +51,7 @@ impl<const N: usize> Term for State<f64, N> {
         State::zero()
     }
 
+    #[inline(always)]
     fn plus(&self, a: f64, other: &Self) -> Self {
         State::plus(self, a, other)
     }
@@ -61,6 +62,7 @@ impl<const N: usize> Term for Row<f64, N> {
         Row::all(0.0)
     }
 
+    #[inline(always)]
     fn plus(&self, a: f64, other: &Self) -> Self {
         Row {
             state: self.state.plus(a, &other.state),

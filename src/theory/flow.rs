@@ -2,11 +2,12 @@
 
 use std::borrow::Cow;
 use std::f64::consts::PI;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use nalgebra::{DMatrix, DVector, SMatrix};
 
 use super::face::{Face, slots};
+use super::joined::Joined;
 use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
 use crate::model::{OfFlow, System};
@@ -21,16 +22,24 @@ pub(crate) struct Flow {
     pub omega: f64,
     /// The stops.
     faces: Vec<Face>,
+    whatever_gaps: Arc<WhateverGaps>,
     kept: Arc<OfFlow>,
 }
 
-/// The stops, with the gaps of any one of the systems that have all else in common.
-struct WhateverGaps(Vec<Face>);
+/// What does not depend on the gaps.
+#[derive(Debug)]
+struct WhateverGaps {
+    /// The stops, with the gaps of any one of the systems that have all else in common.
+    faces: Vec<Face>,
+    /// What joins impacts half a forcing period apart, at the first two stops for which that was asked.
+    half_period: OnceLock<([Stop; 2], Joined)>,
+}
 
 impl WhateverGaps {
     fn new(system: &System) -> Self {
         let inverse = inverse_mass(system);
-        WhateverGaps(system.stops().map(|(direction, stop)| Face::new(direction, stop, &inverse)).collect())
+        let faces = system.stops().map(|(direction, stop)| Face::new(direction, stop, &inverse)).collect();
+        WhateverGaps { faces, half_period: OnceLock::new() }
     }
 }
 
@@ -60,13 +69,14 @@ impl Flow {
     /// The flow of a system.
     pub fn new(system: &System) -> Self {
         let whatever_gaps = system.whatever_gaps(|| WhateverGaps::new(system));
-        let faces = whatever_gaps.0.iter().zip(system.stops()).map(|(face, (_, stop))| face.at_gap(stop.gap));
+        let faces =
+            whatever_gaps.faces.iter().zip(system.stops()).map(|(face, (_, stop))| face.at_gap(stop.gap));
         let faces = faces.collect();
         let kept = Arc::clone(system.of_flow());
         // What is asked of it here is known from now on.
         kept.generator(|| generator(system));
         system.mirror();
-        Flow { n: system.coordinates(), omega: system.like().omega, faces, kept }
+        Flow { n: system.coordinates(), omega: system.like().omega, faces, whatever_gaps, kept }
     }
 
     /// G, (2n + 3) × (2n + 3).
@@ -86,16 +96,32 @@ impl Flow {
 
     /// exp(G t). Half a forcing period is computed once, and taken for every time that rounding alone keeps from it.
     pub fn over(&self, time: f64) -> Cow<'_, DMatrix<f64>> {
-        let half = PI / self.omega;
-        if (time - half).abs() <= 4.0 * f64::EPSILON * half {
-            return Cow::Borrowed(self.half_period());
+        if self.is_half_period(time) {
+            let half = PI / self.omega;
+            return Cow::Borrowed(self.kept.half_period(|| exponential(&(self.generator() * half))));
         }
         Cow::Owned(exponential(&(self.generator() * time)))
     }
 
-    /// The same over half a forcing period.
-    pub fn half_period(&self) -> &DMatrix<f64> {
-        self.kept.half_period(|| exponential(&(self.generator() * (PI / self.omega))))
+    /// What joins an impact at one stop to one at another after some time; over half a forcing period it is computed once.
+    pub fn joined(&self, stops: [Stop; 2], time: f64) -> Cow<'_, Joined> {
+        let compute = || {
+            let over = self.over(time);
+            Joined::new(&over, stops.map(|stop| self.face(stop)), self.generator(), self.omega)
+        };
+        if self.is_half_period(time) {
+            let (of, joined) = self.whatever_gaps.half_period.get_or_init(|| (stops, compute()));
+            if *of == stops {
+                return Cow::Borrowed(joined);
+            }
+        }
+        Cow::Owned(compute())
+    }
+
+    /// Whether rounding alone keeps a time from half a forcing period.
+    fn is_half_period(&self, time: f64) -> bool {
+        let half = PI / self.omega;
+        (time - half).abs() <= 4.0 * f64::EPSILON * half
     }
 
     /// The whole state z just after an impact.

@@ -1,7 +1,7 @@
 //! The solutions of the matching conditions (5): their sections, whether the system follows them, and which of the two can be
 //! stable.
 
-use nalgebra::DMatrix;
+use nalgebra::{Complex, DMatrix};
 use thiserror::Error;
 
 use super::admissible::{Inadmissible, NamedStop, fly_by, leaves_inwards};
@@ -10,7 +10,7 @@ use super::flow::Flow;
 use super::follower::KeptFollower;
 use super::matching_line::MatchingLine;
 use super::motion::PeriodicMotion;
-use super::multipliers::{contracts, turn};
+use super::multipliers::{contracts, eigenvalues, turn};
 use super::pattern::{Pattern, StopSet};
 use super::section_vector::{SectionVector, phase, wrapped};
 use crate::dynamics::Stop;
@@ -33,12 +33,13 @@ impl SymmetricMotion {
     ///
     /// Infinite where the impacts graze, since there is nothing to linearise about.
     pub fn spectral_radius(&self, system: &System) -> f64 {
-        spectral_radius(&self.motion, system)
+        largest(self.motion.half_multipliers(system))
     }
 }
 
-fn spectral_radius(motion: &PeriodicMotion, system: &System) -> f64 {
-    motion.half_multipliers(system).map_or(f64::INFINITY, |values| values[0].norm())
+/// The modulus of the first of some multipliers.
+fn largest(multipliers: Option<Vec<Complex<f64>>>) -> f64 {
+    multipliers.map_or(f64::INFINITY, |values| values[0].norm())
 }
 
 /// Why the matching conditions (5) have no solution.
@@ -155,7 +156,7 @@ impl<'a> Matched<'a> {
 
     /// The largest modulus among its half map's multipliers; see [`SymmetricMotion::spectral_radius`].
     pub fn spectral_radius(&self, k: usize) -> f64 {
-        spectral_radius(&self.motion(k), self.system)
+        largest(self.half_turn(k).and_then(|map| eigenvalues(&map)))
     }
 
     /// One of them, with (x, v) at forcing phase 0 if the system follows it.

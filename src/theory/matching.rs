@@ -24,21 +24,16 @@ impl Arc {
     pub fn between(flow: &Flow, from: &Node, to: &Node) -> Self {
         let start = flow.lifted(from.stop, &from.section);
         let time = (phase(&to.section) - phase(&from.section)) / flow.omega;
-        let over = flow.over(time);
-        let over = over.as_ref();
-        let arrival = over * &start;
-        let rate = flow.generator() * &arrival / flow.omega;
-        let face = flow.face(to.stop);
+        let joined = flow.joined([from.stop, to.stop], time);
         let last = 2 * flow.n - 1;
-        let mut target = to.section.clone();
-        target[last] = face.gap;
-        let mut through = over * &flow.face(from.stop).lift;
-        through.set_column(last, &(over * flow.turned(&start) - &rate));
-        Arc {
-            residual: &face.restituted * arrival - target,
-            from: &face.restituted * through,
-            arriving: &face.restituted * rate,
-        }
+        let mut residual = &joined.section * &start;
+        let along = residual[last];
+        residual -= &to.section;
+        residual[last] = along - flow.face(to.stop).gap;
+        let arriving = &joined.rate * &start;
+        let mut from = joined.lifted.clone();
+        from.set_column(last, &(&joined.section * flow.turned(&start) - &arriving));
+        Arc { residual, from, arriving }
     }
 
     /// ∂R/∂u′.

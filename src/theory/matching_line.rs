@@ -1,5 +1,7 @@
 //! The straight line on which the matching conditions (5) hold but for sin² τ + cos² τ = 1, for every gap at once.
 
+use std::f64::consts::PI;
+
 use nalgebra::{DVector, SMatrix, SVector};
 
 use super::flow::Flow;
@@ -43,11 +45,11 @@ impl MatchingLine {
     pub fn of(flow: &Flow, from: Stop, to: Stop) -> Option<Self> {
         let (n, face, image) = (flow.n, flow.face(from), flow.face(to));
         let size = 2 * n;
-        // After the impact, as components of the section there; the last one is d·x.
-        let arrived = &image.restituted * flow.half_period();
+        let joined = flow.joined([from, to], PI / flow.omega);
+        let arrived = &joined.section;
         // Between two sections d·x stays on the stop, and so it does between their mirror images.
         let reflection = flow.reflection(from);
-        let sections = (&arrived * &face.lift - &reflection).columns_range(..size - 1).into_owned();
+        let sections = (&joined.lifted - &reflection).columns_range(..size - 1).into_owned();
         let mut matrix = sections.resize_horizontally(size + 1, 0.0);
         matrix.columns_mut(size - 1, 2).copy_from(&arrived.columns(size, 2));
         let constant = arrived.column(size + 2).into_owned();

@@ -17,6 +17,7 @@ mod follower;
 mod frame;
 mod impact_map;
 mod jet;
+mod joined;
 mod label;
 mod matched;
 mod matching;

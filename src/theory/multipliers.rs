@@ -19,11 +19,10 @@ pub(super) const STABLE: f64 = 1.0 - 1e-9;
 ///
 /// It is the product of the Jacobians of its impacts. None where an impact grazes, since the map has no derivative there.
 pub(crate) fn turn(flow: &Flow, pattern: &Pattern, sections: &[SectionVector]) -> Option<DMatrix<f64>> {
-    let mut product = DMatrix::identity(2 * flow.n, 2 * flow.n);
-    for arc in arcs(flow, pattern, sections) {
-        product = arc.jacobian()? * product;
+    let mut closed = pattern.reopening_matrix(flow);
+    for arc in arcs(flow, pattern, sections).iter().rev() {
+        closed *= arc.jacobian()?;
     }
-    let closed = pattern.reopening_matrix(flow) * product;
     closed.iter().all(|value| value.is_finite()).then_some(closed)
 }
 
