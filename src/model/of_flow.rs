@@ -13,8 +13,12 @@ use crate::system::{Mirror, Plant};
 /// The bits of the coefficient of restitution of every stop; 0 from the last stop on.
 pub(super) type Restitutions = [u64; Plant::MOST_STOPS];
 
-/// What was found for some coefficients of restitution, by its type.
+/// What was found for some coefficients of restitution, by its type: of the last few alone. Cells that have theirs in common come
+/// one after the other, and on a plane on which none have it would be much.
 type Found = FxHashMap<(TypeId, Restitutions), Arc<dyn Any + Send + Sync>>;
+
+/// So many are kept.
+const FEW: usize = 16;
 
 /// What follows from a flow, found when it is first asked for.
 #[derive(Debug, Default)]
@@ -49,9 +53,10 @@ impl OfFlow {
         is_shared.then(|| self.constants.get_or_init(|| Box::new(compute())).downcast_ref()).flatten()
     }
 
-    /// How many things are kept that follow from it.
-    pub(super) fn kept(&self) -> usize {
-        1 + self.of_restitutions.read().len()
+    /// How many things are kept that follow from it and coefficients of restitution.
+    #[cfg(test)]
+    pub fn kept(&self) -> usize {
+        self.of_restitutions.read().len()
     }
 
     /// G of the flow z' = G z of z = (x, v, sin φ, cos φ, 1).
@@ -77,7 +82,11 @@ impl OfFlow {
         }
         let found = Arc::new(compute());
         let kept: Arc<dyn Any + Send + Sync> = found.clone();
-        self.of_restitutions.write().insert(key, kept);
+        let mut known = self.of_restitutions.write();
+        if known.len() >= FEW {
+            known.clear();
+        }
+        known.insert(key, kept);
         found
     }
 }

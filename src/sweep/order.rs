@@ -7,7 +7,8 @@ use crate::plane::{Axis, Plane, Quantity};
 /// The golden ratio's inverse, whose multiples are spread evenly by their fractions.
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
-/// An order of the cells of a plane in which those that have their flow in common come one after the other.
+/// An order of the cells of a plane in which those that have their flow in common come one after the other, and of those the
+/// ones that have their restitutions in common.
 #[derive(Clone, Debug)]
 pub(super) struct Order {
     columns: u64,
@@ -22,7 +23,7 @@ impl Order {
     /// Columns next to each other are as dear as each other: they come far apart, so that all parts of the order take as long.
     pub fn by_flow<T>(plane: &Plane<T>) -> Self {
         let columns = plane.x.count;
-        let by_column = has_flows_by_column(plane).then(|| {
+        let by_column = goes_by_column(plane).then(|| {
             let share = |&column: &u32| (f64::from(column) * GOLDEN).fract();
             let mut spread: Vec<u32> = (0..columns).collect();
             spread.sort_by(|a, b| share(a).total_cmp(&share(b)));
@@ -42,19 +43,35 @@ impl Order {
     }
 }
 
-/// Whether cells above each other have their flow in common, and cells beside each other have not.
-pub(super) fn has_flows_by_column<T>(plane: &Plane<T>) -> bool {
-    varies_flow(&plane.x) && !varies_flow(&plane.y)
+/// Whether cells above each other have more in common than cells beside each other.
+pub(super) fn goes_by_column<T>(plane: &Plane<T>) -> bool {
+    Varied::along(&plane.x) > Varied::along(&plane.y)
 }
 
 /// Whether no two cells of a plane have their flow in common.
 pub(super) fn has_flow_of_its_own<T>(plane: &Plane<T>) -> bool {
-    varies_flow(&plane.x) && varies_flow(&plane.y)
+    [&plane.x, &plane.y].map(Varied::along) == [Varied::Flow; 2]
 }
 
-/// Whether cells along an axis have different flows.
-fn varies_flow(axis: &Axis) -> bool {
-    matches!(axis.quantity, Quantity::Parameter(parameter) if parameter.is_of_flow())
+/// In what cells along an axis differ; what of it is found once for all of them is the less, the later it comes here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Varied {
+    /// Gaps, starts or how they are controlled.
+    Gaps,
+    /// Restitutions.
+    Restitutions,
+    /// More than stops.
+    Flow,
+}
+
+impl Varied {
+    fn along(axis: &Axis) -> Self {
+        match axis.quantity {
+            Quantity::Parameter(parameter) if parameter.is_of_flow() => Varied::Flow,
+            Quantity::Parameter(parameter) if parameter.is_of_restitution() => Varied::Restitutions,
+            _ => Varied::Gaps,
+        }
+    }
 }
 
 #[cfg(test)]
@@ -62,7 +79,10 @@ mod tests {
     use super::*;
     use crate::plane::Start;
 
-    const PLANES: [(&str, &str, bool); 4] = [
+    const PLANES: [(&str, &str, bool); 7] = [
+        ("omega=2:4:9", "r=0.3:0.9:31", true),
+        ("r=0.3:0.9:31", "omega=2:4:9", false),
+        ("r=0.3:0.9:31", "delta=0.05:0.3:9", true),
         ("omega=2:4:9", "delta=0.05:0.3:31", true),
         ("delta=0.05:0.3:31", "omega=2:4:9", false),
         ("omega=2:4:9", "zeta=0.05:0.3:31", false),
@@ -74,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn cells_with_the_same_flow_come_one_after_the_other() {
+    fn cells_that_have_more_in_common_come_one_after_the_other() {
         for (x, y, by_column) in PLANES {
             let plane = plane(x, y);
             let order = Order::by_flow(&plane);
@@ -83,11 +103,18 @@ mod tests {
             let mut sorted = cells.clone();
             sorted.sort_unstable();
             assert!(sorted.into_iter().eq(0..plane.cells()), "{x}, {y}: each cell once");
-            let omega = |cell: u64| {
+            let changes = |name: &str| {
                 let columns = u64::from(plane.x.count);
-                plane.parameters_at((cell % columns) as u32, (cell / columns) as u32).named("omega")
+                let value = |cell: u64| {
+                    plane.parameters_at((cell % columns) as u32, (cell / columns) as u32).named(name)
+                };
+                cells.windows(2).filter(|pair| value(pair[0]) != value(pair[1])).count()
             };
-            let changes = cells.windows(2).filter(|pair| omega(pair[0]) != omega(pair[1])).count();
+            if [x, y].iter().all(|axis| !axis.contains("omega")) && x.contains("r=") {
+                assert_eq!(changes("r"), 30, "{x}, {y}");
+                assert!(changes("delta") > 30, "{x}, {y}: the check can fail");
+            }
+            let changes = changes("omega");
             match (x.contains("omega"), by_column) {
                 (true, true) => assert_eq!(changes, 8, "{x}, {y}"),
                 (true, false) => assert!(changes > 8, "{x}, {y}: the check can fail"),

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::Result;
-use super::order::{has_flow_of_its_own, has_flows_by_column};
+use super::order::{goes_by_column, has_flow_of_its_own};
 use super::swept::Swept;
 use crate::backend::Job;
 use crate::model::{Flows, System, SystemError};
@@ -90,7 +90,7 @@ fn made_by_flow<T: Sync, M: Send>(
     make: impl Fn(&mut Preparing<'_, T>, u64) -> M + Sync,
 ) -> Vec<(u32, M)> {
     let mut order: Vec<(u32, u64)> = (0..).zip(cells.iter().copied()).collect();
-    if has_flows_by_column(plane) {
+    if goes_by_column(plane) {
         order.sort_by_key(|&(_, cell)| cell % u64::from(plane.x.count));
     }
     let (places, cells): (Vec<u32>, Vec<u64>) = order.into_iter().unzip();

@@ -114,6 +114,11 @@ impl Parameter {
         self.family.of_flow.contains(&self.id)
     }
 
+    /// Whether a coefficient of restitution depends on it.
+    pub fn is_of_restitution(self) -> bool {
+        self.family.stops.iter().any(|stop| stop.restitution.uses().any(|id| id == self.id))
+    }
+
     /// What the file says about it.
     pub fn about(self) -> &'static ParameterRecord {
         self.family.about(self.id)
