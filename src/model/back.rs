@@ -8,7 +8,7 @@ use nalgebra::SVector;
 
 use super::equations::Equations;
 use super::flow::{self, Functional};
-use super::kick::{SOME, economize, filled};
+use super::kick::{USUAL_TERMS, economize, filled};
 use super::real::Real;
 use super::row::{Row, Term};
 
@@ -22,7 +22,7 @@ pub(super) fn back<const N: usize>(
     direction: SVector<f64, N>,
 ) -> [Row<f64, N>; BACK_TERMS] {
     let now = Functional { x: direction, v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 };
-    let mut terms = Vec::with_capacity(SOME);
+    let mut terms = Vec::with_capacity(USUAL_TERMS);
     terms.extend(flow::series_back(equations, h, now).map(Row::of));
     economize_slope(&mut terms, f64::BACK_ORDER);
     filled(&terms)
@@ -51,6 +51,7 @@ fn economize_slope<const N: usize>(terms: &mut [Row<f64, N>], order: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::common::STEP;
     use crate::model::{Setting, State, System};
     use crate::system::Family;
 
@@ -60,7 +61,7 @@ mod tests {
         let paper = Setting::defaults(Family::paper()).with_named("omega", 0.05);
         let system = System::new(paper).unwrap();
         let equations = Equations::<2>::new(system.plant());
-        let h = System::STEP / system.rate();
+        let h = STEP / system.rate();
         let now =
             Functional { x: SVector::from([1.0, 0.0]), v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 };
         let whole: Vec<_> = flow::series_back(&equations, h, now).map(Row::of).collect();

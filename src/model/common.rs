@@ -4,14 +4,14 @@ use super::equations::Equations;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
 use crate::system::{Plant, Setting};
 
-/// See [`System::STEP`](super::System::STEP).
+/// rate·h of a step of length h is kept below this: large enough for few steps, small enough for low orders.
 pub(super) const STEP: f64 = 1.0;
 
 /// What systems with the same flow have in common, beside their plants.
 #[derive(Clone, Debug)]
 pub(super) struct Common {
     /// The setting that one of them was made from, if they were made from settings.
-    pub setting: Option<Setting>,
+    pub like: Option<Setting>,
     /// The stops in the order in which labels count their impacts.
     pub label_order: Vec<usize>,
     /// See [`System::rate`](super::System::rate).
@@ -31,14 +31,14 @@ impl Common {
         if half_steps.is_nan() || half_steps > f64::from(MOST_STEPS / 2) {
             return Err(SystemError::TooStiff(Box::new(Stiff { setting, omega, rate })));
         }
-        Ok(Common { setting, label_order, rate, steps: 2 * half_steps as u32 })
+        Ok(Common { like: setting, label_order, rate, steps: 2 * half_steps as u32 })
     }
 }
 
 impl PartialEq for Common {
     fn eq(&self, other: &Self) -> bool {
-        let alike = match (&self.setting, &other.setting) {
-            (Some(own), Some(other)) => own.has_flow_of(other),
+        let alike = match (&self.like, &other.like) {
+            (Some(own), Some(other)) => own.with_stop_parameters(&other.stop_parameters()) == *other,
             (own, other) => own.is_none() && other.is_none(),
         };
         let rest = |common: &Self| (common.rate, common.steps);

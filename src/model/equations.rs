@@ -109,9 +109,9 @@ impl<const N: usize> Equations<N> {
     /// The normal along a direction, a new one if there is none yet, and the direction in units of it.
     fn normal_along(&mut self, inverse: &SMatrix<f64, N, N>, direction: SVector<f64, N>) -> (usize, f64) {
         for (k, normal) in self.normals[..self.count].iter().enumerate() {
-            let other = &normal.direction;
-            if are_parallel(direction.as_slice(), other.as_slice()) {
-                return (k, direction.dot(other) / other.norm_squared());
+            let [own, other] = [&direction, &normal.direction].map(|d| d.as_slice());
+            if are_parallel(own, other) {
+                return (k, stretch(own, other));
             }
         }
         let response = inverse * direction;
@@ -183,10 +183,16 @@ impl<const N: usize> Equations<N> {
     }
 }
 
+/// The length of a direction along another in units of that one, with its sign.
+pub fn stretch(direction: &[f64], other: &[f64]) -> f64 {
+    // From left to right, in whatever the directions lie: cells with the same flow have the same bits.
+    let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+    dot(direction, other) / dot(other, other)
+}
+
 /// Whether two directions lie along the same line.
 pub fn are_parallel(direction: &[f64], other: &[f64]) -> bool {
-    let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
-    let scale = dot(direction, other) / dot(other, other);
+    let scale = stretch(direction, other);
     let most = PARALLEL * direction.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
     direction.iter().zip(other).all(|(own, other)| (own - other * scale).abs() <= most)
 }

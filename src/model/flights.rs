@@ -87,6 +87,9 @@ impl<const N: usize> Flights<N> {
     }
 
     /// The stops along each normal of one of the cells.
+    ///
+    /// # Panics
+    /// Where [`Flights::of_shared`] found too many flows.
     pub fn stops(&self, cell: usize, system: &System) -> impl Iterator<Item = StopsAlong> {
         self.distinct[self.of_cell[cell]].stops_of(system)
     }

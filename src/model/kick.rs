@@ -26,14 +26,14 @@ pub(super) fn kick<const N: usize>(
     response: SVector<f64, N>,
 ) -> [State<f64, N>; KICK_TERMS] {
     let unit = Augmented { v: response, ..Augmented::zeros() };
-    let mut terms = Vec::with_capacity(SOME);
+    let mut terms = Vec::with_capacity(USUAL_TERMS);
     terms.extend(flow::series(equations, h, unit).map(|term| mechanical(&term)));
     economize(&mut terms, f64::KICK_ORDER);
     filled(&terms)
 }
 
 /// About as many terms as a series has over a step.
-pub(super) const SOME: usize = 32;
+pub(super) const USUAL_TERMS: usize = 32;
 
 /// The first of these terms, as many as there is room for; 0 where there are fewer.
 pub(super) fn filled<V: Term, const M: usize>(terms: &[V]) -> [V; M] {
@@ -83,7 +83,7 @@ impl<V: Term> NullaryFnOnce for Economizing<'_, V> {
         let Economizing { terms, order } = self;
         for highest in (order + 1..terms.len()).rev() {
             let term = std::mem::replace(&mut terms[highest], V::zero());
-            let known = USUAL.get(highest).map_or_else(|| Cow::Owned(lower(highest)), Cow::from);
+            let known = LOWER.get(highest).map_or_else(|| Cow::Owned(lower(highest)), Cow::from);
             for k in 1..highest {
                 terms[k] = terms[k].plus(-known[k - 1], &term);
             }
@@ -105,7 +105,7 @@ fn lower(k: usize) -> Vec<f64> {
 }
 
 /// Those of terms that most series have.
-static USUAL: LazyLock<[Vec<f64>; SOME]> = LazyLock::new(|| std::array::from_fn(lower));
+static LOWER: LazyLock<[Vec<f64>; USUAL_TERMS]> = LazyLock::new(|| std::array::from_fn(lower));
 
 #[cfg(test)]
 mod tests {
@@ -257,6 +257,27 @@ mod tests {
         for (order, lost) in [(f64::KICK_ORDER, 1e-14), (f32::KICK_ORDER, 2e-7)] {
             let largest = systems().iter().map(|system| error(system, 2.0, order)).fold(0.0, f64::max);
             assert!(largest > lost, "order {order}: {largest}");
+        }
+    }
+
+    #[test]
+    fn however_many_terms_there_are_the_polynomial_stays_near() {
+        for count in [USUAL_TERMS - 1, USUAL_TERMS, USUAL_TERMS + 1, USUAL_TERMS + 9] {
+            let long: Vec<State<f64, 1>> =
+                (0..count).map(|k| State { x: [1.0 / (k + 1) as f64], v: [(k as f64).cos()] }).collect();
+            let mut short = long.clone();
+            economize(&mut short, count - 3);
+            assert!(short[count - 2..].iter().all(|term| *term == State::zero()));
+            let at = |terms: &[State<f64, 1>], u: f64| {
+                terms.iter().rev().fold(State::zero(), |sum: State<f64, 1>, term| term.plus(u, &sum))
+            };
+            for u in (0..=16).map(|part| f64::from(part) / 16.0) {
+                let (exact, found) = (at(&long, u), at(&short, u));
+                assert!((exact.x[0] - found.x[0]).abs() < 1e-8, "{count} terms at {u}");
+                assert!((exact.v[0] - found.v[0]).abs() < 1e-8, "{count} terms at {u}");
+            }
+            let cut = at(&long[..count - 2], 1.0);
+            assert!((at(&long, 1.0).x[0] - cut.x[0]).abs() > 1e-3, "the check can fail");
         }
     }
 

@@ -3,7 +3,7 @@
 use arrayvec::ArrayVec;
 use nalgebra::DVector;
 
-use super::equations::are_parallel;
+use super::equations::{are_parallel, stretch};
 use super::system::System;
 use crate::system::{Gap, Plant, PlantStop};
 
@@ -54,10 +54,9 @@ impl System {
     pub fn is_clamped(&self) -> bool {
         self.stops().enumerate().any(|(i, (direction, stop))| {
             self.stops().take(i).any(|(line, other)| {
-                let scale = direction.dot(line) / line.norm_squared();
-                are_parallel(direction.as_slice(), line.as_slice())
-                    && scale < 0.0
-                    && stop.gap == scale * other.gap
+                let [own, line] = [direction, line].map(|d| d.as_slice());
+                let scale = stretch(own, line);
+                are_parallel(own, line) && scale < 0.0 && stop.gap == scale * other.gap
             })
         })
     }
@@ -82,7 +81,7 @@ impl System {
         let own = &stops[stop].direction;
         let parallel = |other: &&PlantStop| are_parallel(own.as_slice(), other.direction.as_slice());
         let direction = stops[..stop].iter().find(parallel).map_or(own, |first| &first.direction).clone();
-        let scale = own.dot(&direction) / direction.norm_squared();
+        let scale = stretch(own.as_slice(), direction.as_slice());
         let response = self.plant().mass.clone().lu().solve(&direction);
         let response = response.expect("a plant's mass matrix was checked to be invertible");
         Line {

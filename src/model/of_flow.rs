@@ -42,7 +42,7 @@ impl OfFlow {
     }
 
     /// The mirror of its systems.
-    pub fn mirror(&self, find: impl FnOnce() -> Option<Mirror>) -> Option<&Mirror> {
+    pub(super) fn mirror(&self, find: impl FnOnce() -> Option<Mirror>) -> Option<&Mirror> {
         self.mirror.get_or_init(find).as_ref()
     }
 
@@ -62,6 +62,16 @@ impl OfFlow {
     /// G of the flow z' = G z of z = (x, v, sin φ, cos φ, 1).
     pub fn generator(&self, compute: impl FnOnce() -> DMatrix<f64>) -> &DMatrix<f64> {
         self.generator.get_or_init(compute)
+    }
+
+    /// The same, once it was asked for.
+    pub fn known_generator(&self) -> Option<&DMatrix<f64>> {
+        self.generator.get()
+    }
+
+    /// The mirror of its systems, once it was asked for.
+    pub fn known_mirror(&self) -> Option<&Mirror> {
+        self.mirror.get()?.as_ref()
     }
 
     /// exp(Gπ/ω), half a forcing period of that flow.

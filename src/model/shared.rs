@@ -103,7 +103,7 @@ pub(super) fn flow(system: &System) -> Vec<u64> {
 mod tests {
     use super::*;
     use crate::model::{Flight, Parameter, Parameters, StateVector};
-    use crate::system::Family;
+    use crate::system::{Family, Plant, PlantStop};
 
     fn system(omega: f64, delta: f64, r: f64) -> System {
         System::new(Parameters { omega, delta, r, ..Parameters::default() }).unwrap()
@@ -121,6 +121,35 @@ mod tests {
             }
         }
         assert_eq!(flows.flows.lock().len(), 2);
+    }
+
+    #[test]
+    fn stops_whose_directions_differ_in_length_have_the_gaps_that_each_has_alone() {
+        let direction = nalgebra::DVector::from_row_slice(&[0.3, -0.7, 1.1, 0.9]);
+        let plant = |gap: f64| {
+            let one = nalgebra::DMatrix::identity(4, 4);
+            let stop = |length: f64| PlantStop { direction: &direction * length, gap, restitution: 0.7 };
+            Plant {
+                n: 4,
+                mass: one.clone(),
+                damping: &one * 0.1,
+                stiffness: &one * 2.0,
+                force_sin: nalgebra::DVector::from_element(4, 1.0),
+                force_cos: nalgebra::DVector::zeros(4),
+                load: nalgebra::DVector::zeros(4),
+                omega: 1.3,
+                stops: vec![stop(1.0), stop(-0.7)],
+            }
+        };
+        let flows = Flows::default();
+        for gap in [0.1, 0.2, 0.3, 0.7] {
+            let alone = System::of_plant(plant(gap)).unwrap();
+            let shares = flows.share(alone.clone());
+            let (own, shared) = (Flight::<f64, 4>::new(&alone), Flight::new(&shares));
+            assert_eq!(own, shared, "{gap}");
+            assert!((own.normals[0].gap[1] - gap / 0.7).abs() < 1e-15, "{gap}");
+        }
+        assert_eq!(flows.flows.lock().len(), 1);
     }
 
     /// Holds everything that is read of a system to what another has.

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
-use super::common::{Common, STEP};
+use super::common::Common;
+use super::equations::stretch;
 use super::of_flow::OfFlow;
 use super::parameters::Parameters;
 use super::restopped::Restopped;
@@ -36,8 +37,6 @@ impl PartialEq for Kept {
 }
 
 impl System {
-    /// rate·h of a step of length h is kept below this: large enough for few steps, small enough for low orders.
-    pub const STEP: f64 = STEP;
     /// The most steps of one forcing period that are accepted.
     pub const MOST_STEPS: u32 = MOST_STEPS;
 
@@ -76,7 +75,7 @@ impl System {
     /// The system of a setting that has its flow in common with this one, which is that of its own setting: the same as
     /// [`Flows::system`](super::Flows::system) has it, if it is known at once to be.
     pub(crate) fn neighbour(&self, setting: &Setting) -> Option<Self> {
-        if !self.common.setting.as_ref()?.has_flow_of(setting) {
+        if !self.common.like.as_ref()?.has_flow_of(setting) {
             return None;
         }
         let system = self.restopped(setting).filter(|own| own.mirrored_stops().eq(self.mirrored_stops()))?;
@@ -154,12 +153,12 @@ impl System {
 
     /// The setting that the system was made from; none where it was made from a plant.
     pub fn setting(&self) -> Option<Setting> {
-        self.common.setting.map(|like| like.with_stop_parameters(&self.own))
+        self.common.like.map(|like| like.with_stop_parameters(&self.own))
     }
 
     /// The family of that setting.
     pub fn family(&self) -> Option<&'static Family> {
-        self.common.setting.as_ref().map(Setting::family)
+        self.common.like.as_ref().map(Setting::family)
     }
 
     /// Whether it is the paper's oscillator, of which the exact theory speaks.
@@ -198,8 +197,8 @@ impl System {
 
     /// The length of a stop's direction along a parallel one in units of that, with its sign.
     pub(super) fn stretch(&self, stop: usize, line: usize) -> f64 {
-        let [own, line] = [stop, line].map(|i| &self.like().stops[i].direction);
-        own.dot(line) / line.norm_squared()
+        let [own, line] = [stop, line].map(|i| self.like().stops[i].direction.as_slice());
+        stretch(own, line)
     }
 
     /// Its stops in the plant's order, each with its direction.

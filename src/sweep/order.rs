@@ -49,7 +49,7 @@ pub(super) fn goes_by_column<T>(plane: &Plane<T>) -> bool {
 }
 
 /// Whether no two cells of a plane have their flow in common.
-pub(super) fn has_flow_of_its_own<T>(plane: &Plane<T>) -> bool {
+pub(super) fn has_flows_by_cell<T>(plane: &Plane<T>) -> bool {
     [&plane.x, &plane.y].map(Varied::along) == [Varied::Flow; 2]
 }
 
@@ -79,6 +79,7 @@ mod tests {
     use super::*;
     use crate::plane::Start;
 
+    /// Whether the order goes by columns.
     const PLANES: [(&str, &str, bool); 7] = [
         ("omega=2:4:9", "r=0.3:0.9:31", true),
         ("r=0.3:0.9:31", "omega=2:4:9", false),
@@ -99,6 +100,7 @@ mod tests {
             let plane = plane(x, y);
             let order = Order::by_flow(&plane);
             assert_eq!(order.by_column.is_some(), by_column, "{x}, {y}");
+            assert_eq!(has_flows_by_cell(&plane), x.contains("omega") && y.contains("zeta"), "{x}, {y}");
             let cells: Vec<u64> = order.cells(0..plane.cells()).collect();
             let mut sorted = cells.clone();
             sorted.sort_unstable();

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::Result;
-use super::order::{goes_by_column, has_flow_of_its_own};
+use super::order::{goes_by_column, has_flows_by_cell};
 use super::swept::Swept;
 use crate::backend::Job;
 use crate::model::{Flows, System, SystemError};
@@ -27,7 +27,7 @@ pub(super) struct Preparing<'a, T> {
 impl<'a, T> Preparing<'a, T> {
     /// Of a plane; `flows` are those of cells before.
     pub fn new(plane: &'a Plane<T>, flows: &'a Flows) -> Self {
-        let (each_alone, symmetric) = (has_flow_of_its_own(plane), SymmetricStarts::default());
+        let (each_alone, symmetric) = (has_flows_by_cell(plane), SymmetricStarts::default());
         Preparing { plane, flows, like: None, each_alone, symmetric }
     }
 
@@ -40,9 +40,9 @@ impl<'a, T> Preparing<'a, T> {
         let (setting, start) = (self.plane.parameters_at(column, row), self.plane.start_at(column, row));
         if self.each_alone {
             let system = System::new(setting)?;
-            // What is found on the way to its start would be kept as long as the system is, and nobody asks for it again.
-            let start = start.state_by(&system.clone().alone(), &mut self.symmetric);
-            return Ok(Job { system, start });
+            let start = start.state_by(&system, &mut self.symmetric);
+            // What was found on the way would be kept as long as the system is; of it only the mirror is asked for again.
+            return Ok(Job { system: system.alone(), start });
         }
         let system = match self.like.as_ref().and_then(|like| like.neighbour(&setting)) {
             Some(system) => system,

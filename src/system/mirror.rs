@@ -24,7 +24,7 @@ pub struct Mirror {
 const MOST: usize = Plant::MOST_COORDINATES + 1;
 
 /// As many numbers as there are coordinates.
-type Numbers = ArrayVec<f64, MOST>;
+type Components = ArrayVec<f64, MOST>;
 
 /// (P x)[to[i]] = sign[i] x[i].
 struct SignedPermutation {
@@ -66,8 +66,8 @@ impl SignedPermutation {
     }
 
     /// P v.
-    fn apply(&self, vector: &DVector<f64>) -> Numbers {
-        let mut image: Numbers = vector.iter().copied().collect();
+    fn apply(&self, vector: &DVector<f64>) -> Components {
+        let mut image: Components = vector.iter().copied().collect();
         for (i, value) in vector.iter().enumerate() {
             image[self.to[i]] = self.sign[i] * value;
         }
@@ -115,9 +115,9 @@ fn same(a: &[f64], b: impl Iterator<Item = f64> + Clone) -> bool {
 }
 
 /// Whether two stops are one: the same direction, whatever its length, the same gap and restitution.
-fn same_stop(direction: &Numbers, stop: &PlantStop, other: &PlantStop) -> bool {
+fn same_stop(direction: &Components, stop: &PlantStop, other: &PlantStop) -> bool {
     let (length, other_length) = (stop.direction.norm(), other.direction.norm());
-    let unit: Numbers = direction.iter().map(|value| value / length).collect();
+    let unit: Components = direction.iter().map(|value| value / length).collect();
     same(&unit, other.direction.iter().map(|value| value / other_length))
         && same(&[stop.gap / length], std::iter::once(other.gap / other_length))
         && same(&[stop.restitution], std::iter::once(other.restitution))
@@ -132,7 +132,7 @@ impl Plant {
     /// coordinate's changing fastest). `None` where the plant has no mirror; the identity, which an unforced plant
     /// would admit, is none.
     pub fn mirror(&self) -> Option<Mirror> {
-        ALL[self.n - 1].iter().find_map(|p| self.mirrored_by(p))
+        ALL.get(self.n.wrapping_sub(1))?.iter().find_map(|p| self.mirrored_by(p))
     }
 
     fn mirrored_by(&self, p: &SignedPermutation) -> Option<Mirror> {

@@ -254,7 +254,7 @@ impl Setting {
     }
 
     /// The gaps and restitutions of these values, with which the plant of another setting of the family with the same
-    /// [`Setting::flow_bits`] is the plant of this one; none where [`Setting::plant`] has to look at all of it.
+    /// [`Setting::flow_bits`] that makes one is the plant of this one; none where [`Setting::plant`] has to look at all of it.
     pub fn stop_values(&self) -> Option<[StopValues; Plant::MOST_STOPS]> {
         self.family.stop_values(self.values())
     }

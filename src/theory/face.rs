@@ -170,9 +170,9 @@ pub fn section_names(system: &System, stop: Stop) -> Vec<String> {
 mod tests {
     use super::*;
 
-    /// A stop on the second of three coordinates, between it and the first, in no special units.
+    /// A stop on the second of three coordinates, between it and the others, in no special units.
     fn face(mass: &DMatrix<f64>) -> Face {
-        let direction = DVector::from_row_slice(&[0.5, -2.0, 0.0]);
+        let direction = DVector::from_row_slice(&[0.5, -2.0, 0.25]);
         let values = StopValues { gap: 0.3, restitution: 0.7 };
         Face::new(&direction, values, &mass.clone().try_inverse().unwrap())
     }
@@ -185,7 +185,18 @@ mod tests {
         let z = face.lifted(&section);
         assert!((face.direction.dot(&z.rows(0, 3)) - 0.3).abs() < 1e-15);
         assert_eq!(face.section(z.rows(0, 3).as_slice(), z.rows(3, 3).as_slice(), 1.1), section);
-        assert!((face.speed(&section) - (0.5 * 0.6 + 2.0 * 0.4) / 4.25f64.sqrt()).abs() < 1e-15);
+        let speed = 0.5 * 0.6 + 2.0 * 0.4 - 0.25 * 0.7;
+        assert!((face.speed(&section) - speed / 4.3125f64.sqrt()).abs() < 1e-15);
+        assert!((face.along(&z)[1] - speed).abs() < 1e-15);
+        // Faster along its own coordinate by as much as the speed comes to, it rests; then it leaves inwards, and outwards before.
+        assert!(face.is_left_outwards(&section));
+        let resting = face.resting_speed(&section);
+        assert!((resting - (section[0] + speed / 2.0)).abs() < 1e-15);
+        for (change, outwards) in [(-1e-6, true), (0.0, false), (1e-6, false)] {
+            let mut changed = section.clone();
+            changed[0] = resting + change;
+            assert_eq!(face.is_left_outwards(&changed), outwards, "{change}");
+        }
     }
 
     /// An impact turns d·v into −r d·v and leaves what is not along M⁻¹d as it was.

@@ -73,7 +73,7 @@ impl Flow {
             whatever_gaps.faces.iter().zip(system.stops()).map(|(face, (_, stop))| face.at_gap(stop.gap));
         let faces = faces.collect();
         let kept = Arc::clone(system.of_flow());
-        // What is asked of it here is known from now on.
+        // Both are known from now on.
         kept.generator(|| generator(system));
         system.mirror();
         Flow { n: system.coordinates(), omega: system.like().omega, faces, whatever_gaps, kept }
@@ -81,7 +81,7 @@ impl Flow {
 
     /// G, (2n + 3) × (2n + 3).
     pub fn generator(&self) -> &DMatrix<f64> {
-        self.kept.generator(|| unreachable!("it was asked for when the flow was made"))
+        self.kept.known_generator().expect("it was asked for when the flow was made")
     }
 
     /// A stop.
@@ -146,8 +146,7 @@ impl Flow {
     /// # Panics
     /// If the system has none.
     fn mirror(&self) -> &Mirror {
-        let mirror = self.kept.mirror(|| unreachable!("it was asked for when the flow was made"));
-        mirror.expect("a mirrored motion belongs to a system with a mirror")
+        self.kept.known_mirror().expect("a mirrored motion belongs to a system with a mirror")
     }
 
     /// P x of displacements, or P v of velocities.
@@ -216,4 +215,37 @@ fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
         };
     }
     sized!(5 7 9 11)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Parameters, System};
+
+    #[test]
+    fn what_joins_two_impacts_is_that_of_their_own_stops_and_time() {
+        let system = System::new(Parameters::default()).unwrap();
+        let flow = Flow::new(&system);
+        let half = PI / flow.omega;
+        let (a, b) = (Stop::A, Stop::B);
+        let alone = |stops: [Stop; 2], time: f64| {
+            let over = exponential(&(flow.generator() * time));
+            Joined::new(&over, stops.map(|stop| flow.face(stop)), flow.generator(), flow.omega)
+        };
+        let differ = |one: &Joined, other: &Joined| {
+            let parts =
+                |joined: &Joined| [joined.section.clone(), joined.rate.clone(), joined.lifted.clone()];
+            let pairs = parts(one).into_iter().zip(parts(other));
+            pairs.map(|(own, other)| (own - other).amax()).fold(0.0, f64::max)
+        };
+        // The first two stops that are asked for are kept, the others found anew.
+        for stops in [[a, b], [b, a], [a, a], [a, b]] {
+            for time in [half, 0.7 * half] {
+                let joined = flow.joined(stops, time);
+                assert_eq!(differ(&joined, &alone(stops, time)), 0.0, "{stops:?} after {time}");
+                let others = [[stops[1], stops[1]], stops].map(|other| alone(other, 0.9 * time));
+                assert!(others.iter().all(|other| differ(&joined, other) > 1e-2), "the check can fail");
+            }
+        }
+    }
 }

@@ -19,7 +19,7 @@ impl Joined {
     /// With `over` what flight makes of z, G the generator of the flow and ω its frequency.
     pub fn new(over: &DMatrix<f64>, [from, to]: [&Face; 2], generator: &DMatrix<f64>, omega: f64) -> Self {
         let section = &to.restituted * over;
-        let rate = &to.restituted * (generator / omega) * over;
+        let rate = &to.restituted * generator * over / omega;
         let lifted = &section * &from.lift;
         Joined { section, rate, lifted }
     }

@@ -11,7 +11,10 @@ pub(super) struct Solutions {
     pub direction: DVector<f64>,
 }
 
-/// Solves M u = b by a factorization MᵀQ = R, without allocation for the sizes of plants; none where M's rows depend on each
+/// A row counts as depending on those before it where no more of it is left than this share: rounding.
+const DEPENDENT: f64 = 16.0 * f64::EPSILON;
+
+/// Solves M u = b by a factorization Mᵀ = QR, without allocation for the sizes of plants; none where M's rows depend on each
 /// other.
 ///
 /// # Panics
@@ -24,6 +27,10 @@ pub(super) fn solved(matrix: &DMatrix<f64>, right: [&DVector<f64>; 2]) -> Option
                     let transposed = SMatrix::<f64, $columns, $rows>::from_fn(|i, j| matrix[(j, i)]);
                     let factors = transposed.qr();
                     let (q, r) = (factors.q(), factors.r());
+                    let depends = |k: usize| r[(k, k)].abs() <= DEPENDENT * r.column(k).norm();
+                    if (0..$rows).any(depends) {
+                        return None;
+                    }
                     let point = |right: &DVector<f64>| {
                         let right = SVector::<f64, $rows>::from_column_slice(right.as_slice());
                         Some(q * r.tr_solve_upper_triangular(&right)?)
@@ -87,6 +94,8 @@ mod tests {
         let right = DVector::from_row_slice(&[1.0, -1.0]);
         let of = |rows: &[f64]| solved(&DMatrix::from_row_slice(2, 3, rows), [&right, &right]);
         assert!(of(&[1.0, 2.0, 3.0, 0.0, 0.0, 0.0]).is_none());
+        assert!(of(&[1.0, 2.0, 3.0, 2.0, 4.0, 6.0]).is_none());
+        assert!(of(&[1.0, 2.0, 3.0, 2.0, 4.0, 6.0 + 1e-12]).is_some());
         assert!(of(&[1.0, 2.0, f64::NAN, 0.0, 1.0, 0.0]).is_none());
         assert!(of(&[1.0, 2.0, 3.0, 0.0, 1.0, 0.0]).is_some());
     }
