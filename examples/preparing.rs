@@ -45,7 +45,7 @@ impl Backend for Idle {
 fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     let repeats = std::env::args().nth(1).map_or(Ok(3), |text| text.parse::<u32>())?;
     let omega = "omega=0.5:4.4:800";
-    println!("{:<10} {:<34} {:>14}", "start", "plane", "a cell, in µs");
+    println!("{:<10} {:<40} {:>14}", "start", "plane", "µs for a cell");
     for start in [Start::Rest, Start::Symmetric] {
         for y in ["delta=0.02:0.6:600", "r=0.3:0.95:600", "zeta=0.02:0.6:600", "mu_m=0.1:0.9:600"] {
             let schedule = Schedule { transient: 1, observe: 1, max_period: 1, fixed_periods: true };
@@ -57,7 +57,7 @@ fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
                 fastest = fastest.min(began.elapsed().as_secs_f64());
             }
             let each = 1e6 * fastest / plane.cells() as f64;
-            println!("{start:<10} {:<34} {each:>14.2}", format!("{omega} × {y}"));
+            println!("{:<10} {:<40} {each:>14.2}", start.to_string(), format!("{omega} × {y}"));
         }
     }
     Ok(())
