@@ -6,9 +6,9 @@
 
 use nalgebra::SVector;
 
+use super::economize::{economize, filled, gathered};
 use super::equations::Equations;
 use super::flow::{self, Functional};
-use super::kick::{USUAL_TERMS, economize, filled};
 use super::real::Real;
 use super::row::{Row, Term};
 
@@ -22,8 +22,7 @@ pub(super) fn back<const N: usize>(
     direction: SVector<f64, N>,
 ) -> [Row<f64, N>; BACK_TERMS] {
     let now = Functional { x: direction, v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 };
-    let mut terms = Vec::with_capacity(USUAL_TERMS);
-    terms.extend(flow::series_back(equations, h, now).map(Row::of));
+    let mut terms = gathered(flow::series_back(equations, h, now).map(Row::of));
     economize_slope(&mut terms, f64::BACK_ORDER);
     filled(&terms)
 }

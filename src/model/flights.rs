@@ -24,33 +24,16 @@ pub struct Flights<const N: usize> {
 impl<const N: usize> Flights<N> {
     /// Prepares cells of N coordinates.
     pub fn of(systems: &[&System]) -> Self {
-        Flights::where_worth(systems, |_| true)
+        let (cells, of_cell) = told_apart(systems);
+        Flights { distinct: computed(&cells), of_cell }
     }
 
     /// The same, but where hardly a cell has its flow in common with another: there they would be many and large, and each is
     /// computed when it is asked for.
     pub fn of_shared(systems: &[&System]) -> Self {
-        Flights::where_worth(systems, |distinct| 2 * distinct <= systems.len())
-    }
-
-    fn where_worth(systems: &[&System], is_worth: impl Fn(usize) -> bool) -> Self {
-        // Systems that are known to share their flow need not be compared.
-        let mut known: FxHashMap<*const OfFlow, usize> = FxHashMap::default();
-        let mut seen: Vec<&System> = Vec::new();
-        let mut of_cell: Vec<usize> = Vec::with_capacity(systems.len());
-        for system in systems {
-            of_cell.push(numbered(&mut known, Arc::as_ptr(system.of_flow()), system, &mut seen));
-        }
-        let flows: Vec<Vec<u64>> = seen.par_iter().map(|system| flow(system)).collect();
-        let mut first: FxHashMap<&[u64], usize> = FxHashMap::default();
-        let mut cells: Vec<&System> = Vec::new();
-        let of_seen: Vec<usize> = (flows.iter().zip(&seen))
-            .map(|(flow, system)| numbered(&mut first, &flow[..], system, &mut cells))
-            .collect();
-        of_cell.iter_mut().for_each(|cell| *cell = of_seen[*cell]);
-        cells.truncate(if is_worth(cells.len()) { cells.len() } else { 0 });
-        let distinct = cells.par_iter().map(|system| Flight::new(system)).collect();
-        Flights { distinct, of_cell }
+        let (cells, of_cell) = told_apart(systems);
+        let are_shared = 2 * cells.len() <= systems.len();
+        Flights { distinct: if are_shared { computed(&cells) } else { Vec::new() }, of_cell }
     }
 
     /// The constants of one of the cells, the same as [`Flight::new`] has them.
@@ -61,10 +44,9 @@ impl<const N: usize> Flights<N> {
 
     /// Puts the constants of one of the cells, as [`Flights::get`] has them, in the place of those of another, `from`.
     pub fn put(&self, cell: usize, system: &System, from: usize, into: &mut Flight<f64, N>) {
-        match self.distinct.get(self.of_cell[cell]) {
-            _ if self.of_cell[cell] == self.of_cell[from] => {}
-            Some(flight) => *into = *flight,
-            None => *into = Flight::new(system),
+        if self.of_cell[cell] != self.of_cell[from] {
+            let known = self.distinct.get(self.of_cell[cell]);
+            *into = known.copied().unwrap_or_else(|| Flight::new(system));
         }
         into.take_stops_of(system);
     }
@@ -93,6 +75,30 @@ impl<const N: usize> Flights<N> {
     pub fn stops(&self, cell: usize, system: &System) -> impl Iterator<Item = StopsAlong> {
         self.distinct[self.of_cell[cell]].stops_of(system)
     }
+}
+
+/// One cell of each distinct flow, and which of them has that of each cell.
+fn told_apart<'a>(systems: &[&'a System]) -> (Vec<&'a System>, Vec<usize>) {
+    // Systems that are known to share their flow need not be compared.
+    let mut known: FxHashMap<*const OfFlow, usize> = FxHashMap::default();
+    let mut seen: Vec<&System> = Vec::new();
+    let mut of_cell: Vec<usize> = Vec::with_capacity(systems.len());
+    for system in systems {
+        of_cell.push(numbered(&mut known, Arc::as_ptr(system.of_flow()), system, &mut seen));
+    }
+    let flows: Vec<Vec<u64>> = seen.par_iter().map(|system| flow(system)).collect();
+    let mut first: FxHashMap<&[u64], usize> = FxHashMap::default();
+    let mut cells: Vec<&System> = Vec::new();
+    let of_seen: Vec<usize> = (flows.iter().zip(&seen))
+        .map(|(flow, system)| numbered(&mut first, &flow[..], system, &mut cells))
+        .collect();
+    of_cell.iter_mut().for_each(|cell| *cell = of_seen[*cell]);
+    (cells, of_cell)
+}
+
+/// The constants of some cells.
+fn computed<const N: usize>(cells: &[&System]) -> Vec<Flight<f64, N>> {
+    cells.par_iter().map(|system| Flight::new(system)).collect()
 }
 
 /// The number of a key, a new one for one that is not known yet; `first` are the systems that brought them.

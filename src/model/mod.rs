@@ -5,6 +5,7 @@ mod back;
 mod common;
 mod contact_normal;
 mod driven;
+mod economize;
 mod equations;
 mod flight;
 mod flights;

@@ -101,6 +101,8 @@ pub(super) fn flow(system: &System) -> Vec<u64> {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{DMatrix, DVector};
+
     use super::*;
     use crate::model::{Flight, Parameter, Parameters, StateVector};
     use crate::system::{Family, Plant, PlantStop};
@@ -125,18 +127,18 @@ mod tests {
 
     #[test]
     fn stops_whose_directions_differ_in_length_have_the_gaps_that_each_has_alone() {
-        let direction = nalgebra::DVector::from_row_slice(&[0.3, -0.7, 1.1, 0.9]);
+        let direction = DVector::from_row_slice(&[0.3, -0.7, 1.1, 0.9]);
         let plant = |gap: f64| {
-            let one = nalgebra::DMatrix::identity(4, 4);
+            let one = DMatrix::identity(4, 4);
             let stop = |length: f64| PlantStop { direction: &direction * length, gap, restitution: 0.7 };
             Plant {
                 n: 4,
                 mass: one.clone(),
                 damping: &one * 0.1,
                 stiffness: &one * 2.0,
-                force_sin: nalgebra::DVector::from_element(4, 1.0),
-                force_cos: nalgebra::DVector::zeros(4),
-                load: nalgebra::DVector::zeros(4),
+                force_sin: DVector::from_element(4, 1.0),
+                force_cos: DVector::zeros(4),
+                load: DVector::zeros(4),
                 omega: 1.3,
                 stops: vec![stop(1.0), stop(-0.7)],
             }

@@ -14,8 +14,7 @@ pub(super) struct Solutions {
 /// A row counts as depending on those before it where no more of it is left than this share: rounding.
 const DEPENDENT: f64 = 16.0 * f64::EPSILON;
 
-/// Solves M u = b by a factorization Mᵀ = QR, without allocation for the sizes of plants; none where M's rows depend on each
-/// other.
+/// Solves M u = b by a factorization Mᵀ = QR; none where M's rows depend on each other.
 ///
 /// # Panics
 /// If M is not of 2n rows and 2n + 1 columns, for n of 1 to 4.
