@@ -40,12 +40,12 @@ fn strike(carry: bool, reached: Reached) -> Move {
         }
     }
     let stop = flight.normals[end.normal].stop[end.side];
-    let closure = strike_closure(end, rebound, after);
+    let closed = strike_closed(end, rebound, after);
     var corner = CONTACT_FREE;
-    if !closure.closes {
+    if !closed.closes {
         corner = corner_closes(trajectory.point, trajectory.contact, end);
     }
-    if !closure.closes && corner == CONTACT_FREE {
+    if !closed.closes && corner == CONTACT_FREE {
         let lost = unresolved(end, trajectory.point.state);
         if abs(rebound) <= lost {
             // Pulled off the stop as soon as it is met: rounding must not make that another impact.
@@ -56,11 +56,11 @@ fn strike(carry: bool, reached: Reached) -> Move {
     }
     // Caught: in the corner between several stops, or on this one.
     let single = contact_with(trajectory.contact, end);
-    if closure.closes {
-        trajectory.point = at_rest(end, closure.gap_integral);
+    if closed.closes {
+        trajectory.point = closed.resting;
     }
-    strike_catch(carry, select(corner, single, closure.closes));
-    if !closure.closes {
+    strike_catch(carry, select(corner, single, closed.closes));
+    if !closed.closes {
         trajectory.point.state = rested(trajectory.point.state, corner);
         return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, corner & ~single);
     }
@@ -70,21 +70,27 @@ fn strike(carry: bool, reached: Reached) -> Move {
     return Move(event, stop, select(velocity, 0.0, still), rebound, CONTACT_FREE);
 }
 
-// The closure of the rebounds that follow an impact, if that is as good as following them.
-fn strike_closure(end: End, rebound: f32, after: Motion) -> Closure {
+// Whether closing the rebounds that follow an impact is as good as following them, and where they end at rest.
+struct Closed {
+    closes: bool,
+    resting: Point,
+}
+
+fn strike_closed(end: End, rebound: f32, after: Motion) -> Closed {
     let approach = point_approach(trajectory.point, after, end.normal);
     let sign = end_sign(end);
     let towards = Approach(sign * approach.acceleration, sign * approach.jerk, approach.bound);
     let room = f32(flight.steps - trajectory.step) * flight.h - trajectory.offset;
     let restitution = stops.restitution[end.normal][end.side];
     let least = unresolved(end, trajectory.point.state);
-    var closure = chatter_close(end.normal, Rebound(abs(rebound), restitution, least, room), towards);
-    if closure.closes {
-        let resting = at_rest(end, closure.gap_integral);
-        let contact = contact_with(trajectory.contact, end);
-        closure.closes = contact_clears_elsewhere(resting, contact, end, closure.height, closure.lasts);
+    let closure = chatter_close(end.normal, Rebound(abs(rebound), restitution, least, room), towards);
+    if !closure.closes {
+        return Closed(false, trajectory.point);
     }
-    return closure;
+    let resting = at_rest(end, closure.gap_integral);
+    let contact = contact_with(trajectory.contact, end);
+    let clears = contact_clears_elsewhere(resting, contact, end, closure.height, closure.lasts);
+    return Closed(clears, resting);
 }
 
 // An impact that ends in flight: the end of the step is where the kick takes it.

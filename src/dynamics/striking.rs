@@ -93,7 +93,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         }
         let impact =
             Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
-        let Some(closure) = self.closure(flight, end, rebound, &after) else {
+        let Some(resting) = self.closed(flight, end, rebound, &after) else {
             if let Some(corner) = corner::closes(flight, &self.point, self.contact, end) {
                 let beside = corner.since(self.contact.with(end));
                 self.catch(flight, tangents, corner);
@@ -112,21 +112,21 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
         let still = velocity.abs() <= contact::unresolved(normal, end.side, &arrived.state);
         let impact = if still { Impact { velocity_before: T::zero(), ..impact } } else { impact };
-        self.point = self.at_rest(flight, end, closure.gap_integral);
+        self.point = resting;
         self.catch(flight, tangents, self.contact.with(end));
         let complete_chatter = !still && rebound.abs() > T::zero();
         Event::Caught { impact, complete_chatter, beside: Contact::FREE }
     }
 
-    /// The closure of the rebounds that follow an impact, if that is as good as following them.
+    /// Where the rebounds that follow an impact end at rest, if closing them is as good as following them.
     #[inline(always)]
-    fn closure(
+    fn closed(
         &self,
         flight: &Flight<T, N>,
         end: End,
         rebound: T,
         after: &Motion<T, N>,
-    ) -> Option<Closure<T>> {
+    ) -> Option<Point<T, N>> {
         let normal = &flight.normals[end.normal];
         let along = self.point.approach(flight, after, end.normal);
         let sign = end.sign::<T>();
@@ -138,11 +138,10 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             unresolved: contact::unresolved(normal, end.side, &self.point.state),
             room,
         };
-        let closure = chatter::close(flight, normal, &rebound, &towards)?;
-        let resting = self.at_rest(flight, end, closure.gap_integral);
+        let Closure { gap_integral, height, lasts } = chatter::close(flight, normal, &rebound, &towards)?;
+        let resting = self.at_rest(flight, end, gap_integral);
         let contact = self.contact.with(end);
-        let Closure { height, lasts, .. } = closure;
-        contact::clears_elsewhere(flight, &resting, contact, end, height, lasts).then_some(closure)
+        contact::clears_elsewhere(flight, &resting, contact, end, height, lasts).then_some(resting)
     }
 
     /// An impact that ends in flight: the end of the step is where the kick takes it.
@@ -171,7 +170,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
 
     /// The end of a chatter sequence whose rebounds opened the gap for `gap_integral` in all: meanwhile springs and dampers
     /// acted on the masses that are free with the contact, and now it holds.
-    #[inline(never)]
+    #[inline(always)]
     fn at_rest(&self, flight: &Flight<T, N>, end: End, gap_integral: T) -> Point<T, N> {
         let contact = self.contact.with(end);
         let free = |v: [T; N]| spared(flight, contact, v);
