@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 
-use super::economize::{economize, filled, gathered};
+use super::economize::{Terms, economize, filled};
 use super::equations::Equations;
 use super::flow::{self, Functional};
 use super::real::Real;
@@ -22,7 +22,7 @@ pub(super) fn back<const N: usize>(
     direction: SVector<f64, N>,
 ) -> [Row<f64, N>; BACK_TERMS] {
     let now = Functional { x: direction, v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 };
-    let mut terms = gathered(flow::series_back(equations, h, now).map(Row::of));
+    let mut terms: Terms<_> = flow::series_back(equations, h, now).map(Row::of).collect();
     economize_slope(&mut terms, f64::BACK_ORDER);
     filled(&terms)
 }
@@ -40,7 +40,7 @@ fn economize_slope<const N: usize>(terms: &mut [Row<f64, N>], order: usize) {
         return;
     }
     let times = |term: &Row<f64, N>, factor: f64| Row::zero().plus(factor, term);
-    let mut slope: Vec<_> = (1..terms.len()).map(|k| times(&terms[k], k as f64)).collect();
+    let mut slope: Terms<_> = (1..terms.len()).map(|k| times(&terms[k], k as f64)).collect();
     economize(&mut slope, order - 1);
     for (k, slope) in slope.iter().enumerate() {
         terms[k + 1] = times(slope, 1.0 / (k + 1) as f64);

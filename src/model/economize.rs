@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use pulp::NullaryFnOnce;
+use smallvec::SmallVec;
 
 use super::real::Real;
 use super::row::Term;
@@ -12,12 +13,8 @@ use super::row::Term;
 /// About as many terms as a series has over a step.
 const USUAL_TERMS: usize = 32;
 
-/// The terms of a series.
-pub(super) fn gathered<V>(series: impl Iterator<Item = V>) -> Vec<V> {
-    let mut terms = Vec::with_capacity(USUAL_TERMS);
-    terms.extend(series);
-    terms
-}
+/// The terms of a series, on the heap only where they are more than usual.
+pub(super) type Terms<V> = SmallVec<[V; USUAL_TERMS]>;
 
 /// The first of these terms, as many as there is room for; 0 where there are fewer.
 pub(super) fn filled<V: Term, const M: usize>(terms: &[V]) -> [V; M] {

@@ -141,5 +141,19 @@ pub fn generator<const N: usize>(equations: &Equations<N>) -> DMatrix<f64> {
 
 /// The largest real part of the eigenvalues: the slowest decay.
 pub fn slowest(g: &DMatrix<f64>) -> f64 {
-    g.complex_eigenvalues().iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max)
+    let real =
+        |values: &[Complex<f64>]| values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
+    // Without allocation for the sizes of plants.
+    macro_rules! sized {
+        ($($size:literal)*) => {
+            match g.nrows() {
+                $($size => {
+                    let fixed = SMatrix::<f64, $size, $size>::from_column_slice(g.as_slice());
+                    real(fixed.complex_eigenvalues().as_slice())
+                })*
+                _ => real(g.complex_eigenvalues().as_slice()),
+            }
+        };
+    }
+    sized!(2 4 6 8)
 }

@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 
-use super::economize::{economize, filled, gathered};
+use super::economize::{Terms, economize, filled};
 use super::equations::Equations;
 use super::flow::{self, Augmented, mechanical};
 use super::real::{Lanes, Real};
@@ -22,7 +22,7 @@ pub(super) fn kick<const N: usize>(
     response: SVector<f64, N>,
 ) -> [State<f64, N>; KICK_TERMS] {
     let unit = Augmented { v: response, ..Augmented::zeros() };
-    let mut terms = gathered(flow::series(equations, h, unit).map(|term| mechanical(&term)));
+    let mut terms: Terms<_> = flow::series(equations, h, unit).map(|term| mechanical(&term)).collect();
     economize(&mut terms, f64::KICK_ORDER);
     filled(&terms)
 }
