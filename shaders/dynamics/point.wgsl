@@ -31,8 +31,13 @@ fn point_at_phase_zero(state: State) -> Point {
 fn point_stepped(point: Point) -> Point {
     let sine = state_plus(flight.gamma_one, point.sin, flight.gamma_sin);
     let forced = state_plus(sine, point.cos, flight.gamma_cos);
+    return point_turned(point, state_flown_onto(forced, point.state));
+}
+
+// A state with the forcing phasor of a point turned by a whole step.
+fn point_turned(point: Point, state: State) -> Point {
     return Point(
-        state_flown_onto(forced, point.state),
+        state,
         point.sin * flight.turn_cos + point.cos * flight.turn_sin,
         point.cos * flight.turn_cos + -(point.sin * flight.turn_sin),
     );

@@ -6,7 +6,7 @@ use super::held::{held, spared};
 use super::series::{Flown, INVERSE_FACTORIALS, Series};
 use super::stop::{Contact, End};
 use crate::model::vector::{MOST, absolute_onto, applied_onto, axpy, dot, scaled};
-use crate::model::{ContactNormal, Flight, Lanes, Real, State};
+use crate::model::{ContactNormal, Flight, Lanes, Real, State, Step};
 
 /// State and forcing phasor at one instant; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,15 +77,14 @@ impl<L: Lanes, const N: usize> Point<L, N> {
     /// The point one whole step h of free flight later.
     #[inline(always)]
     pub fn stepped(&self, flight: &Flight<L, N>) -> Self {
-        let mut state = flight.gamma_one.plus(self.sin, &flight.gamma_sin).plus(self.cos, &flight.gamma_cos);
-        for i in 0..N {
-            state = state.plus(self.state.x[i], &flight.phi_x[i]);
-        }
-        for i in 0..N {
-            state = state.plus(self.state.v[i], &flight.phi_v[i]);
-        }
+        self.stepped_by(&flight.step, flight)
+    }
+
+    /// The same under what a step does.
+    #[inline(always)]
+    pub fn stepped_by(&self, step: &Step<L, N>, flight: &Flight<L, N>) -> Self {
         Point {
-            state,
+            state: step.of_state(&self.state, self.sin, self.cos),
             sin: self.sin.times_plus(flight.turn_cos, self.cos * flight.turn_sin),
             cos: self.cos.times_plus(flight.turn_cos, -(self.sin * flight.turn_sin)),
         }

@@ -119,14 +119,7 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
     #[inline(always)]
     #[must_use]
     pub fn stepped_freely(&self, flight: &Flight<L, N>) -> Self {
-        let mut state = flight.phi_x[0].scaled(self.0.x[0]);
-        for i in 1..N {
-            state = state.plus(self.0.x[i], &flight.phi_x[i]);
-        }
-        for i in 0..N {
-            state = state.plus(self.0.v[i], &flight.phi_v[i]);
-        }
-        Tangent(state)
+        Tangent(flight.step.of_deviation(&self.0))
     }
 
     /// The deviation of the end of a step after an impact in it, `back` being the row that gives d·x of a deviation then.

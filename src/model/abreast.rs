@@ -23,13 +23,7 @@ impl<L: Lanes, const N: usize> Flight<L, N> {
         self.turn_sin.set_lane(lane, flight.turn_sin);
         self.turn_cos.set_lane(lane, flight.turn_cos);
         self.rate.set_lane(lane, flight.rate);
-        for i in 0..N {
-            self.phi_x[i].set_lane(lane, &flight.phi_x[i]);
-            self.phi_v[i].set_lane(lane, &flight.phi_v[i]);
-        }
-        self.gamma_sin.set_lane(lane, &flight.gamma_sin);
-        self.gamma_cos.set_lane(lane, &flight.gamma_cos);
-        self.gamma_one.set_lane(lane, &flight.gamma_one);
+        self.step.set_lane(lane, &flight.step);
         for i in 0..N {
             set_vector(&mut self.stiffness[i], lane, &flight.stiffness[i]);
             set_vector(&mut self.damping[i], lane, &flight.damping[i]);

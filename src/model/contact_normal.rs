@@ -10,6 +10,7 @@ use super::kick::{self, KICK_TERMS, kick, polynomial};
 use super::real::{Lanes, Real};
 use super::row::Row;
 use super::state::State;
+use super::step::Step;
 
 /// What a contact normal is to a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +34,8 @@ pub struct ContactNormal<T, const N: usize> {
     pub bound_v: [T; N],
     /// See `bound_x`.
     pub bound_forcing: T,
+    /// A step while masses rest on a stop along this normal, and on no other.
+    pub held: Step<T, N>,
     /// What a change of d·v by 1 has become a time s later: Σ kickₖ (s/h)ᵏ, 0 ≤ s ≤ h, up to [`Real::KICK_ORDER`].
     pub kick: [State<T, N>; KICK_TERMS],
     /// Where a motion was along d a time s ago in free flight: d·x = Σ (s/h)ᵏ backₖ·(x, v, sin φ, cos φ, 1), likewise, up
@@ -67,6 +70,7 @@ impl<T: Copy, const N: usize> ContactNormal<T, N> {
             bound_x: vector,
             bound_v: vector,
             bound_forcing: zero,
+            held: Step::blank(zero),
             kick: [State { x: vector, v: vector }; KICK_TERMS],
             back: [Row::all(zero); BACK_TERMS],
             drag: zero,
@@ -111,6 +115,7 @@ impl<const N: usize> ContactNormal<f64, N> {
             bound_x: self.bound_x.map(T::of),
             bound_v: self.bound_v.map(T::of),
             bound_forcing: T::of(self.bound_forcing),
+            held: self.held.round(),
             kick: kick::rounded(&self.kick),
             back: back::rounded(&self.back),
             drag: T::of(self.drag),
@@ -146,6 +151,7 @@ pub(super) fn contact_normal<const N: usize>(
         bound_x: bound.x.into(),
         bound_v: bound.v.into(),
         bound_forcing: bound.sin.hypot(bound.cos) + bound.one,
+        held: Step::of(&equations.held_along(k), h),
         kick: kick(equations, h, normal.response),
         back: back(equations, h, normal.direction),
         drag: -normal.direction.dot(&damped),

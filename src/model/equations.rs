@@ -162,6 +162,20 @@ impl<const N: usize> Equations<N> {
         projector
     }
 
+    /// The equations while masses rest on a stop along one normal, and on no other: of motions that have no speed along it.
+    pub fn held_along(&self, normal: usize) -> Self {
+        let Normal { direction, response, .. } = self.normals[normal];
+        let projector = SMatrix::identity() - response * direction.transpose();
+        Equations {
+            stiffness: projector * self.stiffness,
+            damping: projector * self.damping,
+            sin: projector * self.sin,
+            cos: projector * self.cos,
+            load: projector * self.load,
+            ..*self
+        }
+    }
+
     /// The steepest rate of the flow: ω, or ‖G⁸‖^(1/8) of the unforced generator G; not a number where G holds what is
     /// none.
     pub fn rate(&self) -> f64 {

@@ -1,24 +1,22 @@
 //! Everything that flying one cell needs, computed once per cell in f64.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 
 use super::contact_normal::{ContactNormal, contact_normal};
 use super::equations::Equations;
-use super::flow::{self, Augmented, mechanical};
 use super::forced::{ForcedResponse, Trap, generator, slowest};
 use super::quiet::{Quiet, quiet};
 use super::real::Real;
 use super::state::State;
+use super::step::Step;
 use super::stops_along::StopsAlong;
 use super::system::System;
 use super::vector::{MOST, columns};
 
 /// The constants of one cell: a step of fixed length h = T/M, and bounds that hold on it.
 ///
-/// The flow is linear, so a whole step is one matrix: y(t + h) = Φ y(t) + Γs sin φ + Γc cos φ + Γ₁ with
-/// y = (x1 … xN, v1 … vN). M is even and whole, so that phases 0 and π fall on steps and are set exactly.
-/// Everything is non-dimensional; Φ and Γ come from the exponential of the forced generator, so resonance without
-/// damping is no special case.
+/// The flow is linear, so a whole step is one matrix, a [`Step`]. M is even and whole, so that phases 0 and π fall on steps and
+/// are set exactly. Everything is non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flight<T, const N: usize> {
     /// M, steps in one forcing period.
@@ -35,16 +33,8 @@ pub struct Flight<T, const N: usize> {
     pub omega: T,
     /// The fastest rate of the flow: Taylor terms of a flight of length s shrink like (rate·s)ᵏ/k!.
     pub rate: T,
-    /// Φ's first N columns: what one step makes of unit displacements.
-    pub phi_x: [State<T, N>; N],
-    /// Φ's last N columns: what one step makes of unit velocities.
-    pub phi_v: [State<T, N>; N],
-    /// Γs, what one step adds per unit of sin φ at its beginning.
-    pub gamma_sin: State<T, N>,
-    /// Γc, what one step adds per unit of cos φ at its beginning.
-    pub gamma_cos: State<T, N>,
-    /// Γ₁, what the constant load adds in one step.
-    pub gamma_one: State<T, N>,
+    /// A step of free flight.
+    pub step: Step<T, N>,
     /// −M⁻¹K, column by column.
     pub stiffness: [[T; N]; N],
     /// −M⁻¹C, column by column.
@@ -120,9 +110,6 @@ impl<const N: usize> Flight<f64, N> {
         let equations = Equations::<N>::new(system.plant());
         let steps = system.steps();
         let h = system.period() / f64::from(steps);
-        let unit = |i: usize| SVector::<f64, N>::from_fn(|j, _| if i == j { 1.0 } else { 0.0 });
-        let zero = Augmented::<N>::zeros();
-        let stepped = |z: Augmented<N>| mechanical(&flow::over(&equations, h, z));
         let (turn_sin, turn_cos) = (equations.omega * h).sin_cos();
         let response = ForcedResponse::of(&equations);
         let trap = Trap::of(system.plant(), &equations);
@@ -148,11 +135,7 @@ impl<const N: usize> Flight<f64, N> {
             turn_cos,
             omega: equations.omega,
             rate: system.rate(),
-            phi_x: std::array::from_fn(|i| stepped(Augmented { x: unit(i), ..zero })),
-            phi_v: std::array::from_fn(|i| stepped(Augmented { v: unit(i), ..zero })),
-            gamma_sin: stepped(Augmented { sin: 1.0, ..zero }),
-            gamma_cos: stepped(Augmented { cos: 1.0, ..zero }),
-            gamma_one: stepped(Augmented { one: 1.0, ..zero }),
+            step: Step::of(&equations, h),
             stiffness: columns(&equations.stiffness),
             damping: columns(&equations.damping),
             sin: equations.sin.into(),
@@ -179,11 +162,7 @@ impl<const N: usize> Flight<f64, N> {
             turn_cos: T::of(self.turn_cos),
             omega: T::of(self.omega),
             rate: T::of(self.rate),
-            phi_x: self.phi_x.map(state),
-            phi_v: self.phi_v.map(state),
-            gamma_sin: state(self.gamma_sin),
-            gamma_cos: state(self.gamma_cos),
-            gamma_one: state(self.gamma_one),
+            step: self.step.round(),
             stiffness: self.stiffness.map(vector),
             damping: self.damping.map(vector),
             sin: vector(self.sin),
@@ -219,11 +198,7 @@ impl<T: Copy, const N: usize> Flight<T, N> {
             turn_cos: zero,
             omega: zero,
             rate: zero,
-            phi_x: [state; N],
-            phi_v: [state; N],
-            gamma_sin: state,
-            gamma_cos: state,
-            gamma_one: state,
+            step: Step::blank(zero),
             stiffness: vectors,
             damping: vectors,
             sin: [zero; N],

@@ -8,7 +8,7 @@ use crate::control::{
 };
 use crate::dynamics::Stop;
 use crate::model::vector::MOST;
-use crate::model::{self, System};
+use crate::model::{self, State, Step, System};
 
 shared_struct! {
     /// When control is switched on, and how long a trajectory is followed; lengths in iterates.
@@ -65,6 +65,8 @@ pub fn declaration_of_control() -> String {
         ("drive_sin", "array<f32, COMPONENTS>"),
         ("drive_cos", "array<f32, COMPONENTS>"),
         ("drive_bound", "array<f32, NORMALS>"),
+        ("drive_held_sin", "array<array<f32, COMPONENTS>, NORMALS>"),
+        ("drive_held_cos", "array<array<f32, COMPONENTS>, NORMALS>"),
         ("drive_back_sin", "array<array<f32, BACK_TERMS>, NORMALS>"),
         ("drive_back_cos", "array<array<f32, BACK_TERMS>, NORMALS>"),
     ];
@@ -126,14 +128,18 @@ fn words_of<const N: usize>(controller: &Controller<f64>, system: &System) -> Ve
         Some((coordinate, _)) => {
             let force = model::Flight::<f64, N>::new(&system.loaded_alone(coordinate));
             let bounds = force.normals().iter().map(|normal| normal.bound_forcing);
-            let (sin, cos) = (force.gamma_sin.values(), force.gamma_cos.values());
+            let (sin, cos) = (force.step.gamma_sin.values(), force.step.gamma_cos.values());
+            let held = |of: fn(&Step<f64, N>) -> &State<f64, N>| {
+                force.normals().iter().flat_map(move |normal| of(&normal.held).values())
+            };
             let numbers = force.sin.into_iter().chain(sin).chain(cos).chain(bounds);
+            let numbers = numbers.chain(held(|step| &step.gamma_sin)).chain(held(|step| &step.gamma_cos));
             words.extend(numbers.map(|number| (number as f32).to_bits()));
             let force = force.round::<f32>();
             let back = || force.normals().iter().flat_map(|normal| &normal.back[..BACK_TERMS]);
             words.extend(back().map(|row| row.sin.to_bits()).chain(back().map(|row| row.cos.to_bits())));
         }
-        None => words.extend(vec![0; 5 * N + (1 + 2 * BACK_TERMS) * flight.count]),
+        None => words.extend(vec![0; 5 * N + (1 + 4 * N + 2 * BACK_TERMS) * flight.count]),
     }
     for own in METHODS {
         let size = |&(_, member): &(&str, Member)| if member == Member::Components { 2 * N } else { 1 };

@@ -4,7 +4,7 @@
 use std::fmt::Display;
 
 use crate::backend::gpu::shader::Shape;
-use crate::model::{ContactNormal, Flight, Real, State, StopsAlong};
+use crate::model::{ContactNormal, Flight, Real, State, Step, StopsAlong};
 
 /// Terms of the polynomial of an impact in f32: up to its order.
 pub const KICK_TERMS: usize = <f32 as Real>::KICK_ORDER + 1;
@@ -77,6 +77,14 @@ impl<const N: usize> Members<'_, N> {
         self.aligned(name, "array<State, COORDINATES>", values.iter().flat_map(|State { x, v }| [x, v]));
     }
 
+    fn step(&mut self, before: &str, step: &Step<f32, N>) {
+        self.states(&format!("{before}phi_x"), &step.phi_x);
+        self.states(&format!("{before}phi_v"), &step.phi_v);
+        self.state(&format!("{before}gamma_sin"), &step.gamma_sin);
+        self.state(&format!("{before}gamma_cos"), &step.gamma_cos);
+        self.state(&format!("{before}gamma_one"), &step.gamma_one);
+    }
+
     /// Vectors, each up to the alignment of the next.
     fn aligned<'v>(
         &mut self,
@@ -109,11 +117,7 @@ fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut Members
         members.numbers("pressing", pressing(flight).into_iter());
     }
     members.align();
-    members.states("phi_x", &flight.phi_x);
-    members.states("phi_v", &flight.phi_v);
-    members.state("gamma_sin", &flight.gamma_sin);
-    members.state("gamma_cos", &flight.gamma_cos);
-    members.state("gamma_one", &flight.gamma_one);
+    members.step("", &flight.step);
     members.vectors("stiffness", &flight.stiffness);
     members.vectors("damping", &flight.damping);
     members.vector("sin", &flight.sin);
@@ -153,6 +157,7 @@ fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut 
     members.vector("response", &normal.response);
     members.vector("bound_x", &normal.bound_x);
     members.vector("bound_v", &normal.bound_v);
+    members.step("held_", &normal.held);
     members.rows("back_x", back().map(|row| &row.state.x));
     members.rows("back_v", back().map(|row| &row.state.v));
 }

@@ -62,10 +62,18 @@ const COMMON: [&str; 37] = [
 ];
 
 /// What is read of a normal that a force changes, and how where one comes on top.
-const DRIVEN: [[&str; 2]; 3] = [
+const DRIVEN: [[&str; 2]; 5] = [
     [
         "return flight.normals[normal].bound_forcing;",
         "return flight.normals[normal].bound_forcing + driven.bound[normal];",
+    ],
+    [
+        "return flight.normals[normal].held_gamma_sin;",
+        "return state_plus(flight.normals[normal].held_gamma_sin, controlled.force, state_of_values(control.drive_held_sin[normal]));",
+    ],
+    [
+        "return flight.normals[normal].held_gamma_cos;",
+        "return state_plus(flight.normals[normal].held_gamma_cos, controlled.force, state_of_values(control.drive_held_cos[normal]));",
     ],
     [
         "return flight.normals[normal].back_sin[term];",
