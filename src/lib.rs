@@ -87,7 +87,7 @@
 //! at, and what is rare is left to the single trajectory. Phase π is passed over except where an odd cycle may show its mirror
 //! image, and phase 0 while a transient only waits for its state to return. What is computed for one lane is computed for all:
 //! trajectories that carry a tangent along fly in lanes of their own, by turns with the others. The GPU's kernel goes in rounds of
-//! the same kind, each invocation for itself.
+//! the same kind, each invocation for itself; what rests on a stop makes its whole steps together after them.
 //!
 //! *Impacts* change the velocities along M⁻¹d. What the change does to the end of the step is a polynomial that is known beforehand, so
 //! the rest of the step need not be flown again. A small deviation that is carried along is likewise that of the end of the step: a
@@ -101,7 +101,8 @@
 //! vanishes can find them. Rebounds between several stops at once, each impact throwing the masses on the next stop, end in the
 //! corner between them. Contacts hold until the force on one of them changes sign: what presses on a contact during a flight lies
 //! in a hull like that of d·x during a step, and where that reaches below 0, the flight ends where the cubic through both ends
-//! does, or for as long as a quadratic bound from its beginning says. The contact then opens along its jerk.
+//! does, or for as long as a quadratic bound from its beginning says. The contact then opens along its jerk. A flight under contacts
+//! is linear too: on stops along one normal, a whole step of it is a matrix of its own.
 //!
 //! *Verdict.* The strobe state is compared with one remembered state: its first return gives N, and it must keep
 //! returning, with the same impacts. A trajectory that has settled, or that energy shows can never impact again, finishes

@@ -24,9 +24,8 @@ fn rest(carry: bool) -> Move {
         let force = sign * motion.pressing[$k];
         let slope = sign * motion.pressing_rate[$k];
         let bound = point_bound(trajectory.point, $ku);
-        let lost = unresolved(end, trajectory.point.state);
         // What would open just before the step's end opens in the next one.
-        if window > least && ((force <= lost && slope < 0.0) || force < -lost) {
+        if window > least && rest_opens(end, force, slope) {
             opens = true;
             opening = end;
             opening_bound = bound;
@@ -43,6 +42,48 @@ fn rest(carry: bool) -> Move {
         return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
     }
     return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE);
+}
+
+// Whether a contact opens now, `slope` being the derivative of the `force` that presses on it.
+fn rest_opens(end: End, force: f32, slope: f32) -> bool {
+    let lost = unresolved(end, trajectory.point.state);
+    return (force <= lost && slope < 0.0) || force < -lost;
+}
+
+// A whole step under contacts along one normal, where it is seen at a glance that nothing else happens than what `held_flight`
+// would find; says whether it was made. Phases 0 and π are left to `rest`.
+fn rest_step(carry: bool) -> bool {
+    let contact = trajectory.contact;
+    let next = trajectory.step + 1u;
+    let to_phase = (next == flight.steps) | (next + next == flight.steps);
+    if to_phase | (trajectory.offset > 0.0) | !is_whole_step(flight.h, contact) {
+        return false;
+    }
+    let motion = point_motion(trajectory.point, contact);
+    var there = point_stepped_held(first_held(contact), trajectory.point);
+    there.state = rested(there.state, contact);
+    let then = point_motion(there, contact);
+    let ignored = contact_with_opposite_ends(contact);
+    var lasts = contact_safe_time(trajectory.point, motion, ignored, flight.h) >= flight.h;
+    let late = flight.h * SQRT_EPSILON;
+    //: each normal
+    if contact_opens_along(contact, $ku) {
+        let end = contact_end_along(contact, $ku);
+        let sign = end_sign(end);
+        let forces = vec2(sign * motion.pressing[$k], sign * then.pressing[$k]);
+        let slopes = vec2(sign * motion.pressing_rate[$k], sign * then.pressing_rate[$k]);
+        let pressed = Pressed(forces, slopes, motion_bound(motion, $ku), flight.h);
+        lasts = lasts && !rest_opens(end, forces.x, slopes.x) && pressed_lasts(pressed, late);
+    }
+    //: end
+    if lasts {
+        trajectory.point = there;
+        if carry {
+            tangent = state_held_onto(first_held(contact), State(X(0.0), X(0.0)), tangent);
+        }
+        trajectory.step = next;
+    }
+    return lasts;
 }
 
 // A flight under the present contacts.

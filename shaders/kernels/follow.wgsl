@@ -34,6 +34,15 @@ fn follow_turn() {
     pace.rare = false;
     follow_stage(STAGE_TRANSIENT, false);
     follow_stage(STAGE_OBSERVATION, true);
+    // What rests on a stop goes on as far as nothing is rare about it.
+    for (var step = 0u; step < HELD_STEPS; step++) {
+        if (trajectory.contact == CONTACT_FREE) | pace.arrived {
+            break;
+        }
+        if !rest_step(observer.stage == STAGE_OBSERVATION) {
+            break;
+        }
+    }
     if pace.rare {
         var taken = Move(EVENT_STROBE, 0u, 0.0, 0.0, CONTACT_FREE);
         if !pace.arrived {

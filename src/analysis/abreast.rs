@@ -16,6 +16,8 @@ pub const CLEAR_STEPS: u32 = 4;
 pub const ROUNDS: u32 = 16;
 /// Turns of such rounds on the GPU, each up to phase 0 at the latest, before lanes with something rare have waited enough.
 pub const TURNS: u32 = 8;
+/// Whole steps on a stop on the GPU after them, before what is rare about it is looked at.
+pub const HELD_STEPS: u32 = 32;
 
 /// Follows everything in a queue, in as many lanes as `zero` has, each trajectory exactly as
 /// [`Observer::follow`](super::Observer::follow) does; all cells have `normals` contact normals.

@@ -46,7 +46,7 @@ pub(crate) use turn::reported;
 
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
-    pub use super::abreast::{CLEAR_STEPS, ROUNDS, TURNS};
+    pub use super::abreast::{CLEAR_STEPS, HELD_STEPS, ROUNDS, TURNS};
     pub use super::deciding::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, PLAIN_GROWTH, SIGNIFICANCE};
     pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::leap::{LEFT_BY_LEAP, LONGEST_LEAP};

@@ -1,7 +1,9 @@
 //! How long a mass surely stays on its stop: what presses on the contact, looked at from both ends of a flight under it.
 
 use super::hull::{Hull, Span};
+use super::point::Motion;
 use super::quintic::Quintic;
+use super::stop::End;
 use crate::model::{FAR, Real};
 
 /// Flights that are tried in one move under contacts, before the one for which they surely hold as reckoned from its beginning
@@ -22,6 +24,13 @@ pub struct Pressed<T> {
 }
 
 impl<T: Real> Pressed<T> {
+    /// On the stop at an end, between two motions that far apart.
+    #[inline(always)]
+    pub fn over<const N: usize>(time: T, from: &Motion<T, N>, to: &Motion<T, N>, bound: T, end: End) -> Self {
+        let (from, to) = (from.pressure(end), to.pressure(end));
+        Pressed { forces: [from[0], to[0]], slopes: [from[1], to[1]], bound, time }
+    }
+
     /// Whether it surely presses all the time, but for about the last `late` of it, as it does at the beginning: its [`Hull`]
     /// does.
     #[inline(always)]

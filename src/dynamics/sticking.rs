@@ -24,14 +24,19 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             let event = self.strike(flight, tangents, reached);
             return Move { time: reached.left, contact, event };
         }
+        if clear >= flight.h
+            && let Some(point) = self.rested_step(flight, &motion, least)
+        {
+            self.glide_to(flight, tangents, point, flight.h);
+            return Move { time: flight.h, contact, event: self.end_step(flight) };
+        }
         let mut time = clear;
         for k in 0..flight.count {
             let Some(end) = contact.opening_along(k) else { continue };
             let [force, slope] = motion.pressure(end);
             let bound = self.point.bound(flight, k);
-            let unresolved = contact::unresolved(&flight.normals[k], end.side, &self.point.state);
             // What would open just before the step's end opens in the next one.
-            if window > least && ((force <= unresolved && slope < T::zero()) || force < -unresolved) {
+            if window > least && self.opens(flight, &motion, end) {
                 return self.release(flight, tangents, end, bound);
             }
             let pressed = contact::pressed_time(force, slope, bound, window);
@@ -42,6 +47,29 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         self.glide_to(flight, tangents, point, time);
         let event = if time >= window { self.end_step(flight) } else { Event::Flight };
         Move { time, contact, event }
+    }
+
+    /// Where a whole step under the present contacts leads; none where it is not seen at a glance that nothing else happens than
+    /// what [`Trajectory::held_flight`] would find. `late` is as there.
+    #[inline(always)]
+    fn rested_step(&self, flight: &Flight<T, N>, motion: &Motion<T, N>, late: T) -> Option<Point<T, N>> {
+        let there = self.glided(flight, flight.h);
+        let then = there.motion(flight, self.contact);
+        let mut lasts = true;
+        for k in 0..flight.count {
+            let Some(end) = self.contact.opening_along(k) else { continue };
+            let pressed = Pressed::over(flight.h, motion, &then, motion.bound(flight, k), end);
+            lasts &= !self.opens(flight, motion, end) & pressed.lasts(late);
+        }
+        lasts.then_some(there)
+    }
+
+    /// Whether a contact opens now.
+    #[inline(always)]
+    fn opens(&self, flight: &Flight<T, N>, motion: &Motion<T, N>, end: End) -> bool {
+        let [force, slope] = motion.pressure(end);
+        let unresolved = contact::unresolved(&flight.normals[end.normal], end.side, &self.point.state);
+        (force <= unresolved && slope < T::zero()) || force < -unresolved
     }
 
     /// A flight under the present contacts, as long as is found: `sure` ≤ `clear` is for how long they surely hold, reckoned from
@@ -65,13 +93,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             let (mut next, mut lasts) = (clear, true);
             for k in 0..flight.count {
                 let Some(end) = self.contact.opening_along(k) else { continue };
-                let (from, to) = (motion.pressure(end), then.pressure(end));
-                let pressed = Pressed {
-                    forces: [from[0], to[0]],
-                    slopes: [from[1], to[1]],
-                    bound: motion.bound(flight, k),
-                    time: reach,
-                };
+                let pressed = Pressed::over(reach, motion, &then, motion.bound(flight, k), end);
                 let (own, holds) = pressed.next(sure, late);
                 next = if own < next { own } else { next };
                 lasts &= holds;

@@ -3,7 +3,8 @@ use std::f64::consts::{PI, TAU};
 use super::*;
 use crate::dynamics::example::single;
 use crate::dynamics::{Contact, Impact};
-use crate::model::{State, System};
+use crate::model::{Parameters, Setting, State, System};
+use crate::system::Family;
 
 /// A free mass on the upper stop, pressed on it by load + cos(ωt − φ), ω = 1.
 fn pressed(load: f64, phase: f64) -> System {
@@ -166,4 +167,47 @@ fn is_let_go<T: Real>() {
 fn a_mass_that_nothing_presses_leaves_its_stop_at_once() {
     is_let_go::<f64>();
     is_let_go::<f32>();
+}
+
+/// Whole steps at rest of a long motion that comes to rest again and again: how often they were seen at a glance, and how often not.
+fn glances<T: Real, const N: usize>(system: &System) -> [u32; 2] {
+    let flight = Flight::<f64, N>::new(system).round::<T>();
+    let mut trajectory = Trajectory::new(&flight, State::zero());
+    let late = flight.h * T::epsilon().sqrt();
+    let mut met = [0, 0];
+    for _ in 0..20_000 {
+        if !trajectory.contact.is_free() && trajectory.offset == T::zero() {
+            let motion = trajectory.point.motion(&flight, trajectory.contact);
+            match trajectory.rested_step(&flight, &motion, late) {
+                None => met[1] += 1,
+                Some(point) => {
+                    met[0] += 1;
+                    // Whatever is known from its beginning alone.
+                    for sure in [late, T::of(0.5) * flight.h, flight.h] {
+                        let found = trajectory.held_flight(&flight, &motion, [sure, flight.h], late);
+                        assert_eq!(found, (flight.h, point), "{trajectory:?}");
+                    }
+                }
+            }
+        }
+        trajectory.advance(&flight, &mut []);
+    }
+    met
+}
+
+#[test]
+fn what_is_seen_at_a_glance_is_what_a_held_flight_finds() {
+    let paper = |omega: f64, delta: f64| {
+        System::new(Parameters { omega, delta, r: 0.5, ..Parameters::default() }).unwrap()
+    };
+    let mut met = vec![];
+    for (omega, delta) in [(0.3, 0.2), (0.45, 0.4), (0.6, 0.1)] {
+        met.push(glances::<f64, 2>(&paper(omega, delta)));
+        met.push(glances::<f32, 2>(&paper(omega, delta)));
+    }
+    // Two masses that rest on their stop together and by turns.
+    let both = System::new(Setting::defaults(Family::builtin("three-mass-chain")).with_named("omega", 0.3));
+    met.push(glances::<f64, 3>(&both.unwrap()));
+    println!("{met:?}");
+    assert!(met[..6].iter().all(|[seen, not]| *seen > 200 && *not > 20), "{met:?}");
 }

@@ -6,14 +6,15 @@ use super::Kernel;
 use super::drive::{MOVE, SQUARES};
 use super::program::{Portion, Program, ROW};
 use crate::analysis;
-use crate::analysis::constants::{CLEAR_STEPS, ROUNDS, TURNS};
+use crate::analysis::constants::{CLEAR_STEPS, HELD_STEPS, ROUNDS, TURNS};
 use crate::backend::gpu::layout::{Dispatch, Schedule, Verdict};
 use crate::backend::gpu::shader::{self, WORKGROUP};
 use crate::backend::{Job, Result, Watch};
 
 /// Loop iterations in what the kernel counts as one move: turns of rounds in the transient, others under observation, and
 /// what is rare after them.
-pub(super) const ITERATIONS: u32 = 2 * TURNS * (1 + ROUNDS * (2 + CLEAR_STEPS) + SQUARES) + MOVE + SQUARES;
+pub(super) const ITERATIONS: u32 =
+    2 * TURNS * (1 + ROUNDS * (2 + CLEAR_STEPS) + SQUARES) + HELD_STEPS + MOVE + SQUARES;
 
 impl Kernel {
     /// Follows one tile of trajectories.

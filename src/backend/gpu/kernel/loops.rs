@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::{control, extent, follow, trace};
-use crate::analysis::constants::{CLEAR_STEPS, ROUNDS, SQUARINGS, TURNS};
+use crate::analysis::constants::{CLEAR_STEPS, HELD_STEPS, ROUNDS, SQUARINGS, TURNS};
 use crate::backend::gpu::shader::{Arithmetic, Kernel, Residence, Shape, source};
 use crate::control::{ControlSchedule, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
 use crate::dynamics::constants::HELD_FLIGHTS;
@@ -23,6 +23,7 @@ fn bound(head: &str) -> u32 {
         ("tries <= HELD_FLIGHTS + 1u", HELD_FLIGHTS + 1),
         ("k <= SQUARINGS", SQUARINGS + 1),
         ("turn < TURNS", TURNS),
+        ("step < HELD_STEPS", HELD_STEPS),
         ("round < ROUNDS", ROUNDS),
         ("step < CLEAR_STEPS", CLEAR_STEPS),
         ("half <= 2.0", extent::HALVES),

@@ -50,6 +50,7 @@ pub fn source(shape: &Shape) -> String {
         ("HELD_FLIGHTS", dynamics::HELD_FLIGHTS),
         ("ROUNDS", analysis::ROUNDS),
         ("TURNS", analysis::TURNS),
+        ("HELD_STEPS", analysis::HELD_STEPS),
         ("CLEAR_STEPS", analysis::CLEAR_STEPS),
         ("MOST_MOVES", analysis::MOST_MOVES),
         ("FAIR_MOVES", analysis::FAIR_MOVES),
