@@ -4,7 +4,7 @@ fn observer_note(taken: Move) {
     if observer.stage == STAGE_OBSERVATION && taken.event != EVENT_STEP_END {
         loss_note(taken);
     }
-    if trajectory.contact != CONTACT_FREE {
+    if trajectory.contact != CONTACT_FREE && taken.event != EVENT_STEP_END {
         observer.stuck = 1u;
     }
     if is_impact(taken) {

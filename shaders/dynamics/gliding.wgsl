@@ -22,7 +22,7 @@ fn glide_to(carry: bool, point: Point, time: f32) {
     trajectory.point = point;
     if carry && trajectory.under_way == 0u {
         if is_whole_step(time, trajectory.contact) {
-            tangent = state_held_onto(first_held(trajectory.contact), State(X(0.0), X(0.0)), tangent);
+            tangent = tangent_stepped_held(first_held(trajectory.contact), tangent);
         } else {
             tangent = tangent_flown(tangent, time, trajectory.contact);
         }
@@ -32,7 +32,12 @@ fn glide_to(carry: bool, point: Point, time: f32) {
 
 // Whether a flight of such a length is a whole step under contacts along one normal.
 fn is_whole_step(time: f32, contact: u32) -> bool {
-    return countOneBits(contact_held(contact)) == 1u && time == flight.h;
+    return holds_one_normal(contact) && time == flight.h;
+}
+
+// Whether contacts hold along one normal, and along no other.
+fn holds_one_normal(contact: u32) -> bool {
+    return countOneBits(contact_held(contact)) == 1u;
 }
 
 // The first normal that holds.
@@ -47,7 +52,12 @@ fn point_stepped_held(normal: u32, point: Point) -> Point {
     return point_turned(point, state_held_onto(normal, forced, point.state));
 }
 
-// What one such step makes of a deviation, on top of a state.
+// What one such step makes of a deviation.
+fn tangent_stepped_held(normal: u32, tangent: State) -> State {
+    return state_held_onto(normal, State(X(0.0), X(0.0)), tangent);
+}
+
+// The same on top of a state.
 fn state_held_onto(normal: u32, base: State, deviation: State) -> State {
     var state = base;
     //: each coordinate

@@ -50,13 +50,13 @@ fn rest_opens(end: End, force: f32, slope: f32) -> bool {
     return (force <= lost && slope < 0.0) || force < -lost;
 }
 
-// A whole step under contacts along one normal, where it is seen at a glance that nothing else happens than what `held_flight`
-// would find; says whether it was made. Phases 0 and π are left to `rest`.
+// A whole step under contacts along one normal, where no other stop is met in it and the contacts surely last: what `held_flight`
+// comes to then. Says whether it was made; a step to phase 0 or π is left to `rest`.
 fn rest_step(carry: bool) -> bool {
     let contact = trajectory.contact;
     let next = trajectory.step + 1u;
     let to_phase = (next == flight.steps) | (next + next == flight.steps);
-    if to_phase | (trajectory.offset > 0.0) | !is_whole_step(flight.h, contact) {
+    if to_phase | (trajectory.offset > 0.0) | !holds_one_normal(contact) {
         return false;
     }
     let motion = point_motion(trajectory.point, contact);
@@ -79,7 +79,7 @@ fn rest_step(carry: bool) -> bool {
     if lasts {
         trajectory.point = there;
         if carry {
-            tangent = state_held_onto(first_held(contact), State(X(0.0), X(0.0)), tangent);
+            tangent = tangent_stepped_held(first_held(contact), tangent);
         }
         trajectory.step = next;
     }

@@ -28,7 +28,12 @@ pub fn single(edit: impl FnOnce(&mut Plant)) -> System {
 
 /// Two masses on springs and dampers of no special numbers, forced and loaded, with one stop between them.
 pub fn pair(restitution: f64) -> System {
-    let stop = PlantStop { direction: DVector::from_row_slice(&[1.0, -0.4]), gap: 0.2, restitution };
+    pair_with(&[[1.0, -0.4]], restitution, 0.1)
+}
+
+/// The same with other stops, each in a direction of its own, and a load on the first mass.
+pub fn pair_with(directions: &[[f64; 2]], restitution: f64, load: f64) -> System {
+    let stop = |d: &[f64; 2]| PlantStop { direction: DVector::from_row_slice(d), gap: 0.2, restitution };
     let plant = Plant {
         n: 2,
         mass: DMatrix::from_row_slice(2, 2, &[1.0, 0.1, 0.1, 0.6]),
@@ -36,9 +41,9 @@ pub fn pair(restitution: f64) -> System {
         stiffness: DMatrix::from_row_slice(2, 2, &[2.0, -1.0, -1.0, 1.5]),
         force_sin: DVector::from_row_slice(&[1.0, 0.3]),
         force_cos: DVector::from_row_slice(&[0.0, 0.2]),
-        load: DVector::from_row_slice(&[0.1, 0.0]),
+        load: DVector::from_row_slice(&[load, 0.0]),
         omega: 1.3,
-        stops: vec![stop],
+        stops: directions.iter().map(stop).collect(),
     };
     System::of_plant(plant).expect("the two masses are a plant")
 }

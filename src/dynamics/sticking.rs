@@ -49,8 +49,8 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         Move { time, contact, event }
     }
 
-    /// Where a whole step under the present contacts leads; none where it is not seen at a glance that nothing else happens than
-    /// what [`Trajectory::held_flight`] would find. `late` is as there.
+    /// Where a whole step under the present contacts leads, in which no other stop is met, if the contacts surely last: what
+    /// [`Trajectory::held_flight`] comes to then. `late` is as there.
     #[inline(always)]
     fn rested_step(&self, flight: &Flight<T, N>, motion: &Motion<T, N>, late: T) -> Option<Point<T, N>> {
         let there = self.glided(flight, flight.h);

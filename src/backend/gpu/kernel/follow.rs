@@ -11,8 +11,8 @@ use crate::backend::gpu::layout::{Dispatch, Schedule, Verdict};
 use crate::backend::gpu::shader::{self, WORKGROUP};
 use crate::backend::{Job, Result, Watch};
 
-/// Loop iterations in what the kernel counts as one move: turns of rounds in the transient, others under observation, and
-/// what is rare after them.
+/// Loop iterations in what the kernel counts as one move: turns of rounds in the transient, others under observation, whole
+/// steps on a stop after them, and what is rare.
 pub(super) const ITERATIONS: u32 =
     2 * TURNS * (1 + ROUNDS * (2 + CLEAR_STEPS) + SQUARES) + HELD_STEPS + MOVE + SQUARES;
 

@@ -125,21 +125,8 @@ fn words_of<const N: usize>(controller: &Controller<f64>, system: &System) -> Ve
     words.extend(section.map(|place| place as u32));
     words.extend(mirror);
     match controller.force() {
-        Some((coordinate, _)) => {
-            let force = model::Flight::<f64, N>::new(&system.loaded_alone(coordinate));
-            let bounds = force.normals().iter().map(|normal| normal.bound_forcing);
-            let (sin, cos) = (force.step.gamma_sin.values(), force.step.gamma_cos.values());
-            let held = |of: fn(&Step<f64, N>) -> &State<f64, N>| {
-                force.normals().iter().flat_map(move |normal| of(&normal.held).values())
-            };
-            let numbers = force.sin.into_iter().chain(sin).chain(cos).chain(bounds);
-            let numbers = numbers.chain(held(|step| &step.gamma_sin)).chain(held(|step| &step.gamma_cos));
-            words.extend(numbers.map(|number| (number as f32).to_bits()));
-            let force = force.round::<f32>();
-            let back = || force.normals().iter().flat_map(|normal| &normal.back[..BACK_TERMS]);
-            words.extend(back().map(|row| row.sin.to_bits()).chain(back().map(|row| row.cos.to_bits())));
-        }
-        None => words.extend(vec![0; 5 * N + (1 + 4 * N + 2 * BACK_TERMS) * flight.count]),
+        Some((coordinate, _)) => words.extend(force_words::<N>(system, coordinate)),
+        None => words.extend(vec![0; count_of_force::<N>(flight.count)]),
     }
     for own in METHODS {
         let size = |&(_, member): &(&str, Member)| if member == Member::Components { 2 * N } else { 1 };
@@ -149,6 +136,27 @@ fn words_of<const N: usize>(controller: &Controller<f64>, system: &System) -> Ve
         }
     }
     words
+}
+
+/// How many words [`force_words`] are.
+pub(super) fn count_of_force<const N: usize>(normals: usize) -> usize {
+    5 * N + (1 + 4 * N + 2 * BACK_TERMS) * normals
+}
+
+/// What a force of 1 on a coordinate, in phase with the forcing, changes of the constants of flight.
+pub(super) fn force_words<const N: usize>(system: &System, coordinate: usize) -> Vec<u32> {
+    let force = model::Flight::<f64, N>::new(&system.loaded_alone(coordinate));
+    let bounds = force.normals().iter().map(|normal| normal.bound_forcing);
+    let (sin, cos) = (force.step.gamma_sin.values(), force.step.gamma_cos.values());
+    let held = |of: fn(&Step<f64, N>) -> &State<f64, N>| {
+        force.normals().iter().flat_map(move |normal| of(&normal.held).values())
+    };
+    let numbers = force.sin.into_iter().chain(sin).chain(cos).chain(bounds);
+    let numbers = numbers.chain(held(|step| &step.gamma_sin)).chain(held(|step| &step.gamma_cos));
+    let rounded = force.round::<f32>();
+    let back = || rounded.normals().iter().flat_map(|normal| &normal.back[..BACK_TERMS]);
+    let back = back().map(|row| row.sin).chain(back().map(|row| row.cos));
+    numbers.map(|number| number as f32).chain(back).map(f32::to_bits).collect()
 }
 
 shared_struct! {

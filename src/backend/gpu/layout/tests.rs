@@ -1,6 +1,7 @@
 //! What lies in the buffers is as long as the shaders declare it.
 
 use super::super::shader::{Arithmetic, Kernel, Residence, Shape, source};
+use super::control::{count_of_force, force_words};
 use super::*;
 use crate::control::Controller;
 use crate::dynamics::Stop;
@@ -90,5 +91,29 @@ fn the_words_of_a_controller_fill_what_the_shader_declares() {
         let naga::TypeInner::Struct { members, .. } = &ty.inner else { panic!("Control is no struct") };
         let offset = |name: &str| members.iter().find(|m| m.name.as_deref() == Some(name)).unwrap().offset;
         assert_eq!([offset("stop"), offset("mirror"), offset("push")], [4, 20, 36], "{name}");
+    }
+}
+
+/// What a force changes of a step on a stop stands where the shader reads it.
+#[test]
+fn a_force_changes_steps_on_stops() {
+    let system = model::System::new(Setting::defaults(Family::paper())).unwrap();
+    let shape = Shape { coordinates: 2, normals: 1, stops: 2 };
+    let source = source(Kernel::Control, &shape, Residence::Buffer, Arithmetic::Native);
+    let module = naga::front::wgsl::parse_str(&source).unwrap();
+    let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Control")).unwrap();
+    let naga::TypeInner::Struct { members, .. } = &ty.inner else { panic!("Control is no struct") };
+    let place = |name: &str| {
+        let member = members.iter().find(|member| member.name.as_deref() == Some(name));
+        member.unwrap().offset as usize / 4
+    };
+    let words = force_words::<2>(&system, 1);
+    assert_eq!(words.len(), count_of_force::<2>(1));
+    let held = model::Flight::<f64, 2>::new(&system.loaded_alone(1)).normals[0].held;
+    assert_ne!(held.gamma_sin, held.gamma_cos);
+    for (name, state) in [("drive_held_sin", held.gamma_sin), ("drive_held_cos", held.gamma_cos)] {
+        let expected: Vec<u32> = state.values().map(|value| (value as f32).to_bits()).collect();
+        let begins = place(name) - place("push");
+        assert_eq!(words[begins..begins + 4], expected, "{name}");
     }
 }
