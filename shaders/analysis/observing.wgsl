@@ -1,11 +1,13 @@
 // What is noted of a trajectory: its impacts, and at every strobe whether the transient or the observation ends.
 
 fn observer_note(taken: Move) {
-    if observer.stage == STAGE_OBSERVATION && taken.event != EVENT_STEP_END {
-        loss_note(taken);
-    }
-    if trajectory.contact != CONTACT_FREE && taken.event != EVENT_STEP_END {
-        observer.stuck = 1u;
+    if taken.event != EVENT_STEP_END {
+        if observer.stage == STAGE_OBSERVATION {
+            loss_note(taken);
+        }
+        if trajectory.contact != CONTACT_FREE {
+            observer.stuck = 1u;
+        }
     }
     if is_impact(taken) {
         observer_impact(taken.stop, taken.velocity, taken.event == EVENT_COMPLETE_CHATTER);
