@@ -200,8 +200,11 @@ impl Counts {
 
     /// Counts given in the order of the plant's stops, brought into the order of labels.
     pub fn in_order(per_stop: &[u16], label_order: &[usize]) -> Self {
-        let ordered: Vec<u16> = label_order.iter().map(|&stop| per_stop[stop]).collect();
-        Counts::new(&ordered)
+        let mut values = [0; MOST];
+        for (value, &stop) in values.iter_mut().zip(label_order) {
+            *value = per_stop[stop];
+        }
+        Counts { values, stops: label_order.len() as u8 }
     }
 
     /// The counts in the order of the plant's stops.

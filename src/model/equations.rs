@@ -78,10 +78,9 @@ impl<const N: usize> Equations<N> {
     /// If the plant has another number of coordinates, or an invertible mass matrix was not made sure of.
     pub fn new(plant: &Plant) -> Self {
         assert_eq!(plant.n, N, "a plant with {} coordinates", plant.n);
-        let inverse: DMatrix<f64> =
-            plant.mass.clone().try_inverse().expect("a plant's mass matrix was checked to be invertible");
-        let inverse = SMatrix::<f64, N, N>::from_fn(|i, j| inverse[(i, j)]);
         let square = |m: &DMatrix<f64>| SMatrix::<f64, N, N>::from_fn(|i, j| m[(i, j)]);
+        let inverse = square(&plant.mass).try_inverse();
+        let inverse = inverse.expect("a plant's mass matrix was checked to be invertible");
         let vector = |v: &DVector<f64>| SVector::<f64, N>::from_fn(|i, _| v[i]);
         let none =
             Normal { direction: SVector::zeros(), response: SVector::zeros(), mass: 0.0, ends: [None; 2] };

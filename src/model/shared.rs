@@ -93,9 +93,7 @@ pub(super) fn flow(system: &System) -> Vec<u64> {
         [plant.omega, system.rate()].iter().chain(numbers).chain(loads).chain(normals).map(|x| x.to_bits()),
     );
     // Whether there is a mirror depends on which stops have the same gap and restitution.
-    if plant.stops.len() > 1 {
-        bits.extend(system.mirrored_stops());
-    }
+    bits.push(system.mirrored_stops());
     bits
 }
 

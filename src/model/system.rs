@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
-use super::common::Common;
+use super::common::{Common, LabelOrder};
 use super::equations::stretch;
 use super::of_flow::OfFlow;
 use super::parameters::Parameters;
@@ -49,7 +49,7 @@ impl System {
     pub fn new(setting: impl Into<Setting>) -> Result<Self, SystemError> {
         let setting = setting.into();
         let plant = setting.plant()?;
-        let label_order = setting.family().label_order().to_vec();
+        let label_order = setting.family().label_order().iter().copied().collect();
         System::divided(Some(setting), plant, label_order)
     }
 
@@ -67,9 +67,13 @@ impl System {
     /// The system of a setting of the same family with the same flow: its plant differs from this one's in gaps and
     /// restitutions alone. None where all of the plant has to be looked at.
     pub(super) fn restopped(&self, setting: &Setting) -> Option<Self> {
-        let plant = self.plant.with_stops(setting.stop_values()?);
+        Some(self.with_stops(setting, setting.stop_values()?))
+    }
+
+    /// The system of a setting with those gaps and restitutions.
+    fn with_stops(&self, setting: &Setting, stops: [StopValues; Plant::MOST_STOPS]) -> Self {
         let (common, of_flow) = (Arc::clone(&self.common), self.of_flow.clone());
-        Some(System { common, own: setting.stop_parameters(), plant, of_flow })
+        System { common, own: setting.stop_parameters(), plant: self.plant.with_stops(stops), of_flow }
     }
 
     /// The system of a setting that has its flow in common with this one, which is that of its own setting: the same as
@@ -78,9 +82,12 @@ impl System {
         if !self.common.like.as_ref()?.has_flow_of(setting) {
             return None;
         }
-        let system = self.restopped(setting).filter(|own| own.mirrored_stops().eq(self.mirrored_stops()))?;
+        let stops = setting.stop_values()?;
+        if self.mirrored_among(&stops) != self.mirrored_stops() {
+            return None;
+        }
         self.of_flow.0.share();
-        Some(system)
+        Some(self.with_stops(setting, stops))
     }
 
     /// The system of another plant with the same stops, its labels in the same order.
@@ -88,7 +95,7 @@ impl System {
     /// # Errors
     /// As [`System::of_plant`].
     pub fn with_plant(&self, plant: Plant) -> Result<Self, SystemError> {
-        System::of_plant(plant).map(|system| system.ordered(self.label_order().to_vec()))
+        System::of_plant(plant).map(|system| system.ordered(self.common.label_order.clone()))
     }
 
     /// The same system with another order in which labels count the impacts at its stops, each of them once.
@@ -100,15 +107,15 @@ impl System {
         let mut sorted = label_order.clone();
         sorted.sort_unstable();
         assert!(sorted.into_iter().eq(0..self.stops().len()), "each stop once: {label_order:?}");
-        self.ordered(label_order)
+        self.ordered(label_order.into_iter().collect())
     }
 
-    fn ordered(self, label_order: Vec<usize>) -> Self {
+    fn ordered(self, label_order: LabelOrder) -> Self {
         System { common: Arc::new(Common { label_order, ..Common::clone(&self.common) }), ..self }
     }
 
     /// A system whose forcing period is cut into steps short enough for the fastest motion.
-    fn divided(setting: Option<Setting>, plant: Plant, label_order: Vec<usize>) -> Result<Self, SystemError> {
+    fn divided(setting: Option<Setting>, plant: Plant, label_order: LabelOrder) -> Result<Self, SystemError> {
         let own = setting.map(|setting| setting.stop_parameters()).unwrap_or_default();
         let common = Arc::new(Common::of(setting, &plant, label_order)?);
         Ok(System { common, own, plant: Restopped::new(plant), of_flow: Kept::default() })
@@ -119,7 +126,7 @@ impl System {
     /// # Errors
     /// [`SystemError::TooStiff`] where one forcing period would hold too many steps.
     pub(super) fn with_sound_plant(&self, plant: Plant) -> Result<Self, SystemError> {
-        System::divided(self.setting(), plant, self.label_order().to_vec())
+        System::divided(self.setting(), plant, self.common.label_order.clone())
     }
 
     /// The same system forced at another frequency ω: its setting's omega, where it was made from one that has it.
@@ -147,8 +154,12 @@ impl System {
 
     /// The same system, which shares nothing with others.
     #[must_use]
-    pub(crate) fn alone(self) -> Self {
-        System { of_flow: Kept::default(), ..self }
+    pub(crate) fn alone(mut self) -> Self {
+        match Arc::get_mut(&mut self.of_flow.0) {
+            Some(own) => *own = OfFlow::default(),
+            None => self.of_flow = Kept::default(),
+        }
+        self
     }
 
     /// The setting that the system was made from; none where it was made from a plant.
@@ -243,19 +254,25 @@ impl System {
         self.of_flow.0.of_restitutions(std::array::from_fn(bits), compute)
     }
 
-    /// Which stops have the same gap, per length of their direction, and the same restitution, within a few ulps: one value
-    /// for each pair. Systems with the same flow and the same values have the same mirror.
-    pub(super) fn mirrored_stops(&self) -> impl Iterator<Item = u64> + '_ {
-        let mut measures = [[0.0; 2]; Plant::MOST_STOPS];
-        for (measure, (direction, stop)) in measures.iter_mut().zip(self.stops()) {
-            *measure = [stop.gap / direction.norm(), stop.restitution];
+    /// Which stops have the same gap, per length of their direction, and the same restitution, within a few ulps: one bit
+    /// for each pair. Systems with the same flow and the same bits have the same mirror.
+    pub(super) fn mirrored_stops(&self) -> u64 {
+        self.mirrored_among(self.plant.stops())
+    }
+
+    /// The same with other gaps and restitutions.
+    fn mirrored_among(&self, stops: &[StopValues]) -> u64 {
+        let near = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
+        let lengths = &self.common.lengths;
+        let measures = |i: usize| [stops[i].gap / lengths[i], stops[i].restitution];
+        let mut bits = 0;
+        for i in 0..lengths.len() {
+            let own = measures(i);
+            for other in (0..i).map(measures) {
+                bits = 2 * bits + u64::from(near(own[0], other[0]) && near(own[1], other[1]));
+            }
         }
-        let alike = move |i: usize, j: usize| {
-            let near = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
-            near(measures[i][0], measures[j][0]) && near(measures[i][1], measures[j][1])
-        };
-        let count = self.stops().len();
-        (0..count).flat_map(move |i| (0..i).map(move |j| (i, j))).map(move |(i, j)| u64::from(alike(i, j)))
+        bits
     }
 
     /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.

@@ -118,28 +118,31 @@ impl<T> Plane<T> {
     /// The parameters of the cell in column `column` of row `row`.
     pub fn parameters_at(&self, column: u32, row: u32) -> Setting {
         let mut parameters = self.parameters;
+        self.put_parameters(column, row, &mut parameters);
+        parameters
+    }
+
+    /// Puts the parameters of that cell in the place of those of another cell of the plane.
+    pub(crate) fn put_parameters(&self, column: u32, row: u32, parameters: &mut Setting) {
         for (quantity, value) in self.values_at(column, row) {
             if let Quantity::Parameter(parameter) = quantity {
                 parameters.set(parameter, value);
             }
         }
-        parameters
     }
 
     /// The start of the cell in column `column` of row `row`.
     pub fn start_at(&self, column: u32, row: u32) -> Start {
-        self.values_at(column, row).into_iter().fold(self.start, |start, (quantity, value)| {
-            match (quantity, start) {
-                (Quantity::Parameter(_) | Quantity::Control(_), start) => start,
-                (Quantity::Start(component), start) => {
-                    let n = self.parameters.family().n();
-                    let mut state =
-                        if let Start::State(state) = start { state } else { StateVector::zeros(n) };
-                    state[component.index()] = value;
-                    Start::State(state)
-                }
+        let mut start = self.start;
+        for (quantity, value) in self.values_at(column, row) {
+            if let Quantity::Start(component) = quantity {
+                let n = self.parameters.family().n();
+                let mut state = if let Start::State(state) = start { state } else { StateVector::zeros(n) };
+                state[component.index()] = value;
+                start = Start::State(state);
             }
-        })
+        }
+        start
     }
 }
 

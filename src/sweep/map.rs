@@ -4,13 +4,16 @@
 //! cells of as few flows as there can be.
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
 
+use std::ops::Range;
+
 use super::order::Order;
-use super::preparing::{jobs_of, made};
+use super::prepared::Prepared;
+use super::preparing::jobs_of;
 use super::swept::Swept;
 use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
 use crate::backend::{Backend, Job, Watch, decide};
-use crate::model::{Flows, System, SystemError};
+use crate::model::{Flows, SystemError};
 use crate::plane::{Plane, Reached, RegionMap, Window};
 
 /// Does what is asked of every cell of a plane on a back end.
@@ -23,89 +26,66 @@ use crate::plane::{Plane, Reached, RegionMap, Window};
 /// nothing is kept of a sweep that the watch ended.
 pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watch) -> Result<RegionMap<T>> {
     plane.check()?;
-    check_border(plane)?;
-    let cells = plane.cells();
-    let tile = backend.tile().max(1);
+    let (flows, order) = (Flows::default(), Order::by_flow(plane));
+    check_border(plane, &flows)?;
+    let (cells, tile) = (plane.cells(), backend.tile().max(1) as u64);
     let mut verdicts = Vec::new();
     verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory(cells))?;
     verdicts.resize(cells as usize, T::Cell::unresolved(plane.parameters.family().n()));
-    let (flows, order) = (Flows::default(), Order::by_flow(plane));
+    let places = |first: u64| first..cells.min(first.saturating_add(tile));
     let prepare = |first: u64| {
         flows.tidy();
-        Prepared::of(plane, order.cells(first..cells.min(first.saturating_add(tile as u64))), &flows)
+        Prepared::of(plane, &order.cells(places(first)).collect::<Vec<_>>(), &flows)
     };
     let (mut missing, mut any) = (None, false);
-    let (mut first, mut next) = (0, prepare(0));
-    while first < cells {
+    let (mut next, mut last) = (prepare(0), None);
+    for first in (0..cells).step_by(tile as usize) {
         watch.check()?;
-        let Prepared { jobs, cells_of_jobs, cells: here, missing: missing_here } = next?;
-        missing = missing.or(missing_here);
-        any |= !jobs.is_empty();
-        watch.finished((here - jobs.len()) as u64);
-        // While a back end is busy with one tile, the processor prepares the next.
-        first += tile as u64;
-        let (computed, following) = rayon::join(|| plane.task.run(backend, &jobs, watch), || prepare(first));
+        let mut here = next?;
+        missing = missing.or(here.missing.take());
+        any |= !here.jobs.is_empty();
+        watch.finished((here.cells - here.jobs.len()) as u64);
+        // While a back end is busy with one tile, the processor puts what came of the last into its place and prepares the next.
+        let (computed, following) = rayon::join(
+            || plane.task.run(backend, &here.jobs, watch),
+            || {
+                put(&mut verdicts, &order, last.take());
+                prepare(places(first).end)
+            },
+        );
+        last = Some((places(first), here, computed?));
         next = following;
-        for (cell, found) in cells_of_jobs.into_iter().zip(computed?) {
-            verdicts[cell as usize] = found;
-        }
     }
+    put(&mut verdicts, &order, last);
     match missing {
         Some(why) if !any => Err(why),
         _ => Ok(RegionMap::new(plane.clone(), provenance(backend), verdicts)),
     }
 }
 
-/// What a back end is given for one tile.
-struct Prepared<J> {
-    /// In the order of its cells.
-    jobs: Vec<J>,
-    /// Which cell each of them is for, counted row by row.
-    cells_of_jobs: Vec<u64>,
-    /// How many cells there are.
-    cells: usize,
-    /// Why a cell without a job has none, where that is an error.
-    missing: Option<SweepError>,
-}
-
-impl<J> Prepared<J> {
-    /// Of some cells of a plane, flow by flow, counted row by row; `flows` are those of cells before.
-    fn of<T: Swept<Job = J>>(
-        plane: &Plane<T>,
-        cells: impl Iterator<Item = u64>,
-        flows: &Flows,
-    ) -> Result<Self>
-    where
-        J: Send,
-    {
-        let cells: Vec<u64> = cells.collect();
-        let found = made(plane, &cells, flows, |preparing, cell| preparing.asked_of(cell));
-        let (mut jobs, mut cells_of_jobs) =
-            (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
-        let mut missing = None;
-        for (&cell, job) in cells.iter().zip(found) {
-            let job = job.or_else(|error| match error.is_of_one_cell() {
-                true => {
-                    missing.get_or_insert(error);
-                    Ok(None)
-                }
-                false => Err(error),
-            })?;
-            cells_of_jobs.extend(job.is_some().then_some(cell));
-            jobs.extend(job);
+/// Puts what came of some places of the order into that of the plane; row by row, so that it goes through memory in few strides.
+fn put<J, C: Clone>(verdicts: &mut [C], order: &Order, of: Option<(Range<u64>, Prepared<J>, Vec<C>)>) {
+    let Some((places, Prepared { places: of_jobs, cells, .. }, found)) = of else { return };
+    let mut results = vec![None; cells];
+    for (place, found) in of_jobs.into_iter().zip(&found) {
+        results[place as usize] = Some(found);
+    }
+    for (place, cell) in order.row_by_row(places) {
+        if let Some(found) = results[place] {
+            verdicts[cell as usize] = found.clone();
         }
-        Ok(Prepared { jobs, cells_of_jobs, cells: cells.len(), missing })
     }
 }
 
-/// Refuses time scales that are too far apart before anything is computed: they are so on the border first.
-pub(super) fn check_border<T>(plane: &Plane<T>) -> Result<(), SystemError> {
+/// Refuses time scales that are too far apart before anything is computed: they are so on the border first, whose flows are kept.
+pub(super) fn check_border<T>(plane: &Plane<T>, flows: &Flows) -> Result<(), SystemError> {
     let (columns, rows) = (plane.x.count, plane.y.count);
     let horizontal = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
     let vertical = (0..rows).flat_map(|row| [(0, row), (columns - 1, row)]);
-    horizontal
-        .chain(vertical)
-        .try_for_each(|(column, row)| System::new(plane.parameters_at(column, row)).map(drop))
+    horizontal.chain(vertical).try_for_each(|(column, row)| {
+        flows.tidy();
+        flows.system(plane.parameters_at(column, row)).map(drop)
+    })
 }
 
 /// The jobs of some cells of a plane, row by row.

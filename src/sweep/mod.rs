@@ -5,6 +5,7 @@ mod diagram;
 mod extents;
 mod map;
 mod order;
+mod prepared;
 mod preparing;
 mod sample;
 mod stored;

@@ -34,12 +34,26 @@ impl Order {
 
     /// The cells at some places of the order, counted row by row.
     pub fn cells(&self, places: Range<u64>) -> impl Iterator<Item = u64> {
-        places.map(|place| match &self.by_column {
+        places.map(|place| self.cell(place))
+    }
+
+    /// The same row by row, each with its place, counted from the first of them.
+    pub fn row_by_row(&self, places: Range<u64>) -> impl Iterator<Item = (usize, u64)> {
+        let first = places.start;
+        // The places of one row follow each other at such a distance.
+        let stride = if self.by_column.is_some() { self.rows } else { 1 };
+        let of_row = move |row: u64| places.clone().skip(row as usize).step_by(stride as usize);
+        (0..stride).flat_map(of_row).map(move |place| ((place - first) as usize, self.cell(place)))
+    }
+
+    /// The cell at a place.
+    fn cell(&self, place: u64) -> u64 {
+        match &self.by_column {
             Some(columns) => {
                 place % self.rows * self.columns + u64::from(columns[(place / self.rows) as usize])
             }
             None => place,
-        })
+        }
     }
 }
 
@@ -121,6 +135,27 @@ mod tests {
                 (true, true) => assert_eq!(changes, 8, "{x}, {y}"),
                 (true, false) => assert!(changes > 8, "{x}, {y}: the check can fail"),
                 (false, _) => assert_eq!(changes, if y.contains("omega") { 8 } else { 0 }, "{x}, {y}"),
+            }
+        }
+    }
+
+    #[test]
+    fn row_by_row_every_place_comes_once_with_its_cell() {
+        for (x, y, by_column) in PLANES {
+            let plane = plane(x, y);
+            let (order, cells) = (Order::by_flow(&plane), plane.cells());
+            for places in [0..cells, 0..1, 7..50, 40..cells, 5..5] {
+                let direct: Vec<u64> = order.cells(places.clone()).collect();
+                let by_rows: Vec<(usize, u64)> = order.row_by_row(places.clone()).collect();
+                let row = |&(_, cell): &(usize, u64)| cell / u64::from(plane.x.count);
+                let changes = by_rows.windows(2).filter(|pair| row(&pair[0]) != row(&pair[1])).count() as u64;
+                assert!(changes < u64::from(plane.y.count), "{x}, {y}: {changes} in {places:?}");
+                let mut sorted = by_rows.clone();
+                sorted.sort_unstable();
+                assert!(sorted.into_iter().eq(direct.iter().copied().enumerate()), "{x}, {y}: {places:?}");
+                let jumps = direct.windows(2).filter(|pair| pair[1] != pair[0] + 1).count() as u64;
+                let is_long = places == (0..cells);
+                assert!(!(is_long && by_column) || jumps >= u64::from(plane.y.count), "the check can fail");
             }
         }
     }

@@ -6,7 +6,7 @@ use super::Result;
 use super::order::{goes_by_column, has_flows_by_cell};
 use super::swept::Swept;
 use crate::backend::Job;
-use crate::model::{Flows, System, SystemError};
+use crate::model::{Flows, Setting, System, SystemError};
 use crate::plane::Plane;
 use crate::theory::SymmetricStarts;
 
@@ -17,6 +17,8 @@ const AT_ONCE: usize = 8;
 pub(super) struct Preparing<'a, T> {
     plane: &'a Plane<T>,
     flows: &'a Flows,
+    /// The parameters of the cell that was asked for last.
+    setting: Setting,
     /// A system that the next one may have its flow in common with.
     like: Option<System>,
     /// Whether no cell has its flow in common with another.
@@ -28,7 +30,7 @@ impl<'a, T> Preparing<'a, T> {
     /// Of a plane; `flows` are those of cells before.
     pub fn new(plane: &'a Plane<T>, flows: &'a Flows) -> Self {
         let (each_alone, symmetric) = (has_flows_by_cell(plane), SymmetricStarts::default());
-        Preparing { plane, flows, like: None, each_alone, symmetric }
+        Preparing { plane, flows, setting: plane.parameters, like: None, each_alone, symmetric }
     }
 
     /// The system and the start of a cell, counted row by row; it shares what follows from its flow with cells before it.
@@ -37,16 +39,17 @@ impl<'a, T> Preparing<'a, T> {
     /// As [`System::new`].
     pub fn job(&mut self, cell: u64) -> Result<Job, SystemError> {
         let (column, row) = column_and_row(self.plane, cell);
-        let (setting, start) = (self.plane.parameters_at(column, row), self.plane.start_at(column, row));
+        self.plane.put_parameters(column, row, &mut self.setting);
+        let start = self.plane.start_at(column, row);
         if self.each_alone {
-            let system = System::new(setting)?;
+            let system = System::new(self.setting)?;
             let start = start.state_by(&system, &mut self.symmetric);
             // What was found on the way would be kept as long as the system is; of it only the mirror is asked for again.
             return Ok(Job { system: system.alone(), start });
         }
-        let system = match self.like.as_ref().and_then(|like| like.neighbour(&setting)) {
+        let system = match self.like.as_ref().and_then(|like| like.neighbour(&self.setting)) {
             Some(system) => system,
-            None => self.like.insert(self.flows.system(setting)?).clone(),
+            None => self.like.insert(self.flows.system(self.setting)?).clone(),
         };
         let start = start.state_by(&system, &mut self.symmetric);
         Ok(Job { system, start })
@@ -119,7 +122,6 @@ pub(super) fn jobs_of<T: Sync>(plane: &Plane<T>, cells: &[u64]) -> Result<Vec<Jo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Setting;
     use crate::plane::{Axis, Start};
     use crate::system::Family;
 

@@ -148,7 +148,7 @@ impl std::hash::Hash for Parameter {
 }
 
 /// The values of the parameters of a family on which gaps and restitutions alone depend; few as a rule.
-pub type StopParameters = SmallVec<[f64; 4]>;
+pub type StopParameters = SmallVec<[f64; 3]>;
 
 /// The values of a family's parameters; everything is non-dimensional unless the family says otherwise.
 #[derive(Clone, Copy)]
@@ -208,7 +208,9 @@ impl Setting {
 
     /// Whether it is of the same family, with the same [`Setting::flow_bits`].
     pub fn has_flow_of(&self, other: &Setting) -> bool {
-        std::ptr::eq(self.family, other.family) && self.flow_bits().eq(other.flow_bits())
+        let bits = |setting: &Setting, id: &ParameterId| setting.values[id.index()].to_bits();
+        let same = |id: &ParameterId| bits(self, id) == bits(other, id);
+        std::ptr::eq(self.family, other.family) && self.family.of_flow.iter().all(same)
     }
 
     /// The same setting with a parameter changed that is given by its name.
