@@ -29,19 +29,18 @@ fn recurrence_count(stop: u32, complete_chatter: bool) {
         return;
     }
     //: each stop
-    if stop == $ku {
-        observer.recurrence.running[$k] = INFINITELY_MANY;
-    }
+    observer.recurrence.running[$k] = select(observer.recurrence.running[$k], INFINITELY_MANY, stop == $ku);
     //: end
 }
 
 // Counts impacts none of which ends a complete chatter sequence.
 fn recurrence_count_finite(stop: u32, impacts: u32) {
+    let most = INFINITELY_MANY - 1u;
     //: each stop
-    if stop == $ku {
+    {
         let running = observer.recurrence.running[$k];
-        let most = INFINITELY_MANY - 1u;
-        observer.recurrence.running[$k] = select(running, min(running + impacts, most), running < most);
+        let counted = running + select(0u, impacts, stop == $ku);
+        observer.recurrence.running[$k] = select(running, min(counted, most), running < most);
     }
     //: end
 }

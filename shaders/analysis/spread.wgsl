@@ -16,17 +16,16 @@ fn spread_about(point: Point) -> Spread {
     return Spread(point.state, none, none);
 }
 
-fn moments_with(moments: Moments, away: State) -> Moments {
-    return Moments(state_plus(moments.sum, 1.0, away), moments.square + state_square(away));
+// With one more point, if that belongs to them.
+fn moments_with(moments: Moments, away: State, belongs: bool) -> Moments {
+    let sum = state_select(moments.sum, state_plus(moments.sum, 1.0, away), belongs);
+    return Moments(sum, select(moments.square, moments.square + state_square(away), belongs));
 }
 
 fn spread_at_strobe(point: Point, late: bool) {
     let away = state_plus(point.state, -1.0, observer.spread.about);
-    if late {
-        observer.spread.late = moments_with(observer.spread.late, away);
-    } else {
-        observer.spread.early = moments_with(observer.spread.early, away);
-    }
+    observer.spread.early = moments_with(observer.spread.early, away, !late);
+    observer.spread.late = moments_with(observer.spread.late, away, late);
 }
 
 fn moments_variance(moments: Moments, count: f32) -> f32 {

@@ -16,9 +16,7 @@ fn turn_over(n: u32) -> Turn {
 // Sees the tangent vector after `turns` ≥ 1 turns; with the `last` of them all columns are measured.
 fn turn_complete(turns: u32, last: bool) {
     //: each component
-    if turns == $ku + 1u {
-        observer.turn.columns[$k] = tangent;
-    }
+    observer.turn.columns[$k] = state_select(observer.turn.columns[$k], tangent, turns == $ku + 1u);
     //: end
     if last {
         observer.turn.exponent = turn_measured();
