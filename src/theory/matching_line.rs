@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{DVector, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::flow::Flow;
 use super::section_vector::{SectionVector, phase};
@@ -49,8 +49,9 @@ impl MatchingLine {
         let arrived = &joined.section;
         // Between two sections d·x stays on the stop, and so it does between their mirror images.
         let reflection = flow.reflection(from);
-        let sections = (&joined.lifted - &reflection).columns_range(..size - 1).into_owned();
-        let mut matrix = sections.resize_horizontally(size + 1, 0.0);
+        let sections = &joined.lifted - &reflection;
+        let mut matrix = DMatrix::zeros(size, size + 1);
+        matrix.columns_mut(0, size - 1).copy_from(&sections.columns(0, size - 1));
         matrix.columns_mut(size - 1, 2).copy_from(&arrived.columns(size, 2));
         let constant = arrived.column(size + 2).into_owned();
         // What the contact's own coordinate does that follows from the gap.
