@@ -1,4 +1,5 @@
-//! How long the processor prepares a cell of a plane: its system, and its start, before a back end is given them.
+//! How long the processor prepares a cell of a plane, its system and its start, before a back end is given them, and puts what
+//! comes back into its place.
 //!
 //! Four planes of 800 × 600 cells of the paper's oscillator, of which cells have more or less in common: along a column the
 //! flow, and all but the gap; the flow; nothing. A back end that follows nothing is given them, so that what is measured is what

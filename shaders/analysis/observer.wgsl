@@ -1,4 +1,7 @@
 // One trajectory followed to its verdict: transient, settling, observation.
+//
+// Where one of several places of an observer is meant, all are written, each with its old value or the new one: of places that
+// branches choose between, a compiler keeps all addresses in registers.
 
 struct Observer {
     trajectory: Trajectory,

@@ -19,8 +19,7 @@ fn state_scaled(a: f32, state: State) -> State {
     return State(a * state.x, a * state.v);
 }
 
-// `yes` where the condition holds, else `no`. An observer's places that a branch would choose between are all written, with what
-// is chosen so: a compiler keeps the address of each of them in registers for as long as there is a branch.
+// `yes` where the condition holds, else `no`.
 fn state_select(no: State, yes: State, condition: bool) -> State {
     return State(select(no.x, yes.x, condition), select(no.v, yes.v, condition));
 }

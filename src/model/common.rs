@@ -19,7 +19,7 @@ pub(super) struct Common {
     pub like: Option<Setting>,
     /// The stops in the order in which labels count their impacts.
     pub label_order: LabelOrder,
-    /// How long the stops' directions are, in the plant's order.
+    /// How long the directions of the stops are, in the plant's order.
     pub lengths: ArrayVec<f64, { Plant::MOST_STOPS }>,
     /// See [`System::rate`](super::System::rate).
     pub rate: f64,

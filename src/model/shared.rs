@@ -214,6 +214,33 @@ mod tests {
     }
 
     #[test]
+    fn every_pair_of_stops_that_are_alike_is_told_from_the_others() {
+        let alike = |gaps: [f64; 4], restitutions: [f64; 4]| {
+            let stop = |i: usize| {
+                let mut direction = DVector::zeros(2);
+                direction[i / 2] = [2.0, -2.0][i % 2];
+                PlantStop { direction, gap: gaps[i], restitution: restitutions[i] }
+            };
+            let plant = system(1.3, 0.1, 0.8).plant().clone();
+            System::of_plant(Plant { stops: (0..4).map(stop).collect(), ..plant }).unwrap().mirrored_stops()
+        };
+        let (gaps, restitutions) = ([0.1, 0.2, 0.3, 0.4], [0.8; 4]);
+        assert_eq!(alike(gaps, restitutions), 0);
+        let mut found = Vec::new();
+        for (i, j) in (0..4).flat_map(|i| (0..i).map(move |j| (i, j))) {
+            let mut same = gaps;
+            same[i] = gaps[j];
+            found.push(alike(same, restitutions));
+            let mut other = restitutions;
+            other[i] = 0.7;
+            assert_eq!(alike(same, other), 0, "{i}, {j}");
+        }
+        let all = alike([0.1; 4], restitutions);
+        assert_eq!(found.iter().sum::<u64>(), all, "a bit for each");
+        assert_eq!((found.iter().fold(0, |bits, pair| bits | pair), all.count_ones()), (all, 6));
+    }
+
+    #[test]
     fn what_is_kept_does_not_grow_with_the_plane() {
         let flows = Flows::default();
         let (mut most, mut kept) = (0, 0);

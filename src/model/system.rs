@@ -140,7 +140,7 @@ impl System {
         }
     }
 
-    /// The same system with another plant, as fast as its own.
+    /// The same system with another plant, as fast as its own and with the same stops.
     pub(super) fn changed(self, change: impl FnOnce(&mut Plant)) -> Self {
         let mut plant = self.plant().clone();
         change(&mut plant);

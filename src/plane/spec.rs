@@ -122,7 +122,7 @@ impl<T> Plane<T> {
         parameters
     }
 
-    /// Puts the parameters of that cell in the place of those of another cell of the plane.
+    /// Puts the parameters of the cell in column `column` of row `row` in the place of others of the plane.
     pub(crate) fn put_parameters(&self, column: u32, row: u32, parameters: &mut Setting) {
         for (quantity, value) in self.values_at(column, row) {
             if let Quantity::Parameter(parameter) = quantity {

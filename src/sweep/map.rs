@@ -13,7 +13,7 @@ use super::swept::Swept;
 use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
 use crate::backend::{Backend, Job, Watch, decide};
-use crate::model::{Flows, SystemError};
+use crate::model::{Flows, System, SystemError};
 use crate::plane::{Plane, Reached, RegionMap, Window};
 
 /// Does what is asked of every cell of a plane on a back end.
@@ -27,7 +27,7 @@ use crate::plane::{Plane, Reached, RegionMap, Window};
 pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watch) -> Result<RegionMap<T>> {
     plane.check()?;
     let (flows, order) = (Flows::default(), Order::by_flow(plane));
-    check_border(plane, &flows)?;
+    check_border(plane)?;
     let (cells, tile) = (plane.cells(), backend.tile().max(1) as u64);
     let mut verdicts = Vec::new();
     verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory(cells))?;
@@ -38,54 +38,64 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
         Prepared::of(plane, &order.cells(places(first)).collect::<Vec<_>>(), &flows)
     };
     let (mut missing, mut any) = (None, false);
-    let (mut next, mut last) = (prepare(0), None);
+    let (mut next, mut last) = (prepare(0), None::<Done<_, _>>);
     for first in (0..cells).step_by(tile as usize) {
         watch.check()?;
         let mut here = next?;
         missing = missing.or(here.missing.take());
         any |= !here.jobs.is_empty();
         watch.finished((here.cells - here.jobs.len()) as u64);
-        // While a back end is busy with one tile, the processor puts what came of the last into its place and prepares the next.
+        // While a back end is busy with one tile, the processor puts what came of the last into its place, lets go of its jobs, and
+        // prepares the next.
         let (computed, following) = rayon::join(
             || plane.task.run(backend, &here.jobs, watch),
             || {
-                put(&mut verdicts, &order, last.take());
+                last.take().into_iter().for_each(|done| done.put(&mut verdicts, &order));
                 prepare(places(first).end)
             },
         );
-        last = Some((places(first), here, computed?));
+        last = Some(Done { places: places(first), prepared: here, found: computed? });
         next = following;
     }
-    put(&mut verdicts, &order, last);
+    last.into_iter().for_each(|done| done.put(&mut verdicts, &order));
     match missing {
         Some(why) if !any => Err(why),
         _ => Ok(RegionMap::new(plane.clone(), provenance(backend), verdicts)),
     }
 }
 
-/// Puts what came of some places of the order into that of the plane; row by row, so that it goes through memory in few strides.
-fn put<J, C: Clone>(verdicts: &mut [C], order: &Order, of: Option<(Range<u64>, Prepared<J>, Vec<C>)>) {
-    let Some((places, Prepared { places: of_jobs, cells, .. }, found)) = of else { return };
-    let mut results = vec![None; cells];
-    for (place, found) in of_jobs.into_iter().zip(&found) {
-        results[place as usize] = Some(found);
-    }
-    for (place, cell) in order.row_by_row(places) {
-        if let Some(found) = results[place] {
-            verdicts[cell as usize] = found.clone();
+/// A tile that a back end is done with.
+struct Done<J, C> {
+    /// Its places in the order.
+    places: Range<u64>,
+    prepared: Prepared<J>,
+    /// What came of each job.
+    found: Vec<C>,
+}
+
+impl<J, C: Clone> Done<J, C> {
+    /// Puts what was found into the plane's order; row by row, so that it goes through memory in few strides.
+    fn put(self, verdicts: &mut [C], order: &Order) {
+        let mut results = vec![None; self.prepared.cells];
+        for (&place, found) in self.prepared.places.iter().zip(&self.found) {
+            results[place as usize] = Some(found);
+        }
+        for (place, cell) in order.row_by_row(self.places) {
+            if let Some(found) = results[place] {
+                verdicts[cell as usize] = found.clone();
+            }
         }
     }
 }
 
-/// Refuses time scales that are too far apart before anything is computed: they are so on the border first, whose flows are kept.
-pub(super) fn check_border<T>(plane: &Plane<T>, flows: &Flows) -> Result<(), SystemError> {
+/// Refuses time scales that are too far apart before anything is computed: they are so on the border first.
+pub(super) fn check_border<T>(plane: &Plane<T>) -> Result<(), SystemError> {
     let (columns, rows) = (plane.x.count, plane.y.count);
     let horizontal = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
     let vertical = (0..rows).flat_map(|row| [(0, row), (columns - 1, row)]);
-    horizontal.chain(vertical).try_for_each(|(column, row)| {
-        flows.tidy();
-        flows.system(plane.parameters_at(column, row)).map(drop)
-    })
+    horizontal
+        .chain(vertical)
+        .try_for_each(|(column, row)| System::new(plane.parameters_at(column, row)).map(drop))
 }
 
 /// The jobs of some cells of a plane, row by row.
@@ -175,6 +185,29 @@ mod tests {
                     let expected = [plane.x.value(column), plane.y.value(row), 0.05, -1.0];
                     assert_eq!(map.at(column, row).state, expected.into(), "column {column}, row {row}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn cells_without_a_job_stay_as_they_are() {
+        for (x, y) in [("omega=1:3:5", "delta=0.1:0.4:4"), ("delta=0.1:0.4:5", "omega=1:3:4")] {
+            let order = Order::by_flow(&plane(x, y, Start::Rest));
+            let has_job = |cell: u64| cell % 3 != 1;
+            for tile in [1, 3, 7, 20] {
+                let mut verdicts = vec![None; 20];
+                for first in (0..20).step_by(tile) {
+                    let places = first as u64..20.min((first + tile) as u64);
+                    let cells: Vec<u64> = order.cells(places.clone()).collect();
+                    let with_jobs = || (0..).zip(&cells).filter(|&(_, &cell)| has_job(cell));
+                    let (of_jobs, found): (Vec<u32>, Vec<_>) =
+                        with_jobs().map(|(place, &cell)| (place, Some(cell))).unzip();
+                    let jobs = vec![(); found.len()];
+                    let prepared = Prepared { jobs, places: of_jobs, cells: cells.len(), missing: None };
+                    Done { places, prepared, found }.put(&mut verdicts, &order);
+                }
+                let expected: Vec<_> = (0..20).map(|cell| has_job(cell).then_some(cell)).collect();
+                assert_eq!(verdicts, expected, "{x}, {y}, {tile}");
             }
         }
     }

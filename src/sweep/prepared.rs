@@ -26,7 +26,7 @@ impl<J: Send> Prepared<J> {
     pub fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: &[u64], flows: &Flows) -> Result<Self> {
         let found = made(plane, cells, flows, |preparing, cell| preparing.asked_of(cell));
         let (mut places, mut missing) = (Vec::with_capacity(cells.len()), None);
-        // They take the room of what was found, which is large.
+        // As a rule they take the room of what was found, which is large.
         let jobs = found.into_iter().zip(0..).filter_map(|(job, place)| match job {
             Ok(job) => {
                 places.extend(job.is_some().then_some(place));

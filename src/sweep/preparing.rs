@@ -17,7 +17,7 @@ const AT_ONCE: usize = 8;
 pub(super) struct Preparing<'a, T> {
     plane: &'a Plane<T>,
     flows: &'a Flows,
-    /// The parameters of the cell that was asked for last.
+    /// The parameters of the last cell, or those that the axes leave.
     setting: Setting,
     /// A system that the next one may have its flow in common with.
     like: Option<System>,

@@ -9,7 +9,6 @@ use super::extents::window_extents;
 use super::map::{check_border, sweep_window};
 use super::{Result, SweepError};
 use crate::backend::{self, Backend, BackendError, Silent, Watch};
-use crate::model::Flows;
 use crate::plane::fields::{Assembled, Cells};
 use crate::store::{Failure, Log, StoreError, ZarrStore};
 
@@ -47,7 +46,7 @@ pub fn sweep_stored(
     watch: &dyn Watch,
 ) -> Result<StoredRun, StoredError> {
     store.plane().check().map_err(SweepError::from)?;
-    check_border(store.plane(), &Flows::default()).map_err(SweepError::from)?;
+    check_border(store.plane()).map_err(SweepError::from)?;
     let there = store.tiles_there()?;
     let log = Log::begin(store)?;
     let mut run = StoredRun::default();
