@@ -1,137 +1,205 @@
-//! Longer looks at trajectories in doubt.
-//!
-//! One schedule suits most of a plane; time is spent where its verdict is doubtful. Unless the schedule fixes the periods:
-//!
-//! - A state that returns without having settled is held against the exact motion beside it, which Newton's method finds at
-//!   the cost of a few turns: slow spirals and alternations need not be waited for, and a multiple of the period is no period.
-//! - Chaos may be transient: it goes on for up to [`CHAOS_LOOK`] forcing periods, and is chaos unless it settles by then, with
-//!   sticking if it sticks then. What is observed of it meanwhile counts as well as what was before.
-//! - What is still undecided or neutral, or returns although its exponent is positive, goes on for another transient and is
-//!   observed [`LONGER_OBSERVATION`] times as long: beside a Neimark–Sacker curve spirals are slow, and weak chaos needs time to
-//!   be significant. Quasi-periodic motion whose points scatter alike in both halves of that is believed.
-//! - What even that leaves undecided goes on for [`LONG_LOOK`] times the transient, and is observed as long again.
+//! Verdicts that are not in doubt: [`looks`](super::looks) are taken until none is left.
 
-use rayon::prelude::*;
-
-use super::{Backend, Job, Result, Silent, Watch};
-use crate::analysis::{Regime, Schedule, Verdict};
-use crate::theory::confirmed;
-
-/// How many transients a trajectory goes on for that a longer observation leaves undecided.
-pub const LONG_LOOK: u32 = 8;
-
-/// How many times as long it is then observed.
-pub const LONGER_OBSERVATION: u32 = 4;
-
-/// For how many forcing periods chaos goes on before it is believed, but at most two transients.
-pub const CHAOS_LOOK: u32 = 320;
-
-/// For how many forcing periods it is then observed: to see whether it has settled, and for what is measured of chaos.
-const CHAOS_OBSERVATION: u32 = 64;
+use super::looks::{Doubt, Look, confirmed_by, looks};
+use super::{Backend, Job, Result, Watch};
+use crate::analysis::{Schedule, Verdict};
 
 /// The verdicts of a back end on some jobs, those in doubt taken anew from where they ended.
 ///
 /// # Errors
 /// What the back end could not do.
+///
+/// # Panics
+/// Never: every look is taken.
 pub fn decide(
     backend: &dyn Backend,
     jobs: &[Job],
     schedule: &Schedule,
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>> {
-    let mut verdicts = backend.run(jobs, schedule, watch)?;
-    confirm(jobs, &mut verdicts);
-    if !schedule.fixed_periods {
-        for look in looks(schedule) {
-            look.take(backend, jobs, &mut verdicts, watch)?;
-        }
+    let doubts = Doubts::of(schedule);
+    let mut verdicts = doubts.begin(backend, jobs, 0.., watch)?;
+    for (job, verdict) in doubts.settle(backend, 1, watch)? {
+        verdicts[job as usize] = Some(verdict);
     }
-    Ok(verdicts)
+    Ok(verdicts.into_iter().map(|verdict| verdict.expect("every look was taken")).collect())
 }
 
-/// A longer look at some trajectories, from where they ended.
-struct Look {
-    /// Which verdicts are in doubt.
-    in_doubt: fn(&Verdict) -> bool,
-    /// Which of the verdicts that the look comes to take the place of those; the others only add what was observed.
-    decides: fn(&Verdict) -> bool,
-    /// How long the trajectories go on.
+/// Trajectories in doubt, of one call or of many: the few of each wait until there are enough of them to be looked at together.
+#[derive(Debug)]
+pub struct Doubts {
+    /// By which every trajectory is followed first.
     schedule: Schedule,
+    /// In their order; none where nothing is ever in doubt.
+    looks: Vec<Look>,
 }
 
-/// The looks in their order.
-fn looks(schedule: &Schedule) -> [Look; 3] {
-    let chaos = Schedule {
-        transient: schedule.transient.saturating_mul(2).min(CHAOS_LOOK),
-        observe: schedule.observe.min(CHAOS_OBSERVATION),
-        ..*schedule
-    };
-    [
-        Look { in_doubt: may_be_transient, decides: is_settled, schedule: chaos },
-        Look {
-            in_doubt: is_open,
-            decides: |_| true,
-            schedule: Schedule { transient: schedule.transient, ..long_look(schedule) },
-        },
-        Look { in_doubt: is_undecided, decides: |_| true, schedule: long_look(schedule) },
-    ]
-}
-
-/// The schedule by which a trajectory goes on that a longer observation leaves undecided.
-pub fn long_look(schedule: &Schedule) -> Schedule {
-    let times = |periods: u32, times: u32| periods.saturating_mul(times).min(Schedule::LONGEST);
-    Schedule {
-        transient: times(schedule.transient, LONG_LOOK),
-        observe: times(schedule.observe, LONGER_OBSERVATION),
-        ..*schedule
+impl Doubts {
+    /// What a schedule has doubts about.
+    pub fn of(schedule: &Schedule) -> Self {
+        let looks = if schedule.fixed_periods { Vec::new() } else { looks(schedule).into() };
+        Doubts { schedule: *schedule, looks }
     }
-}
 
-fn may_be_transient(verdict: &Verdict) -> bool {
-    matches!(verdict.regime, Regime::Chaotic | Regime::AperiodicSticking)
-}
-
-fn is_settled(verdict: &Verdict) -> bool {
-    verdict.regime.is_periodic() || matches!(verdict.regime, Regime::NoImpact | Regime::Failed)
-}
-
-fn is_open(verdict: &Verdict) -> bool {
-    verdict.regime == Regime::QuasiPeriodic || is_undecided(verdict)
-}
-
-fn is_undecided(verdict: &Verdict) -> bool {
-    verdict.regime == Regime::Unresolved || (verdict.returning > 0 && !verdict.regime.is_periodic())
-}
-
-impl Look {
-    /// Lets the trajectories in doubt go on from where they ended.
-    fn take(
+    /// The verdicts of a back end on some jobs; none on those in doubt, which wait under the number that comes with them.
+    ///
+    /// # Errors
+    /// What the back end could not do.
+    pub fn begin(
         &self,
         backend: &dyn Backend,
         jobs: &[Job],
-        verdicts: &mut [Verdict],
+        numbers: impl IntoIterator<Item = u64>,
         watch: &dyn Watch,
-    ) -> Result<()> {
-        let open: Vec<usize> = (0..verdicts.len()).filter(|&i| (self.in_doubt)(&verdicts[i])).collect();
-        let again: Vec<Job> =
-            open.iter().map(|&i| Job { system: jobs[i].system.clone(), start: verdicts[i].state }).collect();
-        let mut later = backend.run(&again, &self.schedule, &Silent(watch))?;
-        confirm(&again, &mut later);
-        for (i, later) in open.into_iter().zip(later) {
-            let first = verdicts[i];
-            let decided = if (self.decides)(&later) { later } else { first.observed_further(&later) };
-            let Verdict { periods, impacts_total, .. } = later.going_on_from(&first);
-            verdicts[i] = Verdict { periods, impacts_total, ..decided };
+    ) -> Result<Vec<Option<Verdict>>> {
+        let verdicts = confirmed_by(backend, jobs, &self.schedule, watch)?;
+        let each = jobs.iter().zip(verdicts).zip(numbers);
+        Ok(each.map(|((job, verdict), number)| self.leave(0, job, Doubt { number, verdict })).collect())
+    }
+
+    /// Takes every look that at least so many wait for; what that decides, with its number.
+    ///
+    /// # Errors
+    /// What the back end could not do.
+    pub fn settle(
+        &self,
+        backend: &dyn Backend,
+        least: usize,
+        watch: &dyn Watch,
+    ) -> Result<Vec<(u64, Verdict)>> {
+        let mut settled = Vec::new();
+        for (look, next) in self.looks.iter().zip(1..) {
+            let Some((jobs, doubts)) = look.called(least) else { continue };
+            for (job, doubt) in jobs.iter().zip(look.take(backend, &jobs, doubts, watch)?) {
+                let number = doubt.number;
+                settled.extend(self.leave(next, job, doubt).map(|verdict| (number, verdict)));
+            }
         }
-        Ok(())
+        Ok(settled)
+    }
+
+    /// Lets a trajectory wait for the first look from one on that its verdict calls for; the verdict, where none does.
+    fn leave(&self, from: usize, job: &Job, doubt: Doubt) -> Option<Verdict> {
+        let Some(look) = self.looks[from..].iter().find(|look| look.is_called_for_by(&doubt.verdict)) else {
+            return Some(doubt.verdict);
+        };
+        let goes_on = Job { system: job.system.clone(), start: doubt.verdict.state };
+        look.put_off(goes_on, doubt);
+        None
     }
 }
 
-/// Replaces the verdicts on trajectories that approach a periodic motion by what the exact motion says.
-fn confirm(jobs: &[Job], verdicts: &mut [Verdict]) {
-    jobs.par_iter().zip(verdicts).for_each(|(job, verdict)| {
-        if let Some(exact) = confirmed(&job.system, verdict) {
-            *verdict = exact;
+#[cfg(test)]
+mod tests {
+    use parking_lot::Mutex;
+
+    use super::*;
+    use crate::analysis::Regime;
+    use crate::backend::Unwatched;
+    use crate::model::{Parameters, System};
+
+    /// Tells what kind of motion a trajectory comes to by where it begins, and counts in x2 how often it was followed and in v1
+    /// for how many periods.
+    #[derive(Debug, Default)]
+    struct Told {
+        /// How many jobs each run had.
+        runs: Mutex<Vec<usize>>,
+    }
+
+    /// By kind, what the first and each later look comes to.
+    const KINDS: [[Regime; 4]; 6] = {
+        use Regime::{Chaotic, NoImpact, QuasiPeriodic, Unresolved};
+        [
+            [NoImpact; 4],
+            [Chaotic; 4],
+            [Chaotic, NoImpact, NoImpact, NoImpact],
+            [QuasiPeriodic, QuasiPeriodic, NoImpact, NoImpact],
+            [Unresolved, Unresolved, Chaotic, NoImpact],
+            [Unresolved; 4],
+        ]
+    };
+
+    /// How often each kind is followed.
+    const TIMES: [f64; 6] = [1.0, 2.0, 2.0, 2.0, 3.0, 3.0];
+
+    impl Backend for Told {
+        fn name(&self) -> &'static str {
+            "told"
         }
-    });
+
+        fn adapter(&self) -> String {
+            "told".to_owned()
+        }
+
+        fn tile(&self) -> usize {
+            1
+        }
+
+        fn run(&self, jobs: &[Job], schedule: &Schedule, _: &dyn Watch) -> Result<Vec<Verdict>> {
+            self.runs.lock().push(jobs.len());
+            let told = |job: &Job| {
+                let mut state = job.start;
+                let regime = KINDS[state[0] as usize][state[1] as usize];
+                (state[1], state[2]) = (state[1] + 1.0, state[2] + f64::from(schedule.observe));
+                Verdict { state, ..Verdict::of_motion(regime, [0; 3], false) }
+            };
+            Ok(jobs.iter().map(told).collect())
+        }
+    }
+
+    fn jobs() -> Vec<Job> {
+        let system = System::new(Parameters::default()).unwrap();
+        let job =
+            |i: usize| Job { system: system.clone(), start: [(i % 6) as f64, 0.0, 0.0, i as f64].into() };
+        (0..60).map(job).collect()
+    }
+
+    const SCHEDULE: Schedule = Schedule { transient: 100, observe: 50, max_period: 8, fixed_periods: false };
+
+    #[test]
+    fn every_trajectory_is_looked_at_as_long_as_it_is_in_doubt() {
+        let told = Told::default();
+        let verdicts = decide(&told, &jobs(), &SCHEDULE, &Unwatched).unwrap();
+        for (i, verdict) in verdicts.iter().enumerate() {
+            let state = &verdict.state;
+            assert_eq!((state[0], state[3]), ((i % 6) as f64, i as f64), "each in its place");
+            assert_eq!(state[1], TIMES[i % 6], "kind {}", i % 6);
+        }
+        assert_eq!(verdicts[1].regime, Regime::Chaotic);
+        assert_eq!(verdicts[3].regime, Regime::QuasiPeriodic);
+        assert_eq!(verdicts[5].regime, Regime::Unresolved);
+        assert_eq!(*told.runs.lock(), [60, 20, 30, 20], "one run for all, and one for each look");
+        let fixed = Schedule { fixed_periods: true, ..SCHEDULE };
+        assert!(
+            decide(&told, &jobs(), &fixed, &Unwatched).unwrap().iter().all(|verdict| verdict.state[1] == 1.0)
+        );
+    }
+
+    #[test]
+    fn those_in_doubt_wait_for_each_other_and_come_to_the_same() {
+        let (told, jobs, doubts) = (Told::default(), jobs(), Doubts::of(&SCHEDULE));
+        let expected = decide(&told, &jobs, &SCHEDULE, &Unwatched).unwrap();
+        told.runs.lock().clear();
+        let mut found: Vec<Option<Verdict>> = vec![None; jobs.len()];
+        let mut put = |number: u64, verdict: Verdict| {
+            assert_eq!(found[number as usize].replace(verdict), None, "{number} comes once");
+        };
+        for (part, numbers) in jobs.chunks(12).zip((0..).step_by(12)) {
+            let begun = doubts.begin(&told, part, numbers.., &Unwatched).unwrap();
+            (numbers..)
+                .zip(begun)
+                .filter_map(|(number, found)| Some((number, found?)))
+                .for_each(|(n, v)| put(n, v));
+            doubts.settle(&told, 9, &Unwatched).unwrap().into_iter().for_each(|(n, v)| put(n, v));
+        }
+        doubts.settle(&told, 1, &Unwatched).unwrap().into_iter().for_each(|(n, v)| put(n, v));
+        assert_eq!(format!("{:?}", found.into_iter().flatten().collect::<Vec<_>>()), format!("{expected:?}"));
+        let runs = told.runs.lock();
+        assert_eq!(runs.iter().sum::<usize>(), 60 + 20 + 30 + 20);
+        assert_eq!(
+            runs[..],
+            [12, 12, 12, 12, 12, 12, 12, 16, 12, 8, 6, 4],
+            "enough of them, until no more come"
+        );
+    }
 }

@@ -5,7 +5,9 @@ mod decide;
 mod error;
 mod extents;
 mod gpu;
+mod in_flight;
 mod job;
+mod looks;
 mod reproducible;
 mod select;
 mod watch;
@@ -13,11 +15,13 @@ mod watch;
 pub use cpu::{
     Cpu, CpuSingle, Precision, Width, extent, follow, follow_all, follow_controlled, follow_counted, trace,
 };
-pub use decide::{CHAOS_LOOK, LONG_LOOK, LONGER_OBSERVATION, decide, long_look};
+pub use decide::{Doubts, decide};
 pub use error::{BackendError, Result};
 pub use extents::extents;
 pub use gpu::{AdapterReport, Gpu, Spent, adapters, hardware_shader};
+pub use in_flight::in_flight;
 pub use job::{ControlJob, Job};
+pub use looks::{CHAOS_LOOK, LONG_LOOK, LONGER_OBSERVATION, long_look};
 pub use reproducible::REPRODUCIBLE;
 pub use select::{Choice, open, open_reproducible};
 pub use watch::{Silent, Unwatched, Watch};

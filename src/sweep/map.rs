@@ -6,15 +6,22 @@
 
 use std::ops::Range;
 
+use parking_lot::Mutex;
+use rayon::prelude::*;
+
 use super::order::Order;
 use super::prepared::Prepared;
 use super::preparing::jobs_of;
 use super::swept::Swept;
 use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
-use crate::backend::{Backend, Job, Watch, decide};
+use crate::backend::{Backend, Job, Watch, decide, in_flight};
 use crate::model::{Flows, System, SystemError};
 use crate::plane::{Plane, Reached, RegionMap, Window};
+
+/// A look at what is in doubt is taken once one part in so many of a tile waits for it: few of them would leave most of a back end
+/// idle.
+const WORTH_A_LOOK: u64 = 4;
 
 /// Does what is asked of every cell of a plane on a back end.
 ///
@@ -32,58 +39,54 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
     let mut verdicts = Vec::new();
     verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory(cells))?;
     verdicts.resize(cells as usize, T::Cell::unresolved(plane.parameters.family().n()));
-    let places = |first: u64| first..cells.min(first.saturating_add(tile));
-    let prepare = |first: u64| {
-        flows.tidy();
-        Prepared::of(plane, &order.cells(places(first)).collect::<Vec<_>>(), &flows)
+    let (verdicts, doubts) = (Mutex::new(verdicts), plane.task.doubts());
+    let settle = |least: u64| -> Result<()> {
+        let settled = plane.task.settle(backend, &doubts, least as usize, watch)?;
+        let mut verdicts = verdicts.lock();
+        settled.into_iter().for_each(|(cell, found)| verdicts[cell as usize] = found);
+        Ok(())
     };
-    let (mut missing, mut any) = (None, false);
-    let (mut next, mut last) = (prepare(0), None::<Done<_, _>>);
-    for first in (0..cells).step_by(tile as usize) {
+    // While a back end is busy with one tile, the processor prepares the next, or puts what came of the last into its place.
+    let of_tiles = in_flight((0..cells).step_by(tile as usize), |first| -> Result<_> {
         watch.check()?;
-        let mut here = next?;
-        missing = missing.or(here.missing.take());
-        any |= !here.jobs.is_empty();
-        watch.finished((here.cells - here.jobs.len()) as u64);
-        // While a back end is busy with one tile, the processor puts what came of the last into its place, lets go of its jobs, and
-        // prepares the next.
-        let (computed, following) = rayon::join(
-            || plane.task.run(backend, &here.jobs, watch),
-            || {
-                last.take().into_iter().for_each(|done| done.put(&mut verdicts, &order));
-                prepare(places(first).end)
-            },
-        );
-        last = Some(Done { places: places(first), prepared: here, found: computed? });
-        next = following;
-    }
-    last.into_iter().for_each(|done| done.put(&mut verdicts, &order));
-    match missing {
+        flows.tidy();
+        let places = first..cells.min(first.saturating_add(tile));
+        let here: Vec<u64> = order.cells(places.clone()).collect();
+        let Prepared { jobs, places: of_jobs, missing } = Prepared::of(plane, &here, &flows)?;
+        watch.finished((here.len() - jobs.len()) as u64);
+        let numbers = of_jobs.iter().map(|&place| here[place as usize]);
+        let found = plane.task.begin(backend, &jobs, numbers, &doubts, watch)?;
+        put(&mut verdicts.lock(), &order, places, &of_jobs, &found);
+        let any = !jobs.is_empty();
+        // By the threads that made them.
+        jobs.into_par_iter().for_each(drop);
+        settle(tile / WORTH_A_LOOK)?;
+        Ok((missing, any))
+    })?;
+    settle(1)?;
+    let any = of_tiles.iter().any(|(_, any)| *any);
+    match of_tiles.into_iter().find_map(|(missing, _)| missing) {
         Some(why) if !any => Err(why),
-        _ => Ok(RegionMap::new(plane.clone(), provenance(backend), verdicts)),
+        _ => Ok(RegionMap::new(plane.clone(), provenance(backend), verdicts.into_inner())),
     }
 }
 
-/// A tile that a back end is done with.
-struct Done<J, C> {
-    /// Its places in the order.
+/// Puts what was found into the plane's order; row by row, so that it goes through memory in few strides. It was found at some
+/// places of an order, `of_jobs` counted from the first of them; what is still in doubt comes later.
+fn put<C: Clone>(
+    verdicts: &mut [C],
+    order: &Order,
     places: Range<u64>,
-    prepared: Prepared<J>,
-    /// What came of each job.
-    found: Vec<C>,
-}
-
-impl<J, C: Clone> Done<J, C> {
-    /// Puts what was found into the plane's order; row by row, so that it goes through memory in few strides.
-    fn put(self, verdicts: &mut [C], order: &Order) {
-        let mut results = vec![None; self.prepared.cells];
-        for (&place, found) in self.prepared.places.iter().zip(&self.found) {
-            results[place as usize] = Some(found);
-        }
-        for (place, cell) in order.row_by_row(self.places) {
-            if let Some(found) = results[place] {
-                verdicts[cell as usize] = found.clone();
-            }
+    of_jobs: &[u32],
+    found: &[Option<C>],
+) {
+    let mut results = vec![None; (places.end - places.start) as usize];
+    for (&place, found) in of_jobs.iter().zip(found) {
+        results[place as usize] = found.as_ref();
+    }
+    for (place, cell) in order.row_by_row(places) {
+        if let Some(found) = results[place] {
+            verdicts[cell as usize] = found.clone();
         }
     }
 }
@@ -201,10 +204,8 @@ mod tests {
                     let cells: Vec<u64> = order.cells(places.clone()).collect();
                     let with_jobs = || (0..).zip(&cells).filter(|&(_, &cell)| has_job(cell));
                     let (of_jobs, found): (Vec<u32>, Vec<_>) =
-                        with_jobs().map(|(place, &cell)| (place, Some(cell))).unzip();
-                    let jobs = vec![(); found.len()];
-                    let prepared = Prepared { jobs, places: of_jobs, cells: cells.len(), missing: None };
-                    Done { places, prepared, found }.put(&mut verdicts, &order);
+                        with_jobs().map(|(place, &cell)| (place, Some(Some(cell)))).unzip();
+                    put(&mut verdicts, &order, places, &of_jobs, &found);
                 }
                 let expected: Vec<_> = (0..20).map(|cell| has_job(cell).then_some(cell)).collect();
                 assert_eq!(verdicts, expected, "{x}, {y}, {tile}");

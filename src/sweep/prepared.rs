@@ -12,8 +12,6 @@ pub(super) struct Prepared<J> {
     pub jobs: Vec<J>,
     /// The cell of each of them, by its place among the cells.
     pub places: Vec<u32>,
-    /// How many cells there are.
-    pub cells: usize,
     /// Why a cell without a job has none, where that is an error.
     pub missing: Option<SweepError>,
 }
@@ -39,6 +37,6 @@ impl<J: Send> Prepared<J> {
             Err(why) => Some(Err(why)),
         });
         let jobs = jobs.collect::<Result<Vec<_>>>()?;
-        Ok(Prepared { jobs, places, cells: cells.len(), missing })
+        Ok(Prepared { jobs, places, missing })
     }
 }

@@ -1,14 +1,17 @@
 //! How back ends do what is asked of a cell.
 
 use super::Result;
-use crate::analysis::Schedule;
-use crate::backend::{self, Backend, ControlJob, Job, Watch, decide};
+use crate::analysis::{Schedule, Verdict};
+use crate::backend::{self, Backend, ControlJob, Doubts, Job, Watch, decide};
 use crate::plane::{Control, Plane, Task};
 
 /// A task that back ends do.
 pub trait Swept: Task {
     /// What a back end is given for a cell.
     type Job: Send + Sync;
+
+    /// What of its cells is in doubt and waits to be looked at for longer.
+    type Doubts: Sync;
 
     /// What it is given for the cell in a column of a row, with its system and its start; nothing where there is nothing to
     /// do.
@@ -27,10 +30,39 @@ pub trait Swept: Task {
         jobs: &[Self::Job],
         watch: &dyn Watch,
     ) -> backend::Result<Vec<Self::Cell>>;
+
+    /// What keeps track of what is in doubt.
+    fn doubts(&self) -> Self::Doubts;
+
+    /// The same as [`Swept::run`] for jobs that come with a number each; nothing for those that wait among the doubts.
+    ///
+    /// # Errors
+    /// What the back end could not do.
+    fn begin(
+        &self,
+        backend: &dyn Backend,
+        jobs: &[Self::Job],
+        numbers: impl Iterator<Item = u64>,
+        doubts: &Self::Doubts,
+        watch: &dyn Watch,
+    ) -> backend::Result<Vec<Option<Self::Cell>>>;
+
+    /// Looks at what is in doubt where at least so many wait for the same; what that decides, with its number.
+    ///
+    /// # Errors
+    /// What the back end could not do.
+    fn settle(
+        &self,
+        backend: &dyn Backend,
+        doubts: &Self::Doubts,
+        least: usize,
+        watch: &dyn Watch,
+    ) -> backend::Result<Vec<(u64, Self::Cell)>>;
 }
 
 impl Swept for Schedule {
     type Job = Job;
+    type Doubts = Doubts;
 
     fn job(_: &Plane, _: (u32, u32), job: Job) -> Result<Option<Job>> {
         Ok(Some(job))
@@ -44,10 +76,36 @@ impl Swept for Schedule {
     ) -> backend::Result<Vec<Self::Cell>> {
         decide(backend, jobs, self, watch)
     }
+
+    fn doubts(&self) -> Doubts {
+        Doubts::of(self)
+    }
+
+    fn begin(
+        &self,
+        backend: &dyn Backend,
+        jobs: &[Job],
+        numbers: impl Iterator<Item = u64>,
+        doubts: &Doubts,
+        watch: &dyn Watch,
+    ) -> backend::Result<Vec<Option<Verdict>>> {
+        doubts.begin(backend, jobs, numbers, watch)
+    }
+
+    fn settle(
+        &self,
+        backend: &dyn Backend,
+        doubts: &Doubts,
+        least: usize,
+        watch: &dyn Watch,
+    ) -> backend::Result<Vec<(u64, Verdict)>> {
+        doubts.settle(backend, least, watch)
+    }
 }
 
 impl Swept for Control {
     type Job = ControlJob;
+    type Doubts = ();
 
     fn job(plane: &Plane<Self>, (column, row): (u32, u32), job: Job) -> Result<Option<ControlJob>> {
         if job.system.is_clamped() {
@@ -65,5 +123,28 @@ impl Swept for Control {
         watch: &dyn Watch,
     ) -> backend::Result<Vec<Self::Cell>> {
         backend.control(jobs, &self.schedule, watch)
+    }
+
+    fn doubts(&self) {}
+
+    fn begin(
+        &self,
+        backend: &dyn Backend,
+        jobs: &[ControlJob],
+        _: impl Iterator<Item = u64>,
+        (): &(),
+        watch: &dyn Watch,
+    ) -> backend::Result<Vec<Option<Self::Cell>>> {
+        Ok(self.run(backend, jobs, watch)?.into_iter().map(Some).collect())
+    }
+
+    fn settle(
+        &self,
+        _: &dyn Backend,
+        (): &(),
+        _: usize,
+        _: &dyn Watch,
+    ) -> backend::Result<Vec<(u64, Self::Cell)>> {
+        Ok(Vec::new())
     }
 }

@@ -1,0 +1,111 @@
+//! Several tiles at a time: while one waits for a device, or for the last of its trajectories, another has the processor.
+
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::thread;
+
+use parking_lot::Mutex;
+
+/// How many at a time: what waits for one thing leaves room for one that does not.
+const IN_FLIGHT: usize = 2;
+
+/// What work makes of each of some items, in their order. The items are begun in that order, so many at a time, the next once
+/// what came before is done with.
+///
+/// # Errors
+/// That of the first item that has one; none is begun after it.
+pub fn in_flight<I, R, E>(
+    items: impl IntoIterator<Item = I, IntoIter: Send>,
+    work: impl Fn(I) -> Result<R, E> + Sync,
+) -> Result<Vec<R>, E>
+where
+    R: Send,
+    E: Send,
+{
+    let waiting = Mutex::new(Some((0_usize..).zip(items)));
+    let follow = || {
+        let mut done = Vec::new();
+        loop {
+            let Some((place, item)) = waiting.lock().as_mut().and_then(Iterator::next) else { break done };
+            let result = catch_unwind(AssertUnwindSafe(|| work(item)));
+            if !matches!(result, Ok(Ok(_))) {
+                *waiting.lock() = None;
+            }
+            done.push((place, result));
+        }
+    };
+    let mut done = thread::scope(|scope| {
+        let others = [(); IN_FLIGHT - 1].map(|()| scope.spawn(follow));
+        let mut done = follow();
+        others
+            .into_iter()
+            .for_each(|other| done.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic))));
+        done
+    });
+    done.sort_unstable_by_key(|&(place, _)| place);
+    done.into_iter().map(|(_, result)| result.unwrap_or_else(|panic| resume_unwind(panic))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Barrier;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::Duration;
+
+    use super::*;
+
+    #[test]
+    fn results_come_in_the_order_of_the_items() {
+        for count in [0, 1, 2, 7, 100] {
+            let squares = in_flight(0..count, |i: usize| Ok::<_, ()>(i * i)).unwrap();
+            assert!(squares.into_iter().eq((0..count).map(|i| i * i)), "{count}");
+        }
+    }
+
+    #[test]
+    fn so_many_are_at_work_at_a_time_and_no_more() {
+        let (together, at_work) = (Barrier::new(IN_FLIGHT), AtomicUsize::new(0));
+        let most = in_flight(0..10 * IN_FLIGHT, |_| {
+            let now = at_work.fetch_add(1, Ordering::SeqCst) + 1;
+            // Comes back only once as many are here.
+            together.wait();
+            at_work.fetch_sub(1, Ordering::SeqCst);
+            Ok::<_, ()>(now)
+        });
+        assert_eq!(most.unwrap().into_iter().max(), Some(IN_FLIGHT));
+    }
+
+    #[test]
+    fn the_first_error_ends_it() {
+        let begun = AtomicUsize::new(0);
+        let together = Barrier::new(IN_FLIGHT);
+        let found = in_flight(0..100, |i: usize| {
+            begun.fetch_add(1, Ordering::SeqCst);
+            if i < IN_FLIGHT {
+                together.wait();
+            }
+            if i < 1 { Ok(i) } else { Err(i) }
+        });
+        assert_eq!(found, Err(1));
+        assert!(begun.into_inner() <= 2 * IN_FLIGHT, "not all were begun");
+    }
+
+    #[test]
+    fn a_panic_goes_on_where_it_was_asked_for() {
+        for of in 0..2 {
+            let (together, begun) = (Barrier::new(2), AtomicUsize::new(0));
+            let found = catch_unwind(|| {
+                in_flight(0..10_000, |i: usize| {
+                    begun.fetch_add(1, Ordering::SeqCst);
+                    if i < 2 {
+                        together.wait();
+                    } else {
+                        thread::sleep(Duration::from_millis(1));
+                    }
+                    assert!(i != of, "of {i}");
+                    Ok::<_, ()>(())
+                })
+            });
+            assert!(found.is_err() && begun.into_inner() < 10_000, "{of}");
+        }
+    }
+}
