@@ -9,7 +9,7 @@ mod shader;
 
 use derive_more::Debug;
 
-use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Result, Watch};
+use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Result, Watch, in_flight};
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, LONGEST_ON_DEVICE, Outcome};
 use crate::model::System;
@@ -17,7 +17,7 @@ use crate::model::System;
 pub use adapters::{AdapterReport, adapters};
 pub use kernel::Spent;
 
-use kernel::Kernel;
+use kernel::{Kernel, readings};
 use shader::{Arithmetic, Residence, Shape};
 
 /// The shader by which hardware follows trajectories of a system to their verdicts, in WGSL.
@@ -120,7 +120,8 @@ impl Backend for Gpu {
 
     fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>> {
         schedule.check()?;
-        in_tiles(jobs, self.kernel.tile(), |tile| self.kernel.run(tile, schedule, watch))
+        let tiles = self.kernel.tiles(shader::Kernel::Follow, jobs, |job| job, 0)?;
+        in_tiles(tiles, |tile| self.kernel.run(tile, schedule, watch))
     }
 
     fn control(
@@ -140,8 +141,8 @@ impl Backend for Gpu {
                 schedule.max_period
             )));
         }
-        let size = self.kernel.control_tile(jobs)?;
-        in_tiles(jobs, size, |tile| self.kernel.control(tile, schedule, watch))
+        let tiles = self.kernel.tiles(shader::Kernel::Control, jobs, |job| &job.job, 0)?;
+        in_tiles(tiles, |tile| self.kernel.control(tile, schedule, watch))
     }
 
     fn trace(
@@ -153,20 +154,23 @@ impl Backend for Gpu {
         watch: &dyn Watch,
     ) -> Result<Vec<Trace>> {
         schedule.check()?;
-        let size = self.kernel.trace_tile(capacity);
-        in_tiles(jobs, size, |tile| self.kernel.trace(tile, schedule, probe, capacity, watch))
+        let tiles = self.kernel.tiles(shader::Kernel::Trace, jobs, |job| job, readings(capacity))?;
+        in_tiles(tiles, |tile| self.kernel.trace(tile, schedule, probe, capacity, watch))
     }
 
     fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>> {
         let followed: Vec<(&Job, u32)> = jobs.iter().zip(periods.iter().copied()).collect();
-        in_tiles(&followed, self.kernel.tile(), |tile| self.kernel.extents(tile, watch))
+        let tiles = self.kernel.tiles(shader::Kernel::Extent, &followed, |(job, _)| job, 0)?;
+        in_tiles(tiles, |tile| self.kernel.extents(tile, watch))
     }
 }
 
-/// The results of some jobs, tile by tile.
-fn in_tiles<J, R>(jobs: &[J], size: usize, compute: impl Fn(&[J]) -> Result<Vec<R>>) -> Result<Vec<R>> {
-    let tiles: Result<Vec<Vec<R>>, _> = jobs.chunks(size).map(compute).collect();
-    Ok(tiles?.into_iter().flatten().collect())
+/// The results of all jobs of some tiles: while the device is busy with one, the processor prepares another.
+fn in_tiles<J: Sync, R: Send>(
+    tiles: Vec<&[J]>,
+    compute: impl Fn(&[J]) -> Result<Vec<R>> + Sync,
+) -> Result<Vec<R>> {
+    Ok(in_flight(tiles, compute)?.into_iter().flatten().collect())
 }
 
 #[cfg(test)]
@@ -190,6 +194,33 @@ mod tests {
             .into_iter()
             .flat_map(|omega| [0.03, 0.11, 0.22, 0.5].map(|delta| cell(omega, delta)))
             .collect()
+    }
+
+    /// Cells of which each has a flow of its own take more room than those that share theirs.
+    #[test]
+    fn what_a_device_cannot_bind_at_once_is_followed_in_tiles() {
+        let schedule = Schedule { transient: 20, observe: 20, max_period: 8, fixed_periods: true };
+        let job = |omega: f64| {
+            let system = System::new(Setting::defaults(Family::paper()).with_named("omega", omega)).unwrap();
+            Job { system, start: [0.0; 4].into() }
+        };
+        let jobs: Vec<Job> = (0..60).map(|i| job(1.0 + 0.05 * f64::from(i))).collect();
+        let found = adapters::find(None).expect("an adapter");
+        println!("{}", found.report);
+        let arithmetic = Arithmetic::Native;
+        let kernel = Kernel::binding(16 << 10, &found, arithmetic).unwrap();
+        let expected: Vec<Verdict> =
+            jobs.chunks(7).flat_map(|some| kernel.run(some, &schedule, &Unwatched).unwrap()).collect();
+        let tiles = kernel.tiles(shader::Kernel::Follow, &jobs, |job| job, 0).unwrap();
+        assert!(tiles.len() > 2 && tiles[0].len() > 7, "{} tiles of {}", tiles.len(), tiles[0].len());
+        let shared = vec![jobs[0].clone(); 60];
+        let tiles_of_shared = kernel.tiles(shader::Kernel::Follow, &shared, |job| job, 0).unwrap();
+        assert!(tiles_of_shared.len() < tiles.len(), "{} tiles", tiles_of_shared.len());
+        assert!(matches!(kernel.run(&jobs, &schedule, &Unwatched), Err(BackendError::Device(_))), "one tile");
+        let gpu = Gpu { report: found.report, arithmetic, kernel };
+        let verdicts = gpu.run(&jobs, &schedule, &Unwatched).unwrap();
+        assert_eq!(format!("{verdicts:?}"), format!("{expected:?}"));
+        assert!(verdicts.iter().any(|verdict| verdict.state != verdicts[0].state), "not all are alike");
     }
 
     /// What hardware compiles is run by the software adapter too, with the same bits as what that compiles.

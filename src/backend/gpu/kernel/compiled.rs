@@ -16,6 +16,8 @@ pub struct Compiled {
     pub pipeline: wgpu::ComputePipeline,
     /// Bytes of a trajectory's state.
     pub state: u64,
+    /// Bytes of the constants of a flow.
+    pub flight: u64,
 }
 
 /// Every kernel that was compiled so far.
@@ -38,7 +40,7 @@ impl Library {
             return Ok(compiled.clone());
         }
         let source = shader::source(kernel, &shape, self.residence, self.arithmetic);
-        let state = size_of_state(&source, kernel.state());
+        let [state, flight] = sizes(&source, [kernel.state(), "Flight"]);
         let source = match self.arithmetic {
             Arithmetic::Native => ShaderSource::Wgsl(source.into()),
             Arithmetic::Exact => {
@@ -46,15 +48,17 @@ impl Library {
             }
         };
         let pipeline = compiled(device, kernel.entry(), source)?;
-        let compiled = Arc::new(Compiled { pipeline, state });
+        let compiled = Arc::new(Compiled { pipeline, state, flight });
         library.insert((kernel, shape), compiled.clone());
         Ok(compiled)
     }
 }
 
-/// The bytes of a struct in an array, as its shader declares it; 0 where the shader is not valid, which compiling reports.
-fn size_of_state(source: &str, name: &str) -> u64 {
-    let Ok(module) = naga::front::wgsl::parse_str(source) else { return 0 };
-    let ty = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
-    ty.map_or(0, |(_, ty)| u64::from(ty.inner.size(module.to_ctx())))
+/// The bytes of structs in an array, as their shader declares them; 0 where the shader is not valid, which compiling reports.
+fn sizes<const K: usize>(source: &str, names: [&str; K]) -> [u64; K] {
+    let Ok(module) = naga::front::wgsl::parse_str(source) else { return [0; K] };
+    names.map(|name| {
+        let ty = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
+        ty.map_or(0, |(_, ty)| u64::from(ty.inner.size(module.to_ctx())))
+    })
 }

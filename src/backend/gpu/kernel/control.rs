@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::Kernel;
 use super::device::filled;
-use super::drive::{MOVE, shape_of};
+use super::drive::MOVE;
 use super::program::{Portion, Program, ROW};
 use crate::backend::gpu::layout::{ControlDispatch, ControlSchedule, Outcome, control_words};
 use crate::backend::gpu::shader::{self, WORKGROUP};
@@ -25,20 +25,6 @@ pub(super) fn iterations(schedule: &control::ControlSchedule) -> u32 {
 }
 
 impl Kernel {
-    /// Trajectories that one call of [`Kernel::control`] takes at most.
-    ///
-    /// # Errors
-    /// Where the jobs differ in shape, or their kernel cannot be compiled.
-    pub fn control_tile(&self, jobs: &[ControlJob]) -> Result<usize> {
-        if jobs.is_empty() {
-            return Ok(self.tile());
-        }
-        let binding = self.device.limits().max_storage_buffer_binding_size;
-        let shape = shape_of(&Vec::from_iter(jobs.iter().map(|job| &job.job)))?;
-        let state = self.library.get(&self.device, shader::Kernel::Control, shape)?.state.max(1);
-        Ok(self.tile().min((binding / state) as usize).max(1))
-    }
-
     /// Follows one tile of trajectories under control.
     pub fn control(
         &self,

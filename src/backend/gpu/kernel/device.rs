@@ -12,19 +12,26 @@ pub fn fetch<T: Pod>(device: &wgpu::Device, queue: &wgpu::Queue, buffer: &wgpu::
     let readback = empty(device, buffer.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, buffer.size());
-    queue.submit([encoder.finish()]);
-    mapped(device, &readback, buffer.size())
+    let submitted = queue.submit([encoder.finish()]);
+    mapped(device, &readback, buffer.size(), &submitted)
 }
 
-/// What the first bytes of a buffer hold that can be mapped, once everything submitted is done.
-pub fn mapped<T: Pod>(device: &wgpu::Device, readback: &wgpu::Buffer, bytes: u64) -> Result<Vec<T>> {
+/// What the first bytes of a buffer hold that can be mapped, once what was submitted is done; what others submitted since is not
+/// waited for.
+pub fn mapped<T: Pod>(
+    device: &wgpu::Device,
+    readback: &wgpu::Buffer,
+    bytes: u64,
+    submitted: &wgpu::SubmissionIndex,
+) -> Result<Vec<T>> {
     let (sender, receiver) = mpsc::channel();
     readback.map_async(wgpu::MapMode::Read, ..bytes, move |result| {
         // The receiver is gone only if waiting failed, which is reported by itself.
         let _ = sender.send(result);
     });
     let device_error = |error: &dyn std::fmt::Display| BackendError::Device(error.to_string());
-    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| device_error(&error))?;
+    let done = wgpu::PollType::Wait { submission_index: Some(submitted.clone()), timeout: None };
+    device.poll(done).map_err(|error| device_error(&error))?;
     receiver
         .recv()
         .map_err(|_| BackendError::Device("the device was lost".to_owned()))?

@@ -60,7 +60,9 @@ impl Kernel {
             unfinished = left;
             self.spend(Spent { dispatching, kernel, dispatches: 1, ..Spent::default() });
             watch.finished((before - unfinished.len()) as u64);
-            budget = next_budget(budget, dispatching, most);
+            // By the adapter's own clock a kernel does not wait for those of other tiles.
+            let took = kernel.filter(|&seconds| seconds > 0.0).unwrap_or(dispatching);
+            budget = next_budget(budget, took, most);
             begin = 0;
         }
         let (results, reading) = timed(|| guarded(&self.device, || tile.results(self)));
@@ -79,7 +81,7 @@ fn next_budget(budget: u32, took: f64, most: u32) -> u32 {
 ///
 /// # Errors
 /// [`BackendError::Unsupported`] where they differ: a direction that turns parallel to another within a plane.
-pub fn shape_of(jobs: &[&Job]) -> Result<Shape> {
+fn shape_of(jobs: &[&Job]) -> Result<Shape> {
     let expected = Shape::of(&jobs[0].system);
     if jobs.iter().all(|job| Shape::of(&job.system) == expected) {
         return Ok(expected);

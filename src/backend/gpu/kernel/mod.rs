@@ -12,6 +12,7 @@ mod follow;
 #[cfg(test)]
 mod loops;
 mod program;
+mod room;
 mod spent;
 mod tile;
 mod trace;
@@ -23,6 +24,7 @@ use crate::backend::gpu::shader::{Arithmetic, Residence};
 use crate::backend::{BackendError, Result};
 use compiled::Library;
 pub use spent::Spent;
+pub use trace::readings;
 
 /// Trajectories of one tile.
 const HARDWARE_TILE: usize = 1 << 18;
@@ -40,11 +42,16 @@ pub struct Kernel {
 impl Kernel {
     /// Opens a device on the adapter.
     pub fn new(found: &Found, arithmetic: Arithmetic) -> Result<Self> {
+        Kernel::within(wgpu::Limits::default(), found, arithmetic)
+    }
+
+    /// The same, with a device that has no more room than that.
+    fn within(required_limits: wgpu::Limits, found: &Found, arithmetic: Arithmetic) -> Result<Self> {
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("impact-atlas"),
             // Only measured with.
             required_features: found.adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
-            required_limits: wgpu::Limits::default(),
+            required_limits,
             ..wgpu::DeviceDescriptor::default()
         };
         let (device, queue) = pollster::block_on(found.adapter.request_device(&descriptor))
@@ -53,6 +60,13 @@ impl Kernel {
         let residence = if software { Residence::Private } else { Residence::Buffer };
         let library = Library::new(residence, arithmetic);
         Ok(Kernel { device, queue, library, software, spent: Mutex::default() })
+    }
+
+    /// The same on a device that binds no buffer of more than so many bytes.
+    #[cfg(test)]
+    pub fn binding(most: u64, found: &Found, arithmetic: Arithmetic) -> Result<Self> {
+        let limits = wgpu::Limits { max_storage_buffer_binding_size: most, ..wgpu::Limits::default() };
+        Kernel::within(limits, found, arithmetic)
     }
 
     /// The same with shaders that keep there what they read and note.
@@ -71,7 +85,7 @@ impl Kernel {
         *self.spent.lock() += more;
     }
 
-    /// Trajectories that one call of [`Kernel::run`] takes at most.
+    /// Trajectories that are followed together at most.
     pub fn tile(&self) -> usize {
         if self.software { SOFTWARE_TILE } else { HARDWARE_TILE }
     }

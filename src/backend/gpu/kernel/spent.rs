@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-/// Where time went, in seconds.
+/// Where time went, in seconds; of several tiles at a time, those of all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Spent {
     /// Preparing the constants of cells, on the processor.

@@ -87,10 +87,10 @@ impl Tile {
         }
         let bytes = 4 * u64::from(portion.count);
         encoder.copy_buffer_to_buffer(&self.unfinished, 0, &self.readback, 0, bytes);
-        kernel.queue.submit([encoder.finish()]);
-        let mut left: Vec<u32> = mapped(&kernel.device, &self.readback, bytes)?;
+        let submitted = kernel.queue.submit([encoder.finish()]);
+        let mut left: Vec<u32> = mapped(&kernel.device, &self.readback, bytes, &submitted)?;
         left.retain(|&cell| cell != FINISHED);
-        let took = self.clock.as_ref().map(|clock| clock.took(&kernel.device)).transpose()?;
+        let took = self.clock.as_ref().map(|clock| clock.took(&kernel.device, &submitted)).transpose()?;
         Ok((left, took))
     }
 

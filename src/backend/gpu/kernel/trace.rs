@@ -12,14 +12,12 @@ use crate::backend::{Job, Result, Watch};
 /// Loop iterations in one move.
 pub(super) const ITERATIONS: u32 = MOVE + SQUARES;
 
-impl Kernel {
-    /// Trajectories that one call of [`Kernel::trace`] takes at most.
-    pub fn trace_tile(&self, capacity: u32) -> usize {
-        let binding = self.device.limits().max_storage_buffer_binding_size;
-        let cells = binding / (4 * u64::from(capacity.max(1)));
-        self.tile().min(cells.max(1) as usize)
-    }
+/// Bytes of what is read of a trajectory, at most `capacity` passages.
+pub fn readings(capacity: u32) -> u64 {
+    size_of::<f32>() as u64 * u64::from(capacity)
+}
 
+impl Kernel {
     /// Follows one tile of trajectories and reads a section while they are observed.
     pub fn trace(
         &self,
@@ -33,7 +31,7 @@ impl Kernel {
         let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let [traces, readings] = guarded(&self.device, || {
             let traces = empty(&self.device, size_of::<Trace>() as u64 * cells, storage);
-            [traces, empty(&self.device, 4 * u64::from(capacity) * cells, storage)]
+            [traces, empty(&self.device, readings(capacity) * cells, storage)]
         })?;
         let dispatch = |Portion { count, budget, begin }| TraceDispatch {
             schedule: Schedule::new(schedule),
