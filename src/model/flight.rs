@@ -1,5 +1,6 @@
 //! Everything that flying one cell needs, computed once per cell in f64.
 
+use arrayvec::ArrayVec;
 use nalgebra::SMatrix;
 
 use super::contact_normal::{ContactNormal, contact_normal};
@@ -96,14 +97,14 @@ impl<const N: usize> Flight<f64, N> {
     /// Takes over the stops of another cell with the same flow.
     pub(crate) fn take_stops_of(&mut self, system: &System) {
         for normal in &mut self.normals[..self.count] {
-            let along = StopsAlong::of(system, normal);
+            let along = StopsAlong::at(normal).of(system);
             (normal.gap, normal.restitution) = (along.gap, along.restitution);
         }
     }
 
-    /// The stops along each normal of another cell with the same flow.
-    pub(super) fn stops_of(&self, system: &System) -> impl Iterator<Item = StopsAlong> {
-        self.normals().iter().map(|normal| StopsAlong::of(system, normal))
+    /// The stops along each normal.
+    pub fn stops(&self) -> ArrayVec<StopsAlong, MOST> {
+        self.normals().iter().map(StopsAlong::at).collect()
     }
 
     fn of(system: &System) -> Self {

@@ -2,6 +2,7 @@
 
 mod abreast;
 mod back;
+mod by_flow;
 mod common;
 mod contact_normal;
 mod driven;
@@ -35,6 +36,7 @@ pub mod vector;
 pub use crate::system::{Number, joined, whole};
 pub use crate::system::{Parameter, ParameterError, Setting};
 pub use back::BACK_TERMS;
+pub use by_flow::ByFlow;
 pub use contact_normal::{ContactNormal, FAR};
 pub use equations::{Equations, are_parallel};
 pub use flight::Flight;

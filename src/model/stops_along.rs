@@ -12,13 +12,21 @@ pub struct StopsAlong {
     pub gap: [f64; 2],
     /// Their coefficients of restitution.
     pub restitution: [f64; 2],
+    /// Which of the plant's stops they are.
+    stop: [u8; 2],
 }
 
 impl StopsAlong {
-    /// Those of a system with the same flow as that of the normal.
-    pub(super) fn of<const N: usize>(system: &System, normal: &ContactNormal<f64, N>) -> Self {
-        let mut along = StopsAlong { gap: normal.gap, restitution: normal.restitution };
-        let ends = [0, 1].map(|side| (normal.gap[side] < FAR).then(|| usize::from(normal.stop[side])));
+    /// Those of a normal.
+    pub(super) fn at<const N: usize>(normal: &ContactNormal<f64, N>) -> Self {
+        StopsAlong { gap: normal.gap, restitution: normal.restitution, stop: normal.stop }
+    }
+
+    /// The same of another system with the same flow.
+    #[must_use]
+    pub fn of(self, system: &System) -> Self {
+        let mut along = self;
+        let ends = [0, 1].map(|side| (self.gap[side] < FAR).then(|| usize::from(self.stop[side])));
         // The direction of a line is that of the first stop on it.
         let Some(first) = ends.into_iter().flatten().min() else { return along };
         for (side, stop) in ends.into_iter().enumerate() {

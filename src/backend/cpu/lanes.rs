@@ -16,7 +16,7 @@ use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
 #[cfg(target_arch = "x86_64")]
 use crate::model::Pack;
-use crate::model::{Flight, Flights, Lanes, System};
+use crate::model::{ByFlow, Flight, Flights, Lanes, System};
 
 /// How many trajectories one core follows at once; the bits of each are the same at every width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,8 +115,9 @@ fn spread<const N: usize>(
     let taken = AtomicUsize::new(0);
     let usage = Mutex::new(Usage::default());
     let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
-    let flights = Flights::<N>::of_shared(&systems);
-    let order = flights.by_flow();
+    let by_flow = ByFlow::of(&systems);
+    let order = by_flow.order();
+    let flights = Flights::<N>::of(by_flow);
     let threads = rayon::current_num_threads().min(jobs.len().div_ceil(width.lanes()));
     let (sender, done) = mpsc::channel();
     let (taken, flights, order, used) = (&taken, &flights, &order[..], &usage);

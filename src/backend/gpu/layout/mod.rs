@@ -82,27 +82,31 @@ impl Cells {
 
     fn with<const N: usize>(jobs: &[&Job]) -> Self {
         let systems: Vec<&model::System> = jobs.iter().map(|job| &job.system).collect();
-        let shared = model::Flights::<N>::of(&systems);
-        let flows = shared.distinct().par_chunks(CHUNK).map(|flights| {
-            let (mut constants, mut kicks) = (Vec::new(), Vec::new());
-            for flight in flights {
+        let by_flow = model::ByFlow::of(&systems);
+        // Constants are large: those of a flow are let go of once they are written.
+        let flows = by_flow.distinct.par_chunks(CHUNK).map(|systems| {
+            let (mut constants, mut kicks, mut stops) = (Vec::new(), Vec::new(), Vec::new());
+            for system in systems {
+                let flight = model::Flight::<f64, N>::new(system);
+                stops.push(flight.stops());
                 let rounded = flight.round::<f32>();
                 write_flight(&rounded, &mut constants);
                 write_kicks(&rounded, &mut kicks);
             }
-            (constants, kicks)
+            (constants, (kicks, stops))
         });
-        let (flights, kicks): (Vec<_>, Vec<_>) = flows.unzip();
-        let beside = jobs.par_chunks(CHUNK).enumerate().map(|(chunk, jobs)| {
-            let (mut words, mut stops) = (Vec::new(), Vec::new());
-            for (job, cell) in jobs.iter().zip(chunk * CHUNK..) {
-                stops.clear();
-                stops.extend(shared.stops(cell, &job.system));
-                write_cell::<N>(shared.flow_of(cell), &stops, &job.start, &mut words);
+        let (flights, (kicks, stops)): (Vec<_>, (Vec<_>, Vec<_>)) = flows.unzip();
+        let stops_of_flows = stops.concat();
+        let beside = jobs.par_chunks(CHUNK).zip(by_flow.of_cell.par_chunks(CHUNK)).map(|(jobs, flows)| {
+            let mut words = Vec::new();
+            for (job, &flow) in jobs.iter().zip(flows) {
+                let mut stops = stops_of_flows[flow as usize].clone();
+                stops.iter_mut().for_each(|stops| *stops = stops.of(&job.system));
+                write_cell::<N>(flow, &stops, &job.start, &mut words);
             }
             words
         });
         let cells = beside.collect::<Vec<_>>().concat();
-        Cells { flights: flights.concat(), kicks: kicks.concat(), cells, order: shared.by_flow() }
+        Cells { flights: flights.concat(), kicks: kicks.concat(), cells, order: by_flow.order() }
     }
 }
