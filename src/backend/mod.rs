@@ -19,7 +19,7 @@ pub use decide::{Doubts, decide};
 pub use error::{BackendError, Result};
 pub use extents::extents;
 pub use gpu::{AdapterReport, Gpu, Spent, adapters, hardware_shader};
-pub use in_flight::in_flight;
+pub(crate) use in_flight::in_flight;
 pub use job::{ControlJob, Job};
 pub use looks::{CHAOS_LOOK, LONG_LOOK, LONGER_OBSERVATION, long_look};
 pub use reproducible::REPRODUCIBLE;
@@ -35,7 +35,7 @@ use crate::control::{ControlSchedule, Outcome};
 ///
 /// The verdicts depend on the jobs and the schedule alone: not on how jobs are split into calls, on the number
 /// of threads, or on what ran before.
-pub trait Backend: Debug + Sync {
+pub trait Backend: Debug + Send + Sync {
     /// "cpu" or "gpu".
     fn name(&self) -> &'static str;
 

@@ -63,7 +63,7 @@ pub fn certify_window(
     backend: &dyn Backend,
     watch: &dyn Watch,
 ) -> Result<(Vec<Option<Multipliers>>, Certification)> {
-    let (jobs, schedule) = (&window_jobs(plane, window)?[..], &plane.task);
+    let (jobs, schedule) = (&window_jobs(plane, &[window])?[..], &plane.task);
     let before: Vec<Verdict> = verdicts.to_vec();
     let mut found: Vec<Option<Certified>> = (jobs.par_iter().zip(&before))
         .map(|(job, verdict)| {

@@ -33,7 +33,7 @@ pub(super) fn window_extents(
     for (k, verdicts) in verdicts.chunks(rows * columns).enumerate() {
         let part =
             Window { row: window.row + (k * rows) as u32, rows: (verdicts.len() / columns) as u32, ..window };
-        let jobs = window_jobs(plane, part)?;
+        let jobs = window_jobs(plane, &[part])?;
         extents.extend(backend::extents(backend, &jobs, verdicts, &plane.task, &Silent(watch))?);
         watch.finished(verdicts.len() as u64);
     }

@@ -1,7 +1,7 @@
 //! A whole plane on one back end, tile by tile.
 //!
-//! Jobs are made for one tile at a time, so that memory beyond the verdicts themselves does not grow with the plane; a tile holds
-//! cells of as few flows as there can be.
+//! Jobs are made tile by tile, and of those before only a few in doubt wait, so that memory beyond the verdicts themselves does not
+//! grow with the plane; a tile holds cells of as few flows as there can be.
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
 
 use std::ops::Range;
@@ -19,9 +19,8 @@ use crate::backend::{Backend, Job, Watch, decide, in_flight};
 use crate::model::{Flows, System, SystemError};
 use crate::plane::{Plane, Reached, RegionMap, Window};
 
-/// A look at what is in doubt is taken once one part in so many of a tile waits for it: few of them would leave most of a back end
-/// idle.
-const WORTH_A_LOOK: u64 = 4;
+/// One part in so many of a tile is worth a look: less would leave most of a back end idle.
+pub(super) const WORTH_A_LOOK: u64 = 4;
 
 /// Does what is asked of every cell of a plane on a back end.
 ///
@@ -101,177 +100,32 @@ pub(super) fn check_border<T>(plane: &Plane<T>) -> Result<(), SystemError> {
         .try_for_each(|(column, row)| System::new(plane.parameters_at(column, row)).map(drop))
 }
 
-/// The jobs of some cells of a plane, row by row.
-pub(super) fn window_jobs(plane: &Plane, window: Window) -> Result<Vec<Job>, SystemError> {
+/// The jobs of some cells of a plane, window by window and row by row.
+pub(super) fn window_jobs(plane: &Plane, windows: &[Window]) -> Result<Vec<Job>, SystemError> {
     let whole = Window::whole(plane);
-    jobs_of(plane, &window.places().map(|place| whole.index(place) as u64).collect::<Vec<_>>())
+    let places = windows.iter().flat_map(Window::places);
+    jobs_of(plane, &places.map(|place| whole.index(place) as u64).collect::<Vec<_>>())
 }
 
-/// Computes some cells of a plane on a back end, the same as in the whole; row by row.
+/// Computes some cells of a plane on a back end together, the same as in the whole; of each window row by row.
 ///
 /// # Errors
 /// As [`sweep`].
-pub fn sweep_window(
+pub fn sweep_windows(
     plane: &Plane,
-    window: Window,
+    windows: &[Window],
     backend: &dyn Backend,
     watch: &dyn Watch,
-) -> Result<Vec<Verdict>> {
-    let jobs = window_jobs(plane, window)?;
+) -> Result<Vec<Vec<Verdict>>> {
+    let jobs = window_jobs(plane, windows)?;
     let mut verdicts = Vec::with_capacity(jobs.len());
     for jobs in jobs.chunks(backend.tile().max(1)) {
         watch.check()?;
         verdicts.extend(decide(backend, jobs, &plane.task, watch)?);
     }
-    Ok(verdicts)
+    let mut verdicts = verdicts.into_iter();
+    Ok(windows.iter().map(|window| verdicts.by_ref().take(window.cells()).collect()).collect())
 }
 
 #[cfg(test)]
-mod tests {
-    use std::sync::atomic::{AtomicU64, Ordering};
-
-    use super::*;
-    use crate::analysis::{Regime, Schedule};
-    use crate::backend::{self, BackendError, Unwatched};
-    use crate::plane::Start;
-
-    /// Gives back each job's parameters and start in the verdict's state.
-    #[derive(Debug)]
-    struct Echo {
-        tile: usize,
-    }
-
-    impl Backend for Echo {
-        fn name(&self) -> &'static str {
-            "cpu"
-        }
-
-        fn adapter(&self) -> String {
-            "echo".to_owned()
-        }
-
-        fn tile(&self) -> usize {
-            self.tile
-        }
-
-        fn run(
-            &self,
-            jobs: &[Job],
-            _schedule: &Schedule,
-            watch: &dyn Watch,
-        ) -> backend::Result<Vec<Verdict>> {
-            assert!(jobs.len() <= self.tile.max(1), "a tile of {} jobs", jobs.len());
-            watch.finished(jobs.len() as u64);
-            Ok(jobs.iter().map(echo).collect())
-        }
-    }
-
-    fn echo(job: &Job) -> Verdict {
-        let parameters = job.system.parameters();
-        let state = [parameters.omega, parameters.delta, job.start[0], job.start[2]].into();
-        Verdict { state, ..Verdict::of_motion(Regime::NoImpact, [0; 3], false) }
-    }
-
-    fn plane(x: &str, y: &str, start: Start) -> Plane {
-        let schedule = Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false };
-        Plane::of_paper(x, y, start, schedule).unwrap()
-    }
-
-    #[test]
-    fn every_cell_is_in_its_place_for_any_tile() {
-        let plane = plane("omega=1:3:5", "delta=0.1:0.4:4", Start::State([0.05, 0.0, -1.0, 0.0].into()));
-        for tile in [0, 1, 3, 5, 7, 20, 1000] {
-            let map = sweep(&plane, &Echo { tile }, &Unwatched).unwrap();
-            assert_eq!(map.verdicts.len(), 20);
-            for row in 0..4 {
-                for column in 0..5 {
-                    let expected = [plane.x.value(column), plane.y.value(row), 0.05, -1.0];
-                    assert_eq!(map.at(column, row).state, expected.into(), "column {column}, row {row}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn cells_without_a_job_stay_as_they_are() {
-        for (x, y) in [("omega=1:3:5", "delta=0.1:0.4:4"), ("delta=0.1:0.4:5", "omega=1:3:4")] {
-            let order = Order::by_flow(&plane(x, y, Start::Rest));
-            let has_job = |cell: u64| cell % 3 != 1;
-            for tile in [1, 3, 7, 20] {
-                let mut verdicts = vec![None; 20];
-                for first in (0..20).step_by(tile) {
-                    let places = first as u64..20.min((first + tile) as u64);
-                    let cells: Vec<u64> = order.cells(places.clone()).collect();
-                    let with_jobs = || (0..).zip(&cells).filter(|&(_, &cell)| has_job(cell));
-                    let (of_jobs, found): (Vec<u32>, Vec<_>) =
-                        with_jobs().map(|(place, &cell)| (place, Some(Some(cell)))).unzip();
-                    put(&mut verdicts, &order, places, &of_jobs, &found);
-                }
-                let expected: Vec<_> = (0..20).map(|cell| has_job(cell).then_some(cell)).collect();
-                assert_eq!(verdicts, expected, "{x}, {y}, {tile}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_window_holds_the_cells_of_the_whole() {
-        let plane = plane("omega=1:3:5", "delta=0.1:0.4:4", Start::Rest);
-        let map = sweep(&plane, &Echo { tile: 7 }, &Unwatched).unwrap();
-        let window = Window { column: 1, row: 2, columns: 3, rows: 2 };
-        let part = sweep_window(&plane, window, &Echo { tile: 4 }, &Unwatched).unwrap();
-        for (place, verdict) in window.places().zip(&part) {
-            assert_eq!(verdict, map.at(place.0, place.1), "{place:?}");
-        }
-    }
-
-    #[test]
-    fn axes_over_the_start_vary_the_start() {
-        let plane = plane("x1=-0.1:0.1:3", "v1=-2:2:2", Start::Rest);
-        let map = sweep(&plane, &Echo { tile: 4 }, &Unwatched).unwrap();
-        assert_eq!(map.at(2, 0).state, [3.7, 0.1, 0.1, -2.0].into());
-        assert_eq!(map.at(0, 1).state, [3.7, 0.1, -0.1, 2.0].into());
-    }
-
-    #[test]
-    fn a_plane_that_cannot_be_used_is_refused() {
-        let same = plane("omega=1:3:5", "omega=1:3:5", Start::Rest);
-        assert!(matches!(sweep(&same, &Echo { tile: 4 }, &Unwatched), Err(SweepError::Plane(_))));
-    }
-
-    #[test]
-    fn systems_that_cannot_be_followed_are_refused_before_anything_runs() {
-        let too_slow = plane("delta=0.1:0.4:4", "omega=1e-12:3:4", Start::Rest);
-        let watch = Limit { limit: u64::MAX, finished: AtomicU64::new(0) };
-        assert!(matches!(sweep(&too_slow, &Echo { tile: 1 }, &watch), Err(SweepError::System(_))));
-        assert_eq!(watch.finished.into_inner(), 0);
-        let last_row = plane("omega=1:3:4", "zeta=0:1e9:4", Start::Rest);
-        let watch = Limit { limit: u64::MAX, finished: AtomicU64::new(0) };
-        assert!(matches!(sweep(&last_row, &Echo { tile: 1 }, &watch), Err(SweepError::System(_))));
-        assert_eq!(watch.finished.into_inner(), 0);
-    }
-
-    /// Asks to stop once `limit` cells are finished.
-    struct Limit {
-        limit: u64,
-        finished: AtomicU64,
-    }
-
-    impl Watch for Limit {
-        fn finished(&self, cells: u64) {
-            self.finished.fetch_add(cells, Ordering::Relaxed);
-        }
-
-        fn cancelled(&self) -> bool {
-            self.finished.load(Ordering::Relaxed) >= self.limit
-        }
-    }
-
-    #[test]
-    fn a_sweep_stops_between_tiles() {
-        let plane = plane("omega=1:3:5", "delta=0.1:0.4:4", Start::Rest);
-        let watch = Limit { limit: 6, finished: AtomicU64::new(0) };
-        let stopped = sweep(&plane, &Echo { tile: 3 }, &watch);
-        assert!(matches!(stopped, Err(SweepError::Backend(BackendError::Cancelled))));
-        assert_eq!(watch.finished.into_inner(), 6);
-    }
-}
+mod tests;
