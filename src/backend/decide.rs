@@ -10,7 +10,7 @@ use crate::analysis::{Schedule, Verdict};
 /// What the back end could not do.
 ///
 /// # Panics
-/// Never: every look is taken.
+/// If the back end gives fewer verdicts than it is given jobs.
 pub fn decide(
     backend: &dyn Backend,
     jobs: &[Job],
@@ -100,10 +100,17 @@ mod tests {
 
     /// Tells what kind of motion a trajectory comes to by where it begins, and counts in x2 how often it was followed and in v1
     /// for how many periods.
-    #[derive(Debug, Default)]
+    #[derive(Debug)]
     struct Told {
+        tile: usize,
         /// How many jobs each run had.
         runs: Mutex<Vec<usize>>,
+    }
+
+    impl Told {
+        fn new(tile: usize) -> Self {
+            Told { tile, runs: Mutex::default() }
+        }
     }
 
     /// By kind, what the first and each later look comes to.
@@ -132,10 +139,11 @@ mod tests {
         }
 
         fn tile(&self) -> usize {
-            1
+            self.tile
         }
 
         fn run(&self, jobs: &[Job], schedule: &Schedule, _: &dyn Watch) -> Result<Vec<Verdict>> {
+            assert!(jobs.len() <= self.tile, "a tile of {} jobs", jobs.len());
             self.runs.lock().push(jobs.len());
             let told = |job: &Job| {
                 let mut state = job.start;
@@ -158,7 +166,7 @@ mod tests {
 
     #[test]
     fn every_trajectory_is_looked_at_as_long_as_it_is_in_doubt() {
-        let told = Told::default();
+        let told = Told::new(60);
         let verdicts = decide(&told, &jobs(), &SCHEDULE, &Unwatched).unwrap();
         for (i, verdict) in verdicts.iter().enumerate() {
             let state = &verdict.state;
@@ -177,9 +185,8 @@ mod tests {
 
     #[test]
     fn those_in_doubt_wait_for_each_other_and_come_to_the_same() {
-        let (told, jobs, doubts) = (Told::default(), jobs(), Doubts::of(&SCHEDULE));
-        let expected = decide(&told, &jobs, &SCHEDULE, &Unwatched).unwrap();
-        told.runs.lock().clear();
+        let (told, jobs, doubts) = (Told::new(15), jobs(), Doubts::of(&SCHEDULE));
+        let expected = decide(&Told::new(60), &jobs, &SCHEDULE, &Unwatched).unwrap();
         let mut found: Vec<Option<Verdict>> = vec![None; jobs.len()];
         let mut put = |number: u64, verdict: Verdict| {
             assert_eq!(found[number as usize].replace(verdict), None, "{number} comes once");
@@ -198,7 +205,7 @@ mod tests {
         assert_eq!(runs.iter().sum::<usize>(), 60 + 20 + 30 + 20);
         assert_eq!(
             runs[..],
-            [12, 12, 12, 12, 12, 12, 12, 16, 12, 8, 6, 4],
+            [12, 12, 12, 12, 12, 12, 12, 15, 1, 12, 8, 6, 4],
             "enough of them, until no more come"
         );
     }

@@ -6,14 +6,15 @@ use std::thread;
 use parking_lot::Mutex;
 
 /// How many at a time: what waits for one thing leaves room for one that does not.
-const IN_FLIGHT: usize = 2;
+pub(super) const IN_FLIGHT: usize = 2;
 
 /// What work makes of each of some items, in their order. The items are begun in that order, so many at a time, the next once
-/// what came before is done with.
+/// what came before is done with: on threads of rayon's pool where this is one of them, on threads of their own elsewhere, which
+/// may wait.
 ///
 /// # Errors
-/// That of the first item that has one; none is begun after it.
-pub fn in_flight<I, R, E>(
+/// That of the first item that has one; only what was under way goes on to its end then.
+pub(crate) fn in_flight<I, R, E>(
     items: impl IntoIterator<Item = I, IntoIter: Send>,
     work: impl Fn(I) -> Result<R, E> + Sync,
 ) -> Result<Vec<R>, E>
@@ -21,6 +22,8 @@ where
     R: Send,
     E: Send,
 {
+    let items = items.into_iter();
+    let is_one = items.size_hint().1.is_some_and(|most| most <= 1);
     let waiting = Mutex::new(Some((0_usize..).zip(items)));
     let follow = || {
         let mut done = Vec::new();
@@ -33,16 +36,23 @@ where
             done.push((place, result));
         }
     };
-    let mut done = thread::scope(|scope| {
-        let others = [(); IN_FLIGHT - 1].map(|()| scope.spawn(follow));
-        let mut done = follow();
-        others
-            .into_iter()
-            .for_each(|other| done.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic))));
-        done
-    });
+    let mut done = match is_one {
+        true => follow(),
+        false => together(&follow).into_iter().flatten().collect(),
+    };
     done.sort_unstable_by_key(|&(place, _)| place);
     done.into_iter().map(|(_, result)| result.unwrap_or_else(|panic| resume_unwind(panic))).collect()
+}
+
+/// The same, done by so many threads at once.
+fn together<D: Send>(follow: &(impl Fn() -> D + Sync)) -> [D; IN_FLIGHT] {
+    if rayon::current_thread_index().is_some() {
+        return rayon::join(follow, follow).into();
+    }
+    thread::scope(|scope| {
+        let other = scope.spawn(follow);
+        [follow(), other.join().unwrap_or_else(|panic| resume_unwind(panic))]
+    })
 }
 
 #[cfg(test)]
@@ -59,6 +69,17 @@ mod tests {
             let squares = in_flight(0..count, |i: usize| Ok::<_, ()>(i * i)).unwrap();
             assert!(squares.into_iter().eq((0..count).map(|i| i * i)), "{count}");
         }
+    }
+
+    #[test]
+    fn on_a_thread_of_a_pool_all_is_done_by_the_pool() {
+        for threads in [1, 2, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let index = |_| Ok::<_, ()>(rayon::current_thread_index().map(|_| rayon::current_num_threads()));
+            let found = pool.install(|| in_flight(0..50, index)).unwrap();
+            assert_eq!(found, [Some(threads); 50]);
+        }
+        assert_eq!(in_flight(0..2, |_| Ok::<_, ()>(rayon::current_thread_index())), Ok(vec![None; 2]));
     }
 
     #[test]

@@ -120,7 +120,9 @@ impl Look {
         doubts: Vec<Doubt>,
         watch: &dyn Watch,
     ) -> Result<impl Iterator<Item = Doubt>> {
-        let later = confirmed_by(backend, jobs, &self.schedule, &Silent(watch))?;
+        let tiles = jobs.chunks(backend.tile().max(1));
+        let later = tiles.map(|jobs| confirmed_by(backend, jobs, &self.schedule, &Silent(watch)));
+        let later = later.collect::<Result<Vec<_>>>()?.into_iter().flatten();
         Ok(doubts.into_iter().zip(later).map(|(Doubt { number, verdict: first }, later)| {
             let decided = if (self.decides)(&later) { later } else { first.observed_further(&later) };
             let Verdict { periods, impacts_total, .. } = later.going_on_from(&first);

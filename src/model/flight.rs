@@ -97,7 +97,7 @@ impl<const N: usize> Flight<f64, N> {
     /// Takes over the stops of another cell with the same flow.
     pub(crate) fn take_stops_of(&mut self, system: &System) {
         for normal in &mut self.normals[..self.count] {
-            let along = StopsAlong::at(normal).of(system);
+            let along = StopsAlong::at(normal).with_values_of(system);
             (normal.gap, normal.restitution) = (along.gap, along.restitution);
         }
     }

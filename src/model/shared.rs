@@ -1,6 +1,7 @@
 //! Cells that share their flow: what differs among them are gaps and restitutions alone.
 
 use std::collections::HashMap;
+use std::mem::take;
 use std::sync::Arc;
 
 use arrayvec::ArrayVec;
@@ -41,7 +42,9 @@ impl Flows {
         // A family is kept for the life of the process.
         let family = std::ptr::from_ref(setting.family()).addr();
         let key = FlowKey { family, bits: setting.flow_bits().collect() };
-        if let Some(known) = self.systems.read().get(&key) {
+        // No lock is held while another is waited for.
+        let known = self.systems.read().get(&key).cloned();
+        if let Some(known) = known {
             if let Some(system) = known.neighbour(&setting) {
                 return Ok(system);
             }
@@ -61,10 +64,11 @@ impl Flows {
     /// anew.
     pub fn tidy(&self) {
         let mut flows = self.flows.lock();
-        if flows.len() > MOST_SYSTEMS {
-            flows.clear();
-            self.systems.write().clear();
-        }
+        let forgotten = if flows.len() > MOST_SYSTEMS { take(&mut *flows) } else { return };
+        drop(flows);
+        let systems = take(&mut *self.systems.write());
+        // It is much, and nobody waits for it.
+        drop((forgotten, systems));
     }
 
     /// The same system, sharing what follows from its flow with those before it.

@@ -24,7 +24,7 @@ impl StopsAlong {
 
     /// The same of another system with the same flow.
     #[must_use]
-    pub fn of(self, system: &System) -> Self {
+    pub fn with_values_of(self, system: &System) -> Self {
         let mut along = self;
         let ends = [0, 1].map(|side| (self.gap[side] < FAR).then(|| usize::from(self.stop[side])));
         // The direction of a line is that of the first stop on it.

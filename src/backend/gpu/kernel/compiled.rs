@@ -11,7 +11,7 @@ use super::device::compiled;
 use crate::backend::gpu::shader::{self, Arithmetic, Residence, Shape};
 use crate::backend::{BackendError, Result};
 
-/// A compiled kernel, and the size of what it keeps of a trajectory.
+/// A compiled kernel, and the sizes of what decides how many trajectories it has room for.
 pub struct Compiled {
     pub pipeline: wgpu::ComputePipeline,
     /// Bytes of a trajectory's state.
@@ -61,4 +61,36 @@ fn sizes<const K: usize>(source: &str, names: [&str; K]) -> [u64; K] {
         let ty = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
         ty.map_or(0, |(_, ty)| u64::from(ty.inner.size(module.to_ctx())))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::backend::gpu::layout::NORMAL_TERMS;
+
+    /// How many trajectories there is room for goes by these alone.
+    #[test]
+    fn nothing_of_a_trajectory_is_larger_than_its_state_and_nothing_of_a_flow_than_its_constants() {
+        for (coordinates, normals) in (1..=4).flat_map(|n| (1..=4).map(move |normals| (n, normals))) {
+            let shape = Shape { coordinates, normals, stops: 4 };
+            for (kernel, others) in [
+                (shader::Kernel::Follow, ["Cell", "Verdict", "Verdict"]),
+                (shader::Kernel::Trace, ["Cell", "Verdict", "Trace"]),
+                (shader::Kernel::Control, ["Cell", "Control", "Outcome"]),
+                (shader::Kernel::Extent, ["Cell", "Extent", "Extent"]),
+            ] {
+                let source = shader::source(kernel, &shape, Residence::Buffer, Arithmetic::Native);
+                let [state, flight, of_kick] = sizes(&source, [kernel.state(), "Flight", "State"]);
+                for (other, name) in sizes(&source, others).into_iter().zip(others) {
+                    assert!(
+                        0 < other && other <= state,
+                        "{kernel:?}, {shape:?}: {name} {other}, state {state}"
+                    );
+                }
+                let kicks = of_kick * (NORMAL_TERMS * normals) as u64;
+                assert!(0 < kicks && kicks <= flight, "{shape:?}: kicks {kicks}, flight {flight}");
+            }
+        }
+        assert_eq!(sizes("not a shader", ["State"]), [0]);
+    }
 }

@@ -1,16 +1,18 @@
 //! The driver of every kernel: a tile dispatched in portions of bounded time until all of it is finished.
 
 use bytemuck::Pod;
+use pollster::block_on;
 
 use super::Kernel;
 use super::device::guarded;
 use super::program::{Portion, Program};
+use super::room::shape_of;
 use super::spent::{Spent, timed};
 use super::tile::Tile;
 use crate::analysis::constants::SQUARINGS;
 use crate::backend::gpu::layout::{Cells, NORMAL_TERMS};
-use crate::backend::gpu::shader::Shape;
-use crate::backend::{BackendError, Job, Result, Watch};
+use crate::backend::in_flight::IN_FLIGHT;
+use crate::backend::{Job, Result, Watch};
 use crate::model::Real;
 use crate::model::vector::MOST;
 
@@ -40,8 +42,10 @@ impl Kernel {
         program: &Program<'_, D>,
         watch: &dyn Watch,
     ) -> Result<Vec<R>> {
-        let compiled = self.library.get(&self.device, program.kernel, shape_of(jobs)?)?;
+        let compiled = self.library.get(&self.device, program.kernel, shape_of(jobs.iter().copied())?)?;
         let (cells, preparing) = timed(|| Cells::of(jobs));
+        // Nothing waits for other threads while it has room.
+        let _room = block_on(self.room.acquire());
         let holding = || Tile::new(self, compiled, program, &cells, jobs.len(), size_of::<R>() as u64);
         let (tile, transferring) = timed(|| guarded(&self.device, holding));
         let tile = tile??;
@@ -60,8 +64,8 @@ impl Kernel {
             unfinished = left;
             self.spend(Spent { dispatching, kernel, dispatches: 1, ..Spent::default() });
             watch.finished((before - unfinished.len()) as u64);
-            // By the adapter's own clock a kernel does not wait for those of other tiles.
-            let took = kernel.filter(|&seconds| seconds > 0.0).unwrap_or(dispatching);
+            // By the adapter's own clock a kernel does not wait for that of another tile; but a clock may be wrong.
+            let took = kernel.unwrap_or(dispatching).max(dispatching / (2 * IN_FLIGHT) as f64);
             budget = next_budget(budget, took, most);
             begin = 0;
         }
@@ -75,19 +79,4 @@ impl Kernel {
 fn next_budget(budget: u32, took: f64, most: u32) -> u32 {
     let factor = (PORTION / took.max(1e-6)).clamp(0.1, 2.0);
     ((f64::from(budget) * factor) as u32).clamp(1, most)
-}
-
-/// The shape that all jobs of a tile have.
-///
-/// # Errors
-/// [`BackendError::Unsupported`] where they differ: a direction that turns parallel to another within a plane.
-fn shape_of(jobs: &[&Job]) -> Result<Shape> {
-    let expected = Shape::of(&jobs[0].system);
-    if jobs.iter().all(|job| Shape::of(&job.system) == expected) {
-        return Ok(expected);
-    }
-    Err(BackendError::Unsupported(
-        "the stops of these cells do not lie along the same number of directions everywhere: use --backend cpu"
-            .to_owned(),
-    ))
 }

@@ -18,9 +18,11 @@ mod tile;
 mod trace;
 
 use parking_lot::Mutex;
+use tokio::sync::Semaphore;
 
 use super::adapters::Found;
 use crate::backend::gpu::shader::{Arithmetic, Residence};
+use crate::backend::in_flight::IN_FLIGHT;
 use crate::backend::{BackendError, Result};
 use compiled::Library;
 pub use spent::Spent;
@@ -36,6 +38,8 @@ pub struct Kernel {
     queue: wgpu::Queue,
     library: Library,
     software: bool,
+    /// For the tiles that are on the device.
+    room: Semaphore,
     spent: Mutex<Spent>,
 }
 
@@ -49,7 +53,7 @@ impl Kernel {
     fn within(required_limits: wgpu::Limits, found: &Found, arithmetic: Arithmetic) -> Result<Self> {
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("impact-atlas"),
-            // Only measured with.
+            // Dispatches are timed without it too.
             required_features: found.adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
             required_limits,
             ..wgpu::DeviceDescriptor::default()
@@ -59,7 +63,8 @@ impl Kernel {
         let software = found.report.is_software();
         let residence = if software { Residence::Private } else { Residence::Buffer };
         let library = Library::new(residence, arithmetic);
-        Ok(Kernel { device, queue, library, software, spent: Mutex::default() })
+        let room = Semaphore::new(IN_FLIGHT);
+        Ok(Kernel { device, queue, library, software, room, spent: Mutex::default() })
     }
 
     /// The same on a device that binds no buffer of more than so many bytes.

@@ -1,17 +1,20 @@
 //! Which jobs are followed together: a device binds no buffer beyond a size.
 
+use std::hash::Hash;
 use std::sync::Arc;
+
+use rustc_hash::FxHashSet;
 
 use super::Kernel;
 use crate::backend::gpu::shader::{self, Shape};
-use crate::backend::{Job, Result};
+use crate::backend::{BackendError, Job, Result};
 
 impl Kernel {
     /// Jobs in tiles, in their order: as many together as the kernel takes at most, and as the device can bind what it keeps of
     /// each, the constants of their flows, and so many bytes more of each.
     ///
     /// # Errors
-    /// Where the kernel cannot be compiled.
+    /// Where the jobs differ in shape, or their kernel cannot be compiled.
     pub fn tiles<'j, J>(
         &self,
         kernel: shader::Kernel,
@@ -19,28 +22,44 @@ impl Kernel {
         job: impl Fn(&J) -> &Job,
         more: u64,
     ) -> Result<Vec<&'j [J]>> {
-        let Some(first) = jobs.first() else { return Ok(Vec::new()) };
-        let compiled = self.library.get(&self.device, kernel, Shape::of(&job(first).system))?;
+        if jobs.is_empty() {
+            return Ok(Vec::new());
+        }
+        let compiled = self.library.get(&self.device, kernel, shape_of(jobs.iter().map(&job))?)?;
         let binding = self.device.limits().max_storage_buffer_binding_size;
         let room = |bytes: u64| usize::try_from(binding / bytes.max(1)).unwrap_or(usize::MAX).max(1);
         let (cells, flows) = (self.tile().min(room(compiled.state.max(more))), room(compiled.flight));
-        let shares = |a: &J, b: &J| Arc::ptr_eq(job(a).system.of_flow(), job(b).system.of_flow());
-        Ok(split(jobs, cells, flows, shares))
+        Ok(split(jobs, cells, flows, |j| Arc::as_ptr(job(j).system.of_flow())))
     }
 }
 
-/// Items in parts of at most so many, and of at most so many groups: runs of items of which each has something in common with
-/// the one before it.
-fn split<J>(items: &[J], most: usize, groups: usize, shares: impl Fn(&J, &J) -> bool) -> Vec<&[J]> {
-    let (mut parts, mut first, mut begun) = (Vec::new(), 0, 1);
-    for next in 1..items.len() {
-        let another = usize::from(!shares(&items[next - 1], &items[next]));
-        if next - first == most || begun + another > groups {
+/// The shape that all of some jobs have, at least one.
+///
+/// # Errors
+/// [`BackendError::Unsupported`] where they differ: a direction that turns parallel to another within a plane.
+pub fn shape_of<'j>(jobs: impl IntoIterator<Item = &'j Job>) -> Result<Shape> {
+    let mut shapes = jobs.into_iter().map(|job| Shape::of(&job.system));
+    let expected = shapes.next().expect("a job");
+    if shapes.all(|shape| shape == expected) {
+        return Ok(expected);
+    }
+    Err(BackendError::Unsupported(
+        "the stops of these cells do not lie along the same number of directions everywhere: use --backend cpu"
+            .to_owned(),
+    ))
+}
+
+/// Items in parts of at most so many, and of at most so many groups: those with the same key.
+fn split<J, K: Eq + Hash>(items: &[J], most: usize, groups: usize, key: impl Fn(&J) -> K) -> Vec<&[J]> {
+    let (mut parts, mut first, mut there) = (Vec::new(), 0, FxHashSet::default());
+    for (next, item) in items.iter().enumerate() {
+        let key = key(item);
+        if next - first == most || (there.len() == groups && !there.contains(&key)) {
             parts.push(&items[first..next]);
-            (first, begun) = (next, 1);
-        } else {
-            begun += another;
+            first = next;
+            there.clear();
         }
+        there.insert(key);
     }
     parts.push(&items[first..]);
     parts
@@ -53,7 +72,7 @@ mod tests {
     #[test]
     fn parts_hold_so_many_items_and_groups_and_no_more() {
         let items = [1, 1, 1, 1, 1, 2, 2, 3, 4, 4, 5, 6];
-        let parts = |most, groups| split(&items, most, groups, |a, b| a == b);
+        let parts = |most, groups| split(&items, most, groups, |item| *item);
         assert_eq!(parts(100, 100), [&items[..]]);
         assert_eq!(parts(12, 6), [&items[..]]);
         assert_eq!(parts(3, 100), [&items[..3], &items[3..6], &items[6..9], &items[9..]]);
@@ -61,6 +80,8 @@ mod tests {
         assert_eq!(parts(6, 2), [&items[..6], &items[6..8], &items[8..11], &items[11..]]);
         assert_eq!(parts(100, 1).len(), 6);
         assert_eq!(parts(1, 100).len(), 12);
-        assert_eq!(split(&[7], 1, 1, |a, b| a == b), [&[7]]);
+        // In any order.
+        assert_eq!(split(&[1, 2, 1, 2, 3, 1], 100, 2, |item| *item), [&[1, 2, 1, 2][..], &[3, 1]]);
+        assert_eq!(split(&[7], 1, 1, |item| *item), [&[7]]);
     }
 }

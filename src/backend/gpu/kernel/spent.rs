@@ -12,7 +12,8 @@ pub struct Spent {
     pub preparing: f64,
     /// Bringing them to the adapter.
     pub transferring: f64,
-    /// From handing a dispatch over until it is done and the list of what is unfinished is back.
+    /// From handing a dispatch over until it is done and the list of what is unfinished is back; those of other tiles may have come
+    /// before it.
     pub dispatching: f64,
     /// In the kernel itself, by the adapter's own clock; none where it offers none.
     pub kernel: Option<f64>,

@@ -101,7 +101,7 @@ impl Cells {
             let mut words = Vec::new();
             for (job, &flow) in jobs.iter().zip(flows) {
                 let mut stops = stops_of_flows[flow as usize].clone();
-                stops.iter_mut().for_each(|stops| *stops = stops.of(&job.system));
+                stops.iter_mut().for_each(|stops| *stops = stops.with_values_of(&job.system));
                 write_cell::<N>(flow, &stops, &job.start, &mut words);
             }
             words
