@@ -120,9 +120,7 @@ impl Look {
         doubts: Vec<Doubt>,
         watch: &dyn Watch,
     ) -> Result<impl Iterator<Item = Doubt>> {
-        let tiles = jobs.chunks(backend.tile().max(1));
-        let later = tiles.map(|jobs| confirmed_by(backend, jobs, &self.schedule, &Silent(watch)));
-        let later = later.collect::<Result<Vec<_>>>()?.into_iter().flatten();
+        let later = confirmed_by(backend, jobs, &self.schedule, &Silent(watch))?;
         Ok(doubts.into_iter().zip(later).map(|(Doubt { number, verdict: first }, later)| {
             let decided = if (self.decides)(&later) { later } else { first.observed_further(&later) };
             let Verdict { periods, impacts_total, .. } = later.going_on_from(&first);
@@ -131,14 +129,19 @@ impl Look {
     }
 }
 
-/// The verdicts of a back end; on trajectories that approach a periodic motion, what the exact motion says.
+/// The verdicts of a back end, which is given its tiles one after the other; on trajectories that approach a periodic motion, what the
+/// exact motion says.
 pub(super) fn confirmed_by(
     backend: &dyn Backend,
     jobs: &[Job],
     schedule: &Schedule,
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>> {
-    let mut verdicts = backend.run(jobs, schedule, watch)?;
+    let mut verdicts = Vec::with_capacity(jobs.len());
+    for tile in jobs.chunks(backend.tile().max(1)) {
+        watch.check()?;
+        verdicts.extend(backend.run(tile, schedule, watch)?);
+    }
     jobs.par_iter().zip(&mut verdicts).for_each(|(job, verdict)| {
         if let Some(exact) = confirmed(&job.system, verdict) {
             *verdict = exact;

@@ -161,10 +161,7 @@ fn beyond(
     let whole = Window::whole(plane);
     let cells: Vec<u64> = places.iter().map(|&place| whole.index(place) as u64).collect();
     let jobs = jobs_of(plane, &cells)?;
-    let mut verdicts = Vec::with_capacity(jobs.len());
-    for jobs in jobs.chunks(backend.tile().max(1)) {
-        verdicts.extend(decide(backend, jobs, &plane.task, &Silent(watch))?);
-    }
+    let verdicts = decide(backend, &jobs, &plane.task, &Silent(watch))?;
     let found = (jobs.par_iter().zip(&verdicts).zip(places))
         .filter_map(|((job, verdict), place)| Some((place, by_itself(job, verdict)?)));
     Ok(found.collect())

@@ -118,12 +118,7 @@ pub fn sweep_windows(
     watch: &dyn Watch,
 ) -> Result<Vec<Vec<Verdict>>> {
     let jobs = window_jobs(plane, windows)?;
-    let mut verdicts = Vec::with_capacity(jobs.len());
-    for jobs in jobs.chunks(backend.tile().max(1)) {
-        watch.check()?;
-        verdicts.extend(decide(backend, jobs, &plane.task, watch)?);
-    }
-    let mut verdicts = verdicts.into_iter();
+    let mut verdicts = decide(backend, &jobs, &plane.task, watch)?.into_iter();
     Ok(windows.iter().map(|window| verdicts.by_ref().take(window.cells()).collect()).collect())
 }
 

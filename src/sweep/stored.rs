@@ -89,7 +89,9 @@ fn together(tiles: &[u32], least: u64, cells_of: impl Fn(u32) -> u64) -> Vec<&[u
         .split_inclusive(|&tile| {
             cells += cells_of(tile);
             let is_enough = cells >= least;
-            cells *= u64::from(!is_enough);
+            if is_enough {
+                cells = 0;
+            }
             is_enough
         })
         .collect()

@@ -6,11 +6,11 @@ use pollster::block_on;
 use super::Kernel;
 use super::device::guarded;
 use super::program::{Portion, Program};
-use super::room::shape_of;
 use super::spent::{Spent, timed};
 use super::tile::Tile;
 use crate::analysis::constants::SQUARINGS;
 use crate::backend::gpu::layout::{Cells, NORMAL_TERMS};
+use crate::backend::gpu::shader::Shape;
 use crate::backend::in_flight::IN_FLIGHT;
 use crate::backend::{Job, Result, Watch};
 use crate::model::Real;
@@ -35,14 +35,14 @@ const SOFTWARE_ITERATIONS: u32 = 65_535 - ((MOST + 1) * NORMAL_TERMS) as u32;
 pub const SQUARES: u32 = 2 * (SQUARINGS + 1);
 
 impl Kernel {
-    /// Follows one tile of trajectories, at least one, with a kernel, in portions of bounded time.
+    /// Follows one of [`Kernel::tiles`] with a kernel, in portions of bounded time.
     pub(super) fn drive<D: Pod, R: Pod>(
         &self,
         jobs: &[&Job],
         program: &Program<'_, D>,
         watch: &dyn Watch,
     ) -> Result<Vec<R>> {
-        let compiled = self.library.get(&self.device, program.kernel, shape_of(jobs.iter().copied())?)?;
+        let compiled = self.library.get(&self.device, program.kernel, Shape::of(&jobs[0].system))?;
         let (cells, preparing) = timed(|| Cells::of(jobs));
         // Nothing waits for other threads while it has room.
         let _room = block_on(self.room.acquire());

@@ -37,7 +37,7 @@ impl Kernel {
 ///
 /// # Errors
 /// [`BackendError::Unsupported`] where they differ: a direction that turns parallel to another within a plane.
-pub fn shape_of<'j>(jobs: impl IntoIterator<Item = &'j Job>) -> Result<Shape> {
+fn shape_of<'j>(jobs: impl IntoIterator<Item = &'j Job>) -> Result<Shape> {
     let mut shapes = jobs.into_iter().map(|job| Shape::of(&job.system));
     let expected = shapes.next().expect("a job");
     if shapes.all(|shape| shape == expected) {
