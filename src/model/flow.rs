@@ -3,84 +3,160 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::equations::Equations;
+use super::real::{Lanes, Mask};
 use super::state::State;
 
-/// x, v, and what the forcing and the constant load multiply.
+/// x, v, and what the forcing and the constant load multiply; of several states side by side, one in each lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Augmented<const N: usize> {
+pub struct Augmented<L, const N: usize> {
     /// Displacements.
-    pub x: SVector<f64, N>,
+    pub x: [L; N],
     /// Velocities.
-    pub v: SVector<f64, N>,
+    pub v: [L; N],
     /// sin φ.
-    pub sin: f64,
+    pub sin: L,
     /// cos φ.
-    pub cos: f64,
+    pub cos: L,
     /// 1, the factor of the constant load.
-    pub one: f64,
+    pub one: L,
 }
 
-impl<const N: usize> Augmented<N> {
-    /// All zeros.
-    pub fn zeros() -> Self {
-        Augmented { x: SVector::zeros(), v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 }
+impl<L: Lanes<Real = f64>, const N: usize> Augmented<L, N> {
+    /// The same number everywhere.
+    #[inline(always)]
+    pub fn all(value: L) -> Self {
+        Augmented { x: [value; N], v: [value; N], sin: value, cos: value, one: value }
+    }
+
+    /// Component `i` of (x, v, sin φ, cos φ, 1), to be changed.
+    #[inline(always)]
+    pub fn component(&mut self, i: usize) -> &mut L {
+        let Augmented { x, v, sin, cos, one } = self;
+        x.iter_mut().chain(v).chain([sin, cos, one]).nth(i).expect("there are 2N + 3 of them")
+    }
+
+    /// The displacements and velocities.
+    #[inline(always)]
+    pub(super) fn mechanical(&self) -> State<L, N> {
+        State { x: self.x, v: self.v }
     }
 
     /// The largest component.
-    pub fn amax(&self) -> f64 {
-        self.x.amax().max(self.v.amax()).max(self.sin.abs()).max(self.cos.abs()).max(self.one.abs())
+    #[inline(always)]
+    fn amax(&self) -> L {
+        let mut most = self.sin.magnitude().larger(self.cos.magnitude()).larger(self.one.magnitude());
+        for i in 0..N {
+            most = most.larger(self.x[i].magnitude()).larger(self.v[i].magnitude());
+        }
+        most
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Augmented {
-            x: self.x * factor,
-            v: self.v * factor,
-            sin: self.sin * factor,
-            cos: self.cos * factor,
-            one: self.one * factor,
+    /// Its derivative in free flight, times a factor.
+    #[inline(always)]
+    fn derived(&self, equations: &Equations<N>, factor: f64) -> Self {
+        let Augmented { x, v, sin, cos, .. } = *self;
+        let factor = sin.all(factor);
+        let omega = sin.all(equations.omega);
+        let mut derived = Augmented { x: v, v, sin: omega * cos, cos: -omega * sin, one: sin.all(0.0) };
+        let [stiffness, damping] = [applied(&equations.stiffness, &x), applied(&equations.damping, &v)];
+        for i in 0..N {
+            derived.v[i] = stiffness[i]
+                + damping[i]
+                + sin.all(equations.sin[i]) * sin
+                + sin.all(equations.cos[i]) * cos
+                + sin.all(equations.load[i]) * self.one;
+            derived.x[i] = derived.x[i] * factor;
+            derived.v[i] = derived.v[i] * factor;
         }
+        derived.sin = derived.sin * factor;
+        derived.cos = derived.cos * factor;
+        derived
     }
 
-    fn plus(&self, other: &Self) -> Self {
-        Augmented {
-            x: self.x + other.x,
-            v: self.v + other.v,
-            sin: self.sin + other.sin,
-            cos: self.cos + other.cos,
-            one: self.one + other.one,
+    /// self + other where the mask holds, self elsewhere.
+    #[inline(always)]
+    fn added_where(&self, mask: L::Mask, other: &Self) -> Self {
+        let added = |own: L, other: L| L::select(mask, own + other, own);
+        let mut sum = *self;
+        for i in 0..N {
+            sum.x[i] = added(sum.x[i], other.x[i]);
+            sum.v[i] = added(sum.v[i], other.v[i]);
         }
+        sum.sin = added(sum.sin, other.sin);
+        sum.cos = added(sum.cos, other.cos);
+        sum.one = added(sum.one, other.one);
+        sum
     }
 }
 
-/// The derivative of a state in free flight.
-pub fn derivative<const N: usize>(equations: &Equations<N>, z: &Augmented<N>) -> Augmented<N> {
-    Augmented {
-        x: z.v,
-        v: equations.stiffness * z.x
-            + equations.damping * z.v
-            + equations.sin * z.sin
-            + equations.cos * z.cos
-            + equations.load * z.one,
-        sin: equations.omega * z.cos,
-        cos: -equations.omega * z.sin,
-        one: 0.0,
+/// A matrix times vectors side by side; each product and each sum is rounded.
+#[inline(always)]
+fn applied<L: Lanes, const N: usize>(matrix: &SMatrix<f64, N, N>, x: &[L; N]) -> [L; N] {
+    let mut sum = *x;
+    for i in 0..N {
+        sum[i] = x[0].all(matrix[(i, 0)]) * x[0];
+        for j in 1..N {
+            sum[i] = sum[i] + x[j].all(matrix[(i, j)]) * x[j];
+        }
+    }
+    sum
+}
+
+/// The terms Gᵏ z tᵏ/k! of exp(G t) z in free flight, in each lane until they vanish against their sum.
+struct Terms<'a, L: Lanes, const N: usize> {
+    equations: &'a Equations<N>,
+    t: f64,
+    /// k + 1.
+    next: f64,
+    term: Augmented<L, N>,
+    /// The largest component of any of them so far.
+    size: L,
+    /// Where they do not vanish yet.
+    counts: L::Mask,
+}
+
+impl<'a, L: Lanes<Real = f64>, const N: usize> Terms<'a, L, N> {
+    #[inline(always)]
+    fn of(equations: &'a Equations<N>, t: f64, z: Augmented<L, N>) -> Self {
+        let counts = z.one.all(0.0).below(z.one.all(1.0));
+        Terms { equations, t, next: 1.0, term: z, size: z.amax(), counts }
+    }
+
+    /// Goes on to the next term, and says whether it counts anywhere.
+    #[inline(always)]
+    fn advance(&mut self) -> bool {
+        self.term = self.term.derived(self.equations, self.t / self.next);
+        self.next += 1.0;
+        let length = self.term.amax();
+        self.size = self.size.larger(length);
+        self.counts = self.counts.and((self.size.all(1e-19) * self.size).below(length));
+        self.counts.bits() != 0
     }
 }
 
-/// The terms Gᵏ z tᵏ/k! of exp(G t) z in free flight, until they vanish against their sum.
+/// The terms of one state.
 pub fn series<const N: usize>(
     equations: &Equations<N>,
     t: f64,
-    z: Augmented<N>,
-) -> impl Iterator<Item = Augmented<N>> {
-    let mut size = z.amax();
-    std::iter::successors(Some((1.0, z)), move |(k, term)| {
-        let next = derivative(equations, term).scaled(t / k);
-        let length = next.amax();
-        size = size.max(length);
-        (length > 1e-19 * size).then_some((k + 1.0, next))
-    })
-    .map(|(_, term)| term)
+    z: Augmented<f64, N>,
+) -> impl Iterator<Item = Augmented<f64, N>> {
+    let mut terms = Terms::of(equations, t, z);
+    std::iter::once(z).chain(std::iter::from_fn(move || terms.advance().then_some(terms.term)))
+}
+
+/// exp(G t) z in free flight.
+#[inline(always)]
+pub fn over<L: Lanes<Real = f64>, const N: usize>(
+    equations: &Equations<N>,
+    t: f64,
+    z: Augmented<L, N>,
+) -> Augmented<L, N> {
+    let mut terms = Terms::of(equations, t, z);
+    let mut sum = Augmented::all(z.one.all(0.0)).added_where(terms.counts, &z);
+    while terms.advance() {
+        sum = sum.added_where(terms.counts, &terms.term);
+    }
+    sum
 }
 
 /// The terms f Gᵏ (−t)ᵏ/k! of f exp(−G t) in free flight, until they vanish against their sum: what the functional f was a time t
@@ -98,11 +174,6 @@ pub fn series_back<const N: usize>(
         (length > 1e-19 * size).then_some((k + 1.0, next))
     })
     .map(|(_, term)| term)
-}
-
-/// exp(G t) z in free flight.
-pub fn over<const N: usize>(equations: &Equations<N>, t: f64, z: Augmented<N>) -> Augmented<N> {
-    series(equations, t, z).fold(Augmented::zeros(), |sum, term| sum.plus(&term))
 }
 
 /// A linear functional of a state: what multiplies x, v, sin φ, cos φ and 1.
@@ -209,9 +280,4 @@ pub fn second_derivative_bound<const N: usize>(
         }
     }
     sum
-}
-
-/// The displacements and velocities of an augmented state.
-pub(super) fn mechanical<const N: usize>(z: &Augmented<N>) -> State<f64, N> {
-    State { x: z.x.into(), v: z.v.into() }
 }

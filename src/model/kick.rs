@@ -8,7 +8,7 @@ use nalgebra::SVector;
 
 use super::economize::{Terms, economize, filled};
 use super::equations::Equations;
-use super::flow::{self, Augmented, mechanical};
+use super::flow::{self, Augmented};
 use super::real::{Lanes, Real};
 use super::state::State;
 
@@ -21,8 +21,8 @@ pub(super) fn kick<const N: usize>(
     h: f64,
     response: SVector<f64, N>,
 ) -> [State<f64, N>; KICK_TERMS] {
-    let unit = Augmented { v: response, ..Augmented::zeros() };
-    let mut terms: Terms<_> = flow::series(equations, h, unit).map(|term| mechanical(&term)).collect();
+    let unit = Augmented { v: response.into(), ..Augmented::all(0.0) };
+    let mut terms: Terms<_> = flow::series(equations, h, unit).map(|term| term.mechanical()).collect();
     economize(&mut terms, f64::KICK_ORDER);
     filled(&terms)
 }
@@ -65,8 +65,8 @@ mod tests {
             for part in 1..=64 {
                 let u = f64::from(part) / 64.0;
                 let found = (0..=order).rev().fold(State::zero(), |sum, k| terms[k].plus(u, &sum));
-                let start = Augmented { v: normal.response, ..Augmented::zeros() };
-                let exact = mechanical(&flow::over(&equations, u * h, start));
+                let start = Augmented { v: normal.response.into(), ..Augmented::all(0.0) };
+                let exact = flow::over(&equations, u * h, start).mechanical();
                 for i in 0..N {
                     error =
                         error.max((found.x[i] - exact.x[i]).abs() / h).max((found.v[i] - exact.v[i]).abs());
@@ -106,9 +106,9 @@ mod tests {
             term.x.iter().map(|x| x / h).chain(term.v).fold(0.0, |most: f64, value| most.max(value.abs()))
         };
         let of_normal = |normal: &crate::model::equations::Normal<N>| {
-            let start = Augmented { v: normal.response, ..Augmented::zeros() };
+            let start = Augmented { v: normal.response.into(), ..Augmented::all(0.0) };
             let mut terms: Vec<_> =
-                flow::series(&equations, h, start).map(|term| mechanical(&term)).collect();
+                flow::series(&equations, h, start).map(|term| term.mechanical()).collect();
             let (mut sum, size) = (0.0, length(&terms[0]));
             for highest in (order + 1..terms.len()).rev() {
                 sum += length(&terms[highest]) * 2f64.powi(3 - 2 * highest as i32);
@@ -157,15 +157,17 @@ mod tests {
         let mut missed = 0.0f64;
         for (normal, of_equations) in rounded.normals().iter().zip(equations.normals()) {
             for k in 0..2 * N {
-                let mut before = Augmented::zeros();
+                let mut before = Augmented::all(0.0);
                 if k < N {
                     before.x[k] = 1.0
                 } else {
                     before.v[k - N] = 1.0
                 }
-                let after = mechanical(&flow::over(&equations, u * flight.h, before));
+                let after = flow::over(&equations, u * flight.h, before).mechanical();
                 let found = normal.look_back(T::of(said)).map(Real::widen).dot(&after);
-                missed = missed.max((found - of_equations.direction.dot(&before.x)).abs() / after.length());
+                missed = missed.max(
+                    (found - of_equations.direction.dot(&SVector::from(before.x))).abs() / after.length(),
+                );
             }
         }
         missed

@@ -1,6 +1,7 @@
 //! The system: its parameters, the equations of motion, and the constants of linear flight.
 
 mod abreast;
+mod at_width;
 mod back;
 mod by_flow;
 mod common;
