@@ -8,9 +8,8 @@ use nalgebra::SVector;
 
 use super::economize::{Terms, economize, filled};
 use super::equations::Equations;
-use super::flow::{self, Functional};
 use super::real::Real;
-use super::row::{Row, Term};
+use super::row::Row;
 
 /// The most coefficients of such a polynomial: those of f64.
 pub const BACK_TERMS: usize = <f64 as Real>::BACK_ORDER + 1;
@@ -21,8 +20,7 @@ pub(super) fn back<const N: usize>(
     h: f64,
     direction: SVector<f64, N>,
 ) -> [Row<f64, N>; BACK_TERMS] {
-    let now = Functional { x: direction, v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 };
-    let mut terms: Terms<_> = flow::series_back(equations, h, now).map(Row::of).collect();
+    let mut terms: Terms<_> = Row::along(&direction).series_back(equations, h).collect();
     economize_slope(&mut terms, f64::BACK_ORDER);
     filled(&terms)
 }
@@ -39,16 +37,19 @@ fn economize_slope<const N: usize>(terms: &mut [Row<f64, N>], order: usize) {
     if terms.len() <= order + 1 {
         return;
     }
-    let times = |term: &Row<f64, N>, factor: f64| Row::zero().plus(factor, term);
-    let mut slope: Terms<_> = (1..terms.len()).map(|k| times(&terms[k], k as f64)).collect();
-    economize(&mut slope, order - 1);
-    for (k, slope) in slope.iter().enumerate() {
-        terms[k + 1] = times(slope, 1.0 / (k + 1) as f64);
+    let slope = &mut terms[1..];
+    for (k, term) in (1..).zip(&mut *slope) {
+        *term = term.scaled(f64::from(k));
+    }
+    economize(slope, order - 1);
+    for (k, term) in (1..).zip(slope) {
+        *term = term.scaled(1.0 / f64::from(k));
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::row::Term;
     use super::*;
     use crate::model::common::STEP;
     use crate::model::{Setting, State, System};
@@ -61,9 +62,7 @@ mod tests {
         let system = System::new(paper).unwrap();
         let equations = Equations::<2>::new(system.plant());
         let h = STEP / system.rate();
-        let now =
-            Functional { x: SVector::from([1.0, 0.0]), v: SVector::zeros(), sin: 0.0, cos: 0.0, one: 0.0 };
-        let whole: Vec<_> = flow::series_back(&equations, h, now).map(Row::of).collect();
+        let whole: Vec<_> = Row::along(&SVector::from([1.0, 0.0])).series_back(&equations, h).collect();
         let mut short = whole.clone();
         economize_slope(&mut short, order);
         let derivative = |terms: &[Row<f64, 2>], u: f64, m: usize| {

@@ -4,7 +4,6 @@ use nalgebra::SVector;
 
 use super::back::{self, BACK_TERMS, back};
 use super::equations::{Equations, Normal};
-use super::flow::{self, Functional};
 use super::forced::{ForcedResponse, Trap};
 use super::kick::{self, KICK_TERMS, kick, polynomial};
 use super::real::{Lanes, Real};
@@ -148,8 +147,8 @@ pub(super) fn contact_normal<const N: usize>(
         gap: [0, 1].map(|side| end(side).map_or(FAR, |end| end.gap)),
         restitution: [0, 1].map(|side| end(side).map_or(0.0, |end| end.restitution)),
         stop: [0, 1].map(|side| end(side).map_or(NO_STOP, |end| end.stop as u8)),
-        bound_x: bound.x.into(),
-        bound_v: bound.v.into(),
+        bound_x: bound.state.x,
+        bound_v: bound.state.v,
         bound_forcing: bound.sin.hypot(bound.cos) + bound.one,
         held: Step::of(&equations.held_along(k), h),
         kick: kick(equations, h, normal.response),
@@ -163,8 +162,8 @@ pub(super) fn contact_normal<const N: usize>(
 }
 
 /// See [`ContactNormal::bound_x`]: the larger of what free flight and every set of contacts need.
-pub(super) fn bound<const N: usize>(equations: &Equations<N>, k: usize, h: f64) -> Functional<N> {
-    let mut largest: Option<Functional<N>> = None;
+pub(super) fn bound<const N: usize>(equations: &Equations<N>, k: usize, h: f64) -> Row<f64, N> {
+    let mut largest: Option<Row<f64, N>> = None;
     for held in 0..1u32 << equations.count {
         let Some(pressing) = equations.pressing(held) else { continue };
         let projector = equations.projector(&pressing);
@@ -175,8 +174,8 @@ pub(super) fn bound<const N: usize>(equations: &Equations<N>, k: usize, h: f64) 
         } else {
             projector.tr_mul(&equations.normals[k].direction)
         };
-        let acceleration = Functional::of_acceleration(equations, &row);
-        let bound = flow::second_derivative_bound(equations, &projector, &acceleration, h);
+        let acceleration = Row::of_acceleration(equations, &row);
+        let bound = acceleration.second_derivative_bound(equations, &projector, h);
         largest = Some(largest.map_or(bound, |largest| largest.sup(&bound)));
     }
     largest.expect("free flight has a bound")

@@ -178,22 +178,44 @@ impl<const N: usize> Equations<N> {
     /// The steepest rate of the flow: ω, or ‖G⁸‖^(1/8) of the unforced generator G; not a number where G holds what is
     /// none.
     pub fn rate(&self) -> f64 {
-        let mut g = DMatrix::zeros(2 * N, 2 * N);
-        g.view_mut((0, N), (N, N)).fill_with_identity();
-        g.view_mut((N, 0), (N, N)).copy_from(&self.stiffness);
-        g.view_mut((N, N), (N, N)).copy_from(&self.damping);
-        if !g.iter().all(|entry| entry.is_finite()) {
+        let Equations { stiffness, damping, .. } = self;
+        if !stiffness.iter().chain(damping).all(|entry| entry.is_finite()) {
             return f64::NAN;
         }
         // Scaled by a power of two against overflow.
-        let scale = 2.0_f64.powi(g.amax().log2().floor() as i32);
-        let g = g / scale;
-        let g2 = &g * &g;
-        let g4 = &g2 * &g2;
-        let fastest = scale * (&g4 * &g4).norm().powf(0.125);
+        let largest = stiffness.amax().max(damping.amax()).max(1.0);
+        let scale = 2.0_f64.powi(largest.log2().floor() as i32);
+        let one = SMatrix::<f64, N, N>::identity();
+        let mut power = [[SMatrix::zeros(), one / scale], [stiffness / scale, damping / scale]];
+        for _ in 0..3 {
+            power = squared(&power);
+        }
+        let fastest = scale * norm(&power).powf(0.125);
         // Not `max`, which ignores NaN.
         if fastest < self.omega { self.omega } else { fastest }
     }
+}
+
+/// A matrix of 2N × 2N by its blocks, row by row.
+type Blocks<const N: usize> = [[SMatrix<f64, N, N>; 2]; 2];
+
+/// The square of a matrix.
+fn squared<const N: usize>(g: &Blocks<N>) -> Blocks<N> {
+    [0, 1].map(|i| {
+        [0, 1].map(|j| {
+            let mut block = g[i][0] * g[0][j];
+            block.gemm(1.0, &g[i][1], &g[1][j], 1.0);
+            block
+        })
+    })
+}
+
+/// The square root of the sum of the squares of all entries.
+fn norm<const N: usize>([upper, lower]: &Blocks<N>) -> f64 {
+    let of_column = |k: usize, j: usize| -> f64 {
+        upper[k].column(j).iter().chain(lower[k].column(j).iter()).map(|x| x * x).sum()
+    };
+    (0..2 * N).map(|i| of_column(i / N, i % N)).sum::<f64>().sqrt()
 }
 
 /// The length of a direction along another in units of that one, with its sign.

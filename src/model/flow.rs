@@ -1,6 +1,6 @@
-//! The flow of free flight and of sticking as one linear system in (x, v, sin φ, cos φ, 1).
+//! The flow of free flight as one linear system in (x, v, sin φ, cos φ, 1).
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 
 use super::equations::Equations;
 use super::real::{Lanes, Mask};
@@ -155,129 +155,6 @@ pub fn over<L: Lanes<Real = f64>, const N: usize>(
     let mut sum = Augmented::all(z.one.all(0.0)).added_where(terms.counts, &z);
     while terms.advance() {
         sum = sum.added_where(terms.counts, &terms.term);
-    }
-    sum
-}
-
-/// The terms f Gᵏ (−t)ᵏ/k! of f exp(−G t) in free flight, until they vanish against their sum: what the functional f was a time t
-/// ago.
-pub fn series_back<const N: usize>(
-    equations: &Equations<N>,
-    t: f64,
-    f: Functional<N>,
-) -> impl Iterator<Item = Functional<N>> {
-    let mut size = f.amax();
-    std::iter::successors(Some((1.0, f)), move |(k, term)| {
-        let next = term.derived(equations, &SMatrix::identity()).scaled(-t / k);
-        let length = next.amax();
-        size = size.max(length);
-        (length > 1e-19 * size).then_some((k + 1.0, next))
-    })
-    .map(|(_, term)| term)
-}
-
-/// A linear functional of a state: what multiplies x, v, sin φ, cos φ and 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Functional<const N: usize> {
-    /// Of the displacements.
-    pub x: SVector<f64, N>,
-    /// Of the velocities.
-    pub v: SVector<f64, N>,
-    /// Of sin φ.
-    pub sin: f64,
-    /// Of cos φ.
-    pub cos: f64,
-    /// The coefficient of the constant 1.
-    pub one: f64,
-}
-
-impl<const N: usize> Functional<N> {
-    /// `row` · a, with a the accelerations of free flight.
-    pub fn of_acceleration(equations: &Equations<N>, row: &SVector<f64, N>) -> Self {
-        Functional {
-            x: equations.stiffness.tr_mul(row),
-            v: equations.damping.tr_mul(row),
-            sin: row.dot(&equations.sin),
-            cos: row.dot(&equations.cos),
-            one: row.dot(&equations.load),
-        }
-    }
-
-    /// The functional of the derivative, on a motion whose accelerations are `projector` times those of free flight
-    /// and whose velocities lie in its range: functional · G.
-    fn derived(&self, equations: &Equations<N>, projector: &SMatrix<f64, N, N>) -> Self {
-        let row = projector.tr_mul(&self.v);
-        Functional {
-            x: equations.stiffness.tr_mul(&row),
-            v: projector.tr_mul(&self.x) + equations.damping.tr_mul(&row),
-            sin: row.dot(&equations.sin) - equations.omega * self.cos,
-            cos: row.dot(&equations.cos) + equations.omega * self.sin,
-            one: row.dot(&equations.load),
-        }
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Functional {
-            x: self.x * factor,
-            v: self.v * factor,
-            sin: self.sin * factor,
-            cos: self.cos * factor,
-            one: self.one * factor,
-        }
-    }
-
-    fn abs(&self) -> Self {
-        Functional {
-            x: self.x.abs(),
-            v: self.v.abs(),
-            sin: self.sin.abs(),
-            cos: self.cos.abs(),
-            one: self.one.abs(),
-        }
-    }
-
-    fn plus(&self, other: &Self) -> Self {
-        Functional {
-            x: self.x + other.x,
-            v: self.v + other.v,
-            sin: self.sin + other.sin,
-            cos: self.cos + other.cos,
-            one: self.one + other.one,
-        }
-    }
-
-    fn amax(&self) -> f64 {
-        self.x.amax().max(self.v.amax()).max(self.sin.abs()).max(self.cos.abs()).max(self.one.abs())
-    }
-
-    /// The larger of two, component by component.
-    pub fn sup(&self, other: &Self) -> Self {
-        Functional {
-            x: self.x.sup(&other.x),
-            v: self.v.sup(&other.v),
-            sin: self.sin.max(other.sin),
-            cos: self.cos.max(other.cos),
-            one: self.one.max(other.one),
-        }
-    }
-}
-
-/// A bound on the second derivative of a functional for every time |s| ≤ t from a state of a motion, component by component:
-/// Σ tᵏ/k! |functional · Gᵏ⁺²|.
-pub fn second_derivative_bound<const N: usize>(
-    equations: &Equations<N>,
-    projector: &SMatrix<f64, N, N>,
-    functional: &Functional<N>,
-    t: f64,
-) -> Functional<N> {
-    let mut term = functional.derived(equations, projector).derived(equations, projector);
-    let mut sum = term.abs();
-    for k in 1..64 {
-        term = term.derived(equations, projector).scaled(t / f64::from(k));
-        sum = sum.plus(&term.abs());
-        if term.amax() <= 1e-12 * sum.amax() {
-            break;
-        }
     }
     sum
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Complex, ComplexField, DMatrix, DVector, SMatrix, SVector};
 
 use super::equations::Equations;
-use crate::system::Plant;
+use crate::system::{Plant, sized};
 
 /// The periodic response to the loads, without impact; everything is non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,17 +143,7 @@ pub fn generator<const N: usize>(equations: &Equations<N>) -> DMatrix<f64> {
 pub fn slowest(g: &DMatrix<f64>) -> f64 {
     let real =
         |values: &[Complex<f64>]| values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
-    // Without allocation for the sizes of plants.
-    macro_rules! sized {
-        ($($size:literal)*) => {
-            match g.nrows() {
-                $($size => {
-                    let fixed = SMatrix::<f64, $size, $size>::from_column_slice(g.as_slice());
-                    real(fixed.complex_eigenvalues().as_slice())
-                })*
-                _ => real(g.complex_eigenvalues().as_slice()),
-            }
-        };
-    }
-    sized!(2 4 6 8)
+    sized!(g.nrows(), N of 2 4 6 8:
+        real(SMatrix::<f64, N, N>::from_column_slice(g.as_slice()).complex_eigenvalues().as_slice()),
+        else real(g.complex_eigenvalues().as_slice()))
 }

@@ -1,6 +1,8 @@
 //! A number of a motion as a sum over its state and what forces it.
 
-use super::flow::Functional;
+use nalgebra::{SMatrix, SVector};
+
+use super::equations::Equations;
 use super::real::Real;
 use super::state::State;
 
@@ -25,10 +27,113 @@ impl<T: Copy, const N: usize> Row<T, N> {
 }
 
 impl<const N: usize> Row<f64, N> {
-    /// The same of a functional.
-    pub(super) fn of(functional: Functional<N>) -> Self {
-        let Functional { x, v, sin, cos, one } = functional;
-        Row { state: State { x: x.into(), v: v.into() }, sin, cos, one }
+    /// A displacement along a direction.
+    pub(super) fn along(direction: &SVector<f64, N>) -> Self {
+        let zero = Row::all(0.0);
+        Row { state: State { x: (*direction).into(), ..zero.state }, ..zero }
+    }
+
+    /// An acceleration along a direction in free flight.
+    pub(super) fn of_acceleration(equations: &Equations<N>, direction: &SVector<f64, N>) -> Self {
+        let direction = (*direction).into();
+        Row {
+            state: State {
+                x: transposed(&equations.stiffness, &direction),
+                v: transposed(&equations.damping, &direction),
+            },
+            sin: product(&equations.sin, &direction),
+            cos: product(&equations.cos, &direction),
+            one: product(&equations.load, &direction),
+        }
+    }
+
+    /// That of the derivative, on a motion whose accelerations are `projector` times those of free flight and whose
+    /// velocities lie in its range.
+    #[inline(always)]
+    fn derived(&self, equations: &Equations<N>, projector: &SMatrix<f64, N, N>) -> Self {
+        let pull = transposed(projector, &self.state.v);
+        let [mut v, damped] = [transposed(projector, &self.state.x), transposed(&equations.damping, &pull)];
+        for i in 0..N {
+            v[i] += damped[i];
+        }
+        Row {
+            state: State { x: transposed(&equations.stiffness, &pull), v },
+            sin: product(&equations.sin, &pull) - equations.omega * self.cos,
+            cos: product(&equations.cos, &pull) + equations.omega * self.sin,
+            one: product(&equations.load, &pull),
+        }
+    }
+
+    /// Each number by itself.
+    #[inline(always)]
+    fn map(&self, f: impl Fn(f64) -> f64 + Copy) -> Self {
+        Row { state: self.state.map(f), sin: f(self.sin), cos: f(self.cos), one: f(self.one) }
+    }
+
+    /// The numbers of two, one by one.
+    #[inline(always)]
+    fn with(&self, other: &Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let mut both = *self;
+        for i in 0..N {
+            both.state.x[i] = f(self.state.x[i], other.state.x[i]);
+            both.state.v[i] = f(self.state.v[i], other.state.v[i]);
+        }
+        (both.sin, both.cos, both.one) =
+            (f(self.sin, other.sin), f(self.cos, other.cos), f(self.one, other.one));
+        both
+    }
+
+    /// a self.
+    #[inline(always)]
+    pub(super) fn scaled(&self, a: f64) -> Self {
+        self.map(|value| a * value)
+    }
+
+    /// The larger of two, number by number.
+    pub(super) fn sup(&self, other: &Self) -> Self {
+        self.with(other, f64::max)
+    }
+
+    /// The largest modulus.
+    #[inline(always)]
+    fn amax(&self) -> f64 {
+        let mut most = self.sin.abs().max(self.cos.abs()).max(self.one.abs());
+        for i in 0..N {
+            most = most.max(self.state.x[i].abs()).max(self.state.v[i].abs());
+        }
+        most
+    }
+
+    /// The terms f Gᵏ (−t)ᵏ/k! of f exp(−G t) in free flight, until they vanish against their sum: what this, f, was a time t ago.
+    pub(super) fn series_back(self, equations: &Equations<N>, t: f64) -> impl Iterator<Item = Self> {
+        let (mut size, one) = (self.amax(), SMatrix::identity());
+        std::iter::successors(Some((1.0, self)), move |(k, term)| {
+            let next = term.derived(equations, &one).scaled(-t / k);
+            let length = next.amax();
+            size = size.max(length);
+            (length > 1e-19 * size).then_some((k + 1.0, next))
+        })
+        .map(|(_, term)| term)
+    }
+
+    /// A bound on its second derivative for every time |s| ≤ t from a state of a motion, number by number:
+    /// Σ tᵏ/k! |self · Gᵏ⁺²|; see `derived`.
+    pub(super) fn second_derivative_bound(
+        &self,
+        equations: &Equations<N>,
+        projector: &SMatrix<f64, N, N>,
+        t: f64,
+    ) -> Self {
+        let mut term = self.derived(equations, projector).derived(equations, projector);
+        let mut sum = term.map(f64::abs);
+        for k in 1..64 {
+            term = term.derived(equations, projector).scaled(t / f64::from(k));
+            sum = sum.with(&term, |sum, value| sum + value.abs());
+            if term.amax() <= 1e-12 * sum.amax() {
+                break;
+            }
+        }
+        sum
     }
 
     /// Rounded to another precision.
@@ -36,6 +141,29 @@ impl<const N: usize> Row<f64, N> {
         let Row { state, sin, cos, one } = *self;
         Row { state: state.map(T::of), sin: T::of(sin), cos: T::of(cos), one: T::of(one) }
     }
+}
+
+/// Mᵀ a; each product and each sum is rounded.
+#[inline(always)]
+fn transposed<const N: usize>(matrix: &SMatrix<f64, N, N>, a: &[f64; N]) -> [f64; N] {
+    let mut image = *a;
+    for (i, value) in image.iter_mut().enumerate() {
+        *value = matrix[(0, i)] * a[0];
+        for j in 1..N {
+            *value += matrix[(j, i)] * a[j];
+        }
+    }
+    image
+}
+
+/// The sum of the products; each of them and each sum is rounded.
+#[inline(always)]
+fn product<const N: usize>(vector: &SVector<f64, N>, a: &[f64; N]) -> f64 {
+    let mut sum = vector[0] * a[0];
+    for j in 1..N {
+        sum += vector[j] * a[j];
+    }
+    sum
 }
 
 /// What the polynomials of a flight have as coefficients.

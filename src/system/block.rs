@@ -1,10 +1,7 @@
 //! The expressions of one part of a plant: a matrix, a vector or a number.
 
-use arrayvec::ArrayVec;
-
 use super::error::{CellFault, CellProblem, FamilyError, Place};
 use super::expression::Expression;
-use super::limits;
 use super::parameter::{Parameter, ParameterId, named};
 use super::table::Item;
 
@@ -14,9 +11,6 @@ pub(super) struct Block {
     pub place: Place,
     entries: Vec<(Place, Expression)>,
 }
-
-/// As many numbers as a matrix has, at most.
-pub(super) type Numbers = ArrayVec<f64, { limits::MOST_COORDINATES * limits::MOST_COORDINATES }>;
 
 const EXPRESSION: &str = "an expression in quotes, or a number";
 const LIST: &str = r#"a list of expressions, one for each coordinate: ["1", "0"]"#;
@@ -75,19 +69,25 @@ impl Block {
         self.entries.first().and_then(|(_, expression)| expression.evaluate(values).ok())
     }
 
-    /// The numbers, in the order of the file, where a family's parameters have some values.
+    /// Puts the numbers into their places, in the order of the file: those where a family's parameters have some values.
     ///
     /// # Errors
     /// The first expression that has no value, with its place and the values that it names.
-    pub fn evaluate(&self, parameters: &[Parameter], values: &[f64]) -> Result<Numbers, Box<CellFault>> {
-        let number = |(place, expression): &(Place, Expression)| {
-            expression.evaluate(values).map_err(|fault| {
+    pub fn evaluate(
+        &self,
+        parameters: &[Parameter],
+        values: &[f64],
+        places: &mut [f64],
+    ) -> Result<(), Box<CellFault>> {
+        debug_assert_eq!(places.len(), self.entries.len(), "{}", self.place);
+        for (number, (place, expression)) in places.iter_mut().zip(&self.entries) {
+            *number = expression.evaluate(values).map_err(|fault| {
                 let named = named(parameters, expression.uses(), values);
                 let problem = CellProblem::Expression(fault);
                 Box::new(CellFault { place: place.clone(), problem, values: named })
-            })
-        };
-        self.entries.iter().map(number).collect()
+            })?;
+        }
+        Ok(())
     }
 }
 

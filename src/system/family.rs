@@ -174,10 +174,21 @@ impl Family {
     /// The plant of one cell whose values are within their ranges.
     pub(super) fn assemble(&self, values: &[f64]) -> Result<Plant, Box<CellFault>> {
         let n = self.n();
-        let numbers = |block: &Block| block.evaluate(&self.parameters, values);
-        let scalar = |block: &Block| numbers(block).map(|entries| entries[0]);
-        let vector = |block: &Block| numbers(block).map(|entries| DVector::from_column_slice(&entries));
-        let matrix = |block: &Block| numbers(block).map(|entries| DMatrix::from_row_slice(n, n, &entries));
+        let put = |block: &Block, places: &mut [f64]| block.evaluate(&self.parameters, values, places);
+        let scalar = |block: &Block| {
+            let mut number = [0.0];
+            put(block, &mut number).map(|()| number[0])
+        };
+        let vector = |block: &Block| {
+            let mut vector = DVector::zeros(n);
+            put(block, vector.as_mut_slice()).map(|()| vector)
+        };
+        let matrix = |block: &Block| {
+            let mut transposed = DMatrix::zeros(n, n);
+            put(block, transposed.as_mut_slice())?;
+            transposed.transpose_mut();
+            Ok::<_, Box<CellFault>>(transposed)
+        };
         let stop = |stop: &FamilyStop| {
             Ok(PlantStop {
                 direction: vector(&stop.direction)?,

@@ -14,6 +14,7 @@ mod parameter;
 mod plant;
 mod plant_error;
 mod setting;
+mod sized;
 mod stop_place;
 mod stop_values;
 mod stops;
@@ -31,6 +32,7 @@ pub use parameter::{Bound, Parameter as ParameterRecord, ParameterError, Paramet
 pub use plant::Plant;
 pub use plant_error::{Part, PlantError};
 pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting, StopParameters};
+pub(crate) use sized::sized;
 pub use stop_place::{Gap, StopPlace, Term};
 pub use stops::{PlantStop, StopValues};
 

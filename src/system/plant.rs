@@ -1,10 +1,11 @@
 //! The numbers of one cell: M x″ + C x′ + K x = s sin ωt + c cos ωt + l between rigid stops.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SMatrix};
 
 use super::limits;
 use super::plant_error::{Part, PlantError};
-use super::stops::{self, PlantStop};
+use super::sized::sized;
+use super::stops::{self, PlantStop, Square};
 
 /// A linear oscillator with rigid stops, in numbers; non-dimensional unless the family says otherwise.
 ///
@@ -55,23 +56,14 @@ impl Plant {
         if self.omega <= 0.0 {
             return Err(PlantError::Frequency(self.omega));
         }
-        let inverse = self.inverse_mass()?;
+        let inverse =
+            sized!(self.n, N of 1 2 3 4: inverse_mass::<N>(&self.mass)?, else unreachable!("counted before"));
         for (stop, PlantStop { restitution, .. }) in self.stops.iter().enumerate() {
             if !(0.0..=1.0).contains(restitution) {
                 return Err(PlantError::Restitution { stop, value: *restitution });
             }
         }
         stops::check(&self.stops, &inverse)
-    }
-
-    /// M⁻¹, where M has one that can be computed with.
-    fn inverse_mass(&self) -> Result<DMatrix<f64>, PlantError> {
-        let condition = condition(&self.mass);
-        if condition.is_nan() || condition < Self::LEAST_CONDITION {
-            return Err(PlantError::SingularMass(condition));
-        }
-        let inverse = self.mass.clone().try_inverse();
-        inverse.filter(|inverse| inverse.iter().all(|entry| entry.is_finite())).ok_or(PlantError::LightMass)
     }
 
     /// The forcing period T = 2π/ω.
@@ -144,10 +136,23 @@ struct Array<'a> {
     entries: &'a [f64],
 }
 
+/// M⁻¹ in its upper left corner, where M has one that can be computed with.
+fn inverse_mass<const N: usize>(mass: &DMatrix<f64>) -> Result<Square, PlantError> {
+    let mass = SMatrix::<f64, N, N>::from_column_slice(mass.as_slice());
+    let condition = condition(&mass);
+    if condition.is_nan() || condition < Plant::LEAST_CONDITION {
+        return Err(PlantError::SingularMass(condition));
+    }
+    let inverse = mass.try_inverse().filter(|inverse| inverse.iter().all(|entry| entry.is_finite()));
+    let mut square = Square::zeros();
+    square.view_mut((0, 0), (N, N)).copy_from(&inverse.ok_or(PlantError::LightMass)?);
+    Ok(square)
+}
+
 /// The reciprocal condition of a square matrix in the norm of the largest row sum, once each row and then each
 /// column has the largest entry 1; 0 where it is singular.
-fn condition(matrix: &DMatrix<f64>) -> f64 {
-    let mut scaled = matrix.clone();
+fn condition<const N: usize>(matrix: &SMatrix<f64, N, N>) -> f64 {
+    let mut scaled = *matrix;
     for mut row in scaled.row_iter_mut() {
         let size = row.amax();
         row /= size;
@@ -156,9 +161,10 @@ fn condition(matrix: &DMatrix<f64>) -> f64 {
         let size = column.amax();
         column /= size;
     }
-    let norm =
-        |m: &DMatrix<f64>| m.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
-    let Some(inverse) = scaled.clone().try_inverse() else { return 0.0 };
+    let norm = |m: &SMatrix<f64, N, N>| {
+        m.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max)
+    };
+    let Some(inverse) = scaled.try_inverse() else { return 0.0 };
     let reciprocal = 1.0 / (norm(&scaled) * norm(&inverse));
     if reciprocal.is_finite() { reciprocal } else { 0.0 }
 }

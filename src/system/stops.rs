@@ -1,7 +1,7 @@
 //! The stops of a plant, and how they stand to each other.
 
 use arrayvec::ArrayVec;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DVector, SMatrix, SVector};
 
 use super::limits;
 use super::plant_error::PlantError;
@@ -47,9 +47,15 @@ const INDEPENDENT: f64 = 1e-8;
 /// dᵀM⁻¹d is positive where it is more than this share of the sum of its terms' moduli.
 const POSITIVE: f64 = 1e-12;
 
+/// A vector of a plant, after its own components 0.
+type Components = SVector<f64, { limits::MOST_COORDINATES }>;
+
+/// A matrix of a plant, in its upper left corner; else 0.
+pub(super) type Square = SMatrix<f64, { limits::MOST_COORDINATES }, { limits::MOST_COORDINATES }>;
+
 /// A stop with its direction brought to length 1.
 struct Line {
-    unit: DVector<f64>,
+    unit: Components,
     gap: f64,
 }
 
@@ -57,14 +63,16 @@ struct Line {
 ///
 /// # Errors
 /// See [`Plant::check`](super::Plant::check).
-pub(super) fn check(stops: &[PlantStop], inverse_mass: &DMatrix<f64>) -> Result<(), PlantError> {
+pub(super) fn check(stops: &[PlantStop], inverse_mass: &Square) -> Result<(), PlantError> {
     let mut lines: ArrayVec<Line, { limits::MOST_STOPS }> = ArrayVec::new();
     for (stop, PlantStop { direction, gap, .. }) in stops.iter().enumerate() {
         let size = direction.amax();
         if size == 0.0 {
             return Err(PlantError::NoDirection(stop));
         }
-        let scaled = direction / size;
+        let mut scaled = Components::zeros();
+        scaled.rows_mut(0, direction.len()).copy_from(direction);
+        scaled /= size;
         // dᵀM⁻¹d, and the sum of its terms' moduli.
         let (mut value, mut terms) = (0.0, 0.0);
         for (column, d) in inverse_mass.column_iter().zip(&scaled) {
@@ -84,7 +92,7 @@ pub(super) fn check(stops: &[PlantStop], inverse_mass: &DMatrix<f64>) -> Result<
 }
 
 /// 1 for two lines of the same direction, −1 for opposed ones.
-fn sense(a: &DVector<f64>, b: &DVector<f64>) -> Option<f64> {
+fn sense(a: &Components, b: &Components) -> Option<f64> {
     let sign = a.dot(b).signum();
     a.iter().zip(b).all(|(a, b)| (a - b * sign).abs() <= SAME).then_some(sign)
 }
@@ -108,12 +116,12 @@ fn check_pairs(lines: &[Line]) -> Result<(), PlantError> {
 
 /// Directions, parallel ones counted once, must be linearly independent.
 fn check_independence(lines: &[Line]) -> Result<(), PlantError> {
-    let mut basis: ArrayVec<DVector<f64>, { limits::MOST_STOPS }> = ArrayVec::new();
+    let mut basis: ArrayVec<Components, { limits::MOST_STOPS }> = ArrayVec::new();
     for (stop, line) in lines.iter().enumerate() {
         if lines[..stop].iter().any(|other| sense(&line.unit, &other.unit).is_some()) {
             continue;
         }
-        let mut rest = line.unit.clone();
+        let mut rest = line.unit;
         for axis in &basis {
             let along = axis.dot(&rest);
             rest -= axis * along;

@@ -11,7 +11,7 @@ use super::joined::Joined;
 use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
 use crate::model::{OfFlow, System};
-use crate::system::Mirror;
+use crate::system::{Mirror, sized};
 
 /// The flow z' = G z between impacts, z = (x, v, sin φ, cos φ, 1), and the stops.
 #[derive(Clone, Debug)]
@@ -203,18 +203,9 @@ impl Flow {
 
 /// The exponential of a matrix, without allocation for the sizes of plants.
 fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
-    macro_rules! sized {
-        ($($size:literal)*) => {
-            match matrix.nrows() {
-                $($size => {
-                    let fixed = SMatrix::<f64, $size, $size>::from_column_slice(matrix.as_slice());
-                    DMatrix::from_column_slice($size, $size, fixed.exp().as_slice())
-                })*
-                _ => matrix.exp(),
-            }
-        };
-    }
-    sized!(5 7 9 11)
+    sized!(matrix.nrows(), N of 5 7 9 11:
+        DMatrix::from_column_slice(N, N, SMatrix::<f64, N, N>::from_column_slice(matrix.as_slice()).exp().as_slice()),
+        else matrix.exp())
 }
 
 #[cfg(test)]
