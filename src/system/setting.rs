@@ -208,9 +208,7 @@ impl Setting {
 
     /// Whether it is of the same family, with the same [`Setting::flow_bits`].
     pub fn has_flow_of(&self, other: &Setting) -> bool {
-        let bits = |setting: &Setting, id: &ParameterId| setting.values[id.index()].to_bits();
-        let same = |id: &ParameterId| bits(self, id) == bits(other, id);
-        std::ptr::eq(self.family, other.family) && self.family.of_flow.iter().all(same)
+        std::ptr::eq(self.family, other.family) && self.flow_bits().eq(other.flow_bits())
     }
 
     /// The same setting with a parameter changed that is given by its name.

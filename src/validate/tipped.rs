@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::agreement::{Agreement, Tipped};
 use super::alike::{is_inside, same_label};
-use crate::analysis::Regime;
+use crate::analysis::{Regime, Verdict};
 use crate::backend::{Backend, Job, Silent, Watch, decide};
 use crate::model::System;
 use crate::plane::RegionMap;
@@ -44,21 +44,11 @@ pub fn tipped(
     let differing = pairs.filter(|(_, (ours, theirs))| !same_label(ours, theirs)).map(|(index, _)| index);
     let most = FEWEST.max(reference.verdicts.len() / ONE_OF);
     let examined: Vec<usize> = differing.take(most).collect();
-    let jobs: Vec<(usize, Job)> = examined
-        .into_iter()
-        .flat_map(|index| copies(reference, index).map(move |job| (index, job)))
-        .collect();
-    let mut found = BTreeSet::new();
-    for some in jobs.chunks(backend.tile().max(1)) {
-        let alone: Vec<Job> = some.iter().map(|(_, job)| job.clone()).collect();
-        let verdicts = decide(backend, &alone, &reference.plane.task, &Silent(watch))?;
-        let moved = some
-            .iter()
-            .zip(&verdicts)
-            .filter(|((index, _), verdict)| !same_label(verdict, &reference.verdicts[*index]));
-        found.extend(moved.map(|((index, _), _)| *index));
-    }
-    Ok(found)
+    let (of_cells, jobs): (Vec<usize>, Vec<Job>) =
+        examined.into_iter().flat_map(|index| copies(reference, index).map(move |job| (index, job))).unzip();
+    let verdicts = decide(backend, &jobs, &reference.plane.task, &Silent(watch))?;
+    let moved = |(index, verdict): &(usize, Verdict)| !same_label(verdict, &reference.verdicts[*index]);
+    Ok(of_cells.into_iter().zip(verdicts).filter(moved).map(|(index, _)| index).collect())
 }
 
 /// The cell with its start and parameters changed by a rounding error, each time with other signs.
