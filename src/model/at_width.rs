@@ -7,7 +7,7 @@ use pulp::NullaryFnOnce;
 use super::pack::Pack;
 use super::real::Lanes;
 
-/// A computation that gives the same at every width.
+/// A computation in lanes, which must give the same at every width.
 pub(super) trait AtWidth {
     /// What it gives.
     type Output;
@@ -47,7 +47,7 @@ impl<C: AtWidth, L: Lanes<Real = f64>> NullaryFnOnce for Wide<C, L> {
     }
 }
 
-/// Computes the same at every width that the processor has, one lane last.
+/// What a computation gives at every width that the processor has, in one lane last.
 #[cfg(test)]
 pub(super) fn at_every_width<C: AtWidth + Copy>(computation: C) -> Vec<C::Output> {
     let mut found = Vec::new();

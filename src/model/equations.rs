@@ -234,3 +234,31 @@ pub fn are_parallel(direction: &[f64], other: &[f64]) -> bool {
 
 /// Directions whose difference is below this share of their length are parallel.
 const PARALLEL: f64 = 1e-12;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::example::{coupled, for_every_size};
+
+    fn is_the_root_of_a_norm<const N: usize>() {
+        let mut equations = Equations { omega: 0.1, ..coupled::<N>() };
+        let mut generator = DMatrix::zeros(2 * N, 2 * N);
+        generator.view_mut((0, N), (N, N)).fill_with_identity();
+        generator.view_mut((N, 0), (N, N)).copy_from(&equations.stiffness);
+        generator.view_mut((N, N), (N, N)).copy_from(&equations.damping);
+        let power = (0..3).fold(generator.clone(), |power, _| &power * &power);
+        let rate = power.norm().powf(0.125);
+        assert!((equations.rate() / rate - 1.0).abs() < 1e-14, "{N} coordinates");
+        let transposed = Equations { stiffness: equations.stiffness.transpose(), ..equations };
+        assert!(N == 1 || (transposed.rate() / rate - 1.0).abs() > 1e-6, "the check can fail");
+        equations.omega = 2.0 * rate;
+        assert_eq!(equations.rate(), 2.0 * rate, "the forcing is faster");
+        equations.damping[(N - 1, 0)] = f64::INFINITY;
+        assert!(equations.rate().is_nan());
+    }
+
+    #[test]
+    fn the_rate_is_the_eighth_root_of_the_norm_of_an_eighth_power() {
+        for_every_size!(is_the_root_of_a_norm);
+    }
+}

@@ -41,12 +41,17 @@ impl<L: Lanes<Real = f64>, const N: usize> Augmented<L, N> {
         State { x: self.x, v: self.v }
     }
 
-    /// The largest component.
+    /// The largest modulus of a component, those left out that are not numbers.
     #[inline(always)]
     fn amax(&self) -> L {
-        let mut most = self.sin.magnitude().larger(self.cos.magnitude()).larger(self.one.magnitude());
+        // The larger of two is the second where either is not a number: a series with an infinite load goes on, and shows it.
+        let mut most = self.sin.all(0.0);
+        for value in [self.sin, self.cos, self.one] {
+            most = value.magnitude().larger(most);
+        }
         for i in 0..N {
-            most = most.larger(self.x[i].magnitude()).larger(self.v[i].magnitude());
+            most = self.x[i].magnitude().larger(most);
+            most = self.v[i].magnitude().larger(most);
         }
         most
     }
@@ -76,15 +81,14 @@ impl<L: Lanes<Real = f64>, const N: usize> Augmented<L, N> {
     /// self + other where the mask holds, self elsewhere.
     #[inline(always)]
     fn added_where(&self, mask: L::Mask, other: &Self) -> Self {
-        let added = |own: L, other: L| L::select(mask, own + other, own);
         let mut sum = *self;
         for i in 0..N {
-            sum.x[i] = added(sum.x[i], other.x[i]);
-            sum.v[i] = added(sum.v[i], other.v[i]);
+            sum.x[i] = L::select(mask, self.x[i] + other.x[i], self.x[i]);
+            sum.v[i] = L::select(mask, self.v[i] + other.v[i], self.v[i]);
         }
-        sum.sin = added(sum.sin, other.sin);
-        sum.cos = added(sum.cos, other.cos);
-        sum.one = added(sum.one, other.one);
+        sum.sin = L::select(mask, self.sin + other.sin, self.sin);
+        sum.cos = L::select(mask, self.cos + other.cos, self.cos);
+        sum.one = L::select(mask, self.one + other.one, self.one);
         sum
     }
 }
@@ -103,7 +107,7 @@ fn applied<L: Lanes, const N: usize>(matrix: &SMatrix<f64, N, N>, x: &[L; N]) ->
 }
 
 /// The terms Gᵏ z tᵏ/k! of exp(G t) z in free flight, in each lane until they vanish against their sum.
-struct Terms<'a, L: Lanes, const N: usize> {
+struct Series<'a, L: Lanes, const N: usize> {
     equations: &'a Equations<N>,
     t: f64,
     /// k + 1.
@@ -115,11 +119,11 @@ struct Terms<'a, L: Lanes, const N: usize> {
     counts: L::Mask,
 }
 
-impl<'a, L: Lanes<Real = f64>, const N: usize> Terms<'a, L, N> {
+impl<'a, L: Lanes<Real = f64>, const N: usize> Series<'a, L, N> {
     #[inline(always)]
     fn of(equations: &'a Equations<N>, t: f64, z: Augmented<L, N>) -> Self {
         let counts = z.one.all(0.0).below(z.one.all(1.0));
-        Terms { equations, t, next: 1.0, term: z, size: z.amax(), counts }
+        Series { equations, t, next: 1.0, term: z, size: z.amax(), counts }
     }
 
     /// Goes on to the next term, and says whether it counts anywhere.
@@ -128,19 +132,19 @@ impl<'a, L: Lanes<Real = f64>, const N: usize> Terms<'a, L, N> {
         self.term = self.term.derived(self.equations, self.t / self.next);
         self.next += 1.0;
         let length = self.term.amax();
-        self.size = self.size.larger(length);
+        self.size = length.larger(self.size);
         self.counts = self.counts.and((self.size.all(1e-19) * self.size).below(length));
         self.counts.bits() != 0
     }
 }
 
-/// The terms of one state.
+/// The terms Gᵏ z tᵏ/k! of exp(G t) z in free flight, until they vanish against their sum.
 pub fn series<const N: usize>(
     equations: &Equations<N>,
     t: f64,
     z: Augmented<f64, N>,
 ) -> impl Iterator<Item = Augmented<f64, N>> {
-    let mut terms = Terms::of(equations, t, z);
+    let mut terms = Series::of(equations, t, z);
     std::iter::once(z).chain(std::iter::from_fn(move || terms.advance().then_some(terms.term)))
 }
 
@@ -151,7 +155,7 @@ pub fn over<L: Lanes<Real = f64>, const N: usize>(
     t: f64,
     z: Augmented<L, N>,
 ) -> Augmented<L, N> {
-    let mut terms = Terms::of(equations, t, z);
+    let mut terms = Series::of(equations, t, z);
     let mut sum = Augmented::all(z.one.all(0.0)).added_where(terms.counts, &z);
     while terms.advance() {
         sum = sum.added_where(terms.counts, &terms.term);

@@ -9,6 +9,8 @@ mod contact_normal;
 mod driven;
 mod economize;
 mod equations;
+#[cfg(test)]
+mod example;
 mod flight;
 mod flights;
 mod flow;

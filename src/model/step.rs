@@ -130,75 +130,82 @@ impl<L: Lanes, const N: usize> Step<L, N> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{DMatrix, DVector};
+    use nalgebra::DMatrix;
 
-    use super::super::at_width::at_every_width;
     use super::*;
-    use crate::model::{Setting, System};
-    use crate::system::{BUILTIN, Family, Plant};
+    use crate::model::at_width::at_every_width;
+    use crate::model::example::{coupled, for_every_size};
 
-    fn is_the_same_at_every_width<const N: usize>(system: &System) {
-        let equations = Equations::<N>::new(system.plant());
-        let h = system.period() / f64::from(system.steps());
-        let bits = |step: &Step<f64, N>| {
-            let mut step = *step;
-            let columns = (0..2 * N + 3).map(|i| step.column(i).values().map(f64::to_bits).collect());
-            columns.collect::<Vec<Vec<u64>>>()
-        };
-        let found = at_every_width(Columns { equations: &equations, h });
-        let own = bits(&Step::of(&equations, h));
-        assert!(found.iter().all(|step| bits(step) == own), "{:?}", system.setting());
-        assert_ne!(bits(&Step::of(&equations, 0.99 * h)), own, "the check can fail");
+    const H: f64 = 0.3;
+
+    fn columns<const N: usize>(mut step: Step<f64, N>) -> Vec<Vec<f64>> {
+        (0..2 * N + 3).map(|i| step.column(i).values().collect()).collect()
+    }
+
+    fn is_the_same_at_every_width<const N: usize>() {
+        let bits = |step| columns::<N>(step).into_iter().flatten().map(f64::to_bits).collect::<Vec<_>>();
+        let free = coupled::<N>();
+        for equations in [free, free.held_along(0)] {
+            let own = bits(Step::of(&equations, H));
+            let found = at_every_width(Columns { equations: &equations, h: H });
+            assert!(found.into_iter().all(|step| bits(step) == own), "{N} coordinates");
+            assert_ne!(bits(Step::of(&equations, 0.99 * H)), own, "the check can fail");
+        }
     }
 
     #[test]
     fn a_step_is_the_same_to_the_bit_at_every_width() {
-        let mut sizes = [false; 4];
-        for builtin in &BUILTIN {
-            let system = System::new(Setting::defaults(Family::builtin(builtin.name))).unwrap();
-            sizes[system.coordinates() - 1] = true;
-            match system.coordinates() {
-                1 => is_the_same_at_every_width::<1>(&system),
-                2 => is_the_same_at_every_width::<2>(&system),
-                3 => is_the_same_at_every_width::<3>(&system),
-                _ => is_the_same_at_every_width::<4>(&system),
-            }
+        for_every_size!(is_the_same_at_every_width);
+    }
+
+    fn is_the_exponential<const N: usize>() {
+        let equations = coupled::<N>();
+        let mut generator = DMatrix::zeros(2 * N + 3, 2 * N + 3);
+        generator.view_mut((0, N), (N, N)).fill_with_identity();
+        generator.view_mut((N, 0), (N, N)).copy_from(&equations.stiffness);
+        generator.view_mut((N, N), (N, N)).copy_from(&equations.damping);
+        for (k, load) in [equations.sin, equations.cos, equations.load].iter().enumerate() {
+            generator.view_mut((N, 2 * N + k), (N, 1)).copy_from(load);
         }
-        assert!(sizes[..3].iter().all(|&met| met), "{sizes:?}");
+        generator[(2 * N, 2 * N + 1)] = equations.omega;
+        generator[(2 * N + 1, 2 * N)] = -equations.omega;
+        let away = |h: f64| {
+            let exact = (&generator * h).exp();
+            let found = columns(Step::of(&equations, H));
+            (0..2 * N + 3)
+                .flat_map(|j| (0..2 * N).map(move |i| (i, j)))
+                .map(|(i, j)| (found[j][i] - exact[(i, j)]).abs())
+                .fold(0.0, f64::max)
+        };
+        assert!(away(H) < 4e-15, "{N} coordinates: {}", away(H));
+        assert!(away(1.001 * H) > 1e-5, "the check can fail");
     }
 
     #[test]
-    fn a_step_of_an_undamped_mass_is_a_rotation() {
-        let equations = undamped();
-        let h = 0.3_f64;
-        let step = Step::of(&equations, h);
-        let near = |found: [f64; 2], wanted: [f64; 2]| {
-            found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 4e-16)
-        };
-        let column = |state: State<f64, 1>| [state.x[0], state.v[0]];
-        assert!(near(column(step.phi_x[0]), [h.cos(), -h.sin()]));
-        assert!(near(column(step.phi_v[0]), [h.sin(), h.cos()]));
-        let [begun_at_sin, begun_at_cos] = [
-            [(h.cos() - (2.0 * h).cos()) / 3.0, (2.0 * (2.0 * h).sin() - h.sin()) / 3.0],
-            [(2.0 * h.sin() - (2.0 * h).sin()) / 3.0, 2.0 * (h.cos() - (2.0 * h).cos()) / 3.0],
-        ];
-        assert!(near(column(step.gamma_sin), begun_at_sin));
-        assert!(near(column(step.gamma_cos), begun_at_cos));
-        assert!(!near(column(step.gamma_sin), begun_at_cos), "the check can fail");
+    fn a_step_is_the_exponential_of_the_forced_generator() {
+        for_every_size!(is_the_exponential);
     }
 
-    /// x″ = −x + sin 2t.
-    fn undamped() -> Equations<1> {
-        Equations::new(&Plant {
-            n: 1,
-            mass: DMatrix::identity(1, 1),
-            damping: DMatrix::zeros(1, 1),
-            stiffness: DMatrix::identity(1, 1),
-            force_sin: DVector::from_element(1, 1.0),
-            force_cos: DVector::zeros(1),
-            load: DVector::zeros(1),
-            omega: 2.0,
-            stops: Vec::new(),
-        })
+    fn shows_what_is_infinite<const N: usize>() {
+        let is_finite = |equations: &Equations<N>| {
+            at_every_width(Columns { equations, h: H })
+                .into_iter()
+                .map(|step| columns(step).into_iter().flatten().all(f64::is_finite))
+                .collect::<Vec<bool>>()
+        };
+        assert!(is_finite(&coupled()).into_iter().all(|finite| finite), "the check can fail");
+        for i in 0..N {
+            for k in 0..3 {
+                let mut equations = coupled();
+                let Equations { sin, cos, load, .. } = &mut equations;
+                [sin, cos, load][k][i] = f64::INFINITY;
+                assert!(!is_finite(&equations).contains(&true), "load {k} on coordinate {i} of {N}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_load_that_is_infinite_is_not_lost() {
+        for_every_size!(shows_what_is_infinite);
     }
 }

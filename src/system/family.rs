@@ -184,10 +184,11 @@ impl Family {
             put(block, vector.as_mut_slice()).map(|()| vector)
         };
         let matrix = |block: &Block| {
-            let mut transposed = DMatrix::zeros(n, n);
-            put(block, transposed.as_mut_slice())?;
-            transposed.transpose_mut();
-            Ok::<_, Box<CellFault>>(transposed)
+            let mut matrix = DMatrix::zeros(n, n);
+            put(block, matrix.as_mut_slice())?;
+            // The file goes row by row.
+            matrix.transpose_mut();
+            Ok::<_, Box<CellFault>>(matrix)
         };
         let stop = |stop: &FamilyStop| {
             Ok(PlantStop {

@@ -136,6 +136,8 @@ struct Array<'a> {
     entries: &'a [f64],
 }
 
+const _: () = assert!(Plant::MOST_COORDINATES == 4, "the sizes of which `Plant::check` knows the inverse");
+
 /// M⁻¹ in its upper left corner, where M has one that can be computed with.
 fn inverse_mass<const N: usize>(mass: &DMatrix<f64>) -> Result<Square, PlantError> {
     let mass = SMatrix::<f64, N, N>::from_column_slice(mass.as_slice());

@@ -1,6 +1,6 @@
 //! What is computed without allocation for the sizes that plants have.
 
-/// An expression in a constant that stands for a size: one of the given ones, if it is, and another expression otherwise.
+/// An expression in which a constant stands for a size, where that is one of the given ones; another expression where it is none.
 macro_rules! sized {
     ($size:expr, $n:ident of $($known:literal)*: $fixed:expr, else $other:expr) => {
         match $size {

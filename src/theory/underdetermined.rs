@@ -19,7 +19,7 @@ const DEPENDENT: f64 = 16.0 * f64::EPSILON;
 /// # Panics
 /// If M is not of 2n rows and 2n + 1 columns, for n of 1 to 4.
 pub(super) fn solved(matrix: &DMatrix<f64>, right: [&DVector<f64>; 2]) -> Option<Solutions> {
-    macro_rules! sized {
+    macro_rules! of_shape {
         ($($rows:literal $columns:literal),*) => {
             match matrix.shape() {
                 $(($rows, $columns) => {
@@ -55,7 +55,7 @@ pub(super) fn solved(matrix: &DMatrix<f64>, right: [&DVector<f64>; 2]) -> Option
             }
         };
     }
-    sized!(2 3, 4 5, 6 7, 8 9)
+    of_shape!(2 3, 4 5, 6 7, 8 9)
 }
 
 #[cfg(test)]

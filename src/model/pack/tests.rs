@@ -1,6 +1,7 @@
 //! Lanes one by one, at every width that this processor has.
 
 use super::*;
+use crate::model::at_width::{AtWidth, at_every_width};
 
 /// Sets every second lane of numbers and of a truth value, from the last one down, and takes one back.
 fn lanes_are_set_one_by_one<L: Lanes<Real = f64>>(zero: L) {
@@ -44,30 +45,32 @@ fn the_larger_is_what_a_comparison_chooses<L: Lanes<Real = f64>>(zero: L) {
     }
 }
 
-/// At every width that this processor has.
-macro_rules! at_every_width {
-    ($check:ident) => {
-        $check(0.0_f64);
-        #[cfg(target_arch = "x86_64")]
-        {
-            if let Some(simd) = pulp::x86::V3::try_new() {
-                $check(Pack::zero(simd));
-            }
-            if let Some(simd) = pulp::x86::V4::try_new() {
-                $check(Pack::zero(simd));
-            }
+/// A check that is made in lanes.
+#[derive(Clone, Copy)]
+enum Check {
+    SetOneByOne,
+    Larger,
+}
+
+impl AtWidth for Check {
+    type Output = ();
+
+    fn call<L: Lanes<Real = f64>>(self, zero: L) {
+        match self {
+            Check::SetOneByOne => lanes_are_set_one_by_one(zero),
+            Check::Larger => the_larger_is_what_a_comparison_chooses(zero),
         }
-    };
+    }
 }
 
 #[test]
 fn lanes_of_every_width_are_set_one_by_one() {
-    at_every_width!(lanes_are_set_one_by_one);
+    assert!(!at_every_width(Check::SetOneByOne).is_empty());
 }
 
 #[test]
 fn the_larger_and_the_smaller_are_the_same_at_every_width() {
-    at_every_width!(the_larger_is_what_a_comparison_chooses);
+    assert!(!at_every_width(Check::Larger).is_empty());
 }
 
 /// A pack fills its register, and nothing lies between one and the next.

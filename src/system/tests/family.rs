@@ -148,3 +148,11 @@ fn cells_without_a_plant_say_what_did_it() {
     }
     assert!(family.plant(&with(&family, &[("gap", -1.0)])).is_ok(), "closed stops clamp");
 }
+
+#[test]
+fn matrices_go_row_by_row() {
+    let text = RATIO.replace("[[0, 0], [0, 0]]", r#"[[1, 2], ["3*omega", 4]]"#);
+    let family = Family::parse(&text, "ratio.toml").unwrap();
+    let damping = family.plant(&family.defaults()).unwrap().damping;
+    assert_eq!([(0, 0), (0, 1), (1, 0), (1, 1)].map(|place| damping[place]), [1.0, 2.0, 3.0, 4.0]);
+}
