@@ -239,14 +239,11 @@ const PARALLEL: f64 = 1e-12;
 mod tests {
     use super::*;
     use crate::model::example::{coupled, for_every_size};
+    use crate::model::forced::generator;
 
     fn is_the_root_of_a_norm<const N: usize>() {
         let mut equations = Equations { omega: 0.1, ..coupled::<N>() };
-        let mut generator = DMatrix::zeros(2 * N, 2 * N);
-        generator.view_mut((0, N), (N, N)).fill_with_identity();
-        generator.view_mut((N, 0), (N, N)).copy_from(&equations.stiffness);
-        generator.view_mut((N, N), (N, N)).copy_from(&equations.damping);
-        let power = (0..3).fold(generator.clone(), |power, _| &power * &power);
+        let power = (0..3).fold(generator(&equations), |power, _| &power * &power);
         let rate = power.norm().powf(0.125);
         assert!((equations.rate() / rate - 1.0).abs() < 1e-14, "{N} coordinates");
         let transposed = Equations { stiffness: equations.stiffness.transpose(), ..equations };

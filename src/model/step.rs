@@ -135,6 +135,7 @@ mod tests {
     use super::*;
     use crate::model::at_width::at_every_width;
     use crate::model::example::{coupled, for_every_size};
+    use crate::model::forced::generator;
 
     const H: f64 = 0.3;
 
@@ -160,17 +161,15 @@ mod tests {
 
     fn is_the_exponential<const N: usize>() {
         let equations = coupled::<N>();
-        let mut generator = DMatrix::zeros(2 * N + 3, 2 * N + 3);
-        generator.view_mut((0, N), (N, N)).fill_with_identity();
-        generator.view_mut((N, 0), (N, N)).copy_from(&equations.stiffness);
-        generator.view_mut((N, N), (N, N)).copy_from(&equations.damping);
+        let mut forced = DMatrix::zeros(2 * N + 3, 2 * N + 3);
+        forced.view_mut((0, 0), (2 * N, 2 * N)).copy_from(&generator(&equations));
         for (k, load) in [equations.sin, equations.cos, equations.load].iter().enumerate() {
-            generator.view_mut((N, 2 * N + k), (N, 1)).copy_from(load);
+            forced.view_mut((N, 2 * N + k), (N, 1)).copy_from(load);
         }
-        generator[(2 * N, 2 * N + 1)] = equations.omega;
-        generator[(2 * N + 1, 2 * N)] = -equations.omega;
+        forced[(2 * N, 2 * N + 1)] = equations.omega;
+        forced[(2 * N + 1, 2 * N)] = -equations.omega;
         let away = |h: f64| {
-            let exact = (&generator * h).exp();
+            let exact = (&forced * h).exp();
             let found = columns(Step::of(&equations, H));
             (0..2 * N + 3)
                 .flat_map(|j| (0..2 * N).map(move |i| (i, j)))
