@@ -31,10 +31,10 @@ use std::time::Instant;
 
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{
-    Backend, BackendError, Cpu, CpuSingle, Gpu, Job, Spent, Unwatched, Width, follow_counted,
+    Backend, BackendError, Cpu, CpuSingle, Gpu, Job, Spent, Unwatched, follow_counted,
 };
 use impact_atlas::dynamics::Usage;
-use impact_atlas::model::{ByFlow, Flights, Flows, Parameters, System};
+use impact_atlas::model::{ByFlow, Flights, Flows, Parameters, System, Width};
 use serde::Serialize;
 
 const PERIODS: u32 = 200;
@@ -169,7 +169,7 @@ fn width(path: &str) -> Result<Width, String> {
         "eight" => 8,
         "four" => 4,
         "one" => 1,
-        _ => return Ok(Width::available()[0]),
+        _ => return Ok(Width::widest()),
     };
     let found = Width::available().into_iter().find(|width| width.lanes() == lanes);
     found.ok_or_else(|| format!("this processor has no registers of {lanes} lanes: choose cpu or one"))

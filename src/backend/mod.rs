@@ -13,7 +13,7 @@ mod select;
 mod watch;
 
 pub use cpu::{
-    Cpu, CpuSingle, Precision, Width, extent, follow, follow_all, follow_controlled, follow_counted, trace,
+    Cpu, CpuSingle, Precision, extent, follow, follow_all, follow_controlled, follow_counted, trace,
 };
 pub use decide::{Doubts, decide};
 pub use error::{BackendError, Result};

@@ -1,7 +1,8 @@
 //! `impact-atlas adapters`: what the GPU back end can run on, and how the CPU back end does.
 
 use clap::Args;
-use impact_atlas::backend::{self, Backend, Cpu, Width};
+use impact_atlas::backend::{self, Backend, Cpu};
+use impact_atlas::model::Width;
 
 use super::Result;
 use super::terminal::{print, print_json};
@@ -33,7 +34,7 @@ pub fn run(args: &AdaptersArgs) -> Result<()> {
     if lines.is_empty() {
         lines.push("no adapter was found; --backend cpu needs none".to_owned());
     }
-    let abreast = Width::available()[0].instructions();
+    let abreast = Width::widest().instructions();
     lines.push(format!("--backend cpu: {}, trajectories side by side: {abreast}", Cpu.adapter()));
     print(&lines.join("\n"))
 }

@@ -5,7 +5,8 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use impact_atlas::backend::{Backend, Watch, Width};
+use impact_atlas::backend::{Backend, Watch};
+use impact_atlas::model::Width;
 use impact_atlas::plane::Plane;
 use impact_atlas::sweep::{Swept, sample, spread};
 
@@ -58,7 +59,7 @@ fn of_cells(
     let cells = spread(columns, rows, count);
     // A device works on many cells at once; a processor on as many as its threads have lanes. Towards the end of its cells
     // most lanes wait for the last of them: the more cells, the less that counts, and only the latest are reckoned with.
-    let lanes = Width::available()[0].lanes() * rayon::current_num_threads();
+    let lanes = Width::widest().lanes() * rayon::current_num_threads();
     let first = if backend.name() == "cpu" { lanes } else { AT_ONCE };
     if backend.name() != "cpu" {
         // A shader is compiled once, however many cells there are.

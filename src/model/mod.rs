@@ -1,7 +1,6 @@
 //! The system: its parameters, the equations of motion, and the constants of linear flight.
 
 mod abreast;
-mod at_width;
 mod back;
 mod by_flow;
 mod common;
@@ -35,6 +34,7 @@ mod stops_along;
 mod system;
 mod system_error;
 pub mod vector;
+mod width;
 
 pub use crate::system::{Number, joined, whole};
 pub use crate::system::{Parameter, ParameterError, Setting};
@@ -60,3 +60,5 @@ pub use step::Step;
 pub use stops_along::StopsAlong;
 pub use system::System;
 pub use system_error::SystemError;
+pub(crate) use width::AtWidth;
+pub use width::Width;

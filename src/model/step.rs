@@ -1,10 +1,10 @@
 //! A whole step of flight: one matrix.
 
-use super::at_width::{AtWidth, at_width};
 use super::equations::Equations;
 use super::flow::{self, Augmented};
 use super::real::{Lanes, Real};
 use super::state::State;
+use super::width::{AtWidth, Width};
 
 /// What a step of the length h makes of a state: y(t + h) = Φ y(t) + Γs sin φ + Γc cos φ + Γ₁ with y = (x1 … xN, v1 … vN).
 ///
@@ -27,7 +27,7 @@ pub struct Step<T, const N: usize> {
 impl<const N: usize> Step<f64, N> {
     /// That of some equations.
     pub(super) fn of(equations: &Equations<N>, h: f64) -> Self {
-        at_width(Columns { equations, h })
+        Width::widest().compute(Columns { equations, h })
     }
 
     /// Rounded to another precision.
@@ -133,9 +133,9 @@ mod tests {
     use nalgebra::DMatrix;
 
     use super::*;
-    use crate::model::at_width::at_every_width;
     use crate::model::example::{coupled, for_every_size};
     use crate::model::forced::generator;
+    use crate::model::width::at_every_width;
 
     const H: f64 = 0.3;
 

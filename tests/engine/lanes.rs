@@ -1,8 +1,8 @@
 //! Trajectories side by side have the bits that they have one by one, at every width and number of threads.
 
 use impact_atlas::analysis::{Schedule, Verdict};
-use impact_atlas::backend::{Job, Unwatched, Width, follow, follow_all, follow_counted};
-use impact_atlas::model::{Flows, Parameters, System};
+use impact_atlas::backend::{Job, Unwatched, follow, follow_all, follow_counted};
+use impact_atlas::model::{Flows, Parameters, System, Width};
 use impact_atlas::validate::are_same;
 
 use crate::common::drawn::{families, paper, rows_of_four};
@@ -85,7 +85,7 @@ fn every_family_has_the_same_bits_at_every_width() {
 /// As many coordinates as there can be, one contact normal and two: nearly every contact is found in lanes there, too.
 #[test]
 fn four_coordinates_have_the_same_bits_at_every_width() {
-    let widest = Width::available()[0];
+    let widest = Width::widest();
     for jobs in rows_of_four(60) {
         for schedule in [SETTLING, FIXED, OBSERVED] {
             assert_eq!(differ(&jobs, &schedule, Job::clone), 0, "{} normals", jobs[0].system.normals());

@@ -4,7 +4,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Sender};
 
 use parking_lot::Mutex;
-use pulp::NullaryFnOnce;
 use rayon::Scope;
 
 use super::each::each;
@@ -14,59 +13,7 @@ use crate::backend::error::BackendError;
 use crate::backend::job::Job;
 use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
-#[cfg(target_arch = "x86_64")]
-use crate::model::Pack;
-use crate::model::{ByFlow, Flight, Flights, Lanes, System};
-
-/// How many trajectories one core follows at once; the bits of each are the same at every width.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Width {
-    /// One by one.
-    One,
-    /// A register of four (AVX2 and FMA). Two of them side by side are slower, here and below: there are too few registers for
-    /// both.
-    #[cfg(target_arch = "x86_64")]
-    Four,
-    /// A register of eight (AVX-512).
-    #[cfg(target_arch = "x86_64")]
-    Eight,
-}
-
-impl Width {
-    /// Every width that this processor has, the widest first.
-    pub fn available() -> Vec<Width> {
-        let mut widths = Vec::new();
-        #[cfg(target_arch = "x86_64")]
-        {
-            widths.extend(pulp::x86::V4::try_new().map(|_| Width::Eight));
-            widths.extend(pulp::x86::V3::try_new().map(|_| Width::Four));
-        }
-        widths.push(Width::One);
-        widths
-    }
-
-    /// How many trajectories at once.
-    pub fn lanes(self) -> usize {
-        match self {
-            Width::One => 1,
-            #[cfg(target_arch = "x86_64")]
-            Width::Four => 4,
-            #[cfg(target_arch = "x86_64")]
-            Width::Eight => 8,
-        }
-    }
-
-    /// The instructions that it needs.
-    pub fn instructions(self) -> &'static str {
-        match self {
-            Width::One => "one lane",
-            #[cfg(target_arch = "x86_64")]
-            Width::Four => "4 lanes, AVX2",
-            #[cfg(target_arch = "x86_64")]
-            Width::Eight => "8 lanes, AVX-512",
-        }
-    }
-}
+use crate::model::{AtWidth, ByFlow, Flight, Flights, Lanes, System, Width};
 
 /// See [`follow_counted`].
 ///
@@ -167,21 +114,7 @@ struct Line<'a, 'scope, const N: usize> {
 
 impl<const N: usize> Line<'_, '_, N> {
     fn follow(&mut self, width: Width) {
-        match width {
-            Width::One => {}
-            #[cfg(target_arch = "x86_64")]
-            Width::Four => {
-                if let Some(simd) = pulp::x86::V3::try_new() {
-                    simd.vectorize(Following { line: self, zero: Pack::zero(simd) });
-                }
-            }
-            #[cfg(target_arch = "x86_64")]
-            Width::Eight => {
-                if let Some(simd) = pulp::x86::V4::try_new() {
-                    simd.vectorize(Following { line: self, zero: Pack::zero(simd) });
-                }
-            }
-        }
+        width.compute(Following { line: self });
         // What no lane took.
         while let Some(index) = self.take() {
             self.follow_alone(index);
@@ -256,19 +189,17 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
     }
 }
 
-/// Lanes at work, with the instructions that they are compiled for.
-#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
-struct Following<'a, 'scope, 'b, L, const N: usize> {
+/// Lanes at work on a line.
+struct Following<'a, 'scope, 'b, const N: usize> {
     line: &'b mut Line<'a, 'scope, N>,
-    zero: L,
 }
 
-impl<L: Lanes<Real = f64>, const N: usize> NullaryFnOnce for Following<'_, '_, '_, L, N> {
+impl<const N: usize> AtWidth for Following<'_, '_, '_, N> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
+    fn call<L: Lanes<Real = f64>>(self, zero: L) {
         let Line { normals, schedule, .. } = *self.line;
-        follow_abreast(self.zero, normals, schedule, self.line);
+        follow_abreast(zero, normals, schedule, self.line);
     }
 }

@@ -8,11 +8,12 @@ mod lanes;
 pub use extent::extent;
 pub(super) use extent::extents;
 pub use follow::{Precision, follow, follow_controlled, trace};
-pub use lanes::{Width, follow_all, follow_counted};
+pub use lanes::{follow_all, follow_counted};
 
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::backend::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Watch};
 use crate::control::{ControlSchedule, Outcome};
+use crate::model::Width;
 
 use each::each;
 
@@ -85,7 +86,7 @@ macro_rules! on_the_processor {
 }
 
 on_the_processor!(Cpu, f64, "f64", |jobs, schedule, watch| {
-    follow_all(jobs, schedule, watch, Width::available()[0])
+    follow_all(jobs, schedule, watch, Width::widest())
 });
 on_the_processor!(CpuSingle, f32, format_args!("f32{REPRODUCIBLE}"), |jobs: &[Job], schedule, watch| {
     each(jobs, watch, |job| follow::<f32>(job, schedule))

@@ -1,7 +1,7 @@
 //! Lanes one by one, at every width that this processor has.
 
 use super::*;
-use crate::model::at_width::{AtWidth, at_every_width};
+use crate::model::width::{AtWidth, at_every_width};
 
 /// Sets every second lane of numbers and of a truth value, from the last one down, and takes one back.
 fn lanes_are_set_one_by_one<L: Lanes<Real = f64>>(zero: L) {

@@ -1,0 +1,157 @@
+//! How many numbers a core computes with at once, and what is computed so, whatever there is to compute.
+
+#[cfg(target_arch = "x86_64")]
+use pulp::NullaryFnOnce;
+#[cfg(target_arch = "x86_64")]
+use pulp::x86::{V3, V4};
+
+#[cfg(target_arch = "x86_64")]
+use super::pack::Pack;
+use super::real::Lanes;
+
+/// How many numbers one core computes with at once, and so how many trajectories it follows; the bits of each are the same at every
+/// width.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Width {
+    /// One by one.
+    One,
+    /// A register of four (AVX2 and FMA). Two of them side by side are slower, here and below: there are too few registers for
+    /// both.
+    #[cfg(target_arch = "x86_64")]
+    Four,
+    /// A register of eight (AVX-512).
+    #[cfg(target_arch = "x86_64")]
+    Eight,
+}
+
+/// A computation in lanes, which must give the same at every width.
+pub(crate) trait AtWidth {
+    /// What it gives.
+    type Output;
+
+    /// Computes it in lanes, of which 0 is given. To be inlined always: the instructions that it is compiled for are the caller's.
+    fn call<L: Lanes<Real = f64>>(self, zero: L) -> Self::Output;
+}
+
+impl Width {
+    /// Every width that this processor has, the widest first.
+    pub fn available() -> Vec<Width> {
+        let mut widths = Vec::new();
+        #[cfg(target_arch = "x86_64")]
+        {
+            widths.extend(V4::try_new().map(|_| Width::Eight));
+            widths.extend(V3::try_new().map(|_| Width::Four));
+        }
+        widths.push(Width::One);
+        widths
+    }
+
+    /// The widest of them.
+    #[inline]
+    pub fn widest() -> Width {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if V4::is_available() {
+                return Width::Eight;
+            }
+            if V3::is_available() {
+                return Width::Four;
+            }
+        }
+        Width::One
+    }
+
+    /// How many numbers at once.
+    pub fn lanes(self) -> usize {
+        match self {
+            Width::One => 1,
+            #[cfg(target_arch = "x86_64")]
+            Width::Four => 4,
+            #[cfg(target_arch = "x86_64")]
+            Width::Eight => 8,
+        }
+    }
+
+    /// The instructions that it needs.
+    pub fn instructions(self) -> &'static str {
+        match self {
+            Width::One => "one lane",
+            #[cfg(target_arch = "x86_64")]
+            Width::Four => "4 lanes, AVX2",
+            #[cfg(target_arch = "x86_64")]
+            Width::Eight => "8 lanes, AVX-512",
+        }
+    }
+
+    /// Computes something in as many lanes; in one where the processor has not so many.
+    #[inline]
+    pub(crate) fn compute<C: AtWidth>(self, computation: C) -> C::Output {
+        match self {
+            Width::One => {}
+            #[cfg(target_arch = "x86_64")]
+            Width::Four => {
+                if let Some(simd) = V3::try_new() {
+                    return simd.vectorize(Wide { computation, zero: Pack::zero(simd) });
+                }
+            }
+            #[cfg(target_arch = "x86_64")]
+            Width::Eight => {
+                if let Some(simd) = V4::try_new() {
+                    return simd.vectorize(Wide { computation, zero: Pack::zero(simd) });
+                }
+            }
+        }
+        computation.call(0.0)
+    }
+}
+
+/// A computation at a width, with the instructions that it is compiled for.
+#[cfg(target_arch = "x86_64")]
+struct Wide<C, L> {
+    computation: C,
+    zero: L,
+}
+
+#[cfg(target_arch = "x86_64")]
+impl<C: AtWidth, L: Lanes<Real = f64>> NullaryFnOnce for Wide<C, L> {
+    type Output = C::Output;
+
+    #[inline(always)]
+    fn call(self) -> C::Output {
+        self.computation.call(self.zero)
+    }
+}
+
+/// What a computation gives at every width that the processor has, in one lane last.
+#[cfg(test)]
+pub(super) fn at_every_width<C: AtWidth + Copy>(computation: C) -> Vec<C::Output> {
+    Width::available().into_iter().map(|width| width.compute(computation)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How many lanes it is computed in.
+    #[derive(Clone, Copy)]
+    struct Counted;
+
+    impl AtWidth for Counted {
+        type Output = usize;
+
+        #[inline(always)]
+        fn call<L: Lanes<Real = f64>>(self, _: L) -> usize {
+            L::WIDTH
+        }
+    }
+
+    #[test]
+    fn as_many_lanes_as_a_width_has_are_computed_in() {
+        let widths = Width::available();
+        let lanes: Vec<usize> = widths.iter().map(|width| width.lanes()).collect();
+        println!("{}", widths.iter().map(|width| width.instructions()).collect::<Vec<_>>().join("; "));
+        assert_eq!(at_every_width(Counted), lanes);
+        assert!(lanes.is_sorted_by(|a, b| a > b) && lanes.ends_with(&[1]), "{lanes:?}");
+        assert_eq!((Width::widest(), Width::widest().compute(Counted)), (widths[0], lanes[0]));
+    }
+}
