@@ -171,7 +171,7 @@ fn width(path: &str) -> Result<Width, String> {
         "one" => 1,
         _ => return Ok(Width::widest()),
     };
-    let found = Width::available().into_iter().find(|width| width.lanes() == lanes);
+    let found = Width::available().find(|width| width.lanes() == lanes);
     found.ok_or_else(|| format!("this processor has no registers of {lanes} lanes: choose cpu or one"))
 }
 

@@ -15,8 +15,7 @@ use super::real::Lanes;
 pub enum Width {
     /// One by one.
     One,
-    /// A register of four (AVX2 and FMA). Two of them side by side are slower, here and below: there are too few registers for
-    /// both.
+    /// A register of four (AVX2 and FMA). Two registers side by side are slower, of four as of eight: there are too few for both.
     #[cfg(target_arch = "x86_64")]
     Four,
     /// A register of eight (AVX-512).
@@ -34,31 +33,34 @@ pub(crate) trait AtWidth {
 }
 
 impl Width {
-    /// Every width that this processor has, the widest first.
-    pub fn available() -> Vec<Width> {
-        let mut widths = Vec::new();
+    /// All of them, the widest first.
+    const ALL: &[Width] = &[
         #[cfg(target_arch = "x86_64")]
-        {
-            widths.extend(V4::try_new().map(|_| Width::Eight));
-            widths.extend(V3::try_new().map(|_| Width::Four));
+        Width::Eight,
+        #[cfg(target_arch = "x86_64")]
+        Width::Four,
+        Width::One,
+    ];
+
+    /// Whether this processor has it.
+    fn is_available(self) -> bool {
+        match self {
+            Width::One => true,
+            #[cfg(target_arch = "x86_64")]
+            Width::Four => V3::is_available(),
+            #[cfg(target_arch = "x86_64")]
+            Width::Eight => V4::is_available(),
         }
-        widths.push(Width::One);
-        widths
+    }
+
+    /// Every width that this processor has, the widest first.
+    pub fn available() -> impl Iterator<Item = Width> {
+        Width::ALL.iter().copied().filter(|width| width.is_available())
     }
 
     /// The widest of them.
-    #[inline]
     pub fn widest() -> Width {
-        #[cfg(target_arch = "x86_64")]
-        {
-            if V4::is_available() {
-                return Width::Eight;
-            }
-            if V3::is_available() {
-                return Width::Four;
-            }
-        }
-        Width::One
+        Width::available().next().unwrap_or(Width::One)
     }
 
     /// How many numbers at once.
@@ -125,7 +127,7 @@ impl<C: AtWidth, L: Lanes<Real = f64>> NullaryFnOnce for Wide<C, L> {
 /// What a computation gives at every width that the processor has, in one lane last.
 #[cfg(test)]
 pub(super) fn at_every_width<C: AtWidth + Copy>(computation: C) -> Vec<C::Output> {
-    Width::available().into_iter().map(|width| width.compute(computation)).collect()
+    Width::available().map(|width| width.compute(computation)).collect()
 }
 
 #[cfg(test)]
@@ -147,7 +149,7 @@ mod tests {
 
     #[test]
     fn as_many_lanes_as_a_width_has_are_computed_in() {
-        let widths = Width::available();
+        let widths: Vec<Width> = Width::available().collect();
         let lanes: Vec<usize> = widths.iter().map(|width| width.lanes()).collect();
         println!("{}", widths.iter().map(|width| width.instructions()).collect::<Vec<_>>().join("; "));
         assert_eq!(at_every_width(Counted), lanes);

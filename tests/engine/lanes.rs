@@ -119,7 +119,7 @@ fn a_start_moved_a_little_is_noticed() {
         start[2] = 1e-6;
         Job { system: job.system.clone(), start }
     };
-    let runs = 2 * Width::available().len();
+    let runs = 2 * Width::available().count();
     let noticed = differ(&jobs, &FIXED, moved);
     assert!(2 * noticed > runs * jobs.len(), "{noticed} of {}", runs * jobs.len());
 }
@@ -128,7 +128,7 @@ fn a_start_moved_a_little_is_noticed() {
 /// planes that researchers ask for have few.
 #[test]
 fn nearly_every_contact_is_found_directly() {
-    let Some(&width) = Width::available().iter().find(|width| width.lanes() > 1) else { return };
+    let Some(width) = Width::available().find(|width| width.lanes() > 1) else { return };
     let schedule = Schedule { transient: 0, observe: 100, max_period: 8, fixed_periods: true };
     let share = |omega: [f64; 2], delta: [f64; 2]| {
         let place = |[first, last]: [f64; 2], i: u32| first + (last - first) * f64::from(i) / 15.0;

@@ -114,7 +114,7 @@ struct Line<'a, 'scope, const N: usize> {
 
 impl<const N: usize> Line<'_, '_, N> {
     fn follow(&mut self, width: Width) {
-        width.compute(Following { line: self });
+        width.compute(&mut *self);
         // What no lane took.
         while let Some(index) = self.take() {
             self.follow_alone(index);
@@ -189,17 +189,12 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
     }
 }
 
-/// Lanes at work on a line.
-struct Following<'a, 'scope, 'b, const N: usize> {
-    line: &'b mut Line<'a, 'scope, N>,
-}
-
-impl<const N: usize> AtWidth for Following<'_, '_, '_, N> {
+/// Lanes at work on it.
+impl<const N: usize> AtWidth for &mut Line<'_, '_, N> {
     type Output = ();
 
     #[inline(always)]
     fn call<L: Lanes<Real = f64>>(self, zero: L) {
-        let Line { normals, schedule, .. } = *self.line;
-        follow_abreast(zero, normals, schedule, self.line);
+        follow_abreast(zero, self.normals, self.schedule, self);
     }
 }
