@@ -1,10 +1,13 @@
-//! What systems with the same flow have in common beside their plants: the cells of a plane have it once for many.
+//! What systems with the same flow have in common: the cells of a plane have it once for many.
+
+use std::sync::Arc;
 
 use arrayvec::ArrayVec;
 
 use super::equations::Equations;
+use super::of_flow::OfFlow;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
-use crate::system::{Plant, Setting};
+use crate::system::{Plant, Setting, StopValues};
 
 /// rate·h of a step of length h is kept below this: large enough for few steps, small enough for low orders.
 pub(super) const STEP: f64 = 1.0;
@@ -12,11 +15,13 @@ pub(super) const STEP: f64 = 1.0;
 /// Stops in the order in which labels count their impacts, by their places in the plant's order.
 pub(super) type LabelOrder = ArrayVec<usize, { Plant::MOST_STOPS }>;
 
-/// What systems with the same flow have in common, beside their plants.
+/// What systems with the same flow have in common.
 #[derive(Clone, Debug)]
 pub(super) struct Common {
     /// The setting that one of them was made from, if they were made from settings.
     pub like: Option<Setting>,
+    /// The plant of one of them.
+    pub plant: Plant,
     /// The stops in the order in which labels count their impacts.
     pub label_order: LabelOrder,
     /// How long the directions of the stops are, in the plant's order.
@@ -25,6 +30,8 @@ pub(super) struct Common {
     pub rate: f64,
     /// See [`System::steps`](super::System::steps).
     pub steps: u32,
+    /// What follows from the flow, found when it is first asked for; systems of other settings may have it in common, too.
+    pub of_flow: Arc<OfFlow>,
 }
 
 impl Common {
@@ -32,17 +39,34 @@ impl Common {
     ///
     /// # Errors
     /// [`SystemError::TooStiff`] where these would be too many.
-    pub fn of(setting: Option<Setting>, plant: &Plant, label_order: LabelOrder) -> Result<Self, SystemError> {
-        let (rate, omega) = (rate(plant), plant.omega);
+    pub fn of(setting: Option<Setting>, plant: Plant, label_order: LabelOrder) -> Result<Self, SystemError> {
+        let (rate, omega) = (rate(&plant), plant.omega);
         let half_steps = (0.5 * rate * plant.period() / STEP).ceil();
         if half_steps.is_nan() || half_steps > f64::from(MOST_STEPS / 2) {
             return Err(SystemError::TooStiff(Box::new(Stiff { setting, omega, rate })));
         }
         let lengths = plant.stops.iter().map(|stop| stop.direction.norm()).collect();
-        Ok(Common { like: setting, label_order, lengths, rate, steps: 2 * half_steps as u32 })
+        let (steps, of_flow) = (2 * half_steps as u32, Arc::default());
+        Ok(Common { like: setting, plant, label_order, lengths, rate, steps, of_flow })
+    }
+
+    /// Which of some stops, in the plant's order, have the same gap, per length of their direction, and the same restitution,
+    /// within a few ulps: one bit for each pair.
+    pub fn alike(&self, stops: &[StopValues]) -> u64 {
+        let near = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
+        let measures = |i: usize| [stops[i].gap / self.lengths[i], stops[i].restitution];
+        let mut bits = 0;
+        for i in 0..self.lengths.len() {
+            let own = measures(i);
+            for other in (0..i).map(measures) {
+                bits = 2 * bits + u64::from(near(own[0], other[0]) && near(own[1], other[1]));
+            }
+        }
+        bits
     }
 }
 
+/// Whether systems that have the same plant are the same.
 impl PartialEq for Common {
     fn eq(&self, other: &Self) -> bool {
         let alike = match (&self.like, &other.like) {

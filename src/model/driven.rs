@@ -40,7 +40,7 @@ impl System {
             omega: plant.omega,
             stops: plant.stops.iter().map(extended).collect(),
         })?;
-        driven.of_flow.0.mirror(|| {
+        driven.of_flow().mirror(|| {
             self.mirror().map(|Mirror { matrix, stops }| {
                 let mut matrix = square(matrix);
                 matrix[(n, n)] = 1.0;

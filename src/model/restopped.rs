@@ -2,13 +2,14 @@
 
 use std::sync::{Arc, OnceLock};
 
+use super::common::Common;
 use crate::system::{Plant, StopValues};
 
 /// A plant as another one with other gaps and restitutions.
 #[derive(Clone, Debug)]
 pub(super) struct Restopped {
-    /// One with the same flow.
-    like: Arc<Plant>,
+    /// What those with the same flow have in common.
+    pub common: Arc<Common>,
     /// The gap and the restitution of every stop; after those of the last stop they say nothing.
     stops: [StopValues; Plant::MOST_STOPS],
     /// The plant itself, made when it is first asked for.
@@ -16,35 +17,36 @@ pub(super) struct Restopped {
 }
 
 impl Restopped {
-    /// A plant with its own stops.
-    pub fn new(plant: Plant) -> Self {
-        let stops = std::array::from_fn(|i| plant.stops.get(i).map(StopValues::of).unwrap_or_default());
-        Restopped { like: Arc::new(plant), stops, own: OnceLock::new() }
+    /// The plant that is there, with its own stops.
+    pub fn new(common: Common) -> Self {
+        let stops = &common.plant.stops;
+        let stops = std::array::from_fn(|i| stops.get(i).map(StopValues::of).unwrap_or_default());
+        Restopped { common: Arc::new(common), stops, own: OnceLock::new() }
     }
 
     /// The same plant with other gaps and restitutions.
     pub fn with_stops(&self, stops: [StopValues; Plant::MOST_STOPS]) -> Self {
-        Restopped { like: Arc::clone(&self.like), stops, own: OnceLock::new() }
+        Restopped { common: Arc::clone(&self.common), stops, own: OnceLock::new() }
     }
 
     /// A plant with the same flow: the gaps and restitutions may be those of another cell.
     pub fn like(&self) -> &Plant {
-        &self.like
+        &self.common.plant
     }
 
     /// The gap and the restitution of every stop.
     pub fn stops(&self) -> &[StopValues] {
-        &self.stops[..self.like.stops.len()]
+        &self.stops[..self.like().stops.len()]
     }
 
     /// The plant.
     pub fn plant(&self) -> &Plant {
         let same = |(stop, values): (_, &StopValues)| StopValues::of(stop).bits() == values.bits();
-        if self.like.stops.iter().zip(&self.stops).all(same) {
-            return &self.like;
+        if self.like().stops.iter().zip(&self.stops).all(same) {
+            return self.like();
         }
         self.own.get_or_init(|| {
-            let mut plant = Plant::clone(&self.like);
+            let mut plant = self.like().clone();
             for (stop, values) in plant.stops.iter_mut().zip(&self.stops) {
                 (stop.gap, stop.restitution) = (values.gap, values.restitution);
             }
@@ -55,7 +57,7 @@ impl Restopped {
 
 impl PartialEq for Restopped {
     fn eq(&self, other: &Self) -> bool {
-        self.plant() == other.plant()
+        self.common == other.common && self.plant() == other.plant()
     }
 }
 
@@ -68,16 +70,20 @@ mod tests {
         System::new(Parameters { delta, r, ..Parameters::default() }).unwrap().plant().clone()
     }
 
+    fn alone(plant: Plant) -> Restopped {
+        Restopped::new(Common::of(None, plant, [1, 0].into_iter().collect()).unwrap())
+    }
+
     #[test]
     fn it_is_the_plant_with_those_stops() {
-        let first = Restopped::new(plant(0.2, 0.8));
+        let first = alone(plant(0.2, 0.8));
         assert_eq!(first.plant(), &plant(0.2, 0.8));
         for (delta, r) in [(0.3, 0.8), (0.2, 0.5), (0.2, 0.8), (0.0, 0.0), (-0.0, 0.5)] {
             let wanted = plant(delta, r);
             let stops = std::array::from_fn(|i| wanted.stops.get(i).map(StopValues::of).unwrap_or_default());
             let changed = first.with_stops(stops);
             assert_eq!(changed.plant(), &wanted, "δ = {delta}, r = {r}");
-            assert_eq!(changed.stops(), Restopped::new(wanted).stops());
+            assert_eq!(changed.stops(), alone(wanted).stops());
             assert!(std::ptr::eq(changed.like(), first.like()), "the rest is there once");
             let bits = |plant: &Plant| plant.stops.iter().map(|stop| stop.gap.to_bits()).collect::<Vec<_>>();
             assert_eq!(bits(changed.plant()), bits(&plant(delta, r)));

@@ -73,15 +73,13 @@ impl Flows {
 
     /// The same system, sharing what follows from its flow with those before it.
     #[must_use]
-    pub fn share(&self, mut system: System) -> System {
+    pub fn share(&self, system: System) -> System {
         let flow = flow(&system);
         let mut known = self.flows.lock();
         if let Some(of_flow) = known.get(&flow) {
-            of_flow.share();
-            system.of_flow.0 = Arc::clone(of_flow);
-        } else {
-            known.insert(flow, Arc::clone(&system.of_flow.0));
+            return system.sharing(of_flow);
         }
+        known.insert(flow, Arc::clone(system.of_flow()));
         system
     }
 }
@@ -271,7 +269,7 @@ mod tests {
         let flows = Flows::default();
         let first = flows.share(system(1.3, 0.1, 0.8));
         let second = flows.share(system(1.3, 0.2, 0.8));
-        assert!(Arc::ptr_eq(&first.of_flow.0, &second.of_flow.0));
+        assert!(Arc::ptr_eq(first.of_flow(), second.of_flow()));
         let (_, constants) = (first.mirror(), Flight::<f64, 2>::new(&first));
         let kept: Option<&Flight<f64, 2>> = second.of_flow().constants(|| unreachable!("it is known"));
         assert_eq!(kept, Some(&constants));

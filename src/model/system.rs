@@ -19,21 +19,9 @@ use crate::system::{Family, Mirror, Plant, Setting, StopParameters, StopValues};
 /// Everything is non-dimensional.
 #[derive(Clone, Debug, PartialEq)]
 pub struct System {
-    common: Arc<Common>,
+    plant: Restopped,
     /// What its setting has of its own.
     own: StopParameters,
-    plant: Restopped,
-    pub(super) of_flow: Kept,
-}
-
-/// What follows from a plant, found when it is first asked for: equal plants have equal ones.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Kept(pub(super) Arc<OfFlow>);
-
-impl PartialEq for Kept {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
 }
 
 impl System {
@@ -72,21 +60,20 @@ impl System {
 
     /// The system of a setting with those gaps and restitutions.
     fn with_stops(&self, setting: &Setting, stops: [StopValues; Plant::MOST_STOPS]) -> Self {
-        let (common, of_flow) = (Arc::clone(&self.common), self.of_flow.clone());
-        System { common, own: setting.stop_parameters(), plant: self.plant.with_stops(stops), of_flow }
+        System { plant: self.plant.with_stops(stops), own: setting.stop_parameters() }
     }
 
     /// The system of a setting that has its flow in common with this one, which is that of its own setting: the same as
     /// [`Flows::system`](super::Flows::system) has it, if it is known at once to be.
     pub(crate) fn neighbour(&self, setting: &Setting) -> Option<Self> {
-        if !self.common.like.as_ref()?.has_flow_of(setting) {
+        if !self.common().like.as_ref()?.has_flow_of(setting) {
             return None;
         }
         let stops = setting.stop_values()?;
-        if self.mirrored_among(&stops) != self.mirrored_stops() {
+        if self.common().alike(&stops) != self.mirrored_stops() {
             return None;
         }
-        self.of_flow.0.share();
+        self.of_flow().share();
         Some(self.with_stops(setting, stops))
     }
 
@@ -95,7 +82,7 @@ impl System {
     /// # Errors
     /// As [`System::of_plant`].
     pub fn with_plant(&self, plant: Plant) -> Result<Self, SystemError> {
-        System::of_plant(plant).map(|system| system.ordered(self.common.label_order.clone()))
+        System::of_plant(plant).map(|system| system.ordered(self.common().label_order.clone()))
     }
 
     /// The same system with another order in which labels count the impacts at its stops, each of them once.
@@ -110,15 +97,15 @@ impl System {
         self.ordered(label_order.into_iter().collect())
     }
 
-    fn ordered(self, label_order: LabelOrder) -> Self {
-        System { common: Arc::new(Common { label_order, ..Common::clone(&self.common) }), ..self }
+    fn ordered(mut self, label_order: LabelOrder) -> Self {
+        self.common_mut().label_order = label_order;
+        self
     }
 
     /// A system whose forcing period is cut into steps short enough for the fastest motion.
     fn divided(setting: Option<Setting>, plant: Plant, label_order: LabelOrder) -> Result<Self, SystemError> {
         let own = setting.map(|setting| setting.stop_parameters()).unwrap_or_default();
-        let common = Arc::new(Common::of(setting, &plant, label_order)?);
-        Ok(System { common, own, plant: Restopped::new(plant), of_flow: Kept::default() })
+        Ok(System { plant: Restopped::new(Common::of(setting, plant, label_order)?), own })
     }
 
     /// The system of another plant that is known to be sound, with the same setting and its labels in the same order.
@@ -126,7 +113,7 @@ impl System {
     /// # Errors
     /// [`SystemError::TooStiff`] where one forcing period would hold too many steps.
     pub(super) fn with_sound_plant(&self, plant: Plant) -> Result<Self, SystemError> {
-        System::divided(self.setting(), plant, self.common.label_order.clone())
+        System::divided(self.setting(), plant, self.common().label_order.clone())
     }
 
     /// The same system forced at another frequency ω: its setting's omega, where it was made from one that has it.
@@ -144,32 +131,51 @@ impl System {
     pub(super) fn changed(self, change: impl FnOnce(&mut Plant)) -> Self {
         let mut plant = self.plant().clone();
         change(&mut plant);
-        System { plant: Restopped::new(plant), of_flow: Kept::default(), ..self }
+        let common = Common { plant, of_flow: Arc::default(), ..Common::clone(self.common()) };
+        System { plant: Restopped::new(common), ..self }
     }
 
     /// The stops in the order in which labels count their impacts: the family's, or that of the plant.
     pub fn label_order(&self) -> &[usize] {
-        &self.common.label_order
+        &self.common().label_order
     }
 
     /// The same system, which shares nothing with others.
     #[must_use]
     pub(crate) fn alone(mut self) -> Self {
-        match Arc::get_mut(&mut self.of_flow.0) {
+        let of_flow = &mut self.common_mut().of_flow;
+        match Arc::get_mut(of_flow) {
             Some(own) => *own = OfFlow::default(),
-            None => self.of_flow = Kept::default(),
+            None => *of_flow = Arc::default(),
         }
         self
     }
 
+    /// The same system, which has with others in common what follows from its flow.
+    #[must_use]
+    pub(super) fn sharing(mut self, of_flow: &Arc<OfFlow>) -> Self {
+        of_flow.share();
+        self.common_mut().of_flow = Arc::clone(of_flow);
+        self
+    }
+
+    fn common(&self) -> &Common {
+        &self.plant.common
+    }
+
+    /// The same, which others do not have then.
+    fn common_mut(&mut self) -> &mut Common {
+        Arc::make_mut(&mut self.plant.common)
+    }
+
     /// The setting that the system was made from; none where it was made from a plant.
     pub fn setting(&self) -> Option<Setting> {
-        self.common.like.map(|like| like.with_stop_parameters(&self.own))
+        self.common().like.map(|like| like.with_stop_parameters(&self.own))
     }
 
     /// The family of that setting.
     pub fn family(&self) -> Option<&'static Family> {
-        self.common.like.as_ref().map(Setting::family)
+        self.common().like.as_ref().map(Setting::family)
     }
 
     /// Whether it is the paper's oscillator, of which the exact theory speaks.
@@ -238,12 +244,12 @@ impl System {
 
     /// The mirror P, P² = 1, under which the system half a forcing period later is itself, if there is one.
     pub fn mirror(&self) -> Option<&Mirror> {
-        self.of_flow.0.mirror(|| self.plant().mirror())
+        self.of_flow().mirror(|| self.plant().mirror())
     }
 
     /// What follows from its flow alone.
     pub(crate) fn of_flow(&self) -> &Arc<OfFlow> {
-        &self.of_flow.0
+        &self.common().of_flow
     }
 
     /// What follows from its flow and its coefficients of restitution, whatever its gaps: found once for all systems that
@@ -251,28 +257,12 @@ impl System {
     pub(crate) fn whatever_gaps<C: Any + Send + Sync>(&self, compute: impl FnOnce() -> C) -> Arc<C> {
         let stops = self.plant.stops();
         let bits = |i: usize| stops.get(i).map_or(0, |stop| stop.restitution.to_bits());
-        self.of_flow.0.of_restitutions(std::array::from_fn(bits), compute)
+        self.of_flow().of_restitutions(std::array::from_fn(bits), compute)
     }
 
-    /// Which stops have the same gap, per length of their direction, and the same restitution, within a few ulps: one bit
-    /// for each pair. Systems with the same flow and the same bits have the same mirror.
+    /// [`Common::alike`] of its own stops. Systems with the same flow and the same bits have the same mirror.
     pub(super) fn mirrored_stops(&self) -> u64 {
-        self.mirrored_among(self.plant.stops())
-    }
-
-    /// The same with other gaps and restitutions.
-    fn mirrored_among(&self, stops: &[StopValues]) -> u64 {
-        let near = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
-        let lengths = &self.common.lengths;
-        let measures = |i: usize| [stops[i].gap / lengths[i], stops[i].restitution];
-        let mut bits = 0;
-        for i in 0..lengths.len() {
-            let own = measures(i);
-            for other in (0..i).map(measures) {
-                bits = 2 * bits + u64::from(near(own[0], other[0]) && near(own[1], other[1]));
-            }
-        }
-        bits
+        self.common().alike(self.plant.stops())
     }
 
     /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.
@@ -289,11 +279,11 @@ impl System {
     /// The fastest rate of the flow: ω, or ‖A⁸‖^(1/8) of the unforced generator A, which lies just above the
     /// modulus of its largest eigenvalue. Taylor terms of a flight of length s shrink like (rate·s)ᵏ/k!.
     pub fn rate(&self) -> f64 {
-        self.common.rate
+        self.common().rate
     }
 
     /// M, the steps in one forcing period: even, so that phases 0 and π fall on steps.
     pub fn steps(&self) -> u32 {
-        self.common.steps
+        self.common().steps
     }
 }
