@@ -18,11 +18,12 @@ pub fn decide(
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>> {
     let doubts = Doubts::of(schedule);
-    let mut verdicts = doubts.begin(backend, jobs, 0.., watch)?;
+    let mut verdicts = doubts.begin(backend, jobs, watch)?;
+    doubts.put_off(jobs, &verdicts, 0..);
     for (job, verdict) in doubts.settle(backend, 1, watch)? {
-        verdicts[job as usize] = Some(verdict);
+        verdicts[job as usize] = verdict;
     }
-    Ok(verdicts.into_iter().map(|verdict| verdict.expect("every look was taken")).collect())
+    Ok(verdicts)
 }
 
 /// Trajectories in doubt, of one call or of many: the few of each wait until there are enough of them to be looked at together.
@@ -41,20 +42,19 @@ impl Doubts {
         Doubts { schedule: *schedule, looks }
     }
 
-    /// The verdicts of a back end on some jobs; none on those in doubt, which wait under the number that comes with them.
+    /// The verdicts of a back end on some jobs, the first that are come to.
     ///
     /// # Errors
     /// What the back end could not do.
-    pub fn begin(
-        &self,
-        backend: &dyn Backend,
-        jobs: &[Job],
-        numbers: impl IntoIterator<Item = u64>,
-        watch: &dyn Watch,
-    ) -> Result<Vec<Option<Verdict>>> {
-        let verdicts = confirmed_by(backend, jobs, &self.schedule, watch)?;
-        let each = jobs.iter().zip(verdicts).zip(numbers);
-        Ok(each.map(|((job, verdict), number)| self.leave(0, job, Doubt { number, verdict })).collect())
+    pub fn begin(&self, backend: &dyn Backend, jobs: &[Job], watch: &dyn Watch) -> Result<Vec<Verdict>> {
+        confirmed_by(backend, jobs, &self.schedule, watch)
+    }
+
+    /// Lets those of some jobs wait whose first verdicts are in doubt, each under the number that comes with it.
+    pub fn put_off(&self, jobs: &[Job], verdicts: &[Verdict], numbers: impl IntoIterator<Item = u64>) {
+        for ((job, &verdict), number) in jobs.iter().zip(verdicts).zip(numbers) {
+            self.leave(0, job, Doubt { number, verdict });
+        }
     }
 
     /// Takes every look that at least so many wait for; what that decides, with its number.
@@ -187,20 +187,26 @@ mod tests {
     fn those_in_doubt_wait_for_each_other_and_come_to_the_same() {
         let (told, jobs, doubts) = (Told::new(15), jobs(), Doubts::of(&SCHEDULE));
         let expected = decide(&Told::new(60), &jobs, &SCHEDULE, &Unwatched).unwrap();
-        let mut found: Vec<Option<Verdict>> = vec![None; jobs.len()];
+        let (mut begun, mut settled) = (Vec::new(), vec![None; jobs.len()]);
         let mut put = |number: u64, verdict: Verdict| {
-            assert_eq!(found[number as usize].replace(verdict), None, "{number} comes once");
+            assert_eq!(settled[number as usize].replace(verdict), None, "{number} comes once");
         };
         for (part, numbers) in jobs.chunks(12).zip((0..).step_by(12)) {
-            let begun = doubts.begin(&told, part, numbers.., &Unwatched).unwrap();
-            (numbers..)
-                .zip(begun)
-                .filter_map(|(number, found)| Some((number, found?)))
-                .for_each(|(n, v)| put(n, v));
+            let first = doubts.begin(&told, part, &Unwatched).unwrap();
+            doubts.put_off(part, &first, numbers..);
+            begun.extend(first);
             doubts.settle(&told, 9, &Unwatched).unwrap().into_iter().for_each(|(n, v)| put(n, v));
         }
         doubts.settle(&told, 1, &Unwatched).unwrap().into_iter().for_each(|(n, v)| put(n, v));
-        assert_eq!(format!("{:?}", found.into_iter().flatten().collect::<Vec<_>>()), format!("{expected:?}"));
+        assert!(
+            settled
+                .iter()
+                .zip(TIMES.iter().cycle())
+                .all(|(settled, times)| settled.is_some() == (*times > 1.0))
+        );
+        let found: Vec<Verdict> =
+            settled.into_iter().zip(begun).map(|(settled, first)| settled.unwrap_or(first)).collect();
+        assert_eq!(format!("{found:?}"), format!("{expected:?}"));
         let runs = told.runs.lock();
         assert_eq!(runs.iter().sum::<usize>(), 60 + 20 + 30 + 20);
         assert_eq!(

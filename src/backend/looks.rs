@@ -137,10 +137,16 @@ pub(super) fn confirmed_by(
     schedule: &Schedule,
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>> {
-    let mut verdicts = Vec::with_capacity(jobs.len());
+    let mut verdicts = Vec::new();
     for tile in jobs.chunks(backend.tile().max(1)) {
         watch.check()?;
-        verdicts.extend(backend.run(tile, schedule, watch)?);
+        let found = backend.run(tile, schedule, watch)?;
+        // As a rule there is one tile.
+        if verdicts.is_empty() {
+            verdicts = found;
+        } else {
+            verdicts.extend(found);
+        }
     }
     jobs.par_iter().zip(&mut verdicts).for_each(|(job, verdict)| {
         if let Some(exact) = confirmed(&job.system, verdict) {

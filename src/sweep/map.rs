@@ -53,9 +53,11 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
         let here: Vec<u64> = order.cells(places.clone()).collect();
         let Prepared { jobs, places: of_jobs, missing } = Prepared::of(plane, &here, &flows)?;
         watch.finished((here.len() - jobs.len()) as u64);
-        let numbers = of_jobs.iter().map(|&place| here[place as usize]);
-        let found = plane.task.begin(backend, &jobs, numbers, &doubts, watch)?;
+        let found = plane.task.begin(backend, &jobs, &doubts, watch)?;
         put(&mut verdicts.lock(), &order, places, &of_jobs, &found);
+        // What is in doubt waits only now: as soon as it does, another tile's thread may put what it settles in that place.
+        let numbers = of_jobs.iter().map(|&place| here[place as usize]);
+        plane.task.put_off(&jobs, &found, numbers, &doubts);
         let any = !jobs.is_empty();
         // By the threads that made them.
         jobs.into_par_iter().for_each(drop);
@@ -71,17 +73,11 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
 }
 
 /// Puts what was found into the plane's order; row by row, so that it goes through memory in few strides. It was found at some
-/// places of an order, `of_jobs` counted from the first of them; what is still in doubt comes later.
-fn put<C: Clone>(
-    verdicts: &mut [C],
-    order: &Order,
-    places: Range<u64>,
-    of_jobs: &[u32],
-    found: &[Option<C>],
-) {
+/// places of an order, `of_jobs` counted from the first of them.
+fn put<C: Clone>(verdicts: &mut [C], order: &Order, places: Range<u64>, of_jobs: &[u32], found: &[C]) {
     let mut results = vec![None; (places.end - places.start) as usize];
     for (&place, found) in of_jobs.iter().zip(found) {
-        results[place as usize] = found.as_ref();
+        results[place as usize] = Some(found);
     }
     for (place, cell) in order.row_by_row(places) {
         if let Some(found) = results[place] {

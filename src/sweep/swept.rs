@@ -34,7 +34,7 @@ pub trait Swept: Task {
     /// What keeps track of what is in doubt.
     fn doubts(&self) -> Self::Doubts;
 
-    /// The same as [`Swept::run`] for jobs that come with a number each; nothing for those that wait among the doubts.
+    /// What a back end finds first, one result for each job: those in doubt may change.
     ///
     /// # Errors
     /// What the back end could not do.
@@ -42,10 +42,18 @@ pub trait Swept: Task {
         &self,
         backend: &dyn Backend,
         jobs: &[Self::Job],
-        numbers: impl Iterator<Item = u64>,
         doubts: &Self::Doubts,
         watch: &dyn Watch,
-    ) -> backend::Result<Vec<Option<Self::Cell>>>;
+    ) -> backend::Result<Vec<Self::Cell>>;
+
+    /// Lets jobs wait among the doubts whose first results call for it, each under the number that comes with it.
+    fn put_off(
+        &self,
+        jobs: &[Self::Job],
+        found: &[Self::Cell],
+        numbers: impl Iterator<Item = u64>,
+        doubts: &Self::Doubts,
+    );
 
     /// Looks at what is in doubt where at least so many wait for the same; what that decides, with its number.
     ///
@@ -85,11 +93,14 @@ impl Swept for Schedule {
         &self,
         backend: &dyn Backend,
         jobs: &[Job],
-        numbers: impl Iterator<Item = u64>,
         doubts: &Doubts,
         watch: &dyn Watch,
-    ) -> backend::Result<Vec<Option<Verdict>>> {
-        doubts.begin(backend, jobs, numbers, watch)
+    ) -> backend::Result<Vec<Verdict>> {
+        doubts.begin(backend, jobs, watch)
+    }
+
+    fn put_off(&self, jobs: &[Job], found: &[Verdict], numbers: impl Iterator<Item = u64>, doubts: &Doubts) {
+        doubts.put_off(jobs, found, numbers);
     }
 
     fn settle(
@@ -131,12 +142,13 @@ impl Swept for Control {
         &self,
         backend: &dyn Backend,
         jobs: &[ControlJob],
-        _: impl Iterator<Item = u64>,
         (): &(),
         watch: &dyn Watch,
-    ) -> backend::Result<Vec<Option<Self::Cell>>> {
-        Ok(self.run(backend, jobs, watch)?.into_iter().map(Some).collect())
+    ) -> backend::Result<Vec<Self::Cell>> {
+        self.run(backend, jobs, watch)
     }
+
+    fn put_off(&self, _: &[ControlJob], _: &[Self::Cell], _: impl Iterator<Item = u64>, (): &()) {}
 
     fn settle(
         &self,

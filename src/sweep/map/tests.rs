@@ -71,7 +71,7 @@ fn cells_without_a_job_stay_as_they_are() {
                 let cells: Vec<u64> = order.cells(places.clone()).collect();
                 let with_jobs = || (0..).zip(&cells).filter(|&(_, &cell)| has_job(cell));
                 let (of_jobs, found): (Vec<u32>, Vec<_>) =
-                    with_jobs().map(|(place, &cell)| (place, Some(Some(cell)))).unzip();
+                    with_jobs().map(|(place, &cell)| (place, Some(cell))).unzip();
                 put(&mut verdicts, &order, places, &of_jobs, &found);
             }
             let expected: Vec<_> = (0..20).map(|cell| has_job(cell).then_some(cell)).collect();
