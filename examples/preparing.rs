@@ -17,6 +17,11 @@ use impact_atlas::analysis::{Regime, Schedule, Verdict};
 use impact_atlas::backend::{Backend, Job, Result, Unwatched, Watch};
 use impact_atlas::plane::{Plane, Reached, Start};
 use impact_atlas::sweep::sweep;
+use mimalloc::MiMalloc;
+
+/// That of the program.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
 
 /// Follows nothing.
 #[derive(Debug)]

@@ -35,7 +35,12 @@ use impact_atlas::backend::{
 };
 use impact_atlas::dynamics::Usage;
 use impact_atlas::model::{ByFlow, Flights, Flows, Parameters, System, Width};
+use mimalloc::MiMalloc;
 use serde::Serialize;
+
+/// That of the program.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
 
 const PERIODS: u32 = 200;
 
