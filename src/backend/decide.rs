@@ -52,8 +52,8 @@ impl Doubts {
 
     /// Lets those of some jobs wait whose first verdicts are in doubt, each under the number that comes with it.
     pub fn put_off(&self, jobs: &[Job], verdicts: &[Verdict], numbers: impl IntoIterator<Item = u64>) {
-        for ((job, &verdict), number) in jobs.iter().zip(verdicts).zip(numbers) {
-            self.leave(0, job, Doubt { number, verdict });
+        for ((job, verdict), number) in jobs.iter().zip(verdicts).zip(numbers) {
+            self.leave(0, job, number, verdict);
         }
     }
 
@@ -70,22 +70,24 @@ impl Doubts {
         let mut settled = Vec::new();
         for (look, next) in self.looks.iter().zip(1..) {
             let Some((jobs, doubts)) = look.called(least) else { continue };
-            for (job, doubt) in jobs.iter().zip(look.take(backend, &jobs, doubts, watch)?) {
-                let number = doubt.number;
-                settled.extend(self.leave(next, job, doubt).map(|verdict| (number, verdict)));
+            for (job, Doubt { number, verdict }) in jobs.iter().zip(look.take(backend, &jobs, doubts, watch)?)
+            {
+                if !self.leave(next, job, number, &verdict) {
+                    settled.push((number, verdict));
+                }
             }
         }
         Ok(settled)
     }
 
-    /// Lets a trajectory wait for the first look from one on that its verdict calls for; the verdict, where none does.
-    fn leave(&self, from: usize, job: &Job, doubt: Doubt) -> Option<Verdict> {
-        let Some(look) = self.looks[from..].iter().find(|look| look.is_called_for_by(&doubt.verdict)) else {
-            return Some(doubt.verdict);
-        };
-        let goes_on = Job { system: job.system.clone(), start: doubt.verdict.state };
-        look.put_off(goes_on, doubt);
-        None
+    /// Lets a trajectory wait for the first look from one on that its verdict calls for; whether there is one.
+    fn leave(&self, from: usize, job: &Job, number: u64, verdict: &Verdict) -> bool {
+        let look = self.looks[from..].iter().find(|look| look.is_called_for_by(verdict));
+        if let Some(look) = look {
+            let goes_on = Job { system: job.system.clone(), start: verdict.state };
+            look.put_off(goes_on, Doubt { number, verdict: *verdict });
+        }
+        look.is_some()
     }
 }
 

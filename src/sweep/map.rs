@@ -4,8 +4,6 @@
 //! grow with the plane; a tile holds cells of as few flows as there can be.
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
 
-use std::ops::Range;
-
 use parking_lot::Mutex;
 use rayon::prelude::*;
 
@@ -50,11 +48,11 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
         watch.check()?;
         flows.tidy();
         let places = first..cells.min(first.saturating_add(tile));
-        let here: Vec<u64> = order.cells(places.clone()).collect();
+        let here: Vec<u64> = order.cells(places).collect();
         let Prepared { jobs, places: of_jobs, missing } = Prepared::of(plane, &here, &flows)?;
         watch.finished((here.len() - jobs.len()) as u64);
         let found = plane.task.begin(backend, &jobs, &doubts, watch)?;
-        put(&mut verdicts.lock(), &order, places, &of_jobs, &found);
+        put(&mut verdicts.lock(), &here, &of_jobs, &found, order.row_by_row(here.len()));
         // What is in doubt waits only now: as soon as it does, another tile's thread may put what it settles in that place.
         let numbers = of_jobs.iter().map(|&place| here[place as usize]);
         plane.task.put_off(&jobs, &found, numbers, &doubts);
@@ -72,16 +70,22 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
     }
 }
 
-/// Puts what was found into the plane's order; row by row, so that it goes through memory in few strides. It was found at some
-/// places of an order, `of_jobs` counted from the first of them.
-fn put<C: Clone>(verdicts: &mut [C], order: &Order, places: Range<u64>, of_jobs: &[u32], found: &[C]) {
-    let mut results = vec![None; (places.end - places.start) as usize];
-    for (&place, found) in of_jobs.iter().zip(found) {
-        results[place as usize] = Some(found);
+/// Puts what was found of some cells `here` into the plane's order. `of_jobs` are the numbers of those that it was found of; they
+/// are gone through by their `numbers` row by row, so that it goes through memory in few strides.
+fn put<C: Clone>(
+    verdicts: &mut [C],
+    here: &[u64],
+    of_jobs: &[u32],
+    found: &[C],
+    numbers: impl Iterator<Item = usize>,
+) {
+    let mut results = vec![None; here.len()];
+    for (&number, found) in of_jobs.iter().zip(found) {
+        results[number as usize] = Some(found);
     }
-    for (place, cell) in order.row_by_row(places) {
-        if let Some(found) = results[place] {
-            verdicts[cell as usize] = found.clone();
+    for number in numbers {
+        if let Some(found) = results[number] {
+            verdicts[here[number] as usize] = found.clone();
         }
     }
 }
