@@ -1,8 +1,6 @@
 //! What the program asks of the machine before it begins: threads, signals, and drivers without messages of their own.
 
 use std::env;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use anyhow::Context;
 
@@ -44,6 +42,9 @@ fn threads_of(variable: Option<&str>) -> Result<u32> {
 /// Lets a file that grows beyond the shell's limit be an error of writing instead of the end of the process.
 #[cfg(unix)]
 pub fn outlive_large_files() -> Result<()> {
+    use std::sync::Arc;
+    use std::sync::atomic::AtomicBool;
+
     let unread = Arc::new(AtomicBool::new(false));
     signal_hook::flag::register(signal_hook::consts::SIGXFSZ, unread)
         .context("cannot listen for the limit on the size of files")
