@@ -100,7 +100,7 @@ fn iterate<const N: usize, const M: usize>(
         fixed: true,
         max_period: ControlSchedule::MAX_PERIOD,
     };
-    let (sin, cos) = points[0].tau().sin_cos();
+    let (sin, cos) = libm::sincos(points[0].tau());
     let placed = points[0].trajectory(flight, &surface, Contact::FREE);
     let point = Point { sin, cos, ..placed.point };
     let begun = Trajectory::from_point(flight, point, Contact::FREE, placed.step, placed.offset);

@@ -107,7 +107,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     pub fn at_phase(flight: &Flight<T, N>, state: State<T, N>, phase: f64) -> Self {
         let steps = phase / std::f64::consts::TAU * f64::from(flight.steps);
         let step = (steps as u32).min(flight.steps - 1);
-        let (sin, cos) = phase.sin_cos();
+        let (sin, cos) = libm::sincos(phase);
         let contact = clamped(flight);
         let state = rested(flight, &state, contact);
         let point = Point { state, sin: T::of(sin), cos: T::of(cos) };

@@ -18,7 +18,7 @@ impl Spacing {
     pub fn at(self, first: f64, last: f64, share: f64) -> f64 {
         match self {
             Spacing::Linear => first + share * (last - first),
-            Spacing::Log => first * ((last / first).ln() * share).exp(),
+            Spacing::Log => first * libm::exp(libm::log(last / first) * share),
         }
     }
 

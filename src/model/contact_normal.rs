@@ -149,7 +149,7 @@ pub(super) fn contact_normal<const N: usize>(
         stop: [0, 1].map(|side| end(side).map_or(NO_STOP, |end| end.stop as u8)),
         bound_x: bound.state.x,
         bound_v: bound.state.v,
-        bound_forcing: bound.sin.hypot(bound.cos) + bound.one,
+        bound_forcing: libm::hypot(bound.sin, bound.cos) + bound.one,
         held: Step::of(&equations.held_along(k), h),
         kick: kick(equations, h, normal.response),
         back: back(equations, h, normal.direction),

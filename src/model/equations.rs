@@ -184,13 +184,13 @@ impl<const N: usize> Equations<N> {
         }
         // Scaled by a power of two against overflow.
         let largest = stiffness.amax().max(damping.amax()).max(1.0);
-        let scale = 2.0_f64.powi(largest.log2().floor() as i32);
+        let scale = 2.0_f64.powi(libm::ilogb(largest));
         let one = SMatrix::<f64, N, N>::identity();
         let mut power = [[SMatrix::zeros(), one / scale], [stiffness / scale, damping / scale]];
         for _ in 0..3 {
             power = squared(&power);
         }
-        let fastest = scale * norm(&power).powf(0.125);
+        let fastest = scale * norm(&power).sqrt().sqrt().sqrt();
         // Not `max`, which ignores NaN.
         if fastest < self.omega { self.omega } else { fastest }
     }

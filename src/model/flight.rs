@@ -111,7 +111,7 @@ impl<const N: usize> Flight<f64, N> {
         let equations = Equations::<N>::new(system.plant());
         let steps = system.steps();
         let h = system.period() / f64::from(steps);
-        let (turn_sin, turn_cos) = (equations.omega * h).sin_cos();
+        let (turn_sin, turn_cos) = libm::sincos(equations.omega * h);
         let response = ForcedResponse::of(&equations);
         let trap = Trap::of(system.plant(), &equations);
         let decay = slowest(&generator(&equations));

@@ -189,7 +189,7 @@ impl Real for f64 {
     }
 
     fn logarithm(self) -> Self {
-        self.ln()
+        libm::log(self)
     }
 
     #[inline(always)]

@@ -51,11 +51,11 @@ impl Stiff {
         let Some(parameters) = self.setting.as_ref().and_then(Parameters::of) else {
             return "raise the forcing frequency, lower stiffness and damping, or raise the lightest mass";
         };
-        let odds = |ratio: f64| (ratio / (1.0 - ratio)).ln();
+        let odds = |ratio: f64| libm::log(ratio / (1.0 - ratio));
         let least = f64::MIN_POSITIVE;
         let far = [
-            (-parameters.omega.max(least).ln(), "raise omega"),
-            (parameters.zeta.max(least).ln() + 2.0, "lower zeta"),
+            (-libm::log(parameters.omega.max(least)), "raise omega"),
+            (libm::log(parameters.zeta.max(least)) + 2.0, "lower zeta"),
             (-odds(parameters.mu_m.max(least)), "raise mu_m"),
             (odds(parameters.mu_k), "lower mu_k"),
             (odds(parameters.mu_c), "lower mu_c"),

@@ -127,7 +127,7 @@ impl Flow {
     /// The whole state z just after an impact.
     pub fn lifted(&self, stop: Stop, section: &SectionVector) -> DVector<f64> {
         let mut z = self.face(stop).lifted(section);
-        let (sin, cos) = phase(section).sin_cos();
+        let (sin, cos) = libm::sincos(phase(section));
         z[2 * self.n] = sin;
         z[2 * self.n + 1] = cos;
         z

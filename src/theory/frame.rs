@@ -91,7 +91,7 @@ impl Frame {
         self.lose(self.lost + vanished);
         let kept = self.kept();
         for (j, growth) in self.growth.iter_mut().enumerate() {
-            *growth += if j < kept { r[(j, j)].abs().ln() } else { f64::NEG_INFINITY };
+            *growth += if j < kept { libm::log(r[(j, j)].abs()) } else { f64::NEG_INFINITY };
         }
         q.columns_mut(kept, size - kept).fill(0.0);
         follower.set_tangents(&q);

@@ -39,8 +39,8 @@ impl Jet {
     }
 
     /// The sine and cosine, by the addition theorem and the series about c₀.
-    fn sin_cos(self) -> (Jet, Jet) {
-        let (sin, cos) = self.0[0].sin_cos();
+    fn phasor(self) -> (Jet, Jet) {
+        let (sin, cos) = libm::sincos(self.0[0]);
         let rest = Jet([0.0, self.0[1], self.0[2], self.0[3]]);
         let square = rest * rest;
         let small_sin = rest + (square * rest).scaled(-1.0 / 6.0);
@@ -82,7 +82,7 @@ pub(super) fn turn(
 fn arc(flow: &Flow, from: Stop, sections: &Jets, time: f64, to: Stop) -> Option<Jets> {
     let last = 2 * flow.n - 1;
     let series = |j: usize| Jet(std::array::from_fn(|k| sections[k][j]));
-    let (sin, cos) = series(last).sin_cos();
+    let (sin, cos) = series(last).phasor();
     let over = flow.over(time);
     let (departure, arrived) = (flow.face(from), flow.face(to));
     let arrival: Jets = std::array::from_fn(|k| {

@@ -62,7 +62,7 @@ impl MatchingLine {
         due[size - 1] = image.along(&mirrored)[0];
         let growth = arrived.columns(0, size) * own - due;
         let Solutions { points, direction } = solved(&matrix, [&-&constant, &-&growth])?;
-        let direction = &direction / direction[size - 1].hypot(direction[size]);
+        let direction = &direction / libm::hypot(direction[size - 1], direction[size]);
         if !direction.iter().all(|value| value.is_finite()) {
             return None;
         }
@@ -96,7 +96,7 @@ impl MatchingLine {
 
     /// How far a point of it is from (sin τ, cos τ) = 0 in those two.
     pub fn distance(&self, point: &Place) -> f64 {
-        point[self.size - 1].hypot(point[self.size])
+        libm::hypot(point[self.size - 1], point[self.size])
     }
 
     /// The two points with sin² τ + cos² τ = 1, each as a section with τ in [−π, π]; `nearest` is the point of their gap, and
@@ -107,7 +107,7 @@ impl MatchingLine {
         [-half_chord, half_chord].map(|along| {
             let values = nearest + self.direction * along;
             let last = self.size - 1;
-            let tau = values[last].atan2(values[last + 1]);
+            let tau = libm::atan2(values[last], values[last + 1]);
             SectionVector::from_fn(self.size, |k, _| if k == last { tau } else { values[k] })
         })
     }
@@ -115,7 +115,7 @@ impl MatchingLine {
     /// The largest residual that a section leaves of the conditions with a gap.
     pub fn residual(&self, section: &SectionVector, gap: f64) -> f64 {
         let last = section.len() - 1;
-        let (sin, cos) = phase(section).sin_cos();
+        let (sin, cos) = libm::sincos(phase(section));
         let mut residual = self.constant + self.growth * gap;
         for k in 0..=self.size {
             let value = if k < last { section[k] } else { [sin, cos][k - last] };

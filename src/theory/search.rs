@@ -94,7 +94,7 @@ struct Beside {
 
 /// The system a relative change of ω and δ away, in one of the directions; of a plant without parameters ω alone changes.
 fn neighbour(system: &System, reach: f64, direction: u32) -> Option<System> {
-    let (sin, cos) = (TAU * f64::from(direction) / f64::from(DIRECTIONS)).sin_cos();
+    let (sin, cos) = libm::sincos(TAU * f64::from(direction) / f64::from(DIRECTIONS));
     let Some(setting) = system.setting() else {
         let plant = Plant { omega: system.plant().omega * (1.0 + reach * cos), ..system.plant().clone() };
         return system.with_plant(plant).ok();
@@ -134,7 +134,7 @@ fn scattered(system: &System, index: u32) -> Vec<f64> {
     let (n, size) = (plant.n, 2 * plant.n);
     // The additive recurrence of the golden ratio of 2n dimensions, the root of xᵐ⁺¹ = x + 1.
     let power = 1.0 / (size as f64 + 1.0);
-    let ratio = (0..64).fold(2.0f64, |ratio, _| (1.0 + ratio).powf(power));
+    let ratio = (0..64).fold(2.0f64, |ratio, _| libm::pow(1.0 + ratio, power));
     let fraction = |k: usize| (0.5 + f64::from(index + 1) / ratio.powi(k as i32 + 1)).fract() * 2.0 - 1.0;
     let mut start: Vec<f64> = (0..size).map(fraction).collect();
     let flow = Flow::new(system);

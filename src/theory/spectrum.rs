@@ -130,7 +130,9 @@ impl Spectrum {
         let stops =
             self.impacts_per_stop.iter().zip(&system.plant().stops).filter(|(impacts, _)| **impacts > 0);
         let struck: f64 = stops
-            .map(|(&impacts, stop)| 2.0 * stop.restitution.ln() * (impacts as f64 / f64::from(self.periods)))
+            .map(|(&impacts, stop)| {
+                2.0 * libm::log(stop.restitution) * (impacts as f64 / f64::from(self.periods))
+            })
             .sum();
         struck - self.period * system.contraction()
     }

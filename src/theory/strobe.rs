@@ -199,7 +199,7 @@ impl StrobeMotion {
 
     /// The largest Lyapunov exponent per forcing period: that of the largest multiplier, −∞ where all are 0.
     pub fn exponent(&self) -> Option<f64> {
-        Some(self.multipliers()?[0].norm().ln() / f64::from(self.n))
+        Some(libm::log(self.multipliers()?[0].norm()) / f64::from(self.n))
     }
 
     /// Whether all Floquet multipliers lie within the unit circle; none where there are none.
