@@ -28,23 +28,27 @@ enum Found {
     Item(PathBuf),
 }
 
+/// The modules of some files, each with its file and its code, without what only tests have.
+pub fn of_the_program(sources: &[(PathBuf, String)]) -> Vec<(Name, &Path, Vec<TokenTree>)> {
+    let mut of_tests = BTreeSet::new();
+    let parsed: Vec<(Name, &Path, Vec<TokenTree>)> = sources
+        .iter()
+        .map(|(file, source)| (module(file), file.as_path(), tokens(source)))
+        .map(|(name, file, code)| {
+            let code = without_tests(&name, code, &mut of_tests);
+            (name, file, code)
+        })
+        .collect();
+    let of_tests = |name: &Name| (1..=name.len()).any(|length| of_tests.contains(&name[..length]));
+    // The library's root and the program's declare the rooms and define nothing that these use.
+    parsed.into_iter().filter(|(name, ..)| !name.is_empty() && !of_tests(name)).collect()
+}
+
 impl Modules {
     /// The modules of some files, each with its source.
     pub fn of(sources: &[(PathBuf, String)]) -> Self {
         let mut modules = Modules(BTreeMap::new());
-        let mut of_tests = BTreeSet::new();
-        let parsed: Vec<(Name, &Path, Vec<TokenTree>)> = sources
-            .iter()
-            .map(|(file, source)| (module(file), file.as_path(), tokens(source)))
-            .map(|(name, file, code)| {
-                let code = without_tests(&name, code, &mut of_tests);
-                (name, file, code)
-            })
-            .collect();
-        // The library's root and the program's declare the rooms and define nothing that these use.
-        let of_tests = |name: &Name| (1..=name.len()).any(|length| of_tests.contains(&name[..length]));
-        let kept: Vec<_> =
-            parsed.into_iter().filter(|(name, ..)| !name.is_empty() && !of_tests(name)).collect();
+        let kept = of_the_program(sources);
         // Every module is known before a path is read, as a path may begin with a child's name.
         for (name, file, code) in &kept {
             modules.declare(name, file, code);

@@ -1,11 +1,12 @@
 //! What trajectories are computed with is the same on every machine: no function of the platform's mathematical library, whose
 //! last bits are its own. libm, the crate, is the same everywhere; square roots are rounded the same by all.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use proc_macro2::{Delimiter, TokenTree};
 
-use super::{files, ident, is_punct, tokens};
+use super::modules::of_the_program;
+use super::{ident, is_punct, sources};
 
 /// The rooms in which trajectories are computed, and where they begin.
 const ROOMS: [&str; 5] = ["model", "dynamics", "analysis", "theory", "control"];
@@ -19,42 +20,38 @@ const OF_THE_PLATFORM: [&str; 22] = [
 /// Methods of the same names that are of something else: the exponential of a matrix, whose scalars are libm's.
 const OF_OTHERS: [(&str, &str); 1] = [("theory/flow.rs", "exp")];
 
-/// Files that tests alone are compiled with.
-fn is_of_tests(file: &Path) -> bool {
-    file.iter()
-        .any(|part| ["tests", "tests.rs", "example.rs", "swing.rs"].iter().any(|of_tests| part == *of_tests))
+/// The methods of the platform that the rooms call.
+fn calls(sources: &[(PathBuf, String)]) -> Vec<String> {
+    let mut found = Vec::new();
+    for (name, file, code) in of_the_program(sources) {
+        if ROOMS.contains(&name[0].as_str()) {
+            let of_others = |method: &str| OF_OTHERS.contains(&(&*file.to_string_lossy(), method));
+            let called = called(&code).into_iter().filter(|method| !of_others(method));
+            found.extend(called.map(|method| format!("{}: {method}", file.display())));
+        }
+    }
+    found
 }
 
-/// The methods of the platform that files call outside their tests.
-fn calls(files: &[(PathBuf, String)]) -> Vec<String> {
-    let of_rooms = |file: &Path| ROOMS.iter().any(|room| file.starts_with(room)) && !is_of_tests(file);
+/// The methods of the platform that some code calls, of whatever they are.
+fn called(code: &[TokenTree]) -> Vec<String> {
     let mut found = Vec::new();
-    for (file, text) in files.iter().filter(|(file, _)| of_rooms(file)) {
-        let code = text.split("#[cfg(test)]\nmod tests").next().expect("there is a first part");
-        let mut groups = vec![tokens(code)];
-        while let Some(tokens) = groups.pop() {
-            for (i, token) in tokens.iter().enumerate() {
-                if let TokenTree::Group(group) = token {
-                    groups.push(group.stream().into_iter().collect());
-                }
-                let name = ident(tokens.get(i + 1)).filter(|name| OF_THE_PLATFORM.contains(&name.as_str()));
-                // Neither a field nor another type's function.
-                let is_called = matches!(
-                    tokens.get(i + 2),
-                    Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis
-                );
-                let of_number = is_punct(Some(token), '.')
-                    || (is_punct(Some(token), ':')
-                        && matches!(
-                            ident(i.checked_sub(2).and_then(|i| tokens.get(i))).as_deref(),
-                            Some("f64" | "f32")
-                        ));
-                if let (Some(name), true, true) = (name, is_called, of_number)
-                    && !OF_OTHERS.iter().any(|(of, other)| file == Path::new(of) && name == *other)
-                {
-                    found.push(format!("{}: {name}", file.display()));
-                }
-            }
+    for (i, token) in code.iter().enumerate() {
+        if let TokenTree::Group(group) = token {
+            found.extend(called(&group.stream().into_iter().collect::<Vec<_>>()));
+        }
+        let Some(method) = ident(Some(token)).filter(|name| OF_THE_PLATFORM.contains(&name.as_str())) else {
+            continue;
+        };
+        let before = |count: usize| i.checked_sub(count).and_then(|i| code.get(i));
+        // A field has no arguments, and another crate's function is no method.
+        let has_arguments = matches!(
+            code.get(i + 1),
+            Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis
+        );
+        let is_of_number = matches!(ident(before(3)).as_deref(), Some("f64" | "f32"));
+        if has_arguments && (is_punct(before(1), '.') || (is_punct(before(1), ':') && is_of_number)) {
+            found.push(method);
         }
     }
     found
@@ -62,11 +59,7 @@ fn calls(files: &[(PathBuf, String)]) -> Vec<String> {
 
 #[test]
 fn trajectories_need_nothing_of_the_platform() {
-    let files: Vec<_> = files("src")
-        .into_iter()
-        .filter(|(file, _)| file.extension().is_some_and(|end| end == "rs"))
-        .collect();
-    let wrong = calls(&files);
+    let wrong = calls(&sources("src", &["rs"]));
     assert!(wrong.is_empty(), "libm has these functions, the same on every machine: {wrong:#?}");
 }
 
@@ -80,6 +73,10 @@ fn calls_of_the_platform_are_found() {
         ("fn f() {}\n#[cfg(test)]\nmod tests { fn f(x: f64) -> f64 { x.sin() } }", 0),
     ] {
         assert_eq!(found("model/a.rs", text), count, "{text}");
-        assert_eq!(found("curves/a.rs", text) + found("model/a/tests.rs", text), 0);
+        assert_eq!(found("curves/a.rs", text), 0);
     }
+    let [parent, child] = ["#[cfg(test)]\nmod tests;", "fn f(x: f64) -> f64 { x.sin() }"].map(str::to_owned);
+    let child = (PathBuf::from("model/a/tests.rs"), child);
+    assert_eq!(calls(&[(PathBuf::from("model/a.rs"), parent), child.clone()]).len(), 0);
+    assert_eq!(calls(&[child]).len(), 1);
 }
