@@ -13,7 +13,12 @@ use impact_atlas::analysis::{Regime, Schedule, Verdict};
 use impact_atlas::backend::{Backend, BackendError, Cpu, Job, Unwatched, decide};
 use impact_atlas::model::Flows;
 use impact_atlas::plane::{Plane, Start};
+use mimalloc::MiMalloc;
 use serde::Serialize;
+
+/// That of the program.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
 
 /// What the cells of one regime took.
 #[derive(Serialize)]

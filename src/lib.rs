@@ -160,21 +160,38 @@
 //! is given up as failed.
 #![doc = include_str!("parameter.md")]
 
+// That clippy finds what is denied below is shown by what is expected here.
+#[expect(clippy::disallowed_methods)]
+const _: fn(f64) -> f64 = f64::sin;
+#[expect(clippy::disallowed_methods)]
+const _: fn(f32) -> f32 = f32::sin;
+#[expect(clippy::disallowed_methods)]
+const _: fn(nalgebra::Complex<f64>) -> f64 = nalgebra::Complex::norm;
+
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod analysis;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod backend;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod control;
 pub mod curves;
 pub mod diagram;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod dynamics;
 pub mod explore;
 pub mod figure;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod model;
 pub mod paper;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod plane;
 pub mod render;
 pub mod reproduce;
 pub mod store;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod sweep;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod system;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod theory;
 pub mod validate;

@@ -10,7 +10,7 @@ use crate::analysis::{Schedule, Verdict};
 /// What the back end could not do.
 ///
 /// # Panics
-/// If the back end gives fewer verdicts than it is given jobs.
+/// If the back end does not give a verdict for each job.
 pub fn decide(
     backend: &dyn Backend,
     jobs: &[Job],
@@ -18,7 +18,7 @@ pub fn decide(
     watch: &dyn Watch,
 ) -> Result<Vec<Verdict>> {
     let doubts = Doubts::of(schedule);
-    let mut verdicts = doubts.begin(backend, jobs, watch)?;
+    let mut verdicts = confirmed_by(backend, jobs, schedule, watch)?;
     doubts.put_off(jobs, &verdicts, 0..);
     for (job, verdict) in doubts.settle(backend, 1, watch)? {
         verdicts[job as usize] = verdict;
@@ -29,8 +29,6 @@ pub fn decide(
 /// Trajectories in doubt, of one call or of many: the few of each wait until there are enough of them to be looked at together.
 #[derive(Debug)]
 pub struct Doubts {
-    /// By which every trajectory is followed first.
-    schedule: Schedule,
     /// In their order; none where nothing is ever in doubt.
     looks: Vec<Look>,
 }
@@ -39,15 +37,7 @@ impl Doubts {
     /// What a schedule has doubts about.
     pub fn of(schedule: &Schedule) -> Self {
         let looks = if schedule.fixed_periods { Vec::new() } else { looks(schedule).into() };
-        Doubts { schedule: *schedule, looks }
-    }
-
-    /// The verdicts of a back end on some jobs, the first that are come to.
-    ///
-    /// # Errors
-    /// What the back end could not do.
-    pub fn begin(&self, backend: &dyn Backend, jobs: &[Job], watch: &dyn Watch) -> Result<Vec<Verdict>> {
-        confirmed_by(backend, jobs, &self.schedule, watch)
+        Doubts { looks }
     }
 
     /// Lets those of some jobs wait whose first verdicts are in doubt, each under the number that comes with it.
@@ -194,7 +184,7 @@ mod tests {
             assert_eq!(settled[number as usize].replace(verdict), None, "{number} comes once");
         };
         for (part, numbers) in jobs.chunks(12).zip((0..).step_by(12)) {
-            let first = doubts.begin(&told, part, &Unwatched).unwrap();
+            let first = confirmed_by(&told, part, &SCHEDULE, &Unwatched).unwrap();
             doubts.put_off(part, &first, numbers..);
             begun.extend(first);
             doubts.settle(&told, 9, &Unwatched).unwrap().into_iter().for_each(|(n, v)| put(n, v));

@@ -130,8 +130,14 @@ impl Look {
 }
 
 /// The verdicts of a back end, which is given its tiles one after the other; on trajectories that approach a periodic motion, what the
-/// exact motion says.
-pub(super) fn confirmed_by(
+/// exact motion says. Any may be in doubt.
+///
+/// # Errors
+/// What the back end could not do.
+///
+/// # Panics
+/// If the back end does not give a verdict for each job.
+pub fn confirmed_by(
     backend: &dyn Backend,
     jobs: &[Job],
     schedule: &Schedule,
@@ -141,6 +147,7 @@ pub(super) fn confirmed_by(
     for tile in jobs.chunks(backend.tile().max(1)) {
         watch.check()?;
         let found = backend.run(tile, schedule, watch)?;
+        assert_eq!(found.len(), tile.len(), "a verdict for each job");
         // As a rule there is one tile.
         if verdicts.is_empty() {
             verdicts = found;

@@ -21,7 +21,7 @@ pub use extents::extents;
 pub use gpu::{AdapterReport, Gpu, Spent, adapters, hardware_shader};
 pub(crate) use in_flight::in_flight;
 pub use job::{ControlJob, Job};
-pub use looks::{CHAOS_LOOK, LONG_LOOK, LONGER_OBSERVATION, long_look};
+pub use looks::{CHAOS_LOOK, LONG_LOOK, LONGER_OBSERVATION, confirmed_by, long_look};
 pub use reproducible::REPRODUCIBLE;
 pub use select::{Choice, open, open_reproducible};
 pub use watch::{Silent, Unwatched, Watch};

@@ -1,6 +1,6 @@
 //! Multipliers of a controlled fixed point.
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, ComplexField, DMatrix};
 
 use super::controlled::Controlled;
 use super::deviation::DELAYS;
@@ -57,7 +57,7 @@ impl InFlight for Held<'_> {
         let at = vec![SectionPoint::<f64, N>::new(self.fixed_point); self.remembered];
         let jacobian = differences(|points| iterate(&flight, surface, self.held, points), &at)?;
         let mut found: Vec<Complex<f64>> = jacobian.complex_eigenvalues().iter().copied().collect();
-        found.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+        found.sort_by(|a, b| b.modulus().total_cmp(&a.modulus()));
         Some(found)
     }
 }

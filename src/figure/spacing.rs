@@ -28,7 +28,7 @@ impl Spacing {
     pub fn share(self, first: f64, last: f64, value: f64) -> f64 {
         match self {
             Spacing::Linear => (value - first) / (last - first),
-            Spacing::Log => (value / first).ln() / (last / first).ln(),
+            Spacing::Log => libm::log(value / first) / libm::log(last / first),
         }
     }
 

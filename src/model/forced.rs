@@ -25,7 +25,7 @@ impl<const N: usize> ForcedResponse<N> {
             -Complex::new(inertia + equations.stiffness[(i, j)], omega * equations.damping[(i, j)])
         });
         let load = equations.cos.zip_map(&equations.sin, |c, s| Complex::new(c, -s));
-        let still = load.iter().all(|value| value.norm() == 0.0);
+        let still = load.iter().all(|value| value.modulus() == 0.0);
         let amplitude = if still { load } else { inverse(&dynamic)? * load };
         let mean = if equations.load.amax() == 0.0 {
             SVector::zeros()
@@ -33,7 +33,7 @@ impl<const N: usize> ForcedResponse<N> {
             -(inverse(&equations.stiffness)? * equations.load)
         };
         let velocity = amplitude.map(|value| -omega * value.im);
-        let finite = amplitude.iter().all(|value| value.norm().is_finite())
+        let finite = amplitude.iter().all(|value| value.modulus().is_finite())
             && mean.iter().all(|value| value.is_finite());
         finite.then_some(ForcedResponse { mean, amplitude, velocity })
     }
@@ -46,7 +46,7 @@ impl<const N: usize> ForcedResponse<N> {
     /// The largest row · x over the period.
     pub fn largest(&self, row: &SVector<f64, N>) -> f64 {
         let swing: Complex<f64> = row.iter().zip(self.amplitude.iter()).map(|(d, x)| x * *d).sum();
-        row.dot(&self.mean) + swing.norm()
+        row.dot(&self.mean) + swing.modulus()
     }
 }
 

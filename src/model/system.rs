@@ -131,7 +131,9 @@ impl System {
     pub(super) fn changed(self, change: impl FnOnce(&mut Plant)) -> Self {
         let mut plant = self.plant().clone();
         change(&mut plant);
-        let common = Common { plant, of_flow: Arc::default(), ..Common::clone(self.common()) };
+        let Common { like, label_order, lengths, rate, steps, .. } = self.common();
+        let (label_order, lengths, of_flow) = (label_order.clone(), lengths.clone(), Arc::default());
+        let common = Common { like: *like, plant, label_order, lengths, rate: *rate, steps: *steps, of_flow };
         System { plant: Restopped::new(common), ..self }
     }
 

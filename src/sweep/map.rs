@@ -51,7 +51,7 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
         let here: Vec<u64> = order.cells(places).collect();
         let Prepared { jobs, places: of_jobs, missing } = Prepared::of(plane, &here, &flows)?;
         watch.finished((here.len() - jobs.len()) as u64);
-        let found = plane.task.begin(backend, &jobs, &doubts, watch)?;
+        let found = plane.task.begin(backend, &jobs, watch)?;
         put(&mut verdicts.lock(), &here, &of_jobs, &found, order.row_by_row(here.len()));
         // What is in doubt waits only now: as soon as it does, another tile's thread may put what it settles in that place.
         let numbers = of_jobs.iter().map(|&place| here[place as usize]);

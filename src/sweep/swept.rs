@@ -2,7 +2,7 @@
 
 use super::Result;
 use crate::analysis::{Schedule, Verdict};
-use crate::backend::{self, Backend, ControlJob, Doubts, Job, Watch, decide};
+use crate::backend::{self, Backend, ControlJob, Doubts, Job, Watch, confirmed_by, decide};
 use crate::plane::{Control, Plane, Task};
 
 /// A task that back ends do.
@@ -42,7 +42,6 @@ pub trait Swept: Task {
         &self,
         backend: &dyn Backend,
         jobs: &[Self::Job],
-        doubts: &Self::Doubts,
         watch: &dyn Watch,
     ) -> backend::Result<Vec<Self::Cell>>;
 
@@ -89,14 +88,8 @@ impl Swept for Schedule {
         Doubts::of(self)
     }
 
-    fn begin(
-        &self,
-        backend: &dyn Backend,
-        jobs: &[Job],
-        doubts: &Doubts,
-        watch: &dyn Watch,
-    ) -> backend::Result<Vec<Verdict>> {
-        doubts.begin(backend, jobs, watch)
+    fn begin(&self, backend: &dyn Backend, jobs: &[Job], watch: &dyn Watch) -> backend::Result<Vec<Verdict>> {
+        confirmed_by(backend, jobs, self, watch)
     }
 
     fn put_off(&self, jobs: &[Job], found: &[Verdict], numbers: impl Iterator<Item = u64>, doubts: &Doubts) {
@@ -142,7 +135,6 @@ impl Swept for Control {
         &self,
         backend: &dyn Backend,
         jobs: &[ControlJob],
-        (): &(),
         watch: &dyn Watch,
     ) -> backend::Result<Vec<Self::Cell>> {
         self.run(backend, jobs, watch)

@@ -1,7 +1,7 @@
 //! The solutions of the matching conditions (5): their sections, whether the system follows them, and which of the two can be
 //! stable.
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, ComplexField, DMatrix};
 use thiserror::Error;
 
 use super::admissible::{Inadmissible, NamedStop, fly_by, leaves_inwards};
@@ -39,7 +39,7 @@ impl SymmetricMotion {
 
 /// The modulus of the first of some multipliers.
 fn largest(multipliers: Option<Vec<Complex<f64>>>) -> f64 {
-    multipliers.map_or(f64::INFINITY, |values| values[0].norm())
+    multipliers.map_or(f64::INFINITY, |values| values[0].modulus())
 }
 
 /// Why the matching conditions (5) have no solution.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, ComplexField, DMatrix};
 use thiserror::Error;
 
 use super::admissible::{Inadmissible, fly};
@@ -195,7 +195,7 @@ impl PeriodicMotion {
 
     /// Whether all Floquet multipliers lie within the unit circle; none where there are none.
     pub fn is_stable(&self, system: &System) -> Option<bool> {
-        Some(self.multipliers(system)?.iter().all(|value| value.norm() < STABLE))
+        Some(self.multipliers(system)?.iter().all(|value| value.modulus() < STABLE))
     }
 }
 

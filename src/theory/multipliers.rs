@@ -1,6 +1,6 @@
 //! Jacobians of whole motions, and their Floquet multipliers.
 
-use nalgebra::{Complex, DMatrix, Schur};
+use nalgebra::{Complex, ComplexField, DMatrix, Schur};
 
 use super::flow::Flow;
 use super::newton::arcs;
@@ -54,7 +54,7 @@ pub(super) fn contracts(map: DMatrix<f64>) -> bool {
 
 /// The same numbers, largest modulus first; of a complex pair the one with the positive imaginary part first.
 pub(super) fn ordered(mut values: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
-    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
+    values.sort_by(|a, b| b.modulus().total_cmp(&a.modulus()).then(b.im.total_cmp(&a.im)));
     values
 }
 

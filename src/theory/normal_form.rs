@@ -3,7 +3,7 @@
 //! The coefficients of period doublings, pitchforks and Neimark–Sacker bifurcations of maps: Yu. A. Kuznetsov, Elements of
 //! Applied Bifurcation Theory, Springer (2004), chapters 4 and 5, doi:10.1007/978-1-4757-3978-7.
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 
 use super::flow::Flow;
 use super::jet;
@@ -103,8 +103,8 @@ pub fn neimark_sacker_coefficient(system: &System, motion: &PeriodicMotion, thet
     let flow = Flow::new(system);
     let forms = Forms { flow: &flow, motion };
     let map = turn(&flow, &motion.pattern, &motion.sections)?;
-    let unit = Complex::from_polar(1.0, theta);
-    let resonance = |m: i32| (unit.powi(m) - 1.0).norm() < 1e-6;
+    let unit = Complex::new(libm::cos(theta), libm::sin(theta));
+    let resonance = |m: i32| (unit.powi(m) - 1.0).modulus() < 1e-6;
     if (1..=4).any(resonance) {
         return None;
     }
@@ -129,7 +129,8 @@ fn real_eigenvectors(map: &DMatrix<f64>, multiplier: f64) -> Option<(SectionVect
     let complex = map.map(|value| Complex::new(value, 0.0));
     let value = Complex::new(multiplier, 0.0);
     let real = |v: ComplexSection| {
-        let largest = v.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap_or_default();
+        let largest =
+            v.iter().copied().max_by(|a, b| a.modulus().total_cmp(&b.modulus())).unwrap_or_default();
         v.map(|z| (z / largest).re)
     };
     let q = real(null_vector(&complex, value)?).normalize();

@@ -1,6 +1,6 @@
 //! Periodic motions as fixed points of the strobe map: those that stick, and have no finite impact sequence, too.
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 
 use super::flow::Flow;
 use super::follower::{Follower, follower};
@@ -199,12 +199,12 @@ impl StrobeMotion {
 
     /// The largest Lyapunov exponent per forcing period: that of the largest multiplier, −∞ where all are 0.
     pub fn exponent(&self) -> Option<f64> {
-        Some(libm::log(self.multipliers()?[0].norm()) / f64::from(self.n))
+        Some(libm::log(self.multipliers()?[0].modulus()) / f64::from(self.n))
     }
 
     /// Whether all Floquet multipliers lie within the unit circle; none where there are none.
     pub fn is_stable(&self) -> Option<bool> {
-        Some(self.multipliers()?.iter().all(|value| value.norm() < STABLE))
+        Some(self.multipliers()?.iter().all(|value| value.modulus() < STABLE))
     }
 }
 

@@ -1,10 +1,9 @@
-//! The architecture, held to: rooms and files use each other one way only, wgpu stays in its folder, trajectories need nothing of the platform, shaders have their twins and no policy of their own, files are small, and the page that shows a way through them leads somewhere.
+//! The architecture, held to: rooms and files use each other one way only, wgpu stays in its folder, shaders have their twins and no policy of their own, files are small, and the page that shows a way through them leads somewhere.
 
 mod contributing;
 mod cycles;
 mod literals;
 mod modules;
-mod platform;
 mod sizes;
 mod way;
 

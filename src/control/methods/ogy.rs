@@ -5,7 +5,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{ComplexField, DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
 use crate::control::action::{Action, Seen};
@@ -146,7 +146,7 @@ fn fixed_point(system: &System, stop: Stop, near: &[f64]) -> Option<(DVector<f64
 /// component 1; zeros where the fixed point is stable.
 fn gains(jacobian: &DMatrix<f64>) -> Result<DVector<f64>, ControlError> {
     let multipliers = jacobian.complex_eigenvalues();
-    let unstable: Vec<_> = multipliers.iter().filter(|multiplier| multiplier.norm() >= 1.0).collect();
+    let unstable: Vec<_> = multipliers.iter().filter(|multiplier| multiplier.modulus() >= 1.0).collect();
     let size = jacobian.nrows();
     let multiplier = match unstable[..] {
         [] => return Ok(DVector::zeros(size)),

@@ -86,7 +86,7 @@ fn scattered(system: &System, verdict: &Verdict, i: u32) -> StateVector {
     // The root of g^(d+1) = g + 1 makes the sequence of d dimensions.
     let mut g = 1.5_f64;
     for _ in 0..60 {
-        g = (1.0 + g).powf(1.0 / (2 * n + 1) as f64);
+        g = libm::pow(1.0 + g, 1.0 / (2 * n + 1) as f64);
     }
     let mut state = StateVector::zeros(n);
     for k in 0..2 * n {
