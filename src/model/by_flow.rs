@@ -6,9 +6,11 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-use super::of_flow::OfFlow;
 use super::shared::flow;
 use super::system::System;
+
+/// As many cells as are worth a thread's turn.
+const LEAST: usize = 1 << 12;
 
 /// Which cells have their flow in common.
 #[derive(Debug)]
@@ -22,40 +24,108 @@ pub struct ByFlow<'a> {
 impl<'a> ByFlow<'a> {
     /// Tells cells apart.
     pub fn of(systems: &[&'a System]) -> Self {
-        // Systems that are known to share their flow need not be compared.
-        let mut known: FxHashMap<*const OfFlow, u32> = FxHashMap::default();
-        let mut seen: Vec<&System> = Vec::new();
-        let mut of_cell: Vec<u32> = Vec::with_capacity(systems.len());
-        for system in systems {
-            of_cell.push(numbered(&mut known, Arc::as_ptr(system.of_flow()), system, &mut seen));
-        }
-        let flows: Vec<Vec<u64>> = seen.par_iter().map(|system| flow(system)).collect();
-        let mut first: FxHashMap<&[u64], u32> = FxHashMap::default();
-        let mut distinct: Vec<&System> = Vec::new();
-        let of_seen: Vec<u32> = (flows.iter().zip(&seen))
-            .map(|(flow, system)| numbered(&mut first, &flow[..], system, &mut distinct))
-            .collect();
-        of_cell.iter_mut().for_each(|cell| *cell = of_seen[*cell as usize]);
-        ByFlow { distinct, of_cell }
+        // Systems that are known to share their flow need not be compared: part by part first, as many as there are threads.
+        let keyed = |system: &&'a System| (Arc::as_ptr(system.of_flow()).addr(), *system);
+        let length = systems.len().div_ceil(rayon::current_num_threads()).max(LEAST);
+        let parts = systems.par_chunks(length).map(|systems| Told::apart(systems.iter().map(keyed)));
+        let parts: Vec<Told<'a>> = parts.collect();
+        let seen = Told::apart(parts.iter().flat_map(|part| &part.first).map(keyed));
+        let flows: Vec<Vec<u64>> = seen.first.par_iter().map(|system| flow(system)).collect();
+        let flows = Told::apart(flows.iter().zip(seen.first.iter().copied()));
+        let numbers: Vec<u32> = seen.numbers.iter().map(|&seen| flows.numbers[seen as usize]).collect();
+        let (mut of_cell, mut rest) = (vec![0; systems.len()], &numbers[..]);
+        let numbers_of_parts =
+            parts.iter().map(|part| rest.split_off(..part.first.len()).expect("a number for each"));
+        let numbers_of_parts: Vec<&[u32]> = numbers_of_parts.collect();
+        of_cell.par_chunks_mut(length).zip(&parts).zip(numbers_of_parts).for_each(
+            |((of_cell, part), numbers)| {
+                for (cell, &number) in of_cell.iter_mut().zip(&part.numbers) {
+                    *cell = numbers[number as usize];
+                }
+            },
+        );
+        ByFlow { distinct: flows.first, of_cell }
     }
 
     /// The cells, those with the same flow one after the other.
     pub fn order(&self) -> Vec<u32> {
-        let mut cells: Vec<u32> = (0..self.of_cell.len() as u32).collect();
-        cells.par_sort_by_key(|&cell| self.of_cell[cell as usize]);
-        cells
+        // Where the next cell of each flow comes.
+        let mut places = vec![0; self.distinct.len() + 1];
+        self.of_cell.iter().for_each(|&flow| places[flow as usize + 1] += 1);
+        (1..places.len()).for_each(|flow| places[flow] += places[flow - 1]);
+        let mut order = vec![0; self.of_cell.len()];
+        for (cell, &flow) in (0..).zip(&self.of_cell) {
+            let place = &mut places[flow as usize];
+            order[*place] = cell;
+            *place += 1;
+        }
+        order
     }
 }
 
-/// The number of a key, a new one for one that is not known yet; `first` are the systems that brought them.
-fn numbered<'a, K: Eq + Hash>(
-    known: &mut FxHashMap<K, u32>,
-    key: K,
-    system: &'a System,
-    first: &mut Vec<&'a System>,
-) -> u32 {
-    *known.entry(key).or_insert_with(|| {
-        first.push(system);
-        first.len() as u32 - 1
-    })
+/// Systems that are told apart by a key.
+struct Told<'a> {
+    /// The first system with each key.
+    first: Vec<&'a System>,
+    /// The number of each system's key.
+    numbers: Vec<u32>,
+}
+
+impl<'a> Told<'a> {
+    fn apart<K: Copy + Eq + Hash>(systems: impl Iterator<Item = (K, &'a System)>) -> Self {
+        let mut told = Told { first: Vec::new(), numbers: Vec::with_capacity(systems.size_hint().0) };
+        let mut known: FxHashMap<K, u32> = FxHashMap::default();
+        let mut last = None;
+        for (key, system) in systems {
+            let number = match last {
+                Some((last, number)) if last == key => number,
+                _ => *known.entry(key).or_insert_with(|| {
+                    told.first.push(system);
+                    told.first.len() as u32 - 1
+                }),
+            };
+            told.numbers.push(number);
+            last = Some((key, number));
+        }
+        told
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Parameters;
+
+    #[test]
+    fn cells_are_numbered_by_their_flow_in_parts_as_in_one() {
+        let of = |omega: f64, delta: f64| {
+            System::new(Parameters { omega, delta, ..Parameters::default() }).unwrap()
+        };
+        // Every flow twice, which is not known beforehand; one of them comes in the last part alone.
+        let known: Vec<System> = (0..8).map(|i| of(1.0 + 0.1 * f64::from(i % 4), 0.2)).collect();
+        let late = of(2.0, 0.3);
+        let count = 3 * LEAST + 5;
+        let expected = |cell: usize| if cell == count - 2 { 4 } else { (cell * 5 / 3 % 8 % 4) as u32 };
+        let system = |cell: usize| if cell == count - 2 { &late } else { &known[cell * 5 / 3 % 8] };
+        let cells: Vec<&System> = (0..count).map(system).collect();
+        let first = |flow: u32| (0..count).find(|&cell| expected(cell) == flow).unwrap();
+        let mut by_first: Vec<u32> = (0..5).collect();
+        by_first.sort_by_key(|&flow| first(flow));
+        for threads in [1, 2, 4] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let (found, order) = pool.install(|| {
+                let found = ByFlow::of(&cells);
+                let order = found.order();
+                (found, order)
+            });
+            let place =
+                |cell: usize| by_first.iter().position(|&flow| flow == expected(cell)).unwrap() as u32;
+            assert!(found.of_cell.iter().copied().eq((0..count).map(place)), "{threads} threads");
+            let distinct = by_first.iter().map(|&flow| cells[first(flow)]);
+            assert!(found.distinct.iter().copied().zip(distinct).all(|(a, b)| std::ptr::eq(a, b)));
+            let mut sorted: Vec<u32> = (0..count as u32).collect();
+            sorted.sort_by_key(|&cell| place(cell as usize));
+            assert_eq!(order, sorted, "{threads} threads");
+        }
+    }
 }

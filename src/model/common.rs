@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use arrayvec::ArrayVec;
 
-use super::equations::Equations;
+use super::equations::{Equations, are_parallel};
 use super::of_flow::OfFlow;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
 use crate::system::{Plant, Setting, StopValues};
@@ -26,6 +26,8 @@ pub(super) struct Common {
     pub label_order: LabelOrder,
     /// How long the directions of the stops are, in the plant's order.
     pub lengths: ArrayVec<f64, { Plant::MOST_STOPS }>,
+    /// See [`System::normals`](super::System::normals).
+    pub normals: usize,
     /// See [`System::rate`](super::System::rate).
     pub rate: f64,
     /// See [`System::steps`](super::System::steps).
@@ -46,8 +48,8 @@ impl Common {
             return Err(SystemError::TooStiff(Box::new(Stiff { setting, omega, rate })));
         }
         let lengths = plant.stops.iter().map(|stop| stop.direction.norm()).collect();
-        let (steps, of_flow) = (2 * half_steps as u32, Arc::default());
-        Ok(Common { like: setting, plant, label_order, lengths, rate, steps, of_flow })
+        let (normals, steps, of_flow) = (normals(&plant), 2 * half_steps as u32, Arc::default());
+        Ok(Common { like: setting, plant, label_order, lengths, normals, rate, steps, of_flow })
     }
 
     /// Which of some stops, in the plant's order, have the same gap, per length of their direction, and the same restitution,
@@ -76,6 +78,17 @@ impl PartialEq for Common {
         let rest = |common: &Self| (common.rate, common.steps);
         alike && self.label_order == other.label_order && rest(self) == rest(other)
     }
+}
+
+/// See [`System::normals`](super::System::normals).
+fn normals(plant: &Plant) -> usize {
+    let mut found: ArrayVec<&[f64], { Plant::MOST_STOPS }> = ArrayVec::new();
+    for direction in plant.stops.iter().map(|stop| stop.direction.as_slice()) {
+        if !found.iter().any(|other| are_parallel(direction, other)) {
+            found.push(direction);
+        }
+    }
+    found.len()
 }
 
 /// See [`System::rate`](super::System::rate).

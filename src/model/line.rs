@@ -1,11 +1,10 @@
 //! The stops of a system: their names, and the contact normals on which they stand.
 
-use arrayvec::ArrayVec;
 use nalgebra::DVector;
 
 use super::equations::{are_parallel, stretch};
 use super::system::System;
-use crate::system::{Gap, Plant, PlantStop};
+use crate::system::{Gap, PlantStop};
 
 /// A contact normal, and a stop on it.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,13 +62,7 @@ impl System {
 
     /// How many contact normals the stops have: parallel directions share one.
     pub fn normals(&self) -> usize {
-        let mut found: ArrayVec<&DVector<f64>, { Plant::MOST_STOPS }> = ArrayVec::new();
-        for (direction, _) in self.stops() {
-            if !found.iter().any(|other| are_parallel(direction.as_slice(), other.as_slice())) {
-                found.push(direction);
-            }
-        }
-        found.len()
+        self.common().normals
     }
 
     /// The contact normal on which a stop stands, by its place in the plant's order.

@@ -131,9 +131,9 @@ impl System {
     pub(super) fn changed(self, change: impl FnOnce(&mut Plant)) -> Self {
         let mut plant = self.plant().clone();
         change(&mut plant);
-        let Common { like, label_order, lengths, rate, steps, .. } = self.common();
+        let &Common { like, ref label_order, ref lengths, normals, rate, steps, .. } = self.common();
         let (label_order, lengths, of_flow) = (label_order.clone(), lengths.clone(), Arc::default());
-        let common = Common { like: *like, plant, label_order, lengths, rate: *rate, steps: *steps, of_flow };
+        let common = Common { like, plant, label_order, lengths, normals, rate, steps, of_flow };
         System { plant: Restopped::new(common), ..self }
     }
 
@@ -161,7 +161,7 @@ impl System {
         self
     }
 
-    fn common(&self) -> &Common {
+    pub(super) fn common(&self) -> &Common {
         &self.plant.common
     }
 

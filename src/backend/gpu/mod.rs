@@ -8,6 +8,7 @@ mod layout;
 mod shader;
 
 use derive_more::Debug;
+use rayon::prelude::*;
 
 use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Result, Watch, in_flight};
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
@@ -166,11 +167,20 @@ impl Backend for Gpu {
 }
 
 /// The results of all jobs of some tiles: while the device is busy with one, the processor prepares another.
-fn in_tiles<J: Sync, R: Send>(
+fn in_tiles<J: Sync, R: Clone + Send + Sync>(
     tiles: Vec<&[J]>,
     compute: impl Fn(&[J]) -> Result<Vec<R>> + Sync,
 ) -> Result<Vec<R>> {
-    Ok(in_flight(tiles, compute)?.into_iter().flatten().collect())
+    let mut found = in_flight(tiles, compute)?;
+    // As a rule there is one.
+    if found.len() < 2 {
+        return Ok(found.pop().unwrap_or_default());
+    }
+    let places: Vec<(u32, u32)> = (0..)
+        .zip(&found)
+        .flat_map(|(tile, of_tile)| (0..of_tile.len() as u32).map(move |i| (tile, i)))
+        .collect();
+    Ok(places.into_par_iter().map(|(tile, place)| found[tile as usize][place as usize].clone()).collect())
 }
 
 #[cfg(test)]

@@ -47,8 +47,8 @@ impl Clock {
 
     /// The seconds of the last pass.
     pub fn took(&self, device: &wgpu::Device, submitted: &wgpu::SubmissionIndex) -> Result<f64> {
-        let readings: Vec<u64> = mapped(device, &self.readback, BYTES, submitted)?;
-        let ticks = readings[1].saturating_sub(readings[0]);
+        let between = |readings: &[u64]| readings[1].saturating_sub(readings[0]);
+        let ticks = mapped(device, &self.readback, BYTES, submitted, between)?;
         Ok(ticks as f64 * f64::from(self.tick) * 1e-9)
     }
 }

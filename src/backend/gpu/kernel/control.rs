@@ -50,9 +50,10 @@ impl Kernel {
             dispatch: &dispatch,
         };
         let followed: Vec<&Job> = jobs.iter().map(|job| &job.job).collect();
-        let outcomes = self.drive::<_, Outcome>(&followed, &program, watch)?;
         let widened =
             |(outcome, job): (&Outcome, &ControlJob)| outcome.widen(&job.job.system, job.controller.stop());
-        Ok(outcomes.iter().zip(jobs).map(widened).collect())
+        self.drive(&followed, &program, watch, |outcomes: &[Outcome]| {
+            outcomes.iter().zip(jobs).map(widened).collect()
+        })
     }
 }

@@ -7,23 +7,29 @@ use wgpu::util::DeviceExt;
 
 use crate::backend::{BackendError, Result};
 
-/// Reads a buffer of the device.
-pub fn fetch<T: Pod>(device: &wgpu::Device, queue: &wgpu::Queue, buffer: &wgpu::Buffer) -> Result<Vec<T>> {
+/// What is read of a buffer of the device.
+pub fn fetch<T: Pod, V>(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    buffer: &wgpu::Buffer,
+    read: impl FnOnce(&[T]) -> V,
+) -> Result<V> {
     let readback = empty(device, buffer.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, buffer.size());
     let submitted = queue.submit([encoder.finish()]);
-    mapped(device, &readback, buffer.size(), &submitted)
+    mapped(device, &readback, buffer.size(), &submitted, read)
 }
 
-/// What the first bytes of a buffer hold that can be mapped, once what was submitted is done; what others submitted since is not
-/// waited for.
-pub fn mapped<T: Pod>(
+/// What is read of the first bytes of a buffer that can be mapped, once what was submitted is done; what others submitted since is
+/// not waited for.
+pub fn mapped<T: Pod, V>(
     device: &wgpu::Device,
     readback: &wgpu::Buffer,
     bytes: u64,
     submitted: &wgpu::SubmissionIndex,
-) -> Result<Vec<T>> {
+    read: impl FnOnce(&[T]) -> V,
+) -> Result<V> {
     let (sender, receiver) = mpsc::channel();
     readback.map_async(wgpu::MapMode::Read, ..bytes, move |result| {
         // The receiver is gone only if waiting failed, which is reported by itself.
@@ -36,12 +42,12 @@ pub fn mapped<T: Pod>(
         .recv()
         .map_err(|_| BackendError::Device("the device was lost".to_owned()))?
         .map_err(|error| device_error(&error))?;
-    let values = {
+    let value = {
         let mapped = readback.get_mapped_range(..bytes).map_err(|error| device_error(&error))?;
-        bytemuck::pod_collect_to_vec(&mapped)
+        read(bytemuck::cast_slice(&mapped))
     };
     readback.unmap();
-    Ok(values)
+    Ok(value)
 }
 
 /// Compiles a kernel.

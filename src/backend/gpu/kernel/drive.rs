@@ -35,13 +35,14 @@ const SOFTWARE_ITERATIONS: u32 = 65_535 - ((MOST + 1) * NORMAL_TERMS) as u32;
 pub const SQUARES: u32 = 2 * (SQUARINGS + 1);
 
 impl Kernel {
-    /// Follows one of [`Kernel::tiles`] with a kernel, in portions of bounded time.
-    pub(super) fn drive<D: Pod, R: Pod>(
+    /// Follows one of [`Kernel::tiles`] with a kernel, in portions of bounded time; what is read of the results.
+    pub(super) fn drive<D: Pod, R: Pod, V>(
         &self,
         jobs: &[&Job],
         program: &Program<'_, D>,
         watch: &dyn Watch,
-    ) -> Result<Vec<R>> {
+        read: impl FnOnce(&[R]) -> V,
+    ) -> Result<V> {
         let compiled = self.library.get(&self.device, program.kernel, Shape::of(&jobs[0].system))?;
         let (cells, preparing) = timed(|| Cells::of(jobs));
         // Nothing waits for other threads while it has room.
@@ -69,7 +70,7 @@ impl Kernel {
             budget = next_budget(budget, took, most);
             begin = 0;
         }
-        let (results, reading) = timed(|| guarded(&self.device, || tile.results(self)));
+        let (results, reading) = timed(|| guarded(&self.device, || tile.results(self, read)));
         self.spend(Spent { reading, ..Spent::default() });
         results?
     }

@@ -26,7 +26,9 @@ impl Kernel {
         let more = [&periods];
         let kernel = shader::Kernel::Extent;
         let program = Program { kernel, iterations: WITH_FLIGHTS, more: &more, dispatch: &dispatch };
-        let extents = self.drive::<_, Extent>(&jobs, &program, watch)?;
-        Ok(extents.iter().map(|extent| extent.widen(jobs[0].system.plant().n)).collect())
+        let n = jobs[0].system.coordinates();
+        self.drive(&jobs, &program, watch, |extents: &[Extent]| {
+            extents.iter().map(|extent| extent.widen(n)).collect()
+        })
     }
 }

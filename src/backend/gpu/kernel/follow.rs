@@ -37,7 +37,8 @@ impl Kernel {
             more: &[],
             dispatch: &dispatch,
         };
-        let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
-        Ok(verdicts.par_iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect())
+        self.drive(&Vec::from_iter(jobs), &program, watch, |verdicts: &[Verdict]| {
+            verdicts.par_iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect()
+        })
     }
 }

@@ -3,6 +3,7 @@
 use std::hash::Hash;
 use std::sync::Arc;
 
+use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 use super::Kernel;
@@ -19,13 +20,16 @@ impl Kernel {
         &self,
         kernel: shader::Kernel,
         jobs: &'j [J],
-        job: impl Fn(&J) -> &Job,
+        job: impl Fn(&J) -> &Job + Sync,
         more: u64,
-    ) -> Result<Vec<&'j [J]>> {
-        if jobs.is_empty() {
-            return Ok(Vec::new());
-        }
-        let compiled = self.library.get(&self.device, kernel, shape_of(jobs.iter().map(&job))?)?;
+    ) -> Result<Vec<&'j [J]>>
+    where
+        J: Sync,
+    {
+        let Some(first) = jobs.first() else { return Ok(Vec::new()) };
+        let shape = Shape::of(&job(first).system);
+        check_shapes(&shape, jobs.par_iter().with_min_len(AT_ONCE).map(&job))?;
+        let compiled = self.library.get(&self.device, kernel, shape)?;
         let binding = self.device.limits().max_storage_buffer_binding_size;
         let room = |bytes: u64| usize::try_from(binding / bytes.max(1)).unwrap_or(usize::MAX).max(1);
         let (cells, flows) = (self.tile().min(room(compiled.state.max(more))), room(compiled.flight));
@@ -33,15 +37,16 @@ impl Kernel {
     }
 }
 
-/// The shape that all of some jobs have, at least one.
+/// Jobs that are worth a thread's turn.
+const AT_ONCE: usize = 1 << 10;
+
+/// Checks that all of some jobs have a shape.
 ///
 /// # Errors
-/// [`BackendError::Unsupported`] where they differ: a direction that turns parallel to another within a plane.
-fn shape_of<'j>(jobs: impl IntoIterator<Item = &'j Job>) -> Result<Shape> {
-    let mut shapes = jobs.into_iter().map(|job| Shape::of(&job.system));
-    let expected = shapes.next().expect("a job");
-    if shapes.all(|shape| shape == expected) {
-        return Ok(expected);
+/// [`BackendError::Unsupported`] where one has another: a direction that turns parallel to another within a plane.
+fn check_shapes<'j>(shape: &Shape, jobs: impl ParallelIterator<Item = &'j Job>) -> Result<()> {
+    if jobs.all(|job| Shape::of(&job.system) == *shape) {
+        return Ok(());
     }
     Err(BackendError::Unsupported(
         "the stops of these cells do not lie along the same number of directions everywhere: use --backend cpu"
@@ -50,16 +55,28 @@ fn shape_of<'j>(jobs: impl IntoIterator<Item = &'j Job>) -> Result<Shape> {
 }
 
 /// Items in parts of at most so many, and of at most so many groups: those with the same key.
-fn split<J, K: Eq + Hash>(items: &[J], most: usize, groups: usize, key: impl Fn(&J) -> K) -> Vec<&[J]> {
+fn split<J: Sync, K: Eq + Hash>(
+    items: &[J],
+    most: usize,
+    groups: usize,
+    key: impl Fn(&J) -> K + Sync,
+) -> Vec<&[J]> {
+    items.par_chunks(most).flat_map_iter(|items| split_by_groups(items, groups, &key)).collect()
+}
+
+/// Items in parts of at most so many groups.
+fn split_by_groups<J, K: Eq + Hash>(items: &[J], groups: usize, key: impl Fn(&J) -> K) -> Vec<&[J]> {
     let (mut parts, mut first, mut there) = (Vec::new(), 0, FxHashSet::default());
-    for (next, item) in items.iter().enumerate() {
-        let key = key(item);
-        if next - first == most || (there.len() == groups && !there.contains(&key)) {
-            parts.push(&items[first..next]);
-            first = next;
-            there.clear();
+    if items.len() > groups {
+        for (next, item) in items.iter().enumerate() {
+            let key = key(item);
+            if there.len() == groups && !there.contains(&key) {
+                parts.push(&items[first..next]);
+                first = next;
+                there.clear();
+            }
+            there.insert(key);
         }
-        there.insert(key);
     }
     parts.push(&items[first..]);
     parts

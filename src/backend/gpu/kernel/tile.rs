@@ -88,14 +88,14 @@ impl Tile {
         let bytes = 4 * u64::from(portion.count);
         encoder.copy_buffer_to_buffer(&self.unfinished, 0, &self.readback, 0, bytes);
         let submitted = kernel.queue.submit([encoder.finish()]);
-        let mut left: Vec<u32> = mapped(&kernel.device, &self.readback, bytes, &submitted)?;
-        left.retain(|&cell| cell != FINISHED);
+        let unfinished = |cells: &[u32]| cells.iter().copied().filter(|&cell| cell != FINISHED).collect();
+        let left = mapped(&kernel.device, &self.readback, bytes, &submitted, unfinished)?;
         let took = self.clock.as_ref().map(|clock| clock.took(&kernel.device, &submitted)).transpose()?;
         Ok((left, took))
     }
 
-    /// The results of all its trajectories.
-    pub fn results<R: Pod>(&self, kernel: &Kernel) -> Result<Vec<R>> {
-        fetch(&kernel.device, &kernel.queue, &self.results)
+    /// What is read of the results of all its trajectories.
+    pub fn results<R: Pod, V>(&self, kernel: &Kernel, read: impl FnOnce(&[R]) -> V) -> Result<V> {
+        fetch(&kernel.device, &kernel.queue, &self.results, read)
     }
 }

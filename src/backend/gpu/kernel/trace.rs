@@ -51,9 +51,10 @@ impl Kernel {
             more: &more,
             dispatch: &dispatch,
         };
-        let verdicts = self.drive::<_, Verdict>(&Vec::from_iter(jobs), &program, watch)?;
-        let traces: Vec<Trace> = guarded(&self.device, || fetch(&self.device, &self.queue, &traces))??;
-        let readings: Vec<f32> = guarded(&self.device, || fetch(&self.device, &self.queue, &readings))??;
+        let verdicts = self.drive(&Vec::from_iter(jobs), &program, watch, <[Verdict]>::to_vec)?;
+        let traces = guarded(&self.device, || fetch(&self.device, &self.queue, &traces, <[Trace]>::to_vec))??;
+        let readings =
+            guarded(&self.device, || fetch(&self.device, &self.queue, &readings, <[f32]>::to_vec))??;
         let of_cell = |(((verdict, trace), readings), job): (((Verdict, &Trace), &[f32]), &Job)| {
             let kept = trace.passages.min(capacity);
             analysis::Trace {

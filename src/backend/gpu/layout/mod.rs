@@ -69,6 +69,19 @@ pub struct Cells {
 /// Cells that one thread writes at a time.
 const CHUNK: usize = 256;
 
+/// So many records of as many words each, written by several threads.
+fn records(count: usize, write: impl Fn(usize, &mut Vec<u32>) + Sync) -> Vec<u32> {
+    let mut first = Vec::new();
+    (0..count.min(1)).for_each(|record| write(record, &mut first));
+    let mut all = vec![0; first.len() * count];
+    all.par_chunks_mut(CHUNK * first.len().max(1)).enumerate().for_each(|(chunk, words)| {
+        let mut written = Vec::with_capacity(words.len());
+        (chunk * CHUNK..count).take(CHUNK).for_each(|record| write(record, &mut written));
+        words.copy_from_slice(&written);
+    });
+    all
+}
+
 impl Cells {
     /// Prepares jobs, all of them with as many coordinates; the constants of a flow are computed once for all its cells.
     pub fn of(jobs: &[&Job]) -> Self {
@@ -97,16 +110,12 @@ impl Cells {
         });
         let (flights, (kicks, stops)): (Vec<_>, (Vec<_>, Vec<_>)) = flows.unzip();
         let stops_of_flows = stops.concat();
-        let beside = jobs.par_chunks(CHUNK).zip(by_flow.of_cell.par_chunks(CHUNK)).map(|(jobs, flows)| {
-            let mut words = Vec::new();
-            for (job, &flow) in jobs.iter().zip(flows) {
-                let mut stops = stops_of_flows[flow as usize].clone();
-                stops.iter_mut().for_each(|stops| *stops = stops.with_values_of(&job.system));
-                write_cell::<N>(flow, &stops, &job.start, &mut words);
-            }
-            words
+        let cells = records(jobs.len(), |cell, words| {
+            let (Job { system, start }, flow) = (jobs[cell], by_flow.of_cell[cell]);
+            let mut stops = stops_of_flows[flow as usize].clone();
+            stops.iter_mut().for_each(|stops| *stops = stops.with_values_of(system));
+            write_cell::<N>(flow, &stops, start, words);
         });
-        let cells = beside.collect::<Vec<_>>().concat();
         Cells { flights: flights.concat(), kicks: kicks.concat(), cells, order: by_flow.order() }
     }
 }
