@@ -18,6 +18,7 @@ use impact_atlas::backend::{Backend, Job, Result, Unwatched, Watch};
 use impact_atlas::plane::{Plane, Reached, Start};
 use impact_atlas::sweep::sweep;
 use mimalloc::MiMalloc;
+use rayon::prelude::*;
 
 /// That of the program.
 #[global_allocator]
@@ -44,7 +45,7 @@ impl Backend for Idle {
         watch.finished(jobs.len() as u64);
         let nothing =
             |job: &Job| Verdict { regime: Regime::NoImpact, ..Verdict::unresolved(job.system.coordinates()) };
-        Ok(jobs.iter().map(nothing).collect())
+        Ok(jobs.par_iter().map(nothing).collect())
     }
 }
 

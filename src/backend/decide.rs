@@ -1,5 +1,7 @@
 //! Verdicts that are not in doubt: [`looks`](super::looks) are taken until none is left.
 
+use rayon::prelude::*;
+
 use super::looks::{Doubt, Look, confirmed_by, looks};
 use super::{Backend, Job, Result, Watch};
 use crate::analysis::{Schedule, Verdict};
@@ -19,7 +21,7 @@ pub fn decide(
 ) -> Result<Vec<Verdict>> {
     let doubts = Doubts::of(schedule);
     let mut verdicts = confirmed_by(backend, jobs, schedule, watch)?;
-    doubts.put_off(jobs, &verdicts, 0..);
+    doubts.put_off(jobs, &verdicts, |job| job as u64);
     for (job, verdict) in doubts.settle(backend, 1, watch)? {
         verdicts[job as usize] = verdict;
     }
@@ -40,10 +42,12 @@ impl Doubts {
         Doubts { looks }
     }
 
-    /// Lets those of some jobs wait whose first verdicts are in doubt, each under the number that comes with it.
-    pub fn put_off(&self, jobs: &[Job], verdicts: &[Verdict], numbers: impl IntoIterator<Item = u64>) {
-        for ((job, verdict), number) in jobs.iter().zip(verdicts).zip(numbers) {
-            self.leave(0, job, number, verdict);
+    /// Lets those of some jobs wait whose first verdicts are in doubt, each under its number.
+    pub fn put_off(&self, jobs: &[Job], verdicts: &[Verdict], number: impl Fn(usize) -> u64) {
+        let in_doubt = |verdict: &Verdict| self.looks.iter().any(|look| look.is_called_for_by(verdict));
+        let waiting = verdicts.par_iter().enumerate().filter(|(_, verdict)| in_doubt(verdict));
+        for job in waiting.map(|(job, _)| job).collect::<Vec<_>>() {
+            self.leave(0, &jobs[job], number(job), &verdicts[job]);
         }
     }
 
@@ -185,7 +189,7 @@ mod tests {
         };
         for (part, numbers) in jobs.chunks(12).zip((0..).step_by(12)) {
             let first = confirmed_by(&told, part, &SCHEDULE, &Unwatched).unwrap();
-            doubts.put_off(part, &first, numbers..);
+            doubts.put_off(part, &first, |job| numbers + job as u64);
             begun.extend(first);
             doubts.settle(&told, 9, &Unwatched).unwrap().into_iter().for_each(|(n, v)| put(n, v));
         }

@@ -5,6 +5,7 @@
 //! A back end's verdict depends on its job and the schedule alone, hence so does a cell's: not on the tiles.
 
 use parking_lot::Mutex;
+use rayon::iter::repeat_n;
 use rayon::prelude::*;
 
 use super::order::Order;
@@ -35,12 +36,15 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
     let (cells, tile) = (plane.cells(), backend.tile().max(1) as u64);
     let mut verdicts = Vec::new();
     verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory(cells))?;
-    verdicts.resize(cells as usize, T::Cell::unresolved(plane.parameters.family().n()));
-    let (verdicts, doubts) = (Mutex::new(verdicts), plane.task.doubts());
+    verdicts.par_extend(repeat_n(T::Cell::unresolved(plane.parameters.family().n()), cells as usize));
+    let columns = plane.x.count as usize;
+    // Whoever holds a row waits for nothing else.
+    let rows: Vec<Mutex<&mut [T::Cell]>> = verdicts.chunks_mut(columns).map(Mutex::new).collect();
+    let doubts = plane.task.doubts();
     let settle = |least: u64| -> Result<()> {
-        let settled = plane.task.settle(backend, &doubts, least as usize, watch)?;
-        let mut verdicts = verdicts.lock();
-        settled.into_iter().for_each(|(cell, found)| verdicts[cell as usize] = found);
+        for (cell, found) in plane.task.settle(backend, &doubts, least as usize, watch)? {
+            rows[cell as usize / columns].lock()[cell as usize % columns] = found;
+        }
         Ok(())
     };
     // While a back end is busy with one tile, the processor prepares the next, or puts what came of the last into its place.
@@ -48,14 +52,14 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
         watch.check()?;
         flows.tidy();
         let places = first..cells.min(first.saturating_add(tile));
-        let here: Vec<u64> = order.cells(places).collect();
+        let here: Vec<u64> = order.cells(places.clone()).collect();
         let Prepared { jobs, places: of_jobs, missing } = Prepared::of(plane, &here, &flows)?;
         watch.finished((here.len() - jobs.len()) as u64);
         let found = plane.task.begin(backend, &jobs, watch)?;
-        put(&mut verdicts.lock(), &here, &of_jobs, &found, order.row_by_row(here.len()));
+        put(&rows, |row| order.numbers_in(row, &places), &here, &of_jobs, &found);
         // What is in doubt waits only now: as soon as it does, another tile's thread may put what it settles in that place.
-        let numbers = of_jobs.iter().map(|&place| here[place as usize]);
-        plane.task.put_off(&jobs, &found, numbers, &doubts);
+        let number = |job: usize| here[of_jobs[job] as usize];
+        plane.task.put_off(&jobs, &found, number, &doubts);
         let any = !jobs.is_empty();
         // By the threads that made them.
         jobs.into_par_iter().for_each(drop);
@@ -63,31 +67,34 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
         Ok((missing, any))
     })?;
     settle(1)?;
+    drop(rows);
     let any = of_tiles.iter().any(|(_, any)| *any);
     match of_tiles.into_iter().find_map(|(missing, _)| missing) {
         Some(why) if !any => Err(why),
-        _ => Ok(RegionMap::new(plane.clone(), provenance(backend), verdicts.into_inner())),
+        _ => Ok(RegionMap::new(plane.clone(), provenance(backend), verdicts)),
     }
 }
 
-/// Puts what was found of some cells `here` into the plane's order. `of_jobs` are the numbers of those that it was found of; they
-/// are gone through by their `numbers` row by row, so that it goes through memory in few strides.
-fn put<C: Clone>(
-    verdicts: &mut [C],
+/// Puts what was found of some cells `here` into the rows of a plane, of each those with the `numbers` in it. `of_jobs` are the
+/// numbers of those that it was found of, in their order.
+fn put<C: Clone + Send + Sync, N: Iterator<Item = usize>>(
+    rows: &[Mutex<&mut [C]>],
+    numbers_in: impl Fn(u64) -> N + Sync,
     here: &[u64],
     of_jobs: &[u32],
     found: &[C],
-    numbers: impl Iterator<Item = usize>,
 ) {
-    let mut results = vec![None; here.len()];
-    for (&number, found) in of_jobs.iter().zip(found) {
-        results[number as usize] = Some(found);
-    }
-    for number in numbers {
-        if let Some(found) = results[number] {
-            verdicts[here[number] as usize] = found.clone();
+    let all = of_jobs.len() == here.len();
+    let job_of = |number: usize| if all { Ok(number) } else { of_jobs.binary_search(&(number as u32)) };
+    rows.par_iter().enumerate().for_each(|(row, cells)| {
+        let mut cells = cells.lock();
+        for number in numbers_in(row as u64) {
+            if let Ok(job) = job_of(number) {
+                let column = here[number] as usize % cells.len();
+                cells[column] = found[job].clone();
+            }
         }
-    }
+    });
 }
 
 /// Refuses time scales that are too far apart before anything is computed: they are so on the border first.

@@ -1,5 +1,7 @@
 //! What a back end is given for one tile.
 
+use rayon::prelude::*;
+
 use super::preparing::made;
 use super::swept::Swept;
 use super::{Result, SweepError};
@@ -16,15 +18,23 @@ pub(super) struct Prepared<J> {
     pub missing: Option<SweepError>,
 }
 
-impl<J: Send> Prepared<J> {
+impl<J: Send + Sync> Prepared<J> {
     /// Of some cells of a plane, flow by flow, counted row by row; `flows` are those of cells before.
     ///
     /// # Errors
     /// What stands in the way of all of them.
     pub fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: &[u64], flows: &Flows) -> Result<Self> {
         let found = made(plane, cells, flows, |preparing, cell| preparing.asked_of(cell));
+        // As a rule every cell has a job.
+        if found.par_iter().all(|job| matches!(job, Ok(Some(_)))) {
+            let jobs = found.into_par_iter().map(|job| job.ok().flatten().expect("it was seen to be there"));
+            return Ok(Prepared {
+                jobs: jobs.collect(),
+                places: (0..cells.len() as u32).collect(),
+                missing: None,
+            });
+        }
         let (mut places, mut missing) = (Vec::with_capacity(cells.len()), None);
-        // As a rule they take the room of what was found, which is large.
         let jobs = found.into_iter().zip(0..).filter_map(|(job, place)| match job {
             Ok(job) => {
                 places.extend(job.is_some().then_some(place));

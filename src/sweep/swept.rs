@@ -45,12 +45,12 @@ pub trait Swept: Task {
         watch: &dyn Watch,
     ) -> backend::Result<Vec<Self::Cell>>;
 
-    /// Lets jobs wait among the doubts whose first results call for it, each under the number that comes with it.
+    /// Lets jobs wait among the doubts whose first results call for it, each under its number.
     fn put_off(
         &self,
         jobs: &[Self::Job],
         found: &[Self::Cell],
-        numbers: impl Iterator<Item = u64>,
+        number: impl Fn(usize) -> u64,
         doubts: &Self::Doubts,
     );
 
@@ -92,8 +92,8 @@ impl Swept for Schedule {
         confirmed_by(backend, jobs, self, watch)
     }
 
-    fn put_off(&self, jobs: &[Job], found: &[Verdict], numbers: impl Iterator<Item = u64>, doubts: &Doubts) {
-        doubts.put_off(jobs, found, numbers);
+    fn put_off(&self, jobs: &[Job], found: &[Verdict], number: impl Fn(usize) -> u64, doubts: &Doubts) {
+        doubts.put_off(jobs, found, number);
     }
 
     fn settle(
@@ -140,7 +140,7 @@ impl Swept for Control {
         self.run(backend, jobs, watch)
     }
 
-    fn put_off(&self, _: &[ControlJob], _: &[Self::Cell], _: impl Iterator<Item = u64>, (): &()) {}
+    fn put_off(&self, _: &[ControlJob], _: &[Self::Cell], _: impl Fn(usize) -> u64, (): &()) {}
 
     fn settle(
         &self,
