@@ -10,7 +10,7 @@ use super::multipliers::{STABLE, eigenvalues};
 use super::pattern::StopSet;
 use super::turn::Turn;
 use crate::analysis::INFINITELY_MANY;
-use crate::dynamics::Stop;
+use crate::dynamics::{Event, Moves, Stop};
 use crate::model::System;
 
 /// The most Newton steps.
@@ -21,7 +21,8 @@ const HALF_TURN_STEPS: usize = 4;
 const MOST_HALVINGS: usize = 10;
 /// The largest residual of a solution, for states of order one: what closing complete chatter leaves uncertain.
 const SOLVED: f64 = 1e-9;
-/// The longest step from a solution, for states of order one, that is made whole or not at all.
+/// The longest step from a solution, for states of order one, that is made whole or not at all, and is the last: what the next would
+/// be, its square, is less than a rounding.
 const SHORT: f64 = 1e-10;
 /// The largest distance from the mirror image of a motion that is called symmetric, for states of order one.
 const MIRRORED: f64 = 1e-7;
@@ -82,19 +83,19 @@ impl StrobeMotion {
         for _ in 0..MOST_STEPS {
             let defect = &turn.end - &state;
             let step = (&turn.jacobian - DMatrix::identity(size, size)).lu().solve(&defect);
-            let better = step.and_then(|step| {
-                let scale = 1.0 + state.amax();
-                let solved = step.amax() <= SHORT * scale && defect.amax() <= SOLVED * scale;
-                (0..if solved { 1 } else { MOST_HALVINGS }).find_map(|halvings| {
-                    let mut trial = &state - &step * 0.5f64.powi(halvings as i32);
-                    follower.bring_within(&mut trial.as_mut_slice()[..size / 2]);
-                    let next = Turn::from(follower.as_mut(), &flow, &trial, n)?;
-                    ((&next.end - &trial).norm() < defect.norm()).then_some((trial, next))
-                })
+            let Some(step) = step else { break };
+            let scale = 1.0 + state.amax();
+            let last = step.amax() <= SHORT * scale && defect.amax() <= SOLVED * scale;
+            let better = (0..if last { 1 } else { MOST_HALVINGS }).find_map(|halvings| {
+                let mut trial = &state - &step * 0.5f64.powi(halvings as i32);
+                follower.bring_within(&mut trial.as_mut_slice()[..size / 2]);
+                let next = Turn::from(follower.as_mut(), &flow, &trial, n)?;
+                ((&next.end - &trial).norm() < defect.norm()).then_some((trial, next))
             });
-            match better {
-                Some(better) => (state, turn) = better,
-                None => break,
+            let Some(better) = better else { break };
+            (state, turn) = better;
+            if last {
+                break;
             }
         }
         let residual = (&turn.end - &state).amax();
@@ -156,9 +157,23 @@ impl StrobeMotion {
 
     /// P^n of (x, v) at forcing phase 0; none if the trajectory cannot be followed.
     pub fn turned(system: &System, state: impl AsRef<[f64]>, n: u32) -> Option<Vec<f64>> {
-        let start = DVector::from_column_slice(state.as_ref());
-        let turn = Turn::from(follower(system).as_mut(), &Flow::new(system), &start, n)?;
-        Some(turn.end.as_slice().to_vec())
+        let mut follower = follower(system);
+        follower.begin(state.as_ref());
+        let mut moves = Moves::default();
+        for _ in 0..n {
+            moves.pass_period();
+            loop {
+                let taken = follower.advance_to_event();
+                moves.add();
+                if moves.are_too_many() || !follower.is_finite() {
+                    return None;
+                }
+                if matches!(taken.event, Event::Strobe) {
+                    break;
+                }
+            }
+        }
+        Some(follower.state().as_slice().to_vec())
     }
 
     /// p: impacts at Ā, the paper's second stop, in one period; 0 where there is no second stop.
