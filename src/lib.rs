@@ -167,6 +167,8 @@ const _: fn(f64) -> f64 = f64::sin;
 const _: fn(f32) -> f32 = f32::sin;
 #[expect(clippy::disallowed_methods)]
 const _: fn(nalgebra::Complex<f64>) -> f64 = nalgebra::Complex::norm;
+#[expect(clippy::disallowed_methods)]
+const _: fn(f64) -> f64 = num_traits::Float::sin;
 
 #[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod analysis;

@@ -42,7 +42,7 @@ impl Doubts {
         Doubts { looks }
     }
 
-    /// Lets those of some jobs wait whose first verdicts are in doubt, each under its number.
+    /// Lets those of some jobs wait whose first verdicts are in doubt, each under the `number` of its place among them.
     pub fn put_off(&self, jobs: &[Job], verdicts: &[Verdict], number: impl Fn(usize) -> u64) {
         let in_doubt = |verdict: &Verdict| self.looks.iter().any(|look| look.is_called_for_by(verdict));
         let waiting = verdicts.par_iter().enumerate().filter(|(_, verdict)| in_doubt(verdict));

@@ -25,6 +25,7 @@ mod png;
 mod scale;
 mod shapes;
 mod size;
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 mod spacing;
 mod spread;
 mod steps;

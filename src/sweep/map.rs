@@ -75,8 +75,8 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
     }
 }
 
-/// Puts what was found of some cells `here` into the rows of a plane, of each those with the `numbers` in it. `of_jobs` are the
-/// numbers of those that it was found of, in their order.
+/// Puts what was found of some cells `here` into the rows of a plane; `numbers_in` has the numbers, among those cells, of the ones in a
+/// row. `of_jobs` are the numbers of those that something was found of, ascending.
 fn put<C: Clone + Send + Sync, N: Iterator<Item = usize>>(
     rows: &[Mutex<&mut [C]>],
     numbers_in: impl Fn(u64) -> N + Sync,

@@ -45,7 +45,7 @@ pub trait Swept: Task {
         watch: &dyn Watch,
     ) -> backend::Result<Vec<Self::Cell>>;
 
-    /// Lets jobs wait among the doubts whose first results call for it, each under its number.
+    /// Lets jobs wait among the doubts whose first results call for it, each under the `number` of its place among them.
     fn put_off(
         &self,
         jobs: &[Self::Job],

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::section_vector::wrapped;
-use crate::dynamics::{Contact, Move, Stop, Tangent, Trajectory, catch_all};
+use crate::dynamics::{Contact, Move, Moves, Stop, Tangent, Trajectory, catch_all};
 use crate::model::vector::axpy;
 use crate::model::{Flight, OfFlow, State, System};
 
@@ -64,6 +64,13 @@ pub(super) trait Follower {
     /// Whether every component is a finite number.
     fn is_finite(&self) -> bool {
         self.x().iter().chain(self.v()).all(|value| value.is_finite())
+    }
+
+    /// Moves on to the next event but the end of a step; none where the state is not finite then, or the moves are too many.
+    fn next_event(&mut self, moves: &mut Moves) -> Option<Move<f64>> {
+        let taken = self.advance_to_event();
+        moves.add();
+        (!moves.are_too_many() && self.is_finite()).then_some(taken)
     }
 
     /// The forcing phase in [0, 2π).

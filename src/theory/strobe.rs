@@ -21,8 +21,8 @@ const HALF_TURN_STEPS: usize = 4;
 const MOST_HALVINGS: usize = 10;
 /// The largest residual of a solution, for states of order one: what closing complete chatter leaves uncertain.
 const SOLVED: f64 = 1e-9;
-/// The longest step from a solution, for states of order one, that is made whole or not at all, and is the last: what the next would
-/// be, its square, is less than a rounding.
+/// The longest step from a solution, for states of order one, that is made whole or not at all, and is the last: a further one would
+/// move the state by some 1e-11 at most.
 const SHORT: f64 = 1e-10;
 /// The largest distance from the mirror image of a motion that is called symmetric, for states of order one.
 const MIRRORED: f64 = 1e-7;
@@ -162,16 +162,7 @@ impl StrobeMotion {
         let mut moves = Moves::default();
         for _ in 0..n {
             moves.pass_period();
-            loop {
-                let taken = follower.advance_to_event();
-                moves.add();
-                if moves.are_too_many() || !follower.is_finite() {
-                    return None;
-                }
-                if matches!(taken.event, Event::Strobe) {
-                    break;
-                }
-            }
+            while follower.next_event(&mut moves)?.event != Event::Strobe {}
         }
         Some(follower.state().as_slice().to_vec())
     }

@@ -50,11 +50,7 @@ impl Turn {
             moves.pass_period();
             turn.strobes.push(follower.state());
             loop {
-                let taken = follower.advance_to_event();
-                moves.add();
-                if moves.are_too_many() || !follower.is_finite() {
-                    return None;
-                }
+                let taken = follower.next_event(&mut moves)?;
                 turn.sticking |= !taken.contact.is_free();
                 match taken.event {
                     Event::Impact(impact) => turn.note(follower, flow, &impact, false),

@@ -167,20 +167,15 @@ impl Backend for Gpu {
 }
 
 /// The results of all jobs of some tiles: while the device is busy with one, the processor prepares another.
-fn in_tiles<J: Sync, R: Clone + Send + Sync>(
+fn in_tiles<J: Sync, R: Send>(
     tiles: Vec<&[J]>,
     compute: impl Fn(&[J]) -> Result<Vec<R>> + Sync,
 ) -> Result<Vec<R>> {
-    let mut found = in_flight(tiles, compute)?;
+    let mut found = in_flight(tiles, compute)?.into_iter();
     // As a rule there is one.
-    if found.len() < 2 {
-        return Ok(found.pop().unwrap_or_default());
-    }
-    let places: Vec<(u32, u32)> = (0..)
-        .zip(&found)
-        .flat_map(|(tile, of_tile)| (0..of_tile.len() as u32).map(move |i| (tile, i)))
-        .collect();
-    Ok(places.into_par_iter().map(|(tile, place)| found[tile as usize][place as usize].clone()).collect())
+    let mut all = found.next().unwrap_or_default();
+    found.for_each(|of_tile| all.par_extend(of_tile));
+    Ok(all)
 }
 
 #[cfg(test)]

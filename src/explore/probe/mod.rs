@@ -1,5 +1,6 @@
 //! What moves at one cell: its motion, its portrait, its multipliers and exponents, and what else moves there.
 
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 mod beside;
 mod figures;
 

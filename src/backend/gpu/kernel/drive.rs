@@ -4,7 +4,7 @@ use bytemuck::Pod;
 use pollster::block_on;
 
 use super::Kernel;
-use super::device::guarded;
+use super::device::{fetch, guarded};
 use super::program::{Portion, Program};
 use super::spent::{Spent, timed};
 use super::tile::Tile;
@@ -46,7 +46,7 @@ impl Kernel {
         let compiled = self.library.get(&self.device, program.kernel, Shape::of(&jobs[0].system))?;
         let (cells, preparing) = timed(|| Cells::of(jobs));
         // Nothing waits for other threads while it has room.
-        let _room = block_on(self.room.acquire());
+        let room = block_on(self.room.acquire());
         let holding = || Tile::new(self, compiled, program, &cells, jobs.len(), size_of::<R>() as u64);
         let (tile, transferring) = timed(|| guarded(&self.device, holding));
         let tile = tile??;
@@ -70,7 +70,10 @@ impl Kernel {
             budget = next_budget(budget, took, most);
             begin = 0;
         }
-        let (results, reading) = timed(|| guarded(&self.device, || tile.results(self, read)));
+        let results = tile.into_results();
+        drop(room);
+        let (results, reading) =
+            timed(|| guarded(&self.device, || fetch(&self.device, &self.queue, &results, read)));
         self.spend(Spent { reading, ..Spent::default() });
         results?
     }

@@ -55,13 +55,8 @@ fn check_shapes<'j>(shape: &Shape, jobs: impl ParallelIterator<Item = &'j Job>) 
 }
 
 /// Items in parts of at most so many, and of at most so many groups: those with the same key.
-fn split<J: Sync, K: Eq + Hash>(
-    items: &[J],
-    most: usize,
-    groups: usize,
-    key: impl Fn(&J) -> K + Sync,
-) -> Vec<&[J]> {
-    items.par_chunks(most).flat_map_iter(|items| split_by_groups(items, groups, &key)).collect()
+fn split<J, K: Eq + Hash>(items: &[J], most: usize, groups: usize, key: impl Fn(&J) -> K) -> Vec<&[J]> {
+    items.chunks(most).flat_map(|items| split_by_groups(items, groups, &key)).collect()
 }
 
 /// Items in parts of at most so many groups.

@@ -17,7 +17,7 @@ pub struct Spent {
     pub dispatching: f64,
     /// In the kernel itself, by the adapter's own clock; none where it offers none.
     pub kernel: Option<f64>,
-    /// Reading the results back.
+    /// Reading the results back, and widening them.
     pub reading: f64,
     /// Dispatches.
     pub dispatches: u64,

@@ -7,7 +7,7 @@ use bytemuck::Pod;
 use super::Kernel;
 use super::clock::Clock;
 use super::compiled::Compiled;
-use super::device::{empty, fetch, filled, mapped};
+use super::device::{empty, filled, mapped};
 use super::program::{Portion, Program, ROW};
 use crate::backend::Result;
 use crate::backend::gpu::layout::{Cells, FINISHED};
@@ -94,8 +94,8 @@ impl Tile {
         Ok((left, took))
     }
 
-    /// What is read of the results of all its trajectories.
-    pub fn results<R: Pod, V>(&self, kernel: &Kernel, read: impl FnOnce(&[R]) -> V) -> Result<V> {
-        fetch(&kernel.device, &kernel.queue, &self.results, read)
+    /// The results of all its trajectories; nothing else is kept.
+    pub fn into_results(self) -> wgpu::Buffer {
+        self.results
     }
 }

@@ -69,7 +69,7 @@ pub struct Cells {
 /// Cells that one thread writes at a time.
 const CHUNK: usize = 256;
 
-/// So many records of as many words each, written by several threads.
+/// `count` records, all as long as the first, written by several threads.
 fn records(count: usize, write: impl Fn(usize, &mut Vec<u32>) + Sync) -> Vec<u32> {
     let mut first = Vec::new();
     (0..count.min(1)).for_each(|record| write(record, &mut first));
