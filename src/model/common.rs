@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use arrayvec::ArrayVec;
 
-use super::equations::{Equations, are_parallel};
+use super::equations::Equations;
 use super::of_flow::OfFlow;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
 use crate::system::{Plant, Setting, StopValues};
@@ -42,13 +42,13 @@ impl Common {
     /// # Errors
     /// [`SystemError::TooStiff`] where these would be too many.
     pub fn of(setting: Option<Setting>, plant: Plant, label_order: LabelOrder) -> Result<Self, SystemError> {
-        let (rate, omega) = (rate(&plant), plant.omega);
+        let ((rate, normals), omega) = (rate_and_normals(&plant), plant.omega);
         let half_steps = (0.5 * rate * plant.period() / STEP).ceil();
         if half_steps.is_nan() || half_steps > f64::from(MOST_STEPS / 2) {
             return Err(SystemError::TooStiff(Box::new(Stiff { setting, omega, rate })));
         }
         let lengths = plant.stops.iter().map(|stop| stop.direction.norm()).collect();
-        let (normals, steps, of_flow) = (normals(&plant), 2 * half_steps as u32, Arc::default());
+        let (steps, of_flow) = (2 * half_steps as u32, Arc::default());
         Ok(Common { like: setting, plant, label_order, lengths, normals, rate, steps, of_flow })
     }
 
@@ -80,24 +80,17 @@ impl PartialEq for Common {
     }
 }
 
-/// See [`System::normals`](super::System::normals).
-fn normals(plant: &Plant) -> usize {
-    let mut found: ArrayVec<&[f64], { Plant::MOST_STOPS }> = ArrayVec::new();
-    for direction in plant.stops.iter().map(|stop| stop.direction.as_slice()) {
-        if !found.iter().any(|other| are_parallel(direction, other)) {
-            found.push(direction);
-        }
+/// See [`System::rate`](super::System::rate) and [`System::normals`](super::System::normals).
+fn rate_and_normals(plant: &Plant) -> (f64, usize) {
+    fn of<const N: usize>(plant: &Plant) -> (f64, usize) {
+        let equations = Equations::<N>::new(plant);
+        (equations.rate(), equations.count)
     }
-    found.len()
-}
-
-/// See [`System::rate`](super::System::rate).
-fn rate(plant: &Plant) -> f64 {
     match plant.n {
-        1 => Equations::<1>::new(plant).rate(),
-        2 => Equations::<2>::new(plant).rate(),
-        3 => Equations::<3>::new(plant).rate(),
-        4 => Equations::<4>::new(plant).rate(),
-        _ => Equations::<5>::new(plant).rate(),
+        1 => of::<1>(plant),
+        2 => of::<2>(plant),
+        3 => of::<3>(plant),
+        4 => of::<4>(plant),
+        _ => of::<5>(plant),
     }
 }

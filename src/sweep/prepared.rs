@@ -1,7 +1,5 @@
 //! What a back end is given for one tile.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use rayon::prelude::*;
 
 use super::preparing::made;
@@ -20,22 +18,15 @@ pub(super) struct Prepared<J> {
     pub missing: Option<SweepError>,
 }
 
-impl<J: Send> Prepared<J> {
+impl<J: Send + Sync> Prepared<J> {
     /// Of some cells of a plane, flow by flow, counted row by row; `flows` are those of cells before.
     ///
     /// # Errors
     /// What stands in the way of all of them.
     pub fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: &[u64], flows: &Flows) -> Result<Self> {
+        let found = made(plane, cells, flows, |preparing, cell| preparing.asked_of(cell));
         // As a rule every cell has a job.
-        let all = AtomicBool::new(true);
-        let found = made(plane, cells, flows, |preparing, cell| {
-            let asked = preparing.asked_of(cell);
-            if !matches!(asked, Ok(Some(_))) {
-                all.store(false, Ordering::Relaxed);
-            }
-            asked
-        });
-        if all.into_inner() {
+        if found.par_iter().all(|job| matches!(job, Ok(Some(_)))) {
             let jobs = found.into_par_iter().map(|job| job.ok().flatten().expect("it was seen to be there"));
             return Ok(Prepared {
                 jobs: jobs.collect(),

@@ -16,16 +16,13 @@ impl Kernel {
     ///
     /// # Errors
     /// Where the jobs differ in shape, or their kernel cannot be compiled.
-    pub fn tiles<'j, J>(
+    pub fn tiles<'j, J: Sync>(
         &self,
         kernel: shader::Kernel,
         jobs: &'j [J],
         job: impl Fn(&J) -> &Job + Sync,
         more: u64,
-    ) -> Result<Vec<&'j [J]>>
-    where
-        J: Sync,
-    {
+    ) -> Result<Vec<&'j [J]>> {
         let Some(first) = jobs.first() else { return Ok(Vec::new()) };
         let shape = Shape::of(&job(first).system);
         check_shapes(&shape, jobs.par_iter().with_min_len(AT_ONCE).map(&job))?;
