@@ -4,8 +4,6 @@
 // branches choose between, a compiler keeps all addresses in registers.
 
 struct Observer {
-    trajectory: Trajectory,
-    tangent: State,
     recurrence: Recurrence,
     exponent: Exponent,
     turn: Turn,
@@ -24,7 +22,16 @@ struct Observer {
     loss: Loss,
 }
 
+// A trajectory and its observer, as they are stored.
+struct Observed {
+    trajectory: Trajectory,
+    tangent: State,
+    observer: Observer,
+}
+
 var<private> schedule: Schedule;
+// Which invocation of its workgroup follows the trajectory.
+var<private> lane: u32;
 
 // Begins at forcing phase 0. While an observer works, `trajectory` and `tangent` hold what it will store.
 fn observer_begin(start: State) {

@@ -6,7 +6,7 @@
 @group(0) @binding(3) var<storage, read> cells: array<Cell>;
 // Which cells are not finished yet; FINISHED in the place of one that is, once this dispatch is over.
 @group(0) @binding(4) var<storage, read_write> unfinished: array<u32>;
-@group(0) @binding(5) var<storage, read_write> observers: array<Observer>;
+@group(0) @binding(5) var<storage, read_write> observers: array<Observed>;
 @group(0) @binding(6) var<storage, read_write> verdicts: array<Verdict>;
 
 // Follows the trajectory in a stage of its schedule until something is rare, for a few turns.
@@ -54,11 +54,12 @@ fn follow_turn() {
 }
 
 @compute @workgroup_size(WORKGROUP)
-fn follow(@builtin(global_invocation_id) id: vec3<u32>) {
+fn follow(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) place: u32) {
     let index = id.y * dispatch.row + id.x;
     if id.x >= dispatch.row || index >= dispatch.count {
         return;
     }
+    lane = place;
     cell = unfinished[index];
     flight_load();
     schedule = dispatch.schedule;

@@ -37,3 +37,27 @@ fn state_square(state: State) -> f32 {
 var<private> cell: u32;
 // Where the constants of its flow lie, which it shares with cells that differ in gaps and restitutions alone.
 var<private> flow: u32;
+
+// The constants, gaps and restitutions of the cell, in memory of the invocation: a compiler keeps in registers what is read often
+// of them, and the rest lies so that neighbours read it together. In a buffer each would be read anew wherever it is used.
+var<private> flight: Flight;
+var<private> stops: Cell;
+// Normal by normal: a compiler makes a choice of every place that an index which it does not know may mean.
+var<private> normal_terms: array<array<State, NORMAL_TERMS>, NORMALS>;
+
+// What a kernel calls when it knows its cell.
+fn flight_load() {
+    flow = cells[cell].flow;
+    flight = flights[flow];
+    stops = cells[cell];
+    for (var term = 0u; term < NORMAL_TERMS; term++) {
+        for (var normal = 0u; normal < NORMALS; normal++) {
+            normal_terms[normal][term] = kicks[flow * NORMALS + normal][term];
+        }
+    }
+}
+
+// A term of the polynomials of a normal: what a kick becomes, then what the end of a step says of the way to it.
+fn normal_term(normal: u32, term: u32) -> State {
+    return normal_terms[normal][term];
+}

@@ -1,20 +1,23 @@
 //! Several tiles at a time: while one waits for a device, or for the last of its trajectories, another has the processor.
 
+use std::iter;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::thread;
 
 use parking_lot::Mutex;
+use rayon::prelude::*;
 
-/// How many at a time: what waits for one thing leaves room for one that does not.
+/// How many at a time as a rule: what waits for one thing leaves room for one that does not.
 pub(super) const IN_FLIGHT: usize = 2;
 
-/// What work makes of each of some items, in their order. The items are begun in that order, so many at a time, the next once
+/// What work makes of each of some items, in their order. The items are begun in that order, `most` at a time, the next once
 /// what came before is done with: on threads of rayon's pool where this is one of them, on threads of their own elsewhere, which
 /// may wait.
 ///
 /// # Errors
 /// That of the first item that has one; only what was under way goes on to its end then.
 pub(crate) fn in_flight<I, R, E>(
+    most: usize,
     items: impl IntoIterator<Item = I, IntoIter: Send>,
     work: impl Fn(I) -> Result<R, E> + Sync,
 ) -> Result<Vec<R>, E>
@@ -38,20 +41,23 @@ where
     };
     let mut done = match is_one {
         true => follow(),
-        false => together(&follow).into_iter().flatten().collect(),
+        false => together(most, &follow).into_iter().flatten().collect(),
     };
     done.sort_unstable_by_key(|&(place, _)| place);
     done.into_iter().map(|(_, result)| result.unwrap_or_else(|panic| resume_unwind(panic))).collect()
 }
 
 /// The same, done by so many threads at once.
-fn together<D: Send>(follow: &(impl Fn() -> D + Sync)) -> [D; IN_FLIGHT] {
+fn together<D: Send>(threads: usize, follow: &(impl Fn() -> D + Sync)) -> Vec<D> {
     if rayon::current_thread_index().is_some() {
-        return rayon::join(follow, follow).into();
+        return (0..threads).into_par_iter().with_max_len(1).map(|_| follow()).collect();
     }
     thread::scope(|scope| {
-        let other = scope.spawn(follow);
-        [follow(), other.join().unwrap_or_else(|panic| resume_unwind(panic))]
+        let others: Vec<_> = (1..threads).map(|_| scope.spawn(follow)).collect();
+        let own = follow();
+        let others =
+            others.into_iter().map(|other| other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        iter::once(own).chain(others).collect()
     })
 }
 
@@ -66,7 +72,7 @@ mod tests {
     #[test]
     fn results_come_in_the_order_of_the_items() {
         for count in [0, 1, 2, 7, 100] {
-            let squares = in_flight(0..count, |i: usize| Ok::<_, ()>(i * i)).unwrap();
+            let squares = in_flight(IN_FLIGHT, 0..count, |i: usize| Ok::<_, ()>(i * i)).unwrap();
             assert!(squares.into_iter().eq((0..count).map(|i| i * i)), "{count}");
         }
     }
@@ -76,30 +82,35 @@ mod tests {
         for threads in [1, 2, 3] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let index = |_| Ok::<_, ()>(rayon::current_thread_index().map(|_| rayon::current_num_threads()));
-            let found = pool.install(|| in_flight(0..50, index)).unwrap();
+            let found = pool.install(|| in_flight(IN_FLIGHT, 0..50, index)).unwrap();
             assert_eq!(found, [Some(threads); 50]);
         }
-        assert_eq!(in_flight(0..2, |_| Ok::<_, ()>(rayon::current_thread_index())), Ok(vec![None; 2]));
+        assert_eq!(
+            in_flight(IN_FLIGHT, 0..2, |_| Ok::<_, ()>(rayon::current_thread_index())),
+            Ok(vec![None; 2])
+        );
     }
 
     #[test]
     fn so_many_are_at_work_at_a_time_and_no_more() {
-        let (together, at_work) = (Barrier::new(IN_FLIGHT), AtomicUsize::new(0));
-        let most = in_flight(0..10 * IN_FLIGHT, |_| {
-            let now = at_work.fetch_add(1, Ordering::SeqCst) + 1;
-            // Comes back only once as many are here.
-            together.wait();
-            at_work.fetch_sub(1, Ordering::SeqCst);
-            Ok::<_, ()>(now)
-        });
-        assert_eq!(most.unwrap().into_iter().max(), Some(IN_FLIGHT));
+        for most in [2, 3, 5] {
+            let (together, at_work) = (Barrier::new(most), AtomicUsize::new(0));
+            let found = in_flight(most, 0..10 * most, |_| {
+                let now = at_work.fetch_add(1, Ordering::SeqCst) + 1;
+                // Comes back only once as many are here.
+                together.wait();
+                at_work.fetch_sub(1, Ordering::SeqCst);
+                Ok::<_, ()>(now)
+            });
+            assert_eq!(found.unwrap().into_iter().max(), Some(most));
+        }
     }
 
     #[test]
     fn the_first_error_ends_it() {
         let begun = AtomicUsize::new(0);
         let together = Barrier::new(IN_FLIGHT);
-        let found = in_flight(0..100, |i: usize| {
+        let found = in_flight(IN_FLIGHT, 0..100, |i: usize| {
             begun.fetch_add(1, Ordering::SeqCst);
             if i < IN_FLIGHT {
                 together.wait();
@@ -115,7 +126,7 @@ mod tests {
         for of in 0..2 {
             let (together, begun) = (Barrier::new(2), AtomicUsize::new(0));
             let found = catch_unwind(|| {
-                in_flight(0..10_000, |i: usize| {
+                in_flight(IN_FLIGHT, 0..10_000, |i: usize| {
                     begun.fetch_add(1, Ordering::SeqCst);
                     if i < 2 {
                         together.wait();

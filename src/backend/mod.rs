@@ -28,6 +28,8 @@ pub use watch::{Silent, Unwatched, Watch};
 
 use std::fmt::Debug;
 
+use in_flight::IN_FLIGHT;
+
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, Outcome};
 
@@ -44,6 +46,11 @@ pub trait Backend: Debug + Send + Sync {
 
     /// How many jobs a call should hold to keep this back end busy within bounded memory.
     fn tile(&self) -> usize;
+
+    /// How many such calls at a time keep it busy.
+    fn calls(&self) -> usize {
+        IN_FLIGHT
+    }
 
     /// Follows every job and gives one verdict per job, in order.
     ///

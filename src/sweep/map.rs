@@ -48,7 +48,7 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
         Ok(())
     };
     // While a back end is busy with one tile, the processor prepares the next, or puts what came of the last into its place.
-    let of_tiles = in_flight((0..cells).step_by(tile as usize), |first| -> Result<_> {
+    let of_tiles = in_flight(backend.calls(), (0..cells).step_by(tile as usize), |first| -> Result<_> {
         watch.check()?;
         flows.tidy();
         let places = first..cells.min(first.saturating_add(tile));

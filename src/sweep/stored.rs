@@ -63,6 +63,7 @@ pub fn sweep_stored(
 ) -> Result<StoredRun, StoredError> {
     store.plane().check().map_err(SweepError::from)?;
     check_border(store.plane()).map_err(SweepError::from)?;
+    let calls = backend.calls();
     let together = together(tiles, backend.tile() as u64 / WORTH_A_LOOK, |tile| cells_of(store, tile));
     let filling = Filling {
         store,
@@ -72,7 +73,7 @@ pub fn sweep_stored(
         reopen,
         watch,
     };
-    let runs = in_flight(together, |tiles| filling.fill(tiles))?;
+    let runs = in_flight(calls, together, |tiles| filling.fill(tiles))?;
     store.tidy();
     Ok(runs.into_iter().fold(StoredRun::default(), StoredRun::and))
 }

@@ -23,7 +23,7 @@ use shader::{Arithmetic, Residence, Shape};
 
 /// The shader by which hardware follows trajectories of a system to their verdicts, in WGSL.
 pub fn hardware_shader(system: &System) -> String {
-    shader::source(shader::Kernel::Follow, &Shape::of(system), Residence::Buffer, Arithmetic::Native)
+    shader::source(shader::Kernel::Follow, &Shape::of(system), Residence::Workgroup, Arithmetic::Native)
 }
 
 /// Follows trajectories on an adapter.
@@ -84,6 +84,21 @@ impl Gpu {
         self.report.is_software()
     }
 
+    /// The results of all jobs of some tiles: while the device is busy with one, the processor prepares another.
+    fn in_tiles<J: Sync, R: Send>(
+        &self,
+        tiles: Vec<&[J]>,
+        compute: impl Fn(&[J]) -> Result<Vec<R>> + Sync,
+    ) -> Result<Vec<R>> {
+        let mut found = in_flight(self.calls(), tiles, compute)?;
+        if found.len() <= 1 {
+            return Ok(found.pop().unwrap_or_default());
+        }
+        let mut all = Vec::with_capacity(found.iter().map(Vec::len).sum());
+        found.into_iter().for_each(|of_tile| all.par_extend(of_tile));
+        Ok(all)
+    }
+
     /// Refuses what a software adapter may not come to an end with: Mesa 22.3 does not always when it compiles the kernel of
     /// control in exact arithmetic, or for several contact normals, and its memory grows meanwhile.
     fn check_control_ends(&self, jobs: &[ControlJob]) -> Result<()> {
@@ -119,10 +134,14 @@ impl Backend for Gpu {
         self.kernel.tile()
     }
 
+    fn calls(&self) -> usize {
+        self.kernel.tiles_at_a_time()
+    }
+
     fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>> {
         schedule.check()?;
         let tiles = self.kernel.tiles(shader::Kernel::Follow, jobs, |job| job, 0)?;
-        in_tiles(tiles, |tile| self.kernel.run(tile, schedule, watch))
+        self.in_tiles(tiles, |tile| self.kernel.run(tile, schedule, watch))
     }
 
     fn control(
@@ -143,7 +162,7 @@ impl Backend for Gpu {
             )));
         }
         let tiles = self.kernel.tiles(shader::Kernel::Control, jobs, |job| &job.job, 0)?;
-        in_tiles(tiles, |tile| self.kernel.control(tile, schedule, watch))
+        self.in_tiles(tiles, |tile| self.kernel.control(tile, schedule, watch))
     }
 
     fn trace(
@@ -156,26 +175,14 @@ impl Backend for Gpu {
     ) -> Result<Vec<Trace>> {
         schedule.check()?;
         let tiles = self.kernel.tiles(shader::Kernel::Trace, jobs, |job| job, readings(capacity))?;
-        in_tiles(tiles, |tile| self.kernel.trace(tile, schedule, probe, capacity, watch))
+        self.in_tiles(tiles, |tile| self.kernel.trace(tile, schedule, probe, capacity, watch))
     }
 
     fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>> {
         let followed: Vec<(&Job, u32)> = jobs.iter().zip(periods.iter().copied()).collect();
         let tiles = self.kernel.tiles(shader::Kernel::Extent, &followed, |(job, _)| job, 0)?;
-        in_tiles(tiles, |tile| self.kernel.extents(tile, watch))
+        self.in_tiles(tiles, |tile| self.kernel.extents(tile, watch))
     }
-}
-
-/// The results of all jobs of some tiles: while the device is busy with one, the processor prepares another.
-fn in_tiles<J: Sync, R: Send>(
-    tiles: Vec<&[J]>,
-    compute: impl Fn(&[J]) -> Result<Vec<R>> + Sync,
-) -> Result<Vec<R>> {
-    let mut found = in_flight(tiles, compute)?.into_iter();
-    // As a rule there is one.
-    let mut all = found.next().unwrap_or_default();
-    found.for_each(|of_tile| all.par_extend(of_tile));
-    Ok(all)
 }
 
 #[cfg(test)]
@@ -213,7 +220,8 @@ mod tests {
         let found = adapters::find(None).expect("an adapter");
         println!("{}", found.report);
         let arithmetic = Arithmetic::Native;
-        let kernel = Kernel::binding(16 << 10, &found, arithmetic).unwrap();
+        let limits = wgpu::Limits { max_storage_buffer_binding_size: 16 << 10, ..wgpu::Limits::default() };
+        let kernel = Kernel::within(limits, &found, arithmetic).unwrap();
         let expected: Vec<Verdict> =
             jobs.chunks(7).flat_map(|some| kernel.run(some, &schedule, &Unwatched).unwrap()).collect();
         let tiles = kernel.tiles(shader::Kernel::Follow, &jobs, |job| job, 0).unwrap();
@@ -228,22 +236,27 @@ mod tests {
         assert!(verdicts.iter().any(|verdict| verdict.state != verdicts[0].state), "not all are alike");
     }
 
-    /// What hardware compiles is run by the software adapter too, with the same bits as what that compiles.
+    /// What hardware compiles is run by the software adapter too, with the same bits as what that compiles; and so is what hardware
+    /// compiles that has too little memory for its workgroups.
     #[test]
     fn hardwares_shader_gives_the_bits_of_the_software_adapters() {
         let schedule = Schedule { transient: 40, observe: 40, max_period: 8, fixed_periods: false };
         let jobs = jobs();
-        let kernel = |residence: Residence| {
+        let kernel = |residence: Residence, of_workgroups: u32| {
             let found = adapters::find(None).expect("an adapter");
             println!("{}", found.report);
-            Kernel::new(&found, Arithmetic::Exact).unwrap().residing(residence, Arithmetic::Exact)
+            let limits =
+                wgpu::Limits { max_compute_workgroup_storage_size: of_workgroups, ..wgpu::Limits::default() };
+            Kernel::within(limits, &found, Arithmetic::Exact).unwrap().residing(residence, Arithmetic::Exact)
         };
         let run =
             |kernel: &Kernel, jobs: &[Job]| format!("{:?}", kernel.run(jobs, &schedule, &Unwatched).unwrap());
-        let (hardwares, softwares) = (kernel(Residence::Buffer), kernel(Residence::Private));
+        let (hardwares, softwares) = (kernel(Residence::Workgroup, 16 << 10), kernel(Residence::Private, 0));
         // At the same time, since it is the compiler that takes long.
         let (found, expected) = rayon::join(|| run(&hardwares, &jobs), || run(&softwares, &jobs));
         assert_eq!(found, expected);
+        let short = kernel(Residence::Workgroup, 1 << 10);
+        assert_eq!(run(&short, &jobs), expected);
         for met in ["regime: Periodic,", "regime: PeriodicSticking", "regime: Chaotic", "symmetric: true"] {
             assert!(expected.contains(met), "{met}: {expected}");
         }

@@ -8,7 +8,7 @@ use parking_lot::Mutex;
 use wgpu::ShaderSource;
 
 use super::device::compiled;
-use crate::backend::gpu::shader::{self, Arithmetic, Residence, Shape};
+use crate::backend::gpu::shader::{self, Arithmetic, Residence, Shape, WORKGROUP};
 use crate::backend::{BackendError, Result};
 
 /// A compiled kernel, and the sizes of what decides how many trajectories it has room for.
@@ -28,7 +28,7 @@ pub struct Library {
 }
 
 impl Library {
-    /// An empty library of kernels that keep the constants of a cell there, and compute so.
+    /// An empty library of kernels that keep the observer of a trajectory there, where it has room, and compute so.
     pub fn new(residence: Residence, arithmetic: Arithmetic) -> Self {
         Library { residence, arithmetic, compiled: Mutex::default() }
     }
@@ -39,8 +39,12 @@ impl Library {
         if let Some(compiled) = library.get(&(kernel, shape)) {
             return Ok(compiled.clone());
         }
-        let source = shader::source(kernel, &shape, self.residence, self.arithmetic);
-        let [state, flight] = sizes(&source, [kernel.state(), "Flight"]);
+        let source = |residence| shader::source(kernel, &shape, residence, self.arithmetic);
+        let nearest = source(self.residence);
+        let [state, flight, observer] = sizes(&nearest, [kernel.state(), "Flight", "Observer"]);
+        let room = u64::from(device.limits().max_compute_workgroup_storage_size);
+        let has_room = u64::from(WORKGROUP) * observer <= room;
+        let source = if has_room { nearest } else { source(Residence::Private) };
         let source = match self.arithmetic {
             Arithmetic::Native => ShaderSource::Wgsl(source.into()),
             Arithmetic::Exact => {
@@ -79,7 +83,7 @@ mod tests {
                 (shader::Kernel::Control, ["Cell", "Control", "Outcome"]),
                 (shader::Kernel::Extent, ["Cell", "Extent", "Extent"]),
             ] {
-                let source = shader::source(kernel, &shape, Residence::Buffer, Arithmetic::Native);
+                let source = shader::source(kernel, &shape, Residence::Workgroup, Arithmetic::Native);
                 let [state, flight, of_kick] = sizes(&source, [kernel.state(), "Flight", "State"]);
                 for (other, name) in sizes(&source, others).into_iter().zip(others) {
                     assert!(

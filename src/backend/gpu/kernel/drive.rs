@@ -11,7 +11,6 @@ use super::tile::Tile;
 use crate::analysis::constants::SQUARINGS;
 use crate::backend::gpu::layout::{Cells, NORMAL_TERMS};
 use crate::backend::gpu::shader::Shape;
-use crate::backend::in_flight::IN_FLIGHT;
 use crate::backend::{Job, Result, Watch};
 use crate::model::Real;
 use crate::model::vector::MOST;
@@ -20,15 +19,19 @@ use crate::model::vector::MOST;
 const PORTION: f64 = 0.2;
 /// Moves of the first dispatch, before its speed is known.
 const FIRST_BUDGET: u32 = 32;
+/// How many times as many moves the next may have: each dispatch waits for the one before, and what it takes for as many moves does
+/// not differ by more than a few times.
+const MOST_GROWTH: f64 = 16.0;
 /// The most moves of one dispatch on hardware.
 const HARDWARE_BUDGET: u32 = 1 << 14;
 /// Loop iterations in one move: its own loop, and every place where a series is summed, more of them the more contact normals
 /// there are. Lanes that diverge go through all of them, one after the other. A test counts them in the shader.
 pub const MOVE: u32 = 1 + 30 * <f32 as Real>::ORDER as u32;
-/// Loop iterations of one dispatch on a software adapter, beside those that fetch the constants of a cell: Mesa's stop every
-/// loop in silence after 65,535 iterations of all the loops in an invocation. (The kernel counts a trajectory that was cut
-/// short as failed.)
-const SOFTWARE_ITERATIONS: u32 = 65_535 - ((MOST + 1) * NORMAL_TERMS) as u32;
+/// Loop iterations in which a dispatch fetches the constants of a cell.
+pub const FETCH: u32 = ((MOST + 1) * NORMAL_TERMS) as u32;
+/// Loop iterations of one dispatch on a software adapter, beside those: Mesa's stop every loop in silence after 65,535 iterations
+/// of all the loops in an invocation. (The kernel counts a trajectory that was cut short as failed.)
+const SOFTWARE_ITERATIONS: u32 = 65_535 - FETCH;
 
 /// Loop iterations in what a strobe may ask for: the squares of a motion's monodromy matrix, for its largest multiplier and for
 /// where its returns lead.
@@ -66,7 +69,7 @@ impl Kernel {
             self.spend(Spent { dispatching, kernel, dispatches: 1, ..Spent::default() });
             watch.finished((before - unfinished.len()) as u64);
             // By the adapter's own clock a kernel does not wait for that of another tile; but a clock may be wrong.
-            let took = kernel.unwrap_or(dispatching).max(dispatching / (2 * IN_FLIGHT) as f64);
+            let took = kernel.unwrap_or(dispatching).max(dispatching / (2 * self.tiles_at_a_time) as f64);
             budget = next_budget(budget, took, most);
             begin = 0;
         }
@@ -79,8 +82,8 @@ impl Kernel {
     }
 }
 
-/// The moves of the next dispatch, so that it takes about [`PORTION`]; at most twice the last.
+/// The moves of the next dispatch, so that it takes about [`PORTION`]; not far more than the last.
 fn next_budget(budget: u32, took: f64, most: u32) -> u32 {
-    let factor = (PORTION / took.max(1e-6)).clamp(0.1, 2.0);
+    let factor = (PORTION / took.max(1e-6)).clamp(0.1, MOST_GROWTH);
     ((f64::from(budget) * factor) as u32).clamp(1, most)
 }

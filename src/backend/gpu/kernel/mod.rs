@@ -32,12 +32,16 @@ pub use trace::readings;
 const HARDWARE_TILE: usize = 1 << 18;
 const SOFTWARE_TILE: usize = 1 << 15;
 
+/// Tiles that are on hardware at a time: what the processor does for one takes longer than what a fast card does.
+const ON_HARDWARE: usize = 3;
+
 /// A device with the shaders compiled for it.
 pub struct Kernel {
     device: wgpu::Device,
     queue: wgpu::Queue,
     library: Library,
     software: bool,
+    tiles_at_a_time: usize,
     /// For the tiles that are on the device.
     room: Semaphore,
     spent: Mutex<Spent>,
@@ -46,11 +50,15 @@ pub struct Kernel {
 impl Kernel {
     /// Opens a device on the adapter.
     pub fn new(found: &Found, arithmetic: Arithmetic) -> Result<Self> {
-        Kernel::within(wgpu::Limits::default(), found, arithmetic)
+        let limits = wgpu::Limits {
+            max_compute_workgroup_storage_size: found.adapter.limits().max_compute_workgroup_storage_size,
+            ..wgpu::Limits::default()
+        };
+        Kernel::within(limits, found, arithmetic)
     }
 
     /// The same, with a device that has no more room than that.
-    fn within(required_limits: wgpu::Limits, found: &Found, arithmetic: Arithmetic) -> Result<Self> {
+    pub fn within(required_limits: wgpu::Limits, found: &Found, arithmetic: Arithmetic) -> Result<Self> {
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("impact-atlas"),
             // Dispatches are timed without it too.
@@ -61,20 +69,14 @@ impl Kernel {
         let (device, queue) = pollster::block_on(found.adapter.request_device(&descriptor))
             .map_err(|error| BackendError::Device(error.to_string()))?;
         let software = found.report.is_software();
-        let residence = if software { Residence::Private } else { Residence::Buffer };
+        let residence = if software { Residence::Private } else { Residence::Workgroup };
         let library = Library::new(residence, arithmetic);
-        let room = Semaphore::new(IN_FLIGHT);
-        Ok(Kernel { device, queue, library, software, room, spent: Mutex::default() })
+        let tiles_at_a_time = if software { IN_FLIGHT } else { ON_HARDWARE };
+        let room = Semaphore::new(tiles_at_a_time);
+        Ok(Kernel { device, queue, library, software, tiles_at_a_time, room, spent: Mutex::default() })
     }
 
-    /// The same on a device that binds no buffer of more than so many bytes.
-    #[cfg(test)]
-    pub fn binding(most: u64, found: &Found, arithmetic: Arithmetic) -> Result<Self> {
-        let limits = wgpu::Limits { max_storage_buffer_binding_size: most, ..wgpu::Limits::default() };
-        Kernel::within(limits, found, arithmetic)
-    }
-
-    /// The same with shaders that keep there what they read and note.
+    /// The same with shaders that keep there what they note.
     #[cfg(test)]
     pub fn residing(self, residence: Residence, arithmetic: Arithmetic) -> Self {
         Kernel { library: Library::new(residence, arithmetic), ..self }
@@ -88,6 +90,11 @@ impl Kernel {
     /// Adds to where time went.
     fn spend(&self, more: Spent) {
         *self.spent.lock() += more;
+    }
+
+    /// Tiles that are on the device together at most.
+    pub fn tiles_at_a_time(&self) -> usize {
+        self.tiles_at_a_time
     }
 
     /// Trajectories that are followed together at most.

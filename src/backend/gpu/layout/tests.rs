@@ -16,7 +16,7 @@ fn structs_are_as_large_for_the_shaders_as_for_rust() {
         "struct Extent {\n    code: u32,\n    mean_squares: array<f32, MOST>,\n    peaks: array<f32, MOST>,\n}\n"
     );
     let shape = Shape { coordinates: 2, normals: 1, stops: 2 };
-    let source = source(Kernel::Follow, &shape, Residence::Buffer, Arithmetic::Native);
+    let source = source(Kernel::Follow, &shape, Residence::Workgroup, Arithmetic::Native);
     let module = naga::front::wgsl::parse_str(&source).unwrap();
     let sizes = [
         ("Schedule", size_of::<Schedule>()),
@@ -47,7 +47,7 @@ fn the_constants_of_a_cell_fill_what_the_shader_declares() {
             let module = naga::front::wgsl::parse_str(&source(
                 Kernel::Follow,
                 &shape,
-                Residence::Buffer,
+                Residence::Workgroup,
                 Arithmetic::Native,
             ))
             .unwrap();
@@ -79,7 +79,7 @@ fn the_words_of_a_controller_fill_what_the_shader_declares() {
         let system = model::System::new(Setting::defaults(Family::builtin(name))).unwrap();
         let plant = system.plant();
         let shape = Shape { coordinates: plant.n, normals: system.normals(), stops: plant.stops.len() };
-        let source = source(Kernel::Control, &shape, Residence::Buffer, Arithmetic::Native);
+        let source = source(Kernel::Control, &shape, Residence::Workgroup, Arithmetic::Native);
         let module = naga::front::wgsl::parse_str(&source).unwrap();
         let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Control")).unwrap();
         for stop in 0..plant.stops.len() {
@@ -99,7 +99,7 @@ fn the_words_of_a_controller_fill_what_the_shader_declares() {
 fn a_force_changes_steps_on_stops() {
     let system = model::System::new(Setting::defaults(Family::paper())).unwrap();
     let shape = Shape { coordinates: 2, normals: 1, stops: 2 };
-    let source = source(Kernel::Control, &shape, Residence::Buffer, Arithmetic::Native);
+    let source = source(Kernel::Control, &shape, Residence::Workgroup, Arithmetic::Native);
     let module = naga::front::wgsl::parse_str(&source).unwrap();
     let (_, ty) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Control")).unwrap();
     let naga::TypeInner::Struct { members, .. } = &ty.inner else { panic!("Control is no struct") };

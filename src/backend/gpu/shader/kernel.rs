@@ -28,7 +28,7 @@ impl Kernel {
     /// The struct that it keeps of a trajectory.
     pub fn state(self) -> &'static str {
         match self {
-            Kernel::Follow | Kernel::Trace => "Observer",
+            Kernel::Follow | Kernel::Trace => "Observed",
             Kernel::Control => "Controlled",
             Kernel::Extent => "ExtentObserver",
         }

@@ -116,13 +116,8 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: A
         &layout::STRUCTS.join("\n"),
         &pressing_share(shape),
         &control,
-        residence.source(),
-        residence.observer_source(kernel),
-        &fragments
-            .replace("observer.", &format!("{}.", residence.observer(kernel)))
-            .replace("flight.", &format!("{}.", residence.flight()))
-            .replace("stops.gap", &format!("{}.gap", residence.stops()))
-            .replace("stops.restitution", &format!("{}.restitution", residence.stops())),
+        &residence.source(kernel),
+        &fragments.replace("observer.", &format!("{}.", residence.observer(kernel))),
     ]
     .join("\n")
 }

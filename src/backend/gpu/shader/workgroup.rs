@@ -1,4 +1,4 @@
 //! The size of a workgroup, which the shaders declare and their dispatch counts with.
 
 /// Invocations in one workgroup.
-pub const WORKGROUP: u32 = 64;
+pub const WORKGROUP: u32 = 32;
