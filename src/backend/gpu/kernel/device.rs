@@ -3,6 +3,7 @@
 use std::sync::mpsc;
 
 use bytemuck::Pod;
+use rayon::prelude::*;
 use wgpu::util::DeviceExt;
 
 use crate::backend::{BackendError, Result};
@@ -78,6 +79,32 @@ pub fn filled<T: Pod>(device: &wgpu::Device, numbers: &[T]) -> Result<wgpu::Buff
             usage: wgpu::BufferUsages::STORAGE,
         })
     })
+}
+
+/// The same of words that several threads wrote, joined by several threads; each part but the last ends where a buffer may be
+/// mapped from.
+pub fn joined(device: &wgpu::Device, parts: &[Vec<u32>]) -> Result<wgpu::Buffer> {
+    let bytes = |part: &Vec<u32>| size_of_val(part.as_slice()) as u64;
+    let begins = parts.iter().scan(0, |end, part| Some(std::mem::replace(end, *end + bytes(part))));
+    let begins: Vec<u64> = begins.collect();
+    let descriptor = wgpu::BufferDescriptor {
+        label: None,
+        size: parts.iter().map(bytes).sum(),
+        usage: wgpu::BufferUsages::STORAGE,
+        mapped_at_creation: true,
+    };
+    let buffer = guarded(device, || device.create_buffer(&descriptor))?;
+    parts
+        .par_iter()
+        .zip(&begins)
+        .try_for_each(|(part, &begin)| {
+            let mut there = buffer.get_mapped_range_mut(begin..begin + bytes(part))?;
+            there.copy_from_slice(bytemuck::cast_slice(part));
+            Ok(())
+        })
+        .map_err(|error: wgpu::MapRangeError| BackendError::Device(error.to_string()))?;
+    buffer.unmap();
+    Ok(buffer)
 }
 
 pub fn empty(device: &wgpu::Device, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {

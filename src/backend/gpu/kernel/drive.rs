@@ -7,7 +7,7 @@ use super::Kernel;
 use super::device::{fetch, guarded};
 use super::program::{Portion, Program};
 use super::spent::{Spent, timed};
-use super::tile::Tile;
+use super::tile::{Given, Tile};
 use crate::analysis::constants::SQUARINGS;
 use crate::backend::gpu::layout::{Cells, NORMAL_TERMS};
 use crate::backend::gpu::shader::Shape;
@@ -48,15 +48,16 @@ impl Kernel {
     ) -> Result<V> {
         let compiled = self.library.get(&self.device, program.kernel, Shape::of(&jobs[0].system))?;
         let (cells, preparing) = timed(|| Cells::of(jobs));
+        let (given, bringing) = timed(|| Given::new(&self.device, cells));
+        let (given, mut unfinished) = given?;
         // Nothing waits for other threads while it has room.
         let room = block_on(self.room.acquire());
-        let holding = || Tile::new(self, compiled, program, &cells, jobs.len(), size_of::<R>() as u64);
-        let (tile, transferring) = timed(|| guarded(&self.device, holding));
-        let tile = tile??;
+        let holding = || Tile::new(self, compiled, program, &given, jobs.len(), size_of::<R>() as u64);
+        let (tile, holding) = timed(|| guarded(&self.device, holding));
+        let (tile, transferring) = (tile?, bringing + holding);
         self.spend(Spent { preparing, transferring, ..Spent::default() });
         let most = if self.software { SOFTWARE_ITERATIONS / program.iterations } else { HARDWARE_BUDGET };
         let mut budget = FIRST_BUDGET.min(most);
-        let mut unfinished = cells.order;
         let mut begin = 1;
         while !unfinished.is_empty() {
             watch.check()?;

@@ -55,32 +55,22 @@ pub fn declarations_for(shape: &Shape) -> String {
     }
 }
 
-/// What the shader reads of cells: the constants of their distinct flows and the polynomials of their impacts, one after the other, and what each has
-/// beside them.
+/// Words of records one after the other, in the parts that threads wrote.
+pub type Parts = Vec<Vec<u32>>;
+
+/// What the shader reads of cells: the constants of their distinct flows and the polynomials of their impacts, and what each
+/// cell has beside them.
 pub struct Cells {
-    pub flights: Vec<u32>,
-    pub kicks: Vec<u32>,
-    pub cells: Vec<u32>,
+    pub flights: Parts,
+    pub kicks: Parts,
+    pub cells: Parts,
     /// The cells, those with the same flow beside each other: what lies beside each other is followed together, and reads
     /// the same constants.
     pub order: Vec<u32>,
 }
 
-/// Cells that one thread writes at a time.
+/// Records that one thread writes at a time: a part of them ends where a buffer may be mapped from.
 const CHUNK: usize = 256;
-
-/// `count` records, all as long as the first, written by several threads.
-fn records(count: usize, write: impl Fn(usize, &mut Vec<u32>) + Sync) -> Vec<u32> {
-    let mut first = Vec::new();
-    (0..count.min(1)).for_each(|record| write(record, &mut first));
-    let mut all = vec![0; first.len() * count];
-    all.par_chunks_mut(CHUNK * first.len().max(1)).enumerate().for_each(|(chunk, words)| {
-        let mut written = Vec::with_capacity(words.len());
-        (chunk * CHUNK..count).take(CHUNK).for_each(|record| write(record, &mut written));
-        words.copy_from_slice(&written);
-    });
-    all
-}
 
 impl Cells {
     /// Prepares jobs, all of them with as many coordinates; the constants of a flow are computed once for all its cells.
@@ -108,14 +98,17 @@ impl Cells {
             }
             (constants, (kicks, stops))
         });
-        let (flights, (kicks, stops)): (Vec<_>, (Vec<_>, Vec<_>)) = flows.unzip();
+        let (flights, (kicks, stops)): (Parts, (Parts, Vec<_>)) = flows.unzip();
         let stops_of_flows = stops.concat();
-        let cells = records(jobs.len(), |cell, words| {
-            let (Job { system, start }, flow) = (jobs[cell], by_flow.of_cell[cell]);
-            let mut stops = stops_of_flows[flow as usize].clone();
-            stops.iter_mut().for_each(|stops| *stops = stops.with_values_of(system));
-            write_cell::<N>(flow, &stops, start, words);
+        let cells = jobs.par_chunks(CHUNK).zip(by_flow.of_cell.par_chunks(CHUNK)).map(|(jobs, flows)| {
+            let (mut words, mut stops) = (Vec::new(), Vec::new());
+            for (Job { system, start }, &flow) in jobs.iter().zip(flows) {
+                stops.clear();
+                stops.extend(stops_of_flows[flow as usize].iter().map(|along| along.with_values_of(system)));
+                write_cell::<N>(flow, &stops, start, &mut words);
+            }
+            words
         });
-        Cells { flights: flights.concat(), kicks: kicks.concat(), cells, order: by_flow.order() }
+        Cells { flights, kicks, cells: cells.collect(), order: by_flow.order() }
     }
 }
