@@ -74,6 +74,7 @@ fn controlled_begin(start: State) {
 // Takes the constants of flight under a force in phase with the forcing; always from those without, so that it does
 // not matter which forces went before.
 fn controlled_force(force: f32) {
+    // As they are without the force: elsewhere `flight` has them with it.
     driven.sin = flights[flow].sin + force * x_of_values(control.push);
     driven.gamma_sin = state_plus(flights[flow].gamma_sin, force, state_of_values(control.drive_sin));
     driven.gamma_cos = state_plus(flights[flow].gamma_cos, force, state_of_values(control.drive_cos));

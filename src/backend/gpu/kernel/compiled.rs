@@ -28,7 +28,7 @@ pub struct Library {
 }
 
 impl Library {
-    /// An empty library of kernels that keep the observer of a trajectory there, where it has room, and compute so.
+    /// An empty library of kernels that keep the observer of a trajectory there, where there is room for it, and compute so.
     pub fn new(residence: Residence, arithmetic: Arithmetic) -> Self {
         Library { residence, arithmetic, compiled: Mutex::default() }
     }
@@ -42,9 +42,8 @@ impl Library {
         let source = |residence| shader::source(kernel, &shape, residence, self.arithmetic);
         let nearest = source(self.residence);
         let [state, flight, observer] = sizes(&nearest, [kernel.state(), "Flight", "Observer"]);
-        let room = u64::from(device.limits().max_compute_workgroup_storage_size);
-        let has_room = u64::from(WORKGROUP) * observer <= room;
-        let source = if has_room { nearest } else { source(Residence::Private) };
+        let room = device.limits().max_compute_workgroup_storage_size;
+        let source = if fit(observer, room) { nearest } else { source(Residence::Private) };
         let source = match self.arithmetic {
             Arithmetic::Native => ShaderSource::Wgsl(source.into()),
             Arithmetic::Exact => {
@@ -56,6 +55,11 @@ impl Library {
         library.insert((kernel, shape), compiled.clone());
         Ok(compiled)
     }
+}
+
+/// Whether as many observers of so many bytes as a workgroup has are not more than a device has room for; wgpu does not ask.
+fn fit(observer: u64, room: u32) -> bool {
+    u64::from(WORKGROUP) * observer <= u64::from(room)
 }
 
 /// The bytes of structs in an array, as their shader declares them; 0 where the shader is not valid, which compiling reports.
@@ -96,5 +100,19 @@ mod tests {
             }
         }
         assert_eq!(sizes("not a shader", ["State"]), [0]);
+    }
+
+    /// Nearly all hardware has 32 KiB, and every device half of that.
+    #[test]
+    fn observers_fit_into_the_memory_of_workgroups() {
+        for (coordinates, stops) in (1..=4).flat_map(|n| (1..=4).map(move |stops| (n, stops))) {
+            let shape = Shape { coordinates, normals: stops, stops };
+            let source =
+                shader::source(shader::Kernel::Follow, &shape, Residence::Workgroup, Arithmetic::Native);
+            let [observer] = sizes(&source, ["Observer"]);
+            println!("{shape:?}: {observer} bytes");
+            assert!(fit(observer, 32 << 10) && !fit(observer, 2 << 10), "{shape:?}");
+            assert_eq!(fit(observer, 16 << 10), coordinates <= 2, "{shape:?}");
+        }
     }
 }

@@ -34,7 +34,7 @@ impl Kernel {
     ) -> Result<Vec<control::Outcome>> {
         let words = |job: &ControlJob| control_words(&job.controller, &job.job.system);
         let controls: Vec<Vec<u32>> = jobs.par_iter().map(words).collect();
-        let controls = filled(&self.device, &controls.concat())?;
+        let controls = filled(&self.device, &controls)?;
         let dispatch = |Portion { count, budget, begin }| ControlDispatch {
             schedule: ControlSchedule::new(schedule),
             count,

@@ -3,8 +3,6 @@
 use std::sync::mpsc;
 
 use bytemuck::Pod;
-use rayon::prelude::*;
-use wgpu::util::DeviceExt;
 
 use crate::backend::{BackendError, Result};
 
@@ -70,40 +68,24 @@ pub fn compiled(
     })
 }
 
-/// A buffer of numbers that a kernel reads.
-pub fn filled<T: Pod>(device: &wgpu::Device, numbers: &[T]) -> Result<wgpu::Buffer> {
-    guarded(device, || {
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: None,
-            contents: bytemuck::cast_slice(numbers),
-            usage: wgpu::BufferUsages::STORAGE,
-        })
-    })
-}
-
-/// The same of words that several threads wrote, joined by several threads; each part but the last ends where a buffer may be
-/// mapped from.
-pub fn joined(device: &wgpu::Device, parts: &[Vec<u32>]) -> Result<wgpu::Buffer> {
-    let bytes = |part: &Vec<u32>| size_of_val(part.as_slice()) as u64;
-    let begins = parts.iter().scan(0, |end, part| Some(std::mem::replace(end, *end + bytes(part))));
-    let begins: Vec<u64> = begins.collect();
+/// A buffer of words that a kernel reads, in the parts that threads wrote.
+pub fn filled(device: &wgpu::Device, parts: &[Vec<u32>]) -> Result<wgpu::Buffer> {
     let descriptor = wgpu::BufferDescriptor {
         label: None,
-        size: parts.iter().map(bytes).sum(),
+        size: parts.iter().map(|part| size_of_val(part.as_slice()) as u64).sum(),
         usage: wgpu::BufferUsages::STORAGE,
         mapped_at_creation: true,
     };
     let buffer = guarded(device, || device.create_buffer(&descriptor))?;
-    parts
-        .par_iter()
-        .zip(&begins)
-        .try_for_each(|(part, &begin)| {
-            let mut there = buffer.get_mapped_range_mut(begin..begin + bytes(part))?;
-            there.copy_from_slice(bytemuck::cast_slice(part));
-            Ok(())
-        })
-        .map_err(|error: wgpu::MapRangeError| BackendError::Device(error.to_string()))?;
-    buffer.unmap();
+    let mut view =
+        buffer.get_mapped_range_mut(..).map_err(|error| BackendError::Device(error.to_string()))?;
+    let mut rest = view.slice(..);
+    for part in parts {
+        let bytes: &[u8] = bytemuck::cast_slice(part);
+        rest.split_off(..bytes.len()).expect("the buffer holds all parts").copy_from_slice(bytes);
+    }
+    drop(view);
+    guarded(device, || buffer.unmap())?;
     Ok(buffer)
 }
 

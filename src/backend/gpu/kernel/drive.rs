@@ -7,7 +7,7 @@ use super::Kernel;
 use super::device::{fetch, guarded};
 use super::program::{Portion, Program};
 use super::spent::{Spent, timed};
-use super::tile::{Given, Tile};
+use super::tile::Tile;
 use crate::analysis::constants::SQUARINGS;
 use crate::backend::gpu::layout::{Cells, NORMAL_TERMS};
 use crate::backend::gpu::shader::Shape;
@@ -19,8 +19,8 @@ use crate::model::vector::MOST;
 const PORTION: f64 = 0.2;
 /// Moves of the first dispatch, before its speed is known.
 const FIRST_BUDGET: u32 = 32;
-/// How many times as many moves the next may have: each dispatch waits for the one before, and what it takes for as many moves does
-/// not differ by more than a few times.
+/// How many times as many moves the next may have: each dispatch waits for the one before, and the time that a move takes differs
+/// by a factor of a few at most.
 const MOST_GROWTH: f64 = 16.0;
 /// The most moves of one dispatch on hardware.
 const HARDWARE_BUDGET: u32 = 1 << 14;
@@ -47,14 +47,15 @@ impl Kernel {
         read: impl FnOnce(&[R]) -> V,
     ) -> Result<V> {
         let compiled = self.library.get(&self.device, program.kernel, Shape::of(&jobs[0].system))?;
-        let (cells, preparing) = timed(|| Cells::of(jobs));
-        let (given, bringing) = timed(|| Given::new(&self.device, cells));
-        let (given, mut unfinished) = given?;
+        let (mut cells, preparing) = timed(|| Cells::of(jobs));
+        let mut unfinished = std::mem::take(&mut cells.order);
         // Nothing waits for other threads while it has room.
         let room = block_on(self.room.acquire());
-        let holding = || Tile::new(self, compiled, program, &given, jobs.len(), size_of::<R>() as u64);
-        let (tile, holding) = timed(|| guarded(&self.device, holding));
-        let (tile, transferring) = (tile?, bringing + holding);
+        let holding = || Tile::new(self, compiled, program, &cells, jobs.len(), size_of::<R>() as u64);
+        let (tile, transferring) = timed(|| guarded(&self.device, holding));
+        let tile = tile??;
+        // The device has them.
+        drop(cells);
         self.spend(Spent { preparing, transferring, ..Spent::default() });
         let most = if self.software { SOFTWARE_ITERATIONS / program.iterations } else { HARDWARE_BUDGET };
         let mut budget = FIRST_BUDGET.min(most);
@@ -83,7 +84,7 @@ impl Kernel {
     }
 }
 
-/// The moves of the next dispatch, so that it takes about [`PORTION`]; not far more than the last.
+/// The moves of the next dispatch, so that it takes about [`PORTION`]; at most [`MOST_GROWTH`] times the last.
 fn next_budget(budget: u32, took: f64, most: u32) -> u32 {
     let factor = (PORTION / took.max(1e-6)).clamp(0.1, MOST_GROWTH);
     ((f64::from(budget) * factor) as u32).clamp(1, most)

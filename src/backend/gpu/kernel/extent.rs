@@ -20,7 +20,7 @@ impl Kernel {
     /// Follows one tile of trajectories, each for so many forcing periods.
     pub fn extents(&self, followed: &[(&Job, u32)], watch: &dyn Watch) -> Result<Vec<analysis::Extent>> {
         let (jobs, periods): (Vec<&Job>, Vec<u32>) = followed.iter().copied().unzip();
-        let periods = filled(&self.device, &periods)?;
+        let periods = filled(&self.device, &[periods])?;
         let dispatch =
             |Portion { count, budget, begin }| ExtentDispatch { count, budget, begin, row: ROW * WORKGROUP };
         let more = [&periods];

@@ -7,27 +7,11 @@ use bytemuck::Pod;
 use super::Kernel;
 use super::clock::Clock;
 use super::compiled::Compiled;
-use super::device::{empty, joined, mapped};
+use super::device::{empty, filled, mapped};
 use super::program::{Portion, Program, ROW};
 use crate::backend::Result;
 use crate::backend::gpu::layout::{Cells, FINISHED};
 use crate::backend::gpu::shader::WORKGROUP;
-
-/// What a kernel reads of the cells of a tile, on its device.
-pub struct Given {
-    flights: wgpu::Buffer,
-    kicks: wgpu::Buffer,
-    cells: wgpu::Buffer,
-}
-
-impl Given {
-    /// Brings it there, by several threads; and the order of the cells.
-    pub fn new(device: &wgpu::Device, cells: Cells) -> Result<(Self, Vec<u32>)> {
-        let Cells { flights, kicks, cells, order } = cells;
-        let [flights, kicks, cells] = [flights, kicks, cells].map(|parts| joined(device, &parts));
-        Ok((Given { flights: flights?, kicks: kicks?, cells: cells? }, order))
-    }
-}
 
 /// The buffers of one tile.
 pub struct Tile {
@@ -46,20 +30,23 @@ impl Tile {
         kernel: &Kernel,
         compiled: Arc<Compiled>,
         program: &Program<'_, D>,
-        Given { flights, kicks, cells }: &Given,
+        Cells { flights, kicks, cells, .. }: &Cells,
         count: usize,
         result: u64,
-    ) -> Self {
+    ) -> Result<Self> {
         let device = &kernel.device;
         let storage = wgpu::BufferUsages::STORAGE;
         let count = count as u64;
         let (reads, writes) = (wgpu::BufferUsages::COPY_SRC, wgpu::BufferUsages::COPY_DST);
         let dispatch = empty(device, size_of::<D>() as u64, wgpu::BufferUsages::UNIFORM | writes);
+        let flights = filled(device, flights)?;
+        let kicks = filled(device, kicks)?;
+        let cells = filled(device, cells)?;
         let unfinished = empty(device, 4 * count, storage | reads | writes);
         let states = empty(device, compiled.state * count, storage);
         let results = empty(device, result * count, storage | reads);
         let readback = empty(device, unfinished.size(), wgpu::BufferUsages::MAP_READ | writes);
-        let buffers = [&dispatch, flights, kicks, cells, &unfinished, &states, &results];
+        let buffers = [&dispatch, &flights, &kicks, &cells, &unfinished, &states, &results];
         let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
             .zip(buffers.into_iter().chain(program.more.iter().copied()))
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
@@ -70,7 +57,7 @@ impl Tile {
             entries: &entries,
         });
         let clock = Clock::of(device, &kernel.queue);
-        Tile { compiled, bind_group, dispatch, unfinished, results, readback, clock }
+        Ok(Tile { compiled, bind_group, dispatch, unfinished, results, readback, clock })
     }
 
     /// One portion of moves for the unfinished trajectories; those that are still unfinished, and the

@@ -69,7 +69,7 @@ pub struct Cells {
     pub order: Vec<u32>,
 }
 
-/// Records that one thread writes at a time: a part of them ends where a buffer may be mapped from.
+/// Records that one thread writes at a time.
 const CHUNK: usize = 256;
 
 impl Cells {

@@ -122,7 +122,7 @@ pub fn source(kernel: Kernel, shape: &Shape, residence: Residence, arithmetic: A
     .join("\n")
 }
 
-/// How the pressing on a contact follows from the accelerations along the normals: a table of the cell, or 1 where there is
+/// How the pressing on a contact follows from the accelerations along the normals: a table of the flow, or 1 where there is
 /// one normal only.
 fn pressing_share(shape: &Shape) -> String {
     let head = "fn pressing_share(contacts: u32, s: u32, t: u32) -> f32 {\n";
@@ -149,11 +149,16 @@ mod tests {
             .collect()
     }
 
+    fn shapes_and_residences() -> impl Iterator<Item = (Shape, Residence)> {
+        let with = |shape| Residence::VARIANTS.iter().map(move |&residence| (shape, residence));
+        shapes().into_iter().flat_map(with)
+    }
+
     #[test]
     fn every_shader_can_be_computed_exactly() {
         for &kernel in Kernel::VARIANTS {
-            for shape in shapes() {
-                let source = source(kernel, &shape, Residence::Private, Arithmetic::Exact);
+            for (shape, residence) in shapes_and_residences() {
+                let source = source(kernel, &shape, residence, Arithmetic::Exact);
                 let module = exact(&source).unwrap_or_else(|error| panic!("{shape:?} {error}"));
                 let all = naga::valid::ValidationFlags::all();
                 naga::valid::Validator::new(all, naga::valid::Capabilities::empty())
@@ -166,10 +171,7 @@ mod tests {
     #[test]
     fn the_shaders_are_valid_and_need_no_feature() {
         for &kernel in Kernel::VARIANTS {
-            for (shape, residence) in shapes()
-                .into_iter()
-                .flat_map(|shape| Residence::VARIANTS.iter().map(move |&residence| (shape, residence)))
-            {
+            for (shape, residence) in shapes_and_residences() {
                 let source = source(kernel, &shape, residence, Arithmetic::Native);
                 let module = naga::front::wgsl::parse_str(&source)
                     .unwrap_or_else(|error| panic!("{shape:?} {}", error.emit_to_string(&source)));

@@ -23,16 +23,14 @@ impl Residence {
 
     /// Declares the observer, and for kernels that store one how they go on with it and store it.
     pub fn source(self, kernel: Kernel) -> String {
-        let declared = match (self, kernel) {
-            (Residence::Workgroup, Kernel::Follow | Kernel::Trace) => {
-                "var<workgroup> observers_here: array<Observer, WORKGROUP>;\n"
-            }
-            _ => "var<private> observer: Observer;\n",
+        let observer = self.observer(kernel);
+        let declared = match observer {
+            "observer" => "var<private> observer: Observer;\n",
+            _ => "var<workgroup> observers_here: array<Observer, WORKGROUP>;\n",
         };
         if matches!(kernel, Kernel::Control | Kernel::Extent) {
             return declared.to_owned();
         }
-        let observer = self.observer(kernel);
         format!(
             "{declared}
 // Goes on with an observer that was stored.
