@@ -75,7 +75,7 @@ fn the_same_command_again_computes_nothing() {
 fn ctrl_c_leaves_what_is_done() {
     let folder = tempdir().unwrap();
     let command =
-        format!("{PLANE} --fixed-periods --transient 4000 --data plane.zarr").replace("--transient 60 ", "");
+        format!("{PLANE} --fixed-periods --transient 40000 --data plane.zarr").replace("--transient 60 ", "");
     let mut child = begun(folder.path(), &command);
     thread::sleep(Duration::from_millis(900));
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
