@@ -249,7 +249,7 @@ mod tests {
                 wgpu::Limits { max_compute_workgroup_storage_size: of_workgroups, ..wgpu::Limits::default() };
             Kernel::within(limits, &found, Arithmetic::Exact)
                 .unwrap()
-                .residing(Residence::Workgroup, Arithmetic::Exact)
+                .with_shaders_of_hardware(Arithmetic::Exact)
         };
         let run =
             |kernel: &Kernel, jobs: &[Job]| format!("{:?}", kernel.run(jobs, &schedule, &Unwatched).unwrap());

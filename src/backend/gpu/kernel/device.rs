@@ -1,5 +1,6 @@
 //! What is asked of the device itself: to compile, to hold buffers, to read them back, and to say what it refuses.
 
+use std::fmt::Display;
 use std::sync::mpsc;
 
 use bytemuck::Pod;
@@ -34,15 +35,14 @@ pub fn mapped<T: Pod, V>(
         // The receiver is gone only if waiting failed, which is reported by itself.
         let _ = sender.send(result);
     });
-    let device_error = |error: &dyn std::fmt::Display| BackendError::Device(error.to_string());
     let done = wgpu::PollType::Wait { submission_index: Some(submitted.clone()), timeout: None };
-    device.poll(done).map_err(|error| device_error(&error))?;
+    device.poll(done).map_err(device_error)?;
     receiver
         .recv()
         .map_err(|_| BackendError::Device("the device was lost".to_owned()))?
-        .map_err(|error| device_error(&error))?;
+        .map_err(device_error)?;
     let value = {
-        let mapped = readback.get_mapped_range(..bytes).map_err(|error| device_error(&error))?;
+        let mapped = readback.get_mapped_range(..bytes).map_err(device_error)?;
         read(bytemuck::cast_slice(&mapped))
     };
     readback.unmap();
@@ -77,8 +77,7 @@ pub fn filled(device: &wgpu::Device, parts: &[Vec<u32>]) -> Result<wgpu::Buffer>
         mapped_at_creation: true,
     };
     let buffer = guarded(device, || device.create_buffer(&descriptor))?;
-    let mut view =
-        buffer.get_mapped_range_mut(..).map_err(|error| BackendError::Device(error.to_string()))?;
+    let mut view = buffer.get_mapped_range_mut(..).map_err(device_error)?;
     let mut rest = view.slice(..);
     for part in parts {
         let bytes: &[u8] = bytemuck::cast_slice(part);
@@ -93,6 +92,11 @@ pub fn empty(device: &wgpu::Device, size: u64, usage: wgpu::BufferUsages) -> wgp
     device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
 }
 
+/// What a device says it cannot do.
+pub fn device_error(error: impl Display) -> BackendError {
+    BackendError::Device(error.to_string())
+}
+
 /// Runs something on a device, and turns what it refuses into an error instead of a panic.
 pub fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> R) -> Result<R> {
     let invalid = device.push_error_scope(wgpu::ErrorFilter::Validation);
@@ -101,7 +105,7 @@ pub fn guarded<R>(device: &wgpu::Device, work: impl FnOnce() -> R) -> Result<R> 
     let memory = pollster::block_on(memory.pop());
     let invalid = pollster::block_on(invalid.pop());
     match memory.or(invalid) {
-        Some(error) => Err(BackendError::Device(error.to_string())),
+        Some(error) => Err(device_error(error)),
         None => Ok(result),
     }
 }

@@ -21,10 +21,11 @@ use parking_lot::Mutex;
 use tokio::sync::Semaphore;
 
 use super::adapters::Found;
+use crate::backend::Result;
 use crate::backend::gpu::shader::{Arithmetic, Residence};
 use crate::backend::in_flight::IN_FLIGHT;
-use crate::backend::{BackendError, Result};
 use compiled::Library;
+use device::device_error;
 pub use spent::Spent;
 pub use trace::readings;
 
@@ -66,8 +67,8 @@ impl Kernel {
             required_limits,
             ..wgpu::DeviceDescriptor::default()
         };
-        let (device, queue) = pollster::block_on(found.adapter.request_device(&descriptor))
-            .map_err(|error| BackendError::Device(error.to_string()))?;
+        let (device, queue) =
+            pollster::block_on(found.adapter.request_device(&descriptor)).map_err(device_error)?;
         let software = found.report.is_software();
         let residence = if software { Residence::Private } else { Residence::Workgroup };
         let library = Library::new(residence, arithmetic);
@@ -76,10 +77,10 @@ impl Kernel {
         Ok(Kernel { device, queue, library, software, tiles_at_a_time, room, spent: Mutex::default() })
     }
 
-    /// The same with shaders that keep there what they note.
+    /// The same with the shaders of hardware.
     #[cfg(test)]
-    pub fn residing(self, residence: Residence, arithmetic: Arithmetic) -> Self {
-        Kernel { library: Library::new(residence, arithmetic), ..self }
+    pub fn with_shaders_of_hardware(self, arithmetic: Arithmetic) -> Self {
+        Kernel { library: Library::new(Residence::Workgroup, arithmetic), ..self }
     }
 
     /// Where time went since this was last asked.

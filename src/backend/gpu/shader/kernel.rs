@@ -25,6 +25,11 @@ impl Kernel {
         }
     }
 
+    /// Whether it keeps a whole observer, and not a part of one or none.
+    pub fn stores_observer(self) -> bool {
+        matches!(self, Kernel::Follow | Kernel::Trace)
+    }
+
     /// The struct that it keeps of a trajectory.
     pub fn state(self) -> &'static str {
         match self {

@@ -13,22 +13,25 @@ pub enum Residence {
 }
 
 impl Residence {
+    /// Whether the observer of a kernel is one of those of its workgroup: only what is stored is large.
+    fn is_among_others(self, kernel: Kernel) -> bool {
+        self == Residence::Workgroup && kernel.stores_observer()
+    }
+
     /// What `observer` stands for in a kernel.
     pub fn observer(self, kernel: Kernel) -> &'static str {
-        match (self, kernel) {
-            (Residence::Workgroup, Kernel::Follow | Kernel::Trace) => "observers_here[lane]",
-            _ => "observer",
-        }
+        if self.is_among_others(kernel) { "observers_here[lane]" } else { "observer" }
     }
 
     /// Declares the observer, and for kernels that store one how they go on with it and store it.
     pub fn source(self, kernel: Kernel) -> String {
         let observer = self.observer(kernel);
-        let declared = match observer {
-            "observer" => "var<private> observer: Observer;\n",
-            _ => "var<workgroup> observers_here: array<Observer, WORKGROUP>;\n",
+        let declared = if self.is_among_others(kernel) {
+            "var<workgroup> observers_here: array<Observer, WORKGROUP>;\n"
+        } else {
+            "var<private> observer: Observer;\n"
         };
-        if matches!(kernel, Kernel::Control | Kernel::Extent) {
+        if !kernel.stores_observer() {
             return declared.to_owned();
         }
         format!(
