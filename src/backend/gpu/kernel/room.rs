@@ -30,7 +30,7 @@ impl Kernel {
         let binding = self.device.limits().max_storage_buffer_binding_size;
         let room = |bytes: u64| usize::try_from(binding / bytes.max(1)).unwrap_or(usize::MAX).max(1);
         let (cells, flows) = (self.tile().min(room(compiled.state.max(more))), room(compiled.flight));
-        Ok(split(jobs, cells, flows, |j| Arc::as_ptr(job(j).system.of_flow())))
+        Ok(split(jobs, cells, flows, |j| Arc::as_ptr(job(j).system.of_flow()).addr()))
     }
 }
 
@@ -52,14 +52,37 @@ fn check_shapes<'j>(shape: &Shape, jobs: impl ParallelIterator<Item = &'j Job>) 
 }
 
 /// Items in parts of at most so many, and of at most so many groups: those with the same key.
-fn split<J, K: Eq + Hash>(items: &[J], most: usize, groups: usize, key: impl Fn(&J) -> K) -> Vec<&[J]> {
+fn split<J: Sync, K: Eq + Hash + Send>(
+    items: &[J],
+    most: usize,
+    groups: usize,
+    key: impl Fn(&J) -> K + Sync,
+) -> Vec<&[J]> {
     items.chunks(most).flat_map(|items| split_by_groups(items, groups, &key)).collect()
 }
 
+/// Whether some items are of at most so many groups.
+fn are_few<K: Eq + Hash + Send>(keys: impl ParallelIterator<Item = K>, groups: usize) -> bool {
+    let few = |there: FxHashSet<K>| (there.len() <= groups).then_some(there);
+    let told = keys.try_fold(FxHashSet::default, |mut there, key| {
+        there.insert(key);
+        few(there)
+    });
+    let all = told.try_reduce(FxHashSet::default, |mut there, more| {
+        there.extend(more);
+        few(there)
+    });
+    all.is_some()
+}
+
 /// Items in parts of at most so many groups.
-fn split_by_groups<J, K: Eq + Hash>(items: &[J], groups: usize, key: impl Fn(&J) -> K) -> Vec<&[J]> {
+fn split_by_groups<J: Sync, K: Eq + Hash + Send>(
+    items: &[J],
+    groups: usize,
+    key: impl Fn(&J) -> K + Sync,
+) -> Vec<&[J]> {
     let (mut parts, mut first, mut there) = (Vec::new(), 0, FxHashSet::default());
-    if items.len() > groups {
+    if items.len() > groups && !are_few(items.par_iter().with_min_len(AT_ONCE).map(&key), groups) {
         for (next, item) in items.iter().enumerate() {
             let key = key(item);
             if there.len() == groups && !there.contains(&key) {
