@@ -97,14 +97,14 @@ impl<const N: usize> Flight<f64, N> {
     /// Takes over the stops of another cell with the same flow.
     pub(crate) fn take_stops_of(&mut self, system: &System) {
         for normal in &mut self.normals[..self.count] {
-            let along = StopsAlong::at(normal).with_values_of(system);
+            let along = StopsAlong::at(normal, system).with_values_of(system);
             (normal.gap, normal.restitution) = (along.gap, along.restitution);
         }
     }
 
-    /// The stops along each normal.
-    pub fn stops(&self) -> ArrayVec<StopsAlong, MOST> {
-        self.normals().iter().map(StopsAlong::at).collect()
+    /// The stops along each normal of the system that these are the constants of.
+    pub fn stops(&self, system: &System) -> ArrayVec<StopsAlong, MOST> {
+        self.normals().iter().map(|normal| StopsAlong::at(normal, system)).collect()
     }
 
     fn of(system: &System) -> Self {

@@ -14,26 +14,36 @@ pub struct StopsAlong {
     pub restitution: [f64; 2],
     /// Which of the plant's stops they are.
     stop: [u8; 2],
+    /// How long their directions are in units of the normal's.
+    stretch: [f64; 2],
 }
 
 impl StopsAlong {
-    /// Those of a normal.
-    pub(super) fn at<const N: usize>(normal: &ContactNormal<f64, N>) -> Self {
-        StopsAlong { gap: normal.gap, restitution: normal.restitution, stop: normal.stop }
+    /// Those of a normal of a system.
+    pub(super) fn at<const N: usize>(normal: &ContactNormal<f64, N>, system: &System) -> Self {
+        let ContactNormal { gap, restitution, stop, .. } = *normal;
+        let mut along = StopsAlong { gap, restitution, stop, stretch: [1.0; 2] };
+        // The direction of a line is that of the first stop on it.
+        if let [Some(upper), Some(lower)] = along.ends() {
+            let (later, side) = if upper < lower { (lower, 1) } else { (upper, 0) };
+            along.stretch[side] = system.stretch(later, upper.min(lower)).abs();
+        }
+        along
+    }
+
+    /// Which of the plant's stops are there.
+    fn ends(&self) -> [Option<usize>; 2] {
+        [0, 1].map(|side| (self.gap[side] < FAR).then(|| usize::from(self.stop[side])))
     }
 
     /// The same of another system with the same flow.
     #[must_use]
     pub fn with_values_of(self, system: &System) -> Self {
-        let mut along = self;
-        let ends = [0, 1].map(|side| (self.gap[side] < FAR).then(|| usize::from(self.stop[side])));
-        // The direction of a line is that of the first stop on it.
-        let Some(first) = ends.into_iter().flatten().min() else { return along };
+        let (mut along, ends) = (self, self.ends());
         for (side, stop) in ends.into_iter().enumerate() {
             let Some(stop) = stop else { continue };
             let StopValues { gap, restitution } = system.stop_values()[stop];
-            let scale = if stop == first { 1.0 } else { system.stretch(stop, first) };
-            along.gap[side] = gap / scale.abs();
+            along.gap[side] = gap / self.stretch[side];
             along.restitution[side] = restitution;
         }
         if ends.iter().all(Option::is_some) {

@@ -91,7 +91,7 @@ impl Cells {
             let (mut constants, mut kicks, mut stops) = (Vec::new(), Vec::new(), Vec::new());
             for system in systems {
                 let flight = model::Flight::<f64, N>::new(system);
-                stops.push(flight.stops());
+                stops.push(flight.stops(system));
                 let rounded = flight.round::<f32>();
                 write_flight(&rounded, &mut constants);
                 write_kicks(&rounded, &mut kicks);
@@ -109,6 +109,7 @@ impl Cells {
             }
             words
         });
-        Cells { flights, kicks, cells: cells.collect(), order: by_flow.order() }
+        let (cells, order) = rayon::join(|| cells.collect(), || by_flow.order());
+        Cells { flights, kicks, cells, order }
     }
 }
