@@ -188,6 +188,7 @@ impl Backend for Gpu {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::{Reading, Section};
     use crate::backend::Unwatched;
     use crate::model::{Flows, Setting};
     use crate::plane::Start;
@@ -234,6 +235,31 @@ mod tests {
         let verdicts = gpu.run(&jobs, &schedule, &Unwatched).unwrap();
         assert_eq!(format!("{verdicts:?}"), format!("{expected:?}"));
         assert!(verdicts.iter().any(|verdict| verdict.state != verdicts[0].state), "not all are alike");
+    }
+
+    /// Buffers of a tile that is done are another's, which may be smaller.
+    #[test]
+    fn what_one_tile_left_is_nothing_to_the_next() {
+        let schedule = Schedule { transient: 20, observe: 20, max_period: 8, fixed_periods: true };
+        let open = || {
+            let gpu = Gpu::open(None).expect("an adapter");
+            println!("{}", gpu.report);
+            gpu
+        };
+        let ways = |gpu: &Gpu, jobs: &[Job]| {
+            let probe = Probe { section: Section::A, reading: Reading::VAfter };
+            let verdicts = gpu.run(jobs, &schedule, &Unwatched).unwrap();
+            let traces = gpu.trace(jobs, &schedule, probe, 64, &Unwatched).unwrap();
+            let extents = gpu.extents(jobs, &vec![20; jobs.len()], &Unwatched).unwrap();
+            format!("{verdicts:?} {traces:?} {extents:?}")
+        };
+        let (used, jobs) = (open(), jobs());
+        let before = ways(&used, &jobs);
+        let fewer = &jobs[7..12];
+        let found = ways(&used, fewer);
+        assert_eq!(found, ways(&open(), fewer));
+        assert_eq!(before, ways(&used, &jobs));
+        assert_ne!(found, ways(&used, &jobs[6..11]), "the check can fail");
     }
 
     /// What hardware compiles is run by the software adapter too, with the same bits as what that compiles.

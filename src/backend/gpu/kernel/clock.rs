@@ -1,6 +1,6 @@
 //! The adapter's own clock.
 
-use super::device::{empty, mapped};
+use super::device::{READBACK, empty, mapped};
 use crate::backend::Result;
 
 /// Two readings.
@@ -25,7 +25,7 @@ impl Clock {
                 count: 2,
             }),
             resolved: empty(device, BYTES, wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
-            readback: empty(device, BYTES, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST),
+            readback: empty(device, BYTES, READBACK),
             tick: queue.get_timestamp_period(),
         })
     }

@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use wgpu::util::DeviceExt;
 
 use super::Kernel;
-use super::device::{compiled, empty, fetch};
+use super::device::{compiled, empty};
 use crate::backend::gpu::adapters;
 use crate::backend::gpu::shader::{Arithmetic, exact};
 
@@ -73,7 +73,7 @@ fn computed(pairs: &[Pair], source: &str) -> Vec<[f32; 2]> {
     pass.dispatch_workgroups(pairs.len().div_ceil(64) as u32, 1, 1);
     drop(pass);
     kernel.queue.submit([encoder.finish()]);
-    fetch(&kernel.device, &kernel.queue, &results, <[_]>::to_vec).unwrap()
+    kernel.read(&results, results.size(), <[_]>::to_vec).unwrap()
 }
 
 /// Random numbers, and those whose quotients and roots lie near powers of two or near the middle between two numbers.

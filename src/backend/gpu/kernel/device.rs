@@ -7,19 +7,8 @@ use bytemuck::Pod;
 
 use crate::backend::{BackendError, Result};
 
-/// What is read of a buffer of the device.
-pub fn fetch<T: Pod, V>(
-    device: &wgpu::Device,
-    queue: &wgpu::Queue,
-    buffer: &wgpu::Buffer,
-    read: impl FnOnce(&[T]) -> V,
-) -> Result<V> {
-    let readback = empty(device, buffer.size(), wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, buffer.size());
-    let submitted = queue.submit([encoder.finish()]);
-    mapped(device, &readback, buffer.size(), &submitted, read)
-}
+/// The uses of a buffer through which the processor reads another.
+pub const READBACK: wgpu::BufferUsages = wgpu::BufferUsages::MAP_READ.union(wgpu::BufferUsages::COPY_DST);
 
 /// What is read of the first bytes of a buffer that can be mapped, once what was submitted is done; what others submitted since is
 /// not waited for.

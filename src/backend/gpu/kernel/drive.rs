@@ -4,7 +4,7 @@ use bytemuck::Pod;
 use pollster::block_on;
 
 use super::Kernel;
-use super::device::{fetch, guarded};
+use super::device::guarded;
 use super::program::{Portion, Program};
 use super::spent::{Spent, timed};
 use super::tile::Tile;
@@ -75,12 +75,13 @@ impl Kernel {
             budget = next_budget(budget, took, most);
             begin = 0;
         }
-        let results = tile.into_results();
+        let results = tile.into_results(self);
         drop(room);
-        let (results, reading) =
-            timed(|| guarded(&self.device, || fetch(&self.device, &self.queue, &results, read)));
+        let (found, reading) = timed(|| self.read(&results, (size_of::<R>() * jobs.len()) as u64, read));
         self.spend(Spent { reading, ..Spent::default() });
-        results?
+        let found = found?;
+        self.kept.keep([results]);
+        Ok(found)
     }
 }
 

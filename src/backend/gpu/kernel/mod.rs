@@ -9,6 +9,7 @@ mod device;
 mod drive;
 mod extent;
 mod follow;
+mod kept;
 #[cfg(test)]
 mod loops;
 mod program;
@@ -26,6 +27,7 @@ use crate::backend::gpu::shader::{Arithmetic, Residence};
 use crate::backend::in_flight::IN_FLIGHT;
 use compiled::Library;
 use device::device_error;
+use kept::Kept;
 pub use spent::Spent;
 pub use trace::readings;
 
@@ -45,6 +47,8 @@ pub struct Kernel {
     tiles_at_a_time: usize,
     /// For the tiles that are on the device.
     room: Semaphore,
+    /// Of tiles that are done.
+    kept: Kept,
     spent: Mutex<Spent>,
 }
 
@@ -74,7 +78,8 @@ impl Kernel {
         let library = Library::new(residence, arithmetic);
         let tiles_at_a_time = if software { IN_FLIGHT } else { ON_HARDWARE };
         let room = Semaphore::new(tiles_at_a_time);
-        Ok(Kernel { device, queue, library, software, tiles_at_a_time, room, spent: Mutex::default() })
+        let (kept, spent) = (Kept::default(), Mutex::default());
+        Ok(Kernel { device, queue, library, software, tiles_at_a_time, room, kept, spent })
     }
 
     /// The same with the shaders of hardware.

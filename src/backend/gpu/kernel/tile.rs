@@ -1,5 +1,6 @@
 //! The buffers of one tile of trajectories, and one dispatch of it.
 
+use std::num::NonZero;
 use std::sync::Arc;
 
 use bytemuck::Pod;
@@ -7,7 +8,7 @@ use bytemuck::Pod;
 use super::Kernel;
 use super::clock::Clock;
 use super::compiled::Compiled;
-use super::device::{empty, filled, mapped};
+use super::device::{READBACK, empty, filled, mapped};
 use super::program::{Portion, Program, ROW};
 use crate::backend::Result;
 use crate::backend::gpu::layout::{Cells, FINISHED};
@@ -19,6 +20,7 @@ pub struct Tile {
     bind_group: wgpu::BindGroup,
     dispatch: wgpu::Buffer,
     unfinished: wgpu::Buffer,
+    states: wgpu::Buffer,
     results: wgpu::Buffer,
     readback: wgpu::Buffer,
     clock: Option<Clock>,
@@ -42,14 +44,22 @@ impl Tile {
         let flights = filled(device, flights)?;
         let kicks = filled(device, kicks)?;
         let cells = filled(device, cells)?;
-        let unfinished = empty(device, 4 * count, storage | reads | writes);
-        let states = empty(device, compiled.state * count, storage);
-        let results = empty(device, result * count, storage | reads);
-        let readback = empty(device, unfinished.size(), wgpu::BufferUsages::MAP_READ | writes);
-        let buffers = [&dispatch, &flights, &kicks, &cells, &unfinished, &states, &results];
+        let take = |bytes: u64, usage| kernel.kept.take(device, bytes, usage);
+        let unfinished = take(4 * count, storage | reads | writes);
+        let states = take(compiled.state * count, storage);
+        let results = take(result * count, storage | reads);
+        let readback = take(4 * count, READBACK);
+        let whole = [&dispatch, &flights, &kicks, &cells].map(wgpu::Buffer::as_entire_binding);
+        // Those that are kept may be longer.
+        let parts =
+            [(&unfinished, 4), (&states, compiled.state), (&results, result)].map(|(buffer, bytes)| {
+                let size = NonZero::new(bytes * count);
+                wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer, offset: 0, size })
+            });
+        let more = program.more.iter().map(|buffer| buffer.as_entire_binding());
         let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
-            .zip(buffers.into_iter().chain(program.more.iter().copied()))
-            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
+            .zip(whole.into_iter().chain(parts).chain(more))
+            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
             .collect();
         let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
@@ -57,7 +67,7 @@ impl Tile {
             entries: &entries,
         });
         let clock = Clock::of(device, &kernel.queue);
-        Ok(Tile { compiled, bind_group, dispatch, unfinished, results, readback, clock })
+        Ok(Tile { compiled, bind_group, dispatch, unfinished, states, results, readback, clock })
     }
 
     /// One portion of moves for the unfinished trajectories; those that are still unfinished, and the
@@ -94,8 +104,9 @@ impl Tile {
         Ok((left, took))
     }
 
-    /// The results of all its trajectories; nothing else is kept.
-    pub fn into_results(self) -> wgpu::Buffer {
+    /// The results of all its trajectories; what else it had is for others now.
+    pub fn into_results(self, kernel: &Kernel) -> wgpu::Buffer {
+        kernel.kept.keep([self.unfinished, self.states, self.readback]);
         self.results
     }
 }

@@ -1,7 +1,7 @@
 //! The kernel `trace`: trajectories to their verdicts and what was read on a section.
 
 use super::Kernel;
-use super::device::{empty, fetch, guarded};
+use super::device::{empty, guarded};
 use super::drive::{MOVE, SQUARES};
 use super::program::{Portion, Program, ROW};
 use crate::analysis;
@@ -52,9 +52,8 @@ impl Kernel {
             dispatch: &dispatch,
         };
         let verdicts = self.drive(&Vec::from_iter(jobs), &program, watch, <[Verdict]>::to_vec)?;
-        let traces = guarded(&self.device, || fetch(&self.device, &self.queue, &traces, <[Trace]>::to_vec))??;
-        let readings =
-            guarded(&self.device, || fetch(&self.device, &self.queue, &readings, <[f32]>::to_vec))??;
+        let traces = self.read(&traces, traces.size(), <[Trace]>::to_vec)?;
+        let readings = self.read(&readings, readings.size(), <[f32]>::to_vec)?;
         let of_cell = |(((verdict, trace), readings), job): (((Verdict, &Trace), &[f32]), &Job)| {
             let kept = trace.passages.min(capacity);
             analysis::Trace {
