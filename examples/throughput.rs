@@ -176,7 +176,7 @@ fn width(path: &str) -> Result<Width, String> {
         "one" => 1,
         _ => return Ok(Width::widest()),
     };
-    let found = Width::available().find(|width| width.lanes() == lanes);
+    let found = Width::available().find(|width| width.lanes::<f64>() == lanes);
     found.ok_or_else(|| format!("this processor has no registers of {lanes} lanes: choose cpu or one"))
 }
 
@@ -185,11 +185,11 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
     Ok(match path {
         "cpu" | "eight" | "four" | "one" => {
             let width = width(path)?;
-            let what = format!("{}, {}", Cpu.adapter(), width.instructions());
+            let what = format!("{}, {}", Cpu.adapter(), width.description::<f64>());
             (
                 what,
                 Box::new(move |jobs, schedule| {
-                    let (verdicts, usage) = follow_counted(jobs, schedule, &Unwatched, width)?;
+                    let (verdicts, usage) = follow_counted::<f64>(jobs, schedule, &Unwatched, width)?;
                     Ok(Told { verdicts, usage, spent: None })
                 }),
             )
@@ -205,10 +205,11 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
             (adapter, Box::new(run))
         }
         "f32" => {
-            let what = format!("{} f32", std::env::consts::ARCH);
-            let run = |jobs: &[Job], schedule: &Schedule| {
-                let verdicts = CpuSingle.run(jobs, schedule, &Unwatched)?;
-                Ok(Told { verdicts, usage: Usage::default(), spent: None })
+            let width = Width::widest();
+            let what = format!("{}, {}", CpuSingle.adapter(), width.description::<f32>());
+            let run = move |jobs: &[Job], schedule: &Schedule| {
+                let (verdicts, usage) = follow_counted::<f32>(jobs, schedule, &Unwatched, width)?;
+                Ok(Told { verdicts, usage, spent: None })
             };
             (what, Box::new(run))
         }
@@ -253,7 +254,7 @@ fn measure(
     let Told { verdicts, usage, spent } = told;
     let began = Instant::now();
     let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
-    std::hint::black_box(Flights::<2>::of(ByFlow::of(&systems)));
+    std::hint::black_box(Flights::<f64, 2>::of(ByFlow::of(&systems)));
     let preparing_seconds = began.elapsed().as_secs_f64();
     let mut regimes = BTreeMap::new();
     for verdict in &verdicts {

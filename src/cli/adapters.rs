@@ -34,7 +34,7 @@ pub fn run(args: &AdaptersArgs) -> Result<()> {
     if lines.is_empty() {
         lines.push("no adapter was found; --backend cpu needs none".to_owned());
     }
-    let abreast = Width::widest().instructions();
+    let abreast = Width::widest().description::<f64>();
     lines.push(format!("--backend cpu: {}, trajectories side by side: {abreast}", Cpu.adapter()));
     print(&lines.join("\n"))
 }

@@ -86,22 +86,6 @@ impl<const N: usize> Flight<f64, N> {
         system.of_flow().constants(|| Flight::of(system))
     }
 
-    /// The constants of another cell with the same flow.
-    #[must_use]
-    pub(super) fn with_stops_of(&self, system: &System) -> Self {
-        let mut flight = *self;
-        flight.take_stops_of(system);
-        flight
-    }
-
-    /// Takes over the stops of another cell with the same flow.
-    pub(crate) fn take_stops_of(&mut self, system: &System) {
-        for normal in &mut self.normals[..self.count] {
-            let along = StopsAlong::at(normal, system).with_values_of(system);
-            (normal.gap, normal.restitution) = (along.gap, along.restitution);
-        }
-    }
-
     /// The stops along each normal of the system that these are the constants of.
     pub fn stops(&self, system: &System) -> ArrayVec<StopsAlong, MOST> {
         self.normals().iter().map(|normal| StopsAlong::at(normal, system)).collect()
@@ -223,6 +207,22 @@ impl<T: Copy, const N: usize> Flight<T, N> {
 }
 
 impl<T: Real, const N: usize> Flight<T, N> {
+    /// The constants of another cell with the same flow.
+    #[must_use]
+    pub(super) fn with_stops_of(&self, system: &System) -> Self {
+        let mut flight = *self;
+        flight.take_stops_of(system);
+        flight
+    }
+
+    /// Takes over the stops of another cell with the same flow.
+    pub(crate) fn take_stops_of(&mut self, system: &System) {
+        for normal in &mut self.normals[..self.count] {
+            let along = StopsAlong::at(normal, system).with_values_of(system);
+            (normal.gap, normal.restitution) = (along.gap.map(T::of), along.restitution.map(T::of));
+        }
+    }
+
     /// The contact normals.
     #[inline(always)]
     pub fn normals(&self) -> &[ContactNormal<T, N>] {

@@ -60,5 +60,5 @@ pub use step::Step;
 pub use stops_along::StopsAlong;
 pub use system::System;
 pub use system_error::SystemError;
-pub(crate) use width::AtWidth;
 pub use width::Width;
+pub(crate) use width::{AnyWidth, AtWidth};

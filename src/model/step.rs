@@ -50,7 +50,7 @@ struct Columns<'a, const N: usize> {
     h: f64,
 }
 
-impl<const N: usize> AtWidth for Columns<'_, N> {
+impl<const N: usize> AtWidth<f64> for Columns<'_, N> {
     type Output = Step<f64, N>;
 
     #[inline(always)]

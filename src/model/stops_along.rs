@@ -2,6 +2,7 @@
 
 use super::contact_normal::{ContactNormal, FAR};
 use super::equations::closed;
+use super::real::Real;
 use super::system::System;
 use crate::system::StopValues;
 
@@ -20,9 +21,9 @@ pub struct StopsAlong {
 
 impl StopsAlong {
     /// Those of a normal of a system.
-    pub(super) fn at<const N: usize>(normal: &ContactNormal<f64, N>, system: &System) -> Self {
-        let ContactNormal { gap, restitution, stop, .. } = *normal;
-        let mut along = StopsAlong { gap, restitution, stop, stretch: [1.0; 2] };
+    pub(super) fn at<T: Real, const N: usize>(normal: &ContactNormal<T, N>, system: &System) -> Self {
+        let [gap, restitution] = [normal.gap, normal.restitution].map(|values| values.map(T::widen));
+        let mut along = StopsAlong { gap, restitution, stop: normal.stop, stretch: [1.0; 2] };
         // The direction of a line is that of the first stop on it.
         if let [Some(upper), Some(lower)] = along.ends() {
             let (later, side) = if upper < lower { (lower, 1) } else { (upper, 0) };

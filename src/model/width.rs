@@ -7,10 +7,12 @@ use pulp::x86::{V3, V4};
 
 #[cfg(target_arch = "x86_64")]
 use super::pack::Pack;
-use super::real::Lanes;
+use super::real::{Lanes, Real};
+#[cfg(target_arch = "x86_64")]
+use super::registers::Packed;
 
 /// How many numbers one core computes with at once, and so how many trajectories it follows; the bits of each are the same at every
-/// width.
+/// width. Its names count numbers in f64, of f32 there are twice as many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Width {
     /// One by one.
@@ -24,13 +26,24 @@ pub enum Width {
 }
 
 /// A computation in lanes, which must give the same at every width.
-pub(crate) trait AtWidth {
+pub(crate) trait AtWidth<T: Real> {
     /// What it gives.
     type Output;
 
     /// Computes it in lanes, of which 0 is given. To be inlined always: the instructions that it is compiled for are the caller's.
-    fn call<L: Lanes<Real = f64>>(self, zero: L) -> Self::Output;
+    fn call<L: Lanes<Real = T>>(self, zero: L) -> Self::Output;
 }
+
+/// A precision that is computed in at any width.
+#[cfg(target_arch = "x86_64")]
+pub(crate) trait AnyWidth: Packed<V3> + Packed<V4> {}
+
+/// See there.
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) trait AnyWidth: Real {}
+
+impl AnyWidth for f64 {}
+impl AnyWidth for f32 {}
 
 impl Width {
     /// All of them, the widest first.
@@ -63,47 +76,47 @@ impl Width {
         Width::available().next().unwrap_or(Width::One)
     }
 
-    /// How many numbers at once.
-    pub fn lanes(self) -> usize {
+    /// How many numbers of a precision at once.
+    pub fn lanes<T: Real>(self) -> usize {
         match self {
             Width::One => 1,
             #[cfg(target_arch = "x86_64")]
-            Width::Four => 4,
+            Width::Four => 32 / size_of::<T>(),
             #[cfg(target_arch = "x86_64")]
-            Width::Eight => 8,
+            Width::Eight => 64 / size_of::<T>(),
         }
     }
 
-    /// The instructions that it needs.
-    pub fn instructions(self) -> &'static str {
+    /// How many numbers of a precision at once, and the instructions that it needs.
+    pub fn description<T: Real>(self) -> String {
         match self {
-            Width::One => "one lane",
+            Width::One => "one lane".to_owned(),
             #[cfg(target_arch = "x86_64")]
-            Width::Four => "4 lanes, AVX2",
+            Width::Four => format!("{} lanes, AVX2", self.lanes::<T>()),
             #[cfg(target_arch = "x86_64")]
-            Width::Eight => "8 lanes, AVX-512",
+            Width::Eight => format!("{} lanes, AVX-512", self.lanes::<T>()),
         }
     }
 
     /// Computes something in as many lanes; in one where the processor has not so many.
     #[inline]
-    pub(crate) fn compute<C: AtWidth>(self, computation: C) -> C::Output {
+    pub(crate) fn compute<T: AnyWidth, C: AtWidth<T>>(self, computation: C) -> C::Output {
         match self {
             Width::One => {}
             #[cfg(target_arch = "x86_64")]
             Width::Four => {
                 if let Some(simd) = V3::try_new() {
-                    return simd.vectorize(Wide { computation, zero: Pack::zero(simd) });
+                    return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
                 }
             }
             #[cfg(target_arch = "x86_64")]
             Width::Eight => {
                 if let Some(simd) = V4::try_new() {
-                    return simd.vectorize(Wide { computation, zero: Pack::zero(simd) });
+                    return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
                 }
             }
         }
-        computation.call(0.0)
+        computation.call(T::zero())
     }
 }
 
@@ -115,7 +128,7 @@ struct Wide<C, L> {
 }
 
 #[cfg(target_arch = "x86_64")]
-impl<C: AtWidth, L: Lanes<Real = f64>> NullaryFnOnce for Wide<C, L> {
+impl<C: AtWidth<L::Real>, L: Lanes> NullaryFnOnce for Wide<C, L> {
     type Output = C::Output;
 
     #[inline(always)]
@@ -126,7 +139,7 @@ impl<C: AtWidth, L: Lanes<Real = f64>> NullaryFnOnce for Wide<C, L> {
 
 /// What a computation gives at every width that the processor has, in one lane last.
 #[cfg(test)]
-pub(super) fn at_every_width<C: AtWidth + Copy>(computation: C) -> Vec<C::Output> {
+pub(super) fn at_every_width<T: AnyWidth, C: AtWidth<T> + Copy>(computation: C) -> Vec<C::Output> {
     Width::available().map(|width| width.compute(computation)).collect()
 }
 
@@ -138,22 +151,28 @@ mod tests {
     #[derive(Clone, Copy)]
     struct Counted;
 
-    impl AtWidth for Counted {
+    impl<T: Real> AtWidth<T> for Counted {
         type Output = usize;
 
         #[inline(always)]
-        fn call<L: Lanes<Real = f64>>(self, _: L) -> usize {
+        fn call<L: Lanes<Real = T>>(self, _: L) -> usize {
             L::WIDTH
         }
     }
 
+    fn check<T: AnyWidth>() {
+        let widths: Vec<Width> = Width::available().collect();
+        let lanes: Vec<usize> = widths.iter().map(|width| width.lanes::<T>()).collect();
+        println!("{}", widths.iter().map(|width| width.description::<T>()).collect::<Vec<_>>().join("; "));
+        assert_eq!(at_every_width::<T, _>(Counted), lanes);
+        assert!(lanes.is_sorted_by(|a, b| a > b) && lanes.ends_with(&[1]), "{lanes:?}");
+        let widest = Width::widest().compute::<T, _>(Counted);
+        assert_eq!((Width::widest(), widest), (widths[0], lanes[0]));
+    }
+
     #[test]
     fn as_many_lanes_as_a_width_has_are_computed_in() {
-        let widths: Vec<Width> = Width::available().collect();
-        let lanes: Vec<usize> = widths.iter().map(|width| width.lanes()).collect();
-        println!("{}", widths.iter().map(|width| width.instructions()).collect::<Vec<_>>().join("; "));
-        assert_eq!(at_every_width(Counted), lanes);
-        assert!(lanes.is_sorted_by(|a, b| a > b) && lanes.ends_with(&[1]), "{lanes:?}");
-        assert_eq!((Width::widest(), Width::widest().compute(Counted)), (widths[0], lanes[0]));
+        check::<f64>();
+        check::<f32>();
     }
 }

@@ -6,54 +6,20 @@ use std::sync::mpsc::{self, Sender};
 use parking_lot::Mutex;
 use rayon::Scope;
 
-use super::each::each;
-use super::follow::follow;
+use super::follow::followed;
 use crate::analysis::{Observer, Queue, Schedule, Seat, Verdict, follow_abreast};
 use crate::backend::error::BackendError;
 use crate::backend::job::Job;
 use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
-use crate::model::{AtWidth, ByFlow, Flight, Flights, Lanes, System, Width};
+use crate::model::{AnyWidth, AtWidth, ByFlow, Flight, Flights, Lanes, System, Width};
 
-/// See [`follow_counted`].
+/// Lets every thread take jobs from one queue, and follow as many at once as `width` has lanes. There is at least one job, and all of
+/// them have N coordinates. Says how well the lanes were used, too.
 ///
 /// # Errors
 /// [`BackendError::Cancelled`] when the watch asked for it.
-pub fn follow_all(
-    jobs: &[Job],
-    schedule: &Schedule,
-    watch: &dyn Watch,
-    width: Width,
-) -> Result<Vec<Verdict>, BackendError> {
-    follow_counted(jobs, schedule, watch, width).map(|(verdicts, _)| verdicts)
-}
-
-/// Follows every job in f64, `width` trajectories at once on each thread of rayon's current pool; one by one where they have not
-/// equally many coordinates. Says how well the lanes were used, too.
-///
-/// # Errors
-/// [`BackendError::Cancelled`] when the watch asked for it.
-pub fn follow_counted(
-    jobs: &[Job],
-    schedule: &Schedule,
-    watch: &dyn Watch,
-    width: Width,
-) -> Result<(Vec<Verdict>, Usage), BackendError> {
-    let n = jobs.first().map_or(0, |job| job.system.coordinates());
-    let abreast = width != Width::One && jobs.iter().all(|job| job.system.coordinates() == n);
-    match (abreast, n) {
-        (true, 1) => spread::<1>(jobs, schedule, watch, width),
-        (true, 2) => spread::<2>(jobs, schedule, watch, width),
-        (true, 3) => spread::<3>(jobs, schedule, watch, width),
-        (true, 4) => spread::<4>(jobs, schedule, watch, width),
-        _ => {
-            each(jobs, watch, |job| follow::<f64>(job, schedule)).map(|verdicts| (verdicts, Usage::default()))
-        }
-    }
-}
-
-/// Lets every thread take jobs from one queue.
-fn spread<const N: usize>(
+pub(super) fn spread<T: AnyWidth, const N: usize>(
     jobs: &[Job],
     schedule: &Schedule,
     watch: &dyn Watch,
@@ -64,8 +30,8 @@ fn spread<const N: usize>(
     let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
     let by_flow = ByFlow::of(&systems);
     let order = by_flow.order();
-    let flights = Flights::<N>::of(by_flow);
-    let threads = rayon::current_num_threads().min(jobs.len().div_ceil(width.lanes()));
+    let flights = Flights::<T, N>::of(by_flow);
+    let threads = rayon::current_num_threads().min(jobs.len().div_ceil(width.lanes::<T>()));
     let (sender, done) = mpsc::channel();
     let (taken, flights, order, used) = (&taken, &flights, &order[..], &usage);
     rayon::scope(|scope| {
@@ -92,9 +58,9 @@ fn spread<const N: usize>(
 }
 
 /// What one thread takes from the jobs.
-struct Line<'a, 'scope, const N: usize> {
+struct Line<'a, 'scope, T, const N: usize> {
     jobs: &'scope [Job],
-    flights: &'scope Flights<N>,
+    flights: &'scope Flights<T, N>,
     /// The jobs in the order in which they are taken: a lane has most constants of the next already.
     order: &'scope [u32],
     schedule: &'scope Schedule,
@@ -107,14 +73,14 @@ struct Line<'a, 'scope, const N: usize> {
     normals: usize,
     done: Sender<(usize, Verdict)>,
     /// Seats of trajectories that are done.
-    left: Vec<Box<Seat<f64, N, usize>>>,
+    left: Vec<Box<Seat<T, N, usize>>>,
     /// Where what would keep the other lanes waiting is left for any thread that has nothing else to do.
     scope: &'a Scope<'scope>,
 }
 
-impl<const N: usize> Line<'_, '_, N> {
+impl<T: AnyWidth, const N: usize> Line<'_, '_, T, N> {
     fn follow(&mut self, width: Width) {
-        width.compute(&mut *self);
+        width.compute::<T, _>(&mut *self);
         // What no lane took.
         while let Some(index) = self.take() {
             self.follow_alone(index);
@@ -129,7 +95,7 @@ impl<const N: usize> Line<'_, '_, N> {
     }
 
     fn follow_alone(&mut self, index: usize) {
-        tell(&self.done, self.watch, index, follow::<f64>(&self.jobs[index], self.schedule));
+        tell(&self.done, self.watch, index, followed::<T, N>(&self.jobs[index], self.schedule));
     }
 }
 
@@ -139,10 +105,10 @@ fn tell(done: &Sender<(usize, Verdict)>, watch: &dyn Watch, index: usize, verdic
     watch.finished(1);
 }
 
-impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
+impl<T: AnyWidth, const N: usize> Queue<T, N> for Line<'_, '_, T, N> {
     type Ticket = usize;
 
-    fn next(&mut self) -> Option<Box<Seat<f64, N, usize>>> {
+    fn next(&mut self) -> Option<Box<Seat<T, N, usize>>> {
         let mut index = self.take()?;
         while self.jobs[index].system.normals() != self.normals {
             self.follow_alone(index);
@@ -150,7 +116,7 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
         }
         let Job { system, start } = &self.jobs[index];
         let flow = self.flights.flow_of(index);
-        let begun = |flight: &Flight<f64, N>| Observer::new(flight, self.schedule, start.state());
+        let begun = |flight: &Flight<T, N>| Observer::new(flight, self.schedule, start.state());
         // What a trajectory and its constants lie in is large: that of one that is done is taken again.
         let Some(mut seat) = self.left.pop() else {
             let flight = self.flights.get(index, system);
@@ -161,7 +127,7 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
         Some(seat)
     }
 
-    fn hand_over(&mut self, mut seat: Box<Seat<f64, N, usize>>) {
+    fn hand_over(&mut self, mut seat: Box<Seat<T, N, usize>>) {
         let Line { jobs, schedule, watch, .. } = *self;
         let done = self.done.clone();
         self.scope.spawn(move |_| {
@@ -182,7 +148,7 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
         *self.used.lock() += usage;
     }
 
-    fn done(&mut self, seat: Box<Seat<f64, N, usize>>) {
+    fn done(&mut self, seat: Box<Seat<T, N, usize>>) {
         let verdict = seat.observer.verdict(&seat.flight, self.jobs[seat.ticket].system.label_order());
         tell(&self.done, self.watch, seat.ticket, verdict);
         self.left.push(seat);
@@ -190,11 +156,11 @@ impl<const N: usize> Queue<f64, N> for Line<'_, '_, N> {
 }
 
 /// Lanes at work on it.
-impl<const N: usize> AtWidth for &mut Line<'_, '_, N> {
+impl<T: AnyWidth, const N: usize> AtWidth<T> for &mut Line<'_, '_, T, N> {
     type Output = ();
 
     #[inline(always)]
-    fn call<L: Lanes<Real = f64>>(self, zero: L) {
+    fn call<L: Lanes<Real = T>>(self, zero: L) {
         follow_abreast(zero, self.normals, self.schedule, self);
     }
 }

@@ -4,11 +4,12 @@ mod each;
 mod extent;
 mod follow;
 mod lanes;
+mod precision;
 
 pub use extent::extent;
 pub(super) use extent::extents;
-pub use follow::{Precision, follow, follow_controlled, trace};
-pub use lanes::{follow_all, follow_counted};
+pub use follow::follow_controlled;
+pub use precision::{Precision, follow, follow_all, follow_counted, trace};
 
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::backend::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Watch};
@@ -26,9 +27,9 @@ pub struct Cpu;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct CpuSingle;
 
-/// A back end of a precision: what its adapter is called beside the processor, and how it runs jobs.
+/// A back end of a precision, and what its adapter is called beside the processor.
 macro_rules! on_the_processor {
-    ($name:ident, $real:ty, $adapter:expr, $run:expr) => {
+    ($name:ident, $real:ty, $adapter:expr) => {
         impl Backend for $name {
             fn name(&self) -> &'static str {
                 "cpu"
@@ -49,7 +50,7 @@ macro_rules! on_the_processor {
                 watch: &dyn Watch,
             ) -> Result<Vec<Verdict>, BackendError> {
                 schedule.check()?;
-                $run(jobs, schedule, watch)
+                follow_all::<$real>(jobs, schedule, watch, Width::widest())
             }
 
             fn trace(
@@ -85,9 +86,5 @@ macro_rules! on_the_processor {
     };
 }
 
-on_the_processor!(Cpu, f64, "f64", |jobs, schedule, watch| {
-    follow_all(jobs, schedule, watch, Width::widest())
-});
-on_the_processor!(CpuSingle, f32, format_args!("f32{REPRODUCIBLE}"), |jobs: &[Job], schedule, watch| {
-    each(jobs, watch, |job| follow::<f32>(job, schedule))
-});
+on_the_processor!(Cpu, f64, "f64");
+on_the_processor!(CpuSingle, f32, format_args!("f32{REPRODUCIBLE}"));

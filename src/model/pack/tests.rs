@@ -1,16 +1,20 @@
 //! Lanes one by one, at every width that this processor has.
 
+use num_traits::{Float, One};
+
 use super::*;
+use crate::model::real::Real;
 use crate::model::width::{AtWidth, at_every_width};
 
 /// Sets every second lane of numbers and of a truth value, from the last one down, and takes one back.
-fn lanes_are_set_one_by_one<L: Lanes<Real = f64>>(zero: L) {
+fn lanes_are_set_one_by_one<L: Lanes>(zero: L) {
+    let numbered = |lane: usize| L::Real::of(1.0 + lane as f64);
     let never = zero.below(zero);
     assert_eq!((never.bits(), L::Mask::WIDTH), (0, L::WIDTH));
     let (mut numbers, mut mask, mut expected) = (zero, never, 0);
     for lane in (0..L::WIDTH).rev().step_by(2) {
         for _ in 0..2 {
-            numbers.renew_lane(lane, 1.0 + lane as f64);
+            numbers.renew_lane(lane, numbered(lane));
         }
         mask.set_lane(lane, true);
         expected |= 1 << lane;
@@ -20,7 +24,7 @@ fn lanes_are_set_one_by_one<L: Lanes<Real = f64>>(zero: L) {
     let kept = L::select(mask, numbers, zero.all(-1.0));
     for lane in 0..L::WIDTH {
         let set = (expected >> lane) & 1 == 1;
-        assert_eq!(kept.lane(lane), if set { 1.0 + lane as f64 } else { -1.0 });
+        assert_eq!(kept.lane(lane), if set { numbered(lane) } else { -L::Real::one() });
     }
     mask.set_lane(L::WIDTH - 1, true);
     assert_eq!(mask.bits(), expected, "set already");
@@ -30,7 +34,7 @@ fn lanes_are_set_one_by_one<L: Lanes<Real = f64>>(zero: L) {
 }
 
 /// The larger and the smaller number have the bits that a comparison chooses, of zeros and of what is no number too.
-fn the_larger_is_what_a_comparison_chooses<L: Lanes<Real = f64>>(zero: L) {
+fn the_larger_is_what_a_comparison_chooses<L: Lanes>(zero: L) {
     let numbers = [0.0, -0.0, 1.0, -2.5, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
     for one in numbers {
         for other in numbers {
@@ -38,11 +42,24 @@ fn the_larger_is_what_a_comparison_chooses<L: Lanes<Real = f64>>(zero: L) {
             let chosen = [L::select(b.below(a), a, b), L::select(a.below(b), a, b)];
             for (found, chosen) in [a.larger(b), a.smaller(b)].into_iter().zip(chosen) {
                 for lane in 0..L::WIDTH {
-                    assert_eq!(found.lane(lane).to_bits(), chosen.lane(lane).to_bits(), "{one} and {other}");
+                    let [found, chosen] = [found, chosen].map(|lanes| lanes.lane(lane).widen().to_bits());
+                    assert_eq!(found, chosen, "{one} and {other}");
                 }
             }
         }
     }
+}
+
+/// A multiple and a term are rounded as often as one lane rounds them.
+fn a_multiple_and_a_term_are_rounded_as_in_one_lane<L: Lanes>(zero: L) {
+    // Once, and twice.
+    let number = |value: f64| L::Real::of(value);
+    let (a, term) = (number(1.0 + 1e-4), number(-1.0 - 2e-4));
+    let one = a.times_plus(a, term);
+    assert_ne!(a.mul_add(a, term), a * a + term, "the check can fail");
+    let all = |value: L::Real| zero.all(value.widen());
+    let found = all(a).times_plus(all(a), all(term));
+    assert!((0..L::WIDTH).all(|lane| found.lane(lane) == one), "{found:?} for {one:?}");
 }
 
 /// A check that is made in lanes.
@@ -50,27 +67,40 @@ fn the_larger_is_what_a_comparison_chooses<L: Lanes<Real = f64>>(zero: L) {
 enum Check {
     SetOneByOne,
     Larger,
+    TimesPlus,
 }
 
-impl AtWidth for Check {
+impl<T: Real> AtWidth<T> for Check {
     type Output = ();
 
-    fn call<L: Lanes<Real = f64>>(self, zero: L) {
+    fn call<L: Lanes<Real = T>>(self, zero: L) {
         match self {
             Check::SetOneByOne => lanes_are_set_one_by_one(zero),
             Check::Larger => the_larger_is_what_a_comparison_chooses(zero),
+            Check::TimesPlus => a_multiple_and_a_term_are_rounded_as_in_one_lane(zero),
         }
     }
 }
 
+/// In either precision.
+fn holds_at_every_width(check: Check) {
+    assert!(!at_every_width::<f64, _>(check).is_empty());
+    assert!(!at_every_width::<f32, _>(check).is_empty());
+}
+
 #[test]
 fn lanes_of_every_width_are_set_one_by_one() {
-    assert!(!at_every_width(Check::SetOneByOne).is_empty());
+    holds_at_every_width(Check::SetOneByOne);
 }
 
 #[test]
 fn the_larger_and_the_smaller_are_the_same_at_every_width() {
-    assert!(!at_every_width(Check::Larger).is_empty());
+    holds_at_every_width(Check::Larger);
+}
+
+#[test]
+fn multiples_with_a_term_are_the_same_at_every_width() {
+    holds_at_every_width(Check::TimesPlus);
 }
 
 /// A pack fills its register, and nothing lies between one and the next.
@@ -78,7 +108,8 @@ fn the_larger_and_the_smaller_are_the_same_at_every_width() {
 #[test]
 fn packs_lie_on_boundaries_of_their_size() {
     fn check<S: Registers>(size: usize) {
-        assert_eq!([size_of::<Pack<S>>(), align_of::<Pack<S>>()], [size; 2]);
+        assert_eq!([size_of::<Pack<S, f64>>(), align_of::<Pack<S, f64>>()], [size; 2]);
+        assert_eq!([size_of::<Pack<S, f32>>(), align_of::<Pack<S, f32>>()], [size; 2]);
     }
     check::<pulp::x86::V3>(32);
     check::<pulp::x86::V4>(64);
