@@ -26,7 +26,7 @@ pub fn open(choice: Choice, adapter: Option<&str>) -> Result<Box<dyn Backend>> {
 }
 
 /// The same with results that have the same bits on every adapter and on the CPU: in f32, every operation rounded correctly
-/// and in the order of the source. It takes longer; see [`Gpu::open_exact`] and [`CpuSingle`].
+/// and in the order of the source. On an adapter that takes longer; see [`Gpu::open_exact`] and [`CpuSingle`].
 ///
 /// # Errors
 /// As [`open()`].
