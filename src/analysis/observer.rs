@@ -8,13 +8,19 @@ use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
+use crate::dynamics::constants::MOST_KICKS;
 use crate::dynamics::{Event, Moves, Stop, Tally, Tangent, Trajectory, Unseen};
-use crate::model::{Flight, Real, State};
+use crate::model::{Flight, Real, State, System};
 
 /// How often a trajectory may leap, or measure the map of a turn in order to: what that does not lead to is waited for.
 pub const MOST_LEAPS: u32 = 6;
-/// The most strobes that are passed unseen: impacts that are counted meanwhile fit into their counters.
-const MOST_UNSEEN: u32 = 1 << 16;
+/// The most strobes that are passed unseen.
+const MOST_UNSEEN: u32 = 1 << 11;
+
+/// Impacts that are counted meanwhile, and in the period after them, fit into the counters of lanes, which may be f32: each is a
+/// kick, and a step has so many at most.
+const _: () =
+    assert!(MOST_UNSEEN * Moves::MANY + System::MOST_STEPS * MOST_KICKS < 1 << f32::MANTISSA_DIGITS);
 
 /// A trajectory and everything that is noted about it.
 #[derive(Clone, Copy, Debug, PartialEq)]

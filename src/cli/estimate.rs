@@ -57,9 +57,10 @@ fn of_cells(
     }
     let count = u32::try_from(all / ONE_OF).unwrap_or(MOST).min(MOST);
     let cells = spread(columns, rows, count);
-    // A device works on many cells at once; a processor on as many as its threads have lanes. Towards the end of its cells
-    // most lanes wait for the last of them: the more cells, the less that counts, and only the latest are reckoned with.
-    let lanes = Width::widest().lanes::<f64>() * rayon::current_num_threads();
+    // A device works on many cells at once; a processor on as many as its threads have lanes, of f32 the most.
+    // Towards the end of its cells most lanes wait for the last of them: the more cells, the less that counts, and only the latest
+    // are reckoned with.
+    let lanes = Width::widest().lanes::<f32>() * rayon::current_num_threads();
     let first = if backend.name() == "cpu" { lanes } else { AT_ONCE };
     if backend.name() != "cpu" {
         // A shader is compiled once, however many cells there are.

@@ -1,6 +1,6 @@
 //! Several lanes in the registers of a processor.
 //!
-//! Of `pulp`, only methods that are one instruction are called, and no closures: what is not compiled into its caller has no
+//! Nothing is called that is more than an instruction or two, and no closures: what is not compiled into its caller has no
 //! instructions for the registers.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};

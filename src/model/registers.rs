@@ -19,7 +19,7 @@ pub trait Registers: Simd {
     fn bits_of_m32s(self, truths: Self::m32s) -> u32;
 }
 
-/// A precision in the registers of the instruction set `S`: operations in all lanes, one instruction each.
+/// A precision in the registers of the instruction set `S`: operations in all lanes, each of an instruction or two.
 pub trait Packed<S: Registers>: Real + Pod {
     /// As many numbers as a register holds.
     type Numbers: Copy + Debug + Send + Sync + Pod;

@@ -1,13 +1,13 @@
 //! The stops along a contact normal, which differ among cells with the same flow.
 
-use super::contact_normal::{ContactNormal, FAR};
+use super::contact_normal::{ContactNormal, FAR, NO_STOP};
 use super::equations::closed;
 use super::real::Real;
 use super::system::System;
 use crate::system::StopValues;
 
 /// The stops at the upper and the lower end of a normal; a gap of [`FAR`] where there is none.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StopsAlong {
     /// Where d·x, or −d·x, meets them.
     pub gap: [f64; 2],
@@ -20,6 +20,10 @@ pub struct StopsAlong {
 }
 
 impl StopsAlong {
+    /// No stop at either end.
+    pub const NONE: StopsAlong =
+        StopsAlong { gap: [FAR; 2], restitution: [0.0; 2], stop: [NO_STOP; 2], stretch: [1.0; 2] };
+
     /// Those of a normal of a system.
     pub(super) fn at<T: Real, const N: usize>(normal: &ContactNormal<T, N>, system: &System) -> Self {
         let [gap, restitution] = [normal.gap, normal.restitution].map(|values| values.map(T::widen));
@@ -34,7 +38,7 @@ impl StopsAlong {
 
     /// Which of the plant's stops are there.
     fn ends(&self) -> [Option<usize>; 2] {
-        [0, 1].map(|side| (self.gap[side] < FAR).then(|| usize::from(self.stop[side])))
+        self.stop.map(|stop| (stop != NO_STOP).then_some(usize::from(stop)))
     }
 
     /// The same of another system with the same flow.

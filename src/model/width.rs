@@ -12,17 +12,18 @@ use super::real::{Lanes, Real};
 use super::registers::Packed;
 
 /// How many numbers one core computes with at once, and so how many trajectories it follows; the bits of each are the same at every
-/// width. Its names count numbers in f64, of f32 there are twice as many.
+/// width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Width {
     /// One by one.
     One,
-    /// A register of four (AVX2 and FMA). Two registers side by side are slower, of four as of eight: there are too few for both.
+    /// A register of AVX2, with FMA: four of f64, eight of f32. Two registers side by side are slower, as of AVX-512: there are too
+    /// few for both.
     #[cfg(target_arch = "x86_64")]
-    Four,
-    /// A register of eight (AVX-512).
+    Avx2,
+    /// A register of AVX-512: eight of f64, sixteen of f32.
     #[cfg(target_arch = "x86_64")]
-    Eight,
+    Avx512,
 }
 
 /// A computation in lanes, which must give the same at every width.
@@ -49,9 +50,9 @@ impl Width {
     /// All of them, the widest first.
     const ALL: &[Width] = &[
         #[cfg(target_arch = "x86_64")]
-        Width::Eight,
+        Width::Avx512,
         #[cfg(target_arch = "x86_64")]
-        Width::Four,
+        Width::Avx2,
         Width::One,
     ];
 
@@ -60,9 +61,9 @@ impl Width {
         match self {
             Width::One => true,
             #[cfg(target_arch = "x86_64")]
-            Width::Four => V3::is_available(),
+            Width::Avx2 => V3::is_available(),
             #[cfg(target_arch = "x86_64")]
-            Width::Eight => V4::is_available(),
+            Width::Avx512 => V4::is_available(),
         }
     }
 
@@ -81,9 +82,9 @@ impl Width {
         match self {
             Width::One => 1,
             #[cfg(target_arch = "x86_64")]
-            Width::Four => 32 / size_of::<T>(),
+            Width::Avx2 => 32 / size_of::<T>(),
             #[cfg(target_arch = "x86_64")]
-            Width::Eight => 64 / size_of::<T>(),
+            Width::Avx512 => 64 / size_of::<T>(),
         }
     }
 
@@ -92,9 +93,9 @@ impl Width {
         match self {
             Width::One => "one lane".to_owned(),
             #[cfg(target_arch = "x86_64")]
-            Width::Four => format!("{} lanes, AVX2", self.lanes::<T>()),
+            Width::Avx2 => format!("{} lanes, AVX2", self.lanes::<T>()),
             #[cfg(target_arch = "x86_64")]
-            Width::Eight => format!("{} lanes, AVX-512", self.lanes::<T>()),
+            Width::Avx512 => format!("{} lanes, AVX-512", self.lanes::<T>()),
         }
     }
 
@@ -104,13 +105,13 @@ impl Width {
         match self {
             Width::One => {}
             #[cfg(target_arch = "x86_64")]
-            Width::Four => {
+            Width::Avx2 => {
                 if let Some(simd) = V3::try_new() {
                     return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
                 }
             }
             #[cfg(target_arch = "x86_64")]
-            Width::Eight => {
+            Width::Avx512 => {
                 if let Some(simd) = V4::try_new() {
                     return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
                 }

@@ -39,8 +39,9 @@ pub fn follow_counted<T: Precision>(
     watch: &dyn Watch,
     width: Width,
 ) -> Result<(Vec<Verdict>, Usage), BackendError> {
-    let n = jobs.first().map_or(0, |job| job.system.coordinates());
-    if width == Width::One || jobs.iter().any(|job| job.system.coordinates() != n) {
+    let coordinates = |job: &Job| job.system.coordinates();
+    let are_alike = |first: &Job| jobs.iter().all(|job| coordinates(job) == coordinates(first));
+    if width == Width::One || !jobs.first().is_some_and(are_alike) {
         return each(jobs, watch, |job| follow::<T>(job, schedule)).map(|found| (found, Usage::default()));
     }
     T::follow_abreast(jobs, schedule, watch, width)
@@ -62,7 +63,7 @@ pub trait Precision: Real {
     /// See [`follow`].
     fn follow(job: &Job, schedule: &Schedule) -> Verdict;
 
-    /// See [`follow_counted`]; all of the jobs have equally many coordinates.
+    /// See [`follow_counted`]; there is at least one job, and all have equally many coordinates.
     ///
     /// # Errors
     /// As there.
@@ -95,8 +96,7 @@ macro_rules! precision {
                 watch: &dyn Watch,
                 width: Width,
             ) -> Result<(Vec<Verdict>, Usage), BackendError> {
-                match jobs.first().map_or(0, |job| job.system.coordinates()) {
-                    0 => Ok((Vec::new(), Usage::default())),
+                match jobs[0].system.coordinates() {
                     1 => spread::<$real, 1>(jobs, schedule, watch, width),
                     2 => spread::<$real, 2>(jobs, schedule, watch, width),
                     3 => spread::<$real, 3>(jobs, schedule, watch, width),

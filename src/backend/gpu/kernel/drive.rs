@@ -51,8 +51,9 @@ impl Kernel {
         let mut unfinished = std::mem::take(&mut cells.order);
         // Nothing waits for other threads while it has room.
         let room = block_on(self.room.acquire());
-        let holding = || Tile::new(self, compiled, program, &cells, jobs.len(), size_of::<R>() as u64);
-        let (tile, transferring) = timed(|| guarded(&self.device, holding));
+        let holding =
+            || Tile::new(self, compiled.clone(), program, &cells, jobs.len(), size_of::<R>() as u64);
+        let (tile, transferring) = timed(|| self.with_room(holding));
         let tile = tile??;
         // The device has them.
         drop(cells);

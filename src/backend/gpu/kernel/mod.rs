@@ -88,6 +88,12 @@ impl Kernel {
         Kernel { library: Library::new(Residence::Workgroup, arithmetic), ..self }
     }
 
+    /// How many buffers are kept for tiles to come.
+    #[cfg(test)]
+    pub fn kept(&self) -> usize {
+        self.kept.count()
+    }
+
     /// Where time went since this was last asked.
     pub fn spent(&self) -> Spent {
         std::mem::take(&mut *self.spent.lock())

@@ -102,6 +102,15 @@ mod tests {
     use super::*;
 
     #[test]
+    fn groups_are_counted_in_parts_as_in_one() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+        // Each part of them has few groups, all together have ten.
+        let keys = || (0..10_000).into_par_iter().with_max_len(500).map(|i| i / 1_000);
+        let few = |groups| pool.install(|| are_few(keys(), groups));
+        assert!(few(10) && few(11) && !few(9) && !few(1));
+    }
+
+    #[test]
     fn parts_hold_so_many_items_and_groups_and_no_more() {
         let items = [1, 1, 1, 1, 1, 2, 2, 3, 4, 4, 5, 6];
         let parts = |most, groups| split(&items, most, groups, |item| *item);

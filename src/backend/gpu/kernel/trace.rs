@@ -1,7 +1,7 @@
 //! The kernel `trace`: trajectories to their verdicts and what was read on a section.
 
 use super::Kernel;
-use super::device::{empty, guarded};
+use super::device::empty;
 use super::drive::{MOVE, SQUARES};
 use super::program::{Portion, Program, ROW};
 use crate::analysis;
@@ -29,7 +29,7 @@ impl Kernel {
     ) -> Result<Vec<analysis::Trace>> {
         let cells = jobs.len() as u64;
         let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
-        let [traces, readings] = guarded(&self.device, || {
+        let [traces, readings] = self.with_room(|| {
             let traces = empty(&self.device, size_of::<Trace>() as u64 * cells, storage);
             [traces, empty(&self.device, readings(capacity) * cells, storage)]
         })?;

@@ -183,7 +183,7 @@ pub fn declarations<const N: usize>(shape: &Shape) -> String {
         text
     };
     let none = Flight::<f32, N>::blank(shape.normals, 0.0);
-    let stops = vec![StopsAlong::default(); shape.normals];
+    let stops = vec![StopsAlong::NONE; shape.normals];
     let normal = declared(&|members| normal_members(&none.normals[0], members));
     let flight = declared(&|members| flight_members(&none, members));
     let cell = declared(&|members| cell_members(0, &stops, &vec![0.0; 2 * N], members));

@@ -59,7 +59,7 @@ fn the_constants_of_a_cell_fill_what_the_shader_declares() {
             let (mut constants, mut kicks, mut cell) = (Vec::new(), Vec::new(), Vec::new());
             write_flight(&flight, &mut constants);
             write_kicks(&flight, &mut kicks);
-            let stops = vec![model::StopsAlong::default(); normals];
+            let stops = vec![model::StopsAlong::NONE; normals];
             write_cell::<N>(0, &stops, &vec![0.0; 2 * N], &mut cell);
             assert_eq!(4 * constants.len(), size("Flight"), "{shape:?}");
             assert_eq!(4 * cell.len(), size("Cell"), "{shape:?}");
