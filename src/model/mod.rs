@@ -20,10 +20,12 @@ mod line;
 mod loads;
 mod logarithm;
 mod of_flow;
+#[cfg(target_arch = "x86_64")]
 mod pack;
 mod parameters;
 mod quiet;
 mod real;
+#[cfg(target_arch = "x86_64")]
 mod registers;
 mod restopped;
 mod row;

@@ -184,18 +184,15 @@ fn rounded_twice<S: Simd>(simd: S, a: S::f32s, factor: S::f32s, term: S::f32s) -
 }
 
 /// See [`Registers::Boundary`].
-#[cfg(target_arch = "x86_64")]
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub struct Of32Bytes;
 
 /// See [`Registers::Boundary`].
-#[cfg(target_arch = "x86_64")]
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Of64Bytes;
 
-#[cfg(target_arch = "x86_64")]
 impl Registers for pulp::x86::V3 {
     type Boundary = Of32Bytes;
 
@@ -210,7 +207,6 @@ impl Registers for pulp::x86::V3 {
     }
 }
 
-#[cfg(target_arch = "x86_64")]
 impl Registers for pulp::x86::V4 {
     type Boundary = Of64Bytes;
 

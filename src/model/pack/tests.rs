@@ -104,7 +104,6 @@ fn multiples_with_a_term_are_the_same_at_every_width() {
 }
 
 /// A pack fills its register, and nothing lies between one and the next.
-#[cfg(target_arch = "x86_64")]
 #[test]
 fn packs_lie_on_boundaries_of_their_size() {
     fn check<S: Registers>(size: usize) {
