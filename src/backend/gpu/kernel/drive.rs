@@ -54,7 +54,7 @@ impl Kernel {
         let holding =
             || Tile::new(self, compiled.clone(), program, &cells, jobs.len(), size_of::<R>() as u64);
         let (tile, transferring) = timed(|| self.with_room(holding));
-        let tile = tile??;
+        let tile = tile?;
         // The device has them.
         drop(cells);
         self.spend(Spent { preparing, transferring, ..Spent::default() });

@@ -1,11 +1,8 @@
 //! Buffers that one tile has written and the next may: a driver takes long to find room for them, and to give it back.
 
-use bytemuck::Pod;
 use parking_lot::Mutex;
 
-use super::Kernel;
-use super::device::{READBACK, empty, guarded, mapped};
-use crate::backend::Result;
+use super::device::empty;
 
 /// Buffers that nothing uses for now: no more of them than tiles used at a time. They are there as long as the kernel is, unless
 /// room is needed.
@@ -46,40 +43,9 @@ impl Kept {
     }
 
     /// Lets go of all of them.
-    fn clear(&self) {
+    pub fn clear(&self) {
         let kept = std::mem::take(&mut *self.0.lock());
         drop(kept);
-    }
-}
-
-impl Kernel {
-    /// Makes something that needs room on the device, again without what is kept if there is none.
-    pub(super) fn with_room<R>(&self, make: impl Fn() -> R) -> Result<R> {
-        guarded(&self.device, &make).or_else(|refused| {
-            if self.kept.count() == 0 {
-                return Err(refused);
-            }
-            self.kept.clear();
-            guarded(&self.device, &make)
-        })
-    }
-
-    /// What is read of the first bytes of a buffer of the device.
-    pub(super) fn read<T: Pod, V>(
-        &self,
-        buffer: &wgpu::Buffer,
-        bytes: u64,
-        read: impl FnOnce(&[T]) -> V,
-    ) -> Result<V> {
-        let readback = self.with_room(|| self.kept.take(&self.device, bytes, READBACK))?;
-        let value = guarded(&self.device, || {
-            let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            encoder.copy_buffer_to_buffer(buffer, 0, &readback, 0, bytes);
-            let submitted = self.queue.submit([encoder.finish()]);
-            mapped(&self.device, &readback, bytes, &submitted, read)
-        })??;
-        self.kept.keep([readback]);
-        Ok(value)
     }
 }
 
@@ -87,18 +53,15 @@ impl Kernel {
 mod tests {
     use super::*;
     use crate::backend::gpu::adapters;
+    use crate::backend::gpu::kernel::Kernel;
     use crate::backend::gpu::shader::Arithmetic;
-
-    fn kernel() -> Kernel {
-        let found = adapters::find(None).expect("an adapter");
-        println!("{}", found.report);
-        Kernel::new(&found, Arithmetic::Native).unwrap()
-    }
 
     #[test]
     fn the_smallest_that_is_large_enough_is_taken() {
-        let kernel = kernel();
-        let (kept, device) = (&kernel.kept, &kernel.device);
+        let found = adapters::find(None).expect("an adapter");
+        println!("{}", found.report);
+        let kernel = Kernel::new(&found, Arithmetic::Native).unwrap();
+        let (kept, device) = (Kept::default(), &kernel.device);
         let (storage, uniform) = (wgpu::BufferUsages::STORAGE, wgpu::BufferUsages::UNIFORM);
         let sizes = || -> Vec<u64> { kept.0.lock().iter().map(wgpu::Buffer::size).collect() };
         let [large, small] = [64, 16].map(|bytes| kept.take(device, bytes, storage));
@@ -111,24 +74,5 @@ mod tests {
         let larger = kept.take(device, 128, storage);
         assert_eq!((larger.size(), sizes()), (128, vec![32, 64]), "the smallest is let go of");
         assert_eq!(kept.take(device, 4, uniform), other);
-    }
-
-    #[test]
-    fn what_is_kept_makes_room_for_what_has_none() {
-        let kernel = kernel();
-        let storage = wgpu::BufferUsages::STORAGE;
-        // A device without room for two of them.
-        let make = || {
-            let too_large = kernel.device.limits().max_buffer_size + 1;
-            let bytes = if kernel.kept.count() == 0 { 64 } else { too_large };
-            empty(&kernel.device, bytes, storage)
-        };
-        assert_eq!(kernel.with_room(make).unwrap().size(), 64);
-        kernel.kept.keep([empty(&kernel.device, 4, storage)]);
-        assert_eq!(kernel.with_room(make).unwrap().size(), 64);
-        assert_eq!(kernel.kept.count(), 0);
-        kernel.kept.keep([empty(&kernel.device, 4, storage)]);
-        let too_large = || empty(&kernel.device, kernel.device.limits().max_buffer_size + 1, storage);
-        assert!(kernel.with_room(too_large).is_err());
     }
 }

@@ -13,6 +13,7 @@ mod kept;
 #[cfg(test)]
 mod loops;
 mod program;
+mod reading;
 mod room;
 mod spent;
 mod tile;

@@ -31,7 +31,7 @@ impl Kernel {
         let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let [traces, readings] = self.with_room(|| {
             let traces = empty(&self.device, size_of::<Trace>() as u64 * cells, storage);
-            [traces, empty(&self.device, readings(capacity) * cells, storage)]
+            Ok([traces, empty(&self.device, readings(capacity) * cells, storage)])
         })?;
         let dispatch = |Portion { count, budget, begin }| TraceDispatch {
             schedule: Schedule::new(schedule),
