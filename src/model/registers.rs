@@ -54,39 +54,34 @@ pub trait Packed<S: Registers>: Real + Pod {
 
 macro_rules! packed {
     (
-        $real:ident, $word:ident, $numbers:ident, $truths:ident, $lanes:ident,
-        [$splat:ident, $add:ident, $sub:ident, $mul:ident, $div:ident, $and:ident, $xor:ident, $root:ident, $max:ident, $min:ident],
-        [$below:ident, $select:ident, $both:ident, $either:ident, $not:ident, $bits:ident, $between:ident],
-        $times_plus:expr
+        $real:ident in $word:ident: $lanes:ident of $numbers:ident, $truths:ident,
+        pairs { $($of_two:ident: $two:ident),* $(,)? }
+        truths { $($of_truths:ident: $both:ident),* $(,)? }
+        $splat:ident, $and:ident, $xor:ident, $root:ident, $below:ident, $select:ident, $not:ident, $bits:ident, $between:ident,
+        times_plus: $times_plus:expr
     ) => {
         impl<S: Registers> Packed<S> for $real {
             type Numbers = S::$numbers;
             type Truths = S::$truths;
             const LANES: usize = S::$lanes;
 
+            $(
+                #[inline(always)]
+                fn $of_two(simd: S, a: S::$numbers, b: S::$numbers) -> S::$numbers {
+                    simd.$two(a, b)
+                }
+            )*
+
+            $(
+                #[inline(always)]
+                fn $of_truths(simd: S, a: S::$truths, b: S::$truths) -> S::$truths {
+                    simd.$both(a, b)
+                }
+            )*
+
             #[inline(always)]
             fn splat(simd: S, value: $real) -> S::$numbers {
                 simd.$splat(value)
-            }
-
-            #[inline(always)]
-            fn add(simd: S, a: S::$numbers, b: S::$numbers) -> S::$numbers {
-                simd.$add(a, b)
-            }
-
-            #[inline(always)]
-            fn sub(simd: S, a: S::$numbers, b: S::$numbers) -> S::$numbers {
-                simd.$sub(a, b)
-            }
-
-            #[inline(always)]
-            fn mul(simd: S, a: S::$numbers, b: S::$numbers) -> S::$numbers {
-                simd.$mul(a, b)
-            }
-
-            #[inline(always)]
-            fn div(simd: S, a: S::$numbers, b: S::$numbers) -> S::$numbers {
-                simd.$div(a, b)
             }
 
             #[inline(always)]
@@ -110,16 +105,6 @@ macro_rules! packed {
             }
 
             #[inline(always)]
-            fn max(simd: S, a: S::$numbers, b: S::$numbers) -> S::$numbers {
-                simd.$max(a, b)
-            }
-
-            #[inline(always)]
-            fn min(simd: S, a: S::$numbers, b: S::$numbers) -> S::$numbers {
-                simd.$min(a, b)
-            }
-
-            #[inline(always)]
             fn below(simd: S, a: S::$numbers, b: S::$numbers) -> S::$truths {
                 simd.$below(a, b)
             }
@@ -127,16 +112,6 @@ macro_rules! packed {
             #[inline(always)]
             fn select(simd: S, truths: S::$truths, yes: S::$numbers, no: S::$numbers) -> S::$numbers {
                 bytemuck::cast(simd.$select(truths, bytemuck::cast(yes), bytemuck::cast(no)))
-            }
-
-            #[inline(always)]
-            fn and(simd: S, a: S::$truths, b: S::$truths) -> S::$truths {
-                simd.$both(a, b)
-            }
-
-            #[inline(always)]
-            fn or(simd: S, a: S::$truths, b: S::$truths) -> S::$truths {
-                simd.$either(a, b)
             }
 
             #[inline(always)]
@@ -158,24 +133,18 @@ macro_rules! packed {
 }
 
 packed!(
-    f64,
-    u64,
-    f64s,
-    m64s,
-    F64_LANES,
-    [splat_f64s, add_f64s, sub_f64s, mul_f64s, div_f64s, and_f64s, xor_f64s, sqrt_f64s, max_f64s, min_f64s],
-    [less_than_f64s, select_u64s, and_m64s, or_m64s, not_m64s, bits_of_m64s, mask_between_m64s],
-    Simd::mul_add_f64s
+    f64 in u64: F64_LANES of f64s, m64s,
+    pairs { add: add_f64s, sub: sub_f64s, mul: mul_f64s, div: div_f64s, max: max_f64s, min: min_f64s }
+    truths { and: and_m64s, or: or_m64s }
+    splat_f64s, and_f64s, xor_f64s, sqrt_f64s, less_than_f64s, select_u64s, not_m64s, bits_of_m64s, mask_between_m64s,
+    times_plus: Simd::mul_add_f64s
 );
 packed!(
-    f32,
-    u32,
-    f32s,
-    m32s,
-    F32_LANES,
-    [splat_f32s, add_f32s, sub_f32s, mul_f32s, div_f32s, and_f32s, xor_f32s, sqrt_f32s, max_f32s, min_f32s],
-    [less_than_f32s, select_u32s, and_m32s, or_m32s, not_m32s, bits_of_m32s, mask_between_m32s],
-    rounded_twice
+    f32 in u32: F32_LANES of f32s, m32s,
+    pairs { add: add_f32s, sub: sub_f32s, mul: mul_f32s, div: div_f32s, max: max_f32s, min: min_f32s }
+    truths { and: and_m32s, or: or_m32s }
+    splat_f32s, and_f32s, xor_f32s, sqrt_f32s, less_than_f32s, select_u32s, not_m32s, bits_of_m32s, mask_between_m32s,
+    times_plus: rounded_twice
 );
 
 #[inline(always)]
