@@ -13,15 +13,11 @@ impl Kept {
     /// A buffer of at least so many bytes for just those uses, whatever it holds: the smallest that is kept. Where they are too small,
     /// a new one takes the place of the smallest.
     pub fn take(&self, device: &wgpu::Device, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
-        let fits = |buffer: &wgpu::Buffer| buffer.size() >= bytes;
-        match self.find(usage, fits).or_else(|| self.find(usage, |_| true)) {
-            Some(buffer) if fits(&buffer) => buffer,
+        self.find(usage, |buffer| buffer.size() >= bytes).unwrap_or_else(|| {
             // The lock is free: a driver takes its time.
-            too_small => {
-                drop(too_small);
-                empty(device, bytes, usage)
-            }
-        }
+            drop(self.find(usage, |_| true));
+            empty(device, bytes, usage)
+        })
     }
 
     /// Takes the smallest that is kept for those uses, of some.
@@ -52,15 +48,12 @@ impl Kept {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::backend::gpu::adapters;
     use crate::backend::gpu::kernel::Kernel;
     use crate::backend::gpu::shader::Arithmetic;
 
     #[test]
     fn the_smallest_that_is_large_enough_is_taken() {
-        let found = adapters::find(None).expect("an adapter");
-        println!("{}", found.report);
-        let kernel = Kernel::new(&found, Arithmetic::Native).unwrap();
+        let kernel = Kernel::on_any_adapter(Arithmetic::Native);
         let (kept, device) = (Kept::default(), &kernel.device);
         let (storage, uniform) = (wgpu::BufferUsages::STORAGE, wgpu::BufferUsages::UNIFORM);
         let sizes = || -> Vec<u64> { kept.0.lock().iter().map(wgpu::Buffer::size).collect() };

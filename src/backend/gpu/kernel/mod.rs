@@ -83,6 +83,14 @@ impl Kernel {
         Ok(Kernel { device, queue, library, software, tiles_at_a_time, room, kept, spent })
     }
 
+    /// On the best adapter that there is; a software one will do.
+    #[cfg(test)]
+    fn on_any_adapter(arithmetic: Arithmetic) -> Self {
+        let found = super::adapters::find(None).expect("an adapter");
+        println!("{}", found.report);
+        Kernel::new(&found, arithmetic).unwrap()
+    }
+
     /// The same with the shaders of hardware.
     #[cfg(test)]
     pub fn with_shaders_of_hardware(self, arithmetic: Arithmetic) -> Self {

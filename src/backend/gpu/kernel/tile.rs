@@ -45,17 +45,21 @@ impl Tile {
         let kicks = filled(device, kicks)?;
         let cells = filled(device, cells)?;
         let take = |bytes: u64, usage| kernel.kept.take(device, bytes, usage);
-        let unfinished = take(4 * count, storage | reads | writes);
-        let states = take(compiled.state * count, storage);
-        let results = take(result * count, storage | reads);
-        let readback = take(4 * count, READBACK);
+        let [of_list, of_states, of_results] = [4, compiled.state, result].map(|bytes| bytes * count);
+        let unfinished = take(of_list, storage | reads | writes);
+        let states = take(of_states, storage);
+        let results = take(of_results, storage | reads);
+        let readback = take(of_list, READBACK);
         let whole = [&dispatch, &flights, &kicks, &cells].map(wgpu::Buffer::as_entire_binding);
         // Those that are kept may be longer.
-        let parts =
-            [(&unfinished, 4), (&states, compiled.state), (&results, result)].map(|(buffer, bytes)| {
-                let size = NonZero::new(bytes * count);
-                wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer, offset: 0, size })
-            });
+        let parts = [(&unfinished, of_list), (&states, of_states), (&results, of_results)];
+        let parts = parts.map(|(buffer, bytes)| {
+            wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                buffer,
+                offset: 0,
+                size: NonZero::new(bytes),
+            })
+        });
         let more = program.more.iter().map(|buffer| buffer.as_entire_binding());
         let entries: Vec<wgpu::BindGroupEntry<'_>> = (0..)
             .zip(whole.into_iter().chain(parts).chain(more))
