@@ -15,18 +15,29 @@ fn exponent_over(observe: u32) -> Exponent {
     return Exponent(observe / batches, batches / ALIGNING, 0u, 0.0, 0u, 0.0, 0.0);
 }
 
-// Adds the growth since the last strobe, brings the tangent vector back to unit length and returns that growth.
-fn exponent_at_strobe() -> f32 {
-    let length = tangent_length(tangent);
+// Counts a period, and measures what the tangent vector has grown by where a batch ends, where that is `asked` for, and where it is far
+// from unit length: it is brought back to that then. Otherwise it is left to grow. The growth that was measured, 0 where none was.
+fn exponent_at_strobe(asked: bool) -> f32 {
+    let square = state_square(tangent);
+    let near = (SHORT_SQUARE < square) & (square < LONG_SQUARE);
+    let ends = observer.exponent.filled + 1u >= observer.exponent.batch_periods;
     var growth = 0.0;
-    if length > 0.0 && is_finite(length) {
-        tangent = state_scaled(1.0 / length, tangent);
-        growth = logarithm(length);
-    } else {
-        tangent = tangent_seed();
+    if !(near & !ends & !asked) {
+        growth = tangent_brought_back(square);
     }
     exponent_add(growth);
     return growth;
+}
+
+// Brings the tangent vector back to unit length, and returns what it had grown by, ln of a factor.
+fn tangent_brought_back(square: f32) -> f32 {
+    let length = sqrt(square);
+    if length > 0.0 && is_finite(length) {
+        tangent = state_scaled(1.0 / length, tangent);
+        return logarithm(length);
+    }
+    tangent = tangent_seed();
+    return 0.0;
 }
 
 // Adds the growth of one period (or iterate), ln of a factor.

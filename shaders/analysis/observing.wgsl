@@ -139,9 +139,8 @@ fn observer_settle(state: State, moved: bool, rare: bool) -> Observation {
 fn observer_observe(state: State, rare: bool) -> Observation {
     observer.observed = observer.observed + 1u;
     let half = observer.observe / 2u;
-    let growth = observer_measure_growth(rare);
     recurrence_at_strobe(state, RETURNED, schedule.max_period, observer.observed >= half);
-    observer.grown = select(observer.grown + growth, 0.0, observer.recurrence.since == 0u);
+    observer_measure_growth(rare);
     if observer.observed <= 2u * half {
         spread_at_strobe(trajectory.point, observer.observed > half);
     }
@@ -171,17 +170,18 @@ fn observer_is_plainly_chaotic() -> bool {
     return impacts && exponent_grows(PLAIN_GROWTH);
 }
 
-// How the tangent vector grew in the last period, as far as that is measured period by period.
-fn observer_measure_growth(rare: bool) -> f32 {
+// Measures how the tangent vector grows: by turns, or by batches of periods, since the recurrence's anchor was set and up to the end
+// of the observation.
+fn observer_measure_growth(rare: bool) {
     if observer.turn.n == 0u {
-        return exponent_at_strobe();
-    }
-    if observer.observed % observer.turn.n == 0u {
+        let anchored = observer.recurrence.since == 0u;
+        let growth = exponent_at_strobe(anchored | (observer.observed == observer.observe));
+        observer.grown = select(observer.grown + growth, 0.0, anchored);
+    } else if observer.observed % observer.turn.n == 0u {
         let turns = observer.observed / observer.turn.n;
         turn_complete(turns, rare);
         observer_carry(state_unit(turns));
     }
-    return 0.0;
 }
 
 fn observer_proof() -> u32 {

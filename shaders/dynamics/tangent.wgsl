@@ -78,7 +78,3 @@ fn tangent_struck_ahead(tangent: State, back: State, velocity: f32, kick: f32, p
 fn tangent_caught(tangent: State, contact: u32) -> State {
     return State(spared(contact, tangent.x), spared(contact, tangent.v));
 }
-
-fn tangent_length(tangent: State) -> f32 {
-    return sqrt(state_square(tangent));
-}

@@ -8,6 +8,11 @@ pub const BATCHES: u32 = 16;
 /// The share of the batches, one in so many, that is left out at the beginning while the tangent vector aligns.
 pub const ALIGNING: u32 = 4;
 
+/// The squares of lengths between which a tangent vector is left to grow or shrink within a batch.
+pub const SHORT_SQUARE: f64 = 1e-12;
+/// See [`SHORT_SQUARE`].
+pub const LONG_SQUARE: f64 = 1e12;
+
 /// Accumulates the logarithmic growth of a tangent vector, strobe by strobe.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponent<T> {
@@ -42,21 +47,31 @@ impl<T: Real> Exponent<T> {
         }
     }
 
-    /// Adds the growth since the last strobe, brings the tangent vector back to unit length and returns that growth.
+    /// Counts a period, and measures what the tangent vector has grown by where a batch ends, where that is `asked` for, and where it
+    /// is far from unit length: it is brought back to that then. Otherwise it is left to grow.
     ///
-    /// A vector that was lost altogether (sticking can do that) starts afresh.
+    /// The growth that was measured, 0 where none was. A vector that was lost altogether (sticking can do that) starts afresh.
     #[inline(always)]
-    pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>) -> T {
-        let length = tangent.length();
-        let growth = if length > T::zero() && length.is_finite() {
+    pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>, asked: bool) -> T {
+        let square = tangent.square();
+        let near = T::of(SHORT_SQUARE) < square && square < T::of(LONG_SQUARE);
+        let ends = self.filled + 1 >= self.batch_periods;
+        let growth = if near && !ends && !asked { T::zero() } else { Self::brought_back(tangent, square) };
+        self.add(growth);
+        growth
+    }
+
+    /// Brings a tangent vector back to unit length, and says what it had grown by, ln of a factor.
+    #[inline(never)]
+    fn brought_back<const N: usize>(tangent: &mut Tangent<T, N>, square: T) -> T {
+        let length = square.sqrt();
+        if length > T::zero() && length.is_finite() {
             *tangent = tangent.scaled(T::one() / length);
             length.logarithm()
         } else {
             *tangent = Tangent::seed();
             T::zero()
-        };
-        self.add(growth);
-        growth
+        }
     }
 
     /// Adds the growth of one period (or iterate), ln of a factor.
@@ -95,5 +110,52 @@ impl<T: Real> Exponent<T> {
     /// The growth of the tangent vector over everything counted, ln of a factor.
     pub fn total_growth(&self) -> T {
         self.sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is measured of a tangent vector that grows by a factor in every one of 160 periods: the exponent, and how often the vector
+    /// was brought back to unit length.
+    fn measured<T: Real>(factor: f64, asked: bool) -> (f64, u32) {
+        let (mut exponent, mut tangent) = (Exponent::<T>::over(160), Tangent::<T, 2>::seed());
+        let mut times = 0;
+        for _ in 0..160 {
+            tangent = tangent.scaled(T::of(factor));
+            exponent.at_strobe(&mut tangent, asked);
+            times += u32::from((tangent.square().widen() - 1.0).abs() < 1e-5);
+        }
+        (exponent.per_period().widen(), times)
+    }
+
+    fn grows_by_as_much<T: Real>() {
+        // By so much it leaves the bounds in two periods, and what is left to it of ten would not be a number of f32.
+        for (factor, times) in [(1e-4, 80), (0.5, 16), (3.0, 16), (1e4, 80)] {
+            for (asked, times) in [(false, times), (true, 160)] {
+                let (exponent, found) = measured::<T>(factor, asked);
+                assert!((exponent - factor.ln()).abs() < 1e-5, "{factor}: {exponent}");
+                assert_eq!(found, times, "{factor}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_vector_that_is_left_to_grow_within_a_batch_grows_by_as_much() {
+        grows_by_as_much::<f64>();
+        grows_by_as_much::<f32>();
+        let mut tangent = Tangent::<f32, 2>::seed();
+        (0..10).for_each(|_| tangent = tangent.scaled(1e4));
+        assert!(!tangent.square().is_finite(), "left to grow for all of a batch it would be lost");
+    }
+
+    #[test]
+    fn a_vector_that_is_lost_starts_afresh() {
+        for lost in [0.0, f64::INFINITY, f64::NAN] {
+            let (mut exponent, mut tangent) = (Exponent::over(160), Tangent::<f64, 2>::seed().scaled(lost));
+            assert_eq!(exponent.at_strobe(&mut tangent, false), 0.0);
+            assert_eq!(tangent, Tangent::seed());
+        }
     }
 }

@@ -34,7 +34,7 @@ pub struct Observer<T, const N: usize> {
     /// How often it may still leap to where its returns lead, or measure a turn in order to.
     pub(super) leaps: u32,
     pub(super) spread: Spread<T, N>,
-    /// Logarithmic growth of the tangent vector since the recurrence's anchor was set.
+    /// Logarithmic growth of the tangent vector from when the recurrence's anchor was set to when it was measured last.
     pub(super) grown: T,
     pub(super) stage: Stage,
     /// Forcing periods since the start.

@@ -192,9 +192,8 @@ impl<T: Real, const N: usize> Observer<T, N> {
         let point = self.trajectory.point;
         self.observed += 1;
         let half = self.observe / 2;
-        let growth = self.measure_growth(flight);
         self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period, self.observed >= half);
-        self.grown = if self.recurrence.since == 0 { T::zero() } else { self.grown + growth };
+        self.measure_growth(flight);
         if self.observed <= 2 * half {
             self.spread.at_strobe(&point.state, self.observed > half);
         }
@@ -231,18 +230,20 @@ impl<T: Real, const N: usize> Observer<T, N> {
         impacts && grows(&self.exponent, PLAIN_GROWTH)
     }
 
-    /// How the tangent vector grew in the last period, as far as that is measured period by period.
+    /// Measures how the tangent vector grows: by turns, or by batches of periods, since the recurrence's anchor was set and up to the
+    /// end of the observation.
     #[inline(always)]
-    fn measure_growth(&mut self, flight: &Flight<T, N>) -> T {
+    fn measure_growth(&mut self, flight: &Flight<T, N>) {
         if !self.turn.is_measured() {
-            return self.exponent.at_strobe(&mut self.tangent);
-        }
-        if self.observed.is_multiple_of(self.turn.n) {
+            let anchored = self.recurrence.since == 0;
+            let asked = anchored || self.observed == self.observe;
+            let growth = self.exponent.at_strobe(&mut self.tangent, asked);
+            self.grown = if anchored { T::zero() } else { self.grown + growth };
+        } else if self.observed.is_multiple_of(self.turn.n) {
             let turns = self.observed / self.turn.n;
             self.turn.complete(turns, &self.tangent);
             self.carry(flight, Turn::begins_with(turns));
         }
-        T::zero()
     }
 
     /// Periods for which the state must have kept returning when the observation ends.

@@ -35,7 +35,7 @@ impl<T: Real, const N: usize> Spread<T, N> {
         let away = point.plus(-T::one(), &self.about);
         let moments = if late { &mut self.late } else { &mut self.early };
         moments.sum = moments.sum.added(&away);
-        moments.square = moments.square + square(&away);
+        moments.square = moments.square + away.square();
     }
 
     /// Whether the two halves, of `half` points each, scatter alike.
@@ -50,16 +50,6 @@ impl<T: Real, const N: usize> Spread<T, N> {
 
 impl<T: Real, const N: usize> Moments<T, N> {
     fn variance(&self, count: T) -> T {
-        self.square / count - square(&self.sum.map(|value| value / count))
+        self.square / count - self.sum.map(|value| value / count).square()
     }
-}
-
-/// The square of a state's length.
-#[inline(always)]
-fn square<T: Real, const N: usize>(state: &State<T, N>) -> T {
-    let mut sum = T::zero();
-    for i in 0..N {
-        sum = sum + (state.x[i] * state.x[i] + state.v[i] * state.v[i]);
-    }
-    sum
 }

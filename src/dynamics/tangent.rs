@@ -200,10 +200,10 @@ impl<T: Real, const N: usize> Tangent<T, N> {
         Tangent(State { x: [each; N], v: [each; N] })
     }
 
-    /// The deviation's Euclidean length.
+    /// The square of the deviation's Euclidean length.
     #[inline(always)]
-    pub fn length(&self) -> T {
-        self.0.length()
+    pub fn square(&self) -> T {
+        self.0.square()
     }
 
     /// The deviation divided by a number.

@@ -71,14 +71,19 @@ impl<T: Real, const N: usize> State<T, N> {
         State { x: self.x.map(f), v: self.v.map(f) }
     }
 
-    /// The Euclidean length.
+    /// The square of the Euclidean length.
     #[inline(always)]
-    pub fn length(&self) -> T {
+    pub fn square(&self) -> T {
         let mut squares = T::zero();
         for i in 0..N {
             squares = squares + (self.x[i] * self.x[i] + self.v[i] * self.v[i]);
         }
-        squares.sqrt()
+        squares
+    }
+
+    /// The Euclidean length.
+    pub fn length(&self) -> T {
+        self.square().sqrt()
     }
 }
 

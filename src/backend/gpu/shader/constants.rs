@@ -117,6 +117,8 @@ pub fn source(shape: &Shape) -> String {
         ("RETURNED", analysis::RETURNED),
         ("LONGEST_LEAP", analysis::LONGEST_LEAP),
         ("LEFT_BY_LEAP", analysis::LEFT_BY_LEAP),
+        ("SHORT_SQUARE", analysis::SHORT_SQUARE),
+        ("LONG_SQUARE", analysis::LONG_SQUARE),
         ("NEUTRAL_GROWTH", analysis::NEUTRAL_GROWTH),
         ("NEUTRAL_RATE", analysis::NEUTRAL_RATE),
         ("FORGETS", analysis::FORGETS),
