@@ -1,4 +1,6 @@
-//! Where a motion is along a contact normal.
+//! Where a motion is along contact normals.
+
+use std::ops::Index;
 
 use super::point::Point;
 use crate::model::vector::{MOST, dot};
@@ -27,16 +29,6 @@ impl<L: Lanes> Along<L> {
         Along { place: dot(&normal.direction, &point.state.x), speed: dot(&normal.direction, &point.state.v) }
     }
 
-    /// The same along each normal; those from the flight's count on mean nothing.
-    #[inline(always)]
-    pub fn each<const N: usize>(point: &Point<L, N>, flight: &Flight<L, N>) -> [Self; MOST] {
-        let mut each = [Along::of(point, &flight.normals[0]); MOST];
-        for k in 1..flight.count {
-            each[k] = Along::of(point, &flight.normals[k]);
-        }
-        each
-    }
-
     /// In one lane.
     #[inline(always)]
     pub fn lane(&self, lane: usize) -> Along<L::Real> {
@@ -48,15 +40,66 @@ impl<L: Lanes> Along<L> {
     pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
         Along { place: L::select(mask, yes.place, no.place), speed: L::select(mask, yes.speed, no.speed) }
     }
+}
 
-    /// The same along so many normals; the others mean nothing.
+/// Where a motion is along each normal.
+///
+/// How many normals there are goes along with it: where the compiler knows that, what there is along each is in registers, and
+/// nothing waits for memory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Alongs<L> {
+    /// Those from the count on mean nothing.
+    each: [Along<L>; MOST],
+    /// How many normals there are.
+    pub count: usize,
+}
+
+impl<L: Lanes> Alongs<L> {
+    /// The same along so many normals.
     #[inline(always)]
-    pub fn select_each(mask: L::Mask, yes: &[Self; MOST], no: &[Self; MOST], count: usize) -> [Self; MOST] {
-        let mut each = *no;
-        for k in 0..count {
-            each[k] = Along::select(mask, &yes[k], &no[k]);
+    pub fn all(along: Along<L>, count: usize) -> Self {
+        Alongs { each: [along; MOST], count }
+    }
+
+    /// At a point, along the normals of a flight, which are so many.
+    #[inline(always)]
+    pub fn of<const N: usize>(point: &Point<L, N>, flight: &Flight<L, N>, count: usize) -> Self {
+        let mut alongs = Alongs::all(Along::of(point, &flight.normals[0]), count);
+        for k in 1..count {
+            alongs.each[k] = Along::of(point, &flight.normals[k]);
         }
-        each
+        alongs
+    }
+
+    /// Says where it is along one of them.
+    #[inline(always)]
+    pub fn set(&mut self, k: usize, along: Along<L>) {
+        self.each[k] = along;
+    }
+
+    /// In one lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> Alongs<L::Real> {
+        Alongs { each: self.each.map(|along| along.lane(lane)), count: self.count }
+    }
+
+    /// `yes` where the mask holds, `no` elsewhere; of either along as many normals.
+    #[inline(always)]
+    pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
+        let mut each = no.each;
+        for k in 0..yes.count {
+            each[k] = Along::select(mask, &yes.each[k], &no.each[k]);
+        }
+        Alongs { each, count: yes.count }
+    }
+}
+
+impl<L> Index<usize> for Alongs<L> {
+    type Output = Along<L>;
+
+    #[inline(always)]
+    fn index(&self, k: usize) -> &Along<L> {
+        &self.each[k]
     }
 }
 
@@ -66,5 +109,5 @@ pub struct Met<T> {
     /// The normal.
     pub normal: usize,
     /// Where the motion is along each normal: exactly on that one's stop.
-    pub along: [Along<T>; MOST],
+    pub along: Alongs<T>,
 }

@@ -1,6 +1,6 @@
 //! Contact found directly: the time at which a leg meets a stop, and where, with a certificate that it meets none before.
 
-use super::along::{Along, is_normal};
+use super::along::{Along, Alongs, is_normal};
 use super::chatter::{FADING, STEADY};
 use super::course::{Course, Here};
 use super::face::Face;
@@ -10,7 +10,7 @@ use super::point::Point;
 use super::quintic::Quintic;
 use super::tangent::FreeSaltation;
 use super::touching::{is_deep, turns_off};
-use crate::model::vector::{MOST, dot};
+use crate::model::vector::dot;
 use crate::model::{Flight, Lanes, Mask, Real, State};
 
 /// A contact, and the flight after it.
@@ -29,7 +29,7 @@ pub struct Crossing<L: Lanes, const N: usize> {
     /// The share of a whole step that is left.
     pub rest: L,
     /// Where the motion is along each normal just after the impact.
-    pub after: [Along<L>; MOST],
+    pub after: Alongs<L>,
     /// Where the step ends now.
     pub ahead: Point<L, N>,
     /// The impact as deviations meet it.
@@ -49,7 +49,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let face = Face::of(leg, clearances, flight);
     let Face { sign, way, .. } = face;
     let mut begun = Course::begun(leg.end, leg.to[0].speed, flight, 0);
-    for k in 1..flight.count {
+    for k in 1..leg.from.count {
         let other = Course::begun(leg.end, leg.to[k].speed, flight, k);
         begun = Course::select(is_normal(face.normal, k), &other, &begun);
     }
@@ -74,7 +74,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     }
     // The root does not ask for the other terms: it is a chain of operations that wait for each other, beside which there is room.
     let mut course = begun.completed(leg.end, flight, 0);
-    for k in 1..flight.count {
+    for k in 1..leg.from.count {
         course = Course::select(is_normal(face.normal, k), &begun.completed(leg.end, flight, k), &course);
     }
     let u = L::select(opens, turns, gap.root(u));
@@ -118,7 +118,7 @@ pub fn crossing<L: Lanes, const N: usize>(
     let certain = face.only.and(close).and(within).and(first).and(parts).and(deep).and(meets);
     let Face { normal, upper, .. } = face;
     let mut wake = flight.normals[0].wake(rest);
-    for k in 1..flight.count {
+    for k in 1..leg.from.count {
         wake = State::select(is_normal(normal, k), &flight.normals[k].wake(rest), &wake);
     }
     let after = struck(leg, &face, [rest, kick], Along { place: stop, speed: rebound }, flight);
@@ -143,13 +143,13 @@ fn struck<L: Lanes, const N: usize>(
     [rest, kick]: [L; 2],
     own: Along<L>,
     flight: &Flight<L, N>,
-) -> [Along<L>; MOST] {
+) -> Alongs<L> {
     let mut each = leg.each(rest, (face.normal, own), flight);
-    if flight.count > 1 {
-        for k in 0..flight.count {
+    if each.count > 1 {
+        for k in 0..each.count {
             let change = dot(&flight.normals[k].direction, &face.response);
             let changed = Along { speed: kick.times_plus(change, each[k].speed), ..each[k] };
-            each[k] = Along::select(is_normal(face.normal, k), &own, &changed);
+            each.set(k, Along::select(is_normal(face.normal, k), &own, &changed));
         }
     }
     each

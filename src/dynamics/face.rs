@@ -39,7 +39,7 @@ impl<L: Lanes, const N: usize> Face<L, N> {
     #[inline(always)]
     pub fn of(leg: &Leg<'_, L, N>, clearances: &Clearances<L::Mask>, flight: &Flight<L, N>) -> Self {
         let mut face = Face::along(0, leg, clearances, flight);
-        for k in 1..flight.count {
+        for k in 1..leg.from.count {
             face.or(&Face::along(k, leg, clearances, flight));
         }
         face.only = face.only.and(face.found);

@@ -1,6 +1,6 @@
 //! The rest of a step of free flight, and whether it stays off the stops.
 
-use super::along::{Along, is_normal};
+use super::along::{Along, Alongs, is_normal};
 use super::course::Course;
 use super::hull::{Hull, Span};
 use super::point::Point;
@@ -11,9 +11,9 @@ use crate::model::{ContactNormal, Flight, Lanes, Mask};
 #[derive(Clone, Copy, Debug)]
 pub struct Leg<'a, L, const N: usize> {
     /// Where the trajectory is along each normal.
-    pub from: [Along<L>; MOST],
+    pub from: Alongs<L>,
     /// Where it is at the end of the step.
-    pub to: [Along<L>; MOST],
+    pub to: Alongs<L>,
     /// The end of the step.
     pub end: &'a Point<L, N>,
     /// The time in between, at most h.
@@ -42,7 +42,7 @@ pub struct Clearance<M> {
     pub lower: M,
 }
 
-/// The same for each normal; those from the flight's count on mean nothing.
+/// The same for each normal; those from their count on mean nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Clearances<M>(pub [Clearance<M>; MOST]);
 
@@ -69,8 +69,8 @@ impl<M: Mask> Clearance<M> {
 impl<'a, L: Lanes, const N: usize> Leg<'a, L, N> {
     /// From somewhere along each normal to the end of the step, so much later.
     #[inline(always)]
-    pub fn new(from: [Along<L>; MOST], end: &'a Point<L, N>, span: Span<L>, flight: &Flight<L, N>) -> Self {
-        Leg { from, to: Along::each(end, flight), end, span }
+    pub fn new(from: Alongs<L>, end: &'a Point<L, N>, span: Span<L>, flight: &Flight<L, N>) -> Self {
+        Leg { from, to: Alongs::of(end, flight, from.count), end, span }
     }
 
     /// The leg along one normal.
@@ -88,13 +88,13 @@ impl<'a, L: Lanes, const N: usize> Leg<'a, L, N> {
     /// Where the motion is along each normal with the share u of a whole step left, `own` along the one that has a number: there it
     /// is known.
     #[inline(always)]
-    pub fn each(&self, u: L, (normal, own): (L, Along<L>), flight: &Flight<L, N>) -> [Along<L>; MOST] {
-        let mut each = [own; MOST];
-        if flight.count > 1 {
-            for k in 0..flight.count {
+    pub fn each(&self, u: L, (normal, own): (L, Along<L>), flight: &Flight<L, N>) -> Alongs<L> {
+        let mut each = Alongs::all(own, self.from.count);
+        if each.count > 1 {
+            for k in 0..each.count {
                 let course = Course::to(self.end, self.to[k].speed, flight, k);
                 let other = course.about(u, [self.share(flight), self.from[k].place]).along(flight);
-                each[k] = Along::select(is_normal(normal, k), &own, &other);
+                each.set(k, Along::select(is_normal(normal, k), &own, &other));
             }
         }
         each
@@ -110,7 +110,7 @@ impl<'a, L: Lanes, const N: usize> Leg<'a, L, N> {
     #[inline(always)]
     pub fn clearances(&self, flight: &Flight<L, N>) -> Clearances<L::Mask> {
         let mut clearances = Clearances([self.clearance(flight, 0); MOST]);
-        for k in 1..flight.count {
+        for k in 1..self.from.count {
             clearances.0[k] = self.clearance(flight, k);
         }
         clearances
@@ -120,7 +120,7 @@ impl<'a, L: Lanes, const N: usize> Leg<'a, L, N> {
     #[inline(always)]
     pub fn clears(&self, flight: &Flight<L, N>) -> L::Mask {
         let mut clear = self.clearance(flight, 0).both();
-        for k in 1..flight.count {
+        for k in 1..self.from.count {
             clear = clear.and(self.clearance(flight, k).both());
         }
         clear

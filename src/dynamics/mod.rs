@@ -31,6 +31,7 @@ mod placing;
 mod point;
 mod quintic;
 mod recording;
+mod rounds;
 mod series;
 mod sticking;
 mod stop;

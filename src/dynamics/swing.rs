@@ -1,6 +1,6 @@
 //! A swing within a step, and a stop: what the tests of contacts share.
 
-use super::along::Along;
+use super::along::{Along, Alongs};
 use super::example::single;
 use super::face::Face;
 use super::hull::Span;
@@ -26,7 +26,8 @@ impl<T: Real> Swing<T> {
     }
 
     pub fn leg(&self) -> Leg<'_, T, 1> {
-        Leg::new(Along::each(&self.from, &self.flight), &self.to, Span::of(self.flight.h), &self.flight)
+        let from = Alongs::of(&self.from, &self.flight, self.flight.count);
+        Leg::new(from, &self.to, Span::of(self.flight.h), &self.flight)
     }
 }
 

@@ -42,7 +42,7 @@ impl<L: Lanes> Tally<L> {
         let before = met.impact.velocity;
         let (zero, one) = (before.all(0.0), before.all(1.0));
         let mut mass = flight.normals[0].mass;
-        for (k, [upper, lower]) in self.impacts.iter_mut().enumerate().take(flight.count) {
+        for (k, [upper, lower]) in self.impacts.iter_mut().enumerate().take(met.after.count) {
             let own = is_normal(met.normal, k);
             let here = struck.and(own);
             *upper = *upper + L::select(here.and(met.upper), one, zero);

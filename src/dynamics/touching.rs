@@ -25,7 +25,7 @@ pub fn turns_off<L: Lanes, const N: usize>(
     let rounding = face.rounding(&leg.end.state, leg.span.time * middle.speed);
     let mut off = within.and(rounding.below(left));
     let each = leg.each(rest, (face.normal, middle), flight);
-    for k in 0..flight.count {
+    for k in 0..each.count {
         let (normal, way) = (&flight.normals[k], leg.along(flight, k));
         let before = Way { to: each[k], span: Span::of(time), ..way };
         let after = Way { from: each[k], span: Span::of(leg.span.time - time), ..way };

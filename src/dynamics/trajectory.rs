@@ -1,6 +1,6 @@
 //! One trajectory: steps of flight, impacts, chatter, sticking, until it has gone as far as was asked.
 
-use super::along::{Along, Met};
+use super::along::{Alongs, Met};
 use super::contact::{self, Reached};
 use super::crossing::crossing;
 use super::hull::Span;
@@ -189,11 +189,11 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         if self.kicks <= MOST_KICKS {
             let from = match self.met {
                 Some(met) => met.along,
-                None => Along::each(&self.point, flight),
+                None => Alongs::of(&self.point, flight, flight.count),
             };
             let leg = Leg::new(from, &self.ahead, Span::of(window), flight);
             let clearances = leg.clearances(flight);
-            if clearances.all(flight.count) {
+            if clearances.all(from.count) {
                 return self.go_ahead(flight, window);
             }
             if self.kicks < MOST_KICKS {

@@ -27,7 +27,7 @@ fn through<T: Real>() {
                     let velocity = side * slope;
                     assert!(close(crossing.impact.velocity, velocity));
                     assert!(close(crossing.rebound, -restitution * velocity));
-                    let [after, ..] = crossing.after;
+                    let after = crossing.after[0];
                     assert_eq!(after.place.widen(), side * T::of(gap).widen(), "on the stop");
                     assert_eq!(after.speed, crossing.rebound);
                     let left = crossing.rest * swing.flight.h;

@@ -1,6 +1,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::*;
+use crate::dynamics::along::Alongs;
 use crate::dynamics::crossing::{Crossing, crossing};
 use crate::dynamics::leg::{Clearance, Clearances};
 use crate::dynamics::swing::{Swing, bounded, step, stops};
@@ -184,7 +185,7 @@ fn two_masses(gaps: [[Option<f64>; 2]; 2], [place, speed]: [f64; 2]) -> Crossing
     let (sin, cos) = (0.5 * std::f64::consts::PI - 0.5 * flight.h).sin_cos();
     let from = Point::at_phase_zero(State { x: [0.5 * sin, place], v: [0.5 * cos, speed] });
     let to = from.stepped(&flight);
-    let leg = Leg::new(Along::each(&from, &flight), &to, Span::of(flight.h), &flight);
+    let leg = Leg::new(Alongs::of(&from, &flight, flight.count), &to, Span::of(flight.h), &flight);
     crossing(&leg, &leg.clearances(&flight), &flight)
 }
 
