@@ -13,14 +13,15 @@
 //! largest Lyapunov exponent is below zero); the f64 path itself is held to an independent oracle by the tests.
 //!
 //! ```text
-//! cargo run --release --example throughput -- [cpu|eight|four|one|gpu|exact|f32] [SIDE] [REPEATS] \
+//! cargo run --release --example throughput -- [cpu|sixteen|eight|one|gpu|exact|f32] [SIDE] [REPEATS] \
 //!     [--only=WORKLOAD] [--json]
 //! ```
 //!
 //! SIDE is the cells along either axis (32 by default; 1024 for a million-cell plane). `cpu` follows as many trajectories
-//! side by side as the processor has room for, `eight`, `four` and `one` that many where it has room for them. The number of
-//! threads is RAYON_NUM_THREADS, all cores by default. `exact` is the GPU with arithmetic that no driver changes, `f32` the CPU in the GPU's precision: their
-//! end states have the same bits. Preparing the cells' constants is part of the time, and is measured by itself too.
+//! side by side as the processor has room for, `sixteen`, `eight` and `one` that many where it has room for them. The number of
+//! threads is RAYON_NUM_THREADS, all cores by default. `exact` is the GPU with arithmetic that no driver changes, `f32` the
+//! CPU in the GPU's precision: their end states have the same bits. Preparing the cells' constants is part of the time, and is
+//! measured by itself too.
 //!
 //! Lanes of the processor say how much of their room was used, and how many contacts were not certain; an adapter's time is
 //! split into what the processor prepares, transfers, dispatches (with the kernel's own time, where the adapter has a clock)
@@ -171,8 +172,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// How many trajectories one core follows at once.
 fn width(path: &str) -> Result<Width, String> {
     let lanes = match path {
+        "sixteen" => 16,
         "eight" => 8,
-        "four" => 4,
         "one" => 1,
         _ => return Ok(Width::widest()),
     };
@@ -183,7 +184,7 @@ fn width(path: &str) -> Result<Width, String> {
 /// What computes, and how it is run.
 fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
     Ok(match path {
-        "cpu" | "eight" | "four" | "one" => {
+        "cpu" | "sixteen" | "eight" | "one" => {
             let width = width(path)?;
             let what = format!("{}, {}", Cpu.adapter(), width.description::<f64>());
             (
@@ -215,7 +216,7 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
         }
         other => {
             return Err(
-                format!("`{other}` is no path: choose cpu, eight, four, one, gpu, exact or f32").into()
+                format!("`{other}` is no path: choose cpu, sixteen, eight, one, gpu, exact or f32").into()
             );
         }
     })

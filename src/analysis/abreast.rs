@@ -6,10 +6,11 @@ use super::side::{Side, bits};
 use crate::dynamics::Usage;
 use crate::model::Lanes;
 
-/// Contacts are looked for when five of eight trajectories wait for one, three of four.
-const WAITING: u32 = 5;
+/// Contacts are looked for when nine of sixteen trajectories wait for one: where half of them were enough, lanes would fall into
+/// two halves that wait by turns.
+const WAITING: u32 = 9;
 /// See [`WAITING`].
-const OF_ALL: u32 = 8;
+const OF_ALL: u32 = 16;
 /// Steps that are tried on the GPU between two contacts.
 pub const CLEAR_STEPS: u32 = 4;
 /// Rounds of steps and contacts on the GPU before what is rare is looked at.

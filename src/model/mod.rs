@@ -22,6 +22,8 @@ mod logarithm;
 mod of_flow;
 #[cfg(target_arch = "x86_64")]
 mod pack;
+#[cfg(target_arch = "x86_64")]
+mod pair;
 mod parameters;
 mod quiet;
 mod real;

@@ -7,6 +7,8 @@ use pulp::x86::{V3, V4};
 
 #[cfg(target_arch = "x86_64")]
 use super::pack::Pack;
+#[cfg(target_arch = "x86_64")]
+use super::pair::Pair;
 use super::real::{Lanes, Real};
 #[cfg(target_arch = "x86_64")]
 use super::registers::Packed;
@@ -17,11 +19,11 @@ use super::registers::Packed;
 pub enum Width {
     /// One by one.
     One,
-    /// A register of AVX2, with FMA: four of f64, eight of f32. Two registers side by side are slower, as of AVX-512: there are too
-    /// few for both.
+    /// Two registers of AVX2, with FMA: eight numbers of f64, sixteen of f32. A contact is a chain of operations that wait for each
+    /// other, so that with one register the processor would wait, too.
     #[cfg(target_arch = "x86_64")]
     Avx2,
-    /// A register of AVX-512: eight of f64, sixteen of f32.
+    /// Two registers of AVX-512: sixteen numbers of f64, thirty-two of f32.
     #[cfg(target_arch = "x86_64")]
     Avx512,
 }
@@ -82,9 +84,9 @@ impl Width {
         match self {
             Width::One => 1,
             #[cfg(target_arch = "x86_64")]
-            Width::Avx2 => 32 / size_of::<T>(),
+            Width::Avx2 => 64 / size_of::<T>(),
             #[cfg(target_arch = "x86_64")]
-            Width::Avx512 => 64 / size_of::<T>(),
+            Width::Avx512 => 128 / size_of::<T>(),
         }
     }
 
@@ -107,13 +109,13 @@ impl Width {
             #[cfg(target_arch = "x86_64")]
             Width::Avx2 => {
                 if let Some(simd) = V3::try_new() {
-                    return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
+                    return simd.vectorize(Wide { computation, zero: Pair::both(Pack::<_, T>::zero(simd)) });
                 }
             }
             #[cfg(target_arch = "x86_64")]
             Width::Avx512 => {
                 if let Some(simd) = V4::try_new() {
-                    return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
+                    return simd.vectorize(Wide { computation, zero: Pair::both(Pack::<_, T>::zero(simd)) });
                 }
             }
         }
