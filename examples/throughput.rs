@@ -178,7 +178,7 @@ fn width(path: &str) -> Result<Width, String> {
         _ => return Ok(Width::widest()),
     };
     let found = Width::available().find(|width| width.lanes::<f64>() == lanes);
-    found.ok_or_else(|| format!("this processor has no registers of {lanes} lanes: choose cpu or one"))
+    found.ok_or_else(|| format!("this processor does not follow {lanes} side by side: choose cpu or one"))
 }
 
 /// What computes, and how it is run.

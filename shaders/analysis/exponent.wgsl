@@ -23,21 +23,10 @@ fn exponent_at_strobe(asked: bool) -> f32 {
     let ends = observer.exponent.filled + 1u >= observer.exponent.batch_periods;
     var growth = 0.0;
     if !(near & !ends & !asked) {
-        growth = tangent_brought_back(square);
+        growth = tangent_bring_back(square);
     }
     exponent_add(growth);
     return growth;
-}
-
-// Brings the tangent vector back to unit length, and returns what it had grown by, ln of a factor.
-fn tangent_brought_back(square: f32) -> f32 {
-    let length = sqrt(square);
-    if length > 0.0 && is_finite(length) {
-        tangent = state_scaled(1.0 / length, tangent);
-        return logarithm(length);
-    }
-    tangent = tangent_seed();
-    return 0.0;
 }
 
 // Adds the growth of one period (or iterate), ln of a factor.

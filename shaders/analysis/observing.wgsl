@@ -170,12 +170,13 @@ fn observer_is_plainly_chaotic() -> bool {
     return impacts && exponent_grows(PLAIN_GROWTH);
 }
 
-// Measures how the tangent vector grows: by turns, or by batches of periods, since the recurrence's anchor was set and up to the end
-// of the observation.
+// Measures how the tangent vector grows: turn by turn; or batch by batch, and also where the recurrence's anchor was set and where the
+// observation ends, for what it grew by in between. A mass that rests on a stop can take the vector: it is not left to grow.
 fn observer_measure_growth(rare: bool) {
     if observer.turn.n == 0u {
         let anchored = observer.recurrence.since == 0u;
-        let growth = exponent_at_strobe(anchored | (observer.observed == observer.observe));
+        let ends = observer.observed == observer.observe;
+        let growth = exponent_at_strobe(anchored | (observer.stuck == 1u) | ends);
         observer.grown = select(observer.grown + growth, 0.0, anchored);
     } else if observer.observed % observer.turn.n == 0u {
         let turns = observer.observed / observer.turn.n;

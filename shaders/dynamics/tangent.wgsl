@@ -75,6 +75,17 @@ fn tangent_struck_ahead(tangent: State, back: State, velocity: f32, kick: f32, p
     return state_plus(state_plus(tangent, factor * speed, wake), factor * there, tangent_rate(wake));
 }
 
+// Brings the tangent back to unit length, `square` being the square of its length, and returns what it had grown by, ln of a factor.
+fn tangent_bring_back(square: f32) -> f32 {
+    let length = sqrt(square);
+    if length > 0.0 && is_finite(length) {
+        tangent = state_scaled(1.0 / length, tangent);
+        return logarithm(length);
+    }
+    tangent = tangent_seed();
+    return 0.0;
+}
+
 fn tangent_caught(tangent: State, contact: u32) -> State {
     return State(spared(contact, tangent.x), spared(contact, tangent.v));
 }

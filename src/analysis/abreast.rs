@@ -7,7 +7,7 @@ use crate::dynamics::Usage;
 use crate::model::Lanes;
 
 /// Contacts are looked for when nine of sixteen trajectories wait for one: where half of them were enough, lanes would fall into
-/// two halves that wait by turns.
+/// two halves that wait by turns, in f32 on a map a quarter slower.
 const WAITING: u32 = 9;
 /// See [`WAITING`].
 const OF_ALL: u32 = 16;

@@ -13,7 +13,7 @@ pub const SHORT_SQUARE: f64 = 1e-12;
 /// See [`SHORT_SQUARE`].
 pub const LONG_SQUARE: f64 = 1e12;
 
-/// Accumulates the logarithmic growth of a tangent vector, strobe by strobe.
+/// Accumulates the logarithmic growth of a tangent vector, batch by batch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponent<T> {
     /// Forcing periods in a batch.
@@ -22,7 +22,7 @@ pub struct Exponent<T> {
     aligning: u32,
     /// Periods in the present batch.
     filled: u32,
-    /// Growth in the present batch.
+    /// Growth in the present batch, as far as it was measured.
     growth: T,
     /// Batches counted.
     pub batches: u32,
@@ -50,28 +50,16 @@ impl<T: Real> Exponent<T> {
     /// Counts a period, and measures what the tangent vector has grown by where a batch ends, where that is `asked` for, and where it
     /// is far from unit length: it is brought back to that then. Otherwise it is left to grow.
     ///
-    /// The growth that was measured, 0 where none was. A vector that was lost altogether (sticking can do that) starts afresh.
+    /// The growth that was measured, 0 where none was. A vector that was lost altogether (sticking can do that) starts afresh, and
+    /// what it had grown by since it was measured last is lost with it.
     #[inline(always)]
     pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>, asked: bool) -> T {
         let square = tangent.square();
         let near = T::of(SHORT_SQUARE) < square && square < T::of(LONG_SQUARE);
         let ends = self.filled + 1 >= self.batch_periods;
-        let growth = if near && !ends && !asked { T::zero() } else { Self::brought_back(tangent, square) };
+        let growth = if near && !ends && !asked { T::zero() } else { tangent.bring_back(square) };
         self.add(growth);
         growth
-    }
-
-    /// Brings a tangent vector back to unit length, and says what it had grown by, ln of a factor.
-    #[inline(never)]
-    fn brought_back<const N: usize>(tangent: &mut Tangent<T, N>, square: T) -> T {
-        let length = square.sqrt();
-        if length > T::zero() && length.is_finite() {
-            *tangent = tangent.scaled(T::one() / length);
-            length.logarithm()
-        } else {
-            *tangent = Tangent::seed();
-            T::zero()
-        }
     }
 
     /// Adds the growth of one period (or iterate), ln of a factor.

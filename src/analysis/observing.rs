@@ -230,13 +230,13 @@ impl<T: Real, const N: usize> Observer<T, N> {
         impacts && grows(&self.exponent, PLAIN_GROWTH)
     }
 
-    /// Measures how the tangent vector grows: by turns, or by batches of periods, since the recurrence's anchor was set and up to the
-    /// end of the observation.
+    /// Measures how the tangent vector grows: turn by turn; or batch by batch, and also where the recurrence's anchor was set and where
+    /// the observation ends, for what it grew by in between. A mass that rests on a stop can take the vector: it is not left to grow.
     #[inline(always)]
     fn measure_growth(&mut self, flight: &Flight<T, N>) {
         if !self.turn.is_measured() {
             let anchored = self.recurrence.since == 0;
-            let asked = anchored || self.observed == self.observe;
+            let asked = anchored || self.stuck || self.observed == self.observe;
             let growth = self.exponent.at_strobe(&mut self.tangent, asked);
             self.grown = if anchored { T::zero() } else { self.grown + growth };
         } else if self.observed.is_multiple_of(self.turn.n) {
@@ -249,5 +249,31 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// Periods for which the state must have kept returning when the observation ends.
     pub(super) fn proof(&self) -> u32 {
         (self.observe / PROOF_SHARE).min(SETTLING)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Setting, State, System};
+    use crate::system::Family;
+
+    #[test]
+    fn growth_is_measured_from_where_the_anchor_was_set_to_the_end() {
+        let flight = Flight::<f64, 2>::new(&System::new(Setting::defaults(Family::paper())).unwrap());
+        // Batches are of 9 periods, and a state whose return is waited for in vain is left after 7.
+        let schedule = Schedule { transient: 0, observe: 150, max_period: 7, fixed_periods: true };
+        let mut observer = Observer::new(&flight, &schedule, State::zero());
+        let factor = |period: u32| 1.0 + 0.1 * f64::from(period % 5);
+        for period in 1..=150 {
+            observer.trajectory.point.state.x[0] = f64::from(period);
+            observer.tangent = Tangent(observer.tangent.0.scaled(factor(period)));
+            observer.observe(&flight, &schedule);
+        }
+        assert_eq!((observer.stage, observer.recurrence.since), (Stage::Observed, 3));
+        let since: f64 = (148..=150).map(|period| factor(period).ln()).sum();
+        assert!((observer.grown - since).abs() < 1e-12, "{} for {since}", observer.grown);
+        let counted: f64 = (37..=144).map(|period| factor(period).ln()).sum();
+        assert!((observer.exponent.total_growth() - counted).abs() < 1e-10);
     }
 }

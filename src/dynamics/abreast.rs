@@ -14,7 +14,7 @@ use crate::model::{Flight, Lanes, Mask, Real, State};
 /// As many trajectories as there are lanes, each of them in free flight, or none in its lane.
 ///
 /// What [`Trajectory::advance`] does to one of them happens here to all that are ready for it, operation by operation, so
-/// that the bits are the same.
+/// that the bits are the same. Its rounds have a file of their own; what else there is asks for lanes by these methods.
 #[derive(Debug)]
 pub struct Abreast<L: Lanes, const N: usize> {
     pub(super) flight: Flight<L, N>,

@@ -64,6 +64,7 @@ impl<L: Lanes> Alongs<L> {
     /// At a point, along the normals of a flight, which are so many.
     #[inline(always)]
     pub fn of<const N: usize>(point: &Point<L, N>, flight: &Flight<L, N>, count: usize) -> Self {
+        debug_assert_eq!(count, flight.count);
         let mut alongs = Alongs::all(Along::of(point, &flight.normals[0]), count);
         for k in 1..count {
             alongs.each[k] = Along::of(point, &flight.normals[k]);
@@ -86,6 +87,7 @@ impl<L: Lanes> Alongs<L> {
     /// `yes` where the mask holds, `no` elsewhere; of either along as many normals.
     #[inline(always)]
     pub fn select(mask: L::Mask, yes: &Self, no: &Self) -> Self {
+        debug_assert_eq!(yes.count, no.count);
         let mut each = no.each;
         for k in 0..yes.count {
             each[k] = Along::select(mask, &yes.each[k], &no.each[k]);

@@ -206,6 +206,20 @@ impl<T: Real, const N: usize> Tangent<T, N> {
         self.0.square()
     }
 
+    /// Brings the deviation back to unit length, `square` being the square of its length, and says what it had grown by, ln of a
+    /// factor. One that was lost altogether becomes the seed, and has grown by nothing.
+    #[inline(never)]
+    pub fn bring_back(&mut self, square: T) -> T {
+        let length = square.sqrt();
+        if length > T::zero() && length.is_finite() {
+            *self = self.scaled(T::one() / length);
+            length.logarithm()
+        } else {
+            *self = Tangent::seed();
+            T::zero()
+        }
+    }
+
     /// The deviation divided by a number.
     #[inline(always)]
     pub fn scaled(&self, factor: T) -> Self {

@@ -50,8 +50,8 @@ fn the_papers_oscillator_has_the_same_bits_at_every_width() {
 /// About as many as there are lanes: some stay empty, and no more begin at once or soon.
 #[test]
 fn a_few_have_the_same_bits_at_every_width() {
-    let jobs = paper(17);
-    for count in [1, 3, 4, 5, 7, 8, 9, 15, 16, 17] {
+    let jobs = paper(33);
+    for count in [1, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 32, 33] {
         for schedule in [SETTLING, OBSERVED] {
             assert_eq!(differ(&jobs[..count], &schedule, Job::clone), 0, "{count} by {schedule:?}");
         }

@@ -31,7 +31,8 @@ pub(super) fn spread<T: AnyWidth, const N: usize>(
     let by_flow = ByFlow::of(&systems);
     let order = by_flow.order();
     let flights = Flights::<T, N>::of(by_flow);
-    let threads = rayon::current_num_threads().min(jobs.len().div_ceil(width.lanes::<T>()));
+    // A few are better followed by several threads whose lanes are half empty.
+    let threads = rayon::current_num_threads().min(jobs.len().div_ceil(width.lanes::<T>().div_ceil(2)));
     let (sender, done) = mpsc::channel();
     let (taken, flights, order, used) = (&taken, &flights, &order[..], &usage);
     rayon::scope(|scope| {

@@ -62,12 +62,35 @@ fn a_multiple_and_a_term_are_rounded_as_in_one_lane<L: Lanes>(zero: L) {
     assert!((0..L::WIDTH).all(|lane| found.lane(lane) == one), "{found:?} for {one:?}");
 }
 
+/// Of numbers that differ from lane to lane, each lane gives what one lane gives.
+fn lanes_are_computed_one_like_the_other<L: Lanes>(zero: L) {
+    let number = |lane: usize, part: usize| L::Real::of(1.5 + (7 * lane + 3 * part) as f64);
+    let filled = |part: usize| {
+        let mut all = zero;
+        (0..L::WIDTH).for_each(|lane| all.set_lane(lane, number(lane, part) - L::Real::of(9.0)));
+        all
+    };
+    let [a, b, c] = [0, 1, 2].map(filled);
+    let magnitude = a.magnitude();
+    let found = [a + b, a - b, a * b, a / b, -a, magnitude, magnitude.root(), a.times_plus(b, c)];
+    let chosen = [a.larger(zero), a.smaller(zero), L::select(a.below(zero), b, c)];
+    for lane in 0..L::WIDTH {
+        let [a, b, c] = [0, 1, 2].map(|part| number(lane, part) - L::Real::of(9.0));
+        let zero = L::Real::of(0.0);
+        let expected = [a + b, a - b, a * b, a / b, -a, a.abs(), a.abs().sqrt(), a.times_plus(b, c)];
+        assert_eq!(found.map(|lanes| lanes.lane(lane)), expected, "lane {lane} of {}", L::WIDTH);
+        let expected = [a.max(zero), a.min(zero), if a < zero { b } else { c }];
+        assert_eq!(chosen.map(|lanes| lanes.lane(lane)), expected, "lane {lane} of {}", L::WIDTH);
+    }
+}
+
 /// A check that is made in lanes.
 #[derive(Clone, Copy)]
 enum Check {
     SetOneByOne,
     Larger,
     TimesPlus,
+    OneLikeTheOther,
 }
 
 impl<T: Real> AtWidth<T> for Check {
@@ -78,6 +101,7 @@ impl<T: Real> AtWidth<T> for Check {
             Check::SetOneByOne => lanes_are_set_one_by_one(zero),
             Check::Larger => the_larger_is_what_a_comparison_chooses(zero),
             Check::TimesPlus => a_multiple_and_a_term_are_rounded_as_in_one_lane(zero),
+            Check::OneLikeTheOther => lanes_are_computed_one_like_the_other(zero),
         }
     }
 }
@@ -101,6 +125,11 @@ fn the_larger_and_the_smaller_are_the_same_at_every_width() {
 #[test]
 fn multiples_with_a_term_are_the_same_at_every_width() {
     holds_at_every_width(Check::TimesPlus);
+}
+
+#[test]
+fn operations_are_those_of_one_lane_in_every_lane() {
+    holds_at_every_width(Check::OneLikeTheOther);
 }
 
 /// A pack fills its register, and nothing lies between one and the next.
