@@ -19,10 +19,10 @@ fn exponent_over(observe: u32) -> Exponent {
 // from unit length: it is brought back to that then. Otherwise it is left to grow. The growth that was measured, 0 where none was.
 fn exponent_at_strobe(asked: bool) -> f32 {
     let square = state_square(tangent);
-    let near = (SHORT_SQUARE < square) & (square < LONG_SQUARE);
+    let far = !((SHORT_SQUARE < square) & (square < LONG_SQUARE));
     let ends = observer.exponent.filled + 1u >= observer.exponent.batch_periods;
     var growth = 0.0;
-    if !(near & !ends & !asked) {
+    if far | ends | asked {
         growth = tangent_bring_back(square);
     }
     exponent_add(growth);

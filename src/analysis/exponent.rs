@@ -55,9 +55,9 @@ impl<T: Real> Exponent<T> {
     #[inline(always)]
     pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>, asked: bool) -> T {
         let square = tangent.square();
-        let near = T::of(SHORT_SQUARE) < square && square < T::of(LONG_SQUARE);
+        let far = !(T::of(SHORT_SQUARE) < square && square < T::of(LONG_SQUARE));
         let ends = self.filled + 1 >= self.batch_periods;
-        let growth = if near && !ends && !asked { T::zero() } else { tangent.bring_back(square) };
+        let growth = if far || ends || asked { tangent.bring_back(square) } else { T::zero() };
         self.add(growth);
         growth
     }
