@@ -52,6 +52,8 @@ struct Columns<'a, const N: usize> {
 
 impl<const N: usize> AtWidth<f64> for Columns<'_, N> {
     type Output = Step<f64, N>;
+    /// There are seven of two coordinates.
+    const PAIRED: bool = false;
 
     #[inline(always)]
     fn call<L: Lanes<Real = f64>>(self, zero: L) -> Step<f64, N> {

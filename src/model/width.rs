@@ -32,6 +32,8 @@ pub enum Width {
 pub(crate) trait AtWidth<T: Real> {
     /// What it gives.
     type Output;
+    /// Whether it fills two registers side by side; else it has one, and half as many lanes.
+    const PAIRED: bool = true;
 
     /// Computes it in lanes, of which 0 is given. To be inlined always: the instructions that it is compiled for are the caller's.
     fn call<L: Lanes<Real = T>>(self, zero: L) -> Self::Output;
@@ -101,7 +103,8 @@ impl Width {
         }
     }
 
-    /// Computes something in as many lanes; in one where the processor has not so many.
+    /// Computes something in as many lanes, in half of them where it is not [`AtWidth::PAIRED`]; in one where the processor has not
+    /// so many.
     #[inline]
     pub(crate) fn compute<T: AnyWidth, C: AtWidth<T>>(self, computation: C) -> C::Output {
         match self {
@@ -109,13 +112,13 @@ impl Width {
             #[cfg(target_arch = "x86_64")]
             Width::Avx2 => {
                 if let Some(simd) = V3::try_new() {
-                    return simd.vectorize(Wide { computation, zero: Pair::both(Pack::<_, T>::zero(simd)) });
+                    return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
                 }
             }
             #[cfg(target_arch = "x86_64")]
             Width::Avx512 => {
                 if let Some(simd) = V4::try_new() {
-                    return simd.vectorize(Wide { computation, zero: Pair::both(Pack::<_, T>::zero(simd)) });
+                    return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
                 }
             }
         }
@@ -125,18 +128,23 @@ impl Width {
 
 /// A computation at a width, with the instructions that it is compiled for.
 #[cfg(target_arch = "x86_64")]
-struct Wide<C, L> {
+struct Wide<C, P> {
     computation: C,
-    zero: L,
+    /// In one register.
+    zero: P,
 }
 
 #[cfg(target_arch = "x86_64")]
-impl<C: AtWidth<L::Real>, L: Lanes> NullaryFnOnce for Wide<C, L> {
+impl<C: AtWidth<P::Real>, P: Lanes> NullaryFnOnce for Wide<C, P> {
     type Output = C::Output;
 
     #[inline(always)]
     fn call(self) -> C::Output {
-        self.computation.call(self.zero)
+        if C::PAIRED {
+            self.computation.call(Pair::both(self.zero))
+        } else {
+            self.computation.call(self.zero)
+        }
     }
 }
 
@@ -152,10 +160,11 @@ mod tests {
 
     /// How many lanes it is computed in.
     #[derive(Clone, Copy)]
-    struct Counted;
+    struct Counted<const PAIRED: bool>;
 
-    impl<T: Real> AtWidth<T> for Counted {
+    impl<T: Real, const PAIRED: bool> AtWidth<T> for Counted<PAIRED> {
         type Output = usize;
+        const PAIRED: bool = PAIRED;
 
         #[inline(always)]
         fn call<L: Lanes<Real = T>>(self, _: L) -> usize {
@@ -167,9 +176,11 @@ mod tests {
         let widths: Vec<Width> = Width::available().collect();
         let lanes: Vec<usize> = widths.iter().map(|width| width.lanes::<T>()).collect();
         println!("{}", widths.iter().map(|width| width.description::<T>()).collect::<Vec<_>>().join("; "));
-        assert_eq!(at_every_width::<T, _>(Counted), lanes);
+        assert_eq!(at_every_width::<T, _>(Counted::<true>), lanes);
+        let halves: Vec<usize> = lanes.iter().map(|lanes| lanes.div_ceil(2)).collect();
+        assert_eq!(at_every_width::<T, _>(Counted::<false>), halves);
         assert!(lanes.is_sorted_by(|a, b| a > b) && lanes.ends_with(&[1]), "{lanes:?}");
-        let widest = Width::widest().compute::<T, _>(Counted);
+        let widest = Width::widest().compute::<T, _>(Counted::<true>);
         assert_eq!((Width::widest(), widest), (widths[0], lanes[0]));
     }
 
