@@ -201,13 +201,21 @@ type Blocks<const N: usize> = [[SMatrix<f64, N, N>; 2]; 2];
 
 /// The square of a matrix.
 fn squared<const N: usize>(g: &Blocks<N>) -> Blocks<N> {
-    [0, 1].map(|i| {
-        [0, 1].map(|j| {
-            let mut block = g[i][0] * g[0][j];
-            block.gemm(1.0, &g[i][1], &g[1][j], 1.0);
-            block
-        })
-    })
+    let mut square = [[SMatrix::zeros(); 2]; 2];
+    for (rows, left) in square.iter_mut().zip(g) {
+        for (j, block) in rows.iter_mut().enumerate() {
+            for (left, right) in left.iter().zip([&g[0][j], &g[1][j]]) {
+                for column in 0..N {
+                    for row in 0..N {
+                        for k in 0..N {
+                            block[(row, column)] += left[(row, k)] * right[(k, column)];
+                        }
+                    }
+                }
+            }
+        }
+    }
+    square
 }
 
 /// The square root of the sum of the squares of all entries.

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, SMatrix};
 use super::limits;
 use super::plant_error::{Part, PlantError};
 use super::sized::sized;
-use super::stops::{self, PlantStop, Square};
+use super::stops::{self, PlantStop};
 
 /// A linear oscillator with rigid stops, in numbers; non-dimensional unless the family says otherwise.
 ///
@@ -56,8 +56,12 @@ impl Plant {
         if self.omega <= 0.0 {
             return Err(PlantError::Frequency(self.omega));
         }
-        let inverse =
-            sized!(self.n, N of 1 2 3 4: inverse_mass::<N>(&self.mass)?, else unreachable!("counted before"));
+        sized!(self.n, N of 1 2 3 4: self.check_geometry::<N>(), else unreachable!("counted before"))
+    }
+
+    /// Its mass matrix and its stops.
+    fn check_geometry<const N: usize>(&self) -> Result<(), PlantError> {
+        let inverse = inverse_mass::<N>(&self.mass)?;
         for (stop, PlantStop { restitution, .. }) in self.stops.iter().enumerate() {
             if !(0.0..=1.0).contains(restitution) {
                 return Err(PlantError::Restitution { stop, value: *restitution });
@@ -138,17 +142,15 @@ struct Array<'a> {
 
 const _: () = assert!(Plant::MOST_COORDINATES == 4, "the sizes of which `Plant::check` knows the inverse");
 
-/// M⁻¹ in its upper left corner, where M has one that can be computed with.
-fn inverse_mass<const N: usize>(mass: &DMatrix<f64>) -> Result<Square, PlantError> {
+/// M⁻¹, where M has one that can be computed with.
+fn inverse_mass<const N: usize>(mass: &DMatrix<f64>) -> Result<SMatrix<f64, N, N>, PlantError> {
     let mass = SMatrix::<f64, N, N>::from_column_slice(mass.as_slice());
     let condition = condition(&mass);
     if condition.is_nan() || condition < Plant::LEAST_CONDITION {
         return Err(PlantError::SingularMass(condition));
     }
     let inverse = mass.try_inverse().filter(|inverse| inverse.iter().all(|entry| entry.is_finite()));
-    let mut square = Square::zeros();
-    square.view_mut((0, 0), (N, N)).copy_from(&inverse.ok_or(PlantError::LightMass)?);
-    Ok(square)
+    inverse.ok_or(PlantError::LightMass)
 }
 
 /// The reciprocal condition of a square matrix in the norm of the largest row sum, once each row and then each

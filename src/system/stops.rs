@@ -47,15 +47,9 @@ const INDEPENDENT: f64 = 1e-8;
 /// dᵀM⁻¹d is positive where it is more than this share of the sum of its terms' moduli.
 const POSITIVE: f64 = 1e-12;
 
-/// A vector of a plant, after its own components 0.
-type Components = SVector<f64, { limits::MOST_COORDINATES }>;
-
-/// A matrix of a plant, in its upper left corner; else 0.
-pub(super) type Square = SMatrix<f64, { limits::MOST_COORDINATES }, { limits::MOST_COORDINATES }>;
-
 /// A stop with its direction brought to length 1.
-struct Line {
-    unit: Components,
+struct Line<const N: usize> {
+    unit: SVector<f64, N>,
     gap: f64,
 }
 
@@ -63,16 +57,17 @@ struct Line {
 ///
 /// # Errors
 /// See [`Plant::check`](super::Plant::check).
-pub(super) fn check(stops: &[PlantStop], inverse_mass: &Square) -> Result<(), PlantError> {
-    let mut lines: ArrayVec<Line, { limits::MOST_STOPS }> = ArrayVec::new();
+pub(super) fn check<const N: usize>(
+    stops: &[PlantStop],
+    inverse_mass: &SMatrix<f64, N, N>,
+) -> Result<(), PlantError> {
+    let mut lines: ArrayVec<Line<N>, { limits::MOST_STOPS }> = ArrayVec::new();
     for (stop, PlantStop { direction, gap, .. }) in stops.iter().enumerate() {
         let size = direction.amax();
         if size == 0.0 {
             return Err(PlantError::NoDirection(stop));
         }
-        let mut scaled = Components::zeros();
-        scaled.rows_mut(0, direction.len()).copy_from(direction);
-        scaled /= size;
+        let scaled = SVector::<f64, N>::from_column_slice(direction.as_slice()) / size;
         // dᵀM⁻¹d, and the sum of its terms' moduli.
         let (mut value, mut terms) = (0.0, 0.0);
         for (column, d) in inverse_mass.column_iter().zip(&scaled) {
@@ -92,12 +87,12 @@ pub(super) fn check(stops: &[PlantStop], inverse_mass: &Square) -> Result<(), Pl
 }
 
 /// 1 for two lines of the same direction, −1 for opposed ones.
-fn sense(a: &Components, b: &Components) -> Option<f64> {
+fn sense<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> Option<f64> {
     let sign = a.dot(b).signum();
     a.iter().zip(b).all(|(a, b)| (a - b * sign).abs() <= SAME).then_some(sign)
 }
 
-fn check_pairs(lines: &[Line]) -> Result<(), PlantError> {
+fn check_pairs<const N: usize>(lines: &[Line<N>]) -> Result<(), PlantError> {
     for (second, line) in lines.iter().enumerate() {
         for (first, other) in lines[..second].iter().enumerate() {
             let room = line.gap + other.gap;
@@ -115,8 +110,8 @@ fn check_pairs(lines: &[Line]) -> Result<(), PlantError> {
 }
 
 /// Directions, parallel ones counted once, must be linearly independent.
-fn check_independence(lines: &[Line]) -> Result<(), PlantError> {
-    let mut basis: ArrayVec<Components, { limits::MOST_STOPS }> = ArrayVec::new();
+fn check_independence<const N: usize>(lines: &[Line<N>]) -> Result<(), PlantError> {
+    let mut basis: ArrayVec<SVector<f64, N>, { limits::MOST_STOPS }> = ArrayVec::new();
     for (stop, line) in lines.iter().enumerate() {
         if lines[..stop].iter().any(|other| sense(&line.unit, &other.unit).is_some()) {
             continue;
