@@ -12,6 +12,8 @@ pub(super) struct Restopped {
     pub common: Arc<Common>,
     /// The gap and the restitution of every stop; after those of the last stop they say nothing.
     stops: [StopValues; Plant::MOST_STOPS],
+    /// [`Common::alike`] of them.
+    pub alike: u64,
     /// The plant itself, made when it is first asked for.
     own: OnceLock<Box<Plant>>,
 }
@@ -21,12 +23,14 @@ impl Restopped {
     pub fn new(common: Common) -> Self {
         let stops = &common.plant.stops;
         let stops = std::array::from_fn(|i| stops.get(i).map(StopValues::of).unwrap_or_default());
-        Restopped { common: Arc::new(common), stops, own: OnceLock::new() }
+        let alike = common.alike(&stops);
+        Restopped { common: Arc::new(common), stops, alike, own: OnceLock::new() }
     }
 
     /// The same plant with other gaps and restitutions.
     pub fn with_stops(&self, stops: [StopValues; Plant::MOST_STOPS]) -> Self {
-        Restopped { common: Arc::clone(&self.common), stops, own: OnceLock::new() }
+        let alike = self.common.alike(&stops);
+        Restopped { common: Arc::clone(&self.common), stops, alike, own: OnceLock::new() }
     }
 
     /// A plant with the same flow: the gaps and restitutions may be those of another cell.

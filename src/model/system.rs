@@ -55,12 +55,8 @@ impl System {
     /// The system of a setting of the same family with the same flow: its plant differs from this one's in gaps and
     /// restitutions alone. None where all of the plant has to be looked at.
     pub(super) fn restopped(&self, setting: &Setting) -> Option<Self> {
-        Some(self.with_stops(setting, setting.stop_values()?))
-    }
-
-    /// The system of a setting with those gaps and restitutions.
-    fn with_stops(&self, setting: &Setting, stops: [StopValues; Plant::MOST_STOPS]) -> Self {
-        System { plant: self.plant.with_stops(stops), own: setting.stop_parameters() }
+        let plant = self.plant.with_stops(setting.stop_values()?);
+        Some(System { plant, own: setting.stop_parameters() })
     }
 
     /// The system of a setting that has its flow in common with this one, which is that of its own setting: the same as
@@ -69,12 +65,12 @@ impl System {
         if !self.common().like.as_ref()?.has_flow_of(setting) {
             return None;
         }
-        let stops = setting.stop_values()?;
-        if self.common().alike(&stops) != self.mirrored_stops() {
+        let found = self.restopped(setting)?;
+        if found.mirrored_stops() != self.mirrored_stops() {
             return None;
         }
         self.of_flow().share();
-        Some(self.with_stops(setting, stops))
+        Some(found)
     }
 
     /// The system of another plant with the same stops, its labels in the same order.
@@ -264,7 +260,7 @@ impl System {
 
     /// [`Common::alike`] of its own stops. Systems with the same flow and the same bits have the same mirror.
     pub(super) fn mirrored_stops(&self) -> u64 {
-        self.common().alike(self.plant.stops())
+        self.plant.alike
     }
 
     /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.

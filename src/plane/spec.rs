@@ -112,7 +112,7 @@ impl<T> Plane<T> {
 
     /// What the axes vary, with its values in the cell in column `column` of row `row`.
     fn values_at(&self, column: u32, row: u32) -> [(Quantity, f64); 2] {
-        [(&self.x, column), (&self.y, row)].map(|(axis, i)| (axis.quantity, axis.value(i)))
+        [(self.x.quantity, self.x.value(column)), (self.y.quantity, self.y.value(row))]
     }
 
     /// The parameters of the cell in column `column` of row `row`.

@@ -1,5 +1,7 @@
 //! What a back end is given for one tile.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use rayon::prelude::*;
 
 use super::preparing::made;
@@ -24,9 +26,16 @@ impl<J: Send + Sync> Prepared<J> {
     /// # Errors
     /// What stands in the way of all of them.
     pub fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: &[u64], flows: &Flows) -> Result<Self> {
-        let found = made(plane, cells, flows, |preparing, cell| preparing.asked_of(cell));
+        let some_have_none = AtomicBool::new(false);
+        let found = made(plane, cells, flows, |preparing, cell| {
+            let job = preparing.asked_of(cell);
+            if !matches!(job, Ok(Some(_))) {
+                some_have_none.store(true, Ordering::Relaxed);
+            }
+            job
+        });
         // As a rule every cell has a job.
-        if found.par_iter().all(|job| matches!(job, Ok(Some(_)))) {
+        if !some_have_none.into_inner() {
             let jobs = found.into_par_iter().map(|job| job.ok().flatten().expect("it was seen to be there"));
             return Ok(Prepared {
                 jobs: jobs.collect(),

@@ -66,7 +66,7 @@ impl Block {
 
     /// The first number, if it has a value where a family's parameters have some values.
     pub fn number(&self, values: &[f64]) -> Option<f64> {
-        self.entries.first().and_then(|(_, expression)| expression.evaluate(values).ok())
+        self.entries.first().and_then(|(_, expression)| expression.value(values).ok())
     }
 
     /// Puts the numbers into their places, in the order of the file: those where a family's parameters have some values.

@@ -87,12 +87,15 @@ impl Expression {
     /// # Errors
     /// [`Fault`] names the part that divides by zero, is no real number or is too large.
     pub fn evaluate(&self, values: &[f64]) -> Result<f64, Fault> {
+        self.value(values).map_err(|error| self.fault(error.kind, error.span))
+    }
+
+    /// The same, with what is wrong not yet in words.
+    pub fn value(&self, values: &[f64]) -> Result<f64, nanoexpr::Error> {
         match self.form {
             Form::Constant(value) => Ok(value),
             Form::Parameter(id) => Ok(values[id.0]),
-            Form::Formula(program) => program
-                .evaluate(&Scope { uses: &self.uses, values })
-                .map_err(|error| self.fault(error.kind, error.span)),
+            Form::Formula(program) => program.evaluate(&Scope { uses: &self.uses, values }),
         }
     }
 

@@ -27,7 +27,8 @@ impl Family {
     /// The gaps and restitutions of values, the same to the bit as [`Family::plant`] has them; none where they are not certain
     /// to make a plant, with what others with the same [`Family::flow_bits`] have that do make one, without a look at all of it.
     pub fn stop_values(&self, values: &[f64]) -> Option<[StopValues; Plant::MOST_STOPS]> {
-        self.of_stops.iter().try_for_each(|&id| self.about(id).check(values[id.index()])).ok()?;
+        let admitted = |&id: &ParameterId| self.about(id).range.admits(values[id.index()]);
+        self.of_stops.iter().all(admitted).then_some(())?;
         let mut stops = [StopValues::default(); Plant::MOST_STOPS];
         for (own, stop) in self.stops.iter().zip(&mut stops) {
             (stop.gap, stop.restitution) = (own.gap.number(values)?, own.restitution.number(values)?);
