@@ -35,7 +35,11 @@ impl Start {
 
     /// The same of one system after the other.
     pub fn state_by(&self, system: &System, symmetric: &mut SymmetricStarts) -> StateVector {
-        let rest = || system.between_stops(StateVector::zeros(system.coordinates()));
+        let rest = || {
+            let origin = StateVector::zeros(system.coordinates());
+            let is_between = system.stops().all(|(_, stop)| stop.gap >= 0.0);
+            if is_between { origin } else { system.between_stops(origin) }
+        };
         match *self {
             Start::Rest => rest(),
             Start::Symmetric => {

@@ -36,7 +36,10 @@ impl<J: Send + Sync> Prepared<J> {
         });
         // As a rule every cell has a job.
         if !some_have_none.into_inner() {
-            let jobs = found.into_par_iter().map(|job| job.ok().flatten().expect("it was seen to be there"));
+            let jobs = found.into_par_iter().map(|job| match job {
+                Ok(Some(job)) => job,
+                _ => unreachable!("every cell was seen to have one"),
+            });
             return Ok(Prepared {
                 jobs: jobs.collect(),
                 places: (0..cells.len() as u32).collect(),

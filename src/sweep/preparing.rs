@@ -38,7 +38,11 @@ impl<'a, T> Preparing<'a, T> {
     /// # Errors
     /// As [`System::new`].
     pub fn job(&mut self, cell: u64) -> Result<Job, SystemError> {
-        let (column, row) = column_and_row(self.plane, cell);
+        self.job_at(column_and_row(self.plane, cell))
+    }
+
+    /// The same of the cell in a column of a row.
+    fn job_at(&mut self, (column, row): (u32, u32)) -> Result<Job, SystemError> {
         self.plane.put_parameters(column, row, &mut self.setting);
         let start = self.plane.start_at(column, row);
         if self.each_alone {
@@ -62,8 +66,9 @@ impl<T: Swept> Preparing<'_, T> {
     /// # Errors
     /// What cannot be used.
     pub fn asked_of(&mut self, cell: u64) -> Result<Option<T::Job>> {
-        let job = self.job(cell)?;
-        T::job(self.plane, column_and_row(self.plane, cell), job)
+        let at = column_and_row(self.plane, cell);
+        let job = self.job_at(at)?;
+        T::job(self.plane, at, job)
     }
 }
 
