@@ -7,7 +7,7 @@ use anyhow::anyhow;
 use impact_atlas::plane::fields::Extras;
 use impact_atlas::plane::{Part, Plane, Window};
 use impact_atlas::store::{Failure, Wanted, ZarrStore};
-use impact_atlas::sweep::{provenance, sweep_stored};
+use impact_atlas::sweep::{check, provenance, sweep_stored};
 use serde::Serialize;
 
 use super::drawing::CurveSource;
@@ -50,6 +50,8 @@ pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, ex
     }
     let wanted = [Kind::Picture.at(args.out.as_deref()), Kind::Table.at(args.curves_out.as_deref())];
     let [picture, table] = files::prepare(args.overwrite, wanted)?;
+    // Before there is a store.
+    check(plane)?;
     let backend = options.open()?;
     let (name, adapter) = (backend.name(), backend.adapter());
     let provenance = provenance(&*backend);

@@ -39,7 +39,7 @@ impl Axis {
     /// A checked axis.
     ///
     /// # Errors
-    /// Ends that are not finite, or on a logarithmic axis not positive; equal ends for several values, one value for two
+    /// Ends that are not finite, or too far apart for their difference to be, or on a logarithmic axis not positive; equal ends for several values, one value for two
     /// different ends, a count outside 1 to [`Axis::LARGEST`], and ends outside the physical range of a parameter.
     pub fn spaced(
         quantity: Quantity,
@@ -58,6 +58,9 @@ impl Axis {
         }
         if !(1..=Self::LARGEST).contains(&count) {
             return Err(AxisError::Count { name, count: u64::from(count) });
+        }
+        if !(last - first).is_finite() {
+            return ends("has ends that are too far apart for numbers in between: bring them closer");
         }
         if first == last && count > 1 {
             return ends("is empty: give two different ends, or a COUNT of 1");
@@ -219,6 +222,7 @@ mod tests {
             ("delta=3e-100:3e-100:5", "delta=3e-100:3e-100"),
             ("omega=NaN:2:3", "finite"),
             ("omega=1:inf:3", "finite"),
+            ("x2=-1e308:1e308:3", "too far apart"),
         ];
         for (text, part) in errors {
             let message = text.parse::<Axis>().unwrap_err().to_string();

@@ -16,7 +16,7 @@ use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
 use crate::backend::{Backend, Job, Watch, decide, in_flight};
 use crate::model::{Flows, System, SystemError};
-use crate::plane::{Plane, Reached, RegionMap, Window};
+use crate::plane::{Plane, Reached, RegionMap, Task, Window};
 
 /// One part in so many of a tile is worth a look: less would leave most of a back end idle.
 pub(super) const WORTH_A_LOOK: u64 = 4;
@@ -30,9 +30,8 @@ pub(super) const WORTH_A_LOOK: u64 = 4;
 /// A plane, a system or a method that cannot be used, a target that exists in no cell, or what the back end could not do;
 /// nothing is kept of a sweep that the watch ended.
 pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watch) -> Result<RegionMap<T>> {
-    plane.check()?;
+    check(plane)?;
     let (flows, order) = (Flows::default(), Order::by_flow(plane));
-    check_border(plane)?;
     let (cells, tile) = (plane.cells(), backend.tile().max(1) as u64);
     let mut verdicts = Vec::new();
     verdicts.try_reserve_exact(cells as usize).map_err(|_| SweepError::Memory(cells))?;
@@ -97,14 +96,19 @@ fn put<C: Clone + Send + Sync, N: Iterator<Item = usize>>(
     });
 }
 
-/// Refuses time scales that are too far apart before anything is computed: they are so on the border first.
-pub(super) fn check_border<T>(plane: &Plane<T>) -> Result<(), SystemError> {
+/// Refuses what can be seen to be wrong with a plane before anything is computed: whatever [`Plane::check`] refuses, and cells on
+/// its border that have no system. Time scales are too far apart there first, and most formulas have no value there first.
+///
+/// # Errors
+/// A plane or a system that cannot be used.
+pub fn check<T: Task>(plane: &Plane<T>) -> Result<()> {
+    plane.check()?;
     let (columns, rows) = (plane.x.count, plane.y.count);
     let horizontal = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
     let vertical = (0..rows).flat_map(|row| [(0, row), (columns - 1, row)]);
     horizontal
         .chain(vertical)
-        .try_for_each(|(column, row)| System::new(plane.parameters_at(column, row)).map(drop))
+        .try_for_each(|(column, row)| Ok(System::new(plane.parameters_at(column, row)).map(drop)?))
 }
 
 /// The jobs of some cells of a plane, window by window and row by row.

@@ -22,7 +22,7 @@ use crate::plane::{PlaneError, Provenance};
 pub use certify::{Certification, certify, certify_window};
 pub use diagram::diagram;
 pub use extents::measure_extents;
-pub use map::{sweep, sweep_windows};
+pub use map::{check, sweep, sweep_windows};
 pub use sample::{sample, spread};
 pub use stored::{Reopen, StoredError, StoredRun, sweep_stored};
 pub use swept::Swept;

@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use super::certify::certify_window;
 use super::extents::window_extents;
-use super::map::{WORTH_A_LOOK, check_border, sweep_windows};
+use super::map::{WORTH_A_LOOK, check, sweep_windows};
 use super::{Result, SweepError};
 use crate::analysis::Verdict;
 use crate::backend::{self, Backend, BackendError, Silent, Watch, in_flight};
@@ -61,8 +61,7 @@ pub fn sweep_stored(
     reopen: &Reopen,
     watch: &dyn Watch,
 ) -> Result<StoredRun, StoredError> {
-    store.plane().check().map_err(SweepError::from)?;
-    check_border(store.plane()).map_err(SweepError::from)?;
+    check(store.plane())?;
     let calls = backend.calls();
     let together = together(tiles, backend.tile() as u64 / WORTH_A_LOOK, |tile| cells_of(store, tile));
     let filling = Filling {

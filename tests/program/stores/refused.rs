@@ -64,6 +64,37 @@ fn another_plane_and_stores_of_others_are_refused() {
     refused(root, &["status", "plane.zarr"], &["format 2", "impact-atlas 0."]);
 }
 
+/// A ball over a stop at a gap that has no value at b = 0.
+const DIVIDES: &str = r#"
+name = "Divides"
+[parameters]
+b = 1
+[system]
+frequency = 1.3
+mass = [[1]]
+damping = [[0.2]]
+stiffness = [[1]]
+force_sin = [1]
+[[stop]]
+name = "A"
+direction = [1]
+gap = "0.1/b"
+restitution = 0.7
+"#;
+
+#[test]
+fn a_plane_without_systems_at_its_border_leaves_no_store() {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("own.toml"), DIVIDES).unwrap();
+    let command = |b: &str| {
+        format!(
+            "map --backend cpu --system own.toml --x b={b}:1:9 --y x1=-0.2:0:5 --transient 20 --observe 20 --data plane.zarr"
+        )
+    };
+    refused(folder.path(), &words(&command("0")), &["divides by zero", "b = 0"]);
+    done(folder.path(), &command("0.1"));
+}
+
 #[test]
 fn a_truncated_shard_and_layers_that_are_not_there_are_refused() {
     let folder = tempdir().unwrap();
