@@ -50,8 +50,10 @@ pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, ex
     }
     let wanted = [Kind::Picture.at(args.out.as_deref()), Kind::Table.at(args.curves_out.as_deref())];
     let [picture, table] = files::prepare(args.overwrite, wanted)?;
-    // Before there is a store.
-    check(plane)?;
+    // Before there is a store; one that is there was checked before it was made.
+    if !path.exists() {
+        check(plane)?;
+    }
     let backend = options.open()?;
     let (name, adapter) = (backend.name(), backend.adapter());
     let provenance = provenance(&*backend);
