@@ -151,25 +151,49 @@ fn point_motion(point: Point, contact: u32) -> Motion {
 // A bound on |(d·x)''''| along a normal (in contact: on the second derivative of what presses on it) for less than a step before
 // the point, or after it.
 fn point_bound(point: Point, normal: u32) -> f32 {
-    return bound_of(normal, point.state.x, point.state.v, bound_forcing(normal));
-}
-
-// A bound on the fourth derivative of what presses on a contact, for less than a step before the point, or after it.
-fn motion_bound(motion: Motion, normal: u32) -> f32 {
-    let forcing = bound_forcing(normal) * (flight.omega * flight.omega);
-    return bound_of(normal, motion.acceleration, motion.jerk, forcing);
+    let of_x = flight.normals[normal].bound_x;
+    let of_v = flight.normals[normal].bound_v;
+    return bound_of(of_x, of_v, point.state.x, point.state.v, bound_forcing(normal));
 }
 
 fn bound_forcing(normal: u32) -> f32 {
     return flight.normals[normal].bound_forcing;
 }
 
-fn bound_of(normal: u32, x: X, v: X, forcing: f32) -> f32 {
+// A bound on the second derivative of what presses on a contact, likewise, while those hold.
+fn point_pressed_bound(point: Point, contact: u32, normal: u32) -> f32 {
+    let at = pressed_place(contact, normal);
+    let of_x = flights[flow].pressed_x[at];
+    let of_v = flights[flow].pressed_v[at];
+    return bound_of(of_x, of_v, point.state.x, point.state.v, pressed_forcing(contact, normal));
+}
+
+// A bound on its fourth derivative, likewise: x'' flows like x, forced by −ω² times as much.
+fn motion_pressed_bound(motion: Motion, contact: u32, normal: u32) -> f32 {
+    let at = pressed_place(contact, normal);
+    let of_x = flights[flow].pressed_x[at];
+    let of_v = flights[flow].pressed_v[at];
+    let forcing = pressed_forcing(contact, normal) * (flight.omega * flight.omega);
+    return bound_of(of_x, of_v, motion.acceleration, motion.jerk, forcing);
+}
+
+fn pressed_forcing(contact: u32, normal: u32) -> f32 {
+    return flights[flow].pressed_forcing[pressed_place(contact, normal)];
+}
+
+// Where the bound stands for what presses on a contact, of those that hold: by the bits of the other ones.
+fn pressed_place(contact: u32, normal: u32) -> u32 {
+    let held = contact_held(contact);
+    let below = held & ((1u << normal) - 1u);
+    return normal * OTHERS + (below | ((held >> (normal + 1u)) << normal));
+}
+
+fn bound_of(of_x: X, of_v: X, x: X, v: X, forcing: f32) -> f32 {
     var of_places = forcing;
     var of_speeds = 0.0;
     //: each coordinate
-    of_places = flight.normals[normal].bound_x$c * abs(x$c) + of_places;
-    of_speeds = flight.normals[normal].bound_v$c * abs(v$c) + of_speeds;
+    of_places = of_x$c * abs(x$c) + of_places;
+    of_speeds = of_v$c * abs(v$c) + of_speeds;
     //: end
     return of_places + of_speeds;
 }

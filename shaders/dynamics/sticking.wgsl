@@ -13,30 +13,15 @@ fn rest(carry: bool) -> Move {
             return strike(carry, reached);
         }
     }
-    var time = clear;
-    var opens = false;
-    var opening = End(0u, 0u);
-    var opening_bound = 0.0;
-    //: each normal
-    if !opens && contact_opens_along(contact, $ku) {
-        let end = contact_end_along(contact, $ku);
-        let sign = end_sign(end);
-        let force = sign * motion.pressing[$k];
-        let slope = sign * motion.pressing_rate[$k];
-        let bound = point_bound(trajectory.point, $ku);
-        // What would open just before the step's end opens in the next one.
-        if window > least && rest_opens(end, force, slope) {
-            opens = true;
-            opening = end;
-            opening_bound = bound;
+    // What would open just before the step's end opens in the next one.
+    if window > least {
+        let opening = rest_opening(motion);
+        if opening.opens {
+            return release(carry, opening.end);
         }
-        time = min(time, max(contact_pressed_time(force, slope, bound, window), least));
     }
-    //: end
-    if opens {
-        return release(carry, opening, opening_bound);
-    }
-    let held = held_flight(motion, time, clear, least);
+    let sure = surely_held(motion, clear, least);
+    let held = held_flight(motion, sure, clear, least);
     glide_to(carry, held.point, held.time);
     if held.time >= window {
         return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
@@ -44,10 +29,38 @@ fn rest(carry: bool) -> Move {
     return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE);
 }
 
-// Whether a contact opens now, `slope` being the derivative of the `force` that presses on it.
-fn rest_opens(end: End, force: f32, slope: f32) -> bool {
-    let lost = unresolved(end, trajectory.point.state);
-    return (force <= lost && slope < 0.0) || force < -lost;
+// A contact that opens now, if any does.
+struct Opening {
+    opens: bool,
+    end: End,
+}
+
+// The first of them.
+fn rest_opening(motion: Motion) -> Opening {
+    let contact = trajectory.contact;
+    var opening = Opening(false, End(0u, 0u));
+    //: each normal
+    if !opening.opens && contact_opens_along(contact, $ku) {
+        let end = contact_end_along(contact, $ku);
+        opening = Opening(pressing_on(trajectory.point, motion, contact, end).opens, end);
+    }
+    //: end
+    return opening;
+}
+
+// For how long, and no longer than `time`, the present contacts surely hold, reckoned from here alone; `least` where they do for
+// less.
+fn surely_held(motion: Motion, time: f32, least: f32) -> f32 {
+    let contact = trajectory.contact;
+    var sure = time;
+    //: each normal
+    if contact_opens_along(contact, $ku) {
+        let pressing = pressing_on(trajectory.point, motion, contact, contact_end_along(contact, $ku));
+        let bound = point_pressed_bound(trajectory.point, contact, $ku);
+        sure = min(sure, max(pressing_lasts(pressing, bound, time), least));
+    }
+    //: end
+    return sure;
 }
 
 // A whole step under contacts along one normal, where no other stop is met in it and the contacts surely last: what `held_flight`
@@ -69,11 +82,9 @@ fn rest_step(carry: bool) -> bool {
     //: each normal
     if contact_opens_along(contact, $ku) {
         let end = contact_end_along(contact, $ku);
-        let sign = end_sign(end);
-        let forces = vec2(sign * motion.pressing[$k], sign * then.pressing[$k]);
-        let slopes = vec2(sign * motion.pressing_rate[$k], sign * then.pressing_rate[$k]);
-        let pressed = Pressed(forces, slopes, motion_bound(motion, $ku), flight.h);
-        lasts = lasts && !rest_opens(end, forces.x, slopes.x) && pressed_lasts(pressed, late);
+        let pressing = pressing_on(trajectory.point, motion, contact, end);
+        let pressed = pressed_over(flight.h, pressing, then, motion_pressed_bound(motion, contact, $ku), end);
+        lasts = lasts && !pressing.opens && pressed_lasts(pressed, late);
     }
     //: end
     if lasts {
@@ -96,12 +107,14 @@ struct HeldFlight {
 // else is met. They may hold about `late` longer than they should.
 fn held_flight(motion: Motion, sure: f32, clear: f32, late: f32) -> HeldFlight {
     let contact = trajectory.contact;
-    var reach = clear;
+    // The longest flight that is known to last, and the shortest that is not.
+    var lasting = sure;
     var failed = FAR;
+    var reach = clear;
     var there = trajectory.point;
     for (var tries = 1u; tries <= HELD_FLIGHTS + 1u; tries++) {
         there = glided(reach);
-        if reach <= sure || tries > HELD_FLIGHTS {
+        if reach <= lasting || tries > HELD_FLIGHTS {
             break;
         }
         let then = point_motion(there, contact);
@@ -109,10 +122,10 @@ fn held_flight(motion: Motion, sure: f32, clear: f32, late: f32) -> HeldFlight {
         var lasts = true;
         //: each normal
         if contact_opens_along(contact, $ku) {
-            let sign = end_sign(contact_end_along(contact, $ku));
-            let forces = vec2(sign * motion.pressing[$k], sign * then.pressing[$k]);
-            let slopes = vec2(sign * motion.pressing_rate[$k], sign * then.pressing_rate[$k]);
-            let tried = pressed_next(Pressed(forces, slopes, motion_bound(motion, $ku), reach), sure, late);
+            let end = contact_end_along(contact, $ku);
+            let pressing = pressing_on(trajectory.point, motion, contact, end);
+            let pressed = pressed_over(reach, pressing, then, motion_pressed_bound(motion, contact, $ku), end);
+            let tried = pressed_next(pressed, lasting, late);
             next = min(next, tried.next);
             lasts = lasts && tried.lasts;
         }
@@ -121,13 +134,15 @@ fn held_flight(motion: Motion, sure: f32, clear: f32, late: f32) -> HeldFlight {
         if lasts && (last || next <= reach + late || next >= failed) {
             break;
         }
+        lasting = select(lasting, reach, lasts);
         failed = select(reach, failed, lasts);
-        reach = select(next, sure, last);
+        reach = select(next, lasting, last);
     }
     return HeldFlight(reach, there);
 }
 
-fn release(carry: bool, end: End, bound: f32) -> Move {
+fn release(carry: bool, end: End) -> Move {
+    let bound = point_bound(trajectory.point, end.normal);
     let half_window = 0.5 * (flight.h - trajectory.offset);
     let least = flight.h * SQRT_EPSILON;
     let contact = contact_without(trajectory.contact, end.normal);
@@ -136,7 +151,9 @@ fn release(carry: bool, end: End, bound: f32) -> Move {
     let slope = end_sign(end) * along(flight.normals[end.normal].direction, motion.jerk);
     let drawn = max(select(least, -slope / (bound + bound), slope < 0.0), least);
     let ignored = contact_with(contact_with_opposite_ends(contact), end);
-    let pulled = min(drawn, contact_safe_time(trajectory.point, motion, ignored, half_window));
+    let clear = min(drawn, contact_safe_time(trajectory.point, motion, ignored, half_window));
+    // What presses on the other contacts may vanish soon without this one.
+    let pulled = surely_held(motion, clear, least);
     glide(carry, pulled);
     trajectory_look_ahead(carry);
     return Move(EVENT_RELEASED, flight.normals[end.normal].stop[end.side], 0.0, 0.0, CONTACT_FREE);

@@ -1,7 +1,8 @@
 //! How long a mass surely stays on its stop: what presses on the contact, looked at from both ends of a flight under it.
 
-use super::hull::{Hull, Span};
+use super::hull::{Hull, SWELLING, Span};
 use super::point::Motion;
+use super::pressing::Pressing;
 use super::quintic::Quintic;
 use super::stop::End;
 use crate::model::{FAR, Real};
@@ -9,6 +10,9 @@ use crate::model::{FAR, Real};
 /// Flights that are tried in one move under contacts, before the one for which they surely hold as reckoned from its beginning
 /// alone: as long as nothing else is met, to where a contact seems to open, and there again from nearer.
 pub const HELD_FLIGHTS: u32 = 4;
+
+/// How much of a force what is not known of it may take, for the force to be seen to last.
+pub const SEEN: f64 = 0.875;
 
 /// What presses on a contact at the beginning and at the end of a flight under it, as an acceleration towards the stop.
 #[derive(Clone, Copy, Debug)]
@@ -24,11 +28,18 @@ pub struct Pressed<T> {
 }
 
 impl<T: Real> Pressed<T> {
-    /// On the stop at an end, between two motions that far apart.
+    /// On the stop at an end, between what presses on it now and a motion a time later; by the slack more than it does.
     #[inline(always)]
-    pub fn over<const N: usize>(time: T, from: &Motion<T, N>, to: &Motion<T, N>, bound: T, end: End) -> Self {
-        let (from, to) = (from.pressure(end), to.pressure(end));
-        Pressed { forces: [from[0], to[0]], slopes: [from[1], to[1]], bound, time }
+    pub fn over<const N: usize>(
+        time: T,
+        pressing: &Pressing<T>,
+        then: &Motion<T, N>,
+        bound: T,
+        end: End,
+    ) -> Self {
+        let Pressing { force, slope, slack, .. } = *pressing;
+        let [force_then, slope_then] = then.pressure(end);
+        Pressed { forces: [force + slack, force_then + slack], slopes: [slope, slope_then], bound, time }
     }
 
     /// Whether it surely presses all the time, but for about the last `late` of it, as it does at the beginning: its [`Hull`]
@@ -53,6 +64,17 @@ impl<T: Real> Pressed<T> {
         Quintic::cubic(forces, slopes, time).root(start) * time
     }
 
+    /// About for how long it would be seen to press if it went on as between both ends of this time: until what its bound says of the
+    /// way is as much as there is. 0 where it does not press between them.
+    #[inline(always)]
+    fn seen(&self) -> T {
+        let Pressed { forces, slopes, bound, time } = *self;
+        let lowest = Hull::of(forces, slopes, T::zero(), &Span::of(time)).lowest();
+        let lowest = if forces[0] < lowest { forces[0] } else { lowest };
+        let square = lowest * T::of(SEEN / SWELLING) / bound;
+        if square > T::zero() { square.sqrt().sqrt() } else { T::zero() }
+    }
+
     /// How long a flight is to be tried next, and whether this one may be made: `sure` is for how long the contact holds as
     /// reckoned from the beginning alone, `late` about how long it may hold after nothing presses.
     #[inline(always)]
@@ -62,8 +84,12 @@ impl<T: Real> Pressed<T> {
         if self.lasts(late) {
             return (if vanishes > self.time { vanishes } else { self.time }, true);
         }
+        if vanishes > sure && vanishes < self.time {
+            return (vanishes, false);
+        }
         // What bounds the force may be too far from it to see that it lasts.
-        let next = if vanishes < self.time { vanishes } else { sure + sure };
+        let seen = self.seen();
+        let next = if seen > sure { seen } else { (sure * self.time).sqrt() };
         (if next > sure && next < self.time { next } else { sure }, false)
     }
 }

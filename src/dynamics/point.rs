@@ -5,8 +5,8 @@ use pulp::NullaryFnOnce;
 use super::held::{held, spared};
 use super::series::{Flown, INVERSE_FACTORIALS, Series};
 use super::stop::{Contact, End};
-use crate::model::vector::{MOST, absolute_onto, applied_onto, axpy, dot, scaled};
-use crate::model::{ContactNormal, Flight, Lanes, Real, State, Step};
+use crate::model::vector::{MOST, applied_onto, axpy, dot, scaled};
+use crate::model::{Bound, Flight, Lanes, Real, State, Step, others};
 
 /// State and forcing phasor at one instant; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,15 +101,9 @@ impl<L: Lanes, const N: usize> Point<L, N> {
     /// than a step before the point, or after it.
     #[inline(always)]
     pub fn bound(&self, flight: &Flight<L, N>, normal: usize) -> L {
-        let along = &flight.normals[normal];
-        bound_of(along, &self.state.x, &self.state.v, along.bound_forcing)
+        let bound = &flight.normals[normal].bound;
+        bound.of(&self.state.x, &self.state.v, bound.forcing)
     }
-}
-
-/// See [`Point::bound`]; `forcing` is the bound's part that comes from outside.
-#[inline(always)]
-fn bound_of<L: Lanes, const N: usize>(along: &ContactNormal<L, N>, x: &[L; N], v: &[L; N], forcing: L) -> L {
-    absolute_onto(&along.bound_x, x, forcing) + absolute_onto(&along.bound_v, v, forcing.all(0.0))
 }
 
 impl<T: Real, const N: usize> Motion<T, N> {
@@ -120,14 +114,19 @@ impl<T: Real, const N: usize> Motion<T, N> {
         [sign * self.pressing[end.normal], sign * self.pressing_rate[end.normal]]
     }
 
-    /// A bound on the fourth derivative of what presses on a contact, for less than a step before or after: x'' flows like x, forced
-    /// by −ω² times as much.
+    /// A bound on the fourth derivative of what presses on a contact, for less than a step before or after, while those hold: x''
+    /// flows like x, forced by −ω² times as much.
     #[inline(always)]
-    pub fn bound(&self, flight: &Flight<T, N>, normal: usize) -> T {
-        let along = &flight.normals[normal];
-        let forcing = along.bound_forcing * (flight.omega * flight.omega);
-        bound_of(along, &self.acceleration, &self.jerk, forcing)
+    pub fn pressed_bound(&self, flight: &Flight<T, N>, contact: Contact, normal: usize) -> T {
+        let bound = pressed(flight, contact, normal);
+        bound.of(&self.acceleration, &self.jerk, bound.forcing * (flight.omega * flight.omega))
     }
+}
+
+/// What bounds the second derivative of what presses on a contact, of those that hold.
+#[inline(always)]
+fn pressed<T, const N: usize>(flight: &Flight<T, N>, contact: Contact, normal: usize) -> &Bound<T, N> {
+    &flight.normals[normal].pressed[others(contact.held(), normal)]
 }
 
 impl<T: Real, const N: usize> Point<T, N> {
@@ -179,6 +178,13 @@ impl<T: Real, const N: usize> Point<T, N> {
         let (acceleration, pressing) = held(flight, contact, self.accelerations(flight));
         let (jerk, pressing_rate) = held(flight, contact, self.jerks(flight, &acceleration));
         Motion { acceleration, jerk, pressing, pressing_rate }
+    }
+
+    /// A bound on the second derivative of what presses on a contact, likewise, while those hold.
+    #[inline(always)]
+    pub fn pressed_bound(&self, flight: &Flight<T, N>, contact: Contact, normal: usize) -> T {
+        let bound = pressed(flight, contact, normal);
+        bound.of(&self.state.x, &self.state.v, bound.forcing)
     }
 
     /// How a motion from here goes on along a normal.

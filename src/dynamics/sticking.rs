@@ -3,6 +3,7 @@
 use super::contact;
 use super::holding::{HELD_FLIGHTS, Pressed};
 use super::point::{Motion, Point};
+use super::pressing::Pressing;
 use super::stop::{End, Stop};
 use super::tangent::Tangent;
 use super::trajectory::{Event, Move, Trajectory};
@@ -30,20 +31,14 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.glide_to(flight, tangents, point, flight.h);
             return Move { time: flight.h, contact, event: self.end_step(flight) };
         }
-        let mut time = clear;
-        for k in 0..flight.count {
-            let Some(end) = contact.opening_along(k) else { continue };
-            let [force, slope] = motion.pressure(end);
-            let bound = self.point.bound(flight, k);
-            // What would open just before the step's end opens in the next one.
-            if window > least && self.opens(flight, &motion, end) {
-                return self.release(flight, tangents, end, bound);
-            }
-            let pressed = contact::pressed_time(force, slope, bound, window);
-            let pressed = if pressed > least { pressed } else { least };
-            time = if pressed < time { pressed } else { time };
+        // What would open just before the step's end opens in the next one.
+        if window > least
+            && let Some(end) = self.opening(flight, &motion)
+        {
+            return self.release(flight, tangents, end);
         }
-        let (time, point) = self.held_flight(flight, &motion, [time, clear], least);
+        let sure = self.surely_held(flight, &motion, clear, least);
+        let (time, point) = self.held_flight(flight, &motion, [sure, clear], least);
         self.glide_to(flight, tangents, point, time);
         let event = if time >= window { self.end_step(flight) } else { Event::Flight };
         Move { time, contact, event }
@@ -58,18 +53,36 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let mut lasts = true;
         for k in 0..flight.count {
             let Some(end) = self.contact.opening_along(k) else { continue };
-            let pressed = Pressed::over(flight.h, motion, &then, motion.bound(flight, k), end);
-            lasts &= !self.opens(flight, motion, end) & pressed.lasts(late);
+            let pressing = Pressing::on(flight, &self.point, motion, self.contact, end);
+            let bound = motion.pressed_bound(flight, self.contact, k);
+            let pressed = Pressed::over(flight.h, &pressing, &then, bound, end);
+            lasts &= !pressing.opens & pressed.lasts(late);
         }
         lasts.then_some(there)
     }
 
-    /// Whether a contact opens now.
+    /// The first contact that opens now.
     #[inline(always)]
-    fn opens(&self, flight: &Flight<T, N>, motion: &Motion<T, N>, end: End) -> bool {
-        let [force, slope] = motion.pressure(end);
-        let unresolved = contact::unresolved(&flight.normals[end.normal], end.side, &self.point.state);
-        (force <= unresolved && slope < T::zero()) || force < -unresolved
+    fn opening(&self, flight: &Flight<T, N>, motion: &Motion<T, N>) -> Option<End> {
+        (0..flight.count)
+            .filter_map(|k| self.contact.opening_along(k))
+            .find(|&end| Pressing::on(flight, &self.point, motion, self.contact, end).opens)
+    }
+
+    /// For how long, and no longer than `time`, the present contacts surely hold, reckoned from here alone; `least` where they do
+    /// for less.
+    #[inline(always)]
+    fn surely_held(&self, flight: &Flight<T, N>, motion: &Motion<T, N>, time: T, least: T) -> T {
+        let mut sure = time;
+        for k in 0..flight.count {
+            let Some(end) = self.contact.opening_along(k) else { continue };
+            let pressing = Pressing::on(flight, &self.point, motion, self.contact, end);
+            let bound = self.point.pressed_bound(flight, self.contact, k);
+            let pressed = pressing.lasts(bound, time);
+            let pressed = if pressed > least { pressed } else { least };
+            sure = if pressed < sure { pressed } else { sure };
+        }
+        sure
     }
 
     /// A flight under the present contacts, as long as is found: `sure` ≤ `clear` is for how long they surely hold, reckoned from
@@ -82,7 +95,9 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         [sure, clear]: [T; 2],
         late: T,
     ) -> (T, Point<T, N>) {
-        let (mut reach, mut failed, mut tries) = (clear, T::of(FAR), 0);
+        // The longest flight that is known to last, and the shortest that is not.
+        let (mut sure, mut failed) = (sure, T::of(FAR));
+        let (mut reach, mut tries) = (clear, 0);
         loop {
             let there = self.glided(flight, reach);
             tries += 1;
@@ -93,7 +108,9 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             let (mut next, mut lasts) = (clear, true);
             for k in 0..flight.count {
                 let Some(end) = self.contact.opening_along(k) else { continue };
-                let pressed = Pressed::over(reach, motion, &then, motion.bound(flight, k), end);
+                let pressing = Pressing::on(flight, &self.point, motion, self.contact, end);
+                let bound = motion.pressed_bound(flight, self.contact, k);
+                let pressed = Pressed::over(reach, &pressing, &then, bound, end);
                 let (own, holds) = pressed.next(sure, late);
                 next = if own < next { own } else { next };
                 lasts &= holds;
@@ -102,20 +119,15 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             if lasts && (last || next <= reach + late || next >= failed) {
                 return (reach, there);
             }
-            failed = if lasts { failed } else { reach };
+            (sure, failed) = if lasts { (reach, failed) } else { (sure, reach) };
             reach = if last { sure } else { next };
         }
     }
 
     /// A contact opens, from rest and without acceleration; the jerk alone pulls the masses off.
     #[inline(always)]
-    fn release(
-        &mut self,
-        flight: &Flight<T, N>,
-        tangents: &mut [Tangent<T, N>],
-        end: End,
-        bound: T,
-    ) -> Move<T> {
+    fn release(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>], end: End) -> Move<T> {
+        let bound = self.point.bound(flight, end.normal);
         let half_window = T::of(0.5) * (flight.h - self.offset);
         let least = flight.h * T::epsilon().sqrt();
         let before = self.contact;
@@ -127,6 +139,8 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let ignored = self.contact.with_opposite_ends().with(end);
         let clear = contact::safe_time(flight, &self.point, &motion, ignored, half_window);
         let pulled = if pulled < clear { pulled } else { clear };
+        // What presses on the other contacts may vanish soon without this one.
+        let pulled = self.surely_held(flight, &motion, pulled, least);
         let contact = self.contact;
         self.glide(flight, tangents, pulled);
         self.look_ahead(flight, tangents);

@@ -45,9 +45,9 @@ impl<L: Lanes, const N: usize> ContactNormal<L, N> {
         set_vector(&mut self.response, lane, &from.response);
         self.mass.set_lane(lane, from.mass);
         self.set_stops(lane, from);
-        set_vector(&mut self.bound_x, lane, &from.bound_x);
-        set_vector(&mut self.bound_v, lane, &from.bound_v);
-        self.bound_forcing.set_lane(lane, from.bound_forcing);
+        set_vector(&mut self.bound.x, lane, &from.bound.x);
+        set_vector(&mut self.bound.v, lane, &from.bound.v);
+        self.bound.forcing.set_lane(lane, from.bound.forcing);
         self.coupling.set_lane(lane, from.coupling);
         self.drag.set_lane(lane, from.drag);
         for (term, from) in self.kick.iter_mut().zip(&from.kick) {

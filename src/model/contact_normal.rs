@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::back::{self, BACK_TERMS, back};
+use super::bound::{Bound, OTHERS, others};
 use super::equations::{Equations, Normal};
 use super::forced::{ForcedResponse, Trap};
 use super::kick::{self, KICK_TERMS, kick, polynomial};
@@ -26,13 +27,10 @@ pub struct ContactNormal<T, const N: usize> {
     pub restitution: [T; 2],
     /// Which of the plant's stops are at the ends.
     pub stop: [u8; 2],
-    /// |(d·x)''''| ≤ bound_x·|x| + bound_v·|v| + bound_forcing within one step from a state, and to one, in free flight and
-    /// in any contact; the same bounds the second derivative of what presses on this contact.
-    pub bound_x: [T; N],
-    /// See `bound_x`.
-    pub bound_v: [T; N],
-    /// See `bound_x`.
-    pub bound_forcing: T,
+    /// That of (d·x)'''' in free flight and in any contact, and of the second derivative of what presses on this contact.
+    pub bound: Bound<T, N>,
+    /// That of the second derivative of what presses on this contact, by what else holds; see [`others`].
+    pub pressed: [Bound<T, N>; OTHERS],
     /// A step while masses rest on a stop along this normal, and on no other.
     pub held: Step<T, N>,
     /// What a change of d·v by 1 has become a time s later: Σ kickₖ (s/h)ᵏ, 0 ≤ s ≤ h, up to [`Real::KICK_ORDER`].
@@ -66,9 +64,8 @@ impl<T: Copy, const N: usize> ContactNormal<T, N> {
             gap: [zero; 2],
             restitution: [zero; 2],
             stop: [0; 2],
-            bound_x: vector,
-            bound_v: vector,
-            bound_forcing: zero,
+            bound: Bound::all(zero),
+            pressed: [Bound::all(zero); OTHERS],
             held: Step::blank(zero),
             kick: [State { x: vector, v: vector }; KICK_TERMS],
             back: [Row::all(zero); BACK_TERMS],
@@ -111,9 +108,8 @@ impl<const N: usize> ContactNormal<f64, N> {
             gap: self.gap.map(T::of),
             restitution: self.restitution.map(T::of),
             stop: self.stop,
-            bound_x: self.bound_x.map(T::of),
-            bound_v: self.bound_v.map(T::of),
-            bound_forcing: T::of(self.bound_forcing),
+            bound: self.bound.round(),
+            pressed: self.pressed.map(|bound| bound.round()),
             held: self.held.round(),
             kick: kick::rounded(&self.kick),
             back: back::rounded(&self.back),
@@ -133,7 +129,7 @@ pub(super) fn contact_normal<const N: usize>(
     response: Option<&ForcedResponse<N>>,
     trap: Option<&Trap<N>>,
 ) -> ContactNormal<f64, N> {
-    let bound = bound(equations, k, h);
+    let (bound, pressed) = bounds(equations, k, h);
     let damped = equations.damping * normal.response;
     let rest = |v: SVector<f64, N>| v - normal.response * normal.direction.dot(&v);
     // What ∫ gap dt does: damper and spring act on the masses that the contact leaves free.
@@ -147,9 +143,8 @@ pub(super) fn contact_normal<const N: usize>(
         gap: [0, 1].map(|side| end(side).map_or(FAR, |end| end.gap)),
         restitution: [0, 1].map(|side| end(side).map_or(0.0, |end| end.restitution)),
         stop: [0, 1].map(|side| end(side).map_or(NO_STOP, |end| end.stop as u8)),
-        bound_x: bound.state.x,
-        bound_v: bound.state.v,
-        bound_forcing: libm::hypot(bound.sin, bound.cos) + bound.one,
+        bound,
+        pressed,
         held: Step::of(&equations.held_along(k), h),
         kick: kick(equations, h, normal.response),
         back: back(equations, h, normal.direction),
@@ -161,13 +156,19 @@ pub(super) fn contact_normal<const N: usize>(
     }
 }
 
-/// See [`ContactNormal::bound_x`]: the larger of what free flight and every set of contacts need.
-pub(super) fn bound<const N: usize>(equations: &Equations<N>, k: usize, h: f64) -> Row<f64, N> {
-    let mut largest: Option<Row<f64, N>> = None;
+/// [`ContactNormal::bound`], the larger of what free flight and every set of contacts need, and [`ContactNormal::pressed`].
+fn bounds<const N: usize>(
+    equations: &Equations<N>,
+    k: usize,
+    h: f64,
+) -> (Bound<f64, N>, [Bound<f64, N>; OTHERS]) {
+    let mut largest = Row::all(0.0);
+    let mut pressed = [None; OTHERS];
     for held in 0..1u32 << equations.count {
         let Some(pressing) = equations.pressing(held) else { continue };
         let projector = equations.projector(&pressing);
-        let row = if held >> k & 1 == 1 {
+        let holds = held >> k & 1 == 1;
+        let row = if holds {
             // What presses on this contact.
             (0..equations.count)
                 .fold(SVector::zeros(), |row, t| row + equations.normals[t].direction * pressing[(k, t)])
@@ -176,7 +177,12 @@ pub(super) fn bound<const N: usize>(equations: &Equations<N>, k: usize, h: f64) 
         };
         let acceleration = Row::of_acceleration(equations, &row);
         let bound = acceleration.second_derivative_bound(equations, &projector, h);
-        largest = Some(largest.map_or(bound, |largest| largest.sup(&bound)));
+        largest = largest.sup(&bound);
+        if holds {
+            pressed[others(held, k)] = Some(Bound::by(&bound));
+        }
     }
-    largest.expect("free flight has a bound")
+    let largest = Bound::by(&largest);
+    // Normals that depend on each other hold no masses together.
+    (largest, pressed.map(|bound| bound.unwrap_or(largest)))
 }

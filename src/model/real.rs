@@ -31,6 +31,9 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const TOUCH: f64;
     /// Contact less than this far ahead, in units of the fastest motion's time scale, is reached in one straight line.
     const IMMINENT: f64;
+    /// A pull this many times as large as what is lost in rounding of it, grown from nothing as fast as it can, has done no more to a
+    /// speed than is lost, too: about ε^(−⅓)/4.
+    const UNHEEDED: f64;
     /// The largest effect on the second mass that closing a chatter sequence may neglect; non-dimensional.
     const CHATTER: f64;
     /// The largest distance between strobe states that counts as a return of a motion that may yet come closer.
@@ -171,6 +174,7 @@ impl Real for f64 {
     const STRAIGHT: f64 = 2e-4;
     const ASKS_AGAIN: bool = true;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
+    const UNHEEDED: f64 = 32_768.0;
     const IMMINENT: f64 = 1e-8;
     const CHATTER: f64 = 1e-12;
     const RETURNING: f64 = 1e-5;
@@ -211,6 +215,7 @@ impl Real for f32 {
     const STRAIGHT: f64 = 2e-2;
     const ASKS_AGAIN: bool = false;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
+    const UNHEEDED: f64 = 32.0;
     const IMMINENT: f64 = 1e-4;
     const CHATTER: f64 = 1e-8;
     const RETURNING: f64 = 1e-4;

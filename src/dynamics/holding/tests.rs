@@ -92,16 +92,24 @@ fn a_flight_may_end_a_little_after_the_force_vanished() {
 
 #[test]
 fn the_next_flight_is_longer_than_what_is_sure_and_ends_within_the_last() {
-    // Nobody knows where it vanishes, or whether it presses before the end: twice what is sure is tried, if there is so much.
+    // Nobody knows where it vanishes, or whether it presses before the end: it may be anywhere in between.
     let away = Pressed { forces: [1.0, -1.0], slopes: [f64::NAN, -1.0], bound: 1.0, time: 1.0 };
-    assert_eq!([0.25, 0.75].map(|sure| away.next(sure, 0.0)), [(0.5, false), (0.75, false)]);
-    let dips = Pressed { forces: [1.0, 1.0], slopes: [-1.0, 1.0], bound: 200.0, time: 1.0 };
-    assert_eq!([0.25, 0.75].map(|sure| dips.next(sure, 0.0)), [(0.5, false), (0.75, false)]);
+    assert_eq!([0.0625, 0.25].map(|sure| away.next(sure, 0.0)), [(0.25, false), (0.5, false)]);
+    let dips = Pressed { forces: [1.0, 0.0], slopes: [-1.0, 1.0], bound: 200.0, time: 1.0 };
+    assert_eq!([0.0625, 0.25].map(|sure| dips.next(sure, 0.0)), [(0.25, false), (0.5, false)]);
+    // It presses between both ends as far as these say, and only the bound says otherwise: it is tried for as long as that allows.
+    let steady = Pressed { forces: [1.0, 1.0], slopes: [0.0, 0.0], bound: 1e4, time: 1.0 };
+    let (next, lasts) = steady.next(0.1, 0.0);
+    assert!(!lasts && next > 0.3 && next < 0.4, "{next}");
+    assert!(Pressed { time: next, ..steady }.lasts(0.0), "it is seen to last");
+    assert!(!Pressed { time: 1.05 * next, ..steady }.lasts(0.0), "hardly longer would not be");
+    assert_eq!([0.0625, 0.25, 0.5625].map(|sure| steady.next(sure, 0.0).0), [next, next, 0.75]);
     // It lasts, and falls steadily until later.
     let falls = Pressed { forces: [1.0, 0.5], slopes: [-0.5, -0.5], bound: 0.0, time: 1.0 };
     assert_eq!(falls.next(0.25, 0.0), (2.0, true));
     let opens = Pressed { forces: [1.0, -1.0], slopes: [-2.0, -2.0], bound: 0.0, time: 1.0 };
     assert_eq!(opens.next(0.25, 0.0), (0.5, false));
+    assert_eq!(opens.next(0.5625, 0.0), (0.75, false), "before what is sure it does not vanish");
 }
 
 /// The largest |p''''| of what presses on the stop of the first normal, by differences of its derivative, as a share of the bound.
@@ -112,7 +120,7 @@ fn share_of_bound(omega: f64, state: State<f64, 2>) -> f64 {
     let contact = Contact::FREE.with(end);
     let (sin, cos) = 0.4f64.sin_cos();
     let point = Point { state: rested(&flight, &state, contact), sin, cos };
-    let bound = point.motion(&flight, contact).bound(&flight, 0);
+    let bound = point.motion(&flight, contact).pressed_bound(&flight, contact, 0);
     let d = flight.h / 16.0;
     let slope = |k: u32| {
         let there = point.flown(&flight, f64::from(k) * d, contact);

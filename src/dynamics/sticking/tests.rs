@@ -228,7 +228,9 @@ fn pulled_at_first<T: Real>() {
         let late = flight.h * T::epsilon().sqrt();
         let there = trajectory.glided(&flight, flight.h);
         let then = there.motion(&flight, trajectory.contact);
-        let pressed = Pressed::over(flight.h, &motion, &then, motion.bound(&flight, 0), end);
+        let pressing = Pressing::on(&flight, &trajectory.point, &motion, trajectory.contact, end);
+        let bound = motion.pressed_bound(&flight, trajectory.contact, 0);
+        let pressed = Pressed::over(flight.h, &pressing, &then, bound, end);
         assert!(pressed.lasts(late), "what follows lasts, as far as that is asked");
         assert_eq!(trajectory.rested_step(&flight, &motion, late).is_some(), held, "{beneath}");
     }

@@ -122,7 +122,7 @@ fn comes_near<T: Real>() {
             let nearest = phase.sin().max((phase + h).sin());
             let to = |place: f64| {
                 let mut swing = Swing::<T>::new(side * place / nearest, phase, stops(0.5, 0.7));
-                swing.flight.normals[0].bound_forcing = T::of(BOUND);
+                swing.flight.normals[0].bound.forcing = T::of(BOUND);
                 fate(&swing)
             };
             for left in [1e-4, 1e-3, 1e-2, 0.05] {

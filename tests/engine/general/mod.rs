@@ -9,3 +9,4 @@ mod simultaneous;
 mod sticking;
 mod subject;
 mod suite;
+mod unpressed;

@@ -1,6 +1,6 @@
 //! Narrow clearances, weak damping, light and heavy second masses, resonances: no flight goes through a stop.
 
-use impact_atlas::model::{Flight, Parameters, Real};
+use impact_atlas::model::{Bound, Flight, Parameters, Real};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -60,7 +60,7 @@ fn no_narrow_clearance_is_left_in_single_precision() {
 fn a_search_without_its_bound_is_seen() {
     let all = all::<f64>(|mut flight| {
         let normal = &mut flight.normals[0];
-        (normal.bound_x, normal.bound_v, normal.bound_forcing) = ([0.0; 2], [0.0; 2], 0.0);
+        normal.bound = Bound { x: [0.0; 2], v: [0.0; 2], forcing: 0.0 };
         flight
     });
     let beyond = beyond(&all);

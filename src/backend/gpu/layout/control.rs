@@ -146,7 +146,7 @@ pub(super) fn count_of_force<const N: usize>(normals: usize) -> usize {
 /// What a force of 1 on a coordinate, in phase with the forcing, changes of the constants of flight.
 pub(super) fn force_words<const N: usize>(system: &System, coordinate: usize) -> Vec<u32> {
     let force = model::Flight::<f64, N>::new(&system.loaded_alone(coordinate));
-    let bounds = force.normals().iter().map(|normal| normal.bound_forcing);
+    let bounds = force.normals().iter().map(|normal| normal.bound.forcing);
     let (sin, cos) = (force.step.gamma_sin.values(), force.step.gamma_cos.values());
     let held = |of: fn(&Step<f64, N>) -> &State<f64, N>| {
         force.normals().iter().flat_map(move |normal| of(&normal.held).values())

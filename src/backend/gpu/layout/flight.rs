@@ -4,7 +4,7 @@
 use std::fmt::Display;
 
 use crate::backend::gpu::shader::Shape;
-use crate::model::{ContactNormal, Flight, Real, State, Step, StopsAlong};
+use crate::model::{Bound, ContactNormal, Flight, Real, State, Step, StopsAlong};
 
 /// Terms of the polynomial of an impact in f32: up to its order.
 pub const KICK_TERMS: usize = <f32 as Real>::KICK_ORDER + 1;
@@ -116,6 +116,8 @@ fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut Members
     if flight.count > 1 {
         members.numbers("pressing", pressing(flight).into_iter());
     }
+    let pressed = pressed(flight);
+    members.numbers("pressed_forcing", pressed.iter().map(|bound| bound.forcing));
     members.align();
     members.step("", &flight.step);
     members.vectors("stiffness", &flight.stiffness);
@@ -128,6 +130,8 @@ fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut Members
     members.vectors("quiet_xv", &flight.quiet.xv);
     members.vectors("quiet_vv", &flight.quiet.vv);
     members.vectors("mirror", &flight.mirror.unwrap_or([[0.0; N]; N]));
+    members.rows("pressed_x", pressed.iter().map(|bound| &bound.x));
+    members.rows("pressed_v", pressed.iter().map(|bound| &bound.v));
 }
 
 /// What [`Flight::pressing`] says for every set of contacts but none, row by row.
@@ -138,12 +142,22 @@ fn pressing<const N: usize>(flight: &Flight<f32, N>) -> Vec<f32> {
         .collect()
 }
 
+/// [`ContactNormal::pressed`], normal by normal.
+fn pressed<const N: usize>(flight: &Flight<f32, N>) -> Vec<Bound<f32, N>> {
+    flight.normals().iter().flat_map(|normal| &normal.pressed[..others_of(flight.count)]).copied().collect()
+}
+
+/// Sets of contacts along all normals but one, where there are so many.
+pub fn others_of(normals: usize) -> usize {
+    1 << (normals - 1)
+}
+
 /// What the course of a step is found with stands here, and again among the [`write_kicks`] that a tangent is met with: a compiler
 /// would keep what is read twice in registers in between.
 fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut Members<N>) {
     members.integers("stop", &normal.stop.map(u32::from));
     members.numbers("reach", normal.reach.into_iter());
-    members.number("bound_forcing", normal.bound_forcing);
+    members.number("bound_forcing", normal.bound.forcing);
     members.number("drag", normal.drag);
     members.number("coupling", normal.coupling);
     members.number("stretch", normal.stretch);
@@ -155,8 +169,8 @@ fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut 
     members.align();
     members.vector("direction", &normal.direction);
     members.vector("response", &normal.response);
-    members.vector("bound_x", &normal.bound_x);
-    members.vector("bound_v", &normal.bound_v);
+    members.vector("bound_x", &normal.bound.x);
+    members.vector("bound_v", &normal.bound.v);
     members.step("held_", &normal.held);
     members.rows("back_x", back().map(|row| &row.state.x));
     members.rows("back_v", back().map(|row| &row.state.v));

@@ -6,7 +6,7 @@ use super::template::Shape;
 use super::workgroup::WORKGROUP;
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Section};
-use crate::backend::gpu::layout::{BACK_TERMS, FINISHED, KICK_TERMS, NORMAL_TERMS, NOT_MEASURED};
+use crate::backend::gpu::layout::{BACK_TERMS, FINISHED, KICK_TERMS, NORMAL_TERMS, NOT_MEASURED, others_of};
 use crate::control::constants as control;
 use crate::control::{Constant, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, METHODS, NEVER};
 use crate::dynamics::Contact;
@@ -22,6 +22,7 @@ pub fn source(shape: &Shape) -> String {
         ("COORDINATES", shape.coordinates as u32),
         ("COMPONENTS", 2 * shape.coordinates as u32),
         ("NORMALS", shape.normals as u32),
+        ("OTHERS", others_of(shape.normals) as u32),
         ("STOPS", shape.stops as u32),
         ("MOST", MOST as u32),
         ("MOST_COMPONENTS", 2 * MOST as u32),
@@ -74,6 +75,7 @@ pub fn source(shape: &Shape) -> String {
     let numbers = [
         ("TRUNCATION", <f32 as Real>::TRUNCATION),
         ("TOUCH", <f32 as Real>::TOUCH),
+        ("UNHEEDED", <f32 as Real>::UNHEEDED),
         ("IMMINENT", <f32 as Real>::IMMINENT),
         ("CHATTER", <f32 as Real>::CHATTER),
         ("RETURNING", <f32 as Real>::RETURNING),
@@ -94,6 +96,7 @@ pub fn source(shape: &Shape) -> String {
         ("RUNAWAY", control::RUNAWAY),
         ("KICK_ROUNDINGS", dynamics::KICK_ROUNDINGS),
         ("ROUNDINGS", dynamics::ROUNDINGS),
+        ("LOST_SHARE", dynamics::LOST * epsilon),
         ("TANGENT_SEED", 1.0 / (2.0 * shape.coordinates as f64).sqrt()),
         ("LN_2", std::f64::consts::LN_2),
         ("SQRT_2", std::f64::consts::SQRT_2),
@@ -101,6 +104,7 @@ pub fn source(shape: &Shape) -> String {
         ("TWELFTH", 1.0 / 12.0),
         ("TWO_THIRDS", 2.0 / 3.0),
         ("SWELLING", dynamics::SWELLING),
+        ("SEEN_SHARE", dynamics::SEEN / dynamics::SWELLING),
         ("SIXTH", 1.0 / 6.0),
         ("STRAIGHT", <f32 as Real>::STRAIGHT),
         ("EXACT", dynamics::EXACT),

@@ -21,7 +21,7 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 37] = [
+const COMMON: [&str; 38] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -45,6 +45,7 @@ const COMMON: [&str; 37] = [
     include_str!("../../../../shaders/dynamics/gliding.wgsl"),
     include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
     include_str!("../../../../shaders/dynamics/striking.wgsl"),
+    include_str!("../../../../shaders/dynamics/pressing.wgsl"),
     include_str!("../../../../shaders/dynamics/holding.wgsl"),
     include_str!("../../../../shaders/dynamics/sticking.wgsl"),
     include_str!("../../../../shaders/analysis/recurrence.wgsl"),
@@ -62,10 +63,14 @@ const COMMON: [&str; 37] = [
 ];
 
 /// What is read of a normal that a force changes, and how where one comes on top.
-const DRIVEN: [[&str; 2]; 5] = [
+const DRIVEN: [[&str; 2]; 6] = [
     [
         "return flight.normals[normal].bound_forcing;",
         "return flight.normals[normal].bound_forcing + driven.bound[normal];",
+    ],
+    [
+        "return flights[flow].pressed_forcing[pressed_place(contact, normal)];",
+        "return flights[flow].pressed_forcing[pressed_place(contact, normal)] + driven.bound[normal];",
     ],
     [
         "return flight.normals[normal].held_gamma_sin;",
