@@ -75,8 +75,8 @@ impl<T: Real> Pressed<T> {
         if square > T::zero() { square.sqrt().sqrt() } else { T::zero() }
     }
 
-    /// How long a flight is to be tried next, and whether this one may be made: `sure` is for how long the contact holds as
-    /// reckoned from the beginning alone, `late` about how long it may hold after nothing presses.
+    /// How long a flight is to be tried next, and whether this one may be made: `sure` is for how long the contact is known to hold,
+    /// `late` about how long it may after nothing presses.
     #[inline(always)]
     pub fn next(&self, sure: T, late: T) -> (T, bool) {
         // A little beyond, for the contact to open there whatever rounding adds.
