@@ -5,7 +5,12 @@ use super::row::Row;
 use super::vector::{MOST, absolute_onto};
 
 /// Sets of contacts along all normals but one.
-pub const OTHERS: usize = 1 << (MOST - 1);
+pub const OTHERS: usize = sets_of_others(MOST);
+
+/// The same where there are so many normals.
+pub const fn sets_of_others(normals: usize) -> usize {
+    1 << (normals - 1)
+}
 
 /// Which of them holds, of those that `held` says, bit by bit: its bits but that of the normal.
 #[inline(always)]

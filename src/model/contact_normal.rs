@@ -162,7 +162,7 @@ fn bounds<const N: usize>(
     k: usize,
     h: f64,
 ) -> (Bound<f64, N>, [Bound<f64, N>; OTHERS]) {
-    let mut largest = Row::all(0.0);
+    let mut largest: Option<Row<f64, N>> = None;
     let mut pressed = [None; OTHERS];
     for held in 0..1u32 << equations.count {
         let Some(pressing) = equations.pressing(held) else { continue };
@@ -177,12 +177,12 @@ fn bounds<const N: usize>(
         };
         let acceleration = Row::of_acceleration(equations, &row);
         let bound = acceleration.second_derivative_bound(equations, &projector, h);
-        largest = largest.sup(&bound);
+        largest = Some(largest.map_or(bound, |largest| largest.sup(&bound)));
         if holds {
             pressed[others(held, k)] = Some(Bound::by(&bound));
         }
     }
-    let largest = Bound::by(&largest);
+    let largest = Bound::by(&largest.expect("free flight has a bound"));
     // Normals that depend on each other hold no masses together.
     (largest, pressed.map(|bound| bound.unwrap_or(largest)))
 }

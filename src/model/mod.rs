@@ -44,7 +44,7 @@ mod width;
 pub use crate::system::{Number, joined, whole};
 pub use crate::system::{Parameter, ParameterError, Setting};
 pub use back::BACK_TERMS;
-pub use bound::{Bound, OTHERS, others};
+pub use bound::{Bound, OTHERS, others, sets_of_others};
 pub use by_flow::ByFlow;
 pub use contact_normal::{ContactNormal, FAR};
 pub use equations::{Equations, are_parallel};

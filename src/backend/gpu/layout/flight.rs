@@ -4,7 +4,7 @@
 use std::fmt::Display;
 
 use crate::backend::gpu::shader::Shape;
-use crate::model::{Bound, ContactNormal, Flight, Real, State, Step, StopsAlong};
+use crate::model::{Bound, ContactNormal, Flight, Real, State, Step, StopsAlong, sets_of_others};
 
 /// Terms of the polynomial of an impact in f32: up to its order.
 pub const KICK_TERMS: usize = <f32 as Real>::KICK_ORDER + 1;
@@ -144,12 +144,8 @@ fn pressing<const N: usize>(flight: &Flight<f32, N>) -> Vec<f32> {
 
 /// [`ContactNormal::pressed`], normal by normal.
 fn pressed<const N: usize>(flight: &Flight<f32, N>) -> Vec<Bound<f32, N>> {
-    flight.normals().iter().flat_map(|normal| &normal.pressed[..others_of(flight.count)]).copied().collect()
-}
-
-/// Sets of contacts along all normals but one, where there are so many.
-pub fn others_of(normals: usize) -> usize {
-    1 << (normals - 1)
+    let sets = sets_of_others(flight.count);
+    flight.normals().iter().flat_map(|normal| &normal.pressed[..sets]).copied().collect()
 }
 
 /// What the course of a step is found with stands here, and again among the [`write_kicks`] that a tangent is met with: a compiler

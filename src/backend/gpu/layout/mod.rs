@@ -19,7 +19,7 @@ pub use control::{
     declaration_of_control,
 };
 pub use extent::{Extent, ExtentCode, ExtentDispatch};
-pub use flight::{BACK_TERMS, KICK_TERMS, NORMAL_TERMS, others_of, write_cell, write_flight, write_kicks};
+pub use flight::{BACK_TERMS, KICK_TERMS, NORMAL_TERMS, write_cell, write_flight, write_kicks};
 pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};
 pub use record::FINISHED;
 pub use trace::{Rebounds, Trace, TraceDispatch};

@@ -6,13 +6,13 @@ use super::template::Shape;
 use super::workgroup::WORKGROUP;
 use crate::analysis::constants as analysis;
 use crate::analysis::{INFINITELY_MANY, Reading, Section};
-use crate::backend::gpu::layout::{BACK_TERMS, FINISHED, KICK_TERMS, NORMAL_TERMS, NOT_MEASURED, others_of};
+use crate::backend::gpu::layout::{BACK_TERMS, FINISHED, KICK_TERMS, NORMAL_TERMS, NOT_MEASURED};
 use crate::control::constants as control;
 use crate::control::{Constant, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, METHODS, NEVER};
 use crate::dynamics::Contact;
 use crate::dynamics::constants as dynamics;
 use crate::model::vector::MOST;
-use crate::model::{INVERSE_ODD, Real};
+use crate::model::{INVERSE_ODD, Real, sets_of_others};
 
 /// Their declarations in WGSL.
 pub fn source(shape: &Shape) -> String {
@@ -22,7 +22,7 @@ pub fn source(shape: &Shape) -> String {
         ("COORDINATES", shape.coordinates as u32),
         ("COMPONENTS", 2 * shape.coordinates as u32),
         ("NORMALS", shape.normals as u32),
-        ("OTHERS", others_of(shape.normals) as u32),
+        ("OTHERS", sets_of_others(shape.normals) as u32),
         ("STOPS", shape.stops as u32),
         ("MOST", MOST as u32),
         ("MOST_COMPONENTS", 2 * MOST as u32),
