@@ -22,65 +22,11 @@ fn contact_safe_time(point: Point, motion: Motion, ignored: u32, window: f32) ->
     return safe;
 }
 
-// A stop that is reached in one straight line, and the time left; FAR where there is none.
-struct Reached {
-    end: End,
-    left: f32,
-}
-
-// The stop that is touched, or reached so soon that the square of the time left is lost in rounding; of several the first.
-fn contact_imminent(point: Point, contact: u32) -> Reached {
-    let ignored = contact_with_opposite_ends(contact);
-    var first = Reached(End(0u, 0u), FAR);
-    //: each normal
-    first = contact_sooner(first, point, contact, ignored, End($ku, 0u));
-    first = contact_sooner(first, point, contact, ignored, End($ku, 1u));
-    //: end
-    return first;
-}
-
 // The size of the numbers whose difference the gap is.
 fn contact_extent(point: Point, end: End) -> f32 {
     let normal = end.normal;
     let parts = largest_part(flight.normals[normal].direction, point.state.x);
     return max(abs(stops.gap[normal][end.side]), parts);
-}
-
-// The sooner of what was found so far and one more end.
-fn contact_sooner(found: Reached, point: Point, contact: u32, ignored: u32, end: End) -> Reached {
-    if stops.gap[end.normal][end.side] >= FAR || contact_includes(ignored, end) {
-        return found;
-    }
-    let left = contact_imminent_at(point, contact, end);
-    if left < found.left {
-        return Reached(end, left);
-    }
-    return found;
-}
-
-// The time left to one stop; FAR if it is not imminent.
-fn contact_imminent_at(point: Point, contact: u32, end: End) -> f32 {
-    let direction = flight.normals[end.normal].direction;
-    let sign = end_sign(end);
-    let gap = stops.gap[end.normal][end.side] - sign * along(direction, point.state.x);
-    let speed = sign * along(direction, point.state.v);
-    if gap <= TOUCH * contact_extent(point, end) {
-        if speed > 0.0 || is_held(point, contact, end, speed) {
-            return 0.0;
-        }
-        return FAR;
-    }
-    if flight.rate * gap < IMMINENT * speed {
-        return gap / speed;
-    }
-    return FAR;
-}
-
-// Whether a hop off the stop would be lost in rounding.
-fn is_held(point: Point, contact: u32, end: End, speed: f32) -> bool {
-    let direction = flight.normals[end.normal].direction;
-    return abs(speed) <= unresolved(end, point.state)
-        && end_sign(end) * along(direction, point_motion(point, contact).acceleration) >= 0.0;
 }
 
 // Speeds and accelerations up to this cannot be told from 0: d·v is a difference of velocities.

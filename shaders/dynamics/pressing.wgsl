@@ -28,6 +28,14 @@ fn pressing_lasts(pressing: Pressing, bound: f32, window: f32) -> f32 {
     return contact_pressed_time(pressing.force + pressing.slack * UNHEEDED, pressing.slope, bound, window);
 }
 
+// Whether masses on a stop, or as near to it as rounding tells, with a speed that cannot be told from 0, stay there beside the
+// contacts that hold: a hop would be lost in rounding.
+fn rests(point: Point, contact: u32, end: End) -> bool {
+    let there = contact_with(contact, end);
+    let pressing = pressing_on(point, point_motion(point, there), there, end);
+    return pressing.force >= 0.0 || !pressing.opens;
+}
+
 // What may be lost in rounding of what presses on a contact.
 fn pressing_lost(point: Point, contact: u32, normal: u32) -> f32 {
     var sizes = (abs(flight.load) + abs(flight.sin)) + abs(flight.cos);

@@ -8,7 +8,7 @@ fn rest(carry: bool) -> Move {
     let least = flight.h * SQRT_EPSILON;
     let clear = contact_safe_time(trajectory.point, motion, contact_with_opposite_ends(contact), window);
     if clear <= least {
-        let reached = contact_imminent(trajectory.point, contact);
+        let reached = imminent(trajectory.point, contact);
         if trajectory.offset + reached.left <= flight.h {
             return strike(carry, reached);
         }

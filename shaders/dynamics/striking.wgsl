@@ -83,6 +83,9 @@ fn strike_closed(end: End, rebound: f32, after: Motion) -> Closed {
     let room = f32(flight.steps - trajectory.step) * flight.h - trajectory.offset;
     let restitution = stops.restitution[end.normal][end.side];
     let least = unresolved(end, trajectory.point.state);
+    if abs(rebound) <= least && rests(trajectory.point, trajectory.contact, end) {
+        return Closed(true, at_rest(end, 0.0));
+    }
     let closure = chatter_close(end.normal, Rebound(abs(rebound), restitution, least, room), towards);
     if !closure.closes {
         return Closed(false, trajectory.point);

@@ -175,7 +175,7 @@ fn approach(carry: bool) -> Move {
     }
     glide(carry, time);
     // A contact beyond the end of the step belongs to the next one.
-    let reached = contact_imminent(trajectory.point, CONTACT_FREE);
+    let reached = imminent(trajectory.point, CONTACT_FREE);
     if trajectory.offset + reached.left > flight.h {
         return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE);
     }

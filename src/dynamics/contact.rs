@@ -73,59 +73,6 @@ pub fn holds<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>
 /// As many roundings of a place as [`holds`] lets pass.
 pub const ROUNDINGS: f64 = 64.0;
 
-/// A stop that is reached in one straight line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reached<T> {
-    /// The end of a contact normal that is met.
-    pub end: End,
-    /// The time left; 0 if the stop is touched.
-    pub left: T,
-}
-
-/// The stop that is touched, or reached so soon that the square of the time left is lost in rounding; of several the one
-/// that is reached first, and of those reached at the same time the first in the order of normals and ends.
-#[inline(always)]
-pub fn imminent<T: Real, const N: usize>(
-    flight: &Flight<T, N>,
-    point: &Point<T, N>,
-    contact: Contact,
-) -> Option<Reached<T>> {
-    let ignored = contact.with_opposite_ends();
-    let mut first: Option<Reached<T>> = None;
-    for (k, normal) in flight.normals().iter().enumerate() {
-        for side in 0..2 {
-            let end = End { normal: k, side };
-            if normal.gap[side] >= T::of(FAR) || ignored.includes(end) {
-                continue;
-            }
-            let Some(left) = imminent_at(flight, point, contact, end) else { continue };
-            if first.is_none_or(|first| left < first.left) {
-                first = Some(Reached { end, left });
-            }
-        }
-    }
-    first
-}
-
-/// The time left to one stop; see [`imminent`].
-#[inline(always)]
-fn imminent_at<T: Real, const N: usize>(
-    flight: &Flight<T, N>,
-    point: &Point<T, N>,
-    contact: Contact,
-    end: End,
-) -> Option<T> {
-    let normal = &flight.normals[end.normal];
-    let sign = end.sign::<T>();
-    let gap = normal.gap[end.side] - sign * dot(&normal.direction, &point.state.x);
-    let speed = sign * dot(&normal.direction, &point.state.v);
-    if gap <= T::of(T::TOUCH) * extent(normal, point, end.side) {
-        let meets = speed > T::zero() || is_held(flight, point, contact, end, speed);
-        return meets.then_some(T::zero());
-    }
-    (flight.rate * gap < T::of(T::IMMINENT) * speed).then(|| gap / speed)
-}
-
 /// The size of the numbers whose difference the gap is.
 #[inline(always)]
 pub fn extent<T: Real, const N: usize>(normal: &ContactNormal<T, N>, point: &Point<T, N>, side: usize) -> T {
@@ -135,22 +82,6 @@ pub fn extent<T: Real, const N: usize>(normal: &ContactNormal<T, N>, point: &Poi
         extent = if part > extent { part } else { extent };
     }
     extent
-}
-
-/// Whether masses on their stop leave it with a speed that rounding cannot tell from 0, against a force that presses
-/// them back: the hop would be lost in rounding.
-#[inline(always)]
-fn is_held<T: Real, const N: usize>(
-    flight: &Flight<T, N>,
-    point: &Point<T, N>,
-    contact: Contact,
-    end: End,
-    speed: T,
-) -> bool {
-    let normal = &flight.normals[end.normal];
-    let sign = end.sign::<T>();
-    speed.abs() <= unresolved(normal, end.side, &point.state)
-        && sign * dot(&normal.direction, &point.motion(flight, contact).acceleration) >= T::zero()
 }
 
 /// Speeds and accelerations up to this cannot be told from 0: d·v is a difference of velocities.

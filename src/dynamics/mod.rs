@@ -23,6 +23,7 @@ mod gliding;
 mod held;
 mod holding;
 mod hull;
+mod imminent;
 mod leg;
 mod meeting;
 mod moves;

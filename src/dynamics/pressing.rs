@@ -53,6 +53,20 @@ impl<T: Real> Pressing<T> {
     }
 }
 
+/// Whether masses on a stop, or as near to it as rounding tells, with a speed that cannot be told from 0, stay there beside the
+/// contacts that hold: a hop would be lost in rounding.
+#[inline(always)]
+pub fn rests<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N>,
+    contact: Contact,
+    end: End,
+) -> bool {
+    let motion = point.motion(flight, contact.with(end));
+    let Pressing { force, opens, .. } = Pressing::on(flight, point, &motion, contact.with(end), end);
+    force >= T::zero() || !opens
+}
+
 /// What may be lost in rounding of what presses on a contact: it is a sum over the motion, and no more of its terms is known than of
 /// the largest that they get as that goes on.
 #[inline(always)]

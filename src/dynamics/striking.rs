@@ -3,11 +3,13 @@
 use pulp::NullaryFnOnce;
 
 use super::chatter::{self, Closure, Rebound};
-use super::contact::{self, Reached};
+use super::contact;
 use super::corner;
 use super::held::spared;
+use super::imminent::Reached;
 use super::placing::{placed_on, rested};
 use super::point::{Approach, Motion, Point};
+use super::pressing::rests;
 use super::stop::{Contact, End, Stop};
 use super::tangent::{FreeSaltation, Saltation, Tangent, catch_all, strike_all};
 use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
@@ -138,6 +140,9 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             unresolved: contact::unresolved(normal, end.side, &self.point.state),
             room,
         };
+        if rebound.speed <= rebound.unresolved && rests(flight, &self.point, self.contact, end) {
+            return Some(self.at_rest(flight, end, T::zero()));
+        }
         let Closure { gap_integral, height, lasts } = chatter::close(flight, normal, &rebound, &towards)?;
         let resting = self.at_rest(flight, end, gap_integral);
         let contact = self.contact.with(end);

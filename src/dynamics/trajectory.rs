@@ -1,9 +1,10 @@
 //! One trajectory: steps of flight, impacts, chatter, sticking, until it has gone as far as was asked.
 
 use super::along::{Alongs, Met};
-use super::contact::{self, Reached};
+use super::contact;
 use super::crossing::crossing;
 use super::hull::Span;
+use super::imminent::{Reached, imminent};
 use super::leg::Leg;
 use super::placing::{clamped, rested};
 use super::point::Point;
@@ -238,8 +239,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     /// The stop that is reached in one straight line within the step; a contact beyond its end belongs to the next one.
     #[inline(always)]
     pub(super) fn imminent(&self, flight: &Flight<T, N>) -> Option<Reached<T>> {
-        contact::imminent(flight, &self.point, self.contact)
-            .filter(|reached| self.offset + reached.left <= flight.h)
+        imminent(flight, &self.point, self.contact).filter(|reached| self.offset + reached.left <= flight.h)
     }
 
     /// The rest of a step, known to clear the stops.

@@ -136,6 +136,29 @@ fn a_mass_that_two_others_pull_alike_stays_where_it_is() {
     }
 }
 
+/// Masses whose equilibrium is on a stop, but for rounding, which says in turn that they press and that they are pulled.
+#[test]
+fn a_mass_that_rounding_alone_pulls_off_its_stop_stays_there() {
+    // The second stop is where the first mass is at rest with the second one on its own stop.
+    let mut balanced = masses(&[2.0, 2.0], 100.0);
+    balanced.damping = DMatrix::from_row_slice(2, 2, &[20.0, 0.0, 0.0, 50.0]);
+    balanced.stiffness = DMatrix::from_row_slice(2, 2, &[1e4, -5e3, -5e3, 2.5e4]);
+    balanced.force_sin = DVector::from_row_slice(&[0.0, -1e4]);
+    let [near, far] = [0.022_222_222_222_222_223, 0.044_444_444_444_444_446];
+    balanced.stops = vec![stop(&[0.0, -1.0], -far, 0.7), stop(&[-1.0, 0.0], -near, 0.7)];
+    // The second mass falls on the first one, which nothing else holds on its stop.
+    let mut struck = masses(&[1.0, 2.0], 1.0);
+    struck.damping = DMatrix::from_row_slice(2, 2, &[0.5, 0.0, 0.0, 0.2]);
+    struck.stiffness = DMatrix::from_row_slice(2, 2, &[2.0, 0.0, 0.0, 0.5]);
+    struck.force_sin = DVector::from_row_slice(&[0.0, 0.5]);
+    struck.load = DVector::from_row_slice(&[0.0, -0.3]);
+    struck.stops = vec![stop(&[1.0, 0.0], 0.0, 0.0), stop(&[-1.0, 1.0], 0.0, 0.5)];
+    for (plant, start) in [(balanced, [near, far, 0.0, 0.0]), (struck, [0.0; 4])] {
+        assert_eq!(follow::<f64>(&plant, &start, 200).len(), 200, "{plant:?} does not get on");
+        assert_eq!(follow::<f32>(&plant, &start, 200).len(), 200, "{plant:?} does not get on in f32");
+    }
+}
+
 /// What they are labelled, and where they are at the last strobe: on the CPU in either precision, and on an adapter.
 #[test]
 fn they_are_labelled_alike_everywhere() {

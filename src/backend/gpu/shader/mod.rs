@@ -21,7 +21,7 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 38] = [
+const COMMON: [&str; 39] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -33,6 +33,8 @@ const COMMON: [&str; 38] = [
     include_str!("../../../../shaders/dynamics/course.wgsl"),
     include_str!("../../../../shaders/dynamics/tangent.wgsl"),
     include_str!("../../../../shaders/dynamics/contact.wgsl"),
+    include_str!("../../../../shaders/dynamics/pressing.wgsl"),
+    include_str!("../../../../shaders/dynamics/imminent.wgsl"),
     include_str!("../../../../shaders/dynamics/chatter.wgsl"),
     include_str!("../../../../shaders/dynamics/hull.wgsl"),
     include_str!("../../../../shaders/dynamics/leg.wgsl"),
@@ -45,7 +47,6 @@ const COMMON: [&str; 38] = [
     include_str!("../../../../shaders/dynamics/gliding.wgsl"),
     include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
     include_str!("../../../../shaders/dynamics/striking.wgsl"),
-    include_str!("../../../../shaders/dynamics/pressing.wgsl"),
     include_str!("../../../../shaders/dynamics/holding.wgsl"),
     include_str!("../../../../shaders/dynamics/sticking.wgsl"),
     include_str!("../../../../shaders/analysis/recurrence.wgsl"),

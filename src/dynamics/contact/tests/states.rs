@@ -76,28 +76,3 @@ fn a_swing_comes_safely_to_the_stop_that_it_meets() {
     swings::<f64>();
     swings::<f32>();
 }
-
-/// What is imminent on a stop that a force presses on, or pulls off.
-fn touches<T: Real>() {
-    let upper = End { normal: 0, side: 0 };
-    let at = |load: f64, v: f64| {
-        let system = single(|plant| plant.load[0] = load);
-        let flight = Flight::<f64, 1>::new(&system).round::<T>();
-        let point = Point::at_phase_zero(State { x: [T::of(0.5)], v: [T::of(v)] });
-        imminent(&flight, &point, Contact::FREE)
-    };
-    let touched = Some(Reached { end: upper, left: T::zero() });
-    // The spring pulls with ½; the load decides.
-    assert_eq!(at(1.0, 0.1), touched);
-    assert_eq!(at(1.0, 0.0), touched, "at rest and pressed");
-    assert_eq!(at(0.5, 0.0), touched, "at rest and neither pressed nor pulled");
-    assert_eq!(at(0.4, 0.0), None, "at rest and pulled off");
-    assert_eq!(at(1.0, -0.1), None, "on the way off");
-    assert_eq!(at(1.0, -0.1 * T::EPSILON), touched, "on the way off at a speed that is lost in rounding");
-}
-
-#[test]
-fn a_touched_stop_is_met_unless_it_is_left() {
-    touches::<f64>();
-    touches::<f32>();
-}
