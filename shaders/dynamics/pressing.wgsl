@@ -15,7 +15,7 @@ fn pressing_on(point: Point, motion: Motion, contact: u32, end: End) -> Pressing
     let force = sign * motion.pressing[end.normal];
     let slope = sign * motion.pressing_rate[end.normal];
     let unknown = unresolved(end, point.state);
-    if slope * (flight.h * SQRT_EPSILON) < -unknown {
+    if slope * flight_least() < -unknown {
         return Pressing(force, slope, 0.0, force <= unknown);
     }
     let lost = unknown + pressing_lost(point, contact, end.normal);

@@ -5,7 +5,7 @@ fn rest(carry: bool) -> Move {
     let window = flight.h - trajectory.offset;
     let contact = trajectory.contact;
     let motion = point_motion(trajectory.point, contact);
-    let least = flight.h * SQRT_EPSILON;
+    let least = flight_least();
     let clear = contact_safe_time(trajectory.point, motion, contact_with_opposite_ends(contact), window);
     if clear <= least {
         let reached = imminent(trajectory.point, contact);
@@ -78,7 +78,7 @@ fn rest_step(carry: bool) -> bool {
     let then = point_motion(there, contact);
     let ignored = contact_with_opposite_ends(contact);
     var lasts = contact_safe_time(trajectory.point, motion, ignored, flight.h) >= flight.h;
-    let late = flight.h * SQRT_EPSILON;
+    let late = flight_least();
     //: each normal
     if contact_opens_along(contact, $ku) {
         let end = contact_end_along(contact, $ku);
@@ -144,7 +144,7 @@ fn held_flight(motion: Motion, sure: f32, clear: f32, late: f32) -> HeldFlight {
 fn release(carry: bool, end: End) -> Move {
     let bound = point_bound(trajectory.point, end.normal);
     let half_window = 0.5 * (flight.h - trajectory.offset);
-    let least = flight.h * SQRT_EPSILON;
+    let least = flight_least();
     let contact = contact_without(trajectory.contact, end.normal);
     trajectory.contact = contact;
     let motion = point_motion(trajectory.point, contact);

@@ -57,6 +57,11 @@ fn flight_load() {
     }
 }
 
+// The shortest move that is made under contacts, where nothing is met: its square is lost in rounding.
+fn flight_least() -> f32 {
+    return flight.h * SQRT_EPSILON;
+}
+
 // A term of the polynomials of a normal: what a kick becomes, then what the end of a step says of the way to it.
 fn normal_term(normal: u32, term: u32) -> State {
     return normal_terms[normal][term];

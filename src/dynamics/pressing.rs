@@ -35,8 +35,7 @@ impl<T: Real> Pressing<T> {
     ) -> Self {
         let [force, slope] = motion.pressure(end);
         let unresolved = contact::unresolved(&flight.normals[end.normal], end.side, &point.state);
-        let least = flight.h * T::epsilon().sqrt();
-        if slope * least < -unresolved {
+        if slope * flight.least() < -unresolved {
             return Pressing { force, slope, slack: T::zero(), opens: force <= unresolved };
         }
         let lost = unresolved + lost(flight, point, contact, end.normal);

@@ -17,7 +17,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let window = flight.h - self.offset;
         let contact = self.contact;
         let motion = self.point.motion(flight, contact);
-        let least = flight.h * T::epsilon().sqrt();
+        let least = flight.least();
         let clear = contact::safe_time(flight, &self.point, &motion, contact.with_opposite_ends(), window);
         if clear <= least
             && let Some(reached) = self.imminent(flight)
@@ -129,7 +129,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     fn release(&mut self, flight: &Flight<T, N>, tangents: &mut [Tangent<T, N>], end: End) -> Move<T> {
         let bound = self.point.bound(flight, end.normal);
         let half_window = T::of(0.5) * (flight.h - self.offset);
-        let least = flight.h * T::epsilon().sqrt();
+        let least = flight.least();
         let before = self.contact;
         self.contact = before.without(end.normal);
         let motion = self.point.motion(flight, self.contact);

@@ -223,6 +223,12 @@ impl<T: Real, const N: usize> Flight<T, N> {
         }
     }
 
+    /// The shortest move that is made under contacts, where nothing is met: h √ε, whose square is lost in rounding.
+    #[inline(always)]
+    pub fn least(&self) -> T {
+        self.h * T::epsilon().sqrt()
+    }
+
     /// The contact normals.
     #[inline(always)]
     pub fn normals(&self) -> &[ContactNormal<T, N>] {

@@ -173,7 +173,7 @@ fn a_mass_that_nothing_presses_leaves_its_stop_at_once() {
 fn glances<T: Real>(system: &System) -> [u32; 3] {
     let flight = Flight::<f64, 2>::new(system).round::<T>();
     let mut trajectory = Trajectory::new(&flight, State::zero());
-    let late = flight.h * T::epsilon().sqrt();
+    let late = flight.least();
     let mut met = [0; 3];
     for _ in 0..20_000 {
         let (point, contact) = (trajectory.point, trajectory.contact);
@@ -225,7 +225,7 @@ fn pulled_at_first<T: Real>() {
         let end = End { normal: 0, side: 0 };
         let trajectory = Trajectory { contact: Contact::FREE.with(end), ..trajectory };
         let motion = trajectory.point.motion(&flight, trajectory.contact);
-        let late = flight.h * T::epsilon().sqrt();
+        let late = flight.least();
         let there = trajectory.glided(&flight, flight.h);
         let then = there.motion(&flight, trajectory.contact);
         let pressing = Pressing::on(&flight, &trajectory.point, &motion, trajectory.contact, end);
