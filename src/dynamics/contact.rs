@@ -16,11 +16,24 @@ pub fn safe_time<T: Real, const N: usize>(
     ignored: Contact,
     window: T,
 ) -> T {
+    safe_where_bounded(flight, point, motion, ignored, window, |k| point.bound(flight, k))
+}
+
+/// The same, `bound` bounding |(d·x)''''| along each normal.
+#[inline(always)]
+pub(super) fn safe_where_bounded<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N>,
+    motion: &Motion<T, N>,
+    ignored: Contact,
+    window: T,
+    bound: impl Fn(usize) -> T,
+) -> T {
     let mut safe = window;
     for (k, normal) in flight.normals().iter().enumerate() {
         let place = dot(&normal.direction, &point.state.x);
         let speed = dot(&normal.direction, &point.state.v);
-        let approach = point.approach(flight, motion, k);
+        let approach = motion.approach(&normal.direction, bound(k));
         for side in 0..2 {
             let end = End { normal: k, side };
             if normal.gap[side] >= T::of(FAR) || ignored.includes(end) {

@@ -10,6 +10,7 @@ mod abreast;
 mod advance;
 mod along;
 mod chatter;
+mod clear;
 mod clock;
 mod contact;
 mod corner;

@@ -107,6 +107,12 @@ impl<L: Lanes, const N: usize> Point<L, N> {
 }
 
 impl<T: Real, const N: usize> Motion<T, N> {
+    /// How it goes on along a direction, with a bound on |(d·x)''''|.
+    #[inline(always)]
+    pub fn approach(&self, direction: &[T; N], bound: T) -> Approach<T> {
+        Approach { acceleration: dot(direction, &self.acceleration), jerk: dot(direction, &self.jerk), bound }
+    }
+
     /// What presses masses on the stop at an end where they rest, as an acceleration towards it, and its derivative.
     #[inline(always)]
     pub fn pressure(&self, end: End) -> [T; 2] {
@@ -142,7 +148,13 @@ impl<T: Real, const N: usize> Point<T, N> {
     /// x'' in free flight.
     #[inline(always)]
     pub fn accelerations(&self, flight: &Flight<T, N>) -> [T; N] {
-        let forced = axpy(self.sin, &flight.sin, &flight.load);
+        self.accelerations_under(flight, &flight.load)
+    }
+
+    /// The same under another load.
+    #[inline(always)]
+    fn accelerations_under(&self, flight: &Flight<T, N>, load: &[T; N]) -> [T; N] {
+        let forced = axpy(self.sin, &flight.sin, load);
         let forced = axpy(self.cos, &flight.cos, &forced);
         let pulled = applied_onto(&flight.stiffness, &self.state.x, &forced);
         applied_onto(&flight.damping, &self.state.v, &pulled)
@@ -175,7 +187,18 @@ impl<T: Real, const N: usize> Point<T, N> {
     /// What decides when a stop can be reached, or left.
     #[inline(always)]
     pub fn motion(&self, flight: &Flight<T, N>, contact: Contact) -> Motion<T, N> {
-        let (acceleration, pressing) = held(flight, contact, self.accelerations(flight));
+        self.motion_under(flight, contact, &flight.load)
+    }
+
+    /// The same under another load.
+    #[inline(always)]
+    pub(super) fn motion_under(
+        &self,
+        flight: &Flight<T, N>,
+        contact: Contact,
+        load: &[T; N],
+    ) -> Motion<T, N> {
+        let (acceleration, pressing) = held(flight, contact, self.accelerations_under(flight, load));
         let (jerk, pressing_rate) = held(flight, contact, self.jerks(flight, &acceleration));
         Motion { acceleration, jerk, pressing, pressing_rate }
     }
@@ -190,12 +213,7 @@ impl<T: Real, const N: usize> Point<T, N> {
     /// How a motion from here goes on along a normal.
     #[inline(always)]
     pub fn approach(&self, flight: &Flight<T, N>, motion: &Motion<T, N>, normal: usize) -> Approach<T> {
-        let direction = &flight.normals[normal].direction;
-        Approach {
-            acceleration: dot(direction, &motion.acceleration),
-            jerk: dot(direction, &motion.jerk),
-            bound: self.bound(flight, normal),
-        }
+        motion.approach(&flight.normals[normal].direction, self.bound(flight, normal))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Sticking: masses resting on stops, until what presses on a contact vanishes.
 
-use super::contact;
+use super::clear::clear_time;
 use super::holding::{HELD_FLIGHTS, Pressed};
 use super::point::{Motion, Point};
 use super::pressing::Pressing;
@@ -18,7 +18,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let contact = self.contact;
         let motion = self.point.motion(flight, contact);
         let least = flight.least();
-        let clear = contact::safe_time(flight, &self.point, &motion, contact.with_opposite_ends(), window);
+        let clear = clear_time(flight, &self.point, &motion, [contact, contact.with_opposite_ends()], window);
         if clear <= least
             && let Some(reached) = self.imminent(flight)
         {
@@ -137,7 +137,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let pulled = if slope < T::zero() { -slope / (bound + bound) } else { least };
         let pulled = if pulled > least { pulled } else { least };
         let ignored = self.contact.with_opposite_ends().with(end);
-        let clear = contact::safe_time(flight, &self.point, &motion, ignored, half_window);
+        let clear = clear_time(flight, &self.point, &motion, [self.contact, ignored], half_window);
         let pulled = if pulled < clear { pulled } else { clear };
         // What presses on the other contacts may vanish soon without this one.
         let pulled = self.surely_held(flight, &motion, pulled, least);

@@ -1,7 +1,7 @@
 //! One trajectory: steps of flight, impacts, chatter, sticking, until it has gone as far as was asked.
 
 use super::along::{Alongs, Met};
-use super::contact;
+use super::clear::clear_time;
 use super::crossing::crossing;
 use super::hull::Span;
 use super::imminent::{Reached, imminent};
@@ -222,7 +222,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let window = flight.h - self.offset;
         let contact = Contact::FREE;
         let motion = self.point.motion(flight, contact);
-        let time = contact::safe_time(flight, &self.point, &motion, contact, window);
+        let time = clear_time(flight, &self.point, &motion, [contact; 2], window);
         if time >= window {
             return self.go_ahead(flight, window);
         }

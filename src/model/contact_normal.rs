@@ -31,6 +31,9 @@ pub struct ContactNormal<T, const N: usize> {
     pub bound: Bound<T, N>,
     /// That of the second derivative of what presses on this contact, by what else holds; see [`others`].
     pub pressed: [Bound<T, N>; OTHERS],
+    /// That of the sixth derivative of d·x while nothing holds along this normal, likewise: for x'' as the state, which flows like x
+    /// without loads, forced by −ω² times as much.
+    pub sixth: [Bound<T, N>; OTHERS],
     /// A step while masses rest on a stop along this normal, and on no other.
     pub held: Step<T, N>,
     /// What a change of d·v by 1 has become a time s later: Σ kickₖ (s/h)ᵏ, 0 ≤ s ≤ h, up to [`Real::KICK_ORDER`].
@@ -66,6 +69,7 @@ impl<T: Copy, const N: usize> ContactNormal<T, N> {
             stop: [0; 2],
             bound: Bound::all(zero),
             pressed: [Bound::all(zero); OTHERS],
+            sixth: [Bound::all(zero); OTHERS],
             held: Step::blank(zero),
             kick: [State { x: vector, v: vector }; KICK_TERMS],
             back: [Row::all(zero); BACK_TERMS],
@@ -110,6 +114,7 @@ impl<const N: usize> ContactNormal<f64, N> {
             stop: self.stop,
             bound: self.bound.round(),
             pressed: self.pressed.map(|bound| bound.round()),
+            sixth: self.sixth.map(|bound| bound.round()),
             held: self.held.round(),
             kick: kick::rounded(&self.kick),
             back: back::rounded(&self.back),
@@ -129,7 +134,7 @@ pub(super) fn contact_normal<const N: usize>(
     response: Option<&ForcedResponse<N>>,
     trap: Option<&Trap<N>>,
 ) -> ContactNormal<f64, N> {
-    let (bound, pressed) = bounds(equations, k, h);
+    let Bounds { bound, pressed, sixth } = Bounds::of(equations, k, h);
     let damped = equations.damping * normal.response;
     let rest = |v: SVector<f64, N>| v - normal.response * normal.direction.dot(&v);
     // What ∫ gap dt does: damper and spring act on the masses that the contact leaves free.
@@ -145,6 +150,7 @@ pub(super) fn contact_normal<const N: usize>(
         stop: [0, 1].map(|side| end(side).map_or(NO_STOP, |end| end.stop as u8)),
         bound,
         pressed,
+        sixth,
         held: Step::of(&equations.held_along(k), h),
         kick: kick(equations, h, normal.response),
         back: back(equations, h, normal.direction),
@@ -156,33 +162,40 @@ pub(super) fn contact_normal<const N: usize>(
     }
 }
 
-/// [`ContactNormal::bound`], the larger of what free flight and every set of contacts need, and [`ContactNormal::pressed`].
-fn bounds<const N: usize>(
-    equations: &Equations<N>,
-    k: usize,
-    h: f64,
-) -> (Bound<f64, N>, [Bound<f64, N>; OTHERS]) {
-    let mut largest: Option<Row<f64, N>> = None;
-    let mut pressed = [None; OTHERS];
-    for held in 0..1u32 << equations.count {
-        let Some(pressing) = equations.pressing(held) else { continue };
-        let projector = equations.projector(&pressing);
-        let holds = held >> k & 1 == 1;
-        let row = if holds {
-            // What presses on this contact.
-            (0..equations.count)
-                .fold(SVector::zeros(), |row, t| row + equations.normals[t].direction * pressing[(k, t)])
-        } else {
-            projector.tr_mul(&equations.normals[k].direction)
-        };
-        let acceleration = Row::of_acceleration(equations, &row);
-        let bound = acceleration.second_derivative_bound(equations, &projector, h);
-        largest = Some(largest.map_or(bound, |largest| largest.sup(&bound)));
-        if holds {
-            pressed[others(held, k)] = Some(Bound::by(&bound));
+/// The bounds of a [`ContactNormal`], each as there.
+struct Bounds<const N: usize> {
+    bound: Bound<f64, N>,
+    pressed: [Bound<f64, N>; OTHERS],
+    sixth: [Bound<f64, N>; OTHERS],
+}
+
+impl<const N: usize> Bounds<N> {
+    fn of(equations: &Equations<N>, k: usize, h: f64) -> Self {
+        // What free flight and every set of contacts need, each set with this normal and without.
+        let mut largest: Option<Row<f64, N>> = None;
+        let (mut pressed, mut sixth) = ([None; OTHERS], [None; OTHERS]);
+        for held in 0..1u32 << equations.count {
+            let Some(pressing) = equations.pressing(held) else { continue };
+            let projector = equations.projector(&pressing);
+            let holds = held >> k & 1 == 1;
+            let row = if holds {
+                // What presses on this contact.
+                (0..equations.count)
+                    .fold(SVector::zeros(), |row, t| row + equations.normals[t].direction * pressing[(k, t)])
+            } else {
+                projector.tr_mul(&equations.normals[k].direction)
+            };
+            let acceleration = Row::of_acceleration(equations, &row);
+            let bound = acceleration.second_derivative_bound(equations, &projector, h);
+            largest = Some(largest.map_or(bound, |largest| largest.sup(&bound)));
+            match holds {
+                true => pressed[others(held, k)] = Some(Bound::by(&bound)),
+                false => sixth[others(held, k)] = Some(Bound::by(&Row { one: 0.0, ..bound })),
+            }
         }
+        let bound = Bound::by(&largest.expect("free flight has a bound"));
+        // Normals that depend on each other hold no masses together.
+        let [pressed, sixth] = [pressed, sixth].map(|each| each.map(|own| own.unwrap_or(bound)));
+        Bounds { bound, pressed, sixth }
     }
-    let largest = Bound::by(&largest.expect("free flight has a bound"));
-    // Normals that depend on each other hold no masses together.
-    (largest, pressed.map(|bound| bound.unwrap_or(largest)))
 }

@@ -178,7 +178,7 @@ fn glances<T: Real>(system: &System) -> [u32; 3] {
     for _ in 0..20_000 {
         let (point, contact) = (trajectory.point, trajectory.contact);
         let motion = point.motion(&flight, contact);
-        let clear = contact::safe_time(&flight, &point, &motion, contact.with_opposite_ends(), flight.h);
+        let clear = clear_time(&flight, &point, &motion, [contact, contact.with_opposite_ends()], flight.h);
         if !contact.is_free() && trajectory.offset == T::zero() && clear >= flight.h {
             match trajectory.rested_step(&flight, &motion, late) {
                 None => met[1] += 1,

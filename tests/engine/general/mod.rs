@@ -5,6 +5,7 @@ mod gpu;
 mod grazing;
 mod invariants;
 mod numbers;
+mod settling;
 mod simultaneous;
 mod sticking;
 mod subject;
