@@ -2,13 +2,28 @@
 
 // A time for which the motion provably stays off all stops but those at the ends that `ignored` includes.
 fn contact_safe_time(point: Point, motion: Motion, ignored: u32, window: f32) -> f32 {
+    var bounds: array<f32, NORMALS>;
+    //: each normal
+    bounds[$k] = point_bound(point, $ku);
+    //: end
+    return contact_safe_where_bounded(point, motion, ignored, window, bounds);
+}
+
+// The same, with bounds on |(d·x)''''| along each normal.
+fn contact_safe_where_bounded(
+    point: Point,
+    motion: Motion,
+    ignored: u32,
+    window: f32,
+    bounds: array<f32, NORMALS>,
+) -> f32 {
     var safe = window;
     //: each normal
     {
         let direction = flight.normals[$k].direction;
         let place = along(direction, point.state.x);
         let speed = along(direction, point.state.v);
-        let approach = point_approach(point, motion, $ku);
+        let approach = motion_approach(motion, direction, bounds[$k]);
         let upper = stops.gap[$k][0];
         if upper < FAR && !contact_includes(ignored, End($ku, 0u)) {
             safe = min(safe, safe_from_stop(upper - place, speed, approach, 1.0, window));

@@ -128,7 +128,12 @@ fn point_nudged(point: Point, s: f32, contact: u32) -> Point {
 
 // x'' in free flight.
 fn point_accelerations(point: Point) -> X {
-    let forced = (flight.load + point.sin * flight.sin) + point.cos * flight.cos;
+    return point_accelerations_under(point, flight.load);
+}
+
+// The same under another load.
+fn point_accelerations_under(point: Point, load: X) -> X {
+    let forced = (load + point.sin * flight.sin) + point.cos * flight.cos;
     let pulled = applied_onto(flight.stiffness, point.state.x, forced);
     return applied_onto(flight.damping, point.state.v, pulled);
 }
@@ -143,7 +148,12 @@ fn point_jerks(point: Point, acceleration: X) -> X {
 
 // What decides when a stop can be reached, or left.
 fn point_motion(point: Point, contact: u32) -> Motion {
-    let a = held(contact, point_accelerations(point));
+    return point_motion_under(point, contact, flight.load);
+}
+
+// The same under another load.
+fn point_motion_under(point: Point, contact: u32, load: X) -> Motion {
+    let a = held(contact, point_accelerations_under(point, load));
     let j = held(contact, point_jerks(point, a.rest));
     return Motion(a.rest, j.rest, a.pressing, j.pressing);
 }
@@ -162,7 +172,7 @@ fn bound_forcing(normal: u32) -> f32 {
 
 // A bound on the second derivative of what presses on a contact, likewise, while those hold.
 fn point_pressed_bound(point: Point, contact: u32, normal: u32) -> f32 {
-    let at = pressed_place(contact, normal);
+    let at = others_place(contact, normal);
     let of_x = flights[flow].pressed_x[at];
     let of_v = flights[flow].pressed_v[at];
     return bound_of(of_x, of_v, point.state.x, point.state.v, pressed_forcing(contact, normal));
@@ -170,7 +180,7 @@ fn point_pressed_bound(point: Point, contact: u32, normal: u32) -> f32 {
 
 // A bound on its fourth derivative, likewise: x'' flows like x, forced by −ω² times as much.
 fn motion_pressed_bound(motion: Motion, contact: u32, normal: u32) -> f32 {
-    let at = pressed_place(contact, normal);
+    let at = others_place(contact, normal);
     let of_x = flights[flow].pressed_x[at];
     let of_v = flights[flow].pressed_v[at];
     let forcing = pressed_forcing(contact, normal) * (flight.omega * flight.omega);
@@ -178,11 +188,11 @@ fn motion_pressed_bound(motion: Motion, contact: u32, normal: u32) -> f32 {
 }
 
 fn pressed_forcing(contact: u32, normal: u32) -> f32 {
-    return flights[flow].pressed_forcing[pressed_place(contact, normal)];
+    return flights[flow].pressed_forcing[others_place(contact, normal)];
 }
 
-// Where the bound stands for what presses on a contact, of those that hold: by the bits of the other ones.
-fn pressed_place(contact: u32, normal: u32) -> u32 {
+// Where a bound stands by the contacts that hold beside a normal: by their bits.
+fn others_place(contact: u32, normal: u32) -> u32 {
     let held = contact_held(contact);
     let below = held & ((1u << normal) - 1u);
     return normal * OTHERS + (below | ((held >> (normal + 1u)) << normal));
@@ -199,10 +209,9 @@ fn bound_of(of_x: X, of_v: X, x: X, v: X, forcing: f32) -> f32 {
 }
 
 fn point_approach(point: Point, motion: Motion, normal: u32) -> Approach {
-    let direction = flight.normals[normal].direction;
-    return Approach(
-        along(direction, motion.acceleration),
-        along(direction, motion.jerk),
-        point_bound(point, normal),
-    );
+    return motion_approach(motion, flight.normals[normal].direction, point_bound(point, normal));
+}
+
+fn motion_approach(motion: Motion, direction: X, bound: f32) -> Approach {
+    return Approach(along(direction, motion.acceleration), along(direction, motion.jerk), bound);
 }

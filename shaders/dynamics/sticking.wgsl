@@ -6,7 +6,7 @@ fn rest(carry: bool) -> Move {
     let contact = trajectory.contact;
     let motion = point_motion(trajectory.point, contact);
     let least = flight_least();
-    let clear = contact_safe_time(trajectory.point, motion, contact_with_opposite_ends(contact), window);
+    let clear = clear_time(trajectory.point, motion, contact, contact_with_opposite_ends(contact), window);
     if clear <= least {
         let reached = imminent(trajectory.point, contact);
         if trajectory.offset + reached.left <= flight.h {
@@ -77,7 +77,7 @@ fn rest_step(carry: bool) -> bool {
     there.state = rested(there.state, contact);
     let then = point_motion(there, contact);
     let ignored = contact_with_opposite_ends(contact);
-    var lasts = contact_safe_time(trajectory.point, motion, ignored, flight.h) >= flight.h;
+    var lasts = clear_time(trajectory.point, motion, contact, ignored, flight.h) >= flight.h;
     let late = flight_least();
     //: each normal
     if contact_opens_along(contact, $ku) {
@@ -151,7 +151,7 @@ fn release(carry: bool, end: End) -> Move {
     let slope = end_sign(end) * along(flight.normals[end.normal].direction, motion.jerk);
     let drawn = max(select(least, -slope / (bound + bound), slope < 0.0), least);
     let ignored = contact_with(contact_with_opposite_ends(contact), end);
-    let clear = min(drawn, contact_safe_time(trajectory.point, motion, ignored, half_window));
+    let clear = min(drawn, clear_time(trajectory.point, motion, contact, ignored, half_window));
     // What presses on the other contacts may vanish soon without this one.
     let pulled = surely_held(motion, clear, least);
     glide(carry, pulled);

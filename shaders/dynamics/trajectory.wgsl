@@ -169,7 +169,7 @@ fn approach(carry: bool) -> Move {
     trajectory.point = trajectory_present();
     trajectory.met = 0u;
     let motion = point_motion(trajectory.point, CONTACT_FREE);
-    let time = contact_safe_time(trajectory.point, motion, CONTACT_FREE, window);
+    let time = clear_time(trajectory.point, motion, CONTACT_FREE, CONTACT_FREE, window);
     if time >= window {
         return go_ahead(window);
     }

@@ -23,7 +23,7 @@ pub fn clear_time<T: Real, const N: usize>(
     window: T,
 ) -> T {
     let safe = safe_time(flight, point, motion, ignored, window);
-    if !T::BOUNDS_AGAIN || safe >= window || safe >= T::of(SHORT) * flight.h {
+    if safe >= window || safe >= T::of(SHORT) * flight.h {
         return safe;
     }
     let onward = onward(flight, point, motion, contact);

@@ -65,6 +65,7 @@ pub use usage::Usage;
 /// The numbers that the GPU's shaders share.
 pub(crate) mod constants {
     pub use super::chatter::{FADING, NEARLY, PUSH, SLOW, STEADY};
+    pub use super::clear::SHORT;
     pub use super::contact::{ROUNDINGS, WIDENING};
     pub use super::crossing::{EXACT, WIDER};
     pub use super::holding::{HELD_FLIGHTS, SEEN};

@@ -27,8 +27,6 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const STRAIGHT: f64;
     /// Whether contacts are missed by more than that so often that it is worth while to ask the course again.
     const ASKS_AGAIN: bool;
-    /// Whether bounds that do not shrink as a motion does are asked again: elsewhere rounding ends it before moves are short.
-    const BOUNDS_AGAIN: bool;
     /// A gap below this multiple of δ is contact.
     const TOUCH: f64;
     /// Contact less than this far ahead, in units of the fastest motion's time scale, is reached in one straight line.
@@ -175,7 +173,6 @@ impl Real for f64 {
     const BACK_ORDER: usize = 12;
     const STRAIGHT: f64 = 2e-4;
     const ASKS_AGAIN: bool = true;
-    const BOUNDS_AGAIN: bool = true;
     const TOUCH: f64 = 4.0 * f64::EPSILON;
     const UNHEEDED: f64 = 32_768.0;
     const IMMINENT: f64 = 1e-8;
@@ -217,7 +214,6 @@ impl Real for f32 {
     const BACK_ORDER: usize = 7;
     const STRAIGHT: f64 = 2e-2;
     const ASKS_AGAIN: bool = false;
-    const BOUNDS_AGAIN: bool = false;
     const TOUCH: f64 = 4.0 * f32::EPSILON as f64;
     const UNHEEDED: f64 = 32.0;
     const IMMINENT: f64 = 1e-4;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use impact_atlas::dynamics::record;
-use impact_atlas::model::System;
+use impact_atlas::model::{Real, System};
 use impact_atlas::system::Plant;
 use nalgebra::DMatrix;
 
@@ -13,6 +13,9 @@ use crate::general::subject::{follow, masses, stop};
 
 const DAMPING: f64 = 0.05;
 const RESTITUTION: f64 = 0.7;
+
+/// Moves in a forcing period of which none of these motions needs more: there are some eight steps in each.
+const FEW: u32 = 100;
 
 /// One mass, pressed to 0.3 by its load alone, and a stop so far beyond that.
 fn alone(beyond: f64) -> Plant {
@@ -93,5 +96,23 @@ fn so_it_does_beside_one_that_is_forced_and_held() {
         let left = f64::max(1e-14, 2.0 * beyond);
         assert!((last[0] - 0.3 - beyond.min(0.0)).abs() < left && last[2].abs() < left, "{beyond}: {last:?}");
         assert!(periods[199].held.contains(&1), "the forced one rests");
+    }
+}
+
+/// However little is left of a motion, a forcing period takes few moves: in either precision.
+fn takes_few_moves<T: Real>(plant: &Plant, start: &[f64]) {
+    let periods = follow::<T>(plant, start, 300);
+    assert_eq!(periods.len(), 300, "it does not get on: {plant:?}");
+    let most = periods.iter().map(|period| period.moves).max().unwrap();
+    assert!(most < FEW, "{most} moves in a period: {plant:?}");
+}
+
+#[test]
+fn what_dies_away_takes_no_more_moves_than_what_does_not() {
+    for beyond in [0.0, 1e-6, -1e-6, 3e-8, -3e-8, 1e-9, -1e-9, 1e-12, -1e-12] {
+        takes_few_moves::<f64>(&alone(beyond), &[-0.2, 0.0]);
+        takes_few_moves::<f32>(&alone(beyond), &[-0.2, 0.0]);
+        takes_few_moves::<f64>(&beside_a_forced_one(beyond), &[0.0; 4]);
+        takes_few_moves::<f32>(&beside_a_forced_one(beyond), &[0.0; 4]);
     }
 }

@@ -21,6 +21,8 @@ pub struct Period {
     pub held: Vec<usize>,
     /// How far beyond a stop d·x was, at the worst, over samples within every move, and its end.
     pub penetration: f64,
+    /// Moves in it.
+    pub moves: u32,
     /// Whether rebounds without loss were closed, at speeds of up to 1e-6, in this period or before.
     pub dragged: bool,
 }
@@ -68,6 +70,7 @@ fn follow_in<T: Real, const N: usize>(plant: &Plant, start: &[f64], periods: usi
             Event::Strobe => {
                 period.strobe = trajectory.point.state.values().map(T::widen).collect();
                 period.held = held(&flight, trajectory.contact);
+                period.moves = moves;
                 let dragged = period.dragged;
                 done.push(std::mem::replace(&mut period, Period { dragged, ..Period::default() }));
                 moves = 0;

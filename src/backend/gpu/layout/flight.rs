@@ -4,7 +4,7 @@
 use std::fmt::Display;
 
 use crate::backend::gpu::shader::Shape;
-use crate::model::{Bound, ContactNormal, Flight, Real, State, Step, StopsAlong, sets_of_others};
+use crate::model::{Bound, ContactNormal, Flight, OTHERS, Real, State, Step, StopsAlong, sets_of_others};
 
 /// Terms of the polynomial of an impact in f32: up to its order.
 pub const KICK_TERMS: usize = <f32 as Real>::KICK_ORDER + 1;
@@ -116,8 +116,10 @@ fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut Members
     if flight.count > 1 {
         members.numbers("pressing", pressing(flight).into_iter());
     }
-    let pressed = pressed(flight);
+    let pressed = by_sets(flight, |normal| &normal.pressed);
+    let sixth = by_sets(flight, |normal| &normal.sixth);
     members.numbers("pressed_forcing", pressed.iter().map(|bound| bound.forcing));
+    members.numbers("sixth_forcing", sixth.iter().map(|bound| bound.forcing));
     members.align();
     members.step("", &flight.step);
     members.vectors("stiffness", &flight.stiffness);
@@ -132,6 +134,8 @@ fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut Members
     members.vectors("mirror", &flight.mirror.unwrap_or([[0.0; N]; N]));
     members.rows("pressed_x", pressed.iter().map(|bound| &bound.x));
     members.rows("pressed_v", pressed.iter().map(|bound| &bound.v));
+    members.rows("sixth_x", sixth.iter().map(|bound| &bound.x));
+    members.rows("sixth_v", sixth.iter().map(|bound| &bound.v));
 }
 
 /// What [`Flight::pressing`] says for every set of contacts but none, row by row.
@@ -142,10 +146,13 @@ fn pressing<const N: usize>(flight: &Flight<f32, N>) -> Vec<f32> {
         .collect()
 }
 
-/// [`ContactNormal::pressed`], normal by normal.
-fn pressed<const N: usize>(flight: &Flight<f32, N>) -> Vec<Bound<f32, N>> {
+/// Bounds by sets of contacts, those that there are, normal by normal.
+fn by_sets<const N: usize>(
+    flight: &Flight<f32, N>,
+    bounds: impl Fn(&ContactNormal<f32, N>) -> &[Bound<f32, N>; OTHERS],
+) -> Vec<Bound<f32, N>> {
     let sets = sets_of_others(flight.count);
-    flight.normals().iter().flat_map(|normal| &normal.pressed[..sets]).copied().collect()
+    flight.normals().iter().flat_map(|normal| &bounds(normal)[..sets]).copied().collect()
 }
 
 /// What the course of a step is found with stands here, and again among the [`write_kicks`] that a tangent is met with: a compiler

@@ -21,7 +21,7 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 39] = [
+const COMMON: [&str; 40] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -33,6 +33,7 @@ const COMMON: [&str; 39] = [
     include_str!("../../../../shaders/dynamics/course.wgsl"),
     include_str!("../../../../shaders/dynamics/tangent.wgsl"),
     include_str!("../../../../shaders/dynamics/contact.wgsl"),
+    include_str!("../../../../shaders/dynamics/clear.wgsl"),
     include_str!("../../../../shaders/dynamics/pressing.wgsl"),
     include_str!("../../../../shaders/dynamics/imminent.wgsl"),
     include_str!("../../../../shaders/dynamics/chatter.wgsl"),
@@ -64,14 +65,18 @@ const COMMON: [&str; 39] = [
 ];
 
 /// What is read of a normal that a force changes, and how where one comes on top.
-const DRIVEN: [[&str; 2]; 6] = [
+const DRIVEN: [[&str; 2]; 7] = [
     [
         "return flight.normals[normal].bound_forcing;",
         "return flight.normals[normal].bound_forcing + driven.bound[normal];",
     ],
     [
-        "return flights[flow].pressed_forcing[pressed_place(contact, normal)];",
-        "return flights[flow].pressed_forcing[pressed_place(contact, normal)] + driven.bound[normal];",
+        "return flights[flow].pressed_forcing[others_place(contact, normal)];",
+        "return flights[flow].pressed_forcing[others_place(contact, normal)] + driven.bound[normal];",
+    ],
+    [
+        "return flights[flow].sixth_forcing[others_place(contact, normal)];",
+        "return flights[flow].sixth_forcing[others_place(contact, normal)] + driven.bound[normal];",
     ],
     [
         "return flight.normals[normal].held_gamma_sin;",
