@@ -102,7 +102,7 @@ pub struct BifurcationArgs {
     #[command(flatten)]
     backend: BackendArgs,
 
-    /// The picture, a PNG or SVG file
+    /// The picture, a PNG, SVG or PDF file
     #[arg(long, value_name = "FILE", default_value = defaults::DIAGRAM)]
     out: PathBuf,
 

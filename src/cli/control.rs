@@ -76,7 +76,7 @@ pub struct ControlArgs {
     #[command(flatten)]
     settings: MethodArgs,
 
-    /// Draws the time responses and the motion under control, a PNG or SVG file
+    /// Draws the time responses and the motion under control, a PNG, SVG or PDF file
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 

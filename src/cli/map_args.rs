@@ -98,7 +98,7 @@ pub struct ControlMapArgs {
     #[command(flatten)]
     pub cells: ControlledArgs,
 
-    /// Draws how many iterates control took, a PNG or SVG file
+    /// Draws how many iterates control took, a PNG, SVG or PDF file
     #[arg(long, value_name = "FILE", requires = "control", help_heading = "Control")]
     pub times: Option<PathBuf>,
 }

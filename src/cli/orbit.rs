@@ -64,8 +64,11 @@ pub struct OrbitArgs {
     #[arg(long, value_name = "S", value_parser = counted(1, 1_000_000))]
     samples: Option<u32>,
 
-    /// Writes every impact: time, stop, velocity_before, velocity_after, x2, v2, phase; of other systems in place of x2 and
-    /// v2 every component of the state that does not follow from the stop
+    /// Writes the impacts: time, stop, velocity_before, velocity_after, x2, v2, phase
+    ///
+    /// Velocities are along the direction of the first stop on the same line: positive where that is approached, negative where
+    /// one that faces it is. Of complete chatter only the rebounds that are followed one by one are there; the rest ends at rest
+    /// on the stop. Of other systems every component of the state that does not follow from the stop stands in place of x2 and v2.
     #[arg(long, value_name = "FILE.csv")]
     impacts: Option<PathBuf>,
 
@@ -73,7 +76,7 @@ pub struct OrbitArgs {
     #[arg(long, value_name = "FILE.csv")]
     trajectory: Option<PathBuf>,
 
-    /// Draws a figure, a PNG or SVG file
+    /// Draws a figure, a PNG, SVG or PDF file
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 

@@ -39,6 +39,8 @@ impl Columns {
     pub fn row(&self, impact: &ImpactEvent, system: &System) -> impl Serialize + use<> {
         let stop = system.stop_name(impact.stop.index());
         let components: Vec<f64> = self.at_impacts.iter().map(|c| impact.state[c.index()]).collect();
-        (impact.time, stop, impact.velocity_before, impact.velocity_after, components, impact.phase)
+        // A speed of -0 is 0.
+        let [before, after] = [impact.velocity_before, impact.velocity_after].map(|speed| speed + 0.0);
+        (impact.time, stop, before, after, components, impact.phase)
     }
 }

@@ -85,6 +85,10 @@ impl StrobeMotion {
             let step = (&turn.jacobian - DMatrix::identity(size, size)).lu().solve(&defect);
             let Some(step) = step else { break };
             let scale = 1.0 + state.amax();
+            // Nothing near by, however often it is halved: as where a motion that may drift has no fixed point of its own.
+            if step.amax() > scale * 2f64.powi(MOST_HALVINGS as i32) {
+                break;
+            }
             let last = step.amax() <= SHORT * scale && defect.amax() <= SOLVED * scale;
             let better = (0..if last { 1 } else { MOST_HALVINGS }).find_map(|halvings| {
                 let mut trial = &state - &step * 0.5f64.powi(halvings as i32);
