@@ -7,12 +7,25 @@ fn clear_time(point: Point, motion: Motion, contact: u32, ignored: u32, window: 
     if safe >= window || safe >= SHORT * flight.h {
         return safe;
     }
+    if rests_at_any(point, contact, ignored) {
+        return 0.0;
+    }
     let onward = clear_onward(point, motion, contact);
     var bounds: array<f32, NORMALS>;
     //: each normal
     bounds[$k] = clear_fourth(motion, onward, contact, $ku, window);
     //: end
     return max(safe, contact_safe_where_bounded(point, motion, ignored, window, bounds));
+}
+
+// Whether masses rest on a stop, to be caught there, but for those at the ends that are ignored.
+fn rests_at_any(point: Point, contact: u32, ignored: u32) -> bool {
+    var rest = false;
+    //: each normal
+    rest = rest || (!contact_includes(ignored, End($ku, 0u)) && rests_at(point, contact, End($ku, 0u)));
+    rest = rest || (!contact_includes(ignored, End($ku, 1u)) && rests_at(point, contact, End($ku, 1u)));
+    //: end
+    return rest;
 }
 
 // How x'' moves: it flows like x without loads, forced by −ω² times as much.

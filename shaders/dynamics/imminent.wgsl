@@ -29,16 +29,30 @@ fn imminent_sooner(found: Reached, point: Point, contact: u32, ignored: u32, end
     return found;
 }
 
+// The gap to the stop at an end.
+fn gap_to(point: Point, end: End) -> f32 {
+    let place = along(flight.normals[end.normal].direction, point.state.x);
+    return stops.gap[end.normal][end.side] - end_sign(end) * place;
+}
+
+// The speed with which it closes.
+fn speed_towards(point: Point, end: End) -> f32 {
+    return end_sign(end) * along(flight.normals[end.normal].direction, point.state.v);
+}
+
+// Whether masses rest on the stop at an end, or as near to it as rounding tells, with a speed that cannot be told from 0, and stay
+// there beside the contacts that hold.
+fn rests_at(point: Point, contact: u32, end: End) -> bool {
+    let lost = unresolved(end, point.state);
+    return abs(speed_towards(point, end)) <= lost && gap_to(point, end) <= lost && rests(point, contact, end);
+}
+
 // The time left to one stop; FAR if it is not imminent.
 fn imminent_at(point: Point, contact: u32, end: End) -> f32 {
-    let direction = flight.normals[end.normal].direction;
-    let sign = end_sign(end);
-    let gap = stops.gap[end.normal][end.side] - sign * along(direction, point.state.x);
-    let speed = sign * along(direction, point.state.v);
+    let gap = gap_to(point, end);
+    let speed = speed_towards(point, end);
     let touches = gap <= TOUCH * contact_extent(point, end);
-    let lost = unresolved(end, point.state);
-    let still = abs(speed) <= lost && gap <= lost;
-    if (touches && speed > 0.0) || (still && rests(point, contact, end)) {
+    if (touches && speed > 0.0) || rests_at(point, contact, end) {
         return 0.0;
     }
     if touches {

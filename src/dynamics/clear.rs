@@ -2,8 +2,9 @@
 //! terms of the sums that bound it elsewhere.
 
 use super::contact::{safe_time, safe_where_bounded};
+use super::imminent::rests_at;
 use super::point::{Motion, Point};
-use super::stop::Contact;
+use super::stop::{Contact, End};
 use crate::model::vector::dot;
 use crate::model::{Flight, Real, State, others};
 
@@ -13,7 +14,7 @@ pub const SHORT: f64 = 1.0 / 32.0;
 /// A [`safe_time`] for the motion with the contacts that hold.
 ///
 /// Where that is not all of the `window`, and [`SHORT`], it is asked again with a bound that shrinks as the motion does: a mass that
-/// comes to rest where a stop is would move ever less at a time without.
+/// comes to rest where a stop is would move ever less at a time without. One that rests there is to be caught at once.
 #[inline(always)]
 pub fn clear_time<T: Real, const N: usize>(
     flight: &Flight<T, N>,
@@ -26,10 +27,24 @@ pub fn clear_time<T: Real, const N: usize>(
     if safe >= window || safe >= T::of(SHORT) * flight.h {
         return safe;
     }
+    if rests_at_any(flight, point, [contact, ignored]) {
+        return T::zero();
+    }
     let onward = onward(flight, point, motion, contact);
     let bound = |k| fourth(flight, [motion, &onward], contact, k, window);
     let nearer = safe_where_bounded(flight, point, motion, ignored, window, bound);
     if nearer > safe { nearer } else { safe }
+}
+
+/// Whether masses rest on a stop, to be caught there, but for those at the ends that are ignored.
+#[inline(always)]
+fn rests_at_any<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N>,
+    [contact, ignored]: [Contact; 2],
+) -> bool {
+    let ends = (0..flight.count).flat_map(|normal| [0, 1].map(|side| End { normal, side }));
+    ends.filter(|&end| !ignored.includes(end)).any(|end| rests_at(flight, point, contact, end))
 }
 
 /// How x'' moves: it flows like x without loads, forced by −ω² times as much.

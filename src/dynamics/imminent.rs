@@ -41,6 +41,31 @@ pub fn imminent<T: Real, const N: usize>(
     first
 }
 
+/// The gap to the stop at an end, and the speed with which it closes.
+#[inline(always)]
+fn towards<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>, end: End) -> [T; 2] {
+    let normal = &flight.normals[end.normal];
+    let sign = end.sign::<T>();
+    [
+        normal.gap[end.side] - sign * dot(&normal.direction, &point.state.x),
+        sign * dot(&normal.direction, &point.state.v),
+    ]
+}
+
+/// Whether masses rest on the stop at an end, or as near to it as rounding tells, with a speed that cannot be told from 0, and stay
+/// there beside the contacts that hold.
+#[inline(always)]
+pub fn rests_at<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N>,
+    contact: Contact,
+    end: End,
+) -> bool {
+    let [gap, speed] = towards(flight, point, end);
+    let lost = unresolved(&flight.normals[end.normal], end.side, &point.state);
+    speed.abs() <= lost && gap <= lost && rests(flight, point, contact, end)
+}
+
 /// The time left to one stop; see [`imminent`].
 #[inline(always)]
 fn imminent_at<T: Real, const N: usize>(
@@ -50,13 +75,9 @@ fn imminent_at<T: Real, const N: usize>(
     end: End,
 ) -> Option<T> {
     let normal = &flight.normals[end.normal];
-    let sign = end.sign::<T>();
-    let gap = normal.gap[end.side] - sign * dot(&normal.direction, &point.state.x);
-    let speed = sign * dot(&normal.direction, &point.state.v);
+    let [gap, speed] = towards(flight, point, end);
     let touches = gap <= T::of(T::TOUCH) * extent(normal, point, end.side);
-    let lost = unresolved(normal, end.side, &point.state);
-    let still = speed.abs() <= lost && gap <= lost;
-    if (touches && speed > T::zero()) || (still && rests(flight, point, contact, end)) {
+    if (touches && speed > T::zero()) || rests_at(flight, point, contact, end) {
         return Some(T::zero());
     }
     if touches {

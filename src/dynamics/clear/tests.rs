@@ -3,7 +3,6 @@ use nalgebra::{DMatrix, DVector};
 use super::*;
 use crate::dynamics::example::{integrated, pair_with, single};
 use crate::dynamics::placing::rested;
-use crate::dynamics::stop::End;
 use crate::model::System;
 use crate::model::vector::MOST;
 
