@@ -39,10 +39,9 @@ fn clear_onward(point: Point, motion: Motion, contact: u32) -> Motion {
 // of x and of x''.
 fn clear_fourth(motion: Motion, onward: Motion, contact: u32, normal: u32, time: f32) -> f32 {
     let at = others_place(contact, normal);
-    let forcing = sixth_forcing(contact, normal) * (flight.omega * flight.omega);
     let of_x = flights[flow].sixth_x[at];
     let of_v = flights[flow].sixth_v[at];
-    let sixth = bound_of(of_x, of_v, motion.acceleration, motion.jerk, forcing);
+    let sixth = motion_bounded(motion, of_x, of_v, sixth_forcing(contact, normal));
     let direction = flight.normals[normal].direction;
     let now = abs(along(direction, onward.acceleration));
     let rate = abs(along(direction, onward.jerk));

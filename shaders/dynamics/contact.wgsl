@@ -37,6 +37,12 @@ fn contact_safe_where_bounded(
     return safe;
 }
 
+// The gap to the stop at an end.
+fn contact_gap_to(point: Point, end: End) -> f32 {
+    let place = along(flight.normals[end.normal].direction, point.state.x);
+    return stops.gap[end.normal][end.side] - end_sign(end) * place;
+}
+
 // The size of the numbers whose difference the gap is.
 fn contact_extent(point: Point, end: End) -> f32 {
     let normal = end.normal;

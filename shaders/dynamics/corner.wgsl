@@ -38,8 +38,7 @@ fn corner_closes(point: Point, contact: u32, end: End) -> u32 {
 }
 
 fn corner_is_near(point: Point, end: End) -> bool {
-    let place = end_sign(end) * along(flight.normals[end.normal].direction, point.state.x);
-    return stops.gap[end.normal][end.side] - place <= corner_negligible(point, end);
+    return contact_gap_to(point, end) <= corner_negligible(point, end);
 }
 
 // The size of a gap that is left out.

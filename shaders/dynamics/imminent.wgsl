@@ -29,13 +29,7 @@ fn imminent_sooner(found: Reached, point: Point, contact: u32, ignored: u32, end
     return found;
 }
 
-// The gap to the stop at an end.
-fn gap_to(point: Point, end: End) -> f32 {
-    let place = along(flight.normals[end.normal].direction, point.state.x);
-    return stops.gap[end.normal][end.side] - end_sign(end) * place;
-}
-
-// The speed with which it closes.
+// The speed with which the gap to the stop at an end closes.
 fn speed_towards(point: Point, end: End) -> f32 {
     return end_sign(end) * along(flight.normals[end.normal].direction, point.state.v);
 }
@@ -44,12 +38,12 @@ fn speed_towards(point: Point, end: End) -> f32 {
 // there beside the contacts that hold.
 fn rests_at(point: Point, contact: u32, end: End) -> bool {
     let lost = unresolved(end, point.state);
-    return abs(speed_towards(point, end)) <= lost && gap_to(point, end) <= lost && rests(point, contact, end);
+    return abs(speed_towards(point, end)) <= lost && contact_gap_to(point, end) <= lost && rests(point, contact, end);
 }
 
 // The time left to one stop; FAR if it is not imminent.
 fn imminent_at(point: Point, contact: u32, end: End) -> f32 {
-    let gap = gap_to(point, end);
+    let gap = contact_gap_to(point, end);
     let speed = speed_towards(point, end);
     let touches = gap <= TOUCH * contact_extent(point, end);
     if (touches && speed > 0.0) || rests_at(point, contact, end) {

@@ -183,8 +183,12 @@ fn motion_pressed_bound(motion: Motion, contact: u32, normal: u32) -> f32 {
     let at = others_place(contact, normal);
     let of_x = flights[flow].pressed_x[at];
     let of_v = flights[flow].pressed_v[at];
-    let forcing = pressed_forcing(contact, normal) * (flight.omega * flight.omega);
-    return bound_of(of_x, of_v, motion.acceleration, motion.jerk, forcing);
+    return motion_bounded(motion, of_x, of_v, pressed_forcing(contact, normal));
+}
+
+// What a bound says of x'' in place of x.
+fn motion_bounded(motion: Motion, of_x: X, of_v: X, forcing: f32) -> f32 {
+    return bound_of(of_x, of_v, motion.acceleration, motion.jerk, forcing * (flight.omega * flight.omega));
 }
 
 fn pressed_forcing(contact: u32, normal: u32) -> f32 {

@@ -72,8 +72,7 @@ fn fourth<T: Real, const N: usize>(
     time: T,
 ) -> T {
     let normal = &flight.normals[k];
-    let sixth = &normal.sixth[others(contact.held(), k)];
-    let sixth = sixth.of(&motion.acceleration, &motion.jerk, sixth.forcing * (flight.omega * flight.omega));
+    let sixth = motion.bounded(flight, &normal.sixth[others(contact.held(), k)]);
     let [now, rate] = [&onward.acceleration, &onward.jerk].map(|each| dot(&normal.direction, each).abs());
     now + time * (rate + T::of(0.5) * time * sixth)
 }

@@ -86,6 +86,13 @@ pub fn holds<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>
 /// As many roundings of a place as [`holds`] lets pass.
 pub const ROUNDINGS: f64 = 64.0;
 
+/// The gap to the stop at an end.
+#[inline(always)]
+pub fn gap_to<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>, end: End) -> T {
+    let normal = &flight.normals[end.normal];
+    normal.gap[end.side] - end.sign::<T>() * dot(&normal.direction, &point.state.x)
+}
+
 /// The size of the numbers whose difference the gap is.
 #[inline(always)]
 pub fn extent<T: Real, const N: usize>(normal: &ContactNormal<T, N>, point: &Point<T, N>, side: usize) -> T {

@@ -31,7 +31,7 @@ pub fn closes<T: Real, const N: usize>(
         for side in 0..2 {
             let beside = End { normal: k, side };
             let held = (corner.held() >> k) & 1 == 1;
-            if !held && normal.gap[side] < T::of(FAR) && is_near(normal, point, beside) {
+            if !held && normal.gap[side] < T::of(FAR) && is_near(flight, point, beside) {
                 corner = corner.with(beside);
             }
         }
@@ -54,9 +54,8 @@ pub fn closes<T: Real, const N: usize>(
 
 /// Whether the gap to a stop is negligible.
 #[inline(always)]
-fn is_near<T: Real, const N: usize>(normal: &ContactNormal<T, N>, point: &Point<T, N>, end: End) -> bool {
-    let gap = normal.gap[end.side] - end.sign::<T>() * dot(&normal.direction, &point.state.x);
-    gap <= negligible(normal, point, end.side)
+fn is_near<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>, end: End) -> bool {
+    contact::gap_to(flight, point, end) <= negligible(&flight.normals[end.normal], point, end.side)
 }
 
 /// The size of a gap that is left out.

@@ -1,6 +1,6 @@
 //! The stop that is met at once.
 
-use super::contact::{extent, unresolved};
+use super::contact::{extent, gap_to, unresolved};
 use super::point::Point;
 use super::pressing::rests;
 use super::stop::{Contact, End};
@@ -41,15 +41,10 @@ pub fn imminent<T: Real, const N: usize>(
     first
 }
 
-/// The gap to the stop at an end, and the speed with which it closes.
+/// The speed with which the gap to the stop at an end closes.
 #[inline(always)]
-fn towards<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>, end: End) -> [T; 2] {
-    let normal = &flight.normals[end.normal];
-    let sign = end.sign::<T>();
-    [
-        normal.gap[end.side] - sign * dot(&normal.direction, &point.state.x),
-        sign * dot(&normal.direction, &point.state.v),
-    ]
+fn speed_towards<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>, end: End) -> T {
+    end.sign::<T>() * dot(&flight.normals[end.normal].direction, &point.state.v)
 }
 
 /// Whether masses rest on the stop at an end, or as near to it as rounding tells, with a speed that cannot be told from 0, and stay
@@ -61,9 +56,9 @@ pub fn rests_at<T: Real, const N: usize>(
     contact: Contact,
     end: End,
 ) -> bool {
-    let [gap, speed] = towards(flight, point, end);
     let lost = unresolved(&flight.normals[end.normal], end.side, &point.state);
-    speed.abs() <= lost && gap <= lost && rests(flight, point, contact, end)
+    let still = speed_towards(flight, point, end).abs() <= lost && gap_to(flight, point, end) <= lost;
+    still && rests(flight, point, contact, end)
 }
 
 /// The time left to one stop; see [`imminent`].
@@ -75,7 +70,7 @@ fn imminent_at<T: Real, const N: usize>(
     end: End,
 ) -> Option<T> {
     let normal = &flight.normals[end.normal];
-    let [gap, speed] = towards(flight, point, end);
+    let (gap, speed) = (gap_to(flight, point, end), speed_towards(flight, point, end));
     let touches = gap <= T::of(T::TOUCH) * extent(normal, point, end.side);
     if (touches && speed > T::zero()) || rests_at(flight, point, contact, end) {
         return Some(T::zero());

@@ -124,7 +124,12 @@ impl<T: Real, const N: usize> Motion<T, N> {
     /// flows like x, forced by −ω² times as much.
     #[inline(always)]
     pub fn pressed_bound(&self, flight: &Flight<T, N>, contact: Contact, normal: usize) -> T {
-        let bound = pressed(flight, contact, normal);
+        self.bounded(flight, pressed(flight, contact, normal))
+    }
+
+    /// What a bound says of x'' in place of x.
+    #[inline(always)]
+    pub fn bounded(&self, flight: &Flight<T, N>, bound: &Bound<T, N>) -> T {
         bound.of(&self.acceleration, &self.jerk, bound.forcing * (flight.omega * flight.omega))
     }
 }

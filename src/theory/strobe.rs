@@ -82,13 +82,8 @@ impl StrobeMotion {
         let mut turn = Turn::from(follower.as_mut(), &flow, &state, n).ok_or(NoMotion::NotConverged)?;
         for _ in 0..MOST_STEPS {
             let defect = &turn.end - &state;
-            let step = (&turn.jacobian - DMatrix::identity(size, size)).lu().solve(&defect);
-            let Some(step) = step else { break };
             let scale = 1.0 + state.amax();
-            // Nothing near by, however often it is halved: as where a motion that may drift has no fixed point of its own.
-            if step.amax() > scale * 2f64.powi(MOST_HALVINGS as i32) {
-                break;
-            }
+            let Some(step) = step(&turn.jacobian, &defect, scale) else { break };
             let last = step.amax() <= SHORT * scale && defect.amax() <= SOLVED * scale;
             let better = (0..if last { 1 } else { MOST_HALVINGS }).find_map(|halvings| {
                 let mut trial = &state - &step * 0.5f64.powi(halvings as i32);
@@ -150,8 +145,8 @@ impl StrobeMotion {
         let size = state.len();
         for _ in 0..HALF_TURN_STEPS {
             let (half, jacobian) = Turn::from(follower, flow, &state, motion.n)?.half?;
-            let matrix = flow.mirrored_columns(&jacobian) - DMatrix::identity(size, size);
-            state -= matrix.lu().solve(&(flow.mirrored(&half) - &state))?;
+            let defect = flow.mirrored(&half) - &state;
+            state -= step(&flow.mirrored_columns(&jacobian), &defect, 1.0 + state.amax())?;
             follower.bring_within(&mut state.as_mut_slice()[..size / 2]);
         }
         let turn = Turn::from(follower, flow, &state, motion.n)?;
@@ -216,6 +211,14 @@ impl StrobeMotion {
     pub fn is_stable(&self) -> Option<bool> {
         Some(self.multipliers()?.iter().all(|value| value.modulus() < STABLE))
     }
+}
+
+/// The step of Newton's method to the fixed point of a map, from the map's Jacobian and what it adds to the state. None where it leads
+/// to nothing near by, however often it is halved: where a motion may drift, no fixed point is alone.
+fn step(jacobian: &DMatrix<f64>, defect: &DVector<f64>, scale: f64) -> Option<DVector<f64>> {
+    let size = defect.len();
+    let step = (jacobian - DMatrix::identity(size, size)).lu().solve(defect)?;
+    (step.amax() <= scale * 2f64.powi(MOST_HALVINGS as i32)).then_some(step)
 }
 
 fn finite(matrix: &DMatrix<f64>) -> Option<&DMatrix<f64>> {

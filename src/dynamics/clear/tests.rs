@@ -1,10 +1,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::*;
+use crate::dynamics::contact::gap_to;
 use crate::dynamics::example::{integrated, pair_with, single};
 use crate::dynamics::placing::rested;
 use crate::model::System;
-use crate::model::vector::MOST;
 
 /// Steps of a time at which a motion is looked at.
 const LOOKS: u32 = 50;
@@ -92,12 +92,8 @@ fn nothing_is_met_in_a_time_that_is_clear() {
         let ignored = contact.with_opposite_ends();
         let direction = flight.normals[1].direction;
         for point in points(&flight, contact, at) {
-            let gap = flight.normals[1].gap[0] - dot(&direction, &point.state.x);
-            let inside = (0..MOST).take(2).all(|k| {
-                ignored.includes(End { normal: k, side: 0 })
-                    || dot(&flight.normals[k].direction, &point.state.x) < flight.normals[k].gap[0]
-            });
-            if !inside || gap <= 0.0 {
+            let upper = [0, 1].map(|normal| End { normal, side: 0 });
+            if !upper.iter().all(|&end| ignored.includes(end) || gap_to(&flight, &point, end) > 0.0) {
                 continue;
             }
             let motion = point.motion(&flight, contact);

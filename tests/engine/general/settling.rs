@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 
 use crate::common::general::Follower;
 use crate::common::general::conditioning::deviation;
-use crate::general::subject::{follow, masses, stop};
+use crate::general::subject::{Period, follow, masses, stop};
 
 const DAMPING: f64 = 0.05;
 const RESTITUTION: f64 = 0.7;
@@ -64,37 +64,34 @@ fn rebounds_die_away_as_in_closed_form() {
     assert!(compared > 50, "{compared}");
 }
 
+/// The first mass moves as in the oracle, and is at rest in the end where its stop is, or near.
+fn settles(plant: &Plant, start: &[f64], beyond: f64, periods: usize) -> Vec<Period> {
+    let mut oracle = Follower::new(plant.clone(), start);
+    let followed = follow::<f64>(plant, start, periods);
+    assert_eq!(followed.len(), periods, "it does not get on: {beyond}");
+    for period in &followed[..6] {
+        let off = deviation(&period.strobe, &oracle.next_period().strobe);
+        assert!(off < 1e-9, "off by {off:e}: {beyond}");
+    }
+    let last = &followed[periods - 1].strobe;
+    let (place, speed) = (last[0] - 0.3 - beyond.min(0.0), last[plant.n]);
+    // A swing that does not reach the stop dies away more slowly.
+    let left = f64::max(1e-14, 2.0 * beyond);
+    assert!(place.abs() < left && speed.abs() < left, "{beyond}: {last:?}");
+    followed
+}
+
 #[test]
 fn a_mass_settles_where_its_stop_is_or_near() {
     for beyond in [0.0, 1e-9, -1e-9, 1e-12, -1e-12, 1e-15, -1e-15, 1e-6, -1e-6] {
-        let mut oracle = Follower::new(alone(beyond), &[-0.2, 0.0]);
-        let periods = follow::<f64>(&alone(beyond), &[-0.2, 0.0], 300);
-        assert_eq!(periods.len(), 300, "it does not get on: {beyond}");
-        for period in &periods[..6] {
-            let off = deviation(&period.strobe, &oracle.next_period().strobe);
-            assert!(off < 1e-9, "off by {off:e}: {beyond}");
-        }
-        let last = &periods[299].strobe;
-        // A swing that does not reach the stop dies away more slowly.
-        let left = f64::max(1e-14, 2.0 * beyond);
-        assert!((last[0] - 0.3 - beyond.min(0.0)).abs() < left && last[1].abs() < left, "{beyond}: {last:?}");
+        settles(&alone(beyond), &[-0.2, 0.0], beyond, 300);
     }
 }
 
 #[test]
 fn so_it_does_beside_one_that_is_forced_and_held() {
     for beyond in [0.0, 1e-9, -1e-9, 1e-12, -1e-12, 1e-6, -1e-6] {
-        let plant = beside_a_forced_one(beyond);
-        let mut oracle = Follower::new(plant.clone(), &[0.0; 4]);
-        let periods = follow::<f64>(&plant, &[0.0; 4], 200);
-        assert_eq!(periods.len(), 200, "it does not get on: {beyond}");
-        for period in &periods[..6] {
-            let off = deviation(&period.strobe, &oracle.next_period().strobe);
-            assert!(off < 1e-9, "off by {off:e}: {beyond}");
-        }
-        let last = &periods[199].strobe;
-        let left = f64::max(1e-14, 2.0 * beyond);
-        assert!((last[0] - 0.3 - beyond.min(0.0)).abs() < left && last[2].abs() < left, "{beyond}: {last:?}");
+        let periods = settles(&beside_a_forced_one(beyond), &[0.0; 4], beyond, 200);
         assert!(periods[199].held.contains(&1), "the forced one rests");
     }
 }
