@@ -96,6 +96,9 @@ pub struct ControlArgs {
     overwrite: OverwriteArgs,
 
     /// Prints JSON: method, label_before, label_after, stop, section_names, fixed_point, converged_at, effort, period_two, escapes and more
+    ///
+    /// From converged_at on, the points stay within --tolerance of those at the end; that of `map --control` is where they began to
+    /// return as closely as a period asks for, which is sooner.
     #[arg(long)]
     json: bool,
 }

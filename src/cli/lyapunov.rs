@@ -24,7 +24,8 @@ use super::{CliError, Result, defaults};
 /// The standard error is per forcing period, from the scatter of 16 batches. An exponent of minus infinity is a
 /// direction that is lost: complete chatter and sticking forget the place and velocity along the contact (two
 /// directions), an impact with r = 0 forgets one. The sum of all is known exactly, as the contraction of volume:
-/// −T tr(M⁻¹C) + 2 ln r × (impacts per forcing period), stop by stop. Computed in double precision on the CPU. Exit code 1 if the
+/// −T tr(M⁻¹C) + 2 ln r × (impacts per forcing period), stop by stop. Masses that no spring and no stop ties to the ground
+/// have fewer: those of 0, of where they drift to, are left out. Computed in double precision on the CPU. Exit code 1 if the
 /// trajectory cannot be followed.
 #[derive(Debug, Args)]
 #[command(after_help = "\

@@ -31,7 +31,8 @@ const MOST_SECTION_PERIODS: u32 = 1_000_000;
 ///
 /// Computed in double precision on the CPU. Times are non-dimensional and count from the start of the trajectory,
 /// transient included; the phase is that of the forcing, from 0 to 2π. The stops have the names of the system: the paper's
-/// are A, x1 = +delta, and B, x1 = -delta.
+/// are A, x1 = +delta, and B, x1 = -delta. Masses that no spring and no stop ties to the ground drift as they
+/// do; all other commands follow them in a frame that moves with them as a whole.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -152,7 +153,7 @@ pub fn run(args: &OrbitArgs) -> Result<()> {
     let section_periods =
         if shown.panels.iter().any(|panel| panel.is_section()) { args.section_periods } else { 0 };
     let progress = Progress::of_trajectory();
-    let followed = system.clone();
+    let followed = system.adrift().map_err(CliError::input)?;
     let (recording, sections) = interrupt::abandonable(move || {
         let system = followed;
         let recording = dynamics::record(&system, start, transient, periods, samples);

@@ -7,13 +7,22 @@ use arrayvec::ArrayVec;
 use super::equations::Equations;
 use super::of_flow::OfFlow;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
-use crate::system::{Plant, Setting, StopValues};
+use crate::system::{Mooring, Plant, Setting, StopValues};
 
 /// rate·h of a step of length h is kept below this: large enough for few steps, small enough for low orders.
 pub(super) const STEP: f64 = 1.0;
 
 /// Stops in the order in which labels count their impacts, by their places in the plant's order.
 pub(super) type LabelOrder = ArrayVec<usize, { Plant::MOST_STOPS }>;
+
+/// A plant that may drift, and what holds it.
+#[derive(Clone, Debug)]
+pub(super) struct Adrift {
+    /// The plant without what holds it.
+    pub plant: Arc<Plant>,
+    /// See [`System::mooring`](super::System::mooring).
+    pub mooring: Arc<Mooring>,
+}
 
 /// What systems with the same flow have in common.
 #[derive(Clone, Debug)]
@@ -22,6 +31,8 @@ pub(super) struct Common {
     pub like: Option<Setting>,
     /// The plant of one of them.
     pub plant: Plant,
+    /// Where it is held, since it may drift.
+    pub adrift: Option<Adrift>,
     /// The stops in the order in which labels count their impacts.
     pub label_order: LabelOrder,
     /// How long the directions of the stops are, in the plant's order.
@@ -49,7 +60,7 @@ impl Common {
         }
         let lengths = plant.stops.iter().map(|stop| stop.direction.norm()).collect();
         let (steps, of_flow) = (2 * half_steps as u32, Arc::default());
-        Ok(Common { like: setting, plant, label_order, lengths, normals, rate, steps, of_flow })
+        Ok(Common { like: setting, plant, adrift: None, label_order, lengths, normals, rate, steps, of_flow })
     }
 
     /// Which of some stops, in the plant's order, have the same gap, per length of their direction, and the same restitution,

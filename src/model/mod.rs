@@ -20,6 +20,7 @@ mod lanes;
 mod line;
 mod loads;
 mod logarithm;
+mod moored;
 mod of_flow;
 #[cfg(target_arch = "x86_64")]
 mod pack;

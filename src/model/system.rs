@@ -19,16 +19,16 @@ use crate::system::{Family, Mirror, Plant, Setting, StopParameters, StopValues};
 /// Everything is non-dimensional.
 #[derive(Clone, Debug, PartialEq)]
 pub struct System {
-    plant: Restopped,
+    pub(super) plant: Restopped,
     /// What its setting has of its own.
-    own: StopParameters,
+    pub(super) own: StopParameters,
 }
 
 impl System {
     /// The most steps of one forcing period that are accepted.
     pub const MOST_STEPS: u32 = MOST_STEPS;
 
-    /// A system with checked parameters.
+    /// A system with checked parameters; it is held where it may drift, see [`System::moored`].
     ///
     /// # Errors
     /// The first parameter that is out of its range, what the family cannot make of the values, and
@@ -38,10 +38,10 @@ impl System {
         let setting = setting.into();
         let plant = setting.plant()?;
         let label_order = setting.family().label_order().iter().copied().collect();
-        System::divided(Some(setting), plant, label_order)
+        System::divided(Some(setting), plant, label_order)?.moored()
     }
 
-    /// The system of a plant.
+    /// The system of a plant. Where that may drift, so does it: see [`System::moored`].
     ///
     /// # Errors
     /// What is wrong with the plant, and [`SystemError::TooStiff`] where one forcing period holds too many steps of the
@@ -119,17 +119,25 @@ impl System {
     pub fn at_frequency(&self, omega: f64) -> Result<Self, SystemError> {
         match self.setting().filter(|setting| setting.named("omega").is_some()) {
             Some(setting) => System::new(setting.with_named("omega", omega)),
-            None => System::of_plant(Plant { omega, ..self.plant().clone() }),
+            None => {
+                let other = System::of_plant(Plant { omega, ..self.adrift()?.plant().clone() })?;
+                if self.moorings().is_empty() { Ok(other) } else { other.moored() }
+            }
         }
     }
 
     /// The same system with another plant, as fast as its own and with the same stops.
-    pub(super) fn changed(self, change: impl FnOnce(&mut Plant)) -> Self {
+    pub(super) fn changed(self, change: impl Fn(&mut Plant)) -> Self {
         let mut plant = self.plant().clone();
         change(&mut plant);
-        let &Common { like, ref label_order, ref lengths, normals, rate, steps, .. } = self.common();
-        let (label_order, lengths, of_flow) = (label_order.clone(), lengths.clone(), Arc::default());
-        let common = Common { like, plant, label_order, lengths, normals, rate, steps, of_flow };
+        let &Common { like, ref adrift, ref label_order, ref lengths, normals, rate, steps, .. } =
+            self.common();
+        let (mut adrift, label_order, lengths) = (adrift.clone(), label_order.clone(), lengths.clone());
+        if let Some(adrift) = &mut adrift {
+            change(Arc::make_mut(&mut adrift.plant));
+        }
+        let of_flow = Arc::default();
+        let common = Common { like, plant, adrift, label_order, lengths, normals, rate, steps, of_flow };
         System { plant: Restopped::new(common), ..self }
     }
 
@@ -261,12 +269,6 @@ impl System {
     /// [`Common::alike`] of its own stops. Systems with the same flow and the same bits have the same mirror.
     pub(super) fn mirrored_stops(&self) -> u64 {
         self.plant.alike
-    }
-
-    /// tr(M⁻¹C), the rate at which free flight contracts volumes of phase space.
-    pub fn contraction(&self) -> f64 {
-        let inverse = self.like().mass.clone().try_inverse();
-        (inverse.expect("a plant's mass matrix was checked to be invertible") * &self.like().damping).trace()
     }
 
     /// The forcing period T = 2π/ω, non-dimensional.

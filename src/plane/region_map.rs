@@ -52,7 +52,7 @@ pub struct Made {
     pub extents: bool,
 }
 
-/// (re, im) of the 2n Floquet multipliers of a periodic motion, largest modulus first.
+/// (re, im) of the 2n Floquet multipliers of a periodic motion, largest modulus first; fewer where it may drift.
 pub type Multipliers = Vec<[f64; 2]>;
 
 /// A computed plane.

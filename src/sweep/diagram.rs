@@ -104,12 +104,14 @@ fn with_spectra(
     branches.into_iter().map(spectra).collect()
 }
 
-/// The 2n exponents, largest first whatever their statistical error, NaN where the trajectory could not be followed.
+/// The 2n exponents, largest first whatever their statistical error; NaN where the trajectory could not be followed, and for the
+/// last ones where the masses may drift.
 fn exponents(system: &System, trace: &Trace, spec: &DiagramSpec, unit: ExponentUnit) -> Vec<f64> {
     let start = system.between_stops(trace.verdict.state);
     let spectrum = Spectrum::of(system, &start[..], 0, spec.schedule.observe);
     let in_unit = |spectrum: Spectrum| unit.of(&spectrum, spec.probe.section);
     let mut exponents = spectrum.map_or_else(|_| vec![f64::NAN; start.len()], in_unit);
     exponents.sort_by(|a, b| b.total_cmp(a));
+    exponents.resize(start.len(), f64::NAN);
     exponents
 }

@@ -11,6 +11,7 @@ use smallvec::SmallVec;
 use super::builtin::builtin;
 use super::error::{CellError, FamilyError};
 use super::family::Family;
+use super::mooring::Mooring;
 use super::parameter::{Parameter as ParameterRecord, ParameterError, ParameterId};
 use super::plant::Plant;
 use super::stops::StopValues;
@@ -261,7 +262,8 @@ impl Setting {
 
     /// Whether these values make a plant, and it has a mirror: then there is a symmetric motion to look for.
     pub fn has_mirror(&self) -> bool {
-        self.plant().is_ok_and(|plant| plant.mirror().is_some())
+        let held = |plant: Plant| Mooring::of(&plant).map_or(plant, |(held, _)| held);
+        self.plant().is_ok_and(|plant| held(plant).mirror().is_some())
     }
 }
 

@@ -7,7 +7,7 @@
 use nalgebra::DVector;
 
 use super::strobe::StrobeMotion;
-use crate::analysis::{Counts, INFINITELY_MANY, Regime, Verdict};
+use crate::analysis::{Counts, Regime, Verdict};
 use crate::model::{StateVector, System};
 
 /// The largest distance of a strobe state from the motion that it approaches, for states of order one.
@@ -88,10 +88,9 @@ pub fn confirmed(system: &System, verdict: &Verdict) -> Option<Verdict> {
     }
 }
 
-/// Whether every deviation from a periodic motion dies out within a period: its only mass comes to rest on a stop.
+/// Whether every deviation from a periodic motion dies out within a period: all that moves, but for a drift, comes to rest on a stop.
 fn forgets_everything(system: &System, verdict: &Verdict) -> bool {
-    let rests = verdict.regime == Regime::PeriodicSticking && verdict.counts.contains(&INFINITELY_MANY);
-    rests && system.plant().n == 1
+    verdict.regime == Regime::PeriodicSticking && 2 * system.coordinates() - system.moorings().len() == 2
 }
 
 /// N of a periodic verdict whose largest multiplier is close to one in modulus, as far as its exponent was measured.

@@ -11,7 +11,7 @@ use super::joined::Joined;
 use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
 use crate::model::{OfFlow, System};
-use crate::system::{Mirror, sized};
+use crate::system::{Mirror, Mooring, sized};
 
 /// The flow z' = G z between impacts, z = (x, v, sin φ, cos φ, 1), and the stops.
 #[derive(Clone, Debug)]
@@ -20,6 +20,8 @@ pub(crate) struct Flow {
     pub n: usize,
     /// ω.
     pub omega: f64,
+    /// What holds the system where it may drift.
+    pub mooring: Option<Arc<Mooring>>,
     /// The stops.
     faces: Vec<Face>,
     whatever_gaps: Arc<WhateverGaps>,
@@ -76,7 +78,8 @@ impl Flow {
         // Both are known from now on.
         kept.generator(|| generator(system));
         system.mirror();
-        Flow { n: system.coordinates(), omega: system.like().omega, faces, whatever_gaps, kept }
+        let (n, omega) = (system.coordinates(), system.like().omega);
+        Flow { n, omega, mooring: system.mooring().cloned(), faces, whatever_gaps, kept }
     }
 
     /// G, (2n + 3) × (2n + 3).

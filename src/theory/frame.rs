@@ -1,10 +1,13 @@
 //! A frame of tangent vectors, kept orthogonal, and what it has grown by.
 
+use std::sync::Arc;
+
 use nalgebra::DMatrix;
 
 use super::follower::Follower;
 use crate::dynamics::{Event, Stop};
 use crate::model::System;
+use crate::system::Mooring;
 
 /// The frame is made orthogonal again after so many time constants of the fastest motion, at the latest.
 const REACH: f64 = 2.0;
@@ -21,6 +24,8 @@ pub(super) struct Frame {
     since: f64,
     /// Directions that are lost for ever.
     lost: usize,
+    /// What holds the system where it may drift: no direction of the frame, whatever is lost.
+    mooring: Option<Arc<Mooring>>,
 }
 
 impl Frame {
@@ -35,20 +40,40 @@ impl Frame {
         let order: Vec<usize> = free.chain(held().map(|i| n + i)).chain(held()).collect();
         follower.carry();
         let columns = follower.tangents();
-        follower.set_tangents(&DMatrix::from_fn(2 * n, 2 * n, |i, j| columns[(i, order[j])]));
-        let restitution = plant.stops.iter().map(|stop| stop.restitution).collect();
-        let mut frame =
-            Frame { restitution, rate: system.rate(), growth: vec![0.0; 2 * n], since: 0.0, lost: 0 };
+        let columns = DMatrix::from_fn(2 * n, 2 * n, |i, j| columns[(i, order[j])]);
+        let mut frame = Frame {
+            restitution: plant.stops.iter().map(|stop| stop.restitution).collect(),
+            rate: system.rate(),
+            growth: vec![0.0; 2 * n],
+            since: 0.0,
+            lost: 0,
+            mooring: system.mooring().cloned(),
+        };
         frame.lose(2 * contacts(follower));
-        if frame.lost > 0 {
+        if frame.mooring.is_some() {
+            // Projected unit vectors depend on each other.
+            follower.set_tangents(&frame.relative(columns).col_piv_qr().q());
+        } else {
+            follower.set_tangents(&columns);
+        }
+        if frame.kept() < 2 * n {
             frame.orthogonalise(follower);
         }
         frame
     }
 
-    /// How many directions are not lost.
+    /// How many directions are not lost, of those that are not held.
     pub fn kept(&self) -> usize {
-        self.growth.len() - self.lost
+        let held = self.mooring.as_ref().map_or(0, |mooring| mooring.exponents.len());
+        self.growth.len() - held - self.lost
+    }
+
+    /// Deviations without what they have along what is held.
+    fn relative(&self, columns: DMatrix<f64>) -> DMatrix<f64> {
+        match &self.mooring {
+            Some(mooring) => &mooring.relative * columns,
+            None => columns,
+        }
     }
 
     /// What a move has done to the frame.
@@ -81,7 +106,7 @@ impl Frame {
     fn orthogonalise(&mut self, follower: &mut dyn Follower) {
         self.since = 0.0;
         let size = self.growth.len();
-        let frame = follower.tangents();
+        let frame = self.relative(follower.tangents());
         // Vectors that contacts have made vanish come last.
         let mut order: Vec<usize> = (0..size).collect();
         order.sort_by_key(|&j| frame.column(j).amax() == 0.0);

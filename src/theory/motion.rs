@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use super::admissible::{Inadmissible, fly};
 use super::flow::Flow;
-use super::multipliers::{STABLE, eigenvalues, ordered, turn};
+use super::multipliers::{self, STABLE, ordered, turn};
 use super::newton;
 use super::pattern::Pattern;
 use super::section_vector::{Node, SectionVector, phase};
@@ -181,14 +181,21 @@ impl PeriodicMotion {
     ///
     /// None for a motion that is not symmetric, or that grazes.
     pub fn half_multipliers(&self, system: &System) -> Option<Vec<Complex<f64>>> {
-        self.pattern.mirrored.then(|| self.jacobian(system))?.and_then(|map| eigenvalues(&map))
+        if self.pattern.mirrored { self.of_turn(system) } else { None }
     }
 
-    /// The 2n Floquet multipliers, largest modulus first: the eigenvalues of the Jacobian of one period.
+    /// The multipliers of the Jacobian of one turn.
+    fn of_turn(&self, system: &System) -> Option<Vec<Complex<f64>>> {
+        let (turn, periods) = (self.jacobian(system)?, self.pattern.turn() / TAU);
+        multipliers::multipliers(&turn, periods, system.moorings())
+    }
+
+    /// The 2n Floquet multipliers, largest modulus first: the eigenvalues of the Jacobian of one period. Fewer where
+    /// it may drift: those of what is held are left out; see [`System::moored`].
     ///
     /// None for a motion that grazes, where there is no derivative.
     pub fn multipliers(&self, system: &System) -> Option<Vec<Complex<f64>>> {
-        let turn = self.jacobian(system).and_then(|map| eigenvalues(&map))?;
+        let turn = self.of_turn(system)?;
         let squares = |values: Vec<Complex<f64>>| values.iter().map(|value| value * value).collect();
         Some(if self.pattern.mirrored { ordered(squares(turn)) } else { turn })
     }

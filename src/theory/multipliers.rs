@@ -32,6 +32,19 @@ pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     Some(ordered(schur.complex_eigenvalues().as_slice().to_vec()))
 }
 
+/// The eigenvalues of a map over some forcing periods, without those of what is held where the system may drift, given by their
+/// exponents per period: for each of these the nearest in modulus.
+pub(super) fn multipliers(map: &DMatrix<f64>, periods: f64, moorings: &[f64]) -> Option<Vec<Complex<f64>>> {
+    let mut values = eigenvalues(map)?;
+    for exponent in moorings {
+        let modulus = libm::exp(exponent * periods);
+        let off = |value: &Complex<f64>| (value.modulus() - modulus).abs();
+        let nearest = (0..values.len()).min_by(|&i, &j| off(&values[i]).total_cmp(&off(&values[j])));
+        values.remove(nearest?);
+    }
+    Some(values)
+}
+
 /// How many powers of a map are looked at, the 1st, 2nd, 4th and so on, to see that it contracts.
 const MOST_POWERS: usize = 12;
 

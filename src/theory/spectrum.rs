@@ -11,7 +11,8 @@ use crate::analysis::constants::{ALIGNING, BATCHES};
 use crate::dynamics::{Event, Moves, Stop};
 use crate::model::System;
 
-/// The 2n Lyapunov exponents of a trajectory, largest first, natural logarithm; everything is non-dimensional.
+/// The 2n Lyapunov exponents of a trajectory, largest first, natural logarithm; everything is non-dimensional. Fewer where
+/// it may drift: those of what is held are left out; see [`System::moored`].
 ///
 /// Section 5 defines them per iterate of the impact map σ→σ; here they are measured per forcing period, and
 /// [`Spectrum::per_time`] and [`Spectrum::per_iterate`] are the same numbers in the other units. An exponent is −∞ where
@@ -182,7 +183,8 @@ impl Tally {
     fn spectrum(self, system: &System, frame: &Frame, batches: &[Vec<f64>], batch_periods: u32) -> Spectrum {
         let count = batches.len() as f64;
         let per_batch = f64::from(batch_periods);
-        let mut measured = vec![(f64::NEG_INFINITY, 0.0); 2 * system.plant().n];
+        let exponents = 2 * system.coordinates() - system.moorings().len();
+        let mut measured = vec![(f64::NEG_INFINITY, 0.0); exponents];
         for (j, measured) in measured.iter_mut().enumerate().take(frame.kept()) {
             let mean = batches.iter().map(|batch| batch[j]).sum::<f64>() / count;
             let square = batches.iter().map(|batch| (batch[j] - mean).powi(2)).sum::<f64>() / (count - 1.0);

@@ -1,17 +1,20 @@
 //! Periodic motions as fixed points of the strobe map: those that stick, and have no finite impact sequence, too.
 
+use std::sync::Arc;
+
 use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 
 use super::flow::Flow;
 use super::follower::{Follower, follower};
 use super::label::spelled;
 use super::motion::NoMotion;
-use super::multipliers::{STABLE, eigenvalues};
+use super::multipliers::{STABLE, multipliers};
 use super::pattern::StopSet;
 use super::turn::Turn;
 use crate::analysis::INFINITELY_MANY;
 use crate::dynamics::{Event, Moves, Stop};
 use crate::model::System;
+use crate::system::Mooring;
 
 /// The most Newton steps.
 const MOST_STEPS: usize = 30;
@@ -60,6 +63,8 @@ pub struct StrobeMotion {
     /// The largest component of Pᴺ(s) − s.
     pub residual: f64,
     among: StopSet,
+    /// What holds the system where it may drift.
+    mooring: Option<Arc<Mooring>>,
 }
 
 impl StrobeMotion {
@@ -131,6 +136,7 @@ impl StrobeMotion {
             half_jacobian: half.filter(|_| symmetric).map(|(_, jacobian)| flow.mirrored_columns(&jacobian)),
             residual,
             among,
+            mooring: flow.mooring.clone(),
         }
     }
 
@@ -190,16 +196,21 @@ impl StrobeMotion {
         spelled(self.n, self.counts().into_iter().map(number))
     }
 
-    /// The Floquet multipliers, largest modulus first; 0 for a direction that sticking loses.
+    /// The Floquet multipliers, largest modulus first; 0 for a direction that sticking loses. None is of a drift.
     ///
     /// None where an impact grazes, since there is no derivative.
     pub fn multipliers(&self) -> Option<Vec<Complex<f64>>> {
-        finite(&self.jacobian).and_then(eigenvalues)
+        self.multipliers_of(&self.jacobian, f64::from(self.n))
     }
 
     /// Eigenvalues of the half map of a symmetric motion, largest modulus first: N/2 forcing periods, then the mirror.
     pub fn half_multipliers(&self) -> Option<Vec<Complex<f64>>> {
-        self.half_jacobian.as_ref().and_then(finite).and_then(eigenvalues)
+        self.multipliers_of(self.half_jacobian.as_ref()?, 0.5 * f64::from(self.n))
+    }
+
+    fn multipliers_of(&self, map: &DMatrix<f64>, periods: f64) -> Option<Vec<Complex<f64>>> {
+        let moorings = self.mooring.as_ref().map_or(&[][..], |mooring| &mooring.exponents);
+        multipliers(finite(map)?, periods, moorings)
     }
 
     /// The largest Lyapunov exponent per forcing period: that of the largest multiplier, −∞ where all are 0.

@@ -443,3 +443,63 @@ fn counts_named_p_and_q_are_those_of_the_label() {
     let paper = json(&run(&words("motion --set omega=2.83 --label 1-2-1 --json")));
     assert_eq!((&paper["p"], &paper["q"]), (&2.into(), &1.into()), "{paper}");
 }
+
+/// The published impact oscillator as the relative motion of two masses that nothing ties to the ground, and that fall together.
+fn adrift() -> String {
+    let joint = |of: &str| format!("[[\"{of}\", \"-{of}\"], [\"-{of}\", \"{of}\"]]");
+    COCO.replace("[[\"1\"]]\ndamping", "[[2, 0], [0, 2]]\ndamping")
+        .replace("[[\"c\"]]", &joint("c"))
+        .replace("[[\"1\"]]", &joint("1"))
+        .replace("force_cos = [\"1\"]", "force_cos = [2, 0]\nload = [0.5, 0.5]")
+        .replace("direction = [\"1\"]", "direction = [1, -1]")
+}
+
+#[test]
+fn masses_that_drift_together_are_known_by_their_relative_motion() {
+    let text = adrift();
+    let found = of_file(&text, "motion --system own.toml --label 1-1 --json");
+    assert_eq!((&found["label"], &found["stable"]), (&"1-1".into(), &true.into()));
+    let pairs: Vec<Vec<f64>> = found["multipliers"].as_array().unwrap().iter().map(numbers).collect();
+    let [a, b] = &pairs[..] else { panic!("{pairs:?}") };
+    let [trace, determinant] = [a[0] + b[0], a[0] * b[0] - a[1] * b[1]];
+    close(&[trace, determinant], &[-1.16859062868, 0.341432378298], 1e-10);
+    for backend in ["cpu", "gpu"] {
+        let found =
+            of_file(&text, &format!("classify --system own.toml --start rest --backend {backend} --json"));
+        assert_eq!(found["label"], "1-1", "{backend}");
+        close(&[found["peak_impact_velocity"].as_f64().unwrap()], &[1.69573293759], 1e-5);
+        close(&[found["lyapunov"].as_f64().unwrap()], &[0.5 * 0.341432378298_f64.ln()], 2e-3);
+    }
+    let spectrum = of_file(&text, "lyapunov --system own.toml --start rest --json");
+    let exponents = numbers(&spectrum["exponents_per_period"]);
+    let identity = spectrum["sum_identity"].as_f64().unwrap();
+    close(&[exponents.len() as f64, exponents.iter().sum()], &[2.0, identity], 1e-6);
+
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("own.toml"), &text).unwrap();
+    let command = "orbit --system own.toml --start rest --transient 0 --periods 100 --trajectory t.csv";
+    stdout(&run_in(folder.path(), &words(command)));
+    let table = fs::read_to_string(folder.path().join("t.csv")).unwrap();
+    let last: Vec<f64> = table.lines().last().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    // What is left out of arrays that have room for it, and read again.
+    let plane =
+        "--x e=0.78:0.82:3 --y c=0.09:0.11:2 --start rest --backend cpu --certify --data m.npz --out m.png";
+    stdout(&run_in(folder.path(), &words(&format!("map --system own.toml {plane}"))));
+    let (shape, multipliers) = array::<f64>(&folder.path().join("m.npz"), "multipliers");
+    assert_eq!(shape, [2, 3, 4, 2]);
+    for (i, value) in multipliers.iter().enumerate() {
+        assert_eq!(value.is_nan(), i / 4 % 2 == 1, "{multipliers:?}");
+    }
+    stdout(&run_in(folder.path(), &words("render m.npz --out again.png")));
+    let diagram = "--x c=0.09:0.11:2 --backend cpu --spectrum --data d.npz --out d.svg";
+    stdout(&run_in(folder.path(), &words(&format!("bifurcation --system own.toml {diagram}"))));
+    let (shape, exponents) = array::<f64>(&folder.path().join("d.npz"), "spectrum");
+    assert_eq!(shape.last(), Some(&4));
+    for (i, value) in exponents.iter().enumerate() {
+        assert_eq!(value.is_nan(), i % 4 > 1, "{exponents:?}");
+    }
+    // The masses as a whole fall for 100 periods with an acceleration of ¼; what forces one of them is back where it began.
+    let fallen = 0.5 * 0.25 * (200.0 * PI).powi(2);
+    close(&[0.5 * (last[1] + last[2])], &[fallen], 1e-9);
+    assert!((last[1] - last[2]).abs() < 2.0, "{last:?}");
+}

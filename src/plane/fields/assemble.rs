@@ -80,8 +80,9 @@ pub fn assembled<E: From<CellsError>>(
     let multipliers = extras.certified.then(|| get("multipliers")).transpose()?;
     let multipliers = multipliers.map(|numbers| {
         let of_cell = |i: usize| {
-            let of = |k: usize, part: usize| numbers.real(2 * (components * i + k) + part);
-            (!of(0, 0).is_nan()).then(|| (0..components).map(|k| [of(k, 0), of(k, 1)]).collect())
+            let of = |k: usize| [0, 1].map(|part| numbers.real(2 * (components * i + k) + part));
+            let found: Multipliers = (0..components).map(of).take_while(|value| !value[0].is_nan()).collect();
+            (!found.is_empty()).then_some(found)
         };
         (0..cells).map(of_cell).collect()
     });

@@ -202,9 +202,12 @@ pub const CELL_FIELDS: &[CellField] = &[
             "multipliers",
             "Floquet multipliers",
             (Inner::Multipliers, "1"),
-            Source::F64(|cell, i| cell.multipliers.map_or(f64::NAN, |all| all[i / 2][i % 2])),
+            Source::F64(|cell, i| {
+                let multiplier = cell.multipliers.and_then(|all| all.get(i / 2));
+                multiplier.map_or(f64::NAN, |value| value[i % 2])
+            }),
             "with `--certify` only: real and imaginary parts of the 2n Floquet multipliers, largest modulus first; NaN \
-             where no orbit was certified",
+             where no orbit was certified, and for the last ones where the masses may drift",
             None,
         )
     },

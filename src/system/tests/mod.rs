@@ -5,6 +5,7 @@ mod expression;
 mod family;
 mod file;
 mod mirror;
+mod mooring;
 mod plant;
 mod stop_place;
 

@@ -1,5 +1,6 @@
 //! The engine for any linear oscillator with rigid stops, against a brute-force oracle and what physics demands.
 
+mod adrift;
 mod families;
 mod gpu;
 mod grazing;
