@@ -32,14 +32,28 @@ impl System {
         self.mooring().map_or(&[], |mooring| &mooring.exponents)
     }
 
+    /// How many components say how it moves: 2n, without what is held.
+    pub(crate) fn dimension(&self) -> usize {
+        2 * self.coordinates() - self.moorings().len()
+    }
+
+    /// Its plant without what holds it.
+    pub(super) fn free_plant(&self) -> Plant {
+        match &self.common().adrift {
+            Some(adrift) => Plant { stops: self.plant().stops.clone(), ..(*adrift.plant).clone() },
+            None => self.plant().clone(),
+        }
+    }
+
     /// The same system, which nothing holds: it moves as its equations say, and may drift.
     ///
     /// # Errors
     /// [`SystemError::TooStiff`] where one forcing period would hold too many steps.
     pub fn adrift(&self) -> Result<Self, SystemError> {
-        let Some(adrift) = &self.common().adrift else { return Ok(self.clone()) };
-        let plant = Plant { stops: self.plant().stops.clone(), ..(*adrift.plant).clone() };
-        let common = Common::of(self.setting(), plant, self.common().label_order.clone())?;
+        if self.mooring().is_none() {
+            return Ok(self.clone());
+        }
+        let common = Common::of(self.setting(), self.free_plant(), self.common().label_order.clone())?;
         Ok(System { plant: Restopped::new(common), own: self.own.clone() })
     }
 

@@ -120,8 +120,8 @@ impl System {
         match self.setting().filter(|setting| setting.named("omega").is_some()) {
             Some(setting) => System::new(setting.with_named("omega", omega)),
             None => {
-                let other = System::of_plant(Plant { omega, ..self.adrift()?.plant().clone() })?;
-                if self.moorings().is_empty() { Ok(other) } else { other.moored() }
+                let other = System::of_plant(Plant { omega, ..self.free_plant() })?;
+                if self.mooring().is_some() { other.moored() } else { Ok(other) }
             }
         }
     }

@@ -34,6 +34,8 @@ struct Directions {
     basis: DMatrix<f64>,
     /// (QᵀMQ)⁻¹QᵀM, k × n.
     dual: DMatrix<f64>,
+    /// (QᵀMQ)⁻¹Qᵀ, k × n: how forces push along each.
+    push: DMatrix<f64>,
 }
 
 impl Mooring {
@@ -59,37 +61,33 @@ impl Mooring {
         let plant = held.as_ref().unwrap_or(plant);
         let damped = Directions::unresisted(plant, &[&plant.stiffness]);
         let slowed = damped.as_ref().map(|damped| damped.followed(plant));
-        let mooring = Mooring::along(plant, rigid, damped)?;
-        Some((slowed.or(held)?, mooring))
+        let moored = slowed.or(held)?;
+        let mooring = Mooring::along(&moored, rigid.as_ref(), damped.as_ref())?;
+        Some((moored, mooring))
     }
 
     /// That of a plant which is held along some directions, and followed along others.
-    fn along(plant: &Plant, rigid: Option<Directions>, damped: Option<Directions>) -> Option<Self> {
+    fn along(plant: &Plant, rigid: Option<&Directions>, damped: Option<&Directions>) -> Option<Self> {
         let n = plant.n;
-        let mut exponents = Vec::new();
-        // What dies away: deviations, and the measure of each.
-        let (mut deviations, mut measures) = (DMatrix::zeros(2 * n, 0), DMatrix::zeros(0, 2 * n));
-        let mut add = |[x, v]: [f64; 2], along: &Directions, of: usize, rate: f64| {
-            for (direction, dual) in along.basis.column_iter().zip(along.dual.row_iter()) {
-                let at = deviations.ncols();
-                deviations = std::mem::take(&mut deviations).insert_column(at, 0.0);
-                measures = std::mem::take(&mut measures).insert_row(at, 0.0);
-                deviations.view_mut((0, at), (n, 1)).copy_from(&(direction * x));
-                deviations.view_mut((n, at), (n, 1)).copy_from(&(direction * v));
-                measures.view_mut((at, of), (1, n)).copy_from(&dual);
-                exponents.push(-TAU * rate);
-            }
+        let none = DVector::zeros(n);
+        let state = |x: &DVector<f64>, v: &DVector<f64>| {
+            DVector::from_iterator(2 * n, x.iter().chain(v.iter()).copied())
         };
-        if let Some(rigid) = &rigid {
-            add([1.0, 0.0], rigid, 0, RIGID[0]);
-            add([0.0, 1.0], rigid, n, RIGID[1]);
+        // How fast each dies away, and a deviation that does, with what measures it.
+        let mut dying = Vec::new();
+        for (a, measure) in rigid.into_iter().flat_map(Directions::each) {
+            dying.push((RIGID[0], (state(&a, &none), state(&measure, &none))));
+            dying.push((RIGID[1], (state(&none, &a), state(&none, &measure))));
         }
-        if let Some(damped) = &damped {
-            add([1.0, -DAMPED * plant.omega], damped, 0, DAMPED);
+        for (a, measure) in damped.into_iter().flat_map(Directions::each) {
+            dying.push((DAMPED, (state(&a, &(&a * (-DAMPED * plant.omega))), state(&measure, &none))));
         }
-        let inverse = (&measures * &deviations).try_inverse().filter(|_| !exponents.is_empty())?;
+        let (rates, (deviations, measures)): (Vec<f64>, (Vec<_>, Vec<_>)) = dying.into_iter().unzip();
+        let deviations = DMatrix::from_columns(&deviations);
+        let measures = DMatrix::from_columns(&measures).transpose();
+        let inverse = (&measures * &deviations).try_inverse()?;
         let relative = DMatrix::identity(2 * n, 2 * n) - deviations * inverse * measures;
-        Some(Mooring { exponents, relative })
+        Some(Mooring { exponents: rates.iter().map(|rate| -TAU * rate).collect(), relative })
     }
 }
 
@@ -112,13 +110,19 @@ impl Directions {
         let [pivots, rest] =
             [(0, rank), (rank, free)].map(|(from, count)| upper.view((0, from), (rank, count)));
         let reduced = pivots.solve_upper_triangular(&rest)?;
-        let mut basis = DMatrix::identity(n, free);
+        let mut basis = DMatrix::zeros(n, free);
         basis.view_mut((0, 0), (rank, free)).copy_from(&-reduced);
         basis.view_mut((rank, 0), (free, free)).fill_with_identity();
         factors.q().inv_permute_rows(&mut basis);
         let weighed = basis.transpose() * &plant.mass;
-        let dual = (&weighed * &basis).try_inverse()? * weighed;
-        Some(Directions { basis, dual })
+        let inverse = (&weighed * &basis).try_inverse()?;
+        Some(Directions { dual: &inverse * weighed, push: inverse * basis.transpose(), basis })
+    }
+
+    /// Each direction, with what says how far a displacement goes along it.
+    fn each(&self) -> impl Iterator<Item = (DVector<f64>, DVector<f64>)> {
+        let measures = self.dual.row_iter().map(|row| row.transpose());
+        self.basis.column_iter().map(|a| a.into_owned()).zip(measures)
     }
 
     /// A plant with springs and dampers to ground along directions that nothing resists, and without loads along them.
@@ -126,7 +130,7 @@ impl Directions {
         let whole = symmetric_as(&plant.mass, &plant.mass * &self.basis * &self.dual);
         let [damper, spring] =
             [RIGID[0] + RIGID[1], RIGID[0] * RIGID[1] * plant.omega].map(|value| value * plant.omega);
-        let pushed = &plant.mass * &self.basis * self.dual_of_forces(plant);
+        let pushed = &plant.mass * &self.basis * &self.push;
         Plant {
             damping: self.apart(&pushed, &plant.damping) + &whole * damper,
             stiffness: self.apart(&pushed, &plant.stiffness) + whole * spring,
@@ -135,12 +139,6 @@ impl Directions {
             load: self.balanced(&pushed, &plant.load),
             ..plant.clone()
         }
-    }
-
-    /// (QᵀMQ)⁻¹Qᵀ: what forces do along the directions.
-    fn dual_of_forces(&self, plant: &Plant) -> DMatrix<f64> {
-        let weighed = self.basis.transpose() * &plant.mass * &self.basis;
-        weighed.try_inverse().expect("it was inverted before") * self.basis.transpose()
     }
 
     /// A matrix of what acts on the masses without its part on them as a whole: as it is where there is none but for rounding.

@@ -90,7 +90,7 @@ pub fn confirmed(system: &System, verdict: &Verdict) -> Option<Verdict> {
 
 /// Whether every deviation from a periodic motion dies out within a period: all that moves, but for a drift, comes to rest on a stop.
 fn forgets_everything(system: &System, verdict: &Verdict) -> bool {
-    verdict.regime == Regime::PeriodicSticking && 2 * system.coordinates() - system.moorings().len() == 2
+    verdict.regime == Regime::PeriodicSticking && system.dimension() == 2
 }
 
 /// N of a periodic verdict whose largest multiplier is close to one in modulus, as far as its exponent was measured.

@@ -24,7 +24,9 @@ pub(super) struct Frame {
     since: f64,
     /// Directions that are lost for ever.
     lost: usize,
-    /// What holds the system where it may drift: no direction of the frame, whatever is lost.
+    /// Directions that there are: those of what holds the system where it may drift are none.
+    dimension: usize,
+    /// What holds it.
     mooring: Option<Arc<Mooring>>,
 }
 
@@ -47,25 +49,24 @@ impl Frame {
             growth: vec![0.0; 2 * n],
             since: 0.0,
             lost: 0,
+            dimension: system.dimension(),
             mooring: system.mooring().cloned(),
         };
         frame.lose(2 * contacts(follower));
-        if frame.mooring.is_some() {
+        follower.set_tangents(&match frame.mooring {
             // Projected unit vectors depend on each other.
-            follower.set_tangents(&frame.relative(columns).col_piv_qr().q());
-        } else {
-            follower.set_tangents(&columns);
-        }
+            Some(_) => frame.relative(columns).col_piv_qr().q(),
+            None => columns,
+        });
         if frame.kept() < 2 * n {
             frame.orthogonalise(follower);
         }
         frame
     }
 
-    /// How many directions are not lost, of those that are not held.
+    /// How many directions are not lost.
     pub fn kept(&self) -> usize {
-        let held = self.mooring.as_ref().map_or(0, |mooring| mooring.exponents.len());
-        self.growth.len() - held - self.lost
+        self.dimension - self.lost
     }
 
     /// Deviations without what they have along what is held.

@@ -187,7 +187,7 @@ impl PeriodicMotion {
     /// The multipliers of the Jacobian of one turn.
     fn of_turn(&self, system: &System) -> Option<Vec<Complex<f64>>> {
         let (turn, periods) = (self.jacobian(system)?, self.pattern.turn() / TAU);
-        multipliers::multipliers(&turn, periods, system.moorings())
+        multipliers::multipliers(&turn, periods, system.mooring().map(AsRef::as_ref))
     }
 
     /// The 2n Floquet multipliers, largest modulus first: the eigenvalues of the Jacobian of one period. Fewer where

@@ -6,6 +6,7 @@ use super::flow::Flow;
 use super::newton::arcs;
 use super::pattern::Pattern;
 use super::section_vector::SectionVector;
+use crate::system::Mooring;
 
 /// The most sweeps of the eigenvalue iteration.
 const MOST_SWEEPS: usize = 10_000;
@@ -32,11 +33,15 @@ pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     Some(ordered(schur.complex_eigenvalues().as_slice().to_vec()))
 }
 
-/// The eigenvalues of a map over some forcing periods, without those of what is held where the system may drift, given by their
-/// exponents per period: for each of these the nearest in modulus.
-pub(super) fn multipliers(map: &DMatrix<f64>, periods: f64, moorings: &[f64]) -> Option<Vec<Complex<f64>>> {
+/// The eigenvalues of a map over some forcing periods, without those of what holds the system where it may drift: for each of these
+/// the nearest in modulus.
+pub(super) fn multipliers(
+    map: &DMatrix<f64>,
+    periods: f64,
+    mooring: Option<&Mooring>,
+) -> Option<Vec<Complex<f64>>> {
     let mut values = eigenvalues(map)?;
-    for exponent in moorings {
+    for exponent in mooring.into_iter().flat_map(|mooring| &mooring.exponents) {
         let modulus = libm::exp(exponent * periods);
         let off = |value: &Complex<f64>| (value.modulus() - modulus).abs();
         let nearest = (0..values.len()).min_by(|&i, &j| off(&values[i]).total_cmp(&off(&values[j])));

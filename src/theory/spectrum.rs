@@ -183,8 +183,7 @@ impl Tally {
     fn spectrum(self, system: &System, frame: &Frame, batches: &[Vec<f64>], batch_periods: u32) -> Spectrum {
         let count = batches.len() as f64;
         let per_batch = f64::from(batch_periods);
-        let exponents = 2 * system.coordinates() - system.moorings().len();
-        let mut measured = vec![(f64::NEG_INFINITY, 0.0); exponents];
+        let mut measured = vec![(f64::NEG_INFINITY, 0.0); system.dimension()];
         for (j, measured) in measured.iter_mut().enumerate().take(frame.kept()) {
             let mean = batches.iter().map(|batch| batch[j]).sum::<f64>() / count;
             let square = batches.iter().map(|batch| (batch[j] - mean).powi(2)).sum::<f64>() / (count - 1.0);

@@ -209,8 +209,7 @@ impl StrobeMotion {
     }
 
     fn multipliers_of(&self, map: &DMatrix<f64>, periods: f64) -> Option<Vec<Complex<f64>>> {
-        let moorings = self.mooring.as_ref().map_or(&[][..], |mooring| &mooring.exponents);
-        multipliers(finite(map)?, periods, moorings)
+        multipliers(finite(map)?, periods, self.mooring.as_deref())
     }
 
     /// The largest Lyapunov exponent per forcing period: that of the largest multiplier, −∞ where all are 0.

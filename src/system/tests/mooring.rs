@@ -31,8 +31,7 @@ fn row() -> Plant {
     }
 }
 
-/// The largest entry of P M⁻¹ K, and so on, of a plant that differs from that of another, relative to the largest; P takes out
-/// the motion of all masses together.
+/// By how much P M⁻¹ K P, and so on, of two plants differ at most; P takes out the motion of all masses together.
 fn off(plant: &Plant, other: &Plant) -> f64 {
     let one = DVector::from_element(plant.n, 1.0);
     let dual = one.transpose() * &plant.mass;
