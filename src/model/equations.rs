@@ -1,28 +1,19 @@
-//! The equations of motion, solved for the accelerations, and the geometry of the contacts.
+//! The equations of motion and the geometry of the contacts.
+
+use std::ops::Deref;
 
 use arrayvec::ArrayVec;
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
+use super::free_flight::FreeFlight;
 use super::vector::MOST;
 use crate::system::Plant;
 
-/// x″ = A x + B v + s sin φ + c cos φ + l, φ = ωt, and where the stops are; everything is non-dimensional.
-///
-/// A = −M⁻¹K and B = −M⁻¹C may be any matrices: no modes are formed.
+/// Free flight, and where the stops are; everything is non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equations<const N: usize> {
-    /// A = −M⁻¹K.
-    pub stiffness: SMatrix<f64, N, N>,
-    /// B = −M⁻¹C.
-    pub damping: SMatrix<f64, N, N>,
-    /// M⁻¹ times the load of sin φ.
-    pub sin: SVector<f64, N>,
-    /// M⁻¹ times the load of cos φ.
-    pub cos: SVector<f64, N>,
-    /// M⁻¹ times the constant load.
-    pub load: SVector<f64, N>,
-    /// ω.
-    pub omega: f64,
+    /// The motion between impacts.
+    pub free: FreeFlight<N>,
     /// The contact normals, as many as there are.
     pub normals: [Normal<N>; MOST],
     /// How many normals there are.
@@ -71,6 +62,14 @@ pub struct End {
     pub restitution: f64,
 }
 
+impl<const N: usize> Deref for Equations<N> {
+    type Target = FreeFlight<N>;
+
+    fn deref(&self) -> &FreeFlight<N> {
+        &self.free
+    }
+}
+
 impl<const N: usize> Equations<N> {
     /// The equations of a plant with N coordinates.
     ///
@@ -84,16 +83,15 @@ impl<const N: usize> Equations<N> {
         let vector = |v: &DVector<f64>| SVector::<f64, N>::from_fn(|i, _| v[i]);
         let none =
             Normal { direction: SVector::zeros(), response: SVector::zeros(), mass: 0.0, ends: [None; 2] };
-        let mut equations = Equations {
+        let free = FreeFlight {
             stiffness: -(inverse * square(&plant.stiffness)),
             damping: -(inverse * square(&plant.damping)),
             sin: inverse * vector(&plant.force_sin),
             cos: inverse * vector(&plant.force_cos),
             load: inverse * vector(&plant.load),
             omega: plant.omega,
-            normals: [none; MOST],
-            count: 0,
         };
+        let mut equations = Equations { free, normals: [none; MOST], count: 0 };
         for (stop, given) in plant.stops.iter().enumerate() {
             let direction = vector(&given.direction);
             let (normal, scale) = equations.normal_along(&inverse, direction);
@@ -165,21 +163,22 @@ impl<const N: usize> Equations<N> {
     pub fn held_along(&self, normal: usize) -> Self {
         let Normal { direction, response, .. } = self.normals[normal];
         let projector = SMatrix::identity() - response * direction.transpose();
-        Equations {
+        let free = FreeFlight {
             stiffness: projector * self.stiffness,
             damping: projector * self.damping,
             sin: projector * self.sin,
             cos: projector * self.cos,
             load: projector * self.load,
-            ..*self
-        }
+            omega: self.omega,
+        };
+        Equations { free, ..*self }
     }
 
     /// The steepest rate of the flow: ω, or ‖G⁸‖^(1/8) of the unforced generator G; not a number where G holds what is
     /// none.
     pub fn rate(&self) -> f64 {
-        let Equations { stiffness, damping, .. } = self;
-        if !stiffness.iter().chain(damping).all(|entry| entry.is_finite()) {
+        let FreeFlight { stiffness, damping, omega, .. } = self.free;
+        if !stiffness.iter().chain(damping.iter()).all(|entry| entry.is_finite()) {
             return f64::NAN;
         }
         // Scaled by a power of two against overflow.
@@ -192,7 +191,7 @@ impl<const N: usize> Equations<N> {
         }
         let fastest = scale * norm(&power).sqrt().sqrt().sqrt();
         // Not `max`, which ignores NaN.
-        if fastest < self.omega { self.omega } else { fastest }
+        if fastest < omega { omega } else { fastest }
     }
 }
 
@@ -245,20 +244,21 @@ const PARALLEL: f64 = 1e-12;
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::model::example::{coupled, for_every_size};
     use crate::model::forced::generator;
 
     fn is_the_root_of_a_norm<const N: usize>() {
-        let mut equations = Equations { omega: 0.1, ..coupled::<N>() };
+        let mut equations = coupled::<N>();
+        equations.free.omega = 0.1;
         let power = (0..3).fold(generator(&equations), |power, _| &power * &power);
         let rate = power.norm().powf(0.125);
         assert!((equations.rate() / rate - 1.0).abs() < 1e-14, "{N} coordinates");
-        let transposed = Equations { stiffness: equations.stiffness.transpose(), ..equations };
+        let mut transposed = equations;
+        transposed.free.stiffness.transpose_mut();
         assert!(N == 1 || (transposed.rate() / rate - 1.0).abs() > 1e-6, "the check can fail");
-        equations.omega = 2.0 * rate;
+        equations.free.omega = 2.0 * rate;
         assert_eq!(equations.rate(), 2.0 * rate, "the forcing is faster");
-        equations.damping[(N - 1, 0)] = f64::INFINITY;
+        equations.free.damping[(N - 1, 0)] = f64::INFINITY;
         assert!(equations.rate().is_nan());
     }
 

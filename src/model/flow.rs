@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::equations::Equations;
+use super::free_flight::FreeFlight;
 use super::real::{Lanes, Mask};
 use super::state::State;
 
@@ -58,18 +58,18 @@ impl<L: Lanes<Real = f64>, const N: usize> Augmented<L, N> {
 
     /// Its derivative in free flight, times a factor.
     #[inline(always)]
-    fn derived(&self, equations: &Equations<N>, factor: f64) -> Self {
+    fn derived(&self, free: &FreeFlight<N>, factor: f64) -> Self {
         let Augmented { x, v, sin, cos, .. } = *self;
         let factor = sin.all(factor);
-        let omega = sin.all(equations.omega);
+        let omega = sin.all(free.omega);
         let mut derived = Augmented { x: v, v, sin: omega * cos, cos: -omega * sin, one: sin.all(0.0) };
-        let [stiffness, damping] = [applied(&equations.stiffness, &x), applied(&equations.damping, &v)];
+        let [stiffness, damping] = [applied(&free.stiffness, &x), applied(&free.damping, &v)];
         for i in 0..N {
             derived.v[i] = stiffness[i]
                 + damping[i]
-                + sin.all(equations.sin[i]) * sin
-                + sin.all(equations.cos[i]) * cos
-                + sin.all(equations.load[i]) * self.one;
+                + sin.all(free.sin[i]) * sin
+                + sin.all(free.cos[i]) * cos
+                + sin.all(free.load[i]) * self.one;
             derived.x[i] = derived.x[i] * factor;
             derived.v[i] = derived.v[i] * factor;
         }
@@ -108,7 +108,7 @@ fn applied<L: Lanes, const N: usize>(matrix: &SMatrix<f64, N, N>, x: &[L; N]) ->
 
 /// The terms Gᵏ z tᵏ/k! of exp(G t) z in free flight, in each lane until they vanish against their sum.
 struct Series<'a, L: Lanes, const N: usize> {
-    equations: &'a Equations<N>,
+    free: &'a FreeFlight<N>,
     t: f64,
     /// k + 1.
     next: f64,
@@ -121,15 +121,15 @@ struct Series<'a, L: Lanes, const N: usize> {
 
 impl<'a, L: Lanes<Real = f64>, const N: usize> Series<'a, L, N> {
     #[inline(always)]
-    fn of(equations: &'a Equations<N>, t: f64, z: Augmented<L, N>) -> Self {
+    fn of(free: &'a FreeFlight<N>, t: f64, z: Augmented<L, N>) -> Self {
         let counts = z.one.all(0.0).below(z.one.all(1.0));
-        Series { equations, t, next: 1.0, term: z, size: z.amax(), counts }
+        Series { free, t, next: 1.0, term: z, size: z.amax(), counts }
     }
 
     /// Goes on to the next term, and says whether it counts anywhere.
     #[inline(always)]
     fn advance(&mut self) -> bool {
-        self.term = self.term.derived(self.equations, self.t / self.next);
+        self.term = self.term.derived(self.free, self.t / self.next);
         self.next += 1.0;
         let length = self.term.amax();
         self.size = length.larger(self.size);
@@ -140,22 +140,22 @@ impl<'a, L: Lanes<Real = f64>, const N: usize> Series<'a, L, N> {
 
 /// The terms Gᵏ z tᵏ/k! of exp(G t) z in free flight, until they vanish against their sum.
 pub fn series<const N: usize>(
-    equations: &Equations<N>,
+    free: &FreeFlight<N>,
     t: f64,
     z: Augmented<f64, N>,
 ) -> impl Iterator<Item = Augmented<f64, N>> {
-    let mut terms = Series::of(equations, t, z);
+    let mut terms = Series::of(free, t, z);
     std::iter::once(z).chain(std::iter::from_fn(move || terms.advance().then_some(terms.term)))
 }
 
 /// exp(G t) z in free flight.
 #[inline(always)]
 pub fn over<L: Lanes<Real = f64>, const N: usize>(
-    equations: &Equations<N>,
+    free: &FreeFlight<N>,
     t: f64,
     z: Augmented<L, N>,
 ) -> Augmented<L, N> {
-    let mut terms = Series::of(equations, t, z);
+    let mut terms = Series::of(free, t, z);
     let mut sum = Augmented::all(z.one.all(0.0)).added_where(terms.counts, &z);
     while terms.advance() {
         sum = sum.added_where(terms.counts, &terms.term);

@@ -1,7 +1,7 @@
 //! A whole step of flight: one matrix.
 
-use super::equations::Equations;
 use super::flow::{self, Augmented};
+use super::free_flight::FreeFlight;
 use super::real::{Lanes, Real};
 use super::state::State;
 use super::width::{AtWidth, Width};
@@ -25,9 +25,9 @@ pub struct Step<T, const N: usize> {
 }
 
 impl<const N: usize> Step<f64, N> {
-    /// That of some equations.
-    pub(super) fn of(equations: &Equations<N>, h: f64) -> Self {
-        Width::widest().compute(Columns { equations, h })
+    /// That of free flight, of a length at which few terms of its series count.
+    pub(super) fn of(free: &FreeFlight<N>, h: f64) -> Self {
+        Width::widest().compute(Columns { free, h })
     }
 
     /// Rounded to another precision.
@@ -45,9 +45,9 @@ impl<const N: usize> Step<f64, N> {
 
 /// A step that is to be found column by column, as many of them at once as there are lanes.
 #[derive(Clone, Copy)]
-struct Columns<'a, const N: usize> {
-    equations: &'a Equations<N>,
-    h: f64,
+pub(super) struct Columns<'a, const N: usize> {
+    pub free: &'a FreeFlight<N>,
+    pub h: f64,
 }
 
 impl<const N: usize> AtWidth<f64> for Columns<'_, N> {
@@ -64,7 +64,7 @@ impl<const N: usize> AtWidth<f64> for Columns<'_, N> {
             for lane in lanes.clone() {
                 units.component(first + lane).set_lane(lane, 1.0);
             }
-            let stepped = flow::over(self.equations, self.h, units).mechanical();
+            let stepped = flow::over(self.free, self.h, units).mechanical();
             for lane in lanes {
                 *step.column(first + lane) = stepped.lane(lane);
             }
@@ -80,7 +80,7 @@ impl<T: Copy, const N: usize> Step<T, N> {
     }
 
     /// What it makes of component `i` of (x, v, sin φ, cos φ, 1), to be changed.
-    fn column(&mut self, i: usize) -> &mut State<T, N> {
+    pub(super) fn column(&mut self, i: usize) -> &mut State<T, N> {
         let Step { phi_x, phi_v, gamma_sin, gamma_cos, gamma_one } = self;
         phi_x
             .iter_mut()
@@ -118,6 +118,20 @@ impl<L: Lanes, const N: usize> Step<L, N> {
         after
     }
 
+    /// The step of twice the length: itself and once more; the sine and cosine are those of the forcing phase that it takes.
+    #[inline(always)]
+    pub(super) fn doubled(&self, (sin, cos): (L, L)) -> Self {
+        let again = |first: &State<L, N>| self.of_deviation(first);
+        let [gamma_sin, gamma_cos, gamma_one] = [&self.gamma_sin, &self.gamma_cos, &self.gamma_one];
+        Step {
+            phi_x: self.phi_x.map(|column| again(&column)),
+            phi_v: self.phi_v.map(|column| again(&column)),
+            gamma_sin: again(gamma_sin).plus(cos, gamma_sin).plus(-sin, gamma_cos),
+            gamma_cos: again(gamma_cos).plus(sin, gamma_sin).plus(cos, gamma_cos),
+            gamma_one: again(gamma_one).plus(sin.all(1.0), gamma_one),
+        }
+    }
+
     /// Puts a step into one lane.
     pub(super) fn set_lane(&mut self, lane: usize, step: &Step<L::Real, N>) {
         for i in 0..N {
@@ -132,11 +146,9 @@ impl<L: Lanes, const N: usize> Step<L, N> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::DMatrix;
-
     use super::*;
+    use crate::model::equations::Equations;
     use crate::model::example::{coupled, for_every_size};
-    use crate::model::forced::generator;
     use crate::model::width::at_every_width;
 
     const H: f64 = 0.3;
@@ -150,7 +162,7 @@ mod tests {
         let free = coupled::<N>();
         for equations in [free, free.held_along(0)] {
             let own = bits(Step::of(&equations, H));
-            let found = at_every_width(Columns { equations: &equations, h: H });
+            let found = at_every_width(Columns { free: &equations, h: H });
             assert!(found.into_iter().all(|step| bits(step) == own), "{N} coordinates");
             assert_ne!(bits(Step::of(&equations, 0.99 * H)), own, "the check can fail");
         }
@@ -163,15 +175,9 @@ mod tests {
 
     fn is_the_exponential<const N: usize>() {
         let equations = coupled::<N>();
-        let mut forced = DMatrix::zeros(2 * N + 3, 2 * N + 3);
-        forced.view_mut((0, 0), (2 * N, 2 * N)).copy_from(&generator(&equations));
-        for (k, load) in [equations.sin, equations.cos, equations.load].iter().enumerate() {
-            forced.view_mut((N, 2 * N + k), (N, 1)).copy_from(load);
-        }
-        forced[(2 * N, 2 * N + 1)] = equations.omega;
-        forced[(2 * N + 1, 2 * N)] = -equations.omega;
+        let generator = equations.generator();
         let away = |h: f64| {
-            let exact = (&forced * h).exp();
+            let exact = (&generator * h).exp();
             let found = columns(Step::of(&equations, H));
             (0..2 * N + 3)
                 .flat_map(|j| (0..2 * N).map(move |i| (i, j)))
@@ -189,7 +195,7 @@ mod tests {
 
     fn shows_what_is_infinite<const N: usize>() {
         let is_finite = |equations: &Equations<N>| {
-            at_every_width(Columns { equations, h: H })
+            at_every_width(Columns { free: equations, h: H })
                 .into_iter()
                 .map(|step| columns(step).into_iter().flatten().all(f64::is_finite))
                 .collect::<Vec<bool>>()
@@ -198,7 +204,7 @@ mod tests {
         for i in 0..N {
             for k in 0..3 {
                 let mut equations = coupled();
-                let Equations { sin, cos, load, .. } = &mut equations;
+                let FreeFlight { sin, cos, load, .. } = &mut equations.free;
                 [sin, cos, load][k][i] = f64::INFINITY;
                 assert!(!is_finite(&equations).contains(&true), "load {k} on coordinate {i} of {N}");
             }

@@ -4,14 +4,14 @@ use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
-use nalgebra::{DMatrix, DVector, SMatrix};
+use nalgebra::{DMatrix, DVector};
 
 use super::face::{Face, slots};
 use super::joined::Joined;
 use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
-use crate::model::{OfFlow, System};
-use crate::system::{Mirror, Mooring, sized};
+use crate::model::{OfFlow, System, transition};
+use crate::system::{Mirror, Mooring};
 
 /// The flow z' = G z between impacts, z = (x, v, sin φ, cos φ, 1), and the stops.
 #[derive(Clone, Debug)]
@@ -20,6 +20,8 @@ pub(crate) struct Flow {
     pub n: usize,
     /// ω.
     pub omega: f64,
+    /// See [`System::rate`].
+    rate: f64,
     /// What holds the system where it may drift.
     pub mooring: Option<Arc<Mooring>>,
     /// The stops.
@@ -78,8 +80,8 @@ impl Flow {
         // Both are known from now on.
         kept.generator(|| generator(system));
         system.mirror();
-        let (n, omega) = (system.coordinates(), system.like().omega);
-        Flow { n, omega, mooring: system.mooring().cloned(), faces, whatever_gaps, kept }
+        let (n, omega, rate) = (system.coordinates(), system.like().omega, system.rate());
+        Flow { n, omega, rate, mooring: system.mooring().cloned(), faces, whatever_gaps, kept }
     }
 
     /// G, (2n + 3) × (2n + 3).
@@ -97,20 +99,24 @@ impl Flow {
         self.faces.iter().enumerate().map(|(i, face)| (Stop(i as u8), face))
     }
 
+    fn transition(&self, time: f64) -> DMatrix<f64> {
+        transition(self.generator(), self.rate, time)
+    }
+
     /// exp(G t). Half a forcing period is computed once, and taken for every time that rounding alone keeps from it.
     pub fn over(&self, time: f64) -> Cow<'_, DMatrix<f64>> {
         if self.is_half_period(time) {
             let half = PI / self.omega;
-            return Cow::Borrowed(self.kept.half_period(|| exponential(&(self.generator() * half))));
+            return Cow::Borrowed(self.kept.half_period(|| self.transition(half)));
         }
-        Cow::Owned(exponential(&(self.generator() * time)))
+        Cow::Owned(self.transition(time))
     }
 
     /// What joins an impact at one stop to one at another after some time; over half a forcing period it is computed once.
     pub fn joined(&self, stops: [Stop; 2], time: f64) -> Cow<'_, Joined> {
         let compute = || {
             let over = self.over(time);
-            Joined::new(&over, stops.map(|stop| self.face(stop)), self.generator(), self.omega)
+            Joined::new(&over, stops.map(|stop| self.face(stop)))
         };
         if self.is_half_period(time) {
             let (of, joined) = self.whatever_gaps.half_period.get_or_init(|| (stops, compute()));
@@ -204,13 +210,6 @@ impl Flow {
     }
 }
 
-/// The exponential of a matrix, without allocation for the sizes of plants.
-fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
-    sized!(matrix.nrows(), N of 5 7 9 11:
-        DMatrix::from_column_slice(N, N, SMatrix::<f64, N, N>::from_column_slice(matrix.as_slice()).exp().as_slice()),
-        else matrix.exp())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -223,12 +222,11 @@ mod tests {
         let half = PI / flow.omega;
         let (a, b) = (Stop::A, Stop::B);
         let alone = |stops: [Stop; 2], time: f64| {
-            let over = exponential(&(flow.generator() * time));
-            Joined::new(&over, stops.map(|stop| flow.face(stop)), flow.generator(), flow.omega)
+            let over = transition(flow.generator(), system.rate(), time);
+            Joined::new(&over, stops.map(|stop| flow.face(stop)))
         };
         let differ = |one: &Joined, other: &Joined| {
-            let parts =
-                |joined: &Joined| [joined.section.clone(), joined.rate.clone(), joined.lifted.clone()];
+            let parts = |joined: &Joined| [joined.section.clone(), joined.lifted.clone()];
             let pairs = parts(one).into_iter().zip(parts(other));
             pairs.map(|(own, other)| (own - other).amax()).fold(0.0, f64::max)
         };

@@ -93,18 +93,21 @@ fn arc(flow: &Flow, from: Stop, sections: &Jets, time: f64, to: Stop) -> Option<
     });
     let [place, speed] = arrived.along(&arrival[0]);
     debug_assert!((place - arrived.gap).abs() < 1e-6 * (1.0 + arrived.gap.abs()));
+    let terms = terms(flow, arrival);
+    let place = |z: &DVector<f64>| arrived.along(z)[0];
+    let places: Vec<Vec<f64>> = terms.iter().map(|term| term.iter().map(place).collect()).collect();
     // The remaining time σ has no constant term; each pass finds one more coefficient.
     let mut left = Jet([0.0; TERMS]);
-    let mut reached = arrival.clone();
     for _ in 1..TERMS {
-        for (left, reached) in left.0.iter_mut().zip(&reached).skip(1) {
-            *left -= arrived.along(reached)[0] / speed;
+        let reached = flown(&places, left);
+        for (left, reached) in left.0.iter_mut().zip(reached).skip(1) {
+            *left -= reached / speed;
         }
-        reached = flown(flow, &arrival, left);
     }
     if !left.0.iter().all(|c| c.is_finite()) {
         return None;
     }
+    let reached = flown(&terms, left);
     Some(std::array::from_fn(|k| {
         let constant = if k == 0 { flow.omega * time } else { 0.0 };
         let mut section = &arrived.restituted * &reached[k];
@@ -113,20 +116,29 @@ fn arc(flow: &Flow, from: Stop, sections: &Jets, time: f64, to: Stop) -> Option<
     }))
 }
 
-/// exp(Gσ) z for a series σ without constant term.
-fn flown(flow: &Flow, z: &Jets, sigma: Jet) -> Jets {
-    let mut sum = z.clone();
-    let mut term = z.clone();
+/// Gᵏ z/k! by k, each with as many coefficients as have a share in those of [`flown`] that are kept.
+fn terms(flow: &Flow, z: Jets) -> Vec<Vec<DVector<f64>>> {
+    let mut terms = vec![Vec::from(z)];
     for k in 1..TERMS {
-        let rate = term.map(|z| flow.generator() * z / k as f64);
-        term = std::array::from_fn(|k| {
-            (0..=k).fold(DVector::zeros(z[0].len()), |sum, i| sum + &rate[i] * sigma.0[k - i])
-        });
-        for (sum, term) in sum.iter_mut().zip(&term) {
-            *sum += term;
-        }
+        let before = &terms[k - 1][..TERMS - k];
+        terms.push(before.iter().map(|z| flow.generator() * z / k as f64).collect());
     }
-    sum
+    terms
+}
+
+/// exp(Gσ) z for a series σ without constant term, or what is linear in it: the sum of Gᵏ z/k! · σᵏ, of which σᵏ begins with εᵏ.
+fn flown<V>(terms: &[Vec<V>], sigma: Jet) -> [V; TERMS]
+where
+    V: Clone + Add<Output = V> + Mul<f64, Output = V>,
+{
+    let mut powers = [Jet([1.0, 0.0, 0.0, 0.0]); TERMS];
+    for k in 1..TERMS {
+        powers[k] = powers[k - 1] * sigma;
+    }
+    std::array::from_fn(|m| {
+        let shares = (1..=m).flat_map(|k| (0..=m - k).map(move |j| (k, j)));
+        shares.fold(terms[0][m].clone(), |sum, (k, j)| sum + terms[k][j].clone() * powers[k].0[m - j])
+    })
 }
 
 #[cfg(test)]

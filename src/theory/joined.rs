@@ -9,18 +9,15 @@ use super::face::Face;
 pub(crate) struct Joined {
     /// The section from z at departure; 2n × (2n + 3).
     pub section: DMatrix<f64>,
-    /// How it changes with the phase of arrival, from z at departure; 2n × (2n + 3).
-    pub rate: DMatrix<f64>,
     /// How it changes with the section at departure, without forcing; 2n × 2n.
     pub lifted: DMatrix<f64>,
 }
 
 impl Joined {
-    /// With `over` what flight makes of z, G the generator of the flow and ω its frequency.
-    pub fn new(over: &DMatrix<f64>, [from, to]: [&Face; 2], generator: &DMatrix<f64>, omega: f64) -> Self {
+    /// With `over` what flight makes of z.
+    pub fn new(over: &DMatrix<f64>, [from, to]: [&Face; 2]) -> Self {
         let section = &to.restituted * over;
-        let rate = &to.restituted * generator * over / omega;
         let lifted = &section * &from.lift;
-        Joined { section, rate, lifted }
+        Joined { section, lifted }
     }
 }

@@ -30,7 +30,8 @@ impl Arc {
         let along = residual[last];
         residual -= &to.section;
         residual[last] = along - flow.face(to.stop).gap;
-        let arriving = &joined.rate * &start;
+        // Flight of z' is z' of flight.
+        let arriving = &joined.section * (flow.generator() * &start) / flow.omega;
         let mut from = joined.lifted.clone();
         from.set_column(last, &(&joined.section * flow.turned(&start) - &arriving));
         Arc { residual, from, arriving }
