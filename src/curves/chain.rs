@@ -2,8 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use crate::theory::newton::{arc, arcs};
-use crate::theory::{Flow, Pattern, SectionVector};
+use crate::theory::newton::arc;
+use crate::theory::{Arc, Flow, Pattern, SectionVector};
 
 /// The Jacobian of one turn as a product over its arcs, kept in parts: moving one impact changes two arcs alone.
 pub(super) struct Chain<'a> {
@@ -19,10 +19,14 @@ pub(super) struct Chain<'a> {
 }
 
 impl<'a> Chain<'a> {
-    /// The parts of a motion's turn; none where an impact grazes.
-    pub fn new(flow: &'a Flow, pattern: &'a Pattern, sections: Vec<SectionVector>) -> Option<Self> {
-        let jacobians: Vec<DMatrix<f64>> =
-            arcs(flow, pattern, &sections).iter().map(|arc| arc.jacobian()).collect::<Option<_>>()?;
+    /// The parts of the turn of a motion with its arcs; none where an impact grazes.
+    pub fn new(
+        flow: &'a Flow,
+        pattern: &'a Pattern,
+        sections: Vec<SectionVector>,
+        arcs: &[Arc],
+    ) -> Option<Self> {
+        let jacobians: Vec<DMatrix<f64>> = arcs.iter().map(Arc::jacobian).collect::<Option<_>>()?;
         let count = jacobians.len();
         let identity = DMatrix::identity(2 * flow.n, 2 * flow.n);
         let mut before = vec![identity.clone()];
@@ -61,6 +65,7 @@ impl<'a> Chain<'a> {
 mod tests {
     use super::*;
     use crate::model::{Parameters, System};
+    use crate::theory::newton::arcs;
     use crate::theory::{settled_motion, turn};
 
     #[test]
@@ -75,7 +80,8 @@ mod tests {
             let settled = crate::dynamics::record(&system, state, 3000, n, 1).samples[0];
             let motion = settled_motion(&system, settled.state, n).unwrap();
             let flow = Flow::new(&system);
-            let mut chain = Chain::new(&flow, &motion.pattern, motion.sections.clone()).unwrap();
+            let arcs = arcs(&flow, &motion.pattern, &motion.sections);
+            let mut chain = Chain::new(&flow, &motion.pattern, motion.sections.clone(), &arcs).unwrap();
             for i in 0..motion.sections.len() {
                 let moved = &motion.sections[i] + SectionVector::from_row_slice(&[1e-3, -2e-3, 1e-3, 3e-3]);
                 let mut sections = motion.sections.clone();

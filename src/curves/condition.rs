@@ -3,7 +3,7 @@
 use nalgebra::{Complex, DMatrix};
 
 use crate::system::named;
-use crate::theory::{Flow, Pattern, SectionVector, turn};
+use crate::theory::Pattern;
 
 named! {
     /// The kind of a bifurcation; of a symmetric motion in terms of its half map.
@@ -46,16 +46,6 @@ pub(super) fn test_function(kind: Kind, map: &DMatrix<f64>) -> f64 {
         }
         Kind::Grazing => f64::NAN,
     }
-}
-
-/// The same of a motion; none where an impact grazes.
-pub(super) fn test_of_motion(
-    kind: Kind,
-    flow: &Flow,
-    pattern: &Pattern,
-    sections: &[SectionVector],
-) -> Option<f64> {
-    Some(test_function(kind, &turn(flow, pattern, sections)?))
 }
 
 /// The second compound: all 2 × 2 minors, whose eigenvalues are the products of pairs of eigenvalues.

@@ -3,13 +3,14 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::chain::Chain;
-use super::condition::{Kind, test_function, test_of_motion};
+use super::condition::{Kind, test_function};
 use super::path::{Equations, differences, differences_of_each};
 use super::seeds::Seed;
 use super::touch::grazing;
 use super::unknowns::Unknowns;
 use crate::dynamics::Stop;
-use crate::theory::{Flow, PeriodicMotion, SectionVector};
+use crate::theory::newton::{arcs, derivative, residual};
+use crate::theory::{Arc, Flow, PeriodicMotion, SectionVector, turn_along};
 
 /// A motion in one parameter: the matching equations alone.
 pub(super) struct Branch(pub Unknowns);
@@ -29,7 +30,13 @@ impl Equations for Branch {
     }
 
     fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
-        self.0.matching_derivative(y)
+        let (flow, sections) = (self.0.flow(y)?, self.0.sections(y));
+        let own = derivative(&flow, &arcs(&flow, &self.0.pattern, &sections), &self.0.pattern);
+        let by_parameters = differences(y, self.0.parameters_at()..y.len(), |y| self.residual(y))?;
+        let mut all = DMatrix::zeros(own.nrows(), y.len());
+        all.columns_mut(0, own.ncols()).copy_from(&own);
+        all.columns_mut(own.ncols(), by_parameters.ncols()).copy_from(&by_parameters);
+        Some(all)
     }
 }
 
@@ -45,21 +52,22 @@ pub(super) struct Locus {
 }
 
 impl Locus {
-    fn condition(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
-        let flow = Flow::new(&self.unknowns.system(y)?);
-        let sections = self.unknowns.sections(y);
-        let pattern = &self.unknowns.pattern;
-        let values = match self.touch {
-            Some(touch) => grazing(&flow, pattern, &sections, touch, self.touch_phase(y)).to_vec(),
-            None => vec![test_of_motion(self.kind, &flow, pattern, &sections)?],
-        };
-        values.iter().all(|value| value.is_finite()).then(|| DVector::from_vec(values))
+    /// How far beyond the stop the motion is where it touches it, and how fast it moves into it.
+    fn touching(&self, touch: (usize, Stop), flow: &Flow, y: &DVector<f64>) -> Option<DVector<f64>> {
+        let (pattern, sections) = (&self.unknowns.pattern, self.unknowns.sections(y));
+        let values = grazing(flow, pattern, &sections, touch, self.touch_phase(y));
+        values.iter().all(|value| value.is_finite()).then(|| DVector::from_row_slice(&values))
     }
 
-    /// The derivatives of a smooth bifurcation's condition with respect to the sections.
-    fn test_by_sections(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
-        let flow = Flow::new(&self.unknowns.system(y)?);
-        let mut chain = Chain::new(&flow, &self.unknowns.pattern, self.unknowns.sections(y))?;
+    /// The function that vanishes at a smooth bifurcation, of a motion with its arcs.
+    fn test(&self, flow: &Flow, arcs: &[Arc]) -> Option<DVector<f64>> {
+        let test = test_function(self.kind, &turn_along(flow, &self.unknowns.pattern, arcs)?);
+        test.is_finite().then(|| DVector::from_element(1, test))
+    }
+
+    /// Its derivatives with respect to the sections.
+    fn test_by_sections(&self, flow: &Flow, arcs: &[Arc], y: &DVector<f64>) -> Option<DMatrix<f64>> {
+        let mut chain = Chain::new(flow, &self.unknowns.pattern, self.unknowns.sections(y), arcs)?;
         let size = self.unknowns.size();
         differences_of_each(y, 0..self.unknowns.sections_end(), |j, value| {
             let mut section: SectionVector = y.rows(j / size * size, size).into_owned();
@@ -77,25 +85,34 @@ impl Locus {
 
 impl Equations for Locus {
     fn residual(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
-        let matching = self.unknowns.matching(y)?;
-        let condition = self.condition(y)?;
+        let Locus { unknowns, touch, .. } = self;
+        let (flow, sections) = (unknowns.flow(y)?, unknowns.sections(y));
+        let (matching, condition) = match *touch {
+            Some(touch) => (unknowns.matching_of(&flow, &sections)?, self.touching(touch, &flow, y)?),
+            None => {
+                let arcs = arcs(&flow, &unknowns.pattern, &sections);
+                (unknowns.matched(&sections, residual(&arcs))?, self.test(&flow, &arcs)?)
+            }
+        };
         let values = matching.iter().chain(condition.iter()).copied();
         Some(DVector::from_iterator(matching.len() + condition.len(), values))
     }
 
     fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
-        let matching = self.unknowns.matching_derivative(y)?;
-        let sections = self.unknowns.sections_end();
-        let by_sections = match self.touch {
-            Some(_) => differences(y, 0..sections, |y| self.condition(y))?,
-            None => self.test_by_sections(y)?,
+        let Locus { unknowns, touch, .. } = self;
+        let (flow, sections, at) = (unknowns.flow(y)?, unknowns.sections(y), unknowns.parameters_at());
+        let arcs = arcs(&flow, &unknowns.pattern, &sections);
+        let matching = derivative(&flow, &arcs, &unknowns.pattern);
+        // The sections, and the phase of a touch, leave the flow as it is.
+        let conditions = match *touch {
+            Some(touch) => differences(y, 0..at, |y| self.touching(touch, &flow, y))?,
+            None => self.test_by_sections(&flow, &arcs, y)?,
         };
-        let by_others = differences(y, sections..y.len(), |y| self.condition(y))?;
-        let conditions = by_others.nrows();
-        let mut all = DMatrix::zeros(matching.nrows() + conditions, y.len());
-        all.rows_mut(0, matching.nrows()).copy_from(&matching);
-        all.view_mut((matching.nrows(), 0), (conditions, sections)).copy_from(&by_sections);
-        all.view_mut((matching.nrows(), sections), (conditions, y.len() - sections)).copy_from(&by_others);
+        let by_parameters = differences(y, at..y.len(), |y| self.residual(y))?;
+        let mut all = DMatrix::zeros(by_parameters.nrows(), y.len());
+        all.view_mut((0, 0), matching.shape()).copy_from(&matching);
+        all.view_mut((matching.nrows(), 0), conditions.shape()).copy_from(&conditions);
+        all.columns_mut(at, by_parameters.ncols()).copy_from(&by_parameters);
         Some(all)
     }
 }

@@ -1,11 +1,10 @@
 //! The unknowns of a continuation: a motion's sections, and the parameters that vary, scaled to a plane's sides.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
-use super::path::differences;
 use crate::figure::Spacing;
 use crate::model::{Parameter, Setting, System};
-use crate::theory::newton::{arcs, derivative, is_ordered, residual};
+use crate::theory::newton::{is_ordered, residual_alone};
 use crate::theory::{Flow, Pattern, SectionVector, StopSet};
 
 /// A parameter and the range of it that counts as length one.
@@ -90,23 +89,23 @@ impl Unknowns {
         (0..self.pattern.stops.len()).map(|i| y.rows(size * i, size).into_owned()).collect()
     }
 
-    /// Residuals of the matching equations.
-    pub fn matching(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
-        let flow = Flow::new(&self.system(y)?);
-        let sections = self.sections(y);
-        let residual = residual(&arcs(&flow, &self.pattern, &sections));
-        (is_ordered(&self.pattern, &sections) && residual.amax().is_finite()).then_some(residual)
+    /// The flow of the system there; see [`Unknowns::system`].
+    pub fn flow(&self, y: &DVector<f64>) -> Option<Flow> {
+        Some(Flow::new(&self.system(y)?))
     }
 
-    /// Derivatives of the matching equations with respect to all unknowns.
-    pub fn matching_derivative(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
-        let flow = Flow::new(&self.system(y)?);
-        let own = derivative(&flow, &arcs(&flow, &self.pattern, &self.sections(y)), &self.pattern);
-        let rows = own.nrows();
-        let with_parameters = differences(y, self.parameters_at()..y.len(), |y| self.matching(y))?;
-        let mut all = DMatrix::zeros(rows, y.len());
-        all.columns_mut(0, rows).copy_from(&own);
-        all.columns_mut(self.parameters_at(), self.spans.len()).copy_from(&with_parameters);
-        Some(all)
+    /// Residuals of the matching equations.
+    pub fn matching(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
+        self.matching_of(&self.flow(y)?, &self.sections(y))
+    }
+
+    /// The same, with the flow and the sections at hand.
+    pub fn matching_of(&self, flow: &Flow, sections: &[SectionVector]) -> Option<DVector<f64>> {
+        self.matched(sections, residual_alone(flow, &self.pattern, sections))
+    }
+
+    /// Residuals, where the motion that leaves them is one.
+    pub fn matched(&self, sections: &[SectionVector], residual: DVector<f64>) -> Option<DVector<f64>> {
+        (is_ordered(&self.pattern, sections) && residual.amax().is_finite()).then_some(residual)
     }
 }

@@ -15,7 +15,7 @@ const SHORT: f64 = 2.0;
 ///
 /// Nothing of it is a number where the time is none, or infinite.
 ///
-/// A general matrix exponential knows neither the rows of sin φ and cos φ beforehand nor the rate, and takes some ten times as long.
+/// A general matrix exponential knows neither the rows of sin φ and cos φ beforehand nor the rate, and takes several times as long.
 ///
 /// # Panics
 /// If no plant has a generator of that size.

@@ -5,6 +5,27 @@ use nalgebra::{DMatrix, DVector};
 use super::flow::Flow;
 use super::section_vector::{Node, phase};
 
+/// R of [`Arc`] alone: how far from one impact the flight from another ends.
+pub(crate) fn residual(flow: &Flow, from: &Node, to: &Node) -> DVector<f64> {
+    let (start, time) = departure(flow, from, to);
+    missed(flow, to, &flow.face(to.stop).restituted * (&*flow.over(time) * start))
+}
+
+/// z just after an impact, and the time to another.
+fn departure(flow: &Flow, from: &Node, to: &Node) -> (DVector<f64>, f64) {
+    let time = (phase(&to.section) - phase(&from.section)) / flow.omega;
+    (flow.lifted(from.stop, &from.section), time)
+}
+
+/// What is left of an arrival, d·x in place of its phase, without the impact that is due.
+fn missed(flow: &Flow, due: &Node, mut arrival: DVector<f64>) -> DVector<f64> {
+    let last = arrival.len() - 1;
+    let along = arrival[last];
+    arrival -= &due.section;
+    arrival[last] = along - flow.face(due.stop).gap;
+    arrival
+}
+
 /// The equations that join two impacts, linearised.
 ///
 /// Flight from u for a time (φ′ − φ)/ω must arrive at the next stop, and the law of impact must turn its arrival
@@ -22,14 +43,10 @@ pub(crate) struct Arc {
 impl Arc {
     /// The arc between two impacts.
     pub fn between(flow: &Flow, from: &Node, to: &Node) -> Self {
-        let start = flow.lifted(from.stop, &from.section);
-        let time = (phase(&to.section) - phase(&from.section)) / flow.omega;
+        let (start, time) = departure(flow, from, to);
         let joined = flow.joined([from.stop, to.stop], time);
         let last = 2 * flow.n - 1;
-        let mut residual = &joined.section * &start;
-        let along = residual[last];
-        residual -= &to.section;
-        residual[last] = along - flow.face(to.stop).gap;
+        let residual = missed(flow, to, &joined.section * &start);
         // Flight of z' is z' of flight.
         let arriving = &joined.section * (flow.generator() * &start) / flow.omega;
         let mut from = joined.lifted.clone();

@@ -3,6 +3,7 @@
 use nalgebra::{Complex, ComplexField, DMatrix, Schur};
 
 use super::flow::Flow;
+use super::matching::Arc;
 use super::newton::arcs;
 use super::pattern::Pattern;
 use super::section_vector::SectionVector;
@@ -20,8 +21,13 @@ pub(super) const STABLE: f64 = 1.0 - 1e-9;
 ///
 /// It is the product of the Jacobians of its impacts. None where an impact grazes, since the map has no derivative there.
 pub(crate) fn turn(flow: &Flow, pattern: &Pattern, sections: &[SectionVector]) -> Option<DMatrix<f64>> {
+    turn_along(flow, pattern, &arcs(flow, pattern, sections))
+}
+
+/// The same of a motion whose arcs are known.
+pub(crate) fn turn_along(flow: &Flow, pattern: &Pattern, arcs: &[Arc]) -> Option<DMatrix<f64>> {
     let mut closed = pattern.reopening_matrix(flow);
-    for arc in arcs(flow, pattern, sections).iter().rev() {
+    for arc in arcs.iter().rev() {
         closed *= arc.jacobian()?;
     }
     closed.iter().all(|value| value.is_finite()).then_some(closed)

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::cyclic;
 use super::flow::Flow;
-use super::matching::Arc;
+use super::matching::{self, Arc};
 use super::pattern::Pattern;
 use super::section_vector::{Node, SectionVector, phase};
 
@@ -22,8 +22,14 @@ pub(crate) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[SectionVector]) -
 
 /// The arc after the `i`-th impact.
 pub(crate) fn arc(flow: &Flow, pattern: &Pattern, sections: &[SectionVector], i: usize) -> Arc {
+    let [from, to] = ends(flow, pattern, sections, i);
+    Arc::between(flow, &from, &to)
+}
+
+/// The impacts at the ends of that arc.
+fn ends(flow: &Flow, pattern: &Pattern, sections: &[SectionVector], i: usize) -> [Node; 2] {
     let from = Node { stop: pattern.stops[i], section: sections[i].clone() };
-    Arc::between(flow, &from, &next(flow, pattern, sections, i))
+    [from, next(flow, pattern, sections, i)]
 }
 
 /// The impact that follows the `i`-th.
@@ -37,6 +43,17 @@ pub(crate) fn next(flow: &Flow, pattern: &Pattern, sections: &[SectionVector], i
 /// The phase of the impact that follows the `i`-th.
 pub(crate) fn next_phase(pattern: &Pattern, sections: &[SectionVector], i: usize) -> f64 {
     sections.get(i + 1).map_or_else(|| pattern.closing_phase(&sections[0]), phase)
+}
+
+/// The residuals of all arcs of a motion, without anything else of them.
+pub(crate) fn residual_alone(flow: &Flow, pattern: &Pattern, sections: &[SectionVector]) -> DVector<f64> {
+    let of_arc = |i: usize| {
+        let [from, to] = ends(flow, pattern, sections, i);
+        matching::residual(flow, &from, &to)
+    };
+    let residuals: Vec<DVector<f64>> = (0..sections.len()).map(of_arc).collect();
+    let count = residuals.iter().map(DVector::len).sum();
+    DVector::from_iterator(count, residuals.iter().flat_map(|residual| residual.iter().copied()))
 }
 
 /// The residuals of all arcs.
