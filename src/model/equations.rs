@@ -3,7 +3,7 @@
 use std::ops::Deref;
 
 use arrayvec::ArrayVec;
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{DMatrix, SMatrix, SVector};
 
 use super::free_flight::FreeFlight;
 use super::vector::MOST;
@@ -77,23 +77,14 @@ impl<const N: usize> Equations<N> {
     /// If the plant has another number of coordinates, or an invertible mass matrix was not made sure of.
     pub fn new(plant: &Plant) -> Self {
         assert_eq!(plant.n, N, "a plant with {} coordinates", plant.n);
-        let square = |m: &DMatrix<f64>| SMatrix::<f64, N, N>::from_fn(|i, j| m[(i, j)]);
-        let inverse = square(&plant.mass).try_inverse();
+        let inverse = SMatrix::<f64, N, N>::from_fn(|i, j| plant.mass[(i, j)]).try_inverse();
         let inverse = inverse.expect("a plant's mass matrix was checked to be invertible");
-        let vector = |v: &DVector<f64>| SVector::<f64, N>::from_fn(|i, _| v[i]);
+        let free = FreeFlight::of(plant, &inverse);
         let none =
             Normal { direction: SVector::zeros(), response: SVector::zeros(), mass: 0.0, ends: [None; 2] };
-        let free = FreeFlight {
-            stiffness: -(inverse * square(&plant.stiffness)),
-            damping: -(inverse * square(&plant.damping)),
-            sin: inverse * vector(&plant.force_sin),
-            cos: inverse * vector(&plant.force_cos),
-            load: inverse * vector(&plant.load),
-            omega: plant.omega,
-        };
         let mut equations = Equations { free, normals: [none; MOST], count: 0 };
         for (stop, given) in plant.stops.iter().enumerate() {
-            let direction = vector(&given.direction);
+            let direction = SVector::from_fn(|i, _| given.direction[i]);
             let (normal, scale) = equations.normal_along(&inverse, direction);
             let end = End { stop, gap: given.gap / scale.abs(), restitution: given.restitution };
             let place = &mut equations.normals[normal].ends[usize::from(scale < 0.0)];

@@ -1,6 +1,8 @@
 //! The equations of motion between impacts, solved for the accelerations.
 
-use nalgebra::{DMatrix, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use crate::system::Plant;
 
 /// x″ = A x + B v + s sin φ + c cos φ + l, φ = ωt; everything is non-dimensional.
 ///
@@ -22,6 +24,20 @@ pub struct FreeFlight<const N: usize> {
 }
 
 impl<const N: usize> FreeFlight<N> {
+    /// That of a plant with N coordinates, given M⁻¹.
+    pub fn of(plant: &Plant, inverse_mass: &SMatrix<f64, N, N>) -> Self {
+        let square = |m: &DMatrix<f64>| inverse_mass * SMatrix::<f64, N, N>::from_fn(|i, j| m[(i, j)]);
+        let vector = |v: &DVector<f64>| inverse_mass * SVector::<f64, N>::from_fn(|i, _| v[i]);
+        FreeFlight {
+            stiffness: -square(&plant.stiffness),
+            damping: -square(&plant.damping),
+            sin: vector(&plant.force_sin),
+            cos: vector(&plant.force_cos),
+            load: vector(&plant.load),
+            omega: plant.omega,
+        }
+    }
+
     /// That whose generator is G, (2N + 3) × (2N + 3): z' = G z with z = (x, v, sin φ, cos φ, 1).
     pub fn of_generator(generator: &DMatrix<f64>) -> Self {
         let block = |at: usize| SMatrix::from_fn(|i, j| generator[(N + i, at + j)]);
@@ -37,7 +53,6 @@ impl<const N: usize> FreeFlight<N> {
     }
 
     /// G.
-    #[cfg(test)]
     pub fn generator(&self) -> DMatrix<f64> {
         let size = 2 * N + 3;
         let mut g = DMatrix::zeros(size, size);

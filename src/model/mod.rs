@@ -67,6 +67,6 @@ pub use step::Step;
 pub use stops_along::StopsAlong;
 pub use system::System;
 pub use system_error::SystemError;
-pub(crate) use transition::transition;
+pub(crate) use transition::{generator, transition};
 pub use width::Width;
 pub(crate) use width::{AnyWidth, AtWidth};

@@ -1,14 +1,30 @@
 //! Free flight over any time.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Matrix2};
 
+use super::equations::Equations;
 use super::free_flight::FreeFlight;
 use super::real::Lanes;
 use super::step::{Columns, Step};
 use super::width::{AtWidth, Width};
+use crate::system::Plant;
 
 /// rate·h of the step that is doubled is kept below this: its series grows little before it falls, and few doublings lose little.
 const SHORT: f64 = 2.0;
+
+/// G of a plant, (2n + 3) × (2n + 3): between impacts z' = G z with z = (x, v, sin φ, cos φ, 1); everything is non-dimensional.
+///
+/// # Panics
+/// If the plant has too many coordinates.
+pub(crate) fn generator(plant: &Plant) -> DMatrix<f64> {
+    match plant.n {
+        1 => Equations::<1>::new(plant).generator(),
+        2 => Equations::<2>::new(plant).generator(),
+        3 => Equations::<3>::new(plant).generator(),
+        4 => Equations::<4>::new(plant).generator(),
+        n => unreachable!("no plant has {n} coordinates"),
+    }
+}
 
 /// exp(G t), what free flight over a time makes of z = (x, v, sin φ, cos φ, 1): (2n + 3) × (2n + 3), of the same size as G. The rate
 /// is that of [`System::rate`](super::System::rate); everything is non-dimensional.
@@ -43,12 +59,7 @@ fn sized<const N: usize>(generator: &DMatrix<f64>, rate: f64, time: f64) -> DMat
         }
     }
     let (sin, cos) = libm::sincos(free.omega * time);
-    let phasor = [[cos, sin], [-sin, cos]];
-    for (i, row) in phasor.iter().enumerate() {
-        for (j, value) in row.iter().enumerate() {
-            over[(2 * N + i, 2 * N + j)] = *value;
-        }
-    }
+    over.view_mut((2 * N, 2 * N), (2, 2)).copy_from(&Matrix2::new(cos, sin, -sin, cos));
     over
 }
 
@@ -84,7 +95,6 @@ impl<const N: usize> AtWidth<f64> for Doubled<'_, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::equations::Equations;
     use crate::model::example::coupled;
     use crate::model::width::at_every_width;
 

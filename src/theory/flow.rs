@@ -10,7 +10,7 @@ use super::face::{Face, slots};
 use super::joined::Joined;
 use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
-use crate::model::{OfFlow, System, transition};
+use crate::model::{OfFlow, System, generator, transition};
 use crate::system::{Mirror, Mooring};
 
 /// The flow z' = G z between impacts, z = (x, v, sin φ, cos φ, 1), and the stops.
@@ -53,22 +53,6 @@ fn inverse_mass(system: &System) -> DMatrix<f64> {
     mass.try_inverse().expect("a plant's mass matrix was checked to be invertible")
 }
 
-/// G of a system.
-fn generator(system: &System) -> DMatrix<f64> {
-    let (plant, inverse) = (system.like(), inverse_mass(system));
-    let n = plant.n;
-    let mut g = DMatrix::zeros(2 * n + 3, 2 * n + 3);
-    g.view_mut((0, n), (n, n)).fill_with_identity();
-    g.view_mut((n, 0), (n, n)).copy_from(&-(&inverse * &plant.stiffness));
-    g.view_mut((n, n), (n, n)).copy_from(&-(&inverse * &plant.damping));
-    for (k, load) in [&plant.force_sin, &plant.force_cos, &plant.load].into_iter().enumerate() {
-        g.view_mut((n, 2 * n + k), (n, 1)).copy_from(&(&inverse * load));
-    }
-    g[(2 * n, 2 * n + 1)] = plant.omega;
-    g[(2 * n + 1, 2 * n)] = -plant.omega;
-    g
-}
-
 impl Flow {
     /// The flow of a system.
     pub fn new(system: &System) -> Self {
@@ -78,7 +62,7 @@ impl Flow {
         let faces = faces.collect();
         let kept = Arc::clone(system.of_flow());
         // Both are known from now on.
-        kept.generator(|| generator(system));
+        kept.generator(|| generator(system.like()));
         system.mirror();
         let (n, omega, rate) = (system.coordinates(), system.like().omega, system.rate());
         Flow { n, omega, rate, mooring: system.mooring().cloned(), faces, whatever_gaps, kept }
