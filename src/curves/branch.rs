@@ -1,6 +1,6 @@
 //! A motion followed in one parameter, and the bifurcations met on the way.
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::condition::{Kind, split, test_function};
 use super::locus::Branch;
@@ -11,7 +11,8 @@ use super::touch::{Touch, arrival_speeds, nearest, touches};
 use super::unknowns::{Span, Unknowns};
 use super::until::Until;
 use crate::model::{Setting, System};
-use crate::theory::{Flow, Pattern, PeriodicMotion, SectionVector, eigenvalues, phase, turn};
+use crate::theory::newton::arcs;
+use crate::theory::{Flow, Pattern, PeriodicMotion, SectionVector, eigenvalues, phase, turn_along};
 
 /// The longest step, in lengths of the parameter's range.
 const LONGEST: f64 = 0.02;
@@ -143,13 +144,15 @@ fn watch(branch: &Branch, y: &DVector<f64>) -> Option<Watched> {
     let unknowns = &branch.0;
     let system = unknowns.system(y)?;
     let sections = unknowns.sections(y);
-    let map = turn(&Flow::new(&system), &unknowns.pattern, &sections)?;
+    let (flow, pattern) = (Flow::new(&system), &unknowns.pattern);
+    let arcs = arcs(&flow, pattern, &sections);
+    let map = turn_along(&flow, pattern, &arcs)?;
     let multipliers = eigenvalues(&map)?;
     Some(Watched {
-        tests: Kind::smooth(&unknowns.pattern).map(|kind| test_function(kind, &map)),
+        tests: Kind::smooth(pattern).map(|kind| test_function(kind, &map)),
         stable: multipliers[0].norm() <= STABLE,
-        nearest: nearest(&touches(&system, &unknowns.pattern, &sections)),
-        speeds: arrival_speeds(&system, &unknowns.pattern, &sections),
+        nearest: nearest(&touches(&system, &flow, pattern, &sections)),
+        speeds: arrival_speeds(&flow, &arcs),
     })
 }
 
@@ -274,16 +277,10 @@ fn grazing_event(branch: &Branch, y: &DVector<f64>, watched: &Watched) -> Option
     }
     let mut fewer = PeriodicMotion { pattern: pattern.clone(), sections, residual: 0.0 };
     if impact == 0 {
-        fewer.rotate(&Flow::new(&unknowns.system(y)?), 1);
+        fewer.rotate(&unknowns.flow(y)?, 1);
     }
     let impact = if impact == 0 { count - 1 } else { impact };
     let stop = fewer.pattern.stops.remove(impact);
     let phase = phase(&fewer.sections.remove(impact));
     Some(event(fewer.pattern, fewer.sections, Touch { arc: impact - 1, stop, phase, gap: 0.0 }))
-}
-
-/// The multipliers of a turn at a point; none where it grazes.
-pub(super) fn multipliers_at(unknowns: &Unknowns, y: &DVector<f64>) -> Option<Vec<Complex<f64>>> {
-    let map: DMatrix<f64> = turn(&Flow::new(&unknowns.system(y)?), &unknowns.pattern, &unknowns.sections(y))?;
-    eigenvalues(&map)
 }

@@ -66,7 +66,7 @@ mod tests {
     use super::*;
     use crate::model::{Parameters, System};
     use crate::theory::newton::arcs;
-    use crate::theory::{settled_motion, turn};
+    use crate::theory::{settled_motion, turn_along};
 
     #[test]
     fn a_moved_impact_changes_the_turn_as_a_whole_product_does() {
@@ -80,14 +80,15 @@ mod tests {
             let settled = crate::dynamics::record(&system, state, 3000, n, 1).samples[0];
             let motion = settled_motion(&system, settled.state, n).unwrap();
             let flow = Flow::new(&system);
-            let arcs = arcs(&flow, &motion.pattern, &motion.sections);
-            let mut chain = Chain::new(&flow, &motion.pattern, motion.sections.clone(), &arcs).unwrap();
+            let pattern = &motion.pattern;
+            let own = arcs(&flow, pattern, &motion.sections);
+            let mut chain = Chain::new(&flow, pattern, motion.sections.clone(), &own).unwrap();
             for i in 0..motion.sections.len() {
                 let moved = &motion.sections[i] + SectionVector::from_row_slice(&[1e-3, -2e-3, 1e-3, 3e-3]);
                 let mut sections = motion.sections.clone();
                 sections[i] = moved.clone();
-                let whole = turn(&flow, &motion.pattern, &sections).unwrap();
-                let unmoved = turn(&flow, &motion.pattern, &motion.sections).unwrap();
+                let whole = turn_along(&flow, pattern, &arcs(&flow, pattern, &sections)).unwrap();
+                let unmoved = turn_along(&flow, pattern, &own).unwrap();
                 let parts = chain.turn_with(i, moved).unwrap();
                 assert!((parts - &whole).amax() < 1e-11 * whole.amax(), "{omega}, impact {i}");
                 assert!((unmoved - &whole).amax() > 1e-4 * whole.amax(), "the check can fail");

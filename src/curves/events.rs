@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, DVector};
 
-use super::branch::{Event, multipliers_at};
+use super::branch::Event;
 use super::condition::{Kind, split};
 use super::curve::{Criticality, CurvePoint, End, Special};
 use super::locus::Locus;
@@ -10,7 +10,10 @@ use super::path::PathPoint;
 use super::special::{Monitor, monitors};
 use super::touch::{arrival_speeds, touches};
 use crate::model::{Setting, System};
-use crate::theory::{PeriodicMotion, flip_coefficient, fly, neimark_sacker_coefficient};
+use crate::theory::newton::arcs;
+use crate::theory::{
+    Arc, Flow, PeriodicMotion, eigenvalues, flip_coefficient, fly, neimark_sacker_coefficient, turn_along,
+};
 
 /// The length by which a stop may be crossed before it counts; non-dimensional.
 const CROSSED: f64 = 1e-9;
@@ -70,9 +73,10 @@ impl Seen {
 pub(super) fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
     let unknowns = &locus.unknowns;
     let system = unknowns.system(&at.y)?;
-    let sections = unknowns.sections(&at.y);
+    let (flow, sections) = (Flow::new(&system), unknowns.sections(&at.y));
+    let arcs = arcs(&flow, &unknowns.pattern, &sections);
+    let multipliers = eigenvalues(&turn_along(&flow, &unknowns.pattern, &arcs)?)?;
     let motion = PeriodicMotion { pattern: unknowns.pattern.clone(), sections, residual: 0.0 };
-    let multipliers = multipliers_at(unknowns, &at.y)?;
     let (critical, others) = split(locus.kind, &multipliers);
     let coefficient = match locus.kind {
         Kind::Fold | Kind::Grazing => None,
@@ -91,7 +95,7 @@ pub(super) fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
         special: None,
     };
     let monitors = monitors(locus, at, &system, &motion, coefficient, &critical, &others);
-    let beyond = beyond(locus, &at.y, &system, &motion, &critical);
+    let beyond = beyond(locus, &at.y, (&system, &flow), (&motion, &arcs), &critical);
     Some(Seen { point, parameters, monitors, beyond, motion })
 }
 
@@ -99,8 +103,8 @@ pub(super) fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
 fn beyond(
     locus: &Locus,
     y: &DVector<f64>,
-    system: &System,
-    motion: &PeriodicMotion,
+    (system, flow): (&System, &Flow),
+    (motion, arcs): (&PeriodicMotion, &[Arc]),
     critical: &[Complex<f64>],
 ) -> Option<Reason> {
     let from = locus.unknowns.parameters_at();
@@ -115,13 +119,13 @@ fn beyond(
         });
     }
     let pattern = &motion.pattern;
-    if arrival_speeds(system, pattern, &motion.sections).iter().any(|&speed| speed < 0.0) {
+    if arrival_speeds(flow, arcs).iter().any(|&speed| speed < 0.0) {
         return Some((End::ImpactVanishes, Some(Special::Grazing)));
     }
     let own = |arc: usize, phase: f64| {
         locus.touch.is_some_and(|(its_arc, _)| its_arc == arc && (phase - locus.touch_phase(y)).abs() < 1e-3)
     };
-    let crossed = touches(system, pattern, &motion.sections)
+    let crossed = touches(system, flow, pattern, &motion.sections)
         .iter()
         .any(|touch| touch.gap < -CROSSED && !own(touch.arc, touch.phase));
     let certified = locus.kind == Kind::Grazing || fly(system, &motion.pattern, &motion.sections).is_ok();

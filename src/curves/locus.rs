@@ -26,18 +26,28 @@ impl Branch {
 
 impl Equations for Branch {
     fn residual(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
-        self.0.matching(y)
+        self.0.matching(&self.0.flow(y)?, &self.0.sections(y))
     }
 
     fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
         let (flow, sections) = (self.0.flow(y)?, self.0.sections(y));
         let own = derivative(&flow, &arcs(&flow, &self.0.pattern, &sections), &self.0.pattern);
         let by_parameters = differences(y, self.0.parameters_at()..y.len(), |y| self.residual(y))?;
-        let mut all = DMatrix::zeros(own.nrows(), y.len());
-        all.columns_mut(0, own.ncols()).copy_from(&own);
-        all.columns_mut(own.ncols(), by_parameters.ncols()).copy_from(&by_parameters);
-        Some(all)
+        Some(beside(&[own], &by_parameters))
     }
+}
+
+/// Derivatives of some equations by what the parameters leave as it is, from top to bottom, beside those of all by the parameters.
+fn beside(own: &[DMatrix<f64>], by_parameters: &DMatrix<f64>) -> DMatrix<f64> {
+    let at = own.iter().map(DMatrix::ncols).max().unwrap_or(0);
+    let mut all = DMatrix::zeros(by_parameters.nrows(), at + by_parameters.ncols());
+    let mut row = 0;
+    for rows in own {
+        all.view_mut((row, 0), rows.shape()).copy_from(rows);
+        row += rows.nrows();
+    }
+    all.columns_mut(at, by_parameters.ncols()).copy_from(by_parameters);
+    all
 }
 
 /// A bifurcation in two parameters: the matching equations and what defines the bifurcation.
@@ -88,7 +98,7 @@ impl Equations for Locus {
         let Locus { unknowns, touch, .. } = self;
         let (flow, sections) = (unknowns.flow(y)?, unknowns.sections(y));
         let (matching, condition) = match *touch {
-            Some(touch) => (unknowns.matching_of(&flow, &sections)?, self.touching(touch, &flow, y)?),
+            Some(touch) => (unknowns.matching(&flow, &sections)?, self.touching(touch, &flow, y)?),
             None => {
                 let arcs = arcs(&flow, &unknowns.pattern, &sections);
                 (unknowns.matched(&sections, residual(&arcs))?, self.test(&flow, &arcs)?)
@@ -109,10 +119,6 @@ impl Equations for Locus {
             None => self.test_by_sections(&flow, &arcs, y)?,
         };
         let by_parameters = differences(y, at..y.len(), |y| self.residual(y))?;
-        let mut all = DMatrix::zeros(by_parameters.nrows(), y.len());
-        all.view_mut((0, 0), matching.shape()).copy_from(&matching);
-        all.view_mut((matching.nrows(), 0), conditions.shape()).copy_from(&conditions);
-        all.columns_mut(at, by_parameters.ncols()).copy_from(&by_parameters);
-        Some(all)
+        Some(beside(&[matching, conditions], &by_parameters))
     }
 }

@@ -5,8 +5,8 @@
 
 use crate::dynamics::Stop;
 use crate::model::System;
-use crate::theory::newton::{arcs, next};
-use crate::theory::{Flow, Pattern, SectionVector, phase};
+use crate::theory::newton::next;
+use crate::theory::{Arc, Flow, Pattern, SectionVector, phase};
 
 /// A turning point in flight, along a stop's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,11 +25,15 @@ pub(super) struct Touch {
 ///
 /// They are looked for at steps short against the fastest motion and placed by cubic interpolation: near enough to
 /// begin with, not a certificate.
-pub(super) fn touches(system: &System, pattern: &Pattern, sections: &[SectionVector]) -> Vec<Touch> {
-    let flow = Flow::new(system);
+pub(super) fn touches(
+    system: &System,
+    flow: &Flow,
+    pattern: &Pattern,
+    sections: &[SectionVector],
+) -> Vec<Touch> {
     let mut found = Vec::new();
     for (arc, section) in sections.iter().enumerate() {
-        let time = (phase(&next(&flow, pattern, sections, arc).section) - phase(section)) / flow.omega;
+        let time = (phase(&next(flow, pattern, sections, arc).section) - phase(section)) / flow.omega;
         let steps = (time * f64::from(system.steps()) / system.period() * 2.0).ceil().max(1.0);
         let h = time / steps;
         let step = flow.over(h);
@@ -67,11 +71,10 @@ pub(super) fn nearest(touches: &[Touch]) -> Option<Touch> {
     touches.iter().copied().min_by(|a, b| a.gap.total_cmp(&b.gap))
 }
 
-/// The speed of every impact of the pattern on arrival, negative where the stop would be reached from the wrong side;
+/// The speed of every impact of a motion with these arcs on arrival, negative where the stop would be reached from the wrong side;
 /// the first belongs to the second impact.
-pub(super) fn arrival_speeds(system: &System, pattern: &Pattern, sections: &[SectionVector]) -> Vec<f64> {
-    let flow = Flow::new(system);
-    arcs(&flow, pattern, sections).iter().map(|arc| arc.approach() * flow.omega).collect()
+pub(super) fn arrival_speeds(flow: &Flow, arcs: &[Arc]) -> Vec<f64> {
+    arcs.iter().map(|arc| arc.approach() * flow.omega).collect()
 }
 
 /// How far beyond the stop a motion is at a phase on one of its arcs, and how fast it moves into it: both vanish where it

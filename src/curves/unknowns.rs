@@ -95,12 +95,7 @@ impl Unknowns {
     }
 
     /// Residuals of the matching equations.
-    pub fn matching(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
-        self.matching_of(&self.flow(y)?, &self.sections(y))
-    }
-
-    /// The same, with the flow and the sections at hand.
-    pub fn matching_of(&self, flow: &Flow, sections: &[SectionVector]) -> Option<DVector<f64>> {
+    pub fn matching(&self, flow: &Flow, sections: &[SectionVector]) -> Option<DVector<f64>> {
         self.matched(sections, residual_alone(flow, &self.pattern, sections))
     }
 

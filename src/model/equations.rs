@@ -5,7 +5,7 @@ use std::ops::Deref;
 use arrayvec::ArrayVec;
 use nalgebra::{DMatrix, SMatrix, SVector};
 
-use super::free_flight::FreeFlight;
+use super::free_flight::{FreeFlight, inverse_mass};
 use super::vector::MOST;
 use crate::system::Plant;
 
@@ -77,8 +77,7 @@ impl<const N: usize> Equations<N> {
     /// If the plant has another number of coordinates, or an invertible mass matrix was not made sure of.
     pub fn new(plant: &Plant) -> Self {
         assert_eq!(plant.n, N, "a plant with {} coordinates", plant.n);
-        let inverse = SMatrix::<f64, N, N>::from_fn(|i, j| plant.mass[(i, j)]).try_inverse();
-        let inverse = inverse.expect("a plant's mass matrix was checked to be invertible");
+        let inverse = inverse_mass(plant);
         let free = FreeFlight::of(plant, &inverse);
         let none =
             Normal { direction: SVector::zeros(), response: SVector::zeros(), mass: 0.0, ends: [None; 2] };
@@ -236,12 +235,11 @@ const PARALLEL: f64 = 1e-12;
 #[cfg(test)]
 mod tests {
     use crate::model::example::{coupled, for_every_size};
-    use crate::model::forced::generator;
 
     fn is_the_root_of_a_norm<const N: usize>() {
         let mut equations = coupled::<N>();
         equations.free.omega = 0.1;
-        let power = (0..3).fold(generator(&equations), |power, _| &power * &power);
+        let power = (0..3).fold(equations.unforced(), |power, _| &power * &power);
         let rate = power.norm().powf(0.125);
         assert!((equations.rate() / rate - 1.0).abs() < 1e-14, "{N} coordinates");
         let mut transposed = equations;

@@ -5,7 +5,7 @@ use nalgebra::SMatrix;
 
 use super::contact_normal::{ContactNormal, contact_normal};
 use super::equations::Equations;
-use super::forced::{ForcedResponse, Trap, generator, slowest};
+use super::forced::{ForcedResponse, Trap, slowest};
 use super::quiet::{Quiet, quiet};
 use super::real::Real;
 use super::state::State;
@@ -98,7 +98,7 @@ impl<const N: usize> Flight<f64, N> {
         let (turn_sin, turn_cos) = libm::sincos(equations.omega * h);
         let response = ForcedResponse::of(&equations);
         let trap = Trap::of(system.plant(), &equations);
-        let decay = slowest(&generator(&equations));
+        let decay = slowest(&equations.unforced());
         let mut pressing = [[[0.0; MOST]; MOST]; 1 << MOST];
         for held in 0..1 << MOST {
             // There is nothing to hold on normals that there are not.

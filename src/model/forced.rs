@@ -73,7 +73,7 @@ pub struct Trap<const N: usize> {
 impl<const N: usize> Trap<N> {
     /// The form of a plant; none where free motion may grow without bound.
     pub fn of(plant: &Plant, equations: &Equations<N>) -> Option<Self> {
-        Trap::factored(&energy(plant).or_else(|| lyapunov(&generator(equations)))?)
+        Trap::factored(&energy(plant).or_else(|| lyapunov(&equations.unforced()))?)
     }
 
     fn factored(form: &DMatrix<f64>) -> Option<Self> {
@@ -128,15 +128,6 @@ fn lyapunov(g: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let right = DVector::from_iterator(size * size, one.iter().map(|value| -value));
     let form = DMatrix::from_column_slice(size, size, matrix.lu().solve(&right)?.as_slice());
     Some((&form + form.transpose()) * 0.5)
-}
-
-/// The generator of unforced free flight in (x, v).
-pub fn generator<const N: usize>(equations: &Equations<N>) -> DMatrix<f64> {
-    let mut g = DMatrix::zeros(2 * N, 2 * N);
-    g.view_mut((0, N), (N, N)).fill_with_identity();
-    g.view_mut((N, 0), (N, N)).copy_from(&equations.stiffness);
-    g.view_mut((N, N), (N, N)).copy_from(&equations.damping);
-    g
 }
 
 /// The largest real part of the eigenvalues: the slowest decay.

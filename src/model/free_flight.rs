@@ -23,6 +23,15 @@ pub struct FreeFlight<const N: usize> {
     pub omega: f64,
 }
 
+/// M⁻¹ of a plant with N coordinates.
+///
+/// # Panics
+/// If an invertible mass matrix was not made sure of.
+pub(super) fn inverse_mass<const N: usize>(plant: &Plant) -> SMatrix<f64, N, N> {
+    let inverse = SMatrix::<f64, N, N>::from_fn(|i, j| plant.mass[(i, j)]).try_inverse();
+    inverse.expect("a plant's mass matrix was checked to be invertible")
+}
+
 impl<const N: usize> FreeFlight<N> {
     /// That of a plant with N coordinates, given M⁻¹.
     pub fn of(plant: &Plant, inverse_mass: &SMatrix<f64, N, N>) -> Self {
@@ -52,13 +61,18 @@ impl<const N: usize> FreeFlight<N> {
         }
     }
 
-    /// G.
-    pub fn generator(&self) -> DMatrix<f64> {
-        let size = 2 * N + 3;
-        let mut g = DMatrix::zeros(size, size);
+    /// The block of G that belongs to (x, v), 2N × 2N: the generator of flight without forcing and load.
+    pub fn unforced(&self) -> DMatrix<f64> {
+        let mut g = DMatrix::zeros(2 * N, 2 * N);
         g.view_mut((0, N), (N, N)).fill_with_identity();
         g.view_mut((N, 0), (N, N)).copy_from(&self.stiffness);
         g.view_mut((N, N), (N, N)).copy_from(&self.damping);
+        g
+    }
+
+    /// G.
+    pub fn generator(&self) -> DMatrix<f64> {
+        let mut g = self.unforced().resize(2 * N + 3, 2 * N + 3, 0.0);
         for (k, load) in [&self.sin, &self.cos, &self.load].into_iter().enumerate() {
             g.view_mut((N, 2 * N + k), (N, 1)).copy_from(load);
         }

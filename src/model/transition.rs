@@ -2,28 +2,28 @@
 
 use nalgebra::{DMatrix, Matrix2};
 
-use super::equations::Equations;
-use super::free_flight::FreeFlight;
+use super::free_flight::{FreeFlight, inverse_mass};
 use super::real::Lanes;
 use super::step::{Columns, Step};
 use super::width::{AtWidth, Width};
-use crate::system::Plant;
+use crate::system::{Plant, sized};
 
 /// rate·h of the step that is doubled is kept below this: its series grows little before it falls, and few doublings lose little.
 const SHORT: f64 = 2.0;
 
+/// Calls a generic function for as many coordinates: those of a plant, or one more where a force is one of them.
+macro_rules! of_coordinates {
+    ($n:expr, $of:ident($($argument:expr),*)) => {
+        sized!($n, N of 1 2 3 4 5: $of::<N>($($argument),*), else unreachable!("no plant has {} coordinates", $n))
+    };
+}
+
 /// G of a plant, (2n + 3) × (2n + 3): between impacts z' = G z with z = (x, v, sin φ, cos φ, 1); everything is non-dimensional.
-///
-/// # Panics
-/// If the plant has too many coordinates.
 pub(crate) fn generator(plant: &Plant) -> DMatrix<f64> {
-    match plant.n {
-        1 => Equations::<1>::new(plant).generator(),
-        2 => Equations::<2>::new(plant).generator(),
-        3 => Equations::<3>::new(plant).generator(),
-        4 => Equations::<4>::new(plant).generator(),
-        n => unreachable!("no plant has {n} coordinates"),
+    fn of<const N: usize>(plant: &Plant) -> DMatrix<f64> {
+        FreeFlight::<N>::of(plant, &inverse_mass(plant)).generator()
     }
+    of_coordinates!(plant.n, of(plant))
 }
 
 /// exp(G t), what free flight over a time makes of z = (x, v, sin φ, cos φ, 1): (2n + 3) × (2n + 3), of the same size as G. The rate
@@ -32,24 +32,15 @@ pub(crate) fn generator(plant: &Plant) -> DMatrix<f64> {
 /// Nothing of it is a number where the time is none, or infinite.
 ///
 /// A general matrix exponential knows neither the rows of sin φ and cos φ beforehand nor the rate, and takes several times as long.
-///
-/// # Panics
-/// If no plant has a generator of that size.
 pub(crate) fn transition(generator: &DMatrix<f64>, rate: f64, time: f64) -> DMatrix<f64> {
     if !time.is_finite() {
         return DMatrix::from_element(generator.nrows(), generator.ncols(), f64::NAN);
     }
-    match generator.nrows() {
-        5 => sized::<1>(generator, rate, time),
-        7 => sized::<2>(generator, rate, time),
-        9 => sized::<3>(generator, rate, time),
-        11 => sized::<4>(generator, rate, time),
-        size => unreachable!("no plant has a generator of {size} rows"),
-    }
+    of_coordinates!((generator.nrows() - 3) / 2, over(generator, rate, time))
 }
 
 /// The same of N coordinates.
-fn sized<const N: usize>(generator: &DMatrix<f64>, rate: f64, time: f64) -> DMatrix<f64> {
+fn over<const N: usize>(generator: &DMatrix<f64>, rate: f64, time: f64) -> DMatrix<f64> {
     let free = FreeFlight::<N>::of_generator(generator);
     let mut step = Width::widest().compute(Doubled { free: &free, rate, time });
     let mut over = DMatrix::identity(generator.nrows(), generator.ncols());
@@ -95,18 +86,9 @@ impl<const N: usize> AtWidth<f64> for Doubled<'_, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::example::coupled;
+    use crate::model::equations::Equations;
+    use crate::model::example::{coupled, for_every_size};
     use crate::model::width::at_every_width;
-
-    /// The sizes of plants.
-    macro_rules! of_every_plant {
-        ($check:ident) => {{
-            $check::<1>();
-            $check::<2>();
-            $check::<3>();
-            $check::<4>();
-        }};
-    }
 
     fn away(one: &DMatrix<f64>, other: &DMatrix<f64>) -> f64 {
         (one - other).amax() / (1.0 + other.amax())
@@ -128,7 +110,7 @@ mod tests {
 
     #[test]
     fn it_is_the_exponential_of_the_generator() {
-        of_every_plant!(is_the_exponential);
+        for_every_size!(is_the_exponential);
     }
 
     fn joins<const N: usize>() {
@@ -143,7 +125,7 @@ mod tests {
 
     #[test]
     fn flight_after_flight_is_flight_over_both_times() {
-        of_every_plant!(joins);
+        for_every_size!(joins);
     }
 
     fn is_the_same_at_every_width<const N: usize>() {
@@ -161,7 +143,7 @@ mod tests {
 
     #[test]
     fn it_is_the_same_to_the_bit_at_every_width() {
-        of_every_plant!(is_the_same_at_every_width);
+        for_every_size!(is_the_same_at_every_width);
     }
 
     #[test]

@@ -83,6 +83,7 @@ impl Flow {
         self.faces.iter().enumerate().map(|(i, face)| (Stop(i as u8), face))
     }
 
+    /// exp(G t), found anew.
     fn transition(&self, time: f64) -> DMatrix<f64> {
         transition(self.generator(), self.rate, time)
     }

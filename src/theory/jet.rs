@@ -94,8 +94,8 @@ fn arc(flow: &Flow, from: Stop, sections: &Jets, time: f64, to: Stop) -> Option<
     let [place, speed] = arrived.along(&arrival[0]);
     debug_assert!((place - arrived.gap).abs() < 1e-6 * (1.0 + arrived.gap.abs()));
     let terms = terms(flow, arrival);
-    let place = |z: &DVector<f64>| arrived.along(z)[0];
-    let places: Vec<Vec<f64>> = terms.iter().map(|term| term.iter().map(place).collect()).collect();
+    let place_of = |z: &DVector<f64>| arrived.along(z)[0];
+    let places: Vec<Vec<f64>> = terms.iter().map(|term| term.iter().map(place_of).collect()).collect();
     // The remaining time σ has no constant term; each pass finds one more coefficient.
     let mut left = Jet([0.0; TERMS]);
     for _ in 1..TERMS {

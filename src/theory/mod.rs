@@ -47,7 +47,7 @@ pub use label::{Label, LabelError};
 pub use matched::{NoSymmetricMotion, SymmetricMotion};
 pub(crate) use matching::Arc;
 pub use motion::{NoMotion, PeriodicMotion};
-pub(crate) use multipliers::{eigenvalues, turn, turn_along};
+pub(crate) use multipliers::{eigenvalues, turn_along};
 pub use normal_form::{flip_coefficient, fold_coefficient, neimark_sacker_coefficient};
 pub use pattern::{Pattern, StopSet};
 pub use search::{NotFound, labelled_motion};

@@ -47,13 +47,11 @@ pub(crate) fn next_phase(pattern: &Pattern, sections: &[SectionVector], i: usize
 
 /// The residuals of all arcs of a motion, without anything else of them.
 pub(crate) fn residual_alone(flow: &Flow, pattern: &Pattern, sections: &[SectionVector]) -> DVector<f64> {
-    let of_arc = |i: usize| {
+    let of_arc = |i: usize| -> Vec<f64> {
         let [from, to] = ends(flow, pattern, sections, i);
-        matching::residual(flow, &from, &to)
+        matching::residual(flow, &from, &to).data.into()
     };
-    let residuals: Vec<DVector<f64>> = (0..sections.len()).map(of_arc).collect();
-    let count = residuals.iter().map(DVector::len).sum();
-    DVector::from_iterator(count, residuals.iter().flat_map(|residual| residual.iter().copied()))
+    DVector::from_vec((0..sections.len()).flat_map(of_arc).collect())
 }
 
 /// The residuals of all arcs.
