@@ -159,7 +159,7 @@ fn watch(branch: &Branch, y: &DVector<f64>) -> Option<Watched> {
 /// The point within `ds` ahead where a watched function vanishes, by the Illinois rule.
 fn locate(branch: &Branch, from: &PathPoint, ds: f64, f: impl Fn(&Watched) -> f64) -> Option<DVector<f64>> {
     let at = |s: f64| -> Option<(DVector<f64>, f64)> {
-        let y = if s == 0.0 { from.y.clone() } else { from.advanced(branch, s)?.y };
+        let y = if s == 0.0 { from.y.clone() } else { from.ahead(branch, s)? };
         let value = f(&watch(branch, &y)?);
         Some((y, value))
     };
@@ -197,11 +197,11 @@ fn birth(branch: &Branch, here: &PathPoint, next: &PathPoint, ds: f64) -> Option
     let (mut before, mut beyond, mut last) = (0.0, ds, here.y.clone());
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (before + beyond);
-        let point = here.advanced(branch, middle)?;
-        if is_beyond(&point.y)? {
+        let y = here.ahead(branch, middle)?;
+        if is_beyond(&y)? {
             beyond = middle;
         } else {
-            (before, last) = (middle, point.y);
+            (before, last) = (middle, y);
         }
     }
     let system = unknowns.system(&last)?;

@@ -1,63 +1,60 @@
-//! One turn of a motion with one of its impacts moved.
+//! One turn of a motion, and how it changes with each of the impacts.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
-use crate::theory::newton::arc;
+use crate::theory::newton::ends;
 use crate::theory::{Arc, Flow, Pattern, SectionVector};
 
-/// The Jacobian of one turn as a product over its arcs, kept in parts: moving one impact changes two arcs alone.
+/// The Jacobian of one turn as a product over its arcs, kept in parts.
 pub(super) struct Chain<'a> {
-    flow: &'a Flow,
-    pattern: &'a Pattern,
-    sections: Vec<SectionVector>,
+    arcs: &'a [Arc],
     /// The product of the arcs before each one.
     before: Vec<DMatrix<f64>>,
     /// The product of each arc and those after it, with the mirror.
     from: Vec<DMatrix<f64>>,
-    /// The product of all arcs but the first and the last.
-    between: DMatrix<f64>,
 }
 
 impl<'a> Chain<'a> {
-    /// The parts of the turn of a motion with its arcs; none where an impact grazes.
-    pub fn new(
-        flow: &'a Flow,
-        pattern: &'a Pattern,
-        sections: Vec<SectionVector>,
-        arcs: &[Arc],
-    ) -> Option<Self> {
+    /// The parts of the turn of a motion with these arcs; none where an impact grazes.
+    pub fn new(flow: &Flow, pattern: &Pattern, arcs: &'a [Arc]) -> Option<Self> {
         let jacobians: Vec<DMatrix<f64>> = arcs.iter().map(Arc::jacobian).collect::<Option<_>>()?;
-        let count = jacobians.len();
-        let identity = DMatrix::identity(2 * flow.n, 2 * flow.n);
-        let mut before = vec![identity.clone()];
+        let mut before = vec![DMatrix::identity(2 * flow.n, 2 * flow.n)];
         for jacobian in &jacobians {
             before.push(jacobian * &before[before.len() - 1]);
         }
-        let mut from = vec![pattern.reopening_matrix(flow); count + 1];
-        for i in (0..count).rev() {
-            from[i] = &from[i + 1] * &jacobians[i];
+        let mut from = vec![pattern.reopening_matrix(flow)];
+        for jacobian in jacobians.iter().rev() {
+            from.push(&from[from.len() - 1] * jacobian);
         }
-        let inner = jacobians.get(1..count.saturating_sub(1)).unwrap_or_default();
-        let between = inner.iter().fold(identity, |product, jacobian| jacobian * product);
-        Some(Chain { flow, pattern, sections, before, from, between })
+        from.reverse();
+        let finite = from[0].iter().all(|value| value.is_finite());
+        finite.then_some(Chain { arcs, before, from })
     }
 
-    /// The Jacobian of the turn with the `i`-th impact somewhere else; none where an impact grazes then.
-    pub fn turn_with(&mut self, i: usize, section: SectionVector) -> Option<DMatrix<f64>> {
-        let own = std::mem::replace(&mut self.sections[i], section);
-        let turned = self.turned(i);
-        self.sections[i] = own;
-        turned.filter(|map| map.iter().all(|value| value.is_finite()))
+    /// The Jacobian.
+    pub fn turn(&self) -> &DMatrix<f64> {
+        &self.from[0]
     }
 
-    fn turned(&self, i: usize) -> Option<DMatrix<f64>> {
-        let count = self.sections.len();
-        let jacobian = |i: usize| arc(self.flow, self.pattern, &self.sections, i).jacobian();
-        Some(match i {
-            0 if count == 1 => &self.from[1] * jacobian(0)?,
-            0 => &self.from[count] * jacobian(count - 1)? * &self.between * jacobian(0)?,
-            _ => &self.from[i + 1] * jacobian(i)? * jacobian(i - 1)? * &self.before[i - 1],
-        })
+    /// The derivatives of a function of the Jacobian by all sections of the motion, one after the other, from those by its entries.
+    pub fn by_sections(
+        &self,
+        flow: &Flow,
+        pattern: &Pattern,
+        sections: &[SectionVector],
+        by_entries: &DMatrix<f64>,
+    ) -> Option<DVector<f64>> {
+        let (count, size) = (sections.len(), 2 * flow.n);
+        let mut all = DVector::zeros(size * count);
+        for (i, arc) in self.arcs.iter().enumerate() {
+            let [from, to] = ends(flow, pattern, sections, i);
+            let weights = self.from[i + 1].tr_mul(by_entries) * self.before[i].transpose();
+            let bending = arc.bending(flow, &from, &to, &weights)?;
+            let mut own = all.rows_mut(size * i, size);
+            own += bending.from;
+            all[size * ((i + 1) % count) + size - 1] += bending.arrival;
+        }
+        Some(all)
     }
 }
 
@@ -69,7 +66,7 @@ mod tests {
     use crate::theory::{settled_motion, turn_along};
 
     #[test]
-    fn a_moved_impact_changes_the_turn_as_a_whole_product_does() {
+    fn a_turn_changes_with_its_impacts_as_the_product_of_its_arcs_does() {
         // 1-1-1 symmetric, 1-1-1 unsymmetric, 2-4-4.
         for (omega, n, state) in [
             (3.7, 1, [-0.0707, 0.0067, -0.3378, 0.0198]),
@@ -79,20 +76,26 @@ mod tests {
             let system = System::new(Parameters { omega, delta: 0.1, ..Parameters::default() }).unwrap();
             let settled = crate::dynamics::record(&system, state, 3000, n, 1).samples[0];
             let motion = settled_motion(&system, settled.state, n).unwrap();
-            let flow = Flow::new(&system);
-            let pattern = &motion.pattern;
-            let own = arcs(&flow, pattern, &motion.sections);
-            let mut chain = Chain::new(&flow, pattern, motion.sections.clone(), &own).unwrap();
-            for i in 0..motion.sections.len() {
-                let moved = &motion.sections[i] + SectionVector::from_row_slice(&[1e-3, -2e-3, 1e-3, 3e-3]);
-                let mut sections = motion.sections.clone();
-                sections[i] = moved.clone();
-                let whole = turn_along(&flow, pattern, &arcs(&flow, pattern, &sections)).unwrap();
-                let unmoved = turn_along(&flow, pattern, &own).unwrap();
-                let parts = chain.turn_with(i, moved).unwrap();
-                assert!((parts - &whole).amax() < 1e-11 * whole.amax(), "{omega}, impact {i}");
-                assert!((unmoved - &whole).amax() > 1e-4 * whole.amax(), "the check can fail");
+            let (flow, pattern, sections) = (Flow::new(&system), &motion.pattern, &motion.sections);
+            let own = arcs(&flow, pattern, sections);
+            let chain = Chain::new(&flow, pattern, &own).unwrap();
+            let whole = |sections: &[SectionVector]| {
+                turn_along(&flow, pattern, &arcs(&flow, pattern, sections)).unwrap()
+            };
+            assert!((chain.turn() - whole(sections)).amax() < 1e-12 * chain.turn().amax());
+            let weights = DMatrix::from_fn(4, 4, |i, j| (1.0 + 3.0 * i as f64 - 1.3 * j as f64).cos());
+            let found = chain.by_sections(&flow, pattern, sections, &weights).unwrap();
+            for k in 0..found.len() {
+                let moved = |by: f64| {
+                    let mut sections = sections.clone();
+                    sections[k / 4][k % 4] += by;
+                    whole(&sections).dot(&weights)
+                };
+                let difference = (moved(1e-6) - moved(-1e-6)) / 2e-6;
+                let off = (found[k] - difference).abs() / found.amax();
+                assert!(off < 1e-6, "{omega}, unknown {k}: {} {difference}", found[k]);
             }
+            assert!((found[3] - found[0]).abs() > 1e-3 * found.amax(), "the check can fail");
         }
     }
 }

@@ -1,7 +1,8 @@
 //! What defines a bifurcation: a function of a motion that vanishes there.
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, DMatrix, DVector, Dyn};
 
+use super::path::differences;
 use crate::system::named;
 use crate::theory::Pattern;
 
@@ -46,6 +47,17 @@ pub(super) fn test_function(kind: Kind, map: &DMatrix<f64>) -> f64 {
         }
         Kind::Grazing => f64::NAN,
     }
+}
+
+/// The derivatives of the [`test_function`] by the entries of the map.
+pub(super) fn test_by_entries(kind: Kind, map: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let (rows, columns) = map.shape();
+    let entries = DVector::from_column_slice(map.as_slice());
+    let by_entries = differences(&entries, 0..entries.len(), |entries| {
+        let test = test_function(kind, &DMatrix::from_column_slice(rows, columns, entries.as_slice()));
+        test.is_finite().then(|| DVector::from_element(1, test))
+    })?;
+    Some(by_entries.reshape_generic(Dyn(rows), Dyn(columns)))
 }
 
 /// The second compound: all 2 × 2 minors, whose eigenvalues are the products of pairs of eigenvalues.

@@ -6,7 +6,6 @@ use super::branch::Event;
 use super::condition::{Kind, split};
 use super::curve::{Criticality, CurvePoint, End, Special};
 use super::locus::Locus;
-use super::path::PathPoint;
 use super::special::{Monitor, monitors};
 use super::touch::{arrival_speeds, touches};
 use crate::model::{Setting, System};
@@ -69,11 +68,11 @@ impl Seen {
     }
 }
 
-/// Everything about a point of a path; none where it cannot be told.
-pub(super) fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
+/// Everything about a point of a path, with about the direction in which that goes on; none where it cannot be told.
+pub(super) fn look(locus: &Locus, y: &DVector<f64>, tangent: &DVector<f64>) -> Option<Seen> {
     let unknowns = &locus.unknowns;
-    let system = unknowns.system(&at.y)?;
-    let (flow, sections) = (Flow::new(&system), unknowns.sections(&at.y));
+    let system = unknowns.system(y)?;
+    let (flow, sections) = (Flow::new(&system), unknowns.sections(y));
     let arcs = arcs(&flow, &unknowns.pattern, &sections);
     let multipliers = eigenvalues(&turn_along(&flow, &unknowns.pattern, &arcs)?)?;
     let motion = PeriodicMotion { pattern: unknowns.pattern.clone(), sections, residual: 0.0 };
@@ -85,7 +84,7 @@ pub(super) fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
             neimark_sacker_coefficient(&system, &motion, critical[0].arg().abs()).map(|re_d| -re_d)
         }
     };
-    let parameters = unknowns.parameters(&at.y);
+    let parameters = unknowns.parameters(y);
     let point = CurvePoint {
         x: parameters.get(unknowns.spans[0].parameter),
         y: parameters.get(unknowns.spans[1].parameter),
@@ -94,8 +93,8 @@ pub(super) fn look(locus: &Locus, at: &PathPoint) -> Option<Seen> {
         bounding: others.iter().all(|value| value.norm() < 1.0),
         special: None,
     };
-    let monitors = monitors(locus, at, &system, &motion, coefficient, &critical, &others);
-    let beyond = beyond(locus, &at.y, (&system, &flow), (&motion, &arcs), &critical);
+    let monitors = monitors(locus, tangent, &system, &motion, coefficient, &critical, &others);
+    let beyond = beyond(locus, y, (&system, &flow), (&motion, &arcs), &critical);
     Some(Seen { point, parameters, monitors, beyond, motion })
 }
 

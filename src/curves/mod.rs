@@ -7,6 +7,7 @@
 mod atlas;
 mod branch;
 mod chain;
+mod condensed;
 mod condition;
 mod curve;
 mod events;

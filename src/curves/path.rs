@@ -3,7 +3,9 @@
 //! See Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, Springer (2004), chapter 10,
 //! doi:10.1007/978-1-4757-3978-7.
 
-use nalgebra::{DMatrix, DVector, RowDVector};
+use nalgebra::{DMatrix, DVector};
+
+use super::condensed::{Chained, Condensed};
 
 /// The most Newton steps of one correction.
 const MOST_STEPS: usize = 14;
@@ -29,42 +31,37 @@ pub(super) trait Equations {
     fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
         differences(y, 0..y.len(), |y| self.residual(y))
     }
+
+    /// Which of the unknowns stand in which of the equations, where that is known.
+    fn chained(&self) -> Chained {
+        Chained::UNKNOWN
+    }
 }
 
-/// Differences of some equations with respect to some of the unknowns, a column each; central ones where both sides are
-/// in the domain.
+/// Differences of some functions with respect to some of the unknowns, a column each; central ones where both sides are in the
+/// domain.
 pub(super) fn differences(
     y: &DVector<f64>,
     unknowns: std::ops::Range<usize>,
     function: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
 ) -> Option<DMatrix<f64>> {
     let mut moved = y.clone();
-    differences_of_each(y, unknowns, |j, value| {
-        let own = std::mem::replace(&mut moved[j], value);
-        let values = function(&moved);
-        moved[j] = own;
-        values
-    })
-}
-
-/// The same of equations that are told which of the unknowns has which value, all others having their own.
-pub(super) fn differences_of_each(
-    y: &DVector<f64>,
-    unknowns: std::ops::Range<usize>,
-    mut function: impl FnMut(usize, f64) -> Option<DVector<f64>>,
-) -> Option<DMatrix<f64>> {
     let mut columns = Vec::with_capacity(unknowns.len());
     for j in unknowns {
         let h = DIFFERENCE * (1.0 + y[j].abs());
-        let above = function(j, y[j] + h);
-        let below = function(j, y[j] - h);
+        let mut at = |value: f64| {
+            moved[j] = value;
+            function(&moved)
+        };
+        let (above, below) = (at(y[j] + h), at(y[j] - h));
         // At the end of a parameter's physical range there is but one side.
         columns.push(match (above, below) {
             (Some(above), Some(below)) => (above - below) / (2.0 * h),
-            (Some(above), None) => (above - function(j, y[j])?) / h,
-            (None, Some(below)) => (function(j, y[j])? - below) / h,
+            (Some(above), None) => (above - at(y[j])?) / h,
+            (None, Some(below)) => (at(y[j])? - below) / h,
             (None, None) => return None,
         });
+        moved[j] = y[j];
     }
     Some(DMatrix::from_columns(&columns))
 }
@@ -86,7 +83,15 @@ impl PathPoint {
         let mut border = DVector::zeros(guess.len());
         border[fixed] = 1.0;
         let jacobian = equations.jacobian(&guess)?;
-        PathPoint::corrected(equations, guess, &border, &jacobian, FARTHEST)
+        let y = corrected(equations, guess, &border, &jacobian, FARTHEST)?;
+        PathPoint::at(equations, y, &border)
+    }
+
+    /// A solution with the path through it on the side of `border`.
+    fn at(equations: &impl Equations, y: DVector<f64>, border: &DVector<f64>) -> Option<Self> {
+        let jacobian = equations.jacobian(&y)?;
+        let tangent = tangent(&Condensed::of(&jacobian, border, equations.chained())?, border.len())?;
+        Some(PathPoint { y, tangent, jacobian })
     }
 
     /// The same point with its tangent reversed: the curve is followed in the other direction from here.
@@ -94,53 +99,15 @@ impl PathPoint {
         PathPoint { tangent: -&self.tangent, ..self.clone() }
     }
 
-    /// The solution on the plane a length `ds` ahead; around turning points as elsewhere.
+    /// The point on the plane a length `ds` ahead; around turning points as elsewhere.
     pub fn advanced(&self, equations: &impl Equations, ds: f64) -> Option<Self> {
-        let reach = ASIDE * ds + 10.0 * CONVERGED;
-        PathPoint::corrected(equations, &self.y + &self.tangent * ds, &self.tangent, &self.jacobian, reach)
+        PathPoint::at(equations, self.ahead(equations, ds)?, &self.tangent)
     }
 
-    /// Newton's method on the hyperplane through the guess with normal `border`.
-    ///
-    /// A solution farther than `reach` from the guess is refused. Derivatives are dear and change little from point to point: those at hand are used until they no longer bring the
-    /// correction down fast.
-    fn corrected(
-        equations: &impl Equations,
-        guess: DVector<f64>,
-        border: &DVector<f64>,
-        near: &DMatrix<f64>,
-        reach: f64,
-    ) -> Option<Self> {
-        let mut y = guess.clone();
-        let mut factors = bordered(near, border).lu();
-        let mut before = f64::INFINITY;
-        for _ in 0..MOST_STEPS {
-            let residual = equations.residual(&y)?;
-            let size = residual.amax();
-            let mut right = residual.insert_row(y.len() - 1, 0.0);
-            if !factors.solve_mut(&mut right) {
-                return None;
-            }
-            let step = right.amax();
-            if !step.is_finite() || step > FARTHEST {
-                return None;
-            }
-            y -= right;
-            if step < CONVERGED && size < CONVERGED {
-                // A solution farther off belongs to another branch.
-                if (&y - &guess).norm() > reach {
-                    return None;
-                }
-                let jacobian = equations.jacobian(&y)?;
-                let tangent = tangent(&jacobian, border)?;
-                return Some(PathPoint { y, tangent, jacobian });
-            }
-            if step > SLOW * before {
-                factors = bordered(&equations.jacobian(&y)?, border).lu();
-            }
-            before = step;
-        }
-        None
+    /// The solution there alone, without the direction in which the path goes on.
+    pub fn ahead(&self, equations: &impl Equations, ds: f64) -> Option<DVector<f64>> {
+        let reach = ASIDE * ds + 10.0 * CONVERGED;
+        corrected(equations, &self.y + &self.tangent * ds, &self.tangent, &self.jacobian, reach)
     }
 
     /// Whether a path that goes from `here` to `next` passes this point in this point's own direction.
@@ -158,20 +125,52 @@ impl PathPoint {
     }
 }
 
-/// The unit null vector of the derivatives on the side of `border`.
-fn tangent(jacobian: &DMatrix<f64>, border: &DVector<f64>) -> Option<DVector<f64>> {
-    let mut tangent = DVector::zeros(border.len());
-    tangent[border.len() - 1] = 1.0;
-    let solved = bordered(jacobian, border).lu().solve_mut(&mut tangent);
-    let length = tangent.norm();
-    (solved && length.is_finite() && length > 0.0).then(|| tangent / length)
+/// Newton's method on the hyperplane through the guess with normal `border`.
+///
+/// A solution farther than `reach` from the guess is refused. Derivatives are dear and change little from point to point: those at
+/// hand are used until they no longer bring the correction down fast.
+fn corrected(
+    equations: &impl Equations,
+    guess: DVector<f64>,
+    border: &DVector<f64>,
+    near: &DMatrix<f64>,
+    reach: f64,
+) -> Option<DVector<f64>> {
+    let mut y = guess.clone();
+    let factored = |jacobian: &DMatrix<f64>| Condensed::of(jacobian, border, equations.chained());
+    let mut factors = factored(near)?;
+    let mut before = f64::INFINITY;
+    for _ in 0..MOST_STEPS {
+        let residual = equations.residual(&y)?;
+        let size = residual.amax();
+        let correction = factors.solve(&residual.insert_row(y.len() - 1, 0.0))?;
+        let step = correction.amax();
+        if !step.is_finite() || step > FARTHEST {
+            return None;
+        }
+        y -= correction;
+        if step < CONVERGED && size < CONVERGED {
+            // A solution farther off belongs to another branch.
+            if (&y - &guess).norm() > reach {
+                return None;
+            }
+            return Some(y);
+        }
+        if step > SLOW * before {
+            factors = factored(&equations.jacobian(&y)?)?;
+        }
+        before = step;
+    }
+    None
 }
 
-fn bordered(jacobian: &DMatrix<f64>, border: &DVector<f64>) -> DMatrix<f64> {
-    let last = jacobian.nrows();
-    let mut matrix = jacobian.clone().insert_row(last, 0.0);
-    matrix.set_row(last, &RowDVector::from_iterator(border.len(), border.iter().copied()));
-    matrix
+/// The unit null vector of derivatives on the side of the border with which they are factored.
+fn tangent(factors: &Condensed, length: usize) -> Option<DVector<f64>> {
+    let mut along_border = DVector::zeros(length);
+    along_border[length - 1] = 1.0;
+    let tangent = factors.solve(&along_border)?;
+    let length = tangent.norm();
+    (length.is_finite() && length > 0.0).then(|| tangent / length)
 }
 
 #[cfg(test)]

@@ -2,12 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use nalgebra::Complex;
+use nalgebra::{Complex, DVector};
 
 use super::condition::Kind;
 use super::curve::Special;
 use super::locus::Locus;
-use super::path::PathPoint;
 use crate::model::System;
 use crate::theory::{PeriodicMotion, fold_coefficient};
 
@@ -22,7 +21,7 @@ pub(super) struct Monitor {
 /// What is watched along a curve of some kind.
 pub(super) fn monitors(
     locus: &Locus,
-    at: &PathPoint,
+    tangent: &DVector<f64>,
     system: &System,
     motion: &PeriodicMotion,
     coefficient: Option<f64>,
@@ -36,7 +35,7 @@ pub(super) fn monitors(
     match locus.kind {
         Kind::Fold => {
             // The null vector's sign is free: the path's own direction, which it is at a cusp, settles it.
-            let along = at.tangent.rows(0, motion.sections[0].len()).into_owned();
+            let along = tangent.rows(0, motion.sections[0].len()).into_owned();
             vec![
                 monitor(Special::Cusp, fold_coefficient(system, motion, &along)),
                 monitor(Special::Resonance11, from(1.0)),

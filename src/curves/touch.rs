@@ -3,6 +3,8 @@
 //! Grazing: A. B. Nordmark, J. Sound Vib. 145 (1991) 279–297, doi:10.1016/0022-460X(91)90592-8; M. di Bernardo, C. J. Budd,
 //! A. R. Champneys, P. Kowalczyk, Piecewise-smooth Dynamical Systems, Springer (2008), doi:10.1007/978-1-84628-708-4.
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::theory::newton::next;
@@ -92,4 +94,61 @@ pub(super) fn grazing(
     let face = flow.face(stop);
     let [place, speed] = face.along(&z);
     [place - face.gap, speed]
+}
+
+/// The derivatives of both by the section at which the arc begins, and by the phase.
+pub(super) fn grazing_by_section(
+    flow: &Flow,
+    pattern: &Pattern,
+    sections: &[SectionVector],
+    (arc, stop): (usize, Stop),
+    at: f64,
+) -> (DMatrix<f64>, DVector<f64>) {
+    let (section, from) = (&sections[arc], pattern.stops[arc]);
+    let over = flow.over((at - phase(section)) / flow.omega);
+    let along = |columns: &DMatrix<f64>| {
+        let pairs: Vec<f64> =
+            columns.column_iter().flat_map(|z| flow.face(stop).along(&z.into_owned())).collect();
+        DMatrix::from_vec(2, columns.ncols(), pairs)
+    };
+    let z = flow.lifted(from, section);
+    // Later, and with a forcing that is farther on.
+    let [later, turned] = [flow.generator() * &z / flow.omega, flow.turned(&z)]
+        .map(|z| along(&DMatrix::from_columns(&[&*over * z])).column(0).into_owned());
+    let mut by_section = along(&(&*over * &flow.face(from).lift));
+    by_section.set_column(section.len() - 1, &(turned - &later));
+    (by_section, later)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Parameters;
+
+    #[test]
+    fn a_touch_moves_with_the_section_before_it_and_with_its_phase() {
+        let system = System::new(Parameters::default()).unwrap();
+        let flow = Flow::new(&system);
+        let pattern = Pattern::new(&system, vec![Stop(0), Stop(1)], 2, false);
+        let sections = [[-0.3, 0.1, 0.2, 0.4], [0.5, -0.2, 0.1, 3.3]]
+            .map(|values| SectionVector::from_row_slice(&values));
+        let (touch, at) = ((1, Stop(0)), 5.1);
+        let (by_section, by_phase) = grazing_by_section(&flow, &pattern, &sections, touch, at);
+        let differences = |change: &dyn Fn(f64) -> [f64; 2]| {
+            let (above, below) = (change(1e-6), change(-1e-6));
+            DVector::from_fn(2, |i, _| (above[i] - below[i]) / 2e-6)
+        };
+        for j in 0..4 {
+            let moved = |by: f64| {
+                let mut sections = sections.clone();
+                sections[1][j] += by;
+                grazing(&flow, &pattern, &sections, touch, at)
+            };
+            let off = (by_section.column(j) - differences(&moved)).amax();
+            assert!(off < 1e-8, "{j}: {by_section}");
+        }
+        let off = (&by_phase - differences(&|by| grazing(&flow, &pattern, &sections, touch, at + by))).amax();
+        assert!(off < 1e-8, "{by_phase}");
+        assert!((by_section.column(3) + by_phase).amax() > 1e-2, "the check can fail");
+    }
 }

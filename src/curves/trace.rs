@@ -58,7 +58,7 @@ pub(super) fn trace(event: &Event, spans: [Span; 2], until: Until<'_>) -> Option
     let last = guess.len() - 1;
     let start =
         PathPoint::near(&locus, guess.clone(), last).or_else(|| PathPoint::near(&locus, guess, last - 1))?;
-    let seen = look(&locus, &start)?;
+    let seen = look(&locus, &start.y, &start.tangent)?;
     let seen = match seen.beyond {
         None => seen,
         Some((End::Resonance11 | End::Resonance12, special)) => seen.named(special),
@@ -100,7 +100,8 @@ fn follow(locus: &Locus, start: PathPoint, first: Seen, until: Until<'_>) -> (Ve
     let mut ds = FIRST;
     while points.len() < MOST_POINTS && !until.is_over() {
         let ahead = here.advanced(locus, ds).filter(|next| here.straightness(next) > STRAIGHT);
-        let Some((next, looked)) = ahead.and_then(|next| look(locus, &next).map(|looked| (next, looked)))
+        let Some((next, looked)) =
+            ahead.and_then(|next| look(locus, &next.y, &next.tangent).map(|looked| (next, looked)))
         else {
             ds *= 0.5;
             if ds < SHORTEST {
@@ -152,6 +153,11 @@ fn stalled(locus: &Locus, here: &PathPoint, mut points: Vec<Seen>) -> (Vec<Seen>
     (points, (End::Stalled, None))
 }
 
+/// What is known of the point a length `ds` ahead: so near that the path has not turned round.
+fn look_ahead(locus: &Locus, here: &PathPoint, ds: f64) -> Option<Seen> {
+    look(locus, &here.ahead(locus, ds)?, &here.tangent)
+}
+
 /// The last point of a curve on the way to a point that is beyond its end, with its distance, and why it ends.
 fn end_point(
     locus: &Locus,
@@ -167,7 +173,7 @@ fn end_point(
             break;
         }
         let middle = 0.5 * (inside + outside);
-        let Some(seen) = here.advanced(locus, middle).and_then(|point| look(locus, &point)) else { break };
+        let Some(seen) = look_ahead(locus, here, middle) else { break };
         match beyond(&seen) {
             None => {
                 inside = middle;
@@ -191,7 +197,7 @@ fn specials(locus: &Locus, here: &PathPoint, seen: &Seen, ds: f64, next: &Seen) 
             continue;
         }
         let value_at = |s: f64| -> Option<(Seen, f64)> {
-            let seen = look(locus, &here.advanced(locus, s)?)?;
+            let seen = look_ahead(locus, here, s)?;
             let value = seen.monitors.iter().find(|monitor| monitor.special == before.special)?.value?;
             Some((seen, value))
         };

@@ -2,10 +2,11 @@
 
 use nalgebra::DVector;
 
+use super::condensed::Chained;
 use crate::figure::Spacing;
 use crate::model::{Parameter, Setting, System};
-use crate::theory::newton::{is_ordered, residual_alone};
-use crate::theory::{Flow, Pattern, SectionVector, StopSet};
+use crate::theory::newton::{arcs, arcs_with_gaps, is_ordered, residual, residual_alone};
+use crate::theory::{Arc, Flow, Pattern, SectionVector, StopSet};
 
 /// A parameter and the range of it that counts as length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +42,11 @@ impl Unknowns {
     /// 2n, the components of a section.
     pub fn size(&self) -> usize {
         2 * self.fixed.family().n()
+    }
+
+    /// Each section is matched with the next one.
+    pub fn chained(&self) -> Chained {
+        Chained { impacts: self.pattern.stops.len(), size: self.size() }
     }
 
     /// Where the sections end.
@@ -97,6 +103,32 @@ impl Unknowns {
     /// Residuals of the matching equations.
     pub fn matching(&self, flow: &Flow, sections: &[SectionVector]) -> Option<DVector<f64>> {
         self.matched(sections, residual_alone(flow, &self.pattern, sections))
+    }
+
+    /// The flow at other parameters, and the residuals of the same sections there; with the flow here and the arcs.
+    pub fn matching_beside(
+        &self,
+        y: &DVector<f64>,
+        here: &Flow,
+        arcs: &[Arc],
+    ) -> Option<(Flow, DVector<f64>)> {
+        let (flow, sections) = (self.flow(y)?, self.sections(y));
+        let residual = match flow.is_but_for_gaps(here) {
+            true => residual(&arcs_with_gaps(&flow, &self.pattern, &sections, arcs)),
+            false => residual_alone(&flow, &self.pattern, &sections),
+        };
+        let matching = self.matched(&sections, residual)?;
+        Some((flow, matching))
+    }
+
+    /// The flow and the arcs of the same sections at other parameters; with those here.
+    pub fn arcs_beside(&self, y: &DVector<f64>, here: &Flow, known: &[Arc]) -> Option<(Flow, Vec<Arc>)> {
+        let (flow, sections) = (self.flow(y)?, self.sections(y));
+        let arcs = match flow.is_but_for_gaps(here) {
+            true => arcs_with_gaps(&flow, &self.pattern, &sections, known),
+            false => arcs(&flow, &self.pattern, &sections),
+        };
+        Some((flow, arcs))
     }
 
     /// Residuals, where the motion that leaves them is one.

@@ -24,7 +24,7 @@ pub(crate) struct Face {
 }
 
 /// What a face is whatever its gap.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Side {
     /// d.
     pub direction: DVector<f64>,
@@ -73,6 +73,11 @@ impl Face {
     /// The face of a stop that differs from this one in its gap alone.
     pub fn at_gap(&self, gap: f64) -> Self {
         Face { side: Arc::clone(&self.side), gap }
+    }
+
+    /// Whether another face is this one but for the gap.
+    pub fn is_but_for_gap(&self, other: &Face) -> bool {
+        self.side == other.side
     }
 
     /// z of a section, without forcing.

@@ -73,6 +73,14 @@ impl Flow {
         self.kept.known_generator().expect("it was asked for when the flow was made")
     }
 
+    /// Whether another flow is this one but for the gaps, and flights over the same time are the same.
+    pub fn is_but_for_gaps(&self, other: &Flow) -> bool {
+        let alike = |(own, other): (&Face, &Face)| own.is_but_for_gap(other);
+        self.rate == other.rate
+            && self.generator() == other.generator()
+            && self.faces.iter().zip(&other.faces).all(alike)
+    }
+
     /// A stop.
     pub fn face(&self, stop: Stop) -> &Face {
         &self.faces[stop.index()]

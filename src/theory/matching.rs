@@ -1,8 +1,9 @@
 //! One arc of a motion: the flight from one impact to the next, and the equations that join the two.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, RowDVector};
 
 use super::flow::Flow;
+use super::joined::Joined;
 use super::section_vector::{Node, phase};
 
 /// R of [`Arc`] alone: how far from one impact the flight from another ends.
@@ -12,7 +13,7 @@ pub(crate) fn residual(flow: &Flow, from: &Node, to: &Node) -> DVector<f64> {
 }
 
 /// z just after an impact, and the time to another.
-fn departure(flow: &Flow, from: &Node, to: &Node) -> (DVector<f64>, f64) {
+pub(super) fn departure(flow: &Flow, from: &Node, to: &Node) -> (DVector<f64>, f64) {
     let time = (phase(&to.section) - phase(&from.section)) / flow.omega;
     (flow.lifted(from.stop, &from.section), time)
 }
@@ -38,20 +39,39 @@ pub(crate) struct Arc {
     pub from: DMatrix<f64>,
     /// ∂R/∂φ′: how the section after the impact, with d·x in place of the phase, changes with the phase of arrival.
     pub arriving: DVector<f64>,
+    /// [`Joined::section`](super::joined::Joined::section) over its time.
+    pub(super) section: DMatrix<f64>,
 }
 
 impl Arc {
     /// The arc between two impacts.
     pub fn between(flow: &Flow, from: &Node, to: &Node) -> Self {
         let (start, time) = departure(flow, from, to);
-        let joined = flow.joined([from.stop, to.stop], time);
-        let last = 2 * flow.n - 1;
-        let residual = missed(flow, to, &joined.section * &start);
+        let Joined { section, lifted } = flow.joined([from.stop, to.stop], time).into_owned();
+        Arc::along(flow, &start, to, section, lifted)
+    }
+
+    /// The arc over the same time between two impacts at the same stops, where these have other gaps and all else is as it was.
+    pub fn with_gaps_of(&self, flow: &Flow, from: &Node, to: &Node) -> Self {
+        let (start, _) = departure(flow, from, to);
+        Arc::along(flow, &start, to, self.section.clone(), self.from.clone())
+    }
+
+    /// The arc from z just after an impact, with what joins the two; the last column of `lifted` says nothing.
+    fn along(
+        flow: &Flow,
+        start: &DVector<f64>,
+        to: &Node,
+        section: DMatrix<f64>,
+        lifted: DMatrix<f64>,
+    ) -> Self {
+        let residual = missed(flow, to, &section * start);
         // Flight of z' is z' of flight.
-        let arriving = &joined.section * (flow.generator() * &start) / flow.omega;
-        let mut from = joined.lifted.clone();
-        from.set_column(last, &(&joined.section * flow.turned(&start) - &arriving));
-        Arc { residual, from, arriving }
+        let arriving = &section * (flow.generator() * start) / flow.omega;
+        let mut from = lifted;
+        let last = from.ncols() - 1;
+        from.set_column(last, &(&section * flow.turned(start) - &arriving));
+        Arc { residual, from, arriving, section }
     }
 
     /// ∂R/∂u′.
@@ -72,13 +92,15 @@ impl Arc {
     ///
     /// None where the next impact is a grazing one, d·v− = 0: the map is not differentiable there.
     pub fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let last = self.residual.len() - 1;
-        let shift = -self.from.row(last) / self.approach();
-        if !shift.iter().all(|value| value.is_finite()) {
-            return None;
-        }
+        let shift = self.shift()?;
         let mut jacobian = &self.from + &self.arriving * &shift;
-        jacobian.set_row(last, &shift);
+        jacobian.set_row(self.residual.len() - 1, &shift);
         Some(jacobian)
+    }
+
+    /// By how much the phase of arrival shifts.
+    pub(super) fn shift(&self) -> Option<RowDVector<f64>> {
+        let shift = -self.from.row(self.residual.len() - 1) / self.approach();
+        shift.iter().all(|value| value.is_finite()).then_some(shift)
     }
 }

@@ -8,6 +8,7 @@
 
 mod admissible;
 mod approached;
+mod bending;
 mod cyclic;
 #[cfg(test)]
 mod example;

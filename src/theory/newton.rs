@@ -20,14 +20,28 @@ pub(crate) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[SectionVector]) -
     (0..sections.len()).map(|i| arc(flow, pattern, sections, i)).collect()
 }
 
+/// The same with the phases of another motion whose arcs are known, where the flow is the same but for the gaps.
+pub(crate) fn arcs_with_gaps(
+    flow: &Flow,
+    pattern: &Pattern,
+    sections: &[SectionVector],
+    known: &[Arc],
+) -> Vec<Arc> {
+    let with_gaps = |(i, known): (usize, &Arc)| {
+        let [from, to] = ends(flow, pattern, sections, i);
+        known.with_gaps_of(flow, &from, &to)
+    };
+    known.iter().enumerate().map(with_gaps).collect()
+}
+
 /// The arc after the `i`-th impact.
-pub(crate) fn arc(flow: &Flow, pattern: &Pattern, sections: &[SectionVector], i: usize) -> Arc {
+fn arc(flow: &Flow, pattern: &Pattern, sections: &[SectionVector], i: usize) -> Arc {
     let [from, to] = ends(flow, pattern, sections, i);
     Arc::between(flow, &from, &to)
 }
 
 /// The impacts at the ends of that arc.
-fn ends(flow: &Flow, pattern: &Pattern, sections: &[SectionVector], i: usize) -> [Node; 2] {
+pub(crate) fn ends(flow: &Flow, pattern: &Pattern, sections: &[SectionVector], i: usize) -> [Node; 2] {
     let from = Node { stop: pattern.stops[i], section: sections[i].clone() };
     [from, next(flow, pattern, sections, i)]
 }
