@@ -14,55 +14,36 @@ use crate::model::System;
 
 type ComplexSection = DVector<Complex<f64>>;
 
-/// The bilinear and trilinear derivatives of the map of one turn, by polarisation of its exact series.
+/// The second and third derivatives B and C of the map of one turn, from its exact series along single directions.
 struct Forms<'a> {
     flow: &'a Flow,
     motion: &'a PeriodicMotion,
 }
 
+/// What they make of a direction d.
+struct Direction {
+    vector: SectionVector,
+    /// B(d, d).
+    square: SectionVector,
+    /// C(d, d, d).
+    cube: SectionVector,
+}
+
 impl Forms<'_> {
-    fn series(&self, direction: &SectionVector) -> Option<[SectionVector; 4]> {
-        jet::turn(self.flow, &self.motion.pattern, &self.motion.sections, direction)
+    fn direction(&self, vector: SectionVector) -> Option<Direction> {
+        let PeriodicMotion { pattern, sections, .. } = self.motion;
+        let [_, _, second, third] = jet::turn(self.flow, pattern, sections, &vector)?;
+        Some(Direction { vector, square: second * 2.0, cube: third * 6.0 })
     }
 
-    /// B(a, b) of real vectors.
-    fn bilinear(&self, a: &SectionVector, b: &SectionVector) -> Option<SectionVector> {
-        Some(&self.series(&(a + b))?[2] - &self.series(a)?[2] - &self.series(b)?[2])
-    }
-
-    /// C(a, a, a) of a real vector.
-    fn cube(&self, a: &SectionVector) -> Option<SectionVector> {
-        Some(&self.series(a)?[3] * 6.0)
-    }
-
-    /// C(a, a, b) of real vectors.
-    fn trilinear(&self, a: &SectionVector, b: &SectionVector) -> Option<SectionVector> {
-        Some((self.cube(&(a + b))? - self.cube(&(a - b))? - self.cube(b)? * 2.0) / 6.0)
-    }
-
-    /// B(a, b) of complex vectors.
-    fn complex_bilinear(&self, a: &ComplexSection, b: &ComplexSection) -> Option<ComplexSection> {
-        let (ar, ai) = parts(a);
-        let (br, bi) = parts(b);
-        let real = self.bilinear(&ar, &br)? - self.bilinear(&ai, &bi)?;
-        let imaginary = self.bilinear(&ar, &bi)? + self.bilinear(&ai, &br)?;
-        Some(joined(&real, &imaginary))
-    }
-
-    /// C(q, q, q̄) of a complex vector.
-    fn complex_trilinear(&self, q: &ComplexSection) -> Option<ComplexSection> {
-        let (a, b) = parts(q);
-        let real = self.cube(&a)? + self.trilinear(&b, &a)?;
-        let imaginary = self.trilinear(&a, &b)? + self.cube(&b)?;
-        Some(joined(&real, &imaginary))
+    /// B(a, b), by polarisation.
+    fn bilinear(&self, a: &Direction, b: &Direction) -> Option<SectionVector> {
+        let sum = self.direction(&a.vector + &b.vector)?;
+        Some((sum.square - &a.square - &b.square) * 0.5)
     }
 }
 
-fn parts(vector: &ComplexSection) -> (SectionVector, SectionVector) {
-    (vector.map(|z| z.re), vector.map(|z| z.im))
-}
-
-fn joined(real: &SectionVector, imaginary: &SectionVector) -> ComplexSection {
+fn complex(real: &SectionVector, imaginary: &SectionVector) -> ComplexSection {
     real.zip_map(imaginary, Complex::new)
 }
 
@@ -76,9 +57,9 @@ pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64>
     let forms = Forms { flow: &flow, motion };
     let map = turn(&flow, &motion.pattern, &motion.sections)?;
     let (q, p) = real_eigenvectors(&map, -1.0)?;
-    let square = forms.bilinear(&q, &q)?;
-    let shift = (DMatrix::identity(map.nrows(), map.ncols()) - map).lu().solve(&square)?;
-    let c = (p.dot(&forms.cube(&q)?) + 3.0 * p.dot(&forms.bilinear(&q, &shift)?)) / 6.0;
+    let q = forms.direction(q)?;
+    let shift = (DMatrix::identity(map.nrows(), map.ncols()) - map).lu().solve(&q.square)?;
+    let c = (p.dot(&q.cube) + 3.0 * p.dot(&forms.bilinear(&q, &forms.direction(shift)?)?)) / 6.0;
     c.is_finite().then_some(c)
 }
 
@@ -91,7 +72,8 @@ pub fn fold_coefficient(system: &System, motion: &PeriodicMotion, along: &Sectio
     let forms = Forms { flow: &flow, motion };
     let map = turn(&flow, &motion.pattern, &motion.sections)?;
     let (q, p) = real_eigenvectors(&map, 1.0)?;
-    let a = 0.5 * p.dot(&forms.bilinear(&q, &q)?) * q.dot(along).signum();
+    let side = q.dot(along).signum();
+    let a = 0.5 * p.dot(&forms.direction(q)?.square) * side;
     a.is_finite().then_some(a)
 }
 
@@ -108,18 +90,33 @@ pub fn neimark_sacker_coefficient(system: &System, motion: &PeriodicMotion, thet
     if (1..=4).any(resonance) {
         return None;
     }
-    let complex = map.map(|value| Complex::new(value, 0.0));
-    let q = null_vector(&complex, unit)?;
-    let p = null_vector(&complex.transpose(), unit.conj())?;
+    let complex_map = map.map(|value| Complex::new(value, 0.0));
+    let q = null_vector(&complex_map, unit)?;
+    let p = null_vector(&complex_map.transpose(), unit.conj())?;
     let scale = p.dotc(&q);
     let p = p.map(|z| z / scale.conj());
-    let identity = DMatrix::<Complex<f64>>::identity(map.nrows(), map.ncols());
-    let conjugate = q.map(|z| z.conj());
-    let inner = (&identity - &complex).lu().solve(&forms.complex_bilinear(&q, &conjugate)?)?;
-    let outer = (identity * (unit * unit) - &complex).lu().solve(&forms.complex_bilinear(&q, &q)?)?;
-    let cubic = forms.complex_trilinear(&q)?
-        + forms.complex_bilinear(&q, &inner)?.map(|z| z * 2.0)
-        + forms.complex_bilinear(&conjugate, &outer)?;
+    // q = a + ib.
+    let [a, b] = [forms.direction(q.map(|z| z.re))?, forms.direction(q.map(|z| z.im))?];
+    let sum = forms.direction(&a.vector + &b.vector)?;
+    let difference = forms.direction(&a.vector - &b.vector)?;
+    let (size, _) = map.shape();
+    let inner = (DMatrix::identity(size, size) - &map).lu().solve(&(&a.square + &b.square))?;
+    let square = complex(&(&a.square - &b.square), &(&sum.square - &a.square - &b.square));
+    let outer = (DMatrix::identity(size, size) * (unit * unit) - &complex_map).lu().solve(&square)?;
+    // C(q, q, q̄), B(q, inner) and B(q̄, outer), inner being real.
+    let own = complex(
+        &(&a.cube + (&sum.cube + &difference.cube - &a.cube * 2.0) / 6.0),
+        &(&b.cube + (&sum.cube - &difference.cube - &b.cube * 2.0) / 6.0),
+    );
+    let h = forms.direction(inner)?;
+    let with_inner = complex(&forms.bilinear(&a, &h)?, &forms.bilinear(&b, &h)?);
+    let [real, imaginary] = [outer.map(|z| z.re), outer.map(|z| z.im)].map(|part| forms.direction(part));
+    let (real, imaginary) = (real?, imaginary?);
+    let with_outer = complex(
+        &(forms.bilinear(&a, &real)? + forms.bilinear(&b, &imaginary)?),
+        &(forms.bilinear(&a, &imaginary)? - forms.bilinear(&b, &real)?),
+    );
+    let cubic = own + with_inner * Complex::new(2.0, 0.0) + with_outer;
     let d = 0.5 * (unit.conj() * p.dotc(&cubic)).re;
     d.is_finite().then_some(d)
 }
