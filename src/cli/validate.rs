@@ -51,7 +51,8 @@ pub struct ValidateArgs {
 
     /// Also holds the reference map's boundaries against the bifurcation curves
     ///
-    /// Both axes must be parameters. The distances are in cells; the median over all curves must be at most one.
+    /// Both axes must be parameters. The distances are in cells; the median over all curves must be at most one. That asks for
+    /// cells smaller than the regions between the curves: for some thousand of them as a rule.
     #[arg(long)]
     curves: bool,
 

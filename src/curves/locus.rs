@@ -3,15 +3,14 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::chain::Chain;
-use super::condensed::Chained;
 use super::condition::{Kind, test_by_entries, test_function};
 use super::path::{Equations, differences};
 use super::seeds::Seed;
 use super::touch::{grazing, grazing_by_section};
-use super::unknowns::Unknowns;
+use super::unknowns::{Known, Unknowns};
 use crate::dynamics::Stop;
-use crate::theory::newton::{arcs, derivative, residual};
-use crate::theory::{Arc, Flow, PeriodicMotion, SectionVector, turn_along};
+use crate::theory::newton::{joints, residual};
+use crate::theory::{Arc, Cyclic, Flow, PeriodicMotion, SectionVector, turn_along};
 
 /// A motion in one parameter: the matching equations alone.
 pub(super) struct Branch(pub Unknowns);
@@ -23,38 +22,27 @@ impl Branch {
         let motion = PeriodicMotion { pattern, sections: self.0.sections(y), residual: 0.0 };
         Seed { parameters: self.0.parameters(y), motion }
     }
+
+    /// Residuals, with what is known of the same sections at other parameters.
+    fn residual_by(&self, y: &DVector<f64>, known: Option<Known<'_>>) -> Option<DVector<f64>> {
+        let (flow, sections) = (self.0.flow(y)?, self.0.sections(y));
+        self.0.matched(&sections, self.0.residual(&flow, &sections, known))
+    }
 }
 
 impl Equations for Branch {
     fn residual(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
-        self.0.matching(&self.0.flow(y)?, &self.0.sections(y))
+        self.residual_by(y, None)
     }
 
-    fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
-        let (flow, sections) = (self.0.flow(y)?, self.0.sections(y));
-        let arcs = arcs(&flow, &self.0.pattern, &sections);
-        let own = derivative(&flow, &arcs, &self.0.pattern);
-        let beside_it = |y: &DVector<f64>| Some(self.0.matching_beside(y, &flow, &arcs)?.1);
-        let by_parameters = differences(y, self.0.parameters_at()..y.len(), beside_it)?;
-        Some(beside(&[own], &by_parameters))
+    fn jacobian(&self, y: &DVector<f64>) -> Option<Cyclic> {
+        let (flow, sections, at) = (self.0.flow(y)?, self.0.sections(y), self.0.parameters_at());
+        let arcs = self.0.arcs(&flow, &sections, None);
+        let known = Known { flow: &flow, arcs: &arcs };
+        let common = differences(y, at..y.len(), |y| self.residual_by(y, Some(known)))?;
+        let joints = joints(&flow, &arcs, &self.0.pattern);
+        Some(Cyclic { joints, common, others: DMatrix::zeros(0, y.len()) })
     }
-
-    fn chained(&self) -> Chained {
-        self.0.chained()
-    }
-}
-
-/// Derivatives of some equations by what the parameters leave as it is, from top to bottom, beside those of all by the parameters.
-fn beside(own: &[DMatrix<f64>], by_parameters: &DMatrix<f64>) -> DMatrix<f64> {
-    let at = own.iter().map(DMatrix::ncols).max().unwrap_or(0);
-    let mut all = DMatrix::zeros(by_parameters.nrows(), at + by_parameters.ncols());
-    let mut row = 0;
-    for rows in own {
-        all.view_mut((row, 0), rows.shape()).copy_from(rows);
-        row += rows.nrows();
-    }
-    all.columns_mut(at, by_parameters.ncols()).copy_from(by_parameters);
-    all
 }
 
 /// A bifurcation in two parameters: the matching equations and what defines the bifurcation.
@@ -70,17 +58,27 @@ pub(super) struct Locus {
 
 impl Locus {
     /// How far beyond the stop the motion is where it touches it, and how fast it moves into it.
-    fn touching(&self, touch: (usize, Stop), flow: &Flow, y: &DVector<f64>) -> Option<DVector<f64>> {
-        let values =
-            grazing(flow, &self.unknowns.pattern, &self.unknowns.sections(y), touch, self.touch_phase(y));
+    fn touching(
+        &self,
+        touch: (usize, Stop),
+        flow: &Flow,
+        sections: &[SectionVector],
+        y: &DVector<f64>,
+    ) -> Option<DVector<f64>> {
+        let values = grazing(flow, &self.unknowns.pattern, sections, touch, self.touch_phase(y));
         values.iter().all(|value| value.is_finite()).then(|| DVector::from_row_slice(&values))
     }
 
     /// Their derivatives by the sections and the phase of the touch.
-    fn touching_by_sections(&self, touch: (usize, Stop), flow: &Flow, y: &DVector<f64>) -> DMatrix<f64> {
-        let Unknowns { pattern, .. } = &self.unknowns;
+    fn touching_by_sections(
+        &self,
+        touch: (usize, Stop),
+        flow: &Flow,
+        sections: &[SectionVector],
+        y: &DVector<f64>,
+    ) -> DMatrix<f64> {
         let (by_section, by_phase) =
-            grazing_by_section(flow, pattern, &self.unknowns.sections(y), touch, self.touch_phase(y));
+            grazing_by_section(flow, &self.unknowns.pattern, sections, touch, self.touch_phase(y));
         let mut all = DMatrix::zeros(by_section.nrows(), self.unknowns.parameters_at());
         all.columns_mut(touch.0 * by_section.ncols(), by_section.ncols()).copy_from(&by_section);
         all.set_column(self.unknowns.sections_end(), &by_phase);
@@ -107,22 +105,22 @@ impl Locus {
         Some(DMatrix::from_row_slice(1, by_sections.len(), by_sections.as_slice()))
     }
 
-    /// The matching equations, and what defines the bifurcation.
-    fn together(matching: &DVector<f64>, condition: &DVector<f64>) -> DVector<f64> {
-        let values = matching.iter().chain(condition.iter()).copied();
-        DVector::from_iterator(matching.len() + condition.len(), values)
-    }
-
-    /// The residuals of the same sections at other parameters; with the flow here and the arcs.
-    fn residual_beside(&self, y: &DVector<f64>, here: &Flow, arcs: &[Arc]) -> Option<DVector<f64>> {
+    /// Residuals, with what is known of the same sections at other parameters.
+    fn residual_by(&self, y: &DVector<f64>, known: Option<Known<'_>>) -> Option<DVector<f64>> {
         let unknowns = &self.unknowns;
-        let Some(touch) = self.touch else {
-            let (flow, arcs) = unknowns.arcs_beside(y, here, arcs)?;
-            let matching = unknowns.matched(&unknowns.sections(y), residual(&arcs))?;
-            return Some(Locus::together(&matching, &self.test(&flow, &arcs)?));
+        let (flow, sections) = (unknowns.flow(y)?, unknowns.sections(y));
+        let (residual, condition) = match self.touch {
+            Some(touch) => {
+                (unknowns.residual(&flow, &sections, known), self.touching(touch, &flow, &sections, y)?)
+            }
+            None => {
+                let arcs = unknowns.arcs(&flow, &sections, known);
+                (residual(&arcs), self.test(&flow, &arcs)?)
+            }
         };
-        let (flow, matching) = unknowns.matching_beside(y, here, arcs)?;
-        Some(Locus::together(&matching, &self.touching(touch, &flow, y)?))
+        let matching = unknowns.matched(&sections, residual)?;
+        let values = matching.iter().chain(condition.iter()).copied();
+        Some(DVector::from_iterator(matching.len() + condition.len(), values))
     }
 
     /// The phase at which the stop is touched.
@@ -133,33 +131,26 @@ impl Locus {
 
 impl Equations for Locus {
     fn residual(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
-        let Locus { unknowns, touch, .. } = self;
-        let (flow, sections) = (unknowns.flow(y)?, unknowns.sections(y));
-        let (matching, condition) = match *touch {
-            Some(touch) => (unknowns.matching(&flow, &sections)?, self.touching(touch, &flow, y)?),
-            None => {
-                let arcs = arcs(&flow, &unknowns.pattern, &sections);
-                (unknowns.matched(&sections, residual(&arcs))?, self.test(&flow, &arcs)?)
-            }
-        };
-        Some(Locus::together(&matching, &condition))
+        self.residual_by(y, None)
     }
 
-    fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
+    fn jacobian(&self, y: &DVector<f64>) -> Option<Cyclic> {
         let Locus { unknowns, touch, .. } = self;
         let (flow, sections, at) = (unknowns.flow(y)?, unknowns.sections(y), unknowns.parameters_at());
-        let arcs = arcs(&flow, &unknowns.pattern, &sections);
-        let matching = derivative(&flow, &arcs, &unknowns.pattern);
+        let arcs = unknowns.arcs(&flow, &sections, None);
         // The sections, and the phase of a touch, leave the flow as it is.
         let conditions = match *touch {
-            Some(touch) => self.touching_by_sections(touch, &flow, y),
+            Some(touch) => self.touching_by_sections(touch, &flow, &sections, y),
             None => self.test_by_sections(&flow, &sections, &arcs)?,
         };
-        let by_parameters = differences(y, at..y.len(), |y| self.residual_beside(y, &flow, &arcs))?;
-        Some(beside(&[matching, conditions], &by_parameters))
-    }
-
-    fn chained(&self) -> Chained {
-        self.unknowns.chained()
+        let known = Known { flow: &flow, arcs: &arcs };
+        let by_parameters = differences(y, at..y.len(), |y| self.residual_by(y, Some(known)))?;
+        let end = unknowns.sections_end();
+        let mut common = DMatrix::zeros(end, y.len() - end);
+        common.columns_mut(at - end, y.len() - at).copy_from(&by_parameters.rows(0, end));
+        let mut others = DMatrix::zeros(conditions.nrows(), y.len());
+        others.columns_mut(0, at).copy_from(&conditions);
+        others.columns_mut(at, y.len() - at).copy_from(&by_parameters.rows(end, conditions.nrows()));
+        Some(Cyclic { joints: joints(&flow, &arcs, &unknowns.pattern), common, others })
     }
 }

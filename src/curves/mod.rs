@@ -7,7 +7,6 @@
 mod atlas;
 mod branch;
 mod chain;
-mod condensed;
 mod condition;
 mod curve;
 mod events;

@@ -5,7 +5,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::condensed::{Chained, Condensed};
+use crate::theory::{Cyclic, Factors};
 
 /// The most Newton steps of one correction.
 const MOST_STEPS: usize = 14;
@@ -28,13 +28,8 @@ pub(super) trait Equations {
     fn residual(&self, y: &DVector<f64>) -> Option<DVector<f64>>;
 
     /// Their derivatives, n × (n + 1); central differences unless something better is known.
-    fn jacobian(&self, y: &DVector<f64>) -> Option<DMatrix<f64>> {
-        differences(y, 0..y.len(), |y| self.residual(y))
-    }
-
-    /// Which of the unknowns stand in which of the equations, where that is known.
-    fn chained(&self) -> Chained {
-        Chained::UNKNOWN
+    fn jacobian(&self, y: &DVector<f64>) -> Option<Cyclic> {
+        differences(y, 0..y.len(), |y| self.residual(y)).map(Cyclic::any)
     }
 }
 
@@ -73,7 +68,7 @@ pub(super) struct PathPoint {
     /// A unit vector.
     pub tangent: DVector<f64>,
     /// The derivatives of the equations here; they serve for the next correction as well.
-    jacobian: DMatrix<f64>,
+    jacobian: Cyclic,
 }
 
 impl PathPoint {
@@ -90,7 +85,7 @@ impl PathPoint {
     /// A solution with the path through it on the side of `border`.
     fn at(equations: &impl Equations, y: DVector<f64>, border: &DVector<f64>) -> Option<Self> {
         let jacobian = equations.jacobian(&y)?;
-        let tangent = tangent(&Condensed::of(&jacobian, border, equations.chained())?, border.len())?;
+        let tangent = tangent(&jacobian.factored(Some(border))?, border.len())?;
         Some(PathPoint { y, tangent, jacobian })
     }
 
@@ -133,19 +128,18 @@ fn corrected(
     equations: &impl Equations,
     guess: DVector<f64>,
     border: &DVector<f64>,
-    near: &DMatrix<f64>,
+    near: &Cyclic,
     reach: f64,
 ) -> Option<DVector<f64>> {
     let mut y = guess.clone();
-    let factored = |jacobian: &DMatrix<f64>| Condensed::of(jacobian, border, equations.chained());
-    let mut factors = factored(near)?;
+    let mut factors = near.factored(Some(border))?;
     let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         let residual = equations.residual(&y)?;
         let size = residual.amax();
         let correction = factors.solve(&residual.insert_row(y.len() - 1, 0.0))?;
         let step = correction.amax();
-        if !step.is_finite() || step > FARTHEST {
+        if step > FARTHEST {
             return None;
         }
         y -= correction;
@@ -157,7 +151,7 @@ fn corrected(
             return Some(y);
         }
         if step > SLOW * before {
-            factors = factored(&equations.jacobian(&y)?)?;
+            factors = equations.jacobian(&y)?.factored(Some(border))?;
         }
         before = step;
     }
@@ -165,7 +159,7 @@ fn corrected(
 }
 
 /// The unit null vector of derivatives on the side of the border with which they are factored.
-fn tangent(factors: &Condensed, length: usize) -> Option<DVector<f64>> {
+fn tangent(factors: &Factors, length: usize) -> Option<DVector<f64>> {
     let mut along_border = DVector::zeros(length);
     along_border[length - 1] = 1.0;
     let tangent = factors.solve(&along_border)?;

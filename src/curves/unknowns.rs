@@ -2,7 +2,6 @@
 
 use nalgebra::DVector;
 
-use super::condensed::Chained;
 use crate::figure::Spacing;
 use crate::model::{Parameter, Setting, System};
 use crate::theory::newton::{arcs, arcs_with_gaps, is_ordered, residual, residual_alone};
@@ -38,15 +37,17 @@ pub(super) struct Unknowns {
     pub spans: Vec<Span>,
 }
 
+/// A flow, and the arcs of some sections in it.
+#[derive(Clone, Copy)]
+pub(super) struct Known<'a> {
+    pub flow: &'a Flow,
+    pub arcs: &'a [Arc],
+}
+
 impl Unknowns {
     /// 2n, the components of a section.
     pub fn size(&self) -> usize {
         2 * self.fixed.family().n()
-    }
-
-    /// Each section is matched with the next one.
-    pub fn chained(&self) -> Chained {
-        Chained { impacts: self.pattern.stops.len(), size: self.size() }
     }
 
     /// Where the sections end.
@@ -100,35 +101,25 @@ impl Unknowns {
         Some(Flow::new(&self.system(y)?))
     }
 
-    /// Residuals of the matching equations.
-    pub fn matching(&self, flow: &Flow, sections: &[SectionVector]) -> Option<DVector<f64>> {
-        self.matched(sections, residual_alone(flow, &self.pattern, sections))
+    /// The arcs of a motion, from those of the same sections at other parameters if they are known.
+    pub fn arcs(&self, flow: &Flow, sections: &[SectionVector], known: Option<Known<'_>>) -> Vec<Arc> {
+        match known.filter(|known| flow.is_but_for_gaps(known.flow)) {
+            Some(known) => arcs_with_gaps(flow, &self.pattern, sections, known.arcs),
+            None => arcs(flow, &self.pattern, sections),
+        }
     }
 
-    /// The flow at other parameters, and the residuals of the same sections there; with the flow here and the arcs.
-    pub fn matching_beside(
+    /// Residuals of the matching equations, likewise.
+    pub fn residual(
         &self,
-        y: &DVector<f64>,
-        here: &Flow,
-        arcs: &[Arc],
-    ) -> Option<(Flow, DVector<f64>)> {
-        let (flow, sections) = (self.flow(y)?, self.sections(y));
-        let residual = match flow.is_but_for_gaps(here) {
-            true => residual(&arcs_with_gaps(&flow, &self.pattern, &sections, arcs)),
-            false => residual_alone(&flow, &self.pattern, &sections),
-        };
-        let matching = self.matched(&sections, residual)?;
-        Some((flow, matching))
-    }
-
-    /// The flow and the arcs of the same sections at other parameters; with those here.
-    pub fn arcs_beside(&self, y: &DVector<f64>, here: &Flow, known: &[Arc]) -> Option<(Flow, Vec<Arc>)> {
-        let (flow, sections) = (self.flow(y)?, self.sections(y));
-        let arcs = match flow.is_but_for_gaps(here) {
-            true => arcs_with_gaps(&flow, &self.pattern, &sections, known),
-            false => arcs(&flow, &self.pattern, &sections),
-        };
-        Some((flow, arcs))
+        flow: &Flow,
+        sections: &[SectionVector],
+        known: Option<Known<'_>>,
+    ) -> DVector<f64> {
+        match known.filter(|known| flow.is_but_for_gaps(known.flow)) {
+            Some(known) => residual(&arcs_with_gaps(flow, &self.pattern, sections, known.arcs)),
+            None => residual_alone(flow, &self.pattern, sections),
+        }
     }
 
     /// Residuals, where the motion that leaves them is one.

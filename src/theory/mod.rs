@@ -41,6 +41,7 @@ mod underdetermined;
 pub(crate) use admissible::fly;
 pub use admissible::{Inadmissible, NamedStop};
 pub use approached::{approached, approached_from, confirmed, with_motion};
+pub(crate) use cyclic::{Cyclic, Factors};
 pub use face::section_names;
 pub(crate) use flow::Flow;
 pub use impact_map::{NoReturn, Return, impact_map, impact_map_at};

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::cyclic;
+use super::cyclic::Cyclic;
 use super::flow::Flow;
 use super::matching::{self, Arc};
 use super::pattern::Pattern;
@@ -74,18 +74,14 @@ pub(crate) fn residual(arcs: &[Arc]) -> DVector<f64> {
     DVector::from_iterator(count, arcs.iter().flat_map(|arc| arc.residual.iter().copied()))
 }
 
-/// Their derivatives with respect to all sections: square, 2nK × 2nK.
-pub(crate) fn derivative(flow: &Flow, arcs: &[Arc], pattern: &Pattern) -> DMatrix<f64> {
-    let (count, size) = (arcs.len(), 2 * flow.n);
-    let mut matrix = DMatrix::zeros(size * count, size * count);
-    for (i, arc) in arcs.iter().enumerate() {
-        let mut own = matrix.view_mut((size * i, size * i), (size, size));
-        own += &arc.from;
-        let to = if i + 1 == count { arc.to() * pattern.closing_matrix(flow) } else { arc.to() };
-        let mut following = matrix.view_mut((size * i, size * ((i + 1) % count)), (size, size));
-        following += to;
-    }
-    matrix
+/// The derivatives of the residuals of each arc by the section at its beginning, and by the next one.
+pub(crate) fn joints(flow: &Flow, arcs: &[Arc], pattern: &Pattern) -> Vec<[DMatrix<f64>; 2]> {
+    let last = arcs.len() - 1;
+    let to = |i: usize, arc: &Arc| match i == last {
+        true => arc.to() * pattern.closing_matrix(flow),
+        false => arc.to(),
+    };
+    arcs.iter().enumerate().map(|(i, arc)| [arc.from.clone(), to(i, arc)]).collect()
 }
 
 /// Solves the matching equations from a guess; none if that leads nowhere.
@@ -105,7 +101,7 @@ pub(crate) fn solve(
         if !size.is_finite() {
             return None;
         }
-        let step = cyclic::solve(flow, &joined, pattern)?;
+        let step = Cyclic::of_motion(joints(flow, &joined, pattern)).factored(None)?.solve(&residuals)?;
         let mut share = 1.0;
         let mut accepted = false;
         for _ in 0..MOST_HALVINGS {
@@ -186,7 +182,8 @@ mod tests {
             |i: usize, j: usize| if j == 5 { 2.0 * i as f64 } else { 0.3 * ((7 * i + j) as f64).sin() };
         let sections: Vec<SectionVector> =
             (0..3).map(|i| SectionVector::from_fn(6, |j, _| component(i, j))).collect();
-        let matrix = derivative(&flow, &arcs(&flow, &pattern, &sections), &pattern);
+        let joined = arcs(&flow, &pattern, &sections);
+        let matrix = Cyclic::of_motion(joints(&flow, &joined, &pattern)).whole();
         let step = 1e-5;
         for column in 0..18 {
             let of = |sign: f64| {
