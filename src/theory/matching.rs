@@ -39,7 +39,7 @@ pub(crate) struct Arc {
     pub from: DMatrix<f64>,
     /// ∂R/∂φ′: how the section after the impact, with d·x in place of the phase, changes with the phase of arrival.
     pub arriving: DVector<f64>,
-    /// [`Joined::section`](super::joined::Joined::section) over its time.
+    /// [`Joined::section`] over its time.
     pub(super) section: DMatrix<f64>,
 }
 

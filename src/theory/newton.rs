@@ -140,6 +140,7 @@ pub(crate) fn is_ordered(pattern: &Pattern, sections: &[SectionVector]) -> bool 
 mod tests {
     use super::*;
     use crate::dynamics::Stop;
+    use crate::model::{Parameters, System};
     use crate::theory::example::{Ball, chain};
 
     fn found(ball: Ball, guess: [f64; 2]) -> Option<(Vec<SectionVector>, f64)> {
@@ -196,6 +197,34 @@ mod tests {
             assert!(away < 1e-8 * (1.0 + difference.amax()), "{column}: {away}");
         }
         assert!(matrix.amax() > 0.1, "the check can fail");
+    }
+
+    #[test]
+    fn where_gaps_alone_differ_arcs_follow_from_those_that_are_known() {
+        let at = |omega: f64, delta: f64, r: f64| {
+            Flow::new(&System::new(Parameters { omega, delta, r, ..Parameters::default() }).unwrap())
+        };
+        let system = System::new(Parameters::default()).unwrap();
+        let pattern = Pattern::new(&system, vec![Stop::A, Stop::B, Stop::B], 4, false);
+        let component =
+            |i: usize, j: usize| if j == 3 { 2.5 * i as f64 } else { (0.7 * (4 * i + j) as f64).cos() };
+        let sections: Vec<SectionVector> =
+            (0..3).map(|i| SectionVector::from_fn(4, |j, _| component(i, j))).collect();
+        let (here, wider) = (at(3.7, 0.1, 0.8), at(3.7, 0.3, 0.8));
+        assert!(wider.is_but_for_gaps(&here));
+        assert!(!at(3.6, 0.3, 0.8).is_but_for_gaps(&here) && !at(3.7, 0.3, 0.7).is_but_for_gaps(&here));
+        let (known, anew) = (arcs(&here, &pattern, &sections), arcs(&wider, &pattern, &sections));
+        let found = arcs_with_gaps(&wider, &pattern, &sections, &known);
+        let off = |arcs: &[Arc]| {
+            let each = arcs.iter().zip(&anew).map(|(own, anew)| {
+                let [matrices, vectors] =
+                    [(&own.from - &anew.from).amax(), (&own.arriving - &anew.arriving).amax()];
+                matrices.max(vectors).max((&own.residual - &anew.residual).amax())
+            });
+            each.fold(0.0, f64::max)
+        };
+        assert_eq!(off(&found), 0.0);
+        assert!(off(&known) > 1e-2, "the check can fail");
     }
 
     #[test]
