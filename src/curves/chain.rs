@@ -7,6 +7,9 @@ use crate::theory::{Arc, Flow, Pattern, SectionVector};
 
 /// The Jacobian of one turn as a product over its arcs, kept in parts.
 pub(super) struct Chain<'a> {
+    flow: &'a Flow,
+    pattern: &'a Pattern,
+    sections: &'a [SectionVector],
     arcs: &'a [Arc],
     /// The product of the arcs before each one.
     before: Vec<DMatrix<f64>>,
@@ -16,7 +19,12 @@ pub(super) struct Chain<'a> {
 
 impl<'a> Chain<'a> {
     /// The parts of the turn of a motion with these arcs; none where an impact grazes.
-    pub fn new(flow: &Flow, pattern: &Pattern, arcs: &'a [Arc]) -> Option<Self> {
+    pub fn new(
+        flow: &'a Flow,
+        pattern: &'a Pattern,
+        sections: &'a [SectionVector],
+        arcs: &'a [Arc],
+    ) -> Option<Self> {
         let jacobians: Vec<DMatrix<f64>> = arcs.iter().map(Arc::jacobian).collect::<Option<_>>()?;
         let mut before = vec![DMatrix::identity(2 * flow.n, 2 * flow.n)];
         for jacobian in &jacobians {
@@ -28,7 +36,7 @@ impl<'a> Chain<'a> {
         }
         from.reverse();
         let finite = from[0].iter().all(|value| value.is_finite());
-        finite.then_some(Chain { arcs, before, from })
+        finite.then_some(Chain { flow, pattern, sections, arcs, before, from })
     }
 
     /// The Jacobian.
@@ -37,13 +45,8 @@ impl<'a> Chain<'a> {
     }
 
     /// The derivatives of a function of the Jacobian by all sections of the motion, one after the other, from those by its entries.
-    pub fn by_sections(
-        &self,
-        flow: &Flow,
-        pattern: &Pattern,
-        sections: &[SectionVector],
-        by_entries: &DMatrix<f64>,
-    ) -> Option<DVector<f64>> {
+    pub fn by_sections(&self, by_entries: &DMatrix<f64>) -> Option<DVector<f64>> {
+        let Chain { flow, pattern, sections, .. } = *self;
         let (count, size) = (sections.len(), 2 * flow.n);
         let mut all = DVector::zeros(size * count);
         for (i, arc) in self.arcs.iter().enumerate() {
@@ -78,13 +81,13 @@ mod tests {
             let motion = settled_motion(&system, settled.state, n).unwrap();
             let (flow, pattern, sections) = (Flow::new(&system), &motion.pattern, &motion.sections);
             let own = arcs(&flow, pattern, sections);
-            let chain = Chain::new(&flow, pattern, &own).unwrap();
+            let chain = Chain::new(&flow, pattern, sections, &own).unwrap();
             let whole = |sections: &[SectionVector]| {
                 turn_along(&flow, pattern, &arcs(&flow, pattern, sections)).unwrap()
             };
             assert!((chain.turn() - whole(sections)).amax() < 1e-12 * chain.turn().amax());
             let weights = DMatrix::from_fn(4, 4, |i, j| (1.0 + 3.0 * i as f64 - 1.3 * j as f64).cos());
-            let found = chain.by_sections(&flow, pattern, sections, &weights).unwrap();
+            let found = chain.by_sections(&weights).unwrap();
             for k in 0..found.len() {
                 let moved = |by: f64| {
                     let mut sections = sections.clone();

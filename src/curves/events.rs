@@ -10,9 +10,7 @@ use super::special::{Monitor, monitors};
 use super::touch::{arrival_speeds, touches};
 use crate::model::{Setting, System};
 use crate::theory::newton::arcs;
-use crate::theory::{
-    Arc, Flow, PeriodicMotion, eigenvalues, flip_coefficient, fly, neimark_sacker_coefficient, turn_along,
-};
+use crate::theory::{Arc, Flow, NormalForm, PeriodicMotion, eigenvalues, fly, turn_along};
 
 /// The length by which a stop may be crossed before it counts; non-dimensional.
 const CROSSED: f64 = 1e-9;
@@ -74,15 +72,15 @@ pub(super) fn look(locus: &Locus, y: &DVector<f64>, tangent: &DVector<f64>) -> O
     let system = unknowns.system(y)?;
     let (flow, sections) = (Flow::new(&system), unknowns.sections(y));
     let arcs = arcs(&flow, &unknowns.pattern, &sections);
-    let multipliers = eigenvalues(&turn_along(&flow, &unknowns.pattern, &arcs)?)?;
+    let map = turn_along(&flow, &unknowns.pattern, &arcs)?;
+    let multipliers = eigenvalues(&map)?;
     let motion = PeriodicMotion { pattern: unknowns.pattern.clone(), sections, residual: 0.0 };
     let (critical, others) = split(locus.kind, &multipliers);
+    let form = NormalForm { flow: &flow, motion: &motion, map: &map };
     let coefficient = match locus.kind {
         Kind::Fold | Kind::Grazing => None,
-        Kind::PeriodDoubling | Kind::Pitchfork => flip_coefficient(&system, &motion),
-        Kind::NeimarkSacker => {
-            neimark_sacker_coefficient(&system, &motion, critical[0].arg().abs()).map(|re_d| -re_d)
-        }
+        Kind::PeriodDoubling | Kind::Pitchfork => form.flip(),
+        Kind::NeimarkSacker => form.neimark_sacker(critical[0].arg().abs()).map(|re_d| -re_d),
     };
     let parameters = unknowns.parameters(y);
     let point = CurvePoint {
@@ -93,7 +91,7 @@ pub(super) fn look(locus: &Locus, y: &DVector<f64>, tangent: &DVector<f64>) -> O
         bounding: others.iter().all(|value| value.norm() < 1.0),
         special: None,
     };
-    let monitors = monitors(locus, tangent, &system, &motion, coefficient, &critical, &others);
+    let monitors = monitors(locus, tangent, &form, coefficient, &critical, &others);
     let beyond = beyond(locus, y, (&system, &flow), (&motion, &arcs), &critical);
     Some(Seen { point, parameters, monitors, beyond, motion })
 }

@@ -6,7 +6,7 @@ use super::chain::Chain;
 use super::condition::{Kind, test_by_entries, test_function};
 use super::path::{Equations, differences};
 use super::seeds::Seed;
-use super::touch::{grazing, grazing_by_section};
+use super::touch::Grazing;
 use super::unknowns::{Known, Unknowns};
 use crate::dynamics::Stop;
 use crate::theory::newton::{joints, residual};
@@ -57,31 +57,24 @@ pub(super) struct Locus {
 }
 
 impl Locus {
-    /// How far beyond the stop the motion is where it touches it, and how fast it moves into it.
-    fn touching(
+    /// The motion where it may touch a stop.
+    fn grazing<'a>(
         &self,
         touch: (usize, Stop),
-        flow: &Flow,
+        flow: &'a Flow,
         sections: &[SectionVector],
         y: &DVector<f64>,
-    ) -> Option<DVector<f64>> {
-        let values = grazing(flow, &self.unknowns.pattern, sections, touch, self.touch_phase(y));
-        values.iter().all(|value| value.is_finite()).then(|| DVector::from_row_slice(&values))
+    ) -> Grazing<'a> {
+        Grazing::new(flow, &self.unknowns.pattern, sections, touch, self.touch_phase(y))
     }
 
-    /// Their derivatives by the sections and the phase of the touch.
-    fn touching_by_sections(
-        &self,
-        touch: (usize, Stop),
-        flow: &Flow,
-        sections: &[SectionVector],
-        y: &DVector<f64>,
-    ) -> DMatrix<f64> {
-        let (by_section, by_phase) =
-            grazing_by_section(flow, &self.unknowns.pattern, sections, touch, self.touch_phase(y));
-        let mut all = DMatrix::zeros(by_section.nrows(), self.unknowns.parameters_at());
-        all.columns_mut(touch.0 * by_section.ncols(), by_section.ncols()).copy_from(&by_section);
-        all.set_column(self.unknowns.sections_end(), &by_phase);
+    /// The derivatives of what defines grazing by the sections and the phase of the touch.
+    fn grazing_by_sections(&self, arc: usize, grazing: &Grazing<'_>) -> DMatrix<f64> {
+        let by_section = grazing.by_section();
+        let (conditions, size) = by_section.shape();
+        let mut all = DMatrix::zeros(conditions, self.unknowns.parameters_at());
+        all.columns_mut(arc * size, size).copy_from(&by_section);
+        all.set_column(self.unknowns.sections_end(), &grazing.by_phase());
         all
     }
 
@@ -99,9 +92,8 @@ impl Locus {
         arcs: &[Arc],
     ) -> Option<DMatrix<f64>> {
         let pattern = &self.unknowns.pattern;
-        let chain = Chain::new(flow, pattern, arcs)?;
-        let by_entries = test_by_entries(self.kind, chain.turn())?;
-        let by_sections = chain.by_sections(flow, pattern, sections, &by_entries)?;
+        let chain = Chain::new(flow, pattern, sections, arcs)?;
+        let by_sections = chain.by_sections(&test_by_entries(self.kind, chain.turn())?)?;
         Some(DMatrix::from_row_slice(1, by_sections.len(), by_sections.as_slice()))
     }
 
@@ -111,7 +103,8 @@ impl Locus {
         let (flow, sections) = (unknowns.flow(y)?, unknowns.sections(y));
         let (residual, condition) = match self.touch {
             Some(touch) => {
-                (unknowns.residual(&flow, &sections, known), self.touching(touch, &flow, &sections, y)?)
+                let grazing = self.grazing(touch, &flow, &sections, y);
+                (unknowns.residual(&flow, &sections, known), grazing.values()?)
             }
             None => {
                 let arcs = unknowns.arcs(&flow, &sections, known);
@@ -140,7 +133,7 @@ impl Equations for Locus {
         let arcs = unknowns.arcs(&flow, &sections, None);
         // The sections, and the phase of a touch, leave the flow as it is.
         let conditions = match *touch {
-            Some(touch) => self.touching_by_sections(touch, &flow, &sections, y),
+            Some(touch) => self.grazing_by_sections(touch.0, &self.grazing(touch, &flow, &sections, y)),
             None => self.test_by_sections(&flow, &sections, &arcs)?,
         };
         let known = Known { flow: &flow, arcs: &arcs };

@@ -5,7 +5,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::theory::{Cyclic, Factors};
+use crate::theory::Cyclic;
 
 /// The most Newton steps of one correction.
 const MOST_STEPS: usize = 14;
@@ -85,8 +85,12 @@ impl PathPoint {
     /// A solution with the path through it on the side of `border`.
     fn at(equations: &impl Equations, y: DVector<f64>, border: &DVector<f64>) -> Option<Self> {
         let jacobian = equations.jacobian(&y)?;
-        let tangent = tangent(&jacobian.factored(Some(border))?, border.len())?;
-        Some(PathPoint { y, tangent, jacobian })
+        // The null vector of the derivatives.
+        let mut along_border = DVector::zeros(border.len());
+        along_border[border.len() - 1] = 1.0;
+        let tangent = jacobian.factored(Some(border))?.solve(&along_border)?;
+        let length = tangent.norm();
+        (length.is_finite() && length > 0.0).then(|| PathPoint { y, tangent: tangent / length, jacobian })
     }
 
     /// The same point with its tangent reversed: the curve is followed in the other direction from here.
@@ -156,15 +160,6 @@ fn corrected(
         before = step;
     }
     None
-}
-
-/// The unit null vector of derivatives on the side of the border with which they are factored.
-fn tangent(factors: &Factors, length: usize) -> Option<DVector<f64>> {
-    let mut along_border = DVector::zeros(length);
-    along_border[length - 1] = 1.0;
-    let tangent = factors.solve(&along_border)?;
-    let length = tangent.norm();
-    (length.is_finite() && length > 0.0).then(|| tangent / length)
 }
 
 #[cfg(test)]

@@ -7,8 +7,7 @@ use nalgebra::{Complex, DVector};
 use super::condition::Kind;
 use super::curve::Special;
 use super::locus::Locus;
-use crate::model::System;
-use crate::theory::{PeriodicMotion, fold_coefficient};
+use crate::theory::NormalForm;
 
 /// A function along a curve, and what its zeros are.
 #[derive(Clone, Copy, Debug)]
@@ -22,8 +21,7 @@ pub(super) struct Monitor {
 pub(super) fn monitors(
     locus: &Locus,
     tangent: &DVector<f64>,
-    system: &System,
-    motion: &PeriodicMotion,
+    form: &NormalForm<'_>,
     coefficient: Option<f64>,
     critical: &[Complex<f64>],
     others: &[Complex<f64>],
@@ -35,9 +33,9 @@ pub(super) fn monitors(
     match locus.kind {
         Kind::Fold => {
             // The null vector's sign is free: the path's own direction, which it is at a cusp, settles it.
-            let along = tangent.rows(0, motion.sections[0].len()).into_owned();
+            let along = tangent.rows(0, locus.unknowns.size()).into_owned();
             vec![
-                monitor(Special::Cusp, fold_coefficient(system, motion, &along)),
+                monitor(Special::Cusp, form.fold(&along)),
                 monitor(Special::Resonance11, from(1.0)),
                 monitor(Special::FoldFlip, from(-1.0)),
                 beside(Special::FoldNeimarkSacker),

@@ -3,12 +3,14 @@
 //! Grazing: A. B. Nordmark, J. Sound Vib. 145 (1991) 279–297, doi:10.1016/0022-460X(91)90592-8; M. di Bernardo, C. J. Budd,
 //! A. R. Champneys, P. Kowalczyk, Piecewise-smooth Dynamical Systems, Springer (2008), doi:10.1007/978-1-84628-708-4.
 
+use std::borrow::Cow;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::dynamics::Stop;
 use crate::model::System;
 use crate::theory::newton::next;
-use crate::theory::{Arc, Flow, Pattern, SectionVector, phase};
+use crate::theory::{Arc, Face, Flow, Pattern, SectionVector, phase};
 
 /// A turning point in flight, along a stop's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,45 +81,64 @@ pub(super) fn arrival_speeds(flow: &Flow, arcs: &[Arc]) -> Vec<f64> {
     arcs.iter().map(|arc| arc.approach() * flow.omega).collect()
 }
 
-/// How far beyond the stop a motion is at a phase on one of its arcs, and how fast it moves into it: both vanish where it
-/// grazes.
-pub(super) fn grazing(
-    flow: &Flow,
-    pattern: &Pattern,
-    sections: &[SectionVector],
-    touch: (usize, Stop),
-    at: f64,
-) -> [f64; 2] {
-    let (arc, stop) = touch;
-    let section = &sections[arc];
-    let z = &*flow.over((at - phase(section)) / flow.omega) * flow.lifted(pattern.stops[arc], section);
-    let face = flow.face(stop);
-    let [place, speed] = face.along(&z);
-    [place - face.gap, speed]
+/// A motion at a phase on one of its arcs, where it may touch a stop.
+pub(super) struct Grazing<'a> {
+    flow: &'a Flow,
+    /// The stop that the arc comes from.
+    from: &'a Face,
+    /// The stop that may be touched.
+    touched: &'a Face,
+    /// Just after the impact at which the arc begins.
+    start: DVector<f64>,
+    over: Cow<'a, DMatrix<f64>>,
 }
 
-/// The derivatives of both by the section at which the arc begins, and by the phase.
-pub(super) fn grazing_by_section(
-    flow: &Flow,
-    pattern: &Pattern,
-    sections: &[SectionVector],
-    (arc, stop): (usize, Stop),
-    at: f64,
-) -> (DMatrix<f64>, DVector<f64>) {
-    let (section, from) = (&sections[arc], pattern.stops[arc]);
-    let over = flow.over((at - phase(section)) / flow.omega);
-    let along = |columns: &DMatrix<f64>| {
-        let pairs: Vec<f64> =
-            columns.column_iter().flat_map(|z| flow.face(stop).along(&z.into_owned())).collect();
-        DMatrix::from_vec(2, columns.ncols(), pairs)
-    };
-    let z = flow.lifted(from, section);
-    // Later, and with a forcing that is farther on.
-    let [later, turned] = [flow.generator() * &z / flow.omega, flow.turned(&z)]
-        .map(|z| along(&DMatrix::from_columns(&[&*over * z])).column(0).into_owned());
-    let mut by_section = along(&(&*over * &flow.face(from).lift));
-    by_section.set_column(section.len() - 1, &(turned - &later));
-    (by_section, later)
+impl<'a> Grazing<'a> {
+    /// On an arc, at the phase.
+    pub fn new(
+        flow: &'a Flow,
+        pattern: &Pattern,
+        sections: &[SectionVector],
+        (arc, touched): (usize, Stop),
+        at: f64,
+    ) -> Self {
+        let (section, from) = (&sections[arc], pattern.stops[arc]);
+        Grazing {
+            flow,
+            from: flow.face(from),
+            touched: flow.face(touched),
+            start: flow.lifted(from, section),
+            over: flow.over((at - phase(section)) / flow.omega),
+        }
+    }
+
+    /// How far beyond the stop the motion is, and how fast it moves into it: both vanish where it grazes. None where one is no
+    /// finite number.
+    pub fn values(&self) -> Option<DVector<f64>> {
+        let mut values = self.along(&self.start);
+        values[0] -= self.touched.gap;
+        values.iter().all(|value| value.is_finite()).then_some(values)
+    }
+
+    /// The derivatives of both by the section at which the arc begins; 2 × 2n.
+    pub fn by_section(&self) -> DMatrix<f64> {
+        let mut columns: Vec<_> =
+            self.from.lift.column_iter().map(|column| self.along(&column.into_owned())).collect();
+        // A later start: the forcing is farther on, and there is less time.
+        let last = columns.len() - 1;
+        columns[last] = self.along(&self.flow.turned(&self.start)) - self.by_phase();
+        DMatrix::from_columns(&columns)
+    }
+
+    /// Their derivatives by the phase.
+    pub fn by_phase(&self) -> DVector<f64> {
+        self.along(&(self.flow.generator() * &self.start / self.flow.omega))
+    }
+
+    /// d·x and d·v, towards the stop, of what flight makes of z.
+    fn along(&self, z: &DVector<f64>) -> DVector<f64> {
+        DVector::from_row_slice(&self.touched.along(&(&*self.over * z)))
+    }
 }
 
 #[cfg(test)]
@@ -133,21 +154,20 @@ mod tests {
         let sections = [[-0.3, 0.1, 0.2, 0.4], [0.5, -0.2, 0.1, 3.3]]
             .map(|values| SectionVector::from_row_slice(&values));
         let (touch, at) = ((1, Stop(0)), 5.1);
-        let (by_section, by_phase) = grazing_by_section(&flow, &pattern, &sections, touch, at);
-        let differences = |change: &dyn Fn(f64) -> [f64; 2]| {
-            let (above, below) = (change(1e-6), change(-1e-6));
-            DVector::from_fn(2, |i, _| (above[i] - below[i]) / 2e-6)
-        };
+        let grazing = |sections: &[SectionVector], at| Grazing::new(&flow, &pattern, sections, touch, at);
+        let values = |sections: &[SectionVector], at| grazing(sections, at).values().unwrap();
+        let (by_section, by_phase) = (grazing(&sections, at).by_section(), grazing(&sections, at).by_phase());
+        let differences = |change: &dyn Fn(f64) -> DVector<f64>| (change(1e-6) - change(-1e-6)) / 2e-6;
         for j in 0..4 {
             let moved = |by: f64| {
                 let mut sections = sections.clone();
                 sections[1][j] += by;
-                grazing(&flow, &pattern, &sections, touch, at)
+                values(&sections, at)
             };
             let off = (by_section.column(j) - differences(&moved)).amax();
             assert!(off < 1e-8, "{j}: {by_section}");
         }
-        let off = (&by_phase - differences(&|by| grazing(&flow, &pattern, &sections, touch, at + by))).amax();
+        let off = (&by_phase - differences(&|by| values(&sections, at + by))).amax();
         assert!(off < 1e-8, "{by_phase}");
         assert!((by_section.column(3) + by_phase).amax() > 1e-2, "the check can fail");
     }

@@ -101,12 +101,9 @@ impl Unknowns {
         Some(Flow::new(&self.system(y)?))
     }
 
-    /// The arcs of a motion, from those of the same sections at other parameters if they are known.
+    /// The arcs of a motion, from what is known of the same sections at other parameters.
     pub fn arcs(&self, flow: &Flow, sections: &[SectionVector], known: Option<Known<'_>>) -> Vec<Arc> {
-        match known.filter(|known| flow.is_but_for_gaps(known.flow)) {
-            Some(known) => arcs_with_gaps(flow, &self.pattern, sections, known.arcs),
-            None => arcs(flow, &self.pattern, sections),
-        }
+        self.known_arcs(flow, sections, known).unwrap_or_else(|| arcs(flow, &self.pattern, sections))
     }
 
     /// Residuals of the matching equations, likewise.
@@ -116,10 +113,19 @@ impl Unknowns {
         sections: &[SectionVector],
         known: Option<Known<'_>>,
     ) -> DVector<f64> {
-        match known.filter(|known| flow.is_but_for_gaps(known.flow)) {
-            Some(known) => residual(&arcs_with_gaps(flow, &self.pattern, sections, known.arcs)),
-            None => residual_alone(flow, &self.pattern, sections),
-        }
+        let known = self.known_arcs(flow, sections, known);
+        known.map_or_else(|| residual_alone(flow, &self.pattern, sections), |arcs| residual(&arcs))
+    }
+
+    /// The arcs, where gaps alone are others.
+    fn known_arcs(
+        &self,
+        flow: &Flow,
+        sections: &[SectionVector],
+        known: Option<Known<'_>>,
+    ) -> Option<Vec<Arc>> {
+        let known = known.filter(|known| flow.is_but_for_gaps(known.flow))?;
+        Some(arcs_with_gaps(flow, &self.pattern, sections, known.arcs))
     }
 
     /// Residuals, where the motion that leaves them is one.

@@ -75,8 +75,8 @@ impl Cyclic {
             joint.rows_mut(0, size).copy_from(&above.columns(size, size));
             joint.rows_mut(size, size).copy_from(own);
             let mut both = DMatrix::zeros(2 * size, 2 * size + common);
-            both.view_mut((0, 0), (size, size)).copy_from(&above.columns(0, size));
-            both.view_mut((0, 2 * size), (size, common)).copy_from(&above.columns(2 * size, common));
+            both.rows_mut(0, size).copy_from(&above);
+            both.view_mut((0, size), (size, size)).fill(0.0);
             both.view_mut((size, size), (size, size)).copy_from(next);
             both.view_mut((size, 2 * size), (size, common)).copy_from(&self.common.rows(size * i, size));
             let joint = joint.qr();
@@ -181,6 +181,13 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
+    use crate::dynamics::Stop;
+    use crate::model::{Parameters, System};
+    use crate::theory::example::chain;
+    use crate::theory::flow::Flow;
+    use crate::theory::newton::{arcs, joints, residual};
+    use crate::theory::pattern::Pattern;
+    use crate::theory::section_vector::SectionVector;
 
     /// Equations in which nothing is special, with one that is to be given beside the others if there is any unknown for it.
     fn equations(random: &mut ChaCha8Rng, impacts: usize, size: usize, common: usize) -> Cyclic {
@@ -242,5 +249,43 @@ mod tests {
         let solution = cyclic.factored(Some(&border)).unwrap().solve(&right).unwrap();
         let off = (with_row(cyclic.whole(), Some(&border)) * &solution - &right).amax();
         assert!(off < 1e-10 * (1.0 + solution.amax()), "{off}");
+    }
+
+    /// A sequence that is no motion, so that no block of the equations is special.
+    fn sequence(system: &System, count: usize, mirrored: bool) -> (Pattern, Vec<SectionVector>) {
+        let stops = (0..count).map(|i| if i % 3 == 0 { Stop::A } else { Stop::B }).collect();
+        let pattern = Pattern::new(system, stops, if mirrored { 3 } else { 4 }, mirrored);
+        let last = 2 * system.plant().n - 1;
+        let at = |i: usize| {
+            let k = i as f64;
+            let value = |j: usize| 0.1 / (1.0 + j as f64) * ((j + 1) as f64 * k + j as f64).sin();
+            let phase = pattern.turn() * k / count as f64;
+            SectionVector::from_fn(last + 1, |j, _| match j {
+                0 => -0.3 + value(0),
+                j if j == last => phase,
+                j => value(j),
+            })
+        };
+        let sections = (0..count).map(at).collect();
+        (pattern, sections)
+    }
+
+    #[test]
+    fn the_solution_for_a_motion_is_that_of_its_whole_matrix() {
+        for system in [System::new(Parameters::default()).unwrap(), chain()] {
+            let flow = Flow::new(&system);
+            for (count, mirrored) in [(1, true), (1, false), (2, false), (7, true), (12, false)] {
+                let (pattern, sections) = sequence(&system, count, mirrored);
+                let joined = arcs(&flow, &pattern, &sections);
+                let cyclic = |pattern: &Pattern| Cyclic::of_motion(joints(&flow, &joined, pattern));
+                let (matrix, right) = (cyclic(&pattern).whole(), residual(&joined));
+                let solve =
+                    |pattern: &Pattern| cyclic(pattern).factored(None).unwrap().solve(&right).unwrap();
+                let solution = solve(&pattern);
+                assert!((&matrix * &solution - &right).amax() < 1e-10 * (1.0 + solution.amax()), "{count}");
+                let other = Pattern { mirrored: !mirrored, ..pattern };
+                assert!((&matrix * solve(&other) - &right).amax() > 1e-6, "the check can fail");
+            }
+        }
     }
 }

@@ -14,13 +14,16 @@ use crate::model::System;
 
 type ComplexSection = DVector<Complex<f64>>;
 
-/// The second and third derivatives B and C of the map of one turn, from its exact series along single directions.
-struct Forms<'a> {
-    flow: &'a Flow,
-    motion: &'a PeriodicMotion,
+/// The normal forms of the map of one turn around a motion: from its second and third derivatives B and C, which follow from
+/// exact series along single directions.
+pub(crate) struct NormalForm<'a> {
+    pub flow: &'a Flow,
+    pub motion: &'a PeriodicMotion,
+    /// The Jacobian of the turn.
+    pub map: &'a DMatrix<f64>,
 }
 
-/// What they make of a direction d.
+/// What B and C make of a direction d.
 struct Direction {
     vector: SectionVector,
     /// B(d, d).
@@ -29,7 +32,7 @@ struct Direction {
     cube: SectionVector,
 }
 
-impl Forms<'_> {
+impl NormalForm<'_> {
     fn direction(&self, vector: SectionVector) -> Option<Direction> {
         let PeriodicMotion { pattern, sections, .. } = self.motion;
         let [_, _, second, third] = jet::turn(self.flow, pattern, sections, &vector)?;
@@ -41,10 +44,61 @@ impl Forms<'_> {
         let sum = self.direction(&a.vector + &b.vector)?;
         Some((sum.square - &a.square - &b.square) * 0.5)
     }
-}
 
-fn complex(real: &SectionVector, imaginary: &SectionVector) -> ComplexSection {
-    real.zip_map(imaginary, Complex::new)
+    /// As [`flip_coefficient`].
+    pub fn flip(&self) -> Option<f64> {
+        let (q, p) = real_eigenvectors(self.map, -1.0)?;
+        let q = self.direction(q)?;
+        let shift =
+            (DMatrix::identity(self.map.nrows(), self.map.ncols()) - self.map).lu().solve(&q.square)?;
+        let c = (p.dot(&q.cube) + 3.0 * p.dot(&self.bilinear(&q, &self.direction(shift)?)?)) / 6.0;
+        c.is_finite().then_some(c)
+    }
+
+    /// As [`fold_coefficient`].
+    pub fn fold(&self, along: &SectionVector) -> Option<f64> {
+        let (q, p) = real_eigenvectors(self.map, 1.0)?;
+        let side = q.dot(along).signum();
+        let a = 0.5 * p.dot(&self.direction(q)?.square) * side;
+        a.is_finite().then_some(a)
+    }
+
+    /// As [`neimark_sacker_coefficient`].
+    pub fn neimark_sacker(&self, theta: f64) -> Option<f64> {
+        let unit = Complex::new(libm::cos(theta), libm::sin(theta));
+        let resonance = |m: i32| (unit.powi(m) - 1.0).modulus() < 1e-6;
+        if (1..=4).any(resonance) {
+            return None;
+        }
+        let complex_map = self.map.map(|value| Complex::new(value, 0.0));
+        let q = null_vector(&complex_map, unit)?;
+        let p = null_vector(&complex_map.transpose(), unit.conj())?;
+        let scale = p.dotc(&q);
+        let p = p.map(|z| z / scale.conj());
+        // q = a + ib.
+        let [a, b] = [self.direction(q.map(|z| z.re))?, self.direction(q.map(|z| z.im))?];
+        let sum = self.direction(&a.vector + &b.vector)?;
+        let difference = self.direction(&a.vector - &b.vector)?;
+        let (size, _) = self.map.shape();
+        let inner = (DMatrix::identity(size, size) - self.map).lu().solve(&(&a.square + &b.square))?;
+        let square = complex(&(&a.square - &b.square), &(&sum.square - &a.square - &b.square));
+        let outer = (DMatrix::identity(size, size) * (unit * unit) - &complex_map).lu().solve(&square)?;
+        // C(q, q, q̄), B(q, inner) and B(q̄, outer), inner being real.
+        let own = complex(
+            &(&a.cube + (&sum.cube + &difference.cube - &a.cube * 2.0) / 6.0),
+            &(&b.cube + (&sum.cube - &difference.cube - &b.cube * 2.0) / 6.0),
+        );
+        let h = self.direction(inner)?;
+        let with_inner = complex(&self.bilinear(&a, &h)?, &self.bilinear(&b, &h)?);
+        let [real, imaginary] = [self.direction(outer.map(|z| z.re))?, self.direction(outer.map(|z| z.im))?];
+        let with_outer = complex(
+            &(self.bilinear(&a, &real)? + self.bilinear(&b, &imaginary)?),
+            &(self.bilinear(&a, &imaginary)? - self.bilinear(&b, &real)?),
+        );
+        let cubic = own + with_inner * Complex::new(2.0, 0.0) + with_outer;
+        let d = 0.5 * (unit.conj() * p.dotc(&cubic)).re;
+        d.is_finite().then_some(d)
+    }
 }
 
 /// The coefficient whose sign decides what happens at a multiplier −1: for a period doubling, or a symmetric
@@ -53,14 +107,7 @@ fn complex(real: &SectionVector, imaginary: &SectionVector) -> ComplexSection {
 /// c > 0 is supercritical: a stable motion of twice the period (or two mirrored ones) takes over. None where an
 /// impact grazes or another multiplier is ±1.
 pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64> {
-    let flow = Flow::new(system);
-    let forms = Forms { flow: &flow, motion };
-    let map = turn(&flow, &motion.pattern, &motion.sections)?;
-    let (q, p) = real_eigenvectors(&map, -1.0)?;
-    let q = forms.direction(q)?;
-    let shift = (DMatrix::identity(map.nrows(), map.ncols()) - map).lu().solve(&q.square)?;
-    let c = (p.dot(&q.cube) + 3.0 * p.dot(&forms.bilinear(&q, &forms.direction(shift)?)?)) / 6.0;
-    c.is_finite().then_some(c)
+    of_motion(system, motion, |form| form.flip())
 }
 
 /// The quadratic coefficient at a multiplier +1, a of ξ → ξ + aξ²; zero at a cusp. None as for
@@ -68,13 +115,7 @@ pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64>
 ///
 /// The direction of ξ is that of the two null vectors on whose side `along` lies; the sign of a depends on it.
 pub fn fold_coefficient(system: &System, motion: &PeriodicMotion, along: &SectionVector) -> Option<f64> {
-    let flow = Flow::new(system);
-    let forms = Forms { flow: &flow, motion };
-    let map = turn(&flow, &motion.pattern, &motion.sections)?;
-    let (q, p) = real_eigenvectors(&map, 1.0)?;
-    let side = q.dot(along).signum();
-    let a = 0.5 * p.dot(&forms.direction(q)?.square) * side;
-    a.is_finite().then_some(a)
+    of_motion(system, motion, |form| form.fold(along))
 }
 
 /// Re d at a pair of multipliers e^(±iθ), θ in (0, π), d of z → e^(iθ) z (1 + d|z|²).
@@ -82,43 +123,21 @@ pub fn fold_coefficient(system: &System, motion: &PeriodicMotion, along: &Sectio
 /// Re d < 0 is supercritical: a stable invariant circle takes over. None where an impact grazes, at θ of 0, π and
 /// (the strong resonances) π/2 and 2π/3 within 1e-6.
 pub fn neimark_sacker_coefficient(system: &System, motion: &PeriodicMotion, theta: f64) -> Option<f64> {
+    of_motion(system, motion, |form| form.neimark_sacker(theta))
+}
+
+fn of_motion(
+    system: &System,
+    motion: &PeriodicMotion,
+    coefficient: impl Fn(&NormalForm<'_>) -> Option<f64>,
+) -> Option<f64> {
     let flow = Flow::new(system);
-    let forms = Forms { flow: &flow, motion };
     let map = turn(&flow, &motion.pattern, &motion.sections)?;
-    let unit = Complex::new(libm::cos(theta), libm::sin(theta));
-    let resonance = |m: i32| (unit.powi(m) - 1.0).modulus() < 1e-6;
-    if (1..=4).any(resonance) {
-        return None;
-    }
-    let complex_map = map.map(|value| Complex::new(value, 0.0));
-    let q = null_vector(&complex_map, unit)?;
-    let p = null_vector(&complex_map.transpose(), unit.conj())?;
-    let scale = p.dotc(&q);
-    let p = p.map(|z| z / scale.conj());
-    // q = a + ib.
-    let [a, b] = [forms.direction(q.map(|z| z.re))?, forms.direction(q.map(|z| z.im))?];
-    let sum = forms.direction(&a.vector + &b.vector)?;
-    let difference = forms.direction(&a.vector - &b.vector)?;
-    let (size, _) = map.shape();
-    let inner = (DMatrix::identity(size, size) - &map).lu().solve(&(&a.square + &b.square))?;
-    let square = complex(&(&a.square - &b.square), &(&sum.square - &a.square - &b.square));
-    let outer = (DMatrix::identity(size, size) * (unit * unit) - &complex_map).lu().solve(&square)?;
-    // C(q, q, q̄), B(q, inner) and B(q̄, outer), inner being real.
-    let own = complex(
-        &(&a.cube + (&sum.cube + &difference.cube - &a.cube * 2.0) / 6.0),
-        &(&b.cube + (&sum.cube - &difference.cube - &b.cube * 2.0) / 6.0),
-    );
-    let h = forms.direction(inner)?;
-    let with_inner = complex(&forms.bilinear(&a, &h)?, &forms.bilinear(&b, &h)?);
-    let [real, imaginary] = [outer.map(|z| z.re), outer.map(|z| z.im)].map(|part| forms.direction(part));
-    let (real, imaginary) = (real?, imaginary?);
-    let with_outer = complex(
-        &(forms.bilinear(&a, &real)? + forms.bilinear(&b, &imaginary)?),
-        &(forms.bilinear(&a, &imaginary)? - forms.bilinear(&b, &real)?),
-    );
-    let cubic = own + with_inner * Complex::new(2.0, 0.0) + with_outer;
-    let d = 0.5 * (unit.conj() * p.dotc(&cubic)).re;
-    d.is_finite().then_some(d)
+    coefficient(&NormalForm { flow: &flow, motion, map: &map })
+}
+
+fn complex(real: &SectionVector, imaginary: &SectionVector) -> ComplexSection {
+    real.zip_map(imaginary, Complex::new)
 }
 
 /// Right and left eigenvectors q and p of a real multiplier, |q| = 1 and p·q = 1.
