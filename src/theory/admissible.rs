@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::flow::Flow;
 use super::follower::{Follower, follower};
-use super::newton::next;
+use super::newton::ends;
 use super::pattern::Pattern;
 use super::section_vector::{Node, SectionVector, phase, wrapped};
 use crate::dynamics::{Event, Impact, Stop};
@@ -75,7 +75,7 @@ impl Inadmissible {
 }
 
 /// Where a motion that the system follows is at forcing phase 0.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Flown {
     /// (x, v) there; none if the motion is not met there.
     pub at_phase_zero: Option<Vec<f64>>,
@@ -90,25 +90,26 @@ pub(crate) fn fly(
     pattern: &Pattern,
     sections: &[SectionVector],
 ) -> Result<Flown, Inadmissible> {
-    fly_by(system, &Flow::new(system), follower(system).as_mut(), pattern, sections)
+    let (flow, mut follower) = (Flow::new(system), follower(system));
+    let mut flown = Flown::default();
+    for i in 0..sections.len() {
+        let ends = ends(&flow, pattern, sections, i);
+        fly_along(system, &flow, follower.as_mut(), &ends, pattern.mirrored, &mut flown)?;
+    }
+    Ok(flown)
 }
 
-/// The same, with the flow of the system and a follower of it.
-pub(super) fn fly_by(
+/// The same of one arc between two impacts; where it is the first to meet forcing phase 0, or half a period where the motion is
+/// `mirrored`, `flown` learns of it.
+pub(super) fn fly_along(
     system: &System,
     flow: &Flow,
     follower: &mut dyn Follower,
-    pattern: &Pattern,
-    sections: &[SectionVector],
-) -> Result<Flown, Inadmissible> {
-    let mut flown = Flown { at_phase_zero: None };
-    for i in 0..sections.len() {
-        let from = Node { stop: pattern.stops[i], section: sections[i].clone() };
-        let due = next(flow, pattern, sections, i);
-        let mirrored = pattern.mirrored;
-        Passage::new(system, flow, &from, due)?.follow(follower, &from, mirrored, &mut flown)?;
-    }
-    Ok(flown)
+    [from, due]: &[Node; 2],
+    mirrored: bool,
+    flown: &mut Flown,
+) -> Result<(), Inadmissible> {
+    Passage::new(system, flow, from, due)?.follow(follower, from, mirrored, flown)
 }
 
 /// Refuses a section that leaves its stop outwards.
@@ -130,7 +131,7 @@ pub(super) fn leaves_inwards(
 struct Passage<'a> {
     system: &'a System,
     flow: &'a Flow,
-    due: Node,
+    due: &'a Node,
     /// The speed after the impact that is due.
     due_speed: f64,
     /// A bound on the speed at which it is reached.
@@ -139,7 +140,7 @@ struct Passage<'a> {
 }
 
 impl<'a> Passage<'a> {
-    fn new(system: &'a System, flow: &'a Flow, from: &Node, due: Node) -> Result<Self, Inadmissible> {
+    fn new(system: &'a System, flow: &'a Flow, from: &Node, due: &'a Node) -> Result<Self, Inadmissible> {
         leaves_inwards(system, flow, from.stop, &from.section)?;
         let speed = flow.face(from.stop).speed(&from.section);
         let due_face = flow.face(due.stop);
@@ -166,7 +167,7 @@ impl<'a> Passage<'a> {
         mirrored: bool,
         flown: &mut Flown,
     ) -> Result<(), Inadmissible> {
-        let z = self.flow.lifted(from.stop, &from.section);
+        let z = self.flow.face(from.stop).lifted(&from.section);
         let n = self.flow.n;
         let begins = phase(&from.section);
         follower.begin_at(z.rows(0, n).as_slice(), z.rows(n, n).as_slice(), wrapped(begins));

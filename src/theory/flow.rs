@@ -177,7 +177,7 @@ impl Flow {
     /// The mirror image of an impact, at the same phase.
     pub fn mirror_image(&self, node: &Node) -> Node {
         let n = self.n;
-        let z = self.lifted(node.stop, &node.section);
+        let z = self.face(node.stop).lifted(&node.section);
         let stop = Stop(self.mirror().stops[node.stop.index()] as u8);
         let [x, v] = [0, n].map(|at| self.reflected(z.rows(at, n).as_slice()));
         let section = self.face(stop).section(x.as_slice(), v.as_slice(), phase(&node.section));

@@ -1,18 +1,22 @@
 //! The solutions of the matching conditions (5): their sections, whether the system follows them, and which of the two can be
 //! stable.
 
+use std::cell::OnceCell;
+
 use nalgebra::{Complex, ComplexField, DMatrix};
 use thiserror::Error;
 
-use super::admissible::{Inadmissible, NamedStop, fly_by, leaves_inwards};
+use super::admissible::{Flown, Inadmissible, NamedStop, fly_along, leaves_inwards};
 use super::face::Face;
 use super::flow::Flow;
 use super::follower::KeptFollower;
+use super::matching::Arc;
 use super::matching_line::MatchingLine;
 use super::motion::PeriodicMotion;
-use super::multipliers::{contracts, eigenvalues, turn};
+use super::multipliers::{contracts, eigenvalues, turn_along};
+use super::newton::ends;
 use super::pattern::{Pattern, StopSet};
-use super::section_vector::{SectionVector, phase, wrapped};
+use super::section_vector::{Node, SectionVector, phase, wrapped};
 use crate::dynamics::Stop;
 use crate::model::System;
 
@@ -81,6 +85,8 @@ pub(super) struct Matched<'a> {
     flow: Flow,
     pattern: Pattern,
     sections: [SectionVector; 2],
+    /// The impacts between which each is followed, found when they are first asked for.
+    ends: [OnceCell<[Node; 2]>; 2],
     residuals: [f64; 2],
     regular: usize,
 }
@@ -127,7 +133,7 @@ impl<'a> Matched<'a> {
             return Err(NoSymmetricMotion::Singular);
         }
         let pattern = Pattern { stops: vec![stop], half_turns: 1, mirrored: true, among };
-        Ok(Matched { system, flow, pattern, sections, residuals, regular })
+        Ok(Matched { system, flow, pattern, sections, ends: Default::default(), residuals, regular })
     }
 
     /// The one of the two that can be stable.
@@ -151,7 +157,13 @@ impl<'a> Matched<'a> {
 
     /// The Jacobian of half a turn around one of them.
     pub fn half_turn(&self, k: usize) -> Option<DMatrix<f64>> {
-        turn(&self.flow, &self.pattern, &self.sections[k..=k])
+        let [from, to] = self.ends(k);
+        turn_along(&self.flow, &self.pattern, &[Arc::between(&self.flow, from, to)])
+    }
+
+    /// The impact at the first stop and the one that is due half a period later.
+    fn ends(&self, k: usize) -> &[Node; 2] {
+        self.ends[k].get_or_init(|| ends(&self.flow, &self.pattern, &self.sections[k..=k], 0))
     }
 
     /// The largest modulus among its half map's multipliers; see [`SymmetricMotion::spectral_radius`].
@@ -190,7 +202,8 @@ impl<'a> Matched<'a> {
             });
         }
         leaves_inwards(system, flow, stop, section)?;
-        let flown = fly_by(system, flow, kept.of(system), pattern, &sections[k..=k])?;
+        let mut flown = Flown::default();
+        fly_along(system, flow, kept.of(system), self.ends(k), pattern.mirrored, &mut flown)?;
         flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, pattern.closing_stop())))
     }
 }

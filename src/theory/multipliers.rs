@@ -1,5 +1,7 @@
 //! Jacobians of whole motions, and their Floquet multipliers.
 
+use std::mem::swap;
+
 use nalgebra::{Complex, ComplexField, DMatrix, Schur};
 
 use super::flow::Flow;
@@ -62,7 +64,7 @@ const MOST_POWERS: usize = 12;
 /// Whether some power of a map surely shortens every vector, so that all its eigenvalues lie within the unit circle. Cheaper
 /// than the eigenvalues; a map with one so close to the circle that its 2048th power is no shorter is not said to.
 pub(super) fn contracts(map: DMatrix<f64>) -> bool {
-    let mut power = map;
+    let (mut power, mut square) = (map.clone(), map);
     for _ in 0..MOST_POWERS {
         let size = power.norm();
         if size < STABLE {
@@ -71,7 +73,8 @@ pub(super) fn contracts(map: DMatrix<f64>) -> bool {
         if !size.is_finite() {
             return false;
         }
-        power = &power * &power;
+        power.mul_to(&power, &mut square);
+        swap(&mut power, &mut square);
     }
     false
 }
