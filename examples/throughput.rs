@@ -35,7 +35,7 @@ use impact_atlas::backend::{
     Backend, BackendError, Cpu, CpuSingle, Gpu, Job, Spent, Unwatched, follow_counted,
 };
 use impact_atlas::dynamics::Usage;
-use impact_atlas::model::{ByFlow, Flights, Flows, Parameters, System, Width};
+use impact_atlas::model::{ByFlow, Flights, Flows, Parameters, Width};
 use mimalloc::MiMalloc;
 use serde::Serialize;
 
@@ -254,8 +254,7 @@ fn measure(
     }
     let Told { verdicts, usage, spent } = told;
     let began = Instant::now();
-    let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
-    std::hint::black_box(Flights::<f64, 2>::of(ByFlow::of(&systems)));
+    std::hint::black_box(Flights::<f64, 2>::of(ByFlow::of(&jobs, |job| &job.system)));
     let preparing_seconds = began.elapsed().as_secs_f64();
     let mut regimes = BTreeMap::new();
     for verdict in &verdicts {

@@ -7,6 +7,7 @@ mod extents;
 mod gpu;
 mod in_flight;
 mod job;
+mod joined;
 mod looks;
 mod reproducible;
 mod select;
@@ -29,6 +30,7 @@ pub use watch::{Silent, Unwatched, Watch};
 use std::fmt::Debug;
 
 use in_flight::IN_FLIGHT;
+use joined::joined_in_flight;
 
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, Outcome};

@@ -22,18 +22,20 @@ pub struct ByFlow<'a> {
 }
 
 impl<'a> ByFlow<'a> {
-    /// Tells cells apart.
-    pub fn of(systems: &[&'a System]) -> Self {
-        // Systems that are known to share their flow need not be compared: part by part first, as many as there are threads.
-        let keyed = |system: &&'a System| (Arc::as_ptr(system.of_flow()).addr(), *system);
-        let length = systems.len().div_ceil(rayon::current_num_threads()).max(LEAST);
-        let parts = systems.par_chunks(length).map(|systems| Told::apart(systems.iter().map(keyed)));
+    /// Tells the cells of some jobs apart.
+    pub fn of<J: Sync>(jobs: &'a [J], system: impl Fn(&'a J) -> &'a System + Sync) -> Self {
+        ByFlow::known(jobs, system).compared()
+    }
+
+    /// The same as far as it is known beforehand: flows that are made anew for a cell count as its own, whatever they are.
+    pub fn known<J: Sync>(jobs: &'a [J], system: impl Fn(&'a J) -> &'a System + Sync) -> Self {
+        // Part by part first, as many as there are threads.
+        let keyed = |system: &'a System| (Arc::as_ptr(system.of_flow()).addr(), system);
+        let length = jobs.len().div_ceil(rayon::current_num_threads()).max(LEAST);
+        let parts = jobs.par_chunks(length).map(|jobs| Told::apart(jobs.iter().map(&system).map(keyed)));
         let parts: Vec<Told<'a>> = parts.collect();
-        let seen = Told::apart(parts.iter().flat_map(|part| &part.first).map(keyed));
-        let flows: Vec<Vec<u64>> = seen.first.par_iter().map(|system| flow(system)).collect();
-        let flows = Told::apart(flows.iter().zip(seen.first.iter().copied()));
-        let numbers: Vec<u32> = seen.numbers.iter().map(|&seen| flows.numbers[seen as usize]).collect();
-        let (mut of_cell, mut rest) = (vec![0; systems.len()], &numbers[..]);
+        let seen = Told::apart(parts.iter().flat_map(|part| &part.first).copied().map(keyed));
+        let (mut of_cell, mut rest) = (vec![0; jobs.len()], &seen.numbers[..]);
         let numbers_of_parts =
             parts.iter().map(|part| rest.split_off(..part.first.len()).expect("a number for each"));
         let numbers_of_parts: Vec<&[u32]> = numbers_of_parts.collect();
@@ -44,7 +46,20 @@ impl<'a> ByFlow<'a> {
                 }
             },
         );
-        ByFlow { distinct: flows.first, of_cell }
+        ByFlow { distinct: seen.first, of_cell }
+    }
+
+    /// The same with flows counted as one that are the same, though that was not known.
+    #[must_use]
+    pub fn compared(mut self) -> Self {
+        let flows: Vec<Vec<u64>> = self.distinct.par_iter().map(|system| flow(system)).collect();
+        let flows = Told::apart(flows.iter().zip(self.distinct.iter().copied()));
+        if flows.first.len() < self.distinct.len() {
+            let each = self.of_cell.par_iter_mut().with_min_len(LEAST);
+            each.for_each(|cell| *cell = flows.numbers[*cell as usize]);
+            self.distinct = flows.first;
+        }
+        self
     }
 
     /// The cells, those with the same flow one after the other.
@@ -114,7 +129,7 @@ mod tests {
         for threads in [1, 2, 4] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let (found, order) = pool.install(|| {
-                let found = ByFlow::of(&cells);
+                let found = ByFlow::of(&cells, |system| *system);
                 let order = found.order();
                 (found, order)
             });

@@ -75,11 +75,11 @@ mod tests {
             }
         }
         let cells: Vec<&System> = systems.iter().collect();
-        let shared = Flights::<T, 2>::of(ByFlow::of(&cells));
+        let shared = Flights::<T, 2>::of(ByFlow::of(&cells, |system| *system));
         assert_eq!(shared.distinct.len(), 2);
         // Of cells that have nothing in common nothing is kept.
         let alone = [&systems[0], &systems[5]];
-        let not_shared = Flights::<T, 2>::of(ByFlow::of(&alone));
+        let not_shared = Flights::<T, 2>::of(ByFlow::of(&alone, |system| *system));
         assert!(not_shared.distinct.is_empty());
         compare(&shared, &cells);
         compare(&not_shared, &alone);
@@ -87,7 +87,7 @@ mod tests {
         let one_sided = Setting::defaults(Family::builtin("shaw-holmes"));
         let systems = [0.1, 0.2, 0.3].map(|gap| System::new(one_sided.with_named("sigma", gap)).unwrap());
         let cells: Vec<&System> = systems.iter().collect();
-        compare(&Flights::<T, 1>::of(ByFlow::of(&cells)), &cells);
+        compare(&Flights::<T, 1>::of(ByFlow::of(&cells, |system| *system)), &cells);
     }
 
     fn compare<T: Real, const N: usize>(flights: &Flights<T, N>, cells: &[&System]) {

@@ -12,7 +12,7 @@ use crate::backend::error::BackendError;
 use crate::backend::job::Job;
 use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
-use crate::model::{AnyWidth, AtWidth, ByFlow, Flight, Flights, Lanes, System, Width};
+use crate::model::{AnyWidth, AtWidth, ByFlow, Flight, Flights, Lanes, Width};
 
 /// Lets every thread take jobs from one queue, and follow as many at once as `width` has lanes. There is at least one job, and all of
 /// them have N coordinates. Says how well the lanes were used, too.
@@ -27,8 +27,7 @@ pub(super) fn spread<T: AnyWidth, const N: usize>(
 ) -> Result<(Vec<Verdict>, Usage), BackendError> {
     let taken = AtomicUsize::new(0);
     let usage = Mutex::new(Usage::default());
-    let systems: Vec<&System> = jobs.iter().map(|job| &job.system).collect();
-    let by_flow = ByFlow::of(&systems);
+    let by_flow = ByFlow::of(jobs, |job| &job.system);
     let order = by_flow.order();
     let flights = Flights::<T, N>::of(by_flow);
     // A few are better followed by several threads whose lanes are half empty.

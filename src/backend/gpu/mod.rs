@@ -3,14 +3,14 @@
 //! Only this folder names wgpu.
 
 mod adapters;
+mod followed;
 mod kernel;
 mod layout;
 mod shader;
 
 use derive_more::Debug;
-use rayon::prelude::*;
 
-use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Result, Watch, in_flight};
+use super::{Backend, BackendError, ControlJob, Job, REPRODUCIBLE, Result, Watch, joined_in_flight};
 use crate::analysis::{Extent, Probe, Schedule, Trace, Verdict};
 use crate::control::{ControlSchedule, LONGEST_ON_DEVICE, Outcome};
 use crate::model::System;
@@ -18,7 +18,8 @@ use crate::model::System;
 pub use adapters::{AdapterReport, adapters};
 pub use kernel::Spent;
 
-use kernel::{Kernel, readings};
+use followed::Followed;
+use kernel::{Batch, Kernel, readings};
 use shader::{Arithmetic, Residence, Shape};
 
 /// The shader by which hardware follows trajectories of a system to their verdicts, in WGSL.
@@ -84,19 +85,19 @@ impl Gpu {
         self.report.is_software()
     }
 
-    /// The results of all jobs of some tiles: while the device is busy with one, the processor prepares another.
-    fn in_tiles<J: Sync, R: Send>(
+    /// The results of all jobs, of each of which so many bytes more are bound: while the device is busy with one tile, the
+    /// processor prepares another.
+    fn in_tiles<F: Followed, R: Send>(
         &self,
-        tiles: Vec<&[J]>,
-        compute: impl Fn(&[J]) -> Result<Vec<R>> + Sync,
+        kernel: shader::Kernel,
+        jobs: &[F],
+        more: u64,
+        compute: impl Fn(Batch<'_, F>) -> Result<Vec<R>> + Sync,
     ) -> Result<Vec<R>> {
-        let mut found = in_flight(self.calls(), tiles, compute)?;
-        if found.len() <= 1 {
-            return Ok(found.pop().unwrap_or_default());
-        }
-        let mut all = Vec::with_capacity(found.iter().map(Vec::len).sum());
-        found.into_iter().for_each(|of_tile| all.par_extend(of_tile));
-        Ok(all)
+        let calls = self.calls();
+        joined_in_flight(calls, jobs.len(), self.kernel.tiles(kernel, jobs, more)?, |tile| {
+            joined_in_flight(calls, tile.len(), self.kernel.batches(kernel, tile)?, &compute)
+        })
     }
 
     /// Refuses what a software adapter may not come to an end with: Mesa 22.3 does not always when it compiles the kernel of
@@ -140,8 +141,7 @@ impl Backend for Gpu {
 
     fn run(&self, jobs: &[Job], schedule: &Schedule, watch: &dyn Watch) -> Result<Vec<Verdict>> {
         schedule.check()?;
-        let tiles = self.kernel.tiles(shader::Kernel::Follow, jobs, |job| job, 0)?;
-        self.in_tiles(tiles, |tile| self.kernel.run(tile, schedule, watch))
+        self.in_tiles(shader::Kernel::Follow, jobs, 0, |batch| self.kernel.run(batch, schedule, watch))
     }
 
     fn control(
@@ -161,8 +161,7 @@ impl Backend for Gpu {
                 schedule.max_period
             )));
         }
-        let tiles = self.kernel.tiles(shader::Kernel::Control, jobs, |job| &job.job, 0)?;
-        self.in_tiles(tiles, |tile| self.kernel.control(tile, schedule, watch))
+        self.in_tiles(shader::Kernel::Control, jobs, 0, |batch| self.kernel.control(batch, schedule, watch))
     }
 
     fn trace(
@@ -174,14 +173,14 @@ impl Backend for Gpu {
         watch: &dyn Watch,
     ) -> Result<Vec<Trace>> {
         schedule.check()?;
-        let tiles = self.kernel.tiles(shader::Kernel::Trace, jobs, |job| job, readings(capacity))?;
-        self.in_tiles(tiles, |tile| self.kernel.trace(tile, schedule, probe, capacity, watch))
+        self.in_tiles(shader::Kernel::Trace, jobs, readings(capacity), |batch| {
+            self.kernel.trace(batch, schedule, probe, capacity, watch)
+        })
     }
 
     fn extents(&self, jobs: &[Job], periods: &[u32], watch: &dyn Watch) -> Result<Vec<Extent>> {
         let followed: Vec<(&Job, u32)> = jobs.iter().zip(periods.iter().copied()).collect();
-        let tiles = self.kernel.tiles(shader::Kernel::Extent, &followed, |(job, _)| job, 0)?;
-        self.in_tiles(tiles, |tile| self.kernel.extents(tile, watch))
+        self.in_tiles(shader::Kernel::Extent, &followed, 0, |batch| self.kernel.extents(batch, watch))
     }
 }
 

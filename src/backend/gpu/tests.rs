@@ -37,13 +37,19 @@ fn what_a_device_cannot_bind_at_once_is_followed_in_tiles() {
     let limits = wgpu::Limits { max_storage_buffer_binding_size: 16 << 10, ..wgpu::Limits::default() };
     let kernel = Kernel::within(limits, &found, arithmetic).unwrap();
     let expected: Vec<Verdict> =
-        jobs.chunks(7).flat_map(|some| kernel.run(some, &schedule, &Unwatched).unwrap()).collect();
-    let tiles = kernel.tiles(shader::Kernel::Follow, &jobs, |job| job, 0).unwrap();
-    assert!(tiles.len() > 2 && tiles[0].len() > 7, "{} tiles of {}", tiles.len(), tiles[0].len());
-    let shared = vec![jobs[0].clone(); 60];
-    let tiles_of_shared = kernel.tiles(shader::Kernel::Follow, &shared, |job| job, 0).unwrap();
-    assert!(tiles_of_shared.len() < tiles.len(), "{} tiles", tiles_of_shared.len());
-    assert!(matches!(kernel.run(&jobs, &schedule, &Unwatched), Err(BackendError::Device(_))), "one tile");
+        jobs.chunks(7).flat_map(|some| kernel.run(Batch::of(some), &schedule, &Unwatched).unwrap()).collect();
+    let batches = |jobs: &[Job]| -> Vec<usize> {
+        let tiles = kernel.tiles(shader::Kernel::Follow, jobs, 0).unwrap();
+        let batches = tiles.iter().flat_map(|tile| kernel.batches(shader::Kernel::Follow, tile).unwrap());
+        batches.map(|batch| batch.jobs.len()).collect()
+    };
+    let of_own_flows = batches(&jobs);
+    assert!(of_own_flows.len() > 2 && of_own_flows[0] > 7, "{of_own_flows:?}");
+    assert_eq!(of_own_flows.iter().sum::<usize>(), jobs.len());
+    let of_one_flow = batches(&vec![jobs[0].clone(); 60]);
+    assert!(of_one_flow.len() < of_own_flows.len(), "{of_one_flow:?}");
+    let at_once = kernel.run(Batch::of(&jobs), &schedule, &Unwatched);
+    assert!(matches!(at_once, Err(BackendError::Device(_))), "too many for one batch");
     let gpu = Gpu { report: found.report, arithmetic, kernel };
     let verdicts = gpu.run(&jobs, &schedule, &Unwatched).unwrap();
     assert_eq!(format!("{verdicts:?}"), format!("{expected:?}"));
@@ -104,8 +110,9 @@ fn hardwares_shader_gives_the_bits_of_the_software_adapters() {
             wgpu::Limits { max_compute_workgroup_storage_size: of_workgroups, ..wgpu::Limits::default() };
         Kernel::within(limits, &found, Arithmetic::Exact).unwrap().with_shaders_of_hardware(Arithmetic::Exact)
     };
-    let run =
-        |kernel: &Kernel, jobs: &[Job]| format!("{:?}", kernel.run(jobs, &schedule, &Unwatched).unwrap());
+    let run = |kernel: &Kernel, jobs: &[Job]| {
+        format!("{:?}", kernel.run(Batch::of(jobs), &schedule, &Unwatched).unwrap())
+    };
     let (hardwares, softwares) = (kernel(16 << 10), kernel(1 << 10));
     // At the same time, since it is the compiler that takes long.
     let (found, expected) = rayon::join(|| run(&hardwares, &jobs), || run(&softwares, &jobs));

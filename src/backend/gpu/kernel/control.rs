@@ -6,9 +6,10 @@ use super::Kernel;
 use super::device::filled;
 use super::drive::MOVE;
 use super::program::{Portion, Program, ROW};
+use super::room::Batch;
 use crate::backend::gpu::layout::{ControlDispatch, ControlSchedule, Outcome, control_words};
 use crate::backend::gpu::shader::{self, WORKGROUP};
-use crate::backend::{ControlJob, Job, Result, Watch};
+use crate::backend::{ControlJob, Result, Watch};
 use crate::control::{self, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
 use crate::model::Real;
 
@@ -25,13 +26,14 @@ pub(super) fn iterations(schedule: &control::ControlSchedule) -> u32 {
 }
 
 impl Kernel {
-    /// Follows one tile of trajectories under control.
+    /// Follows one batch of trajectories under control.
     pub fn control(
         &self,
-        jobs: &[ControlJob],
+        batch: Batch<'_, ControlJob>,
         schedule: &control::ControlSchedule,
         watch: &dyn Watch,
     ) -> Result<Vec<control::Outcome>> {
+        let jobs = batch.jobs;
         let words = |job: &ControlJob| control_words(&job.controller, &job.job.system);
         let controls: Vec<Vec<u32>> = jobs.par_iter().map(words).collect();
         let controls = filled(&self.device, &controls)?;
@@ -49,10 +51,9 @@ impl Kernel {
             more: &[&controls],
             dispatch: &dispatch,
         };
-        let followed: Vec<&Job> = jobs.iter().map(|job| &job.job).collect();
         let widened =
             |(outcome, job): (&Outcome, &ControlJob)| outcome.widen(&job.job.system, job.controller.stop());
-        self.drive(&followed, &program, watch, |outcomes: &[Outcome]| {
+        self.drive(batch, &program, watch, |outcomes: &[Outcome]| {
             outcomes.iter().zip(jobs).map(widened).collect()
         })
     }

@@ -6,12 +6,14 @@ use pollster::block_on;
 use super::Kernel;
 use super::device::guarded;
 use super::program::{Portion, Program};
+use super::room::Batch;
 use super::spent::{Spent, timed};
 use super::tile::Tile;
 use crate::analysis::constants::SQUARINGS;
+use crate::backend::gpu::followed::Followed;
 use crate::backend::gpu::layout::{Cells, NORMAL_TERMS};
 use crate::backend::gpu::shader::Shape;
-use crate::backend::{Job, Result, Watch};
+use crate::backend::{Result, Watch};
 use crate::model::Real;
 use crate::model::vector::MOST;
 
@@ -38,19 +40,21 @@ const SOFTWARE_ITERATIONS: u32 = 65_535 - FETCH;
 pub const SQUARES: u32 = 2 * (SQUARINGS + 1);
 
 impl Kernel {
-    /// Follows one of [`Kernel::tiles`] with a kernel, in portions of bounded time; what is read of the results.
-    pub(super) fn drive<D: Pod, R: Pod, V>(
+    /// Follows one of [`Kernel::batches`] with a kernel, in portions of bounded time; what is read of the results.
+    pub(super) fn drive<F: Followed, D: Pod, R: Pod, V>(
         &self,
-        jobs: &[&Job],
+        Batch { jobs, known }: Batch<'_, F>,
         program: &Program<'_, D>,
         watch: &dyn Watch,
         read: impl FnOnce(&[R]) -> V,
     ) -> Result<V> {
-        let compiled = self.library.get(&self.device, program.kernel, Shape::of(&jobs[0].system))?;
-        let (mut cells, preparing) = timed(|| Cells::of(jobs));
+        let compiled = self.library.get(&self.device, program.kernel, Shape::of(&jobs[0].job().system))?;
+        let turn = self.turn();
+        let (mut cells, preparing) = timed(|| Cells::of(jobs, &known.compared()));
         let mut unfinished = std::mem::take(&mut cells.order);
-        // Nothing waits for other threads while it has room.
+        // Nothing waits for other threads while it has room; of those that are prepared one waits for it.
         let room = block_on(self.room.acquire());
+        drop(turn);
         let holding =
             || Tile::new(self, compiled.clone(), program, &cells, jobs.len(), size_of::<R>() as u64);
         let (tile, transferring) = timed(|| self.with_room(holding));

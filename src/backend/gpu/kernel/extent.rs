@@ -4,6 +4,7 @@ use super::Kernel;
 use super::device::filled;
 use super::drive::MOVE;
 use super::program::{Portion, Program, ROW};
+use super::room::Batch;
 use crate::analysis;
 use crate::backend::gpu::layout::{Extent, ExtentDispatch};
 use crate::backend::gpu::shader::{self, WORKGROUP};
@@ -17,17 +18,16 @@ pub(super) const HALVES: u32 = 2;
 pub(super) const WITH_FLIGHTS: u32 = MOVE + HALVES * (1 + 2 * <f32 as Real>::ORDER as u32);
 
 impl Kernel {
-    /// Follows one tile of trajectories, each for so many forcing periods.
-    pub fn extents(&self, followed: &[(&Job, u32)], watch: &dyn Watch) -> Result<Vec<analysis::Extent>> {
-        let (jobs, periods): (Vec<&Job>, Vec<u32>) = followed.iter().copied().unzip();
-        let periods = filled(&self.device, &[periods])?;
+    /// Follows one batch of trajectories, each for so many forcing periods.
+    pub fn extents(&self, batch: Batch<'_, (&Job, u32)>, watch: &dyn Watch) -> Result<Vec<analysis::Extent>> {
+        let periods = filled(&self.device, &[batch.jobs.iter().map(|&(_, periods)| periods).collect()])?;
         let dispatch =
             |Portion { count, budget, begin }| ExtentDispatch { count, budget, begin, row: ROW * WORKGROUP };
         let more = [&periods];
         let kernel = shader::Kernel::Extent;
         let program = Program { kernel, iterations: WITH_FLIGHTS, more: &more, dispatch: &dispatch };
-        let n = jobs[0].system.coordinates();
-        self.drive(&jobs, &program, watch, |extents: &[Extent]| {
+        let n = batch.jobs[0].0.system.coordinates();
+        self.drive(batch, &program, watch, |extents: &[Extent]| {
             extents.iter().map(|extent| extent.widen(n)).collect()
         })
     }

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::Kernel;
 use super::drive::{MOVE, SQUARES};
 use super::program::{Portion, Program, ROW};
+use super::room::Batch;
 use crate::analysis;
 use crate::analysis::constants::{CLEAR_STEPS, HELD_STEPS, ROUNDS, TURNS};
 use crate::backend::gpu::layout::{Dispatch, Schedule, Verdict};
@@ -17,10 +18,10 @@ pub(super) const ITERATIONS: u32 =
     2 * TURNS * (1 + ROUNDS * (2 + CLEAR_STEPS) + SQUARES) + HELD_STEPS + MOVE + SQUARES;
 
 impl Kernel {
-    /// Follows one tile of trajectories.
+    /// Follows one batch of trajectories.
     pub fn run(
         &self,
-        jobs: &[Job],
+        batch: Batch<'_, Job>,
         schedule: &analysis::Schedule,
         watch: &dyn Watch,
     ) -> Result<Vec<analysis::Verdict>> {
@@ -37,7 +38,8 @@ impl Kernel {
             more: &[],
             dispatch: &dispatch,
         };
-        self.drive(&Vec::from_iter(jobs), &program, watch, |verdicts: &[Verdict]| {
+        let jobs = batch.jobs;
+        self.drive(batch, &program, watch, |verdicts: &[Verdict]| {
             verdicts.par_iter().zip(jobs).map(|(verdict, job)| verdict.widen(&job.system)).collect()
         })
     }

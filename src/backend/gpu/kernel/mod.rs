@@ -19,7 +19,7 @@ mod spent;
 mod tile;
 mod trace;
 
-use parking_lot::Mutex;
+use parking_lot::{Mutex, MutexGuard};
 use tokio::sync::Semaphore;
 
 use super::adapters::Found;
@@ -29,6 +29,7 @@ use crate::backend::in_flight::IN_FLIGHT;
 use compiled::Library;
 use device::device_error;
 use kept::Kept;
+pub use room::Batch;
 pub use spent::Spent;
 pub use trace::readings;
 
@@ -48,6 +49,8 @@ pub struct Kernel {
     tiles_at_a_time: usize,
     /// For the tiles that are on the device.
     room: Semaphore,
+    /// For the tile that the processor prepares.
+    turn: Mutex<()>,
     /// Of tiles that are done.
     kept: Kept,
     spent: Mutex<Spent>,
@@ -79,8 +82,8 @@ impl Kernel {
         let library = Library::new(residence, arithmetic);
         let tiles_at_a_time = if software { IN_FLIGHT } else { ON_HARDWARE };
         let room = Semaphore::new(tiles_at_a_time);
-        let (kept, spent) = (Kept::default(), Mutex::default());
-        Ok(Kernel { device, queue, library, software, tiles_at_a_time, room, kept, spent })
+        let (turn, kept, spent) = (Mutex::default(), Kept::default(), Mutex::default());
+        Ok(Kernel { device, queue, library, software, tiles_at_a_time, room, turn, kept, spent })
     }
 
     /// On the best adapter that there is; a software one will do.
@@ -113,6 +116,13 @@ impl Kernel {
         *self.spent.lock() += more;
     }
 
+    /// Waits for the turn to prepare some cells: one after the other, each with all cores, the first are ready soonest, the device
+    /// need not wait for all that were begun, and few wait for the device. A thread of a pool does not wait: who has the turn may
+    /// need it.
+    pub(super) fn turn(&self) -> Option<MutexGuard<'_, ()>> {
+        rayon::current_thread_index().is_none().then(|| self.turn.lock())
+    }
+
     /// Tiles that are on the device together at most.
     pub fn tiles_at_a_time(&self) -> usize {
         self.tiles_at_a_time
@@ -121,5 +131,31 @@ impl Kernel {
     /// Trajectories that are followed together at most.
     pub fn tile(&self) -> usize {
         if self.software { SOFTWARE_TILE } else { HARDWARE_TILE }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc;
+    use std::thread;
+    use std::time::Duration;
+
+    use super::*;
+
+    #[test]
+    fn threads_of_their_own_wait_for_the_turn_and_those_of_a_pool_do_not() {
+        let kernel = Kernel::on_any_adapter(Arithmetic::Native);
+        let turn = kernel.turn();
+        assert!(turn.is_some());
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+        assert!(pool.install(|| kernel.turn().is_none()));
+        thread::scope(|scope| {
+            let (sender, taken) = mpsc::channel();
+            let kernel = &kernel;
+            scope.spawn(move || sender.send(kernel.turn().is_some()));
+            assert!(taken.recv_timeout(Duration::from_millis(100)).is_err(), "it is taken");
+            drop(turn);
+            assert_eq!(taken.recv(), Ok(true));
+        });
     }
 }

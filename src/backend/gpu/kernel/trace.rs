@@ -4,6 +4,7 @@ use super::Kernel;
 use super::device::empty;
 use super::drive::{MOVE, SQUARES};
 use super::program::{Portion, Program, ROW};
+use super::room::Batch;
 use crate::analysis;
 use crate::backend::gpu::layout::{Schedule, Trace, TraceDispatch, Verdict};
 use crate::backend::gpu::shader::{self, WORKGROUP};
@@ -18,15 +19,16 @@ pub fn readings(capacity: u32) -> u64 {
 }
 
 impl Kernel {
-    /// Follows one tile of trajectories and reads a section while they are observed.
+    /// Follows one batch of trajectories and reads a section while they are observed.
     pub fn trace(
         &self,
-        jobs: &[Job],
+        batch: Batch<'_, Job>,
         schedule: &analysis::Schedule,
         probe: analysis::Probe,
         capacity: u32,
         watch: &dyn Watch,
     ) -> Result<Vec<analysis::Trace>> {
+        let jobs = batch.jobs;
         let cells = jobs.len() as u64;
         let storage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let [traces, readings] = self.with_room(|| {
@@ -51,7 +53,7 @@ impl Kernel {
             more: &more,
             dispatch: &dispatch,
         };
-        let verdicts = self.drive(&Vec::from_iter(jobs), &program, watch, <[Verdict]>::to_vec)?;
+        let verdicts = self.drive(batch, &program, watch, <[Verdict]>::to_vec)?;
         let traces = self.read(&traces, traces.size(), <[Trace]>::to_vec)?;
         let readings = self.read(&readings, readings.size(), <[f32]>::to_vec)?;
         let of_cell = |(((verdict, trace), readings), job): (((Verdict, &Trace), &[f32]), &Job)| {

@@ -26,9 +26,10 @@ pub use trace::{Rebounds, Trace, TraceDispatch};
 
 use rayon::prelude::*;
 
+use super::followed::Followed;
 use super::shader::Shape;
 use crate::backend::Job;
-use crate::model;
+use crate::model::{self, ByFlow};
 
 /// The structs of one size that the shaders share, as they declare them.
 pub const STRUCTS: [&str; 11] = [
@@ -74,18 +75,16 @@ const CHUNK: usize = 256;
 
 impl Cells {
     /// Prepares jobs, all of them with as many coordinates; the constants of a flow are computed once for all its cells.
-    pub fn of(jobs: &[&Job]) -> Self {
-        match jobs.first().map_or(1, |job| job.system.coordinates()) {
-            1 => Cells::with::<1>(jobs),
-            2 => Cells::with::<2>(jobs),
-            3 => Cells::with::<3>(jobs),
-            _ => Cells::with::<4>(jobs),
+    pub fn of<F: Followed>(jobs: &[F], by_flow: &ByFlow<'_>) -> Self {
+        match jobs.first().map_or(1, |first| first.job().system.coordinates()) {
+            1 => Cells::with::<1, F>(jobs, by_flow),
+            2 => Cells::with::<2, F>(jobs, by_flow),
+            3 => Cells::with::<3, F>(jobs, by_flow),
+            _ => Cells::with::<4, F>(jobs, by_flow),
         }
     }
 
-    fn with<const N: usize>(jobs: &[&Job]) -> Self {
-        let systems: Vec<&model::System> = jobs.iter().map(|job| &job.system).collect();
-        let by_flow = model::ByFlow::of(&systems);
+    fn with<const N: usize, F: Followed>(jobs: &[F], by_flow: &ByFlow<'_>) -> Self {
         // Constants are large: those of a flow are let go of once they are written.
         let flows = by_flow.distinct.par_chunks(CHUNK).map(|systems| {
             let (mut constants, mut kicks, mut stops) = (Vec::new(), Vec::new(), Vec::new());
@@ -102,7 +101,7 @@ impl Cells {
         let stops_of_flows = stops.concat();
         let cells = jobs.par_chunks(CHUNK).zip(by_flow.of_cell.par_chunks(CHUNK)).map(|(jobs, flows)| {
             let (mut words, mut stops) = (Vec::new(), Vec::new());
-            for (Job { system, start }, &flow) in jobs.iter().zip(flows) {
+            for (Job { system, start }, &flow) in jobs.iter().map(F::job).zip(flows) {
                 stops.clear();
                 stops.extend(stops_of_flows[flow as usize].iter().map(|along| along.with_values_of(system)));
                 write_cell::<N>(flow, &stops, start, &mut words);
