@@ -52,7 +52,7 @@ impl Kernel {
         let turn = self.turn();
         let (mut cells, preparing) = timed(|| Cells::of(jobs, &known.compared()));
         let mut unfinished = std::mem::take(&mut cells.order);
-        // Nothing waits for other threads while it has room; of those that are prepared one waits for it.
+        // Nothing waits for other threads while it has room. Constants are large: of tiles that are prepared one waits for it.
         let room = block_on(self.room.acquire());
         drop(turn);
         let holding =

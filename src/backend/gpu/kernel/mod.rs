@@ -116,9 +116,8 @@ impl Kernel {
         *self.spent.lock() += more;
     }
 
-    /// Waits for the turn to prepare some cells: one after the other, each with all cores, the first are ready soonest, the device
-    /// need not wait for all that were begun, and few wait for the device. A thread of a pool does not wait: who has the turn may
-    /// need it.
+    /// Waits for the turn to prepare cells. Prepared one tile after the other, each by all cores, the first is ready soonest, and the
+    /// device need not wait for all that were begun. A thread of a pool does not wait: who has the turn may need it.
     pub(super) fn turn(&self) -> Option<MutexGuard<'_, ()>> {
         rayon::current_thread_index().is_none().then(|| self.turn.lock())
     }
