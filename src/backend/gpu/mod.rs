@@ -85,8 +85,8 @@ impl Gpu {
         self.report.is_software()
     }
 
-    /// The results of all jobs, of each of which so many bytes more are bound: while the device is busy with one tile, the
-    /// processor prepares another.
+    /// The results of all jobs; `more` are the bytes that are bound for each beside what its kernel keeps. While the device is busy
+    /// with one tile, the processor prepares another.
     fn in_tiles<F: Followed, R: Send>(
         &self,
         kernel: shader::Kernel,
@@ -94,9 +94,11 @@ impl Gpu {
         more: u64,
         compute: impl Fn(Batch<'_, F>) -> Result<Vec<R>> + Sync,
     ) -> Result<Vec<R>> {
-        let calls = self.calls();
-        joined_in_flight(calls, jobs.len(), self.kernel.tiles(kernel, jobs, more)?, |tile| {
-            joined_in_flight(calls, tile.len(), self.kernel.batches(kernel, tile)?, &compute)
+        let (calls, tiles) = (self.calls(), self.kernel.tiles(kernel, jobs, more)?);
+        // Several batches are under way where there are not as many tiles.
+        let batches_at_a_time = calls.div_ceil(tiles.len().clamp(1, calls));
+        joined_in_flight(calls, jobs.len(), tiles, |tile| {
+            joined_in_flight(batches_at_a_time, tile.len(), self.kernel.batches(kernel, tile)?, &compute)
         })
     }
 

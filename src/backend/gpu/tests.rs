@@ -24,7 +24,7 @@ fn jobs() -> Vec<Job> {
 
 /// Cells of which each has a flow of its own take more room than those that share theirs.
 #[test]
-fn what_a_device_cannot_bind_at_once_is_followed_in_tiles() {
+fn what_a_device_cannot_bind_at_once_is_followed_in_batches() {
     let schedule = Schedule { transient: 20, observe: 20, max_period: 8, fixed_periods: true };
     let job = |omega: f64| {
         let system = System::new(Setting::defaults(Family::paper()).with_named("omega", omega)).unwrap();

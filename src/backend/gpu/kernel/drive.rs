@@ -50,9 +50,11 @@ impl Kernel {
     ) -> Result<V> {
         let compiled = self.library.get(&self.device, program.kernel, Shape::of(&jobs[0].job().system))?;
         let turn = self.turn();
+        watch.check()?;
         let (mut cells, preparing) = timed(|| Cells::of(jobs, &known.compared()));
         let mut unfinished = std::mem::take(&mut cells.order);
-        // Nothing waits for other threads while it has room. Constants are large: of tiles that are prepared one waits for it.
+        // Nothing waits for other threads while it has room. Constants are large: outside of a pool, one alone of those that are
+        // prepared waits for it.
         let room = block_on(self.room.acquire());
         drop(turn);
         let holding =

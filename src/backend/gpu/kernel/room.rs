@@ -1,9 +1,12 @@
 //! Which jobs are followed together: a device binds no buffer beyond a size.
+//!
+//! A batch is what becomes a [`Tile`](super::tile::Tile) on the device: as a rule a whole tile of jobs.
 
 use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 use super::Kernel;
+use super::spent::{Spent, timed};
 use crate::backend::gpu::followed::Followed;
 use crate::backend::gpu::shader::{self, Shape};
 use crate::backend::{BackendError, Result};
@@ -26,7 +29,7 @@ impl<'j, F: Followed> Batch<'j, F> {
 
 impl Kernel {
     /// Jobs in tiles, in their order: as many together as the kernel takes at most, and as the device can bind what it keeps of
-    /// each, and so many bytes more of each.
+    /// each, which is told by the first of them, and so many bytes more of each.
     ///
     /// # Errors
     /// Where their kernel cannot be compiled.
@@ -52,15 +55,18 @@ impl Kernel {
     ) -> Result<Vec<Batch<'j, F>>> {
         let Some(first) = tile.first() else { return Ok(Vec::new()) };
         let shape = Shape::of(&first.job().system);
-        let turn = self.turn();
-        let all = Batch::of(tile);
-        drop(turn);
-        check_shapes(&shape, &all.known.distinct)?;
         let most = self.bound(self.library.get(&self.device, kernel, shape)?.flight);
-        if all.known.distinct.len() <= most {
-            return Ok(vec![all]);
-        }
-        Ok(split_by_groups(tile, &all.known.of_cell, most).into_iter().map(Batch::of).collect())
+        let _turn = self.turn();
+        let (batches, preparing) = timed(|| {
+            let all = Batch::of(tile);
+            check_shapes(&shape, &all.known.distinct)?;
+            if all.known.distinct.len() <= most {
+                return Ok(vec![all]);
+            }
+            Ok(split_by_groups(tile, &all.known.of_cell, most).into_iter().map(Batch::of).collect())
+        });
+        self.spend(Spent { preparing, ..Spent::default() });
+        batches
     }
 
     /// How many records of so many bytes the device can bind; one at least.
@@ -102,6 +108,18 @@ fn split_by_groups<'i, I>(items: &'i [I], group_of: &[u32], most: usize) -> Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Setting;
+    use crate::system::Family;
+
+    #[test]
+    fn systems_of_another_shape_are_refused() {
+        let [one, two] = ["shaw-holmes", "luo-ma-lv"]
+            .map(|name| System::new(Setting::defaults(Family::builtin(name))).unwrap());
+        let shape = Shape::of(&one);
+        assert!(check_shapes(&shape, &[&one, &one]).is_ok());
+        let refused = check_shapes(&shape, &[&one, &two]);
+        assert!(matches!(refused, Err(BackendError::Unsupported(why)) if why.contains("--backend cpu")));
+    }
 
     #[test]
     fn parts_hold_so_many_groups_and_no_more() {
