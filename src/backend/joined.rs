@@ -18,7 +18,7 @@ pub(super) fn joined_in_flight<I: Send, R: Send, E: Send>(
     items: Vec<I>,
     work: impl Fn(I) -> Result<Vec<R>, E> + Sync,
 ) -> Result<Vec<R>, E> {
-    let joined = Joined { length, waiting: Mutex::default(), begun: Mutex::default() };
+    let joined = Joined::of(length);
     in_flight(most, items.into_iter().enumerate(), |(place, item)| {
         joined.put(place, work(item)?);
         Ok(())
@@ -42,13 +42,13 @@ struct Begun<R> {
     next: usize,
 }
 
-impl<R> Default for Begun<R> {
-    fn default() -> Self {
-        Begun { whole: Vec::new(), next: 0 }
-    }
-}
-
 impl<R: Send> Joined<R> {
+    /// Of so many elements; none is there.
+    fn of(length: usize) -> Self {
+        let begun = Begun { whole: Vec::new(), next: 0 };
+        Joined { length, waiting: Mutex::default(), begun: Mutex::new(begun) }
+    }
+
     /// Takes the list at a place. Nobody waits: where another puts lists together it may leave this one to whoever comes next.
     fn put(&self, place: usize, list: Vec<R>) {
         self.waiting.lock().insert(place, list);
@@ -126,7 +126,7 @@ mod tests {
 
     #[test]
     fn what_is_put_while_others_are_put_together_is_not_lost() {
-        let joined = Joined { length: 3, waiting: Mutex::default(), begun: Mutex::default() };
+        let joined = Joined::of(3);
         joined.put(2, vec![2]);
         joined.put(1, vec![1]);
         let busy = joined.begun.lock();

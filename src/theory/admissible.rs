@@ -3,8 +3,10 @@
 use derive_more::Display;
 use thiserror::Error;
 
+use super::face::Face;
 use super::flow::Flow;
 use super::follower::{Follower, follower};
+use super::matching::departure;
 use super::newton::ends;
 use super::pattern::Pattern;
 use super::section_vector::{Node, SectionVector, phase, wrapped};
@@ -74,13 +76,6 @@ impl Inadmissible {
     }
 }
 
-/// Where a motion that the system follows is at forcing phase 0.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Flown {
-    /// (x, v) there; none if the motion is not met there.
-    pub at_phase_zero: Option<Vec<f64>>,
-}
-
 /// Follows every arc of a motion, a pattern and the section after each of its impacts, with the certified flight of the
 /// simulation.
 ///
@@ -89,27 +84,26 @@ pub(crate) fn fly(
     system: &System,
     pattern: &Pattern,
     sections: &[SectionVector],
-) -> Result<Flown, Inadmissible> {
+) -> Result<(), Inadmissible> {
     let (flow, mut follower) = (Flow::new(system), follower(system));
-    let mut flown = Flown::default();
-    for i in 0..sections.len() {
+    for (i, section) in sections.iter().enumerate() {
+        leaves_inwards(system, &flow, pattern.stops[i], section)?;
         let ends = ends(&flow, pattern, sections, i);
-        fly_along(system, &flow, follower.as_mut(), &ends, pattern.mirrored, &mut flown)?;
+        fly_along(system, &flow, follower.as_mut(), &ends, pattern.mirrored)?;
     }
-    Ok(flown)
+    Ok(())
 }
 
-/// The same of one arc between two impacts; where it is the first to meet forcing phase 0, or half a period where the motion is
-/// `mirrored`, `flown` learns of it.
+/// The same of one arc between two impacts, which leaves its stop inwards; (x, v) at forcing phase 0 if it meets that, or half a
+/// forcing period of a motion that is `mirrored`.
 pub(super) fn fly_along(
     system: &System,
     flow: &Flow,
     follower: &mut dyn Follower,
     [from, due]: &[Node; 2],
     mirrored: bool,
-    flown: &mut Flown,
-) -> Result<(), Inadmissible> {
-    Passage::new(system, flow, from, due)?.follow(follower, from, mirrored, flown)
+) -> Result<Option<Vec<f64>>, Inadmissible> {
+    Passage::new(system, flow, from, due)?.follow(follower, mirrored)
 }
 
 /// Refuses a section that leaves its stop outwards.
@@ -123,14 +117,25 @@ pub(super) fn leaves_inwards(
     if !face.is_left_outwards(section) {
         return Ok(());
     }
+    Err(wrong_velocity(system, stop, face, section))
+}
+
+/// That a section leaves its stop with the velocity that it has.
+pub(super) fn wrong_velocity(
+    system: &System,
+    stop: Stop,
+    face: &Face,
+    section: &SectionVector,
+) -> Inadmissible {
     let (coordinate, velocity) = (face.coordinate, section[0]);
-    Err(Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity })
+    Inadmissible::WrongVelocity { stop: NamedStop::of(system, stop), coordinate, velocity }
 }
 
 /// An arc that is to be followed.
 struct Passage<'a> {
     system: &'a System,
     flow: &'a Flow,
+    from: &'a Node,
     due: &'a Node,
     /// The speed after the impact that is due.
     due_speed: f64,
@@ -140,8 +145,7 @@ struct Passage<'a> {
 }
 
 impl<'a> Passage<'a> {
-    fn new(system: &'a System, flow: &'a Flow, from: &Node, due: &'a Node) -> Result<Self, Inadmissible> {
-        leaves_inwards(system, flow, from.stop, &from.section)?;
+    fn new(system: &'a System, flow: &'a Flow, from: &'a Node, due: &'a Node) -> Result<Self, Inadmissible> {
         let speed = flow.face(from.stop).speed(&from.section);
         let due_face = flow.face(due.stop);
         let due_speed = due_face.speed(&due.section);
@@ -150,29 +154,24 @@ impl<'a> Passage<'a> {
             -due_speed / due_face.restitution
         } else {
             // The speed after the impact says little or nothing of that before it.
-            let time = (phase(&due.section) - phase(&from.section)) / flow.omega;
-            let z = &*flow.over(time) * flow.lifted(from.stop, &from.section);
+            let (start, time) = departure(flow, from, due);
+            let z = &*flow.over(time) * start;
             due_face.along(&z)[1] / due_face.direction.norm()
         };
         if arrival < -TOLERANCE * scale {
             return Err(Inadmissible::Misses(NamedStop::of(system, due.stop)));
         }
-        Ok(Passage { system, flow, due, due_speed, arrival: arrival.max(0.0) + TOLERANCE, scale })
+        Ok(Passage { system, flow, from, due, due_speed, arrival: arrival.max(0.0) + TOLERANCE, scale })
     }
 
-    fn follow(
-        &self,
-        follower: &mut dyn Follower,
-        from: &Node,
-        mirrored: bool,
-        flown: &mut Flown,
-    ) -> Result<(), Inadmissible> {
-        let z = self.flow.face(from.stop).lifted(&from.section);
-        let n = self.flow.n;
-        let begins = phase(&from.section);
+    /// See [`fly_along`].
+    fn follow(&self, follower: &mut dyn Follower, mirrored: bool) -> Result<Option<Vec<f64>>, Inadmissible> {
+        let Passage { flow, from, .. } = *self;
+        let z = flow.face(from.stop).lifted(&from.section);
+        let (n, begins) = (flow.n, phase(&from.section));
         follower.begin_at(z.rows(0, n).as_slice(), z.rows(n, n).as_slice(), wrapped(begins));
-        let time = (phase(&self.due.section) - begins) / self.flow.omega;
-        let mut elapsed = 0.0;
+        let time = (phase(&self.due.section) - begins) / flow.omega;
+        let (mut elapsed, mut at_phase_zero) = (0.0, None);
         loop {
             let taken = follower.advance();
             elapsed += taken.time;
@@ -180,21 +179,22 @@ impl<'a> Passage<'a> {
             let early = (time - elapsed) * self.arrival > TOLERANCE * self.scale;
             match taken.event {
                 Event::Impact(impact) => {
-                    let here = wrapped(begins + self.flow.omega * elapsed);
-                    return self.meet(follower, &impact, early, here);
+                    let here = wrapped(begins + flow.omega * elapsed);
+                    self.meet(follower, &impact, early, here)?;
+                    return Ok(at_phase_zero);
                 }
                 Event::Caught { impact, .. } if early || impact.stop != self.due.stop => {
                     return Err(Inadmissible::Sticks(self.named(impact.stop)));
                 }
-                Event::Caught { .. } => return Ok(()),
+                Event::Caught { .. } => return Ok(at_phase_zero),
                 Event::Strobe => {
-                    flown.at_phase_zero.get_or_insert_with(|| follower.state().as_slice().to_vec());
+                    at_phase_zero.get_or_insert_with(|| follower.state().as_slice().to_vec());
                 }
                 Event::HalfPeriod if mirrored => {
                     // Its mirror image is met at phase 0.
-                    let [x, v] = [follower.x(), follower.v()].map(|values| self.flow.reflected(values));
+                    let [x, v] = [follower.x(), follower.v()].map(|values| flow.reflected(values));
                     let image = x.iter().chain(v.iter()).copied();
-                    flown.at_phase_zero.get_or_insert_with(|| image.collect());
+                    at_phase_zero.get_or_insert_with(|| image.collect());
                 }
                 Event::Flight | Event::StepEnd | Event::HalfPeriod | Event::Released(_) => {}
             }

@@ -6,7 +6,7 @@ use std::cell::OnceCell;
 use nalgebra::{Complex, ComplexField, DMatrix};
 use thiserror::Error;
 
-use super::admissible::{Flown, Inadmissible, NamedStop, fly_along, leaves_inwards};
+use super::admissible::{Inadmissible, NamedStop, fly_along, leaves_inwards, wrong_velocity};
 use super::face::Face;
 use super::flow::Flow;
 use super::follower::KeptFollower;
@@ -194,17 +194,11 @@ impl<'a> Matched<'a> {
         let face = flow.face(stop);
         // Without restitution the mass rests as the impact ends.
         if face.speed(section) == 0.0 && face.restitution > 0.0 {
-            let (coordinate, velocity) = (face.coordinate, section[0]);
-            return Err(Inadmissible::WrongVelocity {
-                stop: NamedStop::of(system, stop),
-                coordinate,
-                velocity,
-            });
+            return Err(wrong_velocity(system, stop, face, section));
         }
         leaves_inwards(system, flow, stop, section)?;
-        let mut flown = Flown::default();
-        fly_along(system, flow, kept.of(system), self.ends(k), pattern.mirrored, &mut flown)?;
-        flown.at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, pattern.closing_stop())))
+        let at_phase_zero = fly_along(system, flow, kept.of(system), self.ends(k), pattern.mirrored)?;
+        at_phase_zero.ok_or(Inadmissible::Misses(NamedStop::of(system, pattern.closing_stop())))
     }
 }
 
