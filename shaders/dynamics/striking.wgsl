@@ -28,7 +28,10 @@ fn strike(carry: bool, reached: Reached) -> Move {
     let after = point_motion(trajectory.point, trajectory.contact);
     let rest = (flight.h - trajectory.offset) * flight.inverse_h;
     let later = wake(end.normal, rest);
-    if carry && velocity != 0.0 {
+    // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop, and shifts nothing.
+    let still = abs(velocity) <= unresolved(end, arrived.state);
+    let stays = still && rests(trajectory.point, trajectory.contact, end);
+    if carry && velocity != 0.0 && !stays {
         if trajectory.under_way == 1u {
             let pull = along(direction, before);
             let back = look_back(end.normal, rest);
@@ -64,8 +67,7 @@ fn strike(carry: bool, reached: Reached) -> Move {
         trajectory.point.state = rested(trajectory.point.state, corner);
         return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, corner & ~single);
     }
-    // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
-    let still = abs(velocity) <= unresolved(end, arrived.state);
+    // No impact, and nothing rebounds.
     let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, !still && abs(rebound) > 0.0);
     return Move(event, stop, select(velocity, 0.0, still), rebound, CONTACT_FREE);
 }

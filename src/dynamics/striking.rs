@@ -79,7 +79,10 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.keep_pressed(flight, end.normal, kick);
         }
         let after = self.point.motion(flight, self.contact);
-        if velocity != T::zero() && !tangents.is_empty() {
+        // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop, and shifts nothing.
+        let still = velocity.abs() <= contact::unresolved(normal, end.side, &arrived.state);
+        let stays = still && rests(flight, &self.point, self.contact, end);
+        if velocity != T::zero() && !stays && !tangents.is_empty() {
             if self.under_way {
                 let rest = (flight.h - self.offset) * flight.inverse_h;
                 let wake = normal.wake(rest);
@@ -111,8 +114,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.bounce(flight, tangents, end.normal, kick);
             return Event::Impact(impact);
         };
-        // A speed that rounding cannot tell from 0 is no impact, and nothing rebounds.
-        let still = velocity.abs() <= contact::unresolved(normal, end.side, &arrived.state);
+        // No impact, and nothing rebounds.
         let impact = if still { Impact { velocity_before: T::zero(), ..impact } } else { impact };
         self.point = resting;
         self.catch(flight, tangents, self.contact.with(end));

@@ -110,6 +110,7 @@ impl Turn {
 mod tests {
     use super::*;
     use crate::model::System;
+    use crate::system::{Plant, PlantStop};
     use crate::theory::example::{Ball, chain};
     use crate::theory::follower::follower;
 
@@ -166,6 +167,50 @@ mod tests {
         let volume = (-system.period() * system.contraction()).exp() * 0.7f64.powi(2 * impacts);
         assert!((turn.jacobian.determinant() / volume - 1.0).abs() < 1e-9, "{impacts}");
         assert!((turn.jacobian.determinant() / (0.49 * volume) - 1.0).abs() > 0.5, "the check can fail");
+    }
+
+    /// Two masses that chatter and come to rest on an oblique stop, its direction a multiple of (3, −4)/5.
+    fn oblique(length: f64) -> System {
+        let (matrix, row) = (|values: &[f64]| DMatrix::from_row_slice(2, 2, values), DVector::from_row_slice);
+        let direction = row(&[length * 0.6, length * -0.8]);
+        System::of_plant(Plant {
+            n: 2,
+            mass: matrix(&[1.2, 0.0, 0.0, 0.7]),
+            damping: matrix(&[0.15, -0.05, -0.05, 0.15]),
+            stiffness: matrix(&[1.8, -0.8, -0.8, 2.1]),
+            force_sin: row(&[0.3 * 0.36, 0.0]),
+            force_cos: row(&[0.5, -0.2]),
+            load: row(&[0.2, 0.0]),
+            omega: 0.6,
+            stops: vec![PlantStop { direction, gap: length * 0.0795, restitution: 0.6 }],
+        })
+        .unwrap()
+    }
+
+    #[test]
+    fn a_turn_that_begins_at_rest_on_a_stop_has_its_derivative_whatever_rounding_leaves_of_gap_and_speed() {
+        // Two multipliers m = 0.00068792 ± 0.58807938i, by finite differences within the contact, and two that are 0.
+        let [sum, squares] =
+            [2.0 * 0.000_687_92, 2.0 * (0.000_687_92_f64.powi(2) - 0.588_079_38_f64.powi(2))];
+        let state = [
+            0.466_972_688_957_293_66,
+            0.250_854_516_717_970_27,
+            0.068_030_868_259_514_95,
+            0.051_023_151_194_636_206,
+        ];
+        for length in [1.0, 5.0, 0.7, 3.3] {
+            let turn = turned(&oblique(length), &DVector::from_row_slice(&state), 1);
+            assert!((&turn.end - DVector::from_row_slice(&state)).amax() < 1e-9 && turn.sticking, "{length}");
+            let traces = [turn.jacobian.trace(), (&turn.jacobian * &turn.jacobian).trace()];
+            assert!((traces[0] - sum).abs() < 1e-5, "{length}: {traces:?}");
+            assert!((traces[1] - squares).abs() < 1e-5, "{length}: {traces:?}");
+        }
+        let beside = turned(
+            &oblique(1.0),
+            &DVector::from_row_slice(&[state[0] - 0.1, state[1], state[2], state[3]]),
+            1,
+        );
+        assert!(((&beside.jacobian * &beside.jacobian).trace() - squares).abs() > 1e-4, "the check can fail");
     }
 
     /// A turn of which only the strobe states matter.
