@@ -9,6 +9,9 @@ use super::free_flight::{FreeFlight, inverse_mass};
 use super::vector::MOST;
 use crate::system::Plant;
 
+/// Of entries of the generator above 2 to this power, the inverse's eighth power, which stands in the square of ‖G⁸‖, vanishes.
+const LARGEST: i32 = 125;
+
 /// Free flight, and where the stops are; everything is non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equations<const N: usize> {
@@ -164,8 +167,8 @@ impl<const N: usize> Equations<N> {
         Equations { free, ..*self }
     }
 
-    /// The steepest rate of the flow: ω, or ‖G⁸‖^(1/8) of the unforced generator G; not a number where G holds what is
-    /// none.
+    /// The steepest rate of the flow: ω, or ‖G⁸‖^(1/8) of the unforced generator G; infinite where G holds what is too large for
+    /// any flow, and not a number where it holds what is none.
     pub fn rate(&self) -> f64 {
         let FreeFlight { stiffness, damping, omega, .. } = self.free;
         if !stiffness.iter().chain(damping.iter()).all(|entry| entry.is_finite()) {
@@ -173,7 +176,11 @@ impl<const N: usize> Equations<N> {
         }
         // Scaled by a power of two against overflow.
         let largest = stiffness.amax().max(damping.amax()).max(1.0);
-        let scale = 2.0_f64.powi(libm::ilogb(largest));
+        let exponent = libm::ilogb(largest);
+        if exponent > LARGEST {
+            return f64::INFINITY;
+        }
+        let scale = 2.0_f64.powi(exponent);
         let one = SMatrix::<f64, N, N>::identity();
         let mut power = [[SMatrix::zeros(), one / scale], [stiffness / scale, damping / scale]];
         for _ in 0..3 {
@@ -249,6 +256,19 @@ mod tests {
         assert_eq!(equations.rate(), 2.0 * rate, "the forcing is faster");
         equations.free.damping[(N - 1, 0)] = f64::INFINITY;
         assert!(equations.rate().is_nan());
+        // Of any size: its powers neither overflow nor vanish.
+        let rate_with = |stiffness: f64| {
+            equations.free.damping.fill(0.0);
+            equations.free.stiffness.fill_with_identity();
+            equations.free.stiffness *= stiffness;
+            equations.rate()
+        };
+        let rates = [1e10, 1e20, 1e37, 1e38, 2e300].map(rate_with);
+        let fit = |rate: f64, stiffness: f64| {
+            rate / stiffness.sqrt() > 0.5 && rate / stiffness.sqrt() < 2.0 * N as f64
+        };
+        assert!(fit(rates[0], 1e10) && fit(rates[1], 1e20) && fit(rates[2], 1e37), "{rates:?}");
+        assert!(rates[3..].iter().all(|&rate| rate == f64::INFINITY), "{rates:?}");
     }
 
     #[test]
