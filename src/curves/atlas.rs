@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use rayon::prelude::*;
 
 use super::branch::{Event, Followed, followed};
+use super::condition::Kind;
 use super::curve::{Curve, CurveMotion};
 use super::left_out::{LeftOut, Why, left_out};
 use super::no_impact::no_impact_curves;
@@ -99,11 +100,15 @@ fn trace_all(curves: &mut Vec<Curve>, mut open: Vec<Event>, spans: [Span; 2], un
 }
 
 /// Whether an event lies on a curve of its kind and motion, or of its motion's mirror image.
-fn lies_on(event: &Event, curves: &[Curve], spans: [Span; 2]) -> bool {
-    let motion = CurveMotion::of(&event.pattern);
-    let motions = [motion.mirror_image(), motion];
-    let mut own = curves.iter().filter(|curve| curve.kind == event.kind && motions.contains(&curve.motion));
-    own.any(|curve| meets(curve, event, spans))
+fn lies_on<'a>(event: &Event, curves: impl IntoIterator<Item = &'a Curve>, spans: [Span; 2]) -> bool {
+    let of = subject(event);
+    let alike = |curve: &&Curve| curve.kind == of.0 && curve.motion.clone().leading() == of.1;
+    curves.into_iter().filter(alike).any(|curve| meets(curve, event, spans))
+}
+
+/// What has an event's curves: its kind, and of its motion and that one's mirror image the leading one.
+fn subject(event: &Event) -> (Kind, CurveMotion) {
+    (event.kind, CurveMotion::of(&event.pattern).leading())
 }
 
 /// Follows motions along both axes.
@@ -144,26 +149,24 @@ fn sought(
     Ok(Followed::all(met.into_iter().chain(again)))
 }
 
-/// Events of one kind and motion together, in the order of their first.
+/// Events of one kind and motion together, whichever way round and whichever impact comes first, in the order of their first.
 fn grouped(events: Vec<Event>) -> Vec<Vec<Event>> {
-    let mut groups: Vec<Vec<Event>> = Vec::new();
+    let mut groups: Vec<((Kind, CurveMotion), Vec<Event>)> = Vec::new();
     for event in events {
-        let alike = |first: &Event| first.kind == event.kind && first.pattern == event.pattern;
-        match groups.iter_mut().find(|group| alike(&group[0])) {
-            Some(group) => group.push(event),
-            None => groups.push(vec![event]),
+        let of = subject(&event);
+        match groups.iter_mut().find(|(first, _)| *first == of) {
+            Some((_, group)) => group.push(event),
+            None => groups.push((of, vec![event])),
         }
     }
-    groups
+    groups.into_iter().map(|(_, group)| group).collect()
 }
 
 /// The curves of one kind and motion that are not known yet, each once.
 fn traced(events: &[Event], known: &[Curve], spans: [Span; 2], until: Until<'_>) -> Vec<Traced> {
     let mut found: Vec<Traced> = Vec::new();
     for event in events {
-        let motion = CurveMotion::of(&event.pattern);
-        let own = known.iter().filter(|curve| curve.kind == event.kind && curve.motion == motion);
-        if !own.chain(found.iter().map(|traced| &traced.curve)).any(|curve| meets(curve, event, spans)) {
+        if !lies_on(event, known.iter().chain(found.iter().map(|traced| &traced.curve)), spans) {
             found.extend(trace(event, spans, until));
         }
     }

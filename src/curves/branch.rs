@@ -85,8 +85,7 @@ impl Watched {
 
 /// Follows a motion both ways to the ends of a parameter's range, or to where it ceases to be one.
 pub(super) fn followed(Seed { motion, parameters }: &Seed, span: Span, until: Until<'_>) -> Followed {
-    let unknowns =
-        Unknowns { pattern: motion.pattern.clone(), fixed: *parameters, extra: 0, spans: vec![span] };
+    let unknowns = Unknowns::new(motion.pattern.clone(), *parameters, 0, vec![span]);
     let guess = unknowns.pack(&motion.sections, &[], parameters);
     let fixed = unknowns.parameters_at();
     let branch = Branch(unknowns);

@@ -9,10 +9,12 @@ use crate::theory::Cyclic;
 
 /// The most Newton steps of one correction.
 const MOST_STEPS: usize = 14;
-/// A step that is more than this share of the one before asks for new derivatives.
-const SLOW: f64 = 0.1;
+/// If so many further steps do not do, new derivatives come cheaper.
+const FURTHER: i32 = 3;
 /// A correction below this is the last one, and so is a residual.
 const CONVERGED: f64 = 1e-9;
+/// And so is one after which less than this is left, to judge by how fast corrections grow shorter.
+const NEGLIGIBLE: f64 = 1e-11;
 /// The farthest that a solution may be from a guess that nothing is known of.
 const FARTHEST: f64 = 1.0;
 /// The share of a step by which the path may bend aside on it.
@@ -67,6 +69,8 @@ pub(super) struct PathPoint {
     pub y: DVector<f64>,
     /// A unit vector.
     pub tangent: DVector<f64>,
+    /// How the path leaves its tangent, by the point before: a length s ahead by q s² + c s³, of which these are q and c.
+    bend: Option<[DVector<f64>; 2]>,
     /// The derivatives of the equations here; they serve for the next correction as well.
     jacobian: Cyclic,
 }
@@ -90,23 +94,50 @@ impl PathPoint {
         along_border[border.len() - 1] = 1.0;
         let tangent = jacobian.factored(Some(border))?.solve(&along_border)?;
         let length = tangent.norm();
-        (length.is_finite() && length > 0.0).then(|| PathPoint { y, tangent: tangent / length, jacobian })
+        (length.is_finite() && length > 0.0).then(|| PathPoint {
+            y,
+            tangent: tangent / length,
+            bend: None,
+            jacobian,
+        })
     }
 
     /// The same point with its tangent reversed: the curve is followed in the other direction from here.
     pub fn reversed(&self) -> Self {
-        PathPoint { tangent: -&self.tangent, ..self.clone() }
+        PathPoint { tangent: -&self.tangent, bend: None, ..self.clone() }
     }
 
     /// The point on the plane a length `ds` ahead; around turning points as elsewhere.
     pub fn advanced(&self, equations: &impl Equations, ds: f64) -> Option<Self> {
-        PathPoint::at(equations, self.ahead(equations, ds)?, &self.tangent)
+        let next = PathPoint::at(equations, self.ahead(equations, ds)?, &self.tangent)?;
+        Some(PathPoint { bend: self.bend_at(&next), ..next })
+    }
+
+    /// How the path bends at the point after this one: as the cubic through both that has their tangents.
+    fn bend_at(&self, next: &Self) -> Option<[DVector<f64>; 2]> {
+        let back = &self.y - &next.y;
+        let h = back.norm();
+        let aside = (back + &next.tangent * h) / (h * h);
+        let turned = (&next.tangent - &self.tangent) / h;
+        let coefficients = [&aside * 3.0 - &turned, (aside * 2.0 - turned) / h];
+        // Along the tangent the length ahead says where the next point is.
+        let across = coefficients.map(|c| &c - &next.tangent * c.dot(&next.tangent));
+        across.iter().flatten().all(|value| value.is_finite()).then_some(across)
+    }
+
+    /// About where the path is on the plane a length `ds` ahead.
+    fn guess(&self, ds: f64) -> DVector<f64> {
+        let straight = &self.y + &self.tangent * ds;
+        match &self.bend {
+            Some([q, c]) => straight + q * (ds * ds) + c * (ds * ds * ds),
+            None => straight,
+        }
     }
 
     /// The solution there alone, without the direction in which the path goes on.
     pub fn ahead(&self, equations: &impl Equations, ds: f64) -> Option<DVector<f64>> {
         let reach = ASIDE * ds + 10.0 * CONVERGED;
-        corrected(equations, &self.y + &self.tangent * ds, &self.tangent, &self.jacobian, reach)
+        corrected(equations, self.guess(ds), &self.tangent, &self.jacobian, reach)
     }
 
     /// Whether a path that goes from `here` to `next` passes this point in this point's own direction.
@@ -137,7 +168,7 @@ fn corrected(
 ) -> Option<DVector<f64>> {
     let mut y = guess.clone();
     let mut factors = near.factored(Some(border))?;
-    let mut before = f64::INFINITY;
+    let mut before: Option<f64> = None;
     for _ in 0..MOST_STEPS {
         let residual = equations.residual(&y)?;
         let size = residual.amax();
@@ -147,17 +178,20 @@ fn corrected(
             return None;
         }
         y -= correction;
-        if step < CONVERGED && size < CONVERGED {
+        // By which steps grow shorter while the derivatives stay the same.
+        let rate = before.map_or(1.0, |before| (step / before).min(1.0));
+        let last = step.max(size);
+        if last < CONVERGED || last * rate < NEGLIGIBLE {
             // A solution farther off belongs to another branch.
             if (&y - &guess).norm() > reach {
                 return None;
             }
             return Some(y);
         }
-        if step > SLOW * before {
+        if before.is_some() && step * rate.powi(FURTHER) > CONVERGED {
             factors = equations.jacobian(&y)?.factored(Some(border))?;
         }
-        before = step;
+        before = Some(step);
     }
     None
 }
@@ -182,6 +216,14 @@ mod tests {
         let mut turned = 0.0;
         while turned < std::f64::consts::TAU {
             let next = point.advanced(&Circle, 0.05).unwrap();
+            let ahead = next.ahead(&Circle, 0.05).unwrap();
+            let straight = &next.y + &next.tangent * 0.05;
+            let off = |guess: &DVector<f64>| (guess - &ahead).norm();
+            assert!(off(&next.guess(0.05)) < 1e-2 * off(&straight), "its bend is known");
+            assert!(
+                (ahead - &next.y).dot(&next.tangent) - 0.05 < 1e-12,
+                "the length ahead is that along the tangent"
+            );
             turned += point.straightness(&next).acos();
             point = next;
             assert!((point.y.norm() - 1.0).abs() < 1e-9);

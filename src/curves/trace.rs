@@ -43,13 +43,9 @@ pub(super) struct Traced {
 
 /// The curve through a bifurcation; none if it cannot be begun.
 pub(super) fn trace(event: &Event, spans: [Span; 2], until: Until<'_>) -> Option<Traced> {
+    let extra = usize::from(event.kind == Kind::Grazing);
     let locus = Locus {
-        unknowns: Unknowns {
-            pattern: event.pattern.clone(),
-            fixed: event.parameters,
-            extra: usize::from(event.kind == Kind::Grazing),
-            spans: spans.to_vec(),
-        },
+        unknowns: Unknowns::new(event.pattern.clone(), event.parameters, extra, spans.to_vec()),
         kind: event.kind,
         touch: event.touch.map(|touch| (touch.arc, touch.stop)),
     };

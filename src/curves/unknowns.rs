@@ -35,6 +35,8 @@ pub(super) struct Unknowns {
     pub fixed: Setting,
     pub extra: usize,
     pub spans: Vec<Span>,
+    /// The system of the fixed parameters, if there is one: others that are moved along a gap alone have their flow from it.
+    like: Option<System>,
 }
 
 /// A flow, and the arcs of some sections in it.
@@ -45,6 +47,11 @@ pub(super) struct Known<'a> {
 }
 
 impl Unknowns {
+    /// Those of a motion near some parameters.
+    pub fn new(pattern: Pattern, fixed: Setting, extra: usize, spans: Vec<Span>) -> Self {
+        Unknowns { pattern, fixed, extra, spans, like: System::new(fixed).ok() }
+    }
+
     /// 2n, the components of a section.
     pub fn size(&self) -> usize {
         2 * self.fixed.family().n()
@@ -87,7 +94,10 @@ impl Unknowns {
     /// The system; none where its parameters are outside their physical range, or a mirrored motion has no mirror.
     pub fn system(&self, y: &DVector<f64>) -> Option<System> {
         let mirrored = |system: &System| !self.pattern.mirrored || StopSet::of(system) == self.pattern.among;
-        System::new(self.parameters(y)).ok().filter(|system| !system.is_clamped() && mirrored(system))
+        let parameters = self.parameters(y);
+        let neighbour = self.like.as_ref().and_then(|like| like.neighbour(&parameters));
+        let system = neighbour.or_else(|| System::new(parameters).ok());
+        system.filter(|system| !system.is_clamped() && mirrored(system))
     }
 
     /// The sections.
