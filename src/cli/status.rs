@@ -51,7 +51,7 @@ fn text(status: &Status) -> String {
     match (status.missing, status.cells_per_second, status.seconds_left) {
         (0, ..) => lines.push("nothing is left to do".to_owned()),
         (_, Some(pace), Some(left)) => lines.push(format!(
-            "{} at work, {pace:.0} cells/s together, about {} left",
+            "{} heard of lately, {pace:.0} cells/s together, about {} left at that pace",
             if status.processes == 1 {
                 "1 process".to_owned()
             } else {
