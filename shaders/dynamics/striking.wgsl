@@ -67,7 +67,7 @@ fn strike(carry: bool, reached: Reached) -> Move {
         trajectory.point.state = rested(trajectory.point.state, corner);
         return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, corner & ~single);
     }
-    // No impact, and nothing rebounds.
+    // Where it is still there was no impact, and nothing rebounds.
     let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, !still && abs(rebound) > 0.0);
     return Move(event, stop, select(velocity, 0.0, still), rebound, CONTACT_FREE);
 }

@@ -101,14 +101,14 @@ fn trace_all(curves: &mut Vec<Curve>, mut open: Vec<Event>, spans: [Span; 2], un
 
 /// Whether an event lies on a curve of its kind and motion, or of its motion's mirror image.
 fn lies_on<'a>(event: &Event, curves: impl IntoIterator<Item = &'a Curve>, spans: [Span; 2]) -> bool {
-    let of = subject(event);
-    let alike = |curve: &&Curve| curve.kind == of.0 && curve.motion.clone().leading() == of.1;
+    let of = subject(event.kind, CurveMotion::of(&event.pattern));
+    let alike = |curve: &&Curve| subject(curve.kind, curve.motion.clone()) == of;
     curves.into_iter().filter(alike).any(|curve| meets(curve, event, spans))
 }
 
-/// What has an event's curves: its kind, and of its motion and that one's mirror image the leading one.
-fn subject(event: &Event) -> (Kind, CurveMotion) {
-    (event.kind, CurveMotion::of(&event.pattern).leading())
+/// What those have in common that may be one curve: the kind, and of a motion and its mirror image the leading one.
+fn subject(kind: Kind, motion: CurveMotion) -> (Kind, CurveMotion) {
+    (kind, motion.leading())
 }
 
 /// Follows motions along both axes.
@@ -149,11 +149,12 @@ fn sought(
     Ok(Followed::all(met.into_iter().chain(again)))
 }
 
-/// Events of one kind and motion together, whichever way round and whichever impact comes first, in the order of their first.
+/// Events that may lie on the same curves together, in the order of their first: of one kind, and of motions with the same label,
+/// whichever way round and whichever impact comes first.
 fn grouped(events: Vec<Event>) -> Vec<Vec<Event>> {
     let mut groups: Vec<((Kind, CurveMotion), Vec<Event>)> = Vec::new();
     for event in events {
-        let of = subject(&event);
+        let of = subject(event.kind, CurveMotion::of(&event.pattern));
         match groups.iter_mut().find(|(first, _)| *first == of) {
             Some((_, group)) => group.push(event),
             None => groups.push((of, vec![event])),
@@ -178,16 +179,16 @@ fn meets(curve: &Curve, event: &Event, spans: [Span; 2]) -> bool {
     distance(curve, spans.map(|span| span.share(event.parameters.get(span.parameter))), spans) < SAME
 }
 
-/// Mirrored motions have the same curves; one of each is kept.
+/// Each curve once: one that was begun too far from where an event was met may have been followed again from there.
 fn without_twins(curves: Vec<Curve>, spans: [Span; 2]) -> Vec<Curve> {
     let mut kept: Vec<Curve> = Vec::new();
     for curve in curves {
         let place = |i: usize| [spans[0].share(curve.points[i].x), spans[1].share(curve.points[i].y)];
         let samples = (0..=8).map(|k| place(k * (curve.points.len() - 1) / 8));
         let twin = kept.iter().any(|other| {
-            let alike = other.motion == curve.motion || other.motion == curve.motion.mirror_image();
             let near = |place: [f64; 2]| distance(other, place, spans) < SAME;
-            other.kind == curve.kind && alike && samples.clone().all(near)
+            let [of, own] = [other, &curve].map(|curve| subject(curve.kind, curve.motion.clone()));
+            of == own && samples.clone().all(near)
         });
         if !twin {
             kept.push(curve);

@@ -15,9 +15,11 @@ const FURTHER: i32 = 3;
 const CONVERGED: f64 = 1e-9;
 /// And so is one after which less than this is left, to judge by how fast corrections grow shorter.
 const NEGLIGIBLE: f64 = 1e-11;
+/// The least share of the last correction that may be left.
+const LEFT: f64 = 1e-3;
 /// The farthest that a solution may be from a guess that nothing is known of.
 const FARTHEST: f64 = 1.0;
-/// The share of a step by which the path may bend aside on it.
+/// The share of a step by which a solution may be from its guess, and a guess from the tangent.
 const ASIDE: f64 = 0.3;
 /// Paths with at least this cosine between them go the same way.
 const PARALLEL: f64 = 0.97;
@@ -120,7 +122,7 @@ impl PathPoint {
         let aside = (back + &next.tangent * h) / (h * h);
         let turned = (&next.tangent - &self.tangent) / h;
         let coefficients = [&aside * 3.0 - &turned, (aside * 2.0 - turned) / h];
-        // Along the tangent the length ahead says where the next point is.
+        // What they have along the tangent is dropped: a guess is to lie on the plane a length ahead.
         let across = coefficients.map(|c| &c - &next.tangent * c.dot(&next.tangent));
         across.iter().flatten().all(|value| value.is_finite()).then_some(across)
     }
@@ -128,8 +130,9 @@ impl PathPoint {
     /// About where the path is on the plane a length `ds` ahead.
     fn guess(&self, ds: f64) -> DVector<f64> {
         let straight = &self.y + &self.tangent * ds;
-        match &self.bend {
-            Some([q, c]) => straight + q * (ds * ds) + c * (ds * ds * ds),
+        let bent = self.bend.as_ref().map(|[q, c]| q * (ds * ds) + c * (ds * ds * ds));
+        match bent.filter(|aside| aside.norm() <= ASIDE * ds) {
+            Some(aside) => straight + aside,
             None => straight,
         }
     }
@@ -179,7 +182,7 @@ fn corrected(
         }
         y -= correction;
         // By which steps grow shorter while the derivatives stay the same.
-        let rate = before.map_or(1.0, |before| (step / before).min(1.0));
+        let rate = before.map_or(1.0, |before| (step / before).clamp(LEFT, 1.0));
         let last = step.max(size);
         if last < CONVERGED || last * rate < NEGLIGIBLE {
             // A solution farther off belongs to another branch.
@@ -188,10 +191,11 @@ fn corrected(
             }
             return Some(y);
         }
-        if before.is_some() && step * rate.powi(FURTHER) > CONVERGED {
+        let is_slow = before.is_some() && last * rate.powi(FURTHER) > CONVERGED;
+        before = (!is_slow).then_some(step);
+        if is_slow {
             factors = equations.jacobian(&y)?.factored(Some(border))?;
         }
-        before = Some(step);
     }
     None
 }
@@ -216,19 +220,39 @@ mod tests {
         let mut turned = 0.0;
         while turned < std::f64::consts::TAU {
             let next = point.advanced(&Circle, 0.05).unwrap();
-            let ahead = next.ahead(&Circle, 0.05).unwrap();
-            let straight = &next.y + &next.tangent * 0.05;
-            let off = |guess: &DVector<f64>| (guess - &ahead).norm();
-            assert!(off(&next.guess(0.05)) < 1e-2 * off(&straight), "its bend is known");
-            assert!(
-                (ahead - &next.y).dot(&next.tangent) - 0.05 < 1e-12,
-                "the length ahead is that along the tangent"
-            );
             turned += point.straightness(&next).acos();
             point = next;
             assert!((point.y.norm() - 1.0).abs() < 1e-9);
         }
         assert!((&point.y - start).norm() < 0.1, "it comes round: {}", point.y);
         assert!(PathPoint::near(&Circle, DVector::from_vec(vec![5.0, 8.0]), 1).is_none(), "no circle there");
+    }
+
+    /// y = 0.3 x² + 0.5 x³.
+    struct Graph;
+
+    impl Equations for Graph {
+        fn residual(&self, y: &DVector<f64>) -> Option<DVector<f64>> {
+            Some(DVector::from_element(1, y[1] - y[0] * y[0] * (0.3 + 0.5 * y[0])))
+        }
+    }
+
+    #[test]
+    fn a_path_is_guessed_along_its_bend_and_how_that_changes() {
+        let start = PathPoint::near(&Graph, DVector::from_vec(vec![0.5, 0.1]), 0).unwrap();
+        let off = |ds: f64| {
+            let here = start.advanced(&Graph, ds).unwrap();
+            let ahead = here.ahead(&Graph, ds).unwrap();
+            for place in [&ahead, &here.guess(ds)] {
+                let along = (place - &here.y).dot(&here.tangent);
+                assert!((along - ds).abs() < 1e-10, "{along} along the tangent");
+            }
+            ((here.guess(ds) - &ahead).norm(), (&here.y + &here.tangent * ds - ahead).norm())
+        };
+        let [(bent, straight), (bent_half, straight_half)] = [off(0.02), off(0.01)];
+        assert!(bent < 1e-2 * straight, "{bent} of {straight}");
+        let orders = [(bent / bent_half).log2(), (straight / straight_half).log2()];
+        assert!((3.7..4.3).contains(&orders[0]), "of the fourth order: {orders:?}");
+        assert!((1.7..2.3).contains(&orders[1]), "of the second order: {orders:?}");
     }
 }

@@ -114,7 +114,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.bounce(flight, tangents, end.normal, kick);
             return Event::Impact(impact);
         };
-        // No impact, and nothing rebounds.
+        // Where it is still there was no impact, and nothing rebounds.
         let impact = if still { Impact { velocity_before: T::zero(), ..impact } } else { impact };
         self.point = resting;
         self.catch(flight, tangents, self.contact.with(end));
