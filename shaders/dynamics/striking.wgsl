@@ -28,9 +28,10 @@ fn strike(carry: bool, reached: Reached) -> Move {
     let after = point_motion(trajectory.point, trajectory.contact);
     let rest = (flight.h - trajectory.offset) * flight.inverse_h;
     let later = wake(end.normal, rest);
-    // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop, and shifts nothing.
-    let still = abs(velocity) <= unresolved(end, arrived.state);
-    let stays = still && rests(trajectory.point, trajectory.contact, end);
+    let closed = strike_closed(end, rebound, after);
+    // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop: it shifts nothing, and nothing
+    // rebounds.
+    let stays = closed.closes && abs(velocity) <= unresolved(end, arrived.state);
     if carry && velocity != 0.0 && !stays {
         if trajectory.under_way == 1u {
             let pull = along(direction, before);
@@ -43,7 +44,6 @@ fn strike(carry: bool, reached: Reached) -> Move {
         }
     }
     let stop = flight.normals[end.normal].stop[end.side];
-    let closed = strike_closed(end, rebound, after);
     var corner = CONTACT_FREE;
     if !closed.closes {
         corner = corner_closes(trajectory.point, trajectory.contact, end);
@@ -67,9 +67,8 @@ fn strike(carry: bool, reached: Reached) -> Move {
         trajectory.point.state = rested(trajectory.point.state, corner);
         return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, corner & ~single);
     }
-    // Where it is still there was no impact, and nothing rebounds.
-    let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, !still && abs(rebound) > 0.0);
-    return Move(event, stop, select(velocity, 0.0, still), rebound, CONTACT_FREE);
+    let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, !stays && abs(rebound) > 0.0);
+    return Move(event, stop, select(velocity, 0.0, stays), rebound, CONTACT_FREE);
 }
 
 // Whether closing the rebounds that follow an impact is as good as following them, and where they end at rest.

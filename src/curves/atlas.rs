@@ -107,7 +107,9 @@ fn lies_on<'a>(event: &Event, curves: impl IntoIterator<Item = &'a Curve>, spans
 }
 
 /// What those have in common that may be one curve: the kind, and of a motion and its mirror image the leading one.
-fn subject(kind: Kind, motion: CurveMotion) -> (Kind, CurveMotion) {
+type Subject = (Kind, CurveMotion);
+
+fn subject(kind: Kind, motion: CurveMotion) -> Subject {
     (kind, motion.leading())
 }
 
@@ -152,7 +154,7 @@ fn sought(
 /// Events that may lie on the same curves together, in the order of their first: of one kind, and of motions with the same label,
 /// whichever way round and whichever impact comes first.
 fn grouped(events: Vec<Event>) -> Vec<Vec<Event>> {
-    let mut groups: Vec<((Kind, CurveMotion), Vec<Event>)> = Vec::new();
+    let mut groups: Vec<(Subject, Vec<Event>)> = Vec::new();
     for event in events {
         let of = subject(event.kind, CurveMotion::of(&event.pattern));
         match groups.iter_mut().find(|(first, _)| *first == of) {
@@ -181,20 +183,20 @@ fn meets(curve: &Curve, event: &Event, spans: [Span; 2]) -> bool {
 
 /// Each curve once: one that was begun too far from where an event was met may have been followed again from there.
 fn without_twins(curves: Vec<Curve>, spans: [Span; 2]) -> Vec<Curve> {
-    let mut kept: Vec<Curve> = Vec::new();
+    let mut kept: Vec<(Subject, Curve)> = Vec::new();
     for curve in curves {
         let place = |i: usize| [spans[0].share(curve.points[i].x), spans[1].share(curve.points[i].y)];
         let samples = (0..=8).map(|k| place(k * (curve.points.len() - 1) / 8));
-        let twin = kept.iter().any(|other| {
+        let of = subject(curve.kind, curve.motion.clone());
+        let twin = kept.iter().any(|(other_of, other)| {
             let near = |place: [f64; 2]| distance(other, place, spans) < SAME;
-            let [of, own] = [other, &curve].map(|curve| subject(curve.kind, curve.motion.clone()));
-            of == own && samples.clone().all(near)
+            *other_of == of && samples.clone().all(near)
         });
         if !twin {
-            kept.push(curve);
+            kept.push((of, curve));
         }
     }
-    kept
+    kept.into_iter().map(|(_, curve)| curve).collect()
 }
 
 /// How far a place is from a curve, in sides of the plane.

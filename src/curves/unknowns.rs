@@ -35,7 +35,7 @@ pub(super) struct Unknowns {
     pub fixed: Setting,
     pub extra: usize,
     pub spans: Vec<Span>,
-    /// The system of the fixed parameters, if there is one: others that are moved along a gap alone have their flow from it.
+    /// The system of the fixed parameters, if there is one: others that differ in gaps and restitutions alone have their flow from it.
     like: Option<System>,
 }
 

@@ -79,9 +79,11 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.keep_pressed(flight, end.normal, kick);
         }
         let after = self.point.motion(flight, self.contact);
-        // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop, and shifts nothing.
-        let still = velocity.abs() <= contact::unresolved(normal, end.side, &arrived.state);
-        let stays = still && rests(flight, &self.point, self.contact, end);
+        let closed = self.closed(flight, end, rebound, &after);
+        // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop: it shifts nothing, and nothing
+        // rebounds.
+        let stays =
+            closed.is_some() && velocity.abs() <= contact::unresolved(normal, end.side, &arrived.state);
         if velocity != T::zero() && !stays && !tangents.is_empty() {
             if self.under_way {
                 let rest = (flight.h - self.offset) * flight.inverse_h;
@@ -98,7 +100,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         }
         let impact =
             Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
-        let Some(resting) = self.closed(flight, end, rebound, &after) else {
+        let Some(resting) = closed else {
             if let Some(corner) = corner::closes(flight, &self.point, self.contact, end) {
                 let beside = corner.since(self.contact.with(end));
                 self.catch(flight, tangents, corner);
@@ -114,11 +116,10 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             self.bounce(flight, tangents, end.normal, kick);
             return Event::Impact(impact);
         };
-        // Where it is still there was no impact, and nothing rebounds.
-        let impact = if still { Impact { velocity_before: T::zero(), ..impact } } else { impact };
+        let impact = if stays { Impact { velocity_before: T::zero(), ..impact } } else { impact };
         self.point = resting;
         self.catch(flight, tangents, self.contact.with(end));
-        let complete_chatter = !still && rebound.abs() > T::zero();
+        let complete_chatter = !stays && rebound.abs() > T::zero();
         Event::Caught { impact, complete_chatter, beside: Contact::FREE }
     }
 
