@@ -30,9 +30,14 @@ fn exact_half_unit(value: f32, below: bool) -> f32 {
     return select(unit, 0.5 * unit, below & ((bits & 0x007fffffu) == 0u));
 }
 
-// Whether nothing overflows or underflows on the way.
+// Whether nothing overflows or underflows on the way, what is small being scaled.
 fn exact_is_ordinary(value: f32) -> bool {
-    return (abs(value) > 1e-12) & (abs(value) < 1e12);
+    return (abs(value) > 1e-34) & (abs(value) < 1e12);
+}
+
+// What a number is multiplied by where it is small, so that nothing underflows that is computed with it, and what undoes that.
+fn exact_scale(value: f32) -> vec2<f32> {
+    return select(vec2(1.0), vec2(0x1p+76, 0x1p-76), abs(value) < 1e-12);
 }
 
 fn exact_quotient(dividend: f32, divisor: f32) -> f32 {
@@ -40,9 +45,14 @@ fn exact_quotient(dividend: f32, divisor: f32) -> f32 {
     if !exact_is_ordinary(dividend) | !exact_is_ordinary(divisor) {
         return near;
     }
-    let a = abs(dividend);
-    let b = abs(divisor);
-    let guess = abs(near);
+    if (abs(near) < 1e-34) | (abs(near) > 1e34) {
+        return near;
+    }
+    let up = exact_scale(dividend);
+    let down = exact_scale(divisor);
+    let a = abs(dividend) * up.x;
+    let b = abs(divisor) * down.x;
+    let guess = abs(near) * (up.x * down.y);
     let nearer = guess + exact_rest(a, guess, b) / b;
     let rest = exact_rest(a, nearer, b);
     var quotient = nearer;
@@ -51,7 +61,7 @@ fn exact_quotient(dividend: f32, divisor: f32) -> f32 {
     } else if -rest > exact_half_unit(nearer, true) * b {
         quotient = exact_neighbour(nearer, -1);
     }
-    return select(quotient, -quotient, near < 0.0);
+    return select(quotient, -quotient, near < 0.0) * (up.y * down.x);
 }
 
 fn exact_root(square: f32) -> f32 {
@@ -59,13 +69,18 @@ fn exact_root(square: f32) -> f32 {
     if !exact_is_ordinary(square) {
         return near;
     }
-    let nearer = near + exact_rest(square, near, near) / (2.0 * near);
-    let rest = exact_rest(square, nearer, nearer);
+    let scale = exact_scale(square).x;
+    let scaled = square * scale;
+    // The roots of that scale and of what undoes it.
+    let of_root = select(vec2(1.0), vec2(0x1p+38, 0x1p-38), scale > 1.0);
+    let guess = near * of_root.x;
+    let nearer = guess + exact_rest(scaled, guess, guess) / (2.0 * guess);
+    let rest = exact_rest(scaled, nearer, nearer);
     var root = nearer;
     if rest > 2.0 * exact_half_unit(nearer, false) * nearer {
         root = exact_neighbour(nearer, 1);
     } else if -rest >= 2.0 * exact_half_unit(nearer, true) * nearer {
         root = exact_neighbour(nearer, -1);
     }
-    return root;
+    return root * of_root.y;
 }

@@ -12,7 +12,7 @@ use super::files;
 const ARITHMETIC: [f64; 4] = [0.0, 1.0, 2.0, 0.5];
 
 /// Numbers that a formula consists of: the file, the number, how often it is there, and the formula.
-const FORMULAS: [(&str, &str, usize, &str); 30] = [
+const FORMULAS: [(&str, &str, usize, &str); 34] = [
     ("analysis/extent.wgsl", "0.25", 1, "a quarter of a piece, from one point of its quadrature to the next"),
     ("analysis/extent.wgsl", "15.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
     ("analysis/extent.wgsl", "16.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
@@ -45,6 +45,10 @@ const FORMULAS: [(&str, &str, usize, &str); 30] = [
     ("shared/exact.wgsl", "0x0c000000u", 1, "24 in the exponent of an f32"),
     ("shared/exact.wgsl", "0x7f800000u", 1, "the bits of the exponent in an f32"),
     ("shared/exact.wgsl", "1e-12", 1, "far from underflow; there is no such correction in Rust"),
+    ("shared/exact.wgsl", "1e-34", 2, "as far from underflow, once what is small is scaled"),
+    ("shared/exact.wgsl", "1e34", 1, "a quotient as far from overflow"),
+    ("shared/exact.wgsl", "38", 2, "2³⁸, the root of what scales small numbers"),
+    ("shared/exact.wgsl", "76", 2, "2⁷⁶, what scales small numbers"),
     ("shared/exact.wgsl", "1e12", 1, "far from overflow; there is no such correction in Rust"),
     ("shared/exact.wgsl", "4097.0", 2, "2¹² + 1 splits an f32 in halves"),
     ("shared/numbers.wgsl", "0x7f800000u", 2, "the bits of the exponent in an f32"),

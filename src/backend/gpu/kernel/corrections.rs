@@ -89,21 +89,21 @@ fn pairs() -> Vec<Pair> {
                 _ => b = f32::from_bits(0x3f80_0000 - 4 + i / 4 % 9),
             }
             let sign = if rng.random() { 1.0 } else { -1.0 };
-            let scale = 2.0_f32.powi(rng.random_range(-30..30));
-            Pair {
-                a: sign * a * scale,
-                b: b * 2.0_f32.powi(rng.random_range(-30..30)),
-                off: rng.random_range(-3..=3),
-            }
+            // Of order one, and as small as the squares of micrometres.
+            let least = if i % 3 == 0 { -100 } else { -30 };
+            let mut scale = || 2.0_f32.powi(rng.random_range(least..30));
+            let (a, b) = (sign * a * scale(), b * scale());
+            Pair { a, b, off: rng.random_range(-3..=3) }
         })
         .collect()
 }
 
-/// How many quotients and roots are not those of IEEE 754.
+/// How many quotients and roots are not those of IEEE 754; quotients that overflow or underflow, or nearly, are the driver's.
 fn wrong(pairs: &[Pair], results: &[[f32; 2]]) -> [usize; 2] {
     let is_wrong = |k: usize, (pair, result): (&Pair, &[f32; 2])| {
         let right = [pair.a / pair.b, pair.a.abs().sqrt()];
-        result[k].to_bits() != right[k].to_bits()
+        let ordinary = (1.1e-34..0.9e34).contains(&right[k].abs());
+        ordinary && result[k].to_bits() != right[k].to_bits()
     };
     [0, 1].map(|k| pairs.iter().zip(results).filter(|&both| is_wrong(k, both)).count())
 }
