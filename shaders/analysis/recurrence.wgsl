@@ -142,9 +142,9 @@ fn anchor_distance(state: State) -> f32 {
     return state_distance(state, observer.recurrence.anchor);
 }
 
-// The largest difference of a state's components from another's.
+// The largest difference of a state's components from another's: in units of what is of order one, relative above.
 fn state_distance(state: State, anchor: State) -> f32 {
     let distance = max(largest(state.x - anchor.x), largest(state.v - anchor.v));
-    let size = max(max(largest(anchor.x), largest(anchor.v)), 1.0);
+    let size = max(max(largest(anchor.x), largest(anchor.v)), stops.unit);
     return distance / size;
 }

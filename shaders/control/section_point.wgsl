@@ -71,9 +71,11 @@ fn section_plus(section: SectionPoint, correction: SectionPoint) -> SectionPoint
     return section_with_tau(sum, into_turn(section_tau(sum)));
 }
 
+// The largest difference of a component, that of τ as it is, others in units of what is of order one.
 fn section_distance(a: SectionPoint, b: SectionPoint) -> f32 {
     let difference = section_minus(a, b);
-    return max(largest(difference.head), largest(difference.tail));
+    let rest = section_with_tau(difference, 0.0);
+    return max(max(largest(rest.head), largest(rest.tail)) / stops.unit, abs(section_tau(difference)));
 }
 
 // The square of the Euclidean length.

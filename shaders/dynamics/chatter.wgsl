@@ -35,7 +35,7 @@ fn chatter_close(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
         let lasts = time + time;
         let closes = lasts <= rebound.room
             && change <= STEADY
-            && effect * change <= CHATTER
+            && effect * change <= CHATTER * stops.unit
             && stays_low(normal, speed, force);
         if closes {
             return Closure(true, gap_integral, speed * speed / force, lasts);
@@ -59,17 +59,17 @@ fn chatter_drag(normal: u32, rebound: Rebound, towards: Approach) -> Closure {
     let force = towards.acceleration;
     let drift = abs(towards.jerk + damping * force);
     let steady = (speed + speed) * drift <= STEADY * (force * force);
-    if !(damping > 0.0 && steady && speed <= FADING && stays_low(normal, speed, force)) {
+    if !(damping > 0.0 && steady && speed <= FADING * stops.unit && stays_low(normal, speed, force)) {
         return Closure(false, 0.0, 0.0, 0.0);
     }
     let most = speed * speed / ((force + force) * damping);
-    let slow = speed * INVERSE_SLOW;
+    let slow = speed * INVERSE_SLOW / stops.unit;
     var fades = slow <= 1.0;
     if !fades {
         let needed = 3.0 * logarithm(slow);
         fades = damping * rebound.room >= needed && damping * force >= (needed + needed) * drift;
     }
-    if !(fades && most * flight.normals[normal].coupling <= PUSH) {
+    if !(fades && most * flight.normals[normal].coupling <= PUSH * stops.unit) {
         return Closure(false, 0.0, 0.0, 0.0);
     }
     let k = 1.5 * (1.0 - rebound.restitution) * force / damping;

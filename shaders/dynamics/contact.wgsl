@@ -52,7 +52,7 @@ fn contact_extent(point: Point, end: End) -> f32 {
 
 // Speeds and accelerations up to this cannot be told from 0: d·v is a difference of velocities.
 fn unresolved(end: End, state: State) -> f32 {
-    var size = abs(stops.gap[end.normal][end.side]) + 1.0;
+    var size = abs(stops.gap[end.normal][end.side]) + stops.unit;
     //: each coordinate
     size = size + abs(flight.normals[end.normal].direction$c * state.v$c);
     //: end

@@ -43,5 +43,5 @@ fn corner_is_near(point: Point, end: End) -> bool {
 
 // The size of a gap that is left out.
 fn corner_negligible(point: Point, end: End) -> f32 {
-    return max(TOUCH * contact_extent(point, end), CHATTER);
+    return max(TOUCH * contact_extent(point, end), CHATTER * stops.unit);
 }

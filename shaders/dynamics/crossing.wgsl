@@ -111,13 +111,14 @@ fn crossing_stays_off(face: Face, gap: f32, width: f32, ways: vec2<f32>, time: f
 // Whether the rebounds that follow an impact can surely not be closed, so that it ends in flight.
 fn crossing_parts(end: End, restitution: f32, rebound: f32, state: State, force: f32) -> bool {
     let speed = abs(rebound);
-    let slow = max(unresolved(end, state), FADING);
+    let slow = max(unresolved(end, state), FADING * stops.unit);
     let loss = 1.0 - restitution;
     let cubic_loss = 1.0 - restitution * restitution * restitution;
     let drift = (flight.rate + flight.rate) * speed;
     let steady = drift < force * loss * STEADY_BOUND;
-    let effect = flight.normals[end.normal].coupling * drift * (speed * speed * speed) * TWO_THIRDS;
-    let lost = effect < (force * force * force) * (loss * cubic_loss) * CHATTER_BOUND;
+    let ratio = speed / force;
+    let effect = flight.normals[end.normal].coupling * drift * (ratio * ratio * ratio) * TWO_THIRDS;
+    let lost = effect < (loss * cubic_loss) * (CHATTER_BOUND * stops.unit);
     let may_close = (0.0 < force) & steady & lost;
     return (slow < speed) & !may_close;
 }

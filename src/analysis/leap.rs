@@ -11,7 +11,7 @@ use super::turn::Turn;
 use crate::model::vector::dot;
 use crate::model::{Flight, Real, State};
 
-/// The longest leap, absolute for states of order one and less, relative above: its end must be a neighbour.
+/// The longest leap, in units of [`Flight::unit`] for states of order one and less, relative above: its end must be a neighbour.
 pub const LONGEST_LEAP: f64 = 1e-3;
 /// The largest share of the last return's distance that may be left of the next one's after a leap.
 pub const LEFT_BY_LEAP: f64 = 0.1;
@@ -42,13 +42,13 @@ impl<T: Real, const N: usize> Observer<T, N> {
     fn leap_from_return(&mut self, flight: &Flight<T, N>, schedule: &Schedule) -> bool {
         let state = self.trajectory.point.state;
         let anchor = self.recurrence.anchor();
-        let missed = distance(&state, &anchor);
+        let missed = distance(flight, &state, &anchor);
         let target = anchor.added(&self.turn.followed_for_ever(&state.plus(-T::one(), &anchor)));
         let returned =
             self.recurrence.n > 0 && self.recurrence.since == self.turn.n && self.turn.exponent < T::zero();
         let neared = missed > T::of(T::AT_REST) && missed <= T::of(LEFT_BY_LEAP) * self.turn.missed;
         let leads_there = target.is_finite()
-            && distance(&target, &state) <= T::of(LONGEST_LEAP)
+            && distance(flight, &target, &state) <= T::of(LONGEST_LEAP)
             && is_between_stops(flight, &target);
         let has_time = self.periods + self.turn.n <= schedule.transient;
         let may_leap = self.leaps > 0 && has_time && self.trajectory.contact.is_free();
@@ -108,7 +108,7 @@ mod tests {
         }
         let state = State { x: [place + step, 0.0], ..anchor };
         observer.trajectory.point = Point { state, ..observer.trajectory.point };
-        observer.recurrence.at_strobe(&observer.trajectory.point, 1e-4, 32, false);
+        observer.recurrence.at_strobe(flight, &observer.trajectory.point, 1e-4, 32, false);
         observer
     }
 
@@ -157,7 +157,7 @@ mod tests {
         let mut mirrored = returned();
         mirrored.recurrence = Recurrence::anchored(State { x: [-0.1 + 5e-6, 0.0], v: [0.1, 0.2] });
         mirrored.trajectory.point.state = State { x: [-0.1 + 4e-6, 0.0], v: [0.1, 0.2] };
-        mirrored.recurrence.at_strobe(&mirrored.trajectory.point, 1e-4, 32, false);
+        mirrored.recurrence.at_strobe(&flight, &mirrored.trajectory.point, 1e-4, 32, false);
         assert_eq!(leaps_to(mirrored, &flight), None, "beyond the lower stop");
         let mut leapt = returned();
         assert!(leapt.leap(&flight, &SCHEDULE));
@@ -175,7 +175,7 @@ mod tests {
             observer.turn = Turn::over(turn);
             observer.trajectory.point.state = State { x: [0.02 + apart, 0.0], ..anchor };
             for _ in 0..3 {
-                observer.recurrence.at_strobe(&observer.trajectory.point, 1e-4, 32, false);
+                observer.recurrence.at_strobe(&flight, &observer.trajectory.point, 1e-4, 32, false);
             }
             observer.is_to_leap(&schedule)
         };
@@ -205,7 +205,8 @@ mod tests {
             assert!(leapt.leaps < MOST_LEAPS - 1, "{} leaps are left at {omega}, {delta}", leapt.leaps);
             assert!(leapt.is_settled() && leapt.recurrence.is_within(T::of(T::ROUNDING)), "{omega}, {delta}");
             assert_eq!([leapt.recurrence.n, waited.recurrence.n], [1; 2]);
-            let away = distance(&leapt.trajectory.point.state, &waited.trajectory.point.state).widen();
+            let away =
+                distance(&flight, &leapt.trajectory.point.state, &waited.trajectory.point.state).widen();
             assert!(away <= 10.0 * T::SETTLED, "{away} at {omega}, {delta}");
             let [periods, longer] = [leapt.periods, waited.periods];
             assert!(4 * periods < 3 * longer, "{periods} and {longer} periods at {omega}, {delta}");

@@ -174,12 +174,12 @@ impl<T: Real, const N: usize> Observer<T, N> {
     }
 
     /// How often it may pass phase 0 in free flight before it is to see that.
-    pub(super) fn unseen(&self, schedule: &Schedule) -> Unseen<T, N> {
+    pub(super) fn unseen(&self, flight: &Flight<T, N>, schedule: &Schedule) -> Unseen<T, N> {
         if self.stage != Stage::Transient || self.turn.is_measured() {
             return Unseen::none();
         }
         let most = schedule.transient.saturating_sub(self.periods + 1).min(MOST_UNSEEN);
-        let recurrence = self.recurrence.unseen(self.periods, schedule.max_period);
+        let recurrence = self.recurrence.unseen(flight, self.periods, schedule.max_period);
         if schedule.fixed_periods {
             Unseen { strobes: most, nearest: -T::one(), ..recurrence }
         } else {
@@ -229,8 +229,8 @@ mod tests {
         let recurrence = Recurrence::anchored(State::zero());
         let observer = Observer { periods, recurrence, ..begun };
         // A turn that was measured waits for its return.
-        assert_eq!(Observer { turn: Turn::over(1), ..observer }.unseen(schedule).strobes, 0);
-        observer.unseen(schedule).strobes
+        assert_eq!(Observer { turn: Turn::over(1), ..observer }.unseen(&flight, schedule).strobes, 0);
+        observer.unseen(&flight, schedule).strobes
     }
 
     #[test]

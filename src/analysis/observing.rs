@@ -12,7 +12,7 @@ use crate::dynamics::{Event, Move, Point, Stop, Tangent};
 use crate::model::{Flight, Real};
 
 /// The largest distance between strobe states of a motion that is called periodic, and from the mirror image of one that is
-/// called symmetric; absolute for states of order one and less, relative above.
+/// called symmetric; in units of [`Flight::unit`] for states of order one and less, relative above.
 pub const RETURNED: f64 = 1e-4;
 /// Periods of returns in the transient after which a trajectory finishes early where it returns to [`Real::SETTLED`].
 pub const SETTLING: u32 = 64;
@@ -164,7 +164,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
                 return (Observation::NONE, false);
             }
             let patience = patience(self.periods, schedule.max_period);
-            self.recurrence.at_strobe(&point, T::of(T::RETURNING), patience, false);
+            self.recurrence.at_strobe(flight, &point, T::of(T::RETURNING), patience, false);
             leapt = self.leap(flight, schedule);
             let at_rest = self.recurrence.is_within(T::of(T::AT_REST));
             let settled = if at_rest {
@@ -192,7 +192,13 @@ impl<T: Real, const N: usize> Observer<T, N> {
         let point = self.trajectory.point;
         self.observed += 1;
         let half = self.observe / 2;
-        self.recurrence.at_strobe(&point, T::of(RETURNED), schedule.max_period, self.observed >= half);
+        self.recurrence.at_strobe(
+            flight,
+            &point,
+            T::of(RETURNED),
+            schedule.max_period,
+            self.observed >= half,
+        );
         self.measure_growth(flight);
         if self.observed <= 2 * half {
             self.spread.at_strobe(&point.state, self.observed > half);

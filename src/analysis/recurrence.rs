@@ -120,15 +120,22 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         let Some(mirror) = &flight.mirror else { return };
         if self.awaits_mirror(flight) {
             let mirrored = State { x: applied(mirror, &point.state.x), v: applied(mirror, &point.state.v) };
-            self.symmetric = distance(&mirrored, &self.anchor) <= tolerance;
+            self.symmetric = distance(flight, &mirrored, &self.anchor) <= tolerance;
         }
     }
 
     /// Sees the state at phase 0; `late` is the later half of the time in which the motion is to be compared with itself.
     #[inline(always)]
-    pub fn at_strobe(&mut self, point: &Point<T, N>, tolerance: T, max_period: u32, late: bool) {
+    pub fn at_strobe(
+        &mut self,
+        flight: &Flight<T, N>,
+        point: &Point<T, N>,
+        tolerance: T,
+        max_period: u32,
+        late: bool,
+    ) {
         self.since += 1;
-        let away = distance(&point.state, &self.anchor);
+        let away = distance(flight, &point.state, &self.anchor);
         if self.n == 0 {
             if away <= tolerance {
                 self.n = self.since;
@@ -173,12 +180,12 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
 
     /// How many strobes of the transient it need not see, the trajectory being so many periods old, while the state stays off the
     /// anchor: those at which its return is still waited for, so that the anchor stays; see [`patience`]. None after a return.
-    pub fn unseen(&self, periods: u32, max_period: u32) -> Unseen<T, N> {
+    pub fn unseen(&self, flight: &Flight<T, N>, periods: u32, max_period: u32) -> Unseen<T, N> {
         // As many k as have since + k < (periods + k) / PATIENCE_SHARE and since + k < max_period.
         let first = self.since + 1;
         let by_age = periods.saturating_sub(PATIENCE_SHARE * first) / (PATIENCE_SHARE - 1);
         let strobes = if self.n == 0 { by_age.min(max_period.saturating_sub(first)) } else { 0 };
-        let mut size = T::one();
+        let mut size = flight.unit;
         for i in 0..2 * N {
             size = self.anchor.get(i).abs().max(size);
         }
@@ -233,11 +240,15 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
     }
 }
 
-/// The largest difference of two states' components: absolute for states of order one and less, relative above.
+/// The largest difference of two states' components: in units of [`Flight::unit`] for states of order one and less, relative above.
 #[inline(always)]
-pub(super) fn distance<T: Real, const N: usize>(state: &State<T, N>, anchor: &State<T, N>) -> T {
+pub(super) fn distance<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
+    state: &State<T, N>,
+    anchor: &State<T, N>,
+) -> T {
     let mut distance = T::zero();
-    let mut size = T::one();
+    let mut size = flight.unit;
     for i in 0..2 * N {
         let difference = (state.get(i) - anchor.get(i)).abs();
         distance = if difference > distance { difference } else { distance };
@@ -258,15 +269,17 @@ mod tests {
 
     #[test]
     fn strobes_are_unseen_until_the_anchor_moves() {
+        let flight = Flight::<f64, 1>::blank(1, 0.0);
         let mut most = 0;
         for max_period in [0, 1, 2, 7, 32, 100] {
             for periods in 0..500 {
                 for since in (0..40).filter(|&since| since <= periods) {
-                    let anchored = Recurrence::<f64, 1>::anchored(State::zero());
-                    let unseen = Recurrence { since, ..anchored }.unseen(periods, max_period);
-                    assert_eq!(unseen.strobes, tried(since, periods, max_period));
-                    most = most.max(unseen.strobes);
-                    assert_eq!(Recurrence { since, n: 1, ..anchored }.unseen(periods, max_period).strobes, 0);
+                    let waiting = Recurrence { since, ..Recurrence::anchored(State::zero()) };
+                    let unseen = waiting.unseen(&flight, periods, max_period).strobes;
+                    assert_eq!(unseen, tried(since, periods, max_period));
+                    let returned = Recurrence { n: 1, ..waiting };
+                    assert_eq!(returned.unseen(&flight, periods, max_period).strobes, 0);
+                    most = most.max(unseen);
                 }
             }
         }
@@ -275,10 +288,13 @@ mod tests {
 
     #[test]
     fn what_is_unseen_is_farther_than_a_return() {
-        let anchor = State { x: [-20.0], v: [3.0] };
-        let unseen = Recurrence::anchored(anchor).unseen(100, 32);
-        let beside = State { x: [-20.0], v: [3.0 + unseen.nearest] };
-        let away = distance(&beside, &anchor);
-        assert!(away > f64::RETURNING && away < 1.01 * f64::RETURNING, "{away}");
+        // Large, small, and small where all is.
+        for (place, unit) in [(-20.0, 1.0), (-0.2, 1.0), (-2e-6, 1e-6), (-2e-8, 1e-6)] {
+            let flight = Flight { unit, ..Flight::blank(1, 0.0) };
+            let anchor = State { x: [place], v: [0.1 * place] };
+            let nearest = Recurrence::anchored(anchor).unseen(&flight, 100, 32).nearest;
+            let away = distance(&flight, &State { v: [0.1 * place + nearest], ..anchor }, &anchor);
+            assert!(away > f64::RETURNING && away < 1.01 * f64::RETURNING, "{away} at {place}");
+        }
     }
 }

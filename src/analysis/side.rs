@@ -83,7 +83,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Side<L, N, Q> {
         self.abreast.set_tangent(lane, observer.carried());
         self.abreast.set_halt(lane, observer.awaits_mirror(flight));
         self.abreast.begin_tally(lane, observer.peak, observer.loss.energy, observer.moves);
-        self.abreast.set_unseen(lane, &observer.unseen(schedule));
+        self.abreast.set_unseen(lane, &observer.unseen(flight, schedule));
     }
 
     /// Takes a lane's trajectory out, and gives the lane the next.
@@ -134,7 +134,7 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Side<L, N, Q> {
         } else if observing || seat.observer.carried().is_some() {
             self.carry_on(lane, schedule);
         } else {
-            self.abreast.set_unseen(lane, &seat.observer.unseen(schedule));
+            self.abreast.set_unseen(lane, &seat.observer.unseen(&seat.flight, schedule));
         }
     }
 

@@ -106,7 +106,7 @@ impl Cell {
 fn index(axis: &Axis, value: f64) -> Result<u32> {
     let steps = f64::from(axis.count - 1);
     let at = if axis.count == 1 { value - axis.first } else { axis.place(value) };
-    let rounding = 1e-9 * (1.0 + value.abs());
+    let rounding = 1e-9 * value.abs();
     let half = if axis.count == 1 { rounding } else { 0.5 };
     if !(-half..=steps + half).contains(&at) {
         return Err(wrong!("{} = {value} lies outside the map, whose axis is {axis}", axis.quantity.name()));

@@ -7,7 +7,7 @@ use clap::Args;
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Backend, Job, decide};
 use impact_atlas::model::{StateVector, System};
-use impact_atlas::plane::{Component, Plane, Start, Window};
+use impact_atlas::plane::{Plane, Start, Window};
 use impact_atlas::sweep::certify_window;
 use serde::Serialize;
 
@@ -17,7 +17,7 @@ use super::options::{BackendArgs, SystemArgs, start_state};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, parse};
-use super::{CliError, Result, defaults, note};
+use super::{CliError, Result, defaults, multipliers, note};
 
 /// Follows one trajectory and says what it settles on
 ///
@@ -220,21 +220,16 @@ impl Classification {
         format!(
             "{}{symmetric}\n\
              largest Lyapunov exponent   {exponent}\n\
-             largest impact velocity     {:.6}\n\
+             largest impact velocity     {}\n\
              state at forcing phase 0    {}\n\
              start                       {}: {}\n\
              forcing periods             {}",
             self.label,
-            self.peak_impact_velocity,
-            components(self.state),
+            multipliers::velocity(self.peak_impact_velocity.into()),
+            multipliers::state(&self.state),
             self.taken,
-            components(self.start_state),
+            multipliers::state(&self.start_state),
             self.periods
         )
     }
-}
-
-fn components(state: StateVector) -> String {
-    let named = Component::all(state.coordinates()).zip(state.iter());
-    named.map(|(component, value)| format!("{} {value:.9}", component.name())).collect::<Vec<_>>().join(", ")
 }

@@ -69,7 +69,7 @@ pub struct ControlArgs {
     #[arg(long, value_name = "M", value_parser = counted(1, LONGEST as u32), default_value_t = ControlSchedule::MAX_PERIOD)]
     max_period: u32,
 
-    /// How near the final points count as converged
+    /// How near the final points count as converged: τ within T, displacements and velocities within T of what is of order one
     #[arg(long, value_name = "T", default_value_t = 1e-6, allow_negative_numbers = true)]
     tolerance: f64,
 

@@ -6,7 +6,7 @@ use impact_atlas::control::{
 use impact_atlas::model::System;
 use serde::Serialize;
 
-use super::{CliError, Result};
+use super::{CliError, Result, multipliers as written};
 
 /// What is printed; every quantity non-dimensional.
 #[derive(Debug, Serialize)]
@@ -80,7 +80,7 @@ impl Report {
             section_names: section_names(system.plant(), controller.stop()),
             label_after: if outcome.runaway { "runaway".to_owned() } else { outcome.verdict.label() },
             fixed_point,
-            converged_at: converged_at(returns, from, outcome.period, tolerance),
+            converged_at: converged_at(system, returns, from, outcome.period, tolerance),
             tolerance,
             effort: outcome.effort,
             period_two: (outcome.period == 2).then(|| [point(1), point(0)]),
@@ -100,14 +100,7 @@ impl Report {
             format!("before control  {}", self.label_before),
             format!("under control   {}", self.label_after),
         ];
-        let point = |values: SectionValues<f64>| {
-            let named = self
-                .section_names
-                .iter()
-                .zip(values.iter())
-                .map(|(name, value)| format!("{name} {value:.9}"));
-            named.collect::<Vec<_>>().join(", ")
-        };
+        let point = |values: SectionValues<f64>| written::point(self.section_names.iter().cloned(), &values);
         lines.extend(self.fixed_point.map(|fixed| format!("fixed point     {}", point(fixed))));
         if let Some([a, b]) = self.period_two {
             lines.push(format!("period two      {}\n                {}", point(a), point(b)));

@@ -1,4 +1,6 @@
-//! How multipliers and sections are printed.
+//! How multipliers, states and sections are printed.
+
+use std::ops::Range;
 
 use impact_atlas::backend::{Backend, Cpu};
 use impact_atlas::dynamics::Stop;
@@ -44,11 +46,28 @@ fn number(value: f64, decimals: usize) -> String {
     }
 }
 
+/// Below this, decimals would be zeros, and from its end on digits that mean nothing: numbers are written with an exponent there.
+const PLAIN: Range<f64> = 1e-2..1e6;
+
+/// A displacement or a velocity with so many decimals, where the largest that it stands beside has them.
+fn measured(value: f64, decimals: usize, largest: f64) -> String {
+    if largest == 0.0 || !largest.is_finite() || PLAIN.contains(&largest) {
+        number(value, decimals)
+    } else {
+        format!("{:.decimals$e}", value + 0.0)
+    }
+}
+
+/// A velocity as text.
+pub fn velocity(value: f64) -> String {
+    measured(value, 6, value.abs())
+}
+
 /// A state at forcing phase 0 as text.
 pub fn state(state: &[f64]) -> String {
     let n = state.len() / 2;
     let name = |i: usize| if i < n { format!("x{}", i + 1) } else { format!("v{}", i + 1 - n) };
-    named((0..2 * n).map(name), state)
+    point((0..2 * n).map(name), state)
 }
 
 /// A point of the impact Poincaré section at a stop as text.
@@ -56,12 +75,20 @@ pub fn section(system: &System, stop: Stop, section: &[f64]) -> String {
     let mut names = section_names(system, stop);
     // Just after the impact.
     names[0].push('+');
-    named(names, section)
+    point(names, section)
 }
 
-fn named(names: impl IntoIterator<Item = String>, values: &[f64]) -> String {
-    let texts = names.into_iter().zip(values).map(|(name, &value)| format!("{name} {}", number(value, 9)));
-    texts.collect::<Vec<_>>().join(", ")
+/// Displacements, velocities and phases with their names, by the first letter of which they are told apart.
+pub fn point(names: impl IntoIterator<Item = String>, values: &[f64]) -> String {
+    let named: Vec<(String, f64)> = names.into_iter().zip(values.iter().copied()).collect();
+    let text = |(name, value): &(String, f64)| {
+        let kind = name.chars().next();
+        let same = named.iter().filter(|(other, _)| other.chars().next() == kind);
+        let largest = same.fold(0.0, |largest: f64, (_, value)| largest.max(value.abs()));
+        let text = if kind == Some('t') { number(*value, 9) } else { measured(*value, 9, largest) };
+        format!("{name} {text}")
+    };
+    named.iter().map(text).collect::<Vec<_>>().join(", ")
 }
 
 /// Stability as text.

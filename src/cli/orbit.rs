@@ -19,7 +19,7 @@ use super::orbit_table::Columns;
 use super::progress::Progress;
 use super::terminal::print;
 use super::values::{counted, parse, parse_size};
-use super::{CliError, Result, defaults, interrupt, wrong};
+use super::{CliError, Result, defaults, interrupt, multipliers, wrong};
 
 /// The most points of a trajectory.
 const LARGEST: u64 = 20_000_000;
@@ -287,8 +287,9 @@ fn summary(recording: &Recording, periods: u32, family: &Family) -> String {
         format!("{count} at stop {} ({})", stop.plain_name(), family.stop_place(i))
     });
     format!(
-        "{} impacts in {periods} forcing periods: {}\nlargest impact velocity {fastest:.6}",
+        "{} impacts in {periods} forcing periods: {}\nlargest impact velocity {}",
         impacts.len(),
-        stops.collect::<Vec<_>>().join(", ")
+        stops.collect::<Vec<_>>().join(", "),
+        multipliers::velocity(fastest)
     )
 }

@@ -217,7 +217,7 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
                 if escaped { deviation } else { self.deviations.passed(&self.controller, &seen, deviation) };
             self.deviations.push(deviation);
         }
-        self.memory.push(section, turns, self.at_stops);
+        self.memory.push(flight.unit, section, turns, self.at_stops);
         self.signal = action.signal;
         if on {
             self.effort = self.effort + (action.correction.length() + action.force.abs());

@@ -2,7 +2,7 @@
 
 use super::witness::{Return, Witness};
 use crate::dynamics::{Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Trajectory, resting_on};
-use crate::model::{Flight, StateVector};
+use crate::model::{Flight, StateVector, System};
 
 /// Samples nearer to an impact than this, in units of their distance, are left out.
 const NEAR: f64 = 1e-3;
@@ -102,17 +102,23 @@ impl Witness<f64> for History {
 }
 
 /// Iterates from switching control on until the points stay within `tolerance` of the last `period` of them, which
-/// repeat; `None` where they do not.
-pub fn converged_at(returns: &[Return<f64>], from: u32, period: u32, tolerance: f64) -> Option<u32> {
+/// repeat, in units of what is of order one in the system; `None` where they do not.
+pub fn converged_at(
+    system: &System,
+    returns: &[Return<f64>],
+    from: u32,
+    period: u32,
+    tolerance: f64,
+) -> Option<u32> {
     let period = period as usize;
     let controlled = returns.get(from as usize..)?;
     if period == 0 || controlled.len() <= 2 * period {
         return None;
     }
-    let end = controlled.len();
+    let (end, unit) = (controlled.len(), system.unit());
     let away = |n: usize| {
         let twin = end - 1 - (end - 1 - n) % period;
-        controlled[n].section.distance(&controlled[twin].section)
+        controlled[n].section.distance(&controlled[twin].section, unit)
     };
     let first = (0..end).rev().take_while(|&n| away(n) <= tolerance).last()?;
     (end - first > 2 * period).then_some(first as u32)

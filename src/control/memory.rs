@@ -56,8 +56,8 @@ impl<T: Real, const N: usize> Memory<T, N> {
         }
     }
 
-    /// Takes in the point of the present return.
-    pub fn push(&mut self, point: SectionPoint<T, N>, turns: T, impacts: Counts) {
+    /// Takes in the point of the present return; `unit` is what is of order one.
+    pub fn push(&mut self, unit: T, point: SectionPoint<T, N>, turns: T, impacts: Counts) {
         let kept = (self.reach as usize).max(LONGEST_DELAY);
         for i in (1..=kept).rev() {
             self.points[i] = self.points[i - 1];
@@ -69,7 +69,7 @@ impl<T: Real, const N: usize> Memory<T, N> {
         self.impacts[0] = impacts;
         self.seen += 1;
         for m in 1..=self.reach as usize {
-            let away = if self.seen > m as u32 { point.distance(&self.points[m]) } else { T::one() };
+            let away = if self.seen > m as u32 { point.distance(&self.points[m], unit) } else { T::one() };
             if away > T::of(RETURNED) {
                 self.returning[m - 1] = self.seen;
             }

@@ -2,6 +2,7 @@
 
 use nalgebra::{Complex, ComplexField, DMatrix};
 
+use super::components::Components;
 use super::controlled::Controlled;
 use super::deviation::DELAYS;
 use super::force::InFlight;
@@ -15,7 +16,7 @@ use crate::dynamics::{Contact, Point, Trajectory};
 use crate::model::vector::MOST;
 use crate::model::{Flight, System, SystemError};
 
-/// How far the points are moved for the differences; non-dimensional.
+/// How far the points are moved for the differences, in units of what is of order one; in τ, so far.
 const STEP: f64 = 1e-6;
 
 /// The multipliers of one controlled iterate at a fixed point of it on the section of the controller's stop, the adaptation
@@ -55,7 +56,7 @@ impl InFlight for Held<'_> {
         let flight = Flight::<f64, M>::new(flown);
         let surface = Surface::new(self.system, &flight, self.held.stop());
         let at = vec![SectionPoint::<f64, N>::new(self.fixed_point); self.remembered];
-        let jacobian = differences(|points| iterate(&flight, surface, self.held, points), &at)?;
+        let jacobian = differences(|points| iterate(&flight, surface, self.held, points), &at, flight.unit)?;
         let mut found: Vec<Complex<f64>> = jacobian.complex_eigenvalues().iter().copied().collect();
         found.sort_by(|a, b| b.modulus().total_cmp(&a.modulus()));
         Some(found)
@@ -66,6 +67,7 @@ impl InFlight for Held<'_> {
 fn differences<const N: usize>(
     map: impl Fn(&[SectionPoint<f64, N>]) -> Option<SectionPoint<f64, N>>,
     at: &[SectionPoint<f64, N>],
+    unit: f64,
 ) -> Option<DMatrix<f64>> {
     let components = 2 * N;
     let size = components * at.len();
@@ -76,9 +78,12 @@ fn differences<const N: usize>(
             moved[j / components].components[j % components] += by;
             map(&moved)
         };
-        let difference = moved(STEP)?.minus(&moved(-STEP)?);
+        // Of a map in units of what is of order one: its entries are of one size.
+        let one = |component: usize| if component == Components::<f64, N>::TAU { 1.0 } else { unit };
+        let step = STEP * one(j % components);
+        let difference = moved(step)?.minus(&moved(-step)?);
         for (i, value) in difference.values().enumerate() {
-            jacobian[(i, j)] = value / (2.0 * STEP);
+            jacobian[(i, j)] = value / one(i) / (2.0 * STEP);
         }
         if j + components < size {
             jacobian[(j + components, j)] = 1.0;
@@ -106,7 +111,7 @@ fn iterate<const N: usize, const M: usize>(
     let begun = Trajectory::from_point(flight, point, Contact::FREE, placed.step, placed.offset);
     let mut controlled = Controlled::<_, N, M>::new(begun, surface, controller, &schedule);
     for past in points.iter().rev() {
-        controlled.memory.push(*past, 1.0, [0; MOST]);
+        controlled.memory.push(flight.unit, *past, 1.0, [0; MOST]);
     }
     controlled.force(flight);
     let mut last = Last(None);

@@ -48,7 +48,7 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
         let period = self.period(controlled);
         let regime = self.regime(period);
         let (n, impacts) = if period > 0 { self.memory.counts(period) } else { (0, [0; MOST]) };
-        let symmetric = period > 0 && n % 2 == 1 && self.is_symmetric(period, &impacts);
+        let symmetric = period > 0 && n % 2 == 1 && self.is_symmetric(flight, period, &impacts);
         let approach = |point: &SectionPoint<T, N>| {
             self.surface.approach(flight, &self.surface.state(flight, &point.components))
         };
@@ -102,11 +102,11 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
 
     /// Whether the mirror image of the motion half its period later is the motion, as far as its points on σ tell and the
     /// impacts at stops that are each other's images.
-    fn is_symmetric(&self, period: u32, impacts: &Counts) -> bool {
+    fn is_symmetric(&self, flight: &Flight<T, M>, period: u32, impacts: &Counts) -> bool {
         let Some(mirror) = self.surface.mirror else { return false };
         let points = &self.memory.points[..(period as usize).min(LONGEST)];
         (0..MOST).all(|stop| impacts[stop] == impacts[mirror[stop].index()])
-            && points.iter().any(|point| point.distance(&self.mirrored) <= T::of(RETURNED))
+            && points.iter().any(|point| point.distance(&self.mirrored, flight.unit) <= T::of(RETURNED))
     }
 
     fn regime(&self, period: u32) -> Regime {

@@ -102,15 +102,20 @@ impl<T: Real, const N: usize> SectionPoint<T, N> {
         SectionPoint { components }
     }
 
-    /// The largest difference of a component.
+    /// The largest difference of a component, that of τ as it is, others in units of what is of order one.
     #[inline(always)]
-    pub fn distance(&self, other: &Self) -> T {
+    pub fn distance(&self, other: &Self, unit: T) -> T {
+        let mut difference = self.minus(other);
+        let tau = &mut difference[Components::<T, N>::TAU];
+        let late = tau.abs();
+        *tau = T::zero();
         let mut largest = T::zero();
-        for value in self.minus(other).values() {
+        for value in difference.values() {
             let size = value.abs();
             largest = if size > largest { size } else { largest };
         }
-        largest
+        let away = largest / unit;
+        if away > late { away } else { late }
     }
 
     /// Whether every component is a finite number.
@@ -194,12 +199,12 @@ mod tests {
                 let trajectory = point.trajectory(&flight, &surface, Contact::FREE);
                 assert_eq!(trajectory.point.state.x[0], 0.1 * sign);
                 let found = SectionPoint::of(&flight, &surface, &trajectory);
-                assert!(found.distance(&point) < 1e-14, "{tau}: {found:?}");
+                assert!(found.distance(&point, 1.0) < 1e-14, "{tau}: {found:?}");
             }
         }
         let nearly_round = SectionPoint::<f64, 2>::new(&[-0.3, 0.01, 0.02, TAU - 1e-8]);
         let begun = SectionPoint::<f64, 2>::new(&[-0.3, 0.01, 0.02, 1e-8]);
-        assert!(nearly_round.distance(&begun) < 1e-7);
+        assert!(nearly_round.distance(&begun, 1.0) < 1e-7);
     }
 
     #[test]
@@ -211,6 +216,9 @@ mod tests {
         let point = SectionPoint::<f64, 2>::new(&[0.3, 0.01, 0.02, 4.0]);
         let trajectory = point.trajectory(&flight, &at_b, Contact::FREE);
         let image = SectionPoint::<f64, 2>::mirrored(&flight, &at_a, &trajectory).unwrap();
-        assert!(image.distance(&SectionPoint::new(&[-0.3, -0.01, -0.02, 4.0 - PI])) < 1e-14, "{image:?}");
+        assert!(
+            image.distance(&SectionPoint::new(&[-0.3, -0.01, -0.02, 4.0 - PI]), 1.0) < 1e-14,
+            "{image:?}"
+        );
     }
 }

@@ -77,12 +77,13 @@ impl<T: Real> SectionValues<T> {
         difference
     }
 
-    /// The largest difference of a component from another point's on the same section.
-    pub fn distance(&self, other: &Self) -> T {
-        self.minus(other).iter().fold(T::zero(), |largest, value| {
-            let size = value.abs();
-            if size > largest { size } else { largest }
-        })
+    /// The largest difference of a component from another point's on the same section, that of τ as it is, others in units of what is of
+    /// order one; see [`System::unit`](crate::model::System::unit).
+    pub fn distance(&self, other: &Self, unit: T) -> T {
+        let difference = self.minus(other);
+        let (mechanical, tau) = difference.split_at(self.count - 1);
+        let sizes = mechanical.iter().map(|value| value.abs() / unit).chain(tau.iter().map(|tau| tau.abs()));
+        sizes.fold(T::zero(), |largest, size| if size > largest { size } else { largest })
     }
 }
 
@@ -190,8 +191,10 @@ mod tests {
 
     #[test]
     fn phases_differ_the_short_way_round() {
-        let near = SectionValues::new([1.0, 6.2]).distance(&SectionValues::new([1.0, 0.1]));
+        let near = SectionValues::new([1.0, 6.2]).distance(&SectionValues::new([1.0, 0.1]), 0.5);
         assert!((near - (std::f64::consts::TAU - 6.1)).abs() < 1e-15);
-        assert_eq!(SectionValues::new([7.0, 1.0]).distance(&SectionValues::new([0.5, 1.0])), 6.5);
+        let apart =
+            |unit: f64| SectionValues::new([7.0, 1.0]).distance(&SectionValues::new([0.5, 1.0]), unit);
+        assert_eq!([apart(1.0), apart(0.5)], [6.5, 13.0]);
     }
 }

@@ -12,7 +12,9 @@ use super::unknowns::{Span, Unknowns};
 use super::until::Until;
 use crate::model::{Setting, System};
 use crate::theory::newton::arcs;
-use crate::theory::{Flow, Pattern, PeriodicMotion, SectionVector, eigenvalues, phase, turn_along};
+use crate::theory::{
+    Flow, Pattern, PeriodicMotion, SectionVector, eigenvalues, extent, in_units, magnified, phase, turn_along,
+};
 
 /// The longest step, in lengths of the parameter's range.
 const LONGEST: f64 = 0.02;
@@ -29,6 +31,8 @@ const KEPT: f64 = 0.15;
 /// A test function that is no larger on either side of a zero is zero all along, but for rounding: as that of a
 /// Neimark-Sacker bifurcation is where nothing dissipates.
 const ROUNDING: f64 = 1e-9;
+/// A motion whose sections are no farther than this from those of a simpler one is beside it.
+const NEAR: f64 = 1e-3;
 /// Multipliers up to this count as stable.
 const STABLE: f64 = 1.0 + 1e-7;
 
@@ -145,7 +149,7 @@ fn watch(branch: &Branch, y: &DVector<f64>) -> Option<Watched> {
     let sections = unknowns.sections(y);
     let (flow, pattern) = (Flow::new(&system), &unknowns.pattern);
     let arcs = arcs(&flow, pattern, &sections);
-    let map = turn_along(&flow, pattern, &arcs)?;
+    let map = in_units(turn_along(&flow, pattern, &arcs)?, flow.unit);
     let multipliers = eigenvalues(&map)?;
     Some(Watched {
         tests: Kind::smooth(pattern).map(|kind| test_function(kind, &map)),
@@ -212,7 +216,7 @@ fn birth(branch: &Branch, here: &PathPoint, next: &PathPoint, ds: f64) -> Option
 fn smooth_event(branch: &Branch, y: &DVector<f64>, kind: Kind) -> Option<Event> {
     let system = branch.0.system(y)?;
     let seed = branch.seed(y);
-    let multipliers = eigenvalues(&seed.motion.jacobian(&system)?)?;
+    let multipliers = eigenvalues(&in_units(seed.motion.jacobian(&system)?, system.unit()))?;
     let (critical, others) = split(kind, &multipliers);
     let neutral_saddle = kind == Kind::NeimarkSacker && critical[0].im.abs() < 1e-9;
     if neutral_saddle || others.iter().any(|value| value.norm() > STABLE) {
@@ -239,8 +243,10 @@ impl Event {
     fn of_simpler_motion(self, system: &System) -> Self {
         let Some((pattern, differences)) = parting(system, &self.seed().motion) else { return self };
         let count = pattern.stops.len();
-        let near =
-            |(a, difference): (&SectionVector, &SectionVector)| difference.amax() < 1e-3 * (1.0 + a.amax());
+        let unit = system.unit();
+        let near = |(a, difference): (&SectionVector, &SectionVector)| {
+            extent(difference, unit) < NEAR * (1.0 + magnified(a, 1.0 / unit).amax())
+        };
         if !self.sections.iter().zip(&differences).all(near) {
             return self;
         }

@@ -10,9 +10,9 @@ use super::special::{Monitor, monitors};
 use super::touch::{arrival_speeds, touches};
 use crate::model::{Setting, System};
 use crate::theory::newton::arcs;
-use crate::theory::{Arc, Flow, NormalForm, PeriodicMotion, eigenvalues, fly, turn_along};
+use crate::theory::{Arc, Flow, NormalForm, PeriodicMotion, eigenvalues, fly, in_units, turn_along};
 
-/// The length by which a stop may be crossed before it counts; non-dimensional.
+/// The length by which a stop may be crossed before it counts, in units of what is of order one.
 const CROSSED: f64 = 1e-9;
 
 /// Why a curve ends, and what its last point is called.
@@ -72,7 +72,7 @@ pub(super) fn look(locus: &Locus, y: &DVector<f64>, tangent: &DVector<f64>) -> O
     let system = unknowns.system(y)?;
     let (flow, sections) = (Flow::new(&system), unknowns.sections(y));
     let arcs = arcs(&flow, &unknowns.pattern, &sections);
-    let map = turn_along(&flow, &unknowns.pattern, &arcs)?;
+    let map = in_units(turn_along(&flow, &unknowns.pattern, &arcs)?, flow.unit);
     let multipliers = eigenvalues(&map)?;
     let motion = PeriodicMotion { pattern: unknowns.pattern.clone(), sections, residual: 0.0 };
     let (critical, others) = split(locus.kind, &multipliers);
@@ -124,7 +124,7 @@ fn beyond(
     };
     let crossed = touches(system, flow, pattern, &motion.sections)
         .iter()
-        .any(|touch| touch.gap < -CROSSED && !own(touch.arc, touch.phase));
+        .any(|touch| touch.gap < -CROSSED * flow.unit && !own(touch.arc, touch.phase));
     let certified = locus.kind == Kind::Grazing || fly(system, &motion.pattern, &motion.sections).is_ok();
     (crossed || !certified).then_some((End::Grazes, Some(Special::Grazing)))
 }

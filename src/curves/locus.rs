@@ -9,8 +9,8 @@ use super::seeds::Seed;
 use super::touch::Grazing;
 use super::unknowns::{Known, Unknowns};
 use crate::dynamics::Stop;
-use crate::theory::newton::{joints, residual};
-use crate::theory::{Arc, Cyclic, Flow, PeriodicMotion, SectionVector, turn_along};
+use crate::theory::newton::residual;
+use crate::theory::{Arc, Cyclic, Flow, PeriodicMotion, SectionVector, in_units, turn_along};
 
 /// A motion in one parameter: the matching equations alone.
 pub(super) struct Branch(pub Unknowns);
@@ -40,7 +40,7 @@ impl Equations for Branch {
         let arcs = self.0.arcs(&flow, &sections, None);
         let known = Known { flow: &flow, arcs: &arcs };
         let common = differences(y, at..y.len(), |y| self.residual_by(y, Some(known)))?;
-        let joints = joints(&flow, &arcs, &self.0.pattern);
+        let joints = self.0.joints(&flow, &arcs);
         Some(Cyclic { joints, common, others: DMatrix::zeros(0, y.len()) })
     }
 }
@@ -73,14 +73,15 @@ impl Locus {
         let by_section = grazing.by_section();
         let (conditions, size) = by_section.shape();
         let mut all = DMatrix::zeros(conditions, self.unknowns.parameters_at());
-        all.columns_mut(arc * size, size).copy_from(&by_section);
-        all.set_column(self.unknowns.sections_end(), &grazing.by_phase());
+        all.columns_mut(arc * size, size).copy_from(&self.unknowns.by_sections(by_section));
+        all.set_column(self.unknowns.sections_end(), &self.unknowns.left(grazing.by_phase()));
         all
     }
 
     /// The function that vanishes at a smooth bifurcation, of a motion with its arcs.
     fn test(&self, flow: &Flow, arcs: &[Arc]) -> Option<DVector<f64>> {
-        let test = test_function(self.kind, &turn_along(flow, &self.unknowns.pattern, arcs)?);
+        let turn = in_units(turn_along(flow, &self.unknowns.pattern, arcs)?, self.unknowns.unit);
+        let test = test_function(self.kind, &turn);
         test.is_finite().then(|| DVector::from_element(1, test))
     }
 
@@ -93,8 +94,12 @@ impl Locus {
     ) -> Option<DMatrix<f64>> {
         let pattern = &self.unknowns.pattern;
         let chain = Chain::new(flow, pattern, sections, arcs)?;
-        let by_sections = chain.by_sections(&test_by_entries(self.kind, chain.turn())?)?;
-        Some(DMatrix::from_row_slice(1, by_sections.len(), by_sections.as_slice()))
+        let unit = self.unknowns.unit;
+        let by_entries = test_by_entries(self.kind, &in_units(chain.turn().clone(), unit))?;
+        let by_sections = chain.by_sections(&in_units(by_entries, unit))?;
+        let by_sections = DMatrix::from_row_slice(1, by_sections.len(), by_sections.as_slice());
+        // A number that has no unit, by displacements and velocities that have one.
+        Some(self.unknowns.by_sections(by_sections * unit))
     }
 
     /// Residuals, with what is known of the same sections at other parameters.
@@ -104,7 +109,7 @@ impl Locus {
         let (residual, condition) = match self.touch {
             Some(touch) => {
                 let grazing = self.grazing(touch, &flow, &sections, y);
-                (unknowns.residual(&flow, &sections, known), grazing.values()?)
+                (unknowns.residual(&flow, &sections, known), unknowns.left(grazing.values()?))
             }
             None => {
                 let arcs = unknowns.arcs(&flow, &sections, known);
@@ -144,6 +149,6 @@ impl Equations for Locus {
         let mut others = DMatrix::zeros(conditions.nrows(), y.len());
         others.columns_mut(0, at).copy_from(&conditions);
         others.columns_mut(at, y.len() - at).copy_from(&by_parameters.rows(end, conditions.nrows()));
-        Some(Cyclic { joints: joints(&flow, &arcs, &unknowns.pattern), common, others })
+        Some(Cyclic { joints: unknowns.joints(&flow, &arcs), common, others })
     }
 }

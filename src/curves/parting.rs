@@ -1,7 +1,7 @@
 //! How far a motion is from a simpler one: the one from which it bifurcates in a pitchfork or a period doubling.
 
 use crate::model::System;
-use crate::theory::{Flow, Pattern, PeriodicMotion, SectionVector};
+use crate::theory::{Flow, Pattern, PeriodicMotion, SectionVector, magnified};
 
 /// The simpler motion's pattern, and the first impact's difference from being repeated (or mirrored) half-way.
 ///
@@ -26,5 +26,6 @@ pub(super) fn passed(system: &System, before: &PeriodicMotion, after: &PeriodicM
     let (Some((_, a)), Some((_, b))) = (parting(system, before), parting(system, after)) else {
         return false;
     };
-    a.iter().zip(&b).map(|(a, b)| a.dot(b)).sum::<f64>() < 0.0
+    let per_unit = |section: &SectionVector| magnified(section, 1.0 / system.unit());
+    a.iter().zip(&b).map(|(a, b)| per_unit(a).dot(&per_unit(b))).sum::<f64>() < 0.0
 }

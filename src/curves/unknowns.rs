@@ -1,11 +1,12 @@
-//! The unknowns of a continuation: a motion's sections, and the parameters that vary, scaled to a plane's sides.
+//! The unknowns of a continuation: a motion's sections, in units of what is of order one, and the parameters that vary, scaled to a
+//! plane's sides.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use crate::figure::Spacing;
 use crate::model::{Parameter, Setting, System};
-use crate::theory::newton::{arcs, arcs_with_gaps, is_ordered, residual, residual_alone};
-use crate::theory::{Arc, Flow, Pattern, SectionVector, StopSet};
+use crate::theory::newton::{arcs, arcs_with_gaps, is_ordered, joints, residual, residual_alone};
+use crate::theory::{Arc, Flow, Pattern, SectionVector, StopSet, magnified};
 
 /// A parameter and the range of it that counts as length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,6 +38,8 @@ pub(super) struct Unknowns {
     pub spans: Vec<Span>,
     /// The system of the fixed parameters, if there is one: others that differ in gaps and restitutions alone have their flow from it.
     like: Option<System>,
+    /// The displacement, and the velocity, that count as one: those of the system where the path begins; see [`System::unit`].
+    pub unit: f64,
 }
 
 /// A flow, and the arcs of some sections in it.
@@ -49,7 +52,9 @@ pub(super) struct Known<'a> {
 impl Unknowns {
     /// Those of a motion near some parameters.
     pub fn new(pattern: Pattern, fixed: Setting, extra: usize, spans: Vec<Span>) -> Self {
-        Unknowns { pattern, fixed, extra, spans, like: System::new(fixed).ok() }
+        let like = System::new(fixed).ok();
+        let unit = like.as_ref().map_or(1.0, System::unit);
+        Unknowns { pattern, fixed, extra, spans, like, unit }
     }
 
     /// 2n, the components of a section.
@@ -70,7 +75,8 @@ impl Unknowns {
     /// The vector of a motion.
     pub fn pack(&self, sections: &[SectionVector], extra: &[f64], parameters: &Setting) -> DVector<f64> {
         let shares = self.shares(parameters);
-        let values = sections.iter().flat_map(|section| section.iter().copied().collect::<Vec<_>>());
+        let scaled = |section: &SectionVector| Vec::from(magnified(section, 1.0 / self.unit).data);
+        let values = sections.iter().flat_map(scaled);
         DVector::from_iterator(
             self.parameters_at() + self.spans.len(),
             values.chain(extra.iter().copied()).chain(shares.iter().copied()),
@@ -103,7 +109,8 @@ impl Unknowns {
     /// The sections.
     pub fn sections(&self, y: &DVector<f64>) -> Vec<SectionVector> {
         let size = self.size();
-        (0..self.pattern.stops.len()).map(|i| y.rows(size * i, size).into_owned()).collect()
+        let of = |i: usize| magnified(&y.rows(size * i, size).into_owned(), self.unit);
+        (0..self.pattern.stops.len()).map(of).collect()
     }
 
     /// The flow of the system there; see [`Unknowns::system`].
@@ -140,6 +147,26 @@ impl Unknowns {
 
     /// Residuals, where the motion that leaves them is one.
     pub fn matched(&self, sections: &[SectionVector], residual: DVector<f64>) -> Option<DVector<f64>> {
-        (is_ordered(&self.pattern, sections) && residual.amax().is_finite()).then_some(residual)
+        (is_ordered(&self.pattern, sections) && residual.amax().is_finite()).then(|| residual / self.unit)
+    }
+
+    /// The derivatives of the residuals of each arc by the section at its beginning, and by the next one.
+    pub fn joints(&self, flow: &Flow, arcs: &[Arc]) -> Vec<[DMatrix<f64>; 2]> {
+        let of_arc = |blocks: [DMatrix<f64>; 2]| blocks.map(|block| self.by_sections(block));
+        joints(flow, arcs, &self.pattern).into_iter().map(of_arc).collect()
+    }
+
+    /// Displacements and velocities that are left, as residuals.
+    pub fn left(&self, lengths: DVector<f64>) -> DVector<f64> {
+        lengths / self.unit
+    }
+
+    /// Derivatives of displacements and velocities by sections, some of them beside each other, as those of residuals by unknowns: a
+    /// phase is the same in any unit.
+    pub fn by_sections(&self, mut lengths: DMatrix<f64>) -> DMatrix<f64> {
+        for phase in (self.size() - 1..lengths.ncols()).step_by(self.size()) {
+            lengths.column_mut(phase).unscale_mut(self.unit);
+        }
+        lengths
     }
 }

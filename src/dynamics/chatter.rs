@@ -41,7 +41,7 @@ pub const STEADY: f64 = 0.25;
 
 /// Rebounds with at most this loss, 1 − r, are nearly without loss …
 pub const NEARLY: f64 = 1e-3;
-/// … and may be closed below this speed, long before their sum is reached …
+/// … and may be closed below this speed, in units of [`Flight::unit`] as all of these, long before their sum is reached …
 pub const FADING: f64 = 1e-4;
 /// … if they are as slow as this by the next strobe, whose state would still show them, and by the time the force vanishes …
 pub const SLOW: f64 = 1e-6;
@@ -84,13 +84,13 @@ pub fn close<T: Real, const N: usize>(
         let lasts = time + time;
         let closes = lasts <= room
             && change <= T::of(STEADY)
-            && effect * change <= T::of(T::CHATTER)
+            && effect * change <= T::of(T::CHATTER) * flight.unit
             && stays_low(normal, speed, force);
         if closes {
             return Some(Closure { gap_integral, height: speed * speed / force, lasts });
         }
     }
-    if one - r <= T::of(NEARLY) { drag(normal, rebound, towards) } else { None }
+    if one - r <= T::of(NEARLY) { drag(flight, normal, rebound, towards) } else { None }
 }
 
 /// Whether rebounds that begin with `speed` surely do not reach the stop at the other end of the normal: a force that stays
@@ -108,6 +108,7 @@ fn stays_low<T: Real, const N: usize>(normal: &ContactNormal<T, N>, speed: T, fo
 /// rather than at once, so that all of it must be negligible; and the force must hardly change during a rebound.
 #[inline(always)]
 fn drag<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
     normal: &ContactNormal<T, N>,
     rebound: &Rebound<T>,
     towards: &Approach<T>,
@@ -118,16 +119,20 @@ fn drag<T: Real, const N: usize>(
     // In flight the damper resists what accelerates the mass; what presses on the contact changes by so much more.
     let drift = (towards.jerk + damping * force).abs();
     let steady = (speed + speed) * drift <= T::of(STEADY) * (force * force);
-    if !(damping > T::zero() && steady && speed <= T::of(FADING) && stays_low(normal, speed, force)) {
+    if !(damping > T::zero()
+        && steady
+        && speed <= T::of(FADING) * flight.unit
+        && stays_low(normal, speed, force))
+    {
         return None;
     }
     let most = speed * speed / ((force + force) * damping);
-    let slow = speed * T::of(1.0 / SLOW);
+    let slow = speed * T::of(1.0 / SLOW) / flight.unit;
     let fades = slow <= T::one() || {
         let needed = T::of(3.0) * slow.logarithm();
         damping * room >= needed && damping * force >= (needed + needed) * drift
     };
-    if !(fades && most * normal.coupling <= T::of(PUSH)) {
+    if !(fades && most * normal.coupling <= T::of(PUSH) * flight.unit) {
         return None;
     }
     let k = T::of(1.5) * (T::one() - restitution) * force / damping;

@@ -106,12 +106,9 @@ pub fn extent<T: Real, const N: usize>(normal: &ContactNormal<T, N>, point: &Poi
 
 /// Speeds and accelerations up to this cannot be told from 0: d·v is a difference of velocities.
 #[inline(always)]
-pub fn unresolved<T: Real, const N: usize>(
-    normal: &ContactNormal<T, N>,
-    side: usize,
-    state: &State<T, N>,
-) -> T {
-    let mut size = normal.gap[side].abs() + T::one();
+pub fn unresolved<T: Real, const N: usize>(flight: &Flight<T, N>, end: End, state: &State<T, N>) -> T {
+    let normal = &flight.normals[end.normal];
+    let mut size = normal.gap[end.side].abs() + flight.unit;
     for (d, v) in normal.direction.iter().zip(&state.v) {
         size = size + (*d * *v).abs();
     }

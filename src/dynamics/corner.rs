@@ -5,7 +5,7 @@ use super::contact;
 use super::point::Point;
 use super::stop::{Contact, End};
 use crate::model::vector::dot;
-use crate::model::{ContactNormal, FAR, Flight, Real};
+use crate::model::{FAR, Flight, Real};
 
 /// The contacts of masses that an impact at `end` leaves so slow, and so near to stops along other normals, that they may
 /// as well rest on all of them; `None` elsewhere.
@@ -46,7 +46,7 @@ pub fn closes<T: Real, const N: usize>(
         let speed = dot(&normal.direction, &point.state.v).abs();
         let [force, slope] = motion.pressure(end);
         let lossy = force * (T::one() - normal.restitution[end.side]);
-        closes &= force > T::zero() && speed * speed <= negligible(normal, point, end.side) * lossy;
+        closes &= force > T::zero() && speed * speed <= negligible(flight, point, end) * lossy;
         closes &= -(slope * speed) <= T::of(STEADY) * force * lossy;
     }
     closes.then_some(corner)
@@ -55,13 +55,13 @@ pub fn closes<T: Real, const N: usize>(
 /// Whether the gap to a stop is negligible.
 #[inline(always)]
 fn is_near<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>, end: End) -> bool {
-    contact::gap_to(flight, point, end) <= negligible(&flight.normals[end.normal], point, end.side)
+    contact::gap_to(flight, point, end) <= negligible(flight, point, end)
 }
 
 /// The size of a gap that is left out.
 #[inline(always)]
-fn negligible<T: Real, const N: usize>(normal: &ContactNormal<T, N>, point: &Point<T, N>, side: usize) -> T {
-    let rounding = T::of(T::TOUCH) * contact::extent(normal, point, side);
-    let allowed = T::of(T::CHATTER);
+fn negligible<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>, end: End) -> T {
+    let rounding = T::of(T::TOUCH) * contact::extent(&flight.normals[end.normal], point, end.side);
+    let allowed = T::of(T::CHATTER) * flight.unit;
     if rounding > allowed { rounding } else { allowed }
 }

@@ -181,20 +181,21 @@ fn parts_for_good<L: Lanes, const N: usize>(
     force: L,
 ) -> L::Mask {
     let speed = rebound.magnitude();
-    let mut size = face.gap.magnitude() + speed.all(1.0);
+    let mut size = face.gap.magnitude() + flight.unit;
     for (direction, speed) in face.direction.iter().zip(v) {
         size = size + (*direction * *speed).magnitude();
     }
-    let slow = (size * speed.all(L::Real::EPSILON)).larger(speed.all(FADING));
+    let slow = (size * speed.all(L::Real::EPSILON)).larger(speed.all(FADING) * flight.unit);
     let one = speed.all(1.0);
     let loss = one - face.restitution;
     let cubic_loss = one - face.restitution * face.restitution * face.restitution;
     // The change of the force over the sequence is at least rate · 2u/(a(1 − r)).
     let drift = (flight.rate + flight.rate) * speed;
     let steady = drift.below(force * loss * speed.all(STEADY * WIDER));
-    let effect = face.coupling * drift * (speed * speed * speed) * speed.all(2.0 / 3.0);
-    let lost =
-        effect.below((force * force * force) * (loss * cubic_loss) * speed.all(L::Real::CHATTER * WIDER));
+    // u/a is no smaller where all is small, as powers of either are.
+    let ratio = speed / force;
+    let effect = face.coupling * drift * (ratio * ratio * ratio) * speed.all(2.0 / 3.0);
+    let lost = effect.below((loss * cubic_loss) * (speed.all(L::Real::CHATTER * WIDER) * flight.unit));
     let zero = speed.all(0.0);
     let may_close = zero.below(force).and(steady).and(lost);
     slow.below(speed).and(may_close.not())

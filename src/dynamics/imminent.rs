@@ -56,7 +56,7 @@ pub fn rests_at<T: Real, const N: usize>(
     contact: Contact,
     end: End,
 ) -> bool {
-    let lost = unresolved(&flight.normals[end.normal], end.side, &point.state);
+    let lost = unresolved(flight, end, &point.state);
     let still = speed_towards(flight, point, end).abs() <= lost && gap_to(flight, point, end) <= lost;
     still && rests(flight, point, contact, end)
 }

@@ -34,7 +34,7 @@ impl<T: Real> Pressing<T> {
         end: End,
     ) -> Self {
         let [force, slope] = motion.pressure(end);
-        let unresolved = contact::unresolved(&flight.normals[end.normal], end.side, &point.state);
+        let unresolved = contact::unresolved(flight, end, &point.state);
         if slope * flight.least() < -unresolved {
             return Pressing { force, slope, slack: T::zero(), opens: force <= unresolved };
         }

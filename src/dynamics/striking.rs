@@ -82,8 +82,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let closed = self.closed(flight, end, rebound, &after);
         // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop: it shifts nothing, and nothing
         // rebounds.
-        let stays =
-            closed.is_some() && velocity.abs() <= contact::unresolved(normal, end.side, &arrived.state);
+        let stays = closed.is_some() && velocity.abs() <= contact::unresolved(flight, end, &arrived.state);
         if velocity != T::zero() && !stays && !tangents.is_empty() {
             if self.under_way {
                 let rest = (flight.h - self.offset) * flight.inverse_h;
@@ -107,7 +106,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
                 self.point.state = rested(flight, &self.point.state, corner);
                 return Event::Caught { impact, complete_chatter: true, beside };
             }
-            let lost = contact::unresolved(normal, end.side, &self.point.state);
+            let lost = contact::unresolved(flight, end, &self.point.state);
             if rebound.abs() <= lost {
                 // Pulled off the stop as soon as it is met: rounding must not make that another impact.
                 let parting = -(sign * (lost + lost));
@@ -140,7 +139,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let rebound = Rebound {
             speed: rebound.abs(),
             restitution: normal.restitution[end.side],
-            unresolved: contact::unresolved(normal, end.side, &self.point.state),
+            unresolved: contact::unresolved(flight, end, &self.point.state),
             room,
         };
         if rebound.speed <= rebound.unresolved && rests(flight, &self.point, self.contact, end) {
@@ -199,7 +198,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         for (k, normal) in flight.normals().iter().enumerate() {
             let Some(end) = self.contact.end_along(k) else { continue };
             let change = kick * dot(&normal.direction, response);
-            let lost = contact::unresolved(normal, end.side, &self.point.state)
+            let lost = contact::unresolved(flight, end, &self.point.state)
                 + T::of(KICK_ROUNDINGS) * T::epsilon() * kick.abs();
             if !self.contact.is_clamped_along(k) && change.abs() > lost {
                 self.contact = self.contact.without(k);

@@ -10,6 +10,7 @@ impl<L: Lanes, const N: usize> Flight<L, N> {
         for (normal, from) in self.normals.iter_mut().zip(flight.normals()) {
             normal.set_stops(lane, from);
         }
+        self.unit.set_lane(lane, flight.unit);
     }
 
     /// Puts the constants of a cell into one lane. What sticking, symmetry and the end of a trajectory need stays out.
@@ -23,6 +24,7 @@ impl<L: Lanes, const N: usize> Flight<L, N> {
         self.turn_sin.set_lane(lane, flight.turn_sin);
         self.turn_cos.set_lane(lane, flight.turn_cos);
         self.rate.set_lane(lane, flight.rate);
+        self.unit.set_lane(lane, flight.unit);
         self.step.set_lane(lane, &flight.step);
         for i in 0..N {
             set_vector(&mut self.stiffness[i], lane, &flight.stiffness[i]);

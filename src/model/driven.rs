@@ -40,6 +40,8 @@ impl System {
             omega: plant.omega,
             stops: plant.stops.iter().map(extended).collect(),
         })?;
+        // What is of order one without the force is with it.
+        driven.of_flow().forced(|| self.forced());
         driven.of_flow().mirror(|| {
             self.mirror().map(|Mirror { matrix, stops }| {
                 let mut matrix = square(matrix);

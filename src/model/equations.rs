@@ -160,6 +160,7 @@ impl<const N: usize> Equations<N> {
             cos: projector * self.cos,
             load: projector * self.load,
             omega: self.omega,
+            weight: self.weight,
         };
         Equations { free, ..*self }
     }

@@ -12,6 +12,7 @@ use super::state::State;
 use super::step::Step;
 use super::stops_along::StopsAlong;
 use super::system::System;
+use super::unit::forced;
 use super::vector::{MOST, columns};
 
 /// The constants of one cell: a step of fixed length h = T/M, and bounds that hold on it.
@@ -59,6 +60,10 @@ pub struct Flight<T, const N: usize> {
     pub mirror: Option<[[T; N]; N]>,
     /// The largest exponent of motion without impact, per forcing period.
     pub linear_exponent: T,
+    /// How far forces carry masses, of which its unit is made with the gaps.
+    pub forced: T,
+    /// The displacement, and the velocity, that are of order one; see [`System::unit`].
+    pub unit: T,
 }
 
 impl<const N: usize> Flight<f64, N> {
@@ -112,6 +117,7 @@ impl<const N: usize> Flight<f64, N> {
             Some(normal) => contact_normal(&equations, normal, k, h, response.as_ref(), trap.as_ref()),
             None => ContactNormal::none(),
         };
+        let forced = system.of_flow().forced(|| forced(&equations, response.as_ref()));
         Flight {
             steps,
             h,
@@ -132,6 +138,8 @@ impl<const N: usize> Flight<f64, N> {
             quiet: quiet(response.as_ref(), trap.as_ref(), decay),
             mirror: system.mirror().map(|mirror| columns(&SMatrix::from_fn(|i, j| mirror.matrix[(i, j)]))),
             linear_exponent: decay * system.period(),
+            forced,
+            unit: system.unit_of(forced),
         }
     }
 
@@ -166,6 +174,8 @@ impl<const N: usize> Flight<f64, N> {
             },
             mirror: self.mirror.map(|columns| columns.map(vector)),
             linear_exponent: T::of(self.linear_exponent),
+            forced: T::of(self.forced),
+            unit: T::of(self.unit),
         }
     }
 }
@@ -202,6 +212,8 @@ impl<T: Copy, const N: usize> Flight<T, N> {
             },
             mirror: None,
             linear_exponent: zero,
+            forced: zero,
+            unit: zero,
         }
     }
 }
@@ -221,6 +233,7 @@ impl<T: Real, const N: usize> Flight<T, N> {
             let along = StopsAlong::at(normal, system).with_values_of(system);
             (normal.gap, normal.restitution) = (along.gap.map(T::of), along.restitution.map(T::of));
         }
+        self.unit = T::of(system.unit_of(self.forced.widen()));
     }
 
     /// The shortest move that is made under contacts, where nothing is met: h √ε, whose square is lost in rounding.

@@ -41,13 +41,13 @@ impl<L: Lanes<Real = f64>, const N: usize> Augmented<L, N> {
         State { x: self.x, v: self.v }
     }
 
-    /// The largest modulus of a component, those left out that are not numbers.
+    /// The largest modulus of a component, of those of the phase the given share; those are left out that are not numbers.
     #[inline(always)]
-    fn amax(&self) -> L {
+    fn amax(&self, weight: f64) -> L {
         // The larger of two is the second where either is not a number: a series with an infinite load goes on, and shows it.
         let mut most = self.sin.all(0.0);
         for value in [self.sin, self.cos, self.one] {
-            most = value.magnitude().larger(most);
+            most = (value.magnitude() * value.all(weight)).larger(most);
         }
         for i in 0..N {
             most = self.x[i].magnitude().larger(most);
@@ -123,7 +123,7 @@ impl<'a, L: Lanes<Real = f64>, const N: usize> Series<'a, L, N> {
     #[inline(always)]
     fn of(free: &'a FreeFlight<N>, t: f64, z: Augmented<L, N>) -> Self {
         let counts = z.one.all(0.0).below(z.one.all(1.0));
-        Series { free, t, next: 1.0, term: z, size: z.amax(), counts }
+        Series { free, t, next: 1.0, term: z, size: z.amax(free.weight), counts }
     }
 
     /// Goes on to the next term, and says whether it counts anywhere.
@@ -131,7 +131,7 @@ impl<'a, L: Lanes<Real = f64>, const N: usize> Series<'a, L, N> {
     fn advance(&mut self) -> bool {
         self.term = self.term.derived(self.free, self.t / self.next);
         self.next += 1.0;
-        let length = self.term.amax();
+        let length = self.term.amax(self.free.weight);
         self.size = length.larger(self.size);
         self.counts = self.counts.and((self.size.all(1e-19) * self.size).below(length));
         self.counts.bits() != 0

@@ -21,6 +21,18 @@ pub struct FreeFlight<const N: usize> {
     pub load: SVector<f64, N>,
     /// ω.
     pub omega: f64,
+    /// What sin φ, cos φ and 1 weigh beside displacements and velocities where a series is cut: 1, or less where loads accelerate far
+    /// less than that.
+    pub weight: f64,
+}
+
+/// What is as large as this is of order one.
+pub(super) const LEAST: f64 = 0.25;
+
+/// See [`FreeFlight::weight`]: a power of two.
+fn weight<const N: usize>(loads: [&SVector<f64, N>; 3]) -> f64 {
+    let largest = loads.iter().map(|load| load.amax()).fold(0.0, f64::max);
+    if largest > 0.0 && largest < LEAST { libm::ldexp(1.0, libm::ilogb(largest)) } else { 1.0 }
 }
 
 /// M⁻¹ of a plant with N coordinates.
@@ -37,28 +49,25 @@ impl<const N: usize> FreeFlight<N> {
     pub fn of(plant: &Plant, inverse_mass: &SMatrix<f64, N, N>) -> Self {
         let square = |m: &DMatrix<f64>| inverse_mass * SMatrix::<f64, N, N>::from_fn(|i, j| m[(i, j)]);
         let vector = |v: &DVector<f64>| inverse_mass * SVector::<f64, N>::from_fn(|i, _| v[i]);
-        FreeFlight {
-            stiffness: -square(&plant.stiffness),
-            damping: -square(&plant.damping),
-            sin: vector(&plant.force_sin),
-            cos: vector(&plant.force_cos),
-            load: vector(&plant.load),
-            omega: plant.omega,
-        }
+        let loads = [&plant.force_sin, &plant.force_cos, &plant.load].map(vector);
+        FreeFlight::under(-square(&plant.stiffness), -square(&plant.damping), loads, plant.omega)
     }
 
     /// That whose generator is G, (2N + 3) × (2N + 3): z' = G z with z = (x, v, sin φ, cos φ, 1).
     pub fn of_generator(generator: &DMatrix<f64>) -> Self {
         let block = |at: usize| SMatrix::from_fn(|i, j| generator[(N + i, at + j)]);
         let column = |j: usize| SVector::from_fn(|i, _| generator[(N + i, 2 * N + j)]);
-        FreeFlight {
-            stiffness: block(0),
-            damping: block(N),
-            sin: column(0),
-            cos: column(1),
-            load: column(2),
-            omega: generator[(2 * N, 2 * N + 1)],
-        }
+        FreeFlight::under(block(0), block(N), [0, 1, 2].map(column), generator[(2 * N, 2 * N + 1)])
+    }
+
+    fn under(
+        stiffness: SMatrix<f64, N, N>,
+        damping: SMatrix<f64, N, N>,
+        [sin, cos, load]: [SVector<f64, N>; 3],
+        omega: f64,
+    ) -> Self {
+        let weight = weight([&sin, &cos, &load]);
+        FreeFlight { stiffness, damping, sin, cos, load, omega, weight }
     }
 
     /// The block of G that belongs to (x, v), 2N × 2N: the generator of flight without forcing and load.

@@ -41,6 +41,7 @@ mod stops_along;
 mod system;
 mod system_error;
 mod transition;
+mod unit;
 pub mod vector;
 mod width;
 

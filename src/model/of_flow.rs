@@ -26,6 +26,7 @@ pub(crate) struct OfFlow {
     /// Whether several systems have it: what is large is kept only then.
     is_shared: AtomicBool,
     mirror: OnceLock<Option<Mirror>>,
+    forced: OnceLock<f64>,
     constants: OnceLock<Box<dyn Any + Send + Sync>>,
     generator: OnceLock<DMatrix<f64>>,
     half_period: OnceLock<DMatrix<f64>>,
@@ -44,6 +45,11 @@ impl OfFlow {
     /// The mirror of its systems.
     pub(super) fn mirror(&self, find: impl FnOnce() -> Option<Mirror>) -> Option<&Mirror> {
         self.mirror.get_or_init(find).as_ref()
+    }
+
+    /// How far forces carry masses; see [`System::unit`](super::System::unit).
+    pub(super) fn forced(&self, find: impl FnOnce() -> f64) -> f64 {
+        *self.forced.get_or_init(find)
     }
 
     /// The constants of flight, C being what they are for its number of coordinates, if they are kept: those of any one of

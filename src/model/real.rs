@@ -34,7 +34,8 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     /// A pull this many times as large as what is lost in rounding of it, grown from nothing as fast as it can, has done no more to a
     /// speed than is lost, too: about ε^(−⅓)/4.
     const UNHEEDED: f64;
-    /// The largest effect on the second mass that closing a chatter sequence may neglect; non-dimensional.
+    /// The largest effect on the second mass that closing a chatter sequence may neglect, in units of
+    /// [`Flight::unit`](super::Flight::unit), as all distances below are.
     const CHATTER: f64;
     /// The largest distance between strobe states that counts as a return of a motion that may yet come closer.
     const RETURNING: f64;

@@ -94,10 +94,10 @@ impl<const N: usize> Row<f64, N> {
         self.with(other, f64::max)
     }
 
-    /// The largest modulus.
+    /// The largest modulus, with so much of x and v of order one.
     #[inline(always)]
-    fn amax(&self) -> f64 {
-        let mut most = self.sin.abs().max(self.cos.abs()).max(self.one.abs());
+    fn amax(&self, weight: f64) -> f64 {
+        let mut most = self.sin.abs().max(self.cos.abs()).max(self.one.abs()) / weight;
         for i in 0..N {
             most = most.max(self.state.x[i].abs()).max(self.state.v[i].abs());
         }
@@ -106,10 +106,10 @@ impl<const N: usize> Row<f64, N> {
 
     /// The terms f Gᵏ (−t)ᵏ/k! of f exp(−G t) in free flight, until they vanish against their sum: what this, f, was a time t ago.
     pub(super) fn series_back(self, equations: &Equations<N>, t: f64) -> impl Iterator<Item = Self> {
-        let (mut size, one) = (self.amax(), SMatrix::identity());
+        let (mut size, one) = (self.amax(equations.weight), SMatrix::identity());
         std::iter::successors(Some((1.0, self)), move |(k, term)| {
             let next = term.derived(equations, &one).scaled(-t / k);
-            let length = next.amax();
+            let length = next.amax(equations.weight);
             size = size.max(length);
             (length > 1e-19 * size).then_some((k + 1.0, next))
         })
@@ -129,7 +129,7 @@ impl<const N: usize> Row<f64, N> {
         for k in 1..64 {
             term = term.derived(equations, projector).scaled(t / f64::from(k));
             sum = sum.with(&term, |sum, value| sum + value.abs());
-            if term.amax() <= 1e-12 * sum.amax() {
+            if term.amax(equations.weight) <= 1e-12 * sum.amax(equations.weight) {
                 break;
             }
         }

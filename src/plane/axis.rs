@@ -89,7 +89,7 @@ impl Axis {
     pub fn between(&self, a: f64, b: f64) -> Option<(u32, u32)> {
         let (low, high) = (a.min(b), a.max(b));
         // A value that is written in a few digits stands for the nearest value of the axis.
-        let slack = 1e-9 * (1.0 + low.abs().max(high.abs()));
+        let slack = 1e-9 * self.first.abs().max(self.last.abs());
         let inside = |i: &u32| (low - slack..=high + slack).contains(&self.value(*i));
         let first = (0..self.count).find(inside)?;
         let last = (0..self.count).rev().find(inside)?;

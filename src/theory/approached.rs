@@ -44,7 +44,7 @@ pub fn approached_from(
 /// Whether one turn from a state near a motion ends where the motion's Jacobian foretells it.
 fn leads_to(system: &System, state: &[f64], motion: &StrobeMotion) -> bool {
     let exact = DVector::from_column_slice(&motion.state);
-    let scale = 1.0 + exact.amax();
+    let scale = system.unit() + exact.amax();
     let before = DVector::from_column_slice(state) - &exact;
     if before.amax() > NEAR * scale {
         return false;

@@ -22,6 +22,8 @@ pub(crate) struct Flow {
     pub omega: f64,
     /// See [`System::rate`].
     rate: f64,
+    /// The displacement, and the velocity, that are of order one; see [`System::unit`].
+    pub unit: f64,
     /// What holds the system where it may drift.
     pub mooring: Option<Arc<Mooring>>,
     /// The stops.
@@ -65,7 +67,8 @@ impl Flow {
         kept.generator(|| generator(system.like()));
         system.mirror();
         let (n, omega, rate) = (system.coordinates(), system.like().omega, system.rate());
-        Flow { n, omega, rate, mooring: system.mooring().cloned(), faces, whatever_gaps, kept }
+        let unit = system.unit();
+        Flow { n, omega, rate, unit, mooring: system.mooring().cloned(), faces, whatever_gaps, kept }
     }
 
     /// G, (2n + 3) × (2n + 3).

@@ -68,7 +68,8 @@ pub fn impact_map_at(system: &System, stop: Stop, section: impl AsRef<[f64]>) ->
     }
     let z = flow.lifted(stop, &start);
     let beyond = |(other, face): (Stop, &super::face::Face)| {
-        let scale = BEYOND * (1.0 + face.gap.abs() + z.amax() * face.direction.amax());
+        let scale = BEYOND
+            * (flow.unit + face.gap.abs() + z.rows(0, 2 * n).amax().max(flow.unit) * face.direction.amax());
         other != stop && face.along(&z)[0] > face.gap + scale
     };
     if flow.face(stop).is_left_outwards(&start) || flow.faces().any(beyond) {

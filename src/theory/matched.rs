@@ -16,7 +16,7 @@ use super::motion::PeriodicMotion;
 use super::multipliers::{contracts, eigenvalues, turn_along};
 use super::newton::ends;
 use super::pattern::{Pattern, StopSet};
-use super::section_vector::{Node, SectionVector, phase, wrapped};
+use super::section_vector::{Node, SectionVector, in_units, magnified, phase, wrapped};
 use crate::dynamics::Stop;
 use crate::model::System;
 
@@ -128,7 +128,8 @@ impl<'a> Matched<'a> {
             regular = 1 - regular;
         }
         let residuals = [0, 1].map(|k| line.residual(&sections[k], face.gap));
-        let solved = |k: usize| residuals[k] <= ACCEPTED * (1.0 + sections[k].amax());
+        let size = |k: usize| flow.unit * (1.0 + magnified(&sections[k], 1.0 / flow.unit).amax());
+        let solved = |k: usize| residuals[k] <= ACCEPTED * size(k);
         if !(solved(0) && solved(1)) {
             return Err(NoSymmetricMotion::Singular);
         }
@@ -155,10 +156,11 @@ impl<'a> Matched<'a> {
         self.half_turn(k).is_some_and(contracts)
     }
 
-    /// The Jacobian of half a turn around one of them.
+    /// The Jacobian of half a turn around one of them, in units of what is of order one.
     pub fn half_turn(&self, k: usize) -> Option<DMatrix<f64>> {
         let [from, to] = self.ends(k);
-        turn_along(&self.flow, &self.pattern, &[Arc::between(&self.flow, from, to)])
+        let turn = turn_along(&self.flow, &self.pattern, &[Arc::between(&self.flow, from, to)])?;
+        Some(in_units(turn, self.flow.unit))
     }
 
     /// The impact at the first stop and the one that is due half a period later.

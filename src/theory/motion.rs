@@ -10,8 +10,11 @@ use super::flow::Flow;
 use super::multipliers::{self, STABLE, ordered, turn};
 use super::newton;
 use super::pattern::Pattern;
-use super::section_vector::{Node, SectionVector, phase};
+use super::section_vector::{Node, SectionVector, extent, in_units, magnified, phase};
 use crate::model::System;
+
+/// How far the sections of equal motions may be apart, relative to their size; see [`extent`].
+const SAME: f64 = 1e-6;
 
 /// A periodic motion with finitely many impacts, stable or not: a solution of the matching equations of its pattern.
 ///
@@ -100,7 +103,9 @@ impl PeriodicMotion {
             let Some(pattern) = self.part(parts) else { continue };
             let near = newton::solve(flow, &pattern, &self.sections[..count / parts]);
             let Some((sections, residual)) = near else { continue };
-            let same = |(a, b): (&SectionVector, &SectionVector)| (a - b).amax() < 1e-6 * (1.0 + a.amax());
+            let same = |(a, b): (&SectionVector, &SectionVector)| {
+                extent(&(a - b), flow.unit) < SAME * (1.0 + magnified(a, 1.0 / flow.unit).amax())
+            };
             if sections.iter().zip(&self.sections).all(same) {
                 return PeriodicMotion { pattern, sections, residual };
             }
@@ -187,6 +192,7 @@ impl PeriodicMotion {
     /// The multipliers of the Jacobian of one turn.
     fn of_turn(&self, system: &System) -> Option<Vec<Complex<f64>>> {
         let (turn, periods) = (self.jacobian(system)?, self.pattern.turn() / TAU);
+        let turn = in_units(turn, system.unit());
         multipliers::multipliers(&turn, periods, system.mooring().map(AsRef::as_ref))
     }
 

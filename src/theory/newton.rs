@@ -6,14 +6,16 @@ use super::cyclic::Cyclic;
 use super::flow::Flow;
 use super::matching::{self, Arc};
 use super::pattern::Pattern;
-use super::section_vector::{Node, SectionVector, phase};
+use super::section_vector::{Node, SectionVector, extent, mechanical, phase};
 
 /// The most Newton steps.
 const MOST_STEPS: usize = 60;
 /// A step is halved at most so often.
 const MOST_HALVINGS: usize = 12;
-/// The largest residual of a solution, for states of order one; non-dimensional.
+/// The largest residual of a solution, in units of [`System::unit`](crate::model::System::unit), relative to states that are larger.
 pub const SOLVED: f64 = 1e-11;
+/// The longest step to a solution that need not be improved; see [`extent`].
+const SHORT: f64 = 1e-9;
 
 /// The arcs of a motion, one after each impact.
 pub(crate) fn arcs(flow: &Flow, pattern: &Pattern, sections: &[SectionVector]) -> Vec<Arc> {
@@ -116,14 +118,21 @@ pub(crate) fn solve(
             }
             share *= 0.5;
         }
-        let scale = 1.0
-            + sections.iter().map(|section| section.rows(0, section.len() - 1).amax()).fold(0.0, f64::max);
+        let scale = flow.unit + sections.iter().map(|section| mechanical(section).amax()).fold(0.0, f64::max);
         let solved = residuals.amax() <= SOLVED * scale;
-        if !accepted || (solved && step.amax() * share <= 1e-9 * scale) {
+        if !accepted
+            || (solved && longest(&step, sections[0].len(), flow.unit) * share <= SHORT * (scale / flow.unit))
+        {
             return solved.then_some((sections, residuals.amax()));
         }
     }
     None
+}
+
+/// How far a step moves the section that it moves farthest, each having so many components.
+fn longest(step: &DVector<f64>, components: usize, unit: f64) -> f64 {
+    let of = |i: usize| extent(&step.rows(components * i, components).into_owned(), unit);
+    (0..step.len() / components).map(of).fold(0.0, f64::max)
 }
 
 fn moved(sections: &[SectionVector], step: &DVector<f64>, share: f64) -> Vec<SectionVector> {

@@ -9,17 +9,17 @@ use super::flow::Flow;
 use super::jet;
 use super::motion::PeriodicMotion;
 use super::multipliers::turn;
-use super::section_vector::SectionVector;
+use super::section_vector::{SectionVector, in_units, magnified};
 use crate::model::System;
 
 type ComplexSection = DVector<Complex<f64>>;
 
 /// The normal forms of the map of one turn around a motion: from its second and third derivatives B and C, which follow from
-/// exact series along single directions.
+/// exact series along single directions. Displacements and velocities are in units of what is of order one.
 pub(crate) struct NormalForm<'a> {
     pub flow: &'a Flow,
     pub motion: &'a PeriodicMotion,
-    /// The Jacobian of the turn.
+    /// The Jacobian of the turn; see [`in_units`].
     pub map: &'a DMatrix<f64>,
 }
 
@@ -35,7 +35,9 @@ struct Direction {
 impl NormalForm<'_> {
     fn direction(&self, vector: SectionVector) -> Option<Direction> {
         let PeriodicMotion { pattern, sections, .. } = self.motion;
-        let [_, _, second, third] = jet::turn(self.flow, pattern, sections, &vector)?;
+        let unit = self.flow.unit;
+        let [_, _, second, third] = jet::turn(self.flow, pattern, sections, &magnified(&vector, unit))?;
+        let [second, third] = [second, third].map(|term| magnified(&term, 1.0 / unit));
         Some(Direction { vector, square: second * 2.0, cube: third * 6.0 })
     }
 
@@ -65,14 +67,14 @@ impl NormalForm<'_> {
 
     /// As [`neimark_sacker_coefficient`].
     pub fn neimark_sacker(&self, theta: f64) -> Option<f64> {
-        let unit = Complex::new(libm::cos(theta), libm::sin(theta));
-        let resonance = |m: i32| (unit.powi(m) - 1.0).modulus() < 1e-6;
+        let turned = Complex::new(libm::cos(theta), libm::sin(theta));
+        let resonance = |m: i32| (turned.powi(m) - 1.0).modulus() < 1e-6;
         if (1..=4).any(resonance) {
             return None;
         }
         let complex_map = self.map.map(|value| Complex::new(value, 0.0));
-        let q = null_vector(&complex_map, unit)?;
-        let p = null_vector(&complex_map.transpose(), unit.conj())?;
+        let q = null_vector(&complex_map, turned)?;
+        let p = null_vector(&complex_map.transpose(), turned.conj())?;
         let scale = p.dotc(&q);
         let p = p.map(|z| z / scale.conj());
         // q = a + ib.
@@ -82,7 +84,7 @@ impl NormalForm<'_> {
         let (size, _) = self.map.shape();
         let inner = (DMatrix::identity(size, size) - self.map).lu().solve(&(&a.square + &b.square))?;
         let square = complex(&(&a.square - &b.square), &(&sum.square - &a.square - &b.square));
-        let outer = (DMatrix::identity(size, size) * (unit * unit) - &complex_map).lu().solve(&square)?;
+        let outer = (DMatrix::identity(size, size) * (turned * turned) - &complex_map).lu().solve(&square)?;
         // C(q, q, q̄), B(q, inner) and B(q̄, outer), inner being real.
         let own = complex(
             &(&a.cube + (&sum.cube + &difference.cube - &a.cube * 2.0) / 6.0),
@@ -96,7 +98,7 @@ impl NormalForm<'_> {
             &(self.bilinear(&a, &imaginary)? - self.bilinear(&b, &real)?),
         );
         let cubic = own + with_inner * Complex::new(2.0, 0.0) + with_outer;
-        let d = 0.5 * (unit.conj() * p.dotc(&cubic)).re;
+        let d = 0.5 * (turned.conj() * p.dotc(&cubic)).re;
         d.is_finite().then_some(d)
     }
 }
@@ -115,7 +117,7 @@ pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64>
 ///
 /// The direction of ξ is that of the two null vectors on whose side `along` lies; the sign of a depends on it.
 pub fn fold_coefficient(system: &System, motion: &PeriodicMotion, along: &SectionVector) -> Option<f64> {
-    of_motion(system, motion, |form| form.fold(along))
+    of_motion(system, motion, |form| form.fold(&magnified(along, 1.0 / form.flow.unit)))
 }
 
 /// Re d at a pair of multipliers e^(±iθ), θ in (0, π), d of z → e^(iθ) z (1 + d|z|²).
@@ -132,7 +134,7 @@ fn of_motion(
     coefficient: impl Fn(&NormalForm<'_>) -> Option<f64>,
 ) -> Option<f64> {
     let flow = Flow::new(system);
-    let map = turn(&flow, &motion.pattern, &motion.sections)?;
+    let map = in_units(turn(&flow, &motion.pattern, &motion.sections)?, flow.unit);
     coefficient(&NormalForm { flow: &flow, motion, map: &map })
 }
 

@@ -136,19 +136,20 @@ fn scattered(system: &System, index: u32) -> Vec<f64> {
     let power = 1.0 / (size as f64 + 1.0);
     let ratio = (0..64).fold(2.0f64, |ratio, _| libm::pow(1.0 + ratio, power));
     let fraction = |k: usize| (0.5 + f64::from(index + 1) / ratio.powi(k as i32 + 1)).fract() * 2.0 - 1.0;
-    let mut start: Vec<f64> = (0..size).map(fraction).collect();
     let flow = Flow::new(system);
+    let unit = flow.unit;
+    let mut start: Vec<f64> = (0..size).map(|k| fraction(k) * unit).collect();
     // In reverse, so that of several stops on a line the first determines where it begins.
     for (stop, face) in flow.faces().collect::<Vec<_>>().into_iter().rev() {
         let c = face.coordinate;
-        start[n + c] = 2.0 * fraction(n + c);
+        start[n + c] = 2.0 * fraction(n + c) * unit;
         // Across the clearance where there is one, within a length of order one where there is not.
         let opposite = plant.stops.iter().enumerate().find_map(|(other, opposite)| {
             let scale = -opposite.direction.dot(&face.direction) / face.direction.norm_squared();
             let parallel = (&opposite.direction + &face.direction * scale).amax() <= 1e-12;
             (other != stop.index() && scale > 0.0 && parallel).then(|| opposite.gap / scale)
         });
-        let far = opposite.unwrap_or(2.0 * face.direction.norm() - face.gap);
+        let far = opposite.unwrap_or(2.0 * face.direction.norm() * unit - face.gap);
         let share = 0.5 * (1.0 + fraction(c));
         let place = share.mul_add(face.gap + far, -far);
         let others: f64 = (0..n).filter(|&j| j != c).map(|j| face.direction[j] * start[j]).sum();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector, DVectorView};
 
 use crate::dynamics::Stop;
 
@@ -14,6 +14,33 @@ pub type SectionVector = DVector<f64>;
 /// The forcing phase of a section.
 pub(crate) fn phase(section: &SectionVector) -> f64 {
     section[section.len() - 1]
+}
+
+/// The components of a section that are displacements and velocities.
+pub(crate) fn mechanical(section: &SectionVector) -> DVectorView<'_, f64> {
+    section.rows(0, section.len() - 1)
+}
+
+/// How large the difference of two sections is: that of their phases, or of displacements and velocities in units of `size`.
+pub(crate) fn extent(difference: &SectionVector, size: f64) -> f64 {
+    phase(difference).abs().max(mechanical(difference).amax() / size)
+}
+
+/// A section, or a deviation on it, with displacements and velocities so many times as large.
+pub(crate) fn magnified(section: &SectionVector, factor: f64) -> SectionVector {
+    let mut section = section.clone();
+    let last = section.len() - 1;
+    section.rows_mut(0, last).scale_mut(factor);
+    section
+}
+
+/// A linear map of deviations on a section with displacements and velocities in units of `unit`: the same map, of entries that are of
+/// one size. It also takes derivatives by the entries of the result back to those by the entries of the map.
+pub(crate) fn in_units(mut map: DMatrix<f64>, unit: f64) -> DMatrix<f64> {
+    let last = map.ncols() - 1;
+    map.rows_mut(last, 1).scale_mut(unit);
+    map.columns_mut(last, 1).unscale_mut(unit);
+    map
 }
 
 /// An impact on a motion: where, and the state just after it.

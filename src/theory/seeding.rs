@@ -5,13 +5,14 @@ use super::follower::follower;
 use super::label::Label;
 use super::motion::{NoMotion, PeriodicMotion};
 use super::pattern::{Pattern, StopSet};
-use super::section_vector::{SectionVector, phase};
+use super::section_vector::{SectionVector, extent, mechanical, phase};
 use crate::dynamics::{Event, Stop};
 use crate::model::System;
 
-/// The largest distance on the section over which an orbit returns closely, non-dimensional.
+/// The largest distance on the section over which an orbit returns closely: the sum of all differences, in units of what is of order
+/// one.
 const CLOSE: f64 = 1.0;
-/// Returns nearer to each other than this are one.
+/// Returns nearer to each other than this are one; see [`extent`].
 const APART: f64 = 1e-2;
 /// Moves of an orbit, beyond twice what its steps and the impacts asked for take, after which it is searched no further.
 const SPARE_MOVES: u64 = 1 << 19;
@@ -88,11 +89,12 @@ fn solved_among(
     impacts: &[Met],
     tries: usize,
 ) -> (Option<PeriodicMotion>, usize) {
+    let unit = system.unit();
     let mut tried: Vec<SectionVector> = Vec::new();
     for first in close_returns(system, impacts, label) {
         let count = label.count() as usize;
         let (pattern, guess) = sequence(system, &impacts[first..first + count], label.n);
-        if tried.iter().any(|other| (other - &guess[0]).amax() < APART) {
+        if tried.iter().any(|other| extent(&(other - &guess[0]), unit) < APART) {
             continue;
         }
         tried.push(guess[0].clone());
@@ -157,7 +159,7 @@ fn close_returns(system: &System, impacts: &[Met], label: &Label) -> Vec<usize> 
     let wanted = StopSet::of(system).in_plant_order(&label.impacts);
     let Some(stop) = wanted.iter().position(|&count| count > 0) else { return Vec::new() };
     let count = label.count() as usize;
-    let turn = f64::from(label.n) * system.period();
+    let (turn, unit) = (f64::from(label.n) * system.period(), system.unit());
     let mut returns: Vec<(f64, usize)> = impacts
         .windows(count + 1)
         .enumerate()
@@ -172,7 +174,7 @@ fn close_returns(system: &System, impacts: &[Met], label: &Label) -> Vec<usize> 
             }
             let late = system.plant().omega * (to.time - from.time - turn);
             let change = &to.section - &from.section;
-            let away = change.rows(0, change.len() - 1).abs().sum() + late.abs();
+            let away = mechanical(&change).abs().sum() / unit + late.abs();
             (away < CLOSE).then_some((away, first))
         })
         .collect();

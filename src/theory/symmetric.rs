@@ -44,7 +44,7 @@ impl SymmetricStarts {
         let n = system.coordinates();
         let borne = |i: &usize| system.stops().any(|(direction, _)| direction[*i] != 0.0);
         let nudged = (0..n).find(|i| !borne(i)).unwrap_or(n);
-        state[nudged] += NUDGE;
+        state[nudged] += NUDGE * system.unit();
         Some(state)
     }
 }

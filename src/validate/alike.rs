@@ -1,6 +1,7 @@
 //! When two verdicts are the same.
 
 use crate::analysis::Verdict;
+use crate::model::Flows;
 use crate::plane::{Reached, RegionMap, Task};
 
 /// Whether regime and label are equal.
@@ -13,9 +14,29 @@ pub fn same_motion(a: &Verdict, b: &Verdict) -> bool {
     a.regime.is_periodic() && same_label(a, b)
 }
 
-/// The largest absolute difference of the strobe states; infinite where one is not a number.
-pub fn state_difference(a: &[f64], b: &[f64]) -> f64 {
-    largest(a.iter().zip(b).map(|(a, b)| a - b))
+/// The largest difference of the strobe states in units of what is of order one; infinite where one is not a number.
+pub fn state_difference(a: &[f64], b: &[f64], unit: f64) -> f64 {
+    largest(a.iter().zip(b).map(|(a, b)| (a - b) / unit))
+}
+
+/// What is of order one in the cells of a map; see [`System::unit`](crate::model::System::unit).
+pub struct Units<'a, T: Task> {
+    map: &'a RegionMap<T>,
+    flows: Flows,
+}
+
+impl<'a, T: Task> Units<'a, T> {
+    /// Those of a map.
+    pub fn of(map: &'a RegionMap<T>) -> Self {
+        Units { map, flows: Flows::default() }
+    }
+
+    /// That of a cell.
+    pub fn at(&self, index: usize) -> f64 {
+        let columns = self.map.plane.x.count;
+        let parameters = self.map.plane.parameters_at(index as u32 % columns, index as u32 / columns);
+        self.flows.system(parameters).map_or(1.0, |system| system.unit())
+    }
 }
 
 /// The largest absolute value of some differences; infinite where one is not a number.

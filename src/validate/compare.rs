@@ -3,7 +3,7 @@
 use strum::VariantArray;
 
 use super::agreement::{Agreement, FailedCells, Fault, RegimeAgreement, Tipped, WorstCell};
-use super::alike::{is_inside, same_label, same_motion};
+use super::alike::{Units, is_inside, same_label, same_motion};
 use super::comparable::Comparable;
 use super::continuation::Continued;
 use super::spread::{Share, Spread};
@@ -33,8 +33,9 @@ pub fn compare_continued<T: Comparable>(
     continued: &Continued,
 ) -> Agreement {
     assert_eq!(reference.plane, candidate.plane, "only maps of the same plane can be compared");
+    let units = Units::of(reference);
     let cells: Vec<Cell> = (0..reference.verdicts.len())
-        .map(|index| Cell::compare(reference, candidate, continued, index))
+        .map(|index| Cell::compare(reference, candidate, (continued, &units), index))
         .collect();
     let of_regime = |regime| cells.iter().filter(move |cell: &&Cell| cell.reference.regime == regime);
     Agreement {
@@ -76,12 +77,12 @@ impl<'a> Cell<'a> {
     fn compare<T: Comparable>(
         reference: &'a RegionMap<T>,
         candidate: &'a RegionMap<T>,
-        continued: &Continued,
+        (continued, units): (&Continued, &Units<'_, T>),
         index: usize,
     ) -> Self {
         let both = [&reference.verdicts[index], &candidate.verdicts[index]];
         let [ours, theirs] = both.map(Reached::verdict);
-        let direct = || T::difference(both[0], both[1]);
+        let direct = || T::difference(both[0], both[1], units.at(index));
         Cell {
             index,
             reference: ours,

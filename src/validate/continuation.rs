@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::alike::{same_motion, state_difference};
+use super::alike::{Units, same_motion, state_difference};
 use crate::analysis::{Schedule, Verdict};
 use crate::backend::{Backend, Job, Watch};
 use crate::model::System;
 use crate::plane::RegionMap;
 use crate::sweep::SweepError;
 
-/// Above this difference of the strobe states (non-dimensional) two motions of the same label are taken to be
+/// Above this difference of the strobe states, in units of what is of order one, two motions of the same label are taken to be
 /// another branch or phase; an error of single precision is far smaller, and what is taken so wrongly still counts.
 const ANOTHER_BRANCH: f64 = 1e-3;
 
@@ -19,24 +19,29 @@ const PERIODS: u32 = 256;
 /// How many periods of the motion it goes on at least.
 const RETURNS: u32 = 8;
 
-/// Differences of the strobe states found by continuing on the reference, by cell; non-dimensional.
+/// Differences of the strobe states found by continuing on the reference, by cell, in units of what is of order one.
 pub type Continued = BTreeMap<usize, f64>;
 
 /// The cells with the same periodic motion by label whose strobe states are far apart although both may be right.
 ///
 /// A symmetric motion of one forcing period has neither a twin nor another phase: far apart, one of them is wrong.
 pub fn strays(reference: &RegionMap, candidate: &RegionMap) -> Vec<usize> {
+    let units = Units::of(reference);
     let pairs = reference.verdicts.iter().zip(&candidate.verdicts);
-    pairs.enumerate().filter(|(_, (a, b))| is_stray(a, b)).map(|(index, _)| index).collect()
+    pairs
+        .enumerate()
+        .filter(|(index, (a, b))| is_stray(a, b, || units.at(*index)))
+        .map(|(index, _)| index)
+        .collect()
 }
 
-fn is_stray(reference: &Verdict, candidate: &Verdict) -> bool {
+fn is_stray(reference: &Verdict, candidate: &Verdict, unit: impl Fn() -> f64) -> bool {
     let finite = candidate.state.iter().all(|value| value.is_finite());
     let unique = reference.n == 1 && reference.symmetric && candidate.symmetric;
     same_motion(reference, candidate)
         && finite
         && !unique
-        && state_difference(&reference.state, &candidate.state) > ANOTHER_BRANCH
+        && state_difference(&reference.state, &candidate.state, unit()) > ANOTHER_BRANCH
 }
 
 /// Goes on from the candidate's end state of every stray, on the reference's back end, for whole periods of its motion.
@@ -55,7 +60,7 @@ pub fn continue_strays(
     for index in strays(reference, candidate) {
         by_period.entry(candidate.verdicts[index].n).or_default().push(index);
     }
-    let mut continued = Continued::new();
+    let (mut continued, units) = (Continued::new(), Units::of(candidate));
     for (n, cells) in by_period {
         let schedule = whole_periods(u32::from(n), reference.plane.task.max_period);
         for tile in cells.chunks(backend.tile().max(1)) {
@@ -63,7 +68,8 @@ pub fn continue_strays(
             for (&index, end) in tile.iter().zip(backend.run(&jobs, &schedule, watch)?) {
                 let theirs = &candidate.verdicts[index];
                 if same_motion(&end, theirs) {
-                    continued.insert(index, state_difference(&end.state, &theirs.state));
+                    let away = state_difference(&end.state, &theirs.state, units.at(index));
+                    continued.insert(index, away);
                 }
             }
         }

@@ -23,7 +23,7 @@ use crate::dynamics::Stop;
 use crate::model::vector::dot;
 use crate::model::{Real, System};
 use crate::system::Family;
-use crate::theory::impact_map_at;
+use crate::theory::{impact_map_at, in_units};
 
 /// Settings of the small kicks; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -111,7 +111,7 @@ impl Settings for OgySetting {
         let values = |values: &DVector<f64>| {
             SectionValues::from_slice(values.as_slice()).expect("a section has 2 to 8 components")
         };
-        Ok(Ogy { stop, window, point: values(&point), gains: values(&gains(&jacobian)?) })
+        Ok(Ogy { stop, window, point: values(&point), gains: values(&gains(jacobian, system.unit())?) })
     }
 
     fn shown(&self) -> (&'static str, Vec<Shown>) {
@@ -119,7 +119,7 @@ impl Settings for OgySetting {
     }
 }
 
-/// Rounds of Newton's method, and the distance that ends it.
+/// Rounds of Newton's method, and the distance that ends it, in units of what is of order one.
 const ROUNDS: usize = 30;
 const EXACT: f64 = 1e-12;
 
@@ -132,7 +132,8 @@ fn fixed_point(system: &System, stop: Stop, near: &[f64]) -> Option<(DVector<f64
         let jacobian = next.jacobian?;
         let mut away = DVector::from_row_slice(&next.section) - &point;
         away[tau] = (away[tau] + PI).rem_euclid(TAU) - PI;
-        if away.amax() < EXACT {
+        let far = away.rows(0, tau).amax() / system.unit();
+        if far.max(away[tau].abs()) < EXACT {
             point[tau] = point[tau].rem_euclid(TAU);
             return Some((point, jacobian));
         }
@@ -144,7 +145,8 @@ fn fixed_point(system: &System, stop: Stop, near: &[f64]) -> Option<(DVector<f64
 
 /// The gains of a kick that leaves nothing of a deviation along the one unstable direction: the left eigenvector, its first
 /// component 1; zeros where the fixed point is stable.
-fn gains(jacobian: &DMatrix<f64>) -> Result<DVector<f64>, ControlError> {
+fn gains(jacobian: DMatrix<f64>, unit: f64) -> Result<DVector<f64>, ControlError> {
+    let jacobian = in_units(jacobian, unit);
     let multipliers = jacobian.complex_eigenvalues();
     let unstable: Vec<_> = multipliers.iter().filter(|multiplier| multiplier.modulus() >= 1.0).collect();
     let size = jacobian.nrows();
@@ -167,7 +169,10 @@ fn gains(jacobian: &DMatrix<f64>) -> Result<DVector<f64>, ControlError> {
             "a kick of the velocity after the impact does not reach the unstable direction: choose another method".to_owned(),
         ));
     }
-    Ok(&left / left[0])
+    let mut gains = &left / left[0];
+    // A phase is the same in any unit of length, a kick is not.
+    gains[size - 1] *= unit;
+    Ok(gains)
 }
 
 /// The small kicks at work.

@@ -79,7 +79,8 @@ pub fn coexisting(
 /// The `i`-th of a sequence of states that fills the box of displacements and velocities evenly.
 fn scattered(system: &System, verdict: &Verdict, i: u32) -> StateVector {
     let n = system.plant().n;
-    let reach = |from: &[f64]| from.iter().fold(0.0_f64, |most, value| most.max(value.abs())).max(0.1);
+    let least = 0.1 * system.unit();
+    let reach = |from: &[f64]| from.iter().fold(least, |most, value| most.max(value.abs()));
     let gaps = system.plant().stops.iter().map(|stop| stop.gap.abs());
     let place = gaps.fold(reach(&verdict.state[..n]), f64::max);
     let speed = reach(&verdict.state[n..]).max(f64::from(verdict.peak_impact_velocity));

@@ -94,7 +94,7 @@ impl Run {
 
     /// Iterates from switching control on until the points stay where they end.
     fn time(&self) -> Option<u32> {
-        converged_at(&self.history.returns, FROM, self.outcome.period, CONVERGED)
+        converged_at(&system(), &self.history.returns, FROM, self.outcome.period, CONVERGED)
     }
 
     /// The modulus of the largest multiplier of the scheme at a fixed point.

@@ -29,7 +29,7 @@ pub(in super::super) const FIGURE_17: PaperFigure = PaperFigure {
         let scatter = run.history.returns[FROM as usize..]
             .iter()
             .zip(last.into_iter().cycle())
-            .map(|(met, last)| met.section.distance(&last.section))
+            .map(|(met, last)| met.section.distance(&last.section, 1.0))
             .fold(0.0, f64::max);
         let mut claims = components(17, "point held by the pulses, X0", PRINTED, Some(run.point()), 5e-6);
         claims.push(

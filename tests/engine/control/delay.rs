@@ -27,7 +27,7 @@ fn gains_of_a_half_and_less_reach_the_unstable_fixed_point() {
         let (outcome, returns) = captured(gain, 4000);
         assert_eq!(outcome.period, 1, "g = {gain}");
         assert!(away(outcome.section, FIXED_POINT) < 1e-7, "g = {gain}: {outcome:?}");
-        let iterates = converged_at(&returns, 2000, 1, 1e-6).unwrap();
+        let iterates = converged_at(&system(), &returns, 2000, 1, 1e-6).unwrap();
         assert!((20..250).contains(&iterates), "g = {gain}: {iterates}");
         assert!(returns.last().unwrap().signal < 1e-12, "the control does not vanish");
     }
@@ -37,7 +37,7 @@ fn gains_of_a_half_and_less_reach_the_unstable_fixed_point() {
 fn a_gain_just_large_enough_takes_over_half_a_thousand_iterates() {
     let (outcome, returns) = captured(0.25, 8000);
     assert!(away(outcome.section, FIXED_POINT) < 1e-7);
-    let iterates = converged_at(&returns, 2000, 1, 1e-6).unwrap();
+    let iterates = converged_at(&system(), &returns, 2000, 1, 1e-6).unwrap();
     assert!((500..4000).contains(&iterates), "{iterates}");
 }
 

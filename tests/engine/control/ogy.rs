@@ -26,7 +26,11 @@ fn kicks(window: f64, near: [f64; 4]) -> Scheme {
 }
 
 fn unstable() -> System {
-    System::new(Parameters { omega: OMEGA, ..Parameters::default() }).unwrap()
+    system_at(OMEGA)
+}
+
+fn system_at(omega: f64) -> System {
+    System::new(Parameters { omega, ..Parameters::default() }).unwrap()
 }
 
 fn held_point(system: &System, near: [f64; 4]) -> [f64; 4] {
@@ -91,6 +95,29 @@ fn a_chaotic_motion_is_caught_where_it_comes_near() {
     assert!(away(outcome.section, held_point(&system, near)) < 1e-9, "{outcome:?}");
     assert!(returns.iter().all(|met| met.signal <= 0.05));
     assert_eq!(reached(1e-9).0.verdict.label(), "chaotic");
+}
+
+/// The same in a unit of length a million times as large: what comes near, returns and settles is told by the motion's own size.
+#[test]
+fn it_is_caught_in_any_unit_of_length() {
+    let unit = 2f64.powi(-20);
+    let mut plant = system_at(2.6).plant().clone();
+    plant.force_sin *= unit;
+    plant.stops.iter_mut().for_each(|stop| stop.gap *= unit);
+    let system = System::of_plant(plant).unwrap();
+    let near = [-0.418 * unit, -0.031 * unit, 0.027 * unit, 1.71];
+    let schedule =
+        ControlSchedule { from: 1000, iterates: 8000, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
+    let reached = |window: f64| {
+        let controller = kicks(window * unit, near).resolve(&system).unwrap();
+        control::<f64, _>(&system, &[0.0; 4], &controller, &schedule, &mut Returns::default()).unwrap()
+    };
+    let (held, free) = (reached(0.05), reached(1e-9));
+    assert_eq!((held.period, held.verdict.n), (1, 1), "{held:?}");
+    let point = held_point(&system_at(2.6), [-0.418, -0.031, 0.027, 1.71]);
+    let scaled = [held.section[0] / unit, held.section[1] / unit, held.section[2] / unit, held.section[3]];
+    assert!(away(scaled, point) < 1e-9, "{held:?}");
+    assert_eq!((free.period, free.verdict.label().as_str()), (0, "chaotic"), "{free:?}");
 }
 
 #[test]

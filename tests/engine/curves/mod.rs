@@ -5,6 +5,7 @@ mod coverage;
 mod families;
 mod invariants;
 mod places;
+mod units;
 
 use impact_atlas::analysis::Schedule;
 use impact_atlas::backend::{Cpu, Unwatched};

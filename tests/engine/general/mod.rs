@@ -11,4 +11,5 @@ mod simultaneous;
 mod sticking;
 mod subject;
 mod suite;
+mod units;
 mod unpressed;

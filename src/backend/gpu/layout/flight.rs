@@ -179,9 +179,23 @@ fn normal_members<const N: usize>(normal: &ContactNormal<f32, N>, members: &mut 
     members.rows("back_v", back().map(|row| &row.state.v));
 }
 
-/// What a cell has beside its flow: the stops at both ends of each normal, and the start.
-fn cell_members<const N: usize>(flow: u32, stops: &[StopsAlong], start: &[f64], members: &mut Members<N>) {
+/// What a cell has beside its flow.
+#[derive(Debug)]
+pub struct CellConstants<'a> {
+    /// Where the constants of its flow lie.
+    pub flow: u32,
+    /// [`Flight::unit`].
+    pub unit: f32,
+    /// The stops at both ends of each normal.
+    pub stops: &'a [StopsAlong],
+    /// Where it begins.
+    pub start: &'a [f64],
+}
+
+fn cell_members<const N: usize>(cell: &CellConstants<'_>, members: &mut Members<N>) {
+    let CellConstants { flow, unit, stops, start } = *cell;
     members.integer("flow", flow);
+    members.number("unit", unit);
     members.pairs("gap", stops.iter().map(|along| along.gap));
     members.pairs("restitution", stops.iter().map(|along| along.restitution));
     members.numbers("start", start.iter().map(|&value| value as f32));
@@ -203,7 +217,9 @@ pub fn declarations<const N: usize>(shape: &Shape) -> String {
     let stops = vec![StopsAlong::NONE; shape.normals];
     let normal = declared(&|members| normal_members(&none.normals[0], members));
     let flight = declared(&|members| flight_members(&none, members));
-    let cell = declared(&|members| cell_members(0, &stops, &vec![0.0; 2 * N], members));
+    let start = vec![0.0; 2 * N];
+    let cell = CellConstants { flow: 0, unit: 0.0, stops: &stops, start: &start };
+    let cell = declared(&|members| cell_members(&cell, members));
     format!(
         "struct ContactNormal {{\n{normal}}}\n\nstruct Flight {{\n{flight}    normals: array<ContactNormal, NORMALS>,\n}}\n\n\
          struct Cell {{\n{cell}}}\n"
@@ -211,8 +227,8 @@ pub fn declarations<const N: usize>(shape: &Shape) -> String {
 }
 
 /// What a cell has beside its flow, as the shader reads it.
-pub fn write_cell<const N: usize>(flow: u32, stops: &[StopsAlong], start: &[f64], into: &mut Vec<u32>) {
-    cell_members::<N>(flow, stops, start, &mut Members { words: into, declared: None });
+pub fn write_cell<const N: usize>(cell: &CellConstants<'_>, into: &mut Vec<u32>) {
+    cell_members::<N>(cell, &mut Members { words: into, declared: None });
 }
 
 /// The constants of a flow as the shader reads them.

@@ -19,7 +19,9 @@ pub use control::{
     declaration_of_control,
 };
 pub use extent::{Extent, ExtentCode, ExtentDispatch};
-pub use flight::{BACK_TERMS, KICK_TERMS, NORMAL_TERMS, write_cell, write_flight, write_kicks};
+pub use flight::{
+    BACK_TERMS, CellConstants, KICK_TERMS, NORMAL_TERMS, write_cell, write_flight, write_kicks,
+};
 pub use follow::{Dispatch, NOT_MEASURED, Schedule, Verdict};
 pub use record::FINISHED;
 pub use trace::{Rebounds, Trace, TraceDispatch};
@@ -90,7 +92,7 @@ impl Cells {
             let (mut constants, mut kicks, mut stops) = (Vec::new(), Vec::new(), Vec::new());
             for system in systems {
                 let flight = model::Flight::<f64, N>::new(system);
-                stops.push(flight.stops(system));
+                stops.push((flight.stops(system), flight.forced));
                 let rounded = flight.round::<f32>();
                 write_flight(&rounded, &mut constants);
                 write_kicks(&rounded, &mut kicks);
@@ -102,9 +104,11 @@ impl Cells {
         let cells = jobs.par_chunks(CHUNK).zip(by_flow.of_cell.par_chunks(CHUNK)).map(|(jobs, flows)| {
             let (mut words, mut stops) = (Vec::new(), Vec::new());
             for (Job { system, start }, &flow) in jobs.iter().map(F::job).zip(flows) {
+                let (of_flow, forced) = &stops_of_flows[flow as usize];
                 stops.clear();
-                stops.extend(stops_of_flows[flow as usize].iter().map(|along| along.with_values_of(system)));
-                write_cell::<N>(flow, &stops, start, &mut words);
+                stops.extend(of_flow.iter().map(|along| along.with_values_of(system)));
+                let unit = system.unit_of(*forced) as f32;
+                write_cell::<N>(&CellConstants { flow, unit, stops: &stops, start }, &mut words);
             }
             words
         });

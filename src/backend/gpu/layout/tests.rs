@@ -60,7 +60,9 @@ fn the_constants_of_a_cell_fill_what_the_shader_declares() {
             write_flight(&flight, &mut constants);
             write_kicks(&flight, &mut kicks);
             let stops = vec![model::StopsAlong::NONE; normals];
-            write_cell::<N>(0, &stops, &vec![0.0; 2 * N], &mut cell);
+            let start = vec![0.0; 2 * N];
+            let own = CellConstants { flow: 0, unit: 1.0, stops: &stops, start: &start };
+            write_cell::<N>(&own, &mut cell);
             assert_eq!(4 * constants.len(), size("Flight"), "{shape:?}");
             assert_eq!(4 * cell.len(), size("Cell"), "{shape:?}");
             assert_eq!(4 * kicks.len(), normals * NORMAL_TERMS * size("State"), "{shape:?}");
