@@ -36,8 +36,8 @@ impl System {
 }
 
 /// How far, and how fast, forces carry masses that rest at 0: the forced response where there is one, though no farther than the
-/// forces alone would in half a forcing period, since impacts keep a resonance from growing. Where it is
-/// small, the next power of two, which is the same in either precision.
+/// forces alone would in half a forcing period, since impacts keep a resonance from growing. Where it is small, the next power of
+/// two, which is the same in either precision.
 pub(super) fn forced<const N: usize>(equations: &Equations<N>, response: Option<&ForcedResponse<N>>) -> f64 {
     let (omega, period) = (equations.omega, std::f64::consts::TAU / equations.omega);
     let acceleration = (0..N)

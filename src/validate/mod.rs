@@ -8,11 +8,10 @@
 //! # End states
 //! Where both maps hold the same periodic motion, the strobe states are compared: the largest difference of a component, in
 //! units of what is of order one ([`System::unit`](crate::model::System::unit)). Two right answers can differ there, since an
-//! unsymmetric motion has a mirrored twin and a
-//! motion of N > 1 periods can be met at N phases. Such cells, [`strays`], are not taken out of the figures: with
-//! [`continue_strays`] the reference goes on from the *candidate's* end state for a whole number of periods of the
-//! motion, and how far it moves is the cell's difference. A stray that was not continued, or that did not stay on a
-//! motion with the label, counts with its whole difference.
+//! unsymmetric motion has a mirrored twin and a motion of N > 1 periods can be met at N phases. Such cells, [`strays`], are
+//! not taken out of the figures: with [`continue_strays`] the reference goes on from the *candidate's* end state for a whole
+//! number of periods of the motion, and how far it moves is the cell's difference. A stray that was not continued, or that
+//! did not stay on a motion with the label, counts with its whole difference.
 //!
 //! # Cells on the edge
 //! On a boundary, and where chaos leaves the choice among motions to chance, a rounding error may decide a cell, and
