@@ -13,7 +13,7 @@ use super::until::Until;
 use crate::model::{Setting, System};
 use crate::theory::newton::arcs;
 use crate::theory::{
-    Flow, Pattern, PeriodicMotion, SectionVector, eigenvalues, extent, in_units, magnified, phase, turn_along,
+    Flow, Pattern, PeriodicMotion, SectionVector, eigenvalues, extent, in_units, phase, turn_along,
 };
 
 /// The longest step, in lengths of the parameter's range.
@@ -149,7 +149,7 @@ fn watch(branch: &Branch, y: &DVector<f64>) -> Option<Watched> {
     let sections = unknowns.sections(y);
     let (flow, pattern) = (Flow::new(&system), &unknowns.pattern);
     let arcs = arcs(&flow, pattern, &sections);
-    let map = in_units(turn_along(&flow, pattern, &arcs)?, flow.unit);
+    let map = in_units(turn_along(&flow, pattern, &arcs)?, flow.unit());
     let multipliers = eigenvalues(&map)?;
     Some(Watched {
         tests: Kind::smooth(pattern).map(|kind| test_function(kind, &map)),
@@ -245,7 +245,7 @@ impl Event {
         let count = pattern.stops.len();
         let unit = system.unit();
         let near = |(a, difference): (&SectionVector, &SectionVector)| {
-            extent(difference, unit) < NEAR * (1.0 + magnified(a, 1.0 / unit).amax())
+            extent(difference, unit) < NEAR * (1.0 + extent(a, unit))
         };
         if !self.sections.iter().zip(&differences).all(near) {
             return self;

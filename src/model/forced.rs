@@ -3,6 +3,7 @@
 use nalgebra::{Complex, ComplexField, DMatrix, DVector, SMatrix, SVector};
 
 use super::equations::Equations;
+use super::free_flight::FreeFlight;
 use crate::system::{Plant, sized};
 
 /// The periodic response to the loads, without impact; everything is non-dimensional.
@@ -18,20 +19,17 @@ pub struct ForcedResponse<const N: usize> {
 
 impl<const N: usize> ForcedResponse<N> {
     /// The response of a system; none at an undamped resonance, or where the constant load meets no stiffness.
-    pub fn of(equations: &Equations<N>) -> Option<Self> {
-        let omega = equations.omega;
+    pub fn of(free: &FreeFlight<N>) -> Option<Self> {
+        let omega = free.omega;
         let dynamic = SMatrix::<Complex<f64>, N, N>::from_fn(|i, j| {
             let inertia = if i == j { omega * omega } else { 0.0 };
-            -Complex::new(inertia + equations.stiffness[(i, j)], omega * equations.damping[(i, j)])
+            -Complex::new(inertia + free.stiffness[(i, j)], omega * free.damping[(i, j)])
         });
-        let load = equations.cos.zip_map(&equations.sin, |c, s| Complex::new(c, -s));
+        let load = free.cos.zip_map(&free.sin, |c, s| Complex::new(c, -s));
         let still = load.iter().all(|value| value.modulus() == 0.0);
         let amplitude = if still { load } else { inverse(&dynamic)? * load };
-        let mean = if equations.load.amax() == 0.0 {
-            SVector::zeros()
-        } else {
-            -(inverse(&equations.stiffness)? * equations.load)
-        };
+        let mean =
+            if free.load.amax() == 0.0 { SVector::zeros() } else { -(inverse(&free.stiffness)? * free.load) };
         let velocity = amplitude.map(|value| -omega * value.im);
         let finite = amplitude.iter().all(|value| value.modulus().is_finite())
             && mean.iter().all(|value| value.is_finite());

@@ -69,5 +69,6 @@ pub use stops_along::StopsAlong;
 pub use system::System;
 pub use system_error::SystemError;
 pub(crate) use transition::{generator, transition};
+pub(crate) use unit::{forced_by, unit};
 pub use width::Width;
 pub(crate) use width::{AnyWidth, AtWidth};

@@ -48,7 +48,7 @@ impl OfFlow {
     }
 
     /// How far forces carry masses; see [`System::unit`](super::System::unit).
-    pub(super) fn forced(&self, find: impl FnOnce() -> f64) -> f64 {
+    pub fn forced(&self, find: impl FnOnce() -> f64) -> f64 {
         *self.forced.get_or_init(find)
     }
 

@@ -1,10 +1,12 @@
 //! What is of order one: tolerances are in units of it.
 
-use super::equations::Equations;
+use nalgebra::DMatrix;
+
 use super::forced::ForcedResponse;
-use super::free_flight::LEAST;
+use super::free_flight::{FreeFlight, LEAST};
 use super::system::System;
-use crate::system::{Plant, sized};
+use super::transition::generator;
+use crate::system::sized;
 
 impl System {
     /// The displacement, and the velocity, that are of order one on its motions: 1, or where gaps, and what forces do, are all less than
@@ -17,32 +19,39 @@ impl System {
 
     /// How far forces carry masses; see [`forced`].
     pub(super) fn forced(&self) -> f64 {
-        self.of_flow().forced(|| {
-            fn of<const N: usize>(plant: &Plant) -> f64 {
-                let equations = Equations::<N>::new(plant);
-                forced(&equations, ForcedResponse::of(&equations).as_ref())
-            }
-            sized!(self.coordinates(), N of 1 2 3 4: of::<N>(self.like()), else of::<5>(self.like()))
-        })
+        self.of_flow().forced(|| forced_by(&generator(self.like())))
     }
 
     /// The same, of a flow whose forces are known to carry masses so far; see [`forced`].
     pub(crate) fn unit_of(&self, forced: f64) -> f64 {
         let gaps = self.stop_values().iter().zip(&self.common().lengths);
-        let largest = gaps.map(|(stop, length)| stop.gap.abs() / length).fold(forced, f64::max);
-        // Without forces and gaps nothing says what is large; a start may.
-        if largest > 0.0 && largest < LEAST { (0.5 * largest).max(f32::MIN_POSITIVE.into()) } else { 1.0 }
+        unit(forced, gaps.map(|(stop, length)| stop.gap / length))
     }
+}
+
+/// [`System::unit`], by how far forces carry masses, and by the gaps, each per length of its direction.
+pub(crate) fn unit(forced: f64, gaps: impl Iterator<Item = f64>) -> f64 {
+    let largest = gaps.map(f64::abs).fold(forced, f64::max);
+    // Without forces and gaps nothing says what is large; a start may.
+    if largest > 0.0 && largest < LEAST { (0.5 * largest).max(f32::MIN_POSITIVE.into()) } else { 1.0 }
+}
+
+/// [`forced`], by the generator of a flow.
+pub(crate) fn forced_by(generator: &DMatrix<f64>) -> f64 {
+    fn of<const N: usize>(generator: &DMatrix<f64>) -> f64 {
+        let free = FreeFlight::<N>::of_generator(generator);
+        forced(&free, ForcedResponse::of(&free).as_ref())
+    }
+    sized!((generator.nrows() - 3) / 2, N of 1 2 3 4: of::<N>(generator), else of::<5>(generator))
 }
 
 /// How far, and how fast, forces carry masses that rest at 0: the forced response where there is one, though no farther than the
 /// forces alone would in half a forcing period, since impacts keep a resonance from growing. Where it is small, the next power of
 /// two, which is the same in either precision.
-pub(super) fn forced<const N: usize>(equations: &Equations<N>, response: Option<&ForcedResponse<N>>) -> f64 {
-    let (omega, period) = (equations.omega, std::f64::consts::TAU / equations.omega);
-    let acceleration = (0..N)
-        .map(|i| libm::hypot(equations.sin[i], equations.cos[i]) + equations.load[i].abs())
-        .fold(0.0, f64::max);
+pub(super) fn forced<const N: usize>(free: &FreeFlight<N>, response: Option<&ForcedResponse<N>>) -> f64 {
+    let (omega, period) = (free.omega, std::f64::consts::TAU / free.omega);
+    let acceleration =
+        (0..N).map(|i| libm::hypot(free.sin[i], free.cos[i]) + free.load[i].abs()).fold(0.0, f64::max);
     let alone = acceleration * (0.5 * period).max(0.125 * period * period);
     let respond = |response: &ForcedResponse<N>| {
         let of = |i: usize| libm::hypot(response.amplitude[i].re, response.amplitude[i].im);

@@ -149,7 +149,8 @@ impl<'a> Passage<'a> {
         let speed = flow.face(from.stop).speed(&from.section);
         let due_face = flow.face(due.stop);
         let due_speed = due_face.speed(&due.section);
-        let scale = flow.unit + speed.abs() + due_speed.abs();
+        let unit = flow.unit();
+        let scale = unit + speed.abs() + due_speed.abs();
         let arrival = if due_face.restitution >= READ_BACK {
             -due_speed / due_face.restitution
         } else {
@@ -161,15 +162,8 @@ impl<'a> Passage<'a> {
         if arrival < -TOLERANCE * scale {
             return Err(Inadmissible::Misses(NamedStop::of(system, due.stop)));
         }
-        Ok(Passage {
-            system,
-            flow,
-            from,
-            due,
-            due_speed,
-            arrival: arrival.max(0.0) + TOLERANCE * flow.unit,
-            scale,
-        })
+        let arrival = arrival.max(0.0) + TOLERANCE * unit;
+        Ok(Passage { system, flow, from, due, due_speed, arrival, scale })
     }
 
     /// See [`fly_along`].

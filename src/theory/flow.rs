@@ -10,7 +10,7 @@ use super::face::{Face, slots};
 use super::joined::Joined;
 use super::section_vector::{Node, SectionVector, phase};
 use crate::dynamics::Stop;
-use crate::model::{OfFlow, System, generator, transition};
+use crate::model::{OfFlow, System, forced_by, generator, transition, unit};
 use crate::system::{Mirror, Mooring};
 
 /// The flow z' = G z between impacts, z = (x, v, sin φ, cos φ, 1), and the stops.
@@ -22,8 +22,6 @@ pub(crate) struct Flow {
     pub omega: f64,
     /// See [`System::rate`].
     rate: f64,
-    /// The displacement, and the velocity, that are of order one; see [`System::unit`].
-    pub unit: f64,
     /// What holds the system where it may drift.
     pub mooring: Option<Arc<Mooring>>,
     /// The stops.
@@ -67,13 +65,18 @@ impl Flow {
         kept.generator(|| generator(system.like()));
         system.mirror();
         let (n, omega, rate) = (system.coordinates(), system.like().omega, system.rate());
-        let unit = system.unit();
-        Flow { n, omega, rate, unit, mooring: system.mooring().cloned(), faces, whatever_gaps, kept }
+        Flow { n, omega, rate, mooring: system.mooring().cloned(), faces, whatever_gaps, kept }
     }
 
     /// G, (2n + 3) × (2n + 3).
     pub fn generator(&self) -> &DMatrix<f64> {
         self.kept.known_generator().expect("it was asked for when the flow was made")
+    }
+
+    /// The displacement, and the velocity, that are of order one; see [`System::unit`].
+    pub fn unit(&self) -> f64 {
+        let forced = self.kept.forced(|| forced_by(self.generator()));
+        unit(forced, self.faces.iter().map(|face| face.gap / face.direction.norm()))
     }
 
     /// Whether another flow is this one but for the gaps, and flights over the same time are the same.

@@ -67,9 +67,10 @@ pub fn impact_map_at(system: &System, stop: Stop, section: impl AsRef<[f64]>) ->
         return Err(NoReturn::NotOnSection);
     }
     let z = flow.lifted(stop, &start);
+    let unit = flow.unit();
+    let size = z.rows(0, 2 * n).amax().max(unit);
     let beyond = |(other, face): (Stop, &super::face::Face)| {
-        let scale = BEYOND
-            * (flow.unit + face.gap.abs() + z.rows(0, 2 * n).amax().max(flow.unit) * face.direction.amax());
+        let scale = BEYOND * (unit + face.gap.abs() + size * face.direction.amax());
         other != stop && face.along(&z)[0] > face.gap + scale
     };
     if flow.face(stop).is_left_outwards(&start) || flow.faces().any(beyond) {

@@ -16,7 +16,7 @@ use super::motion::PeriodicMotion;
 use super::multipliers::{contracts, eigenvalues, turn_along};
 use super::newton::ends;
 use super::pattern::{Pattern, StopSet};
-use super::section_vector::{Node, SectionVector, in_units, magnified, phase, wrapped};
+use super::section_vector::{Node, SectionVector, extent, in_units, phase, wrapped};
 use crate::dynamics::Stop;
 use crate::model::System;
 
@@ -128,8 +128,8 @@ impl<'a> Matched<'a> {
             regular = 1 - regular;
         }
         let residuals = [0, 1].map(|k| line.residual(&sections[k], face.gap));
-        let size = |k: usize| flow.unit * (1.0 + magnified(&sections[k], 1.0 / flow.unit).amax());
-        let solved = |k: usize| residuals[k] <= ACCEPTED * size(k);
+        let unit = flow.unit();
+        let solved = |k: usize| residuals[k] <= ACCEPTED * unit * (1.0 + extent(&sections[k], unit));
         if !(solved(0) && solved(1)) {
             return Err(NoSymmetricMotion::Singular);
         }
@@ -160,7 +160,7 @@ impl<'a> Matched<'a> {
     pub fn half_turn(&self, k: usize) -> Option<DMatrix<f64>> {
         let [from, to] = self.ends(k);
         let turn = turn_along(&self.flow, &self.pattern, &[Arc::between(&self.flow, from, to)])?;
-        Some(in_units(turn, self.flow.unit))
+        Some(in_units(turn, self.flow.unit()))
     }
 
     /// The impact at the first stop and the one that is due half a period later.

@@ -10,7 +10,7 @@ use super::flow::Flow;
 use super::multipliers::{self, STABLE, ordered, turn};
 use super::newton;
 use super::pattern::Pattern;
-use super::section_vector::{Node, SectionVector, extent, in_units, magnified, phase};
+use super::section_vector::{Node, SectionVector, extent, in_units, phase};
 use crate::model::System;
 
 /// How far the sections of equal motions may be apart, relative to their size; see [`extent`].
@@ -98,13 +98,13 @@ impl PeriodicMotion {
     /// The same motion as a pattern that does not repeat itself: a motion found over several of its periods, or over
     /// a whole period although it is symmetric, is described by the shortest part.
     fn reduced(self, flow: &Flow) -> Self {
-        let count = self.sections.len();
+        let (count, unit) = (self.sections.len(), flow.unit());
         for parts in (2..=count).rev().filter(|parts| count.is_multiple_of(*parts)) {
             let Some(pattern) = self.part(parts) else { continue };
             let near = newton::solve(flow, &pattern, &self.sections[..count / parts]);
             let Some((sections, residual)) = near else { continue };
             let same = |(a, b): (&SectionVector, &SectionVector)| {
-                extent(&(a - b), flow.unit) < SAME * (1.0 + magnified(a, 1.0 / flow.unit).amax())
+                extent(&(a - b), unit) < SAME * (1.0 + extent(a, unit))
             };
             if sections.iter().zip(&self.sections).all(same) {
                 return PeriodicMotion { pattern, sections, residual };

@@ -95,7 +95,7 @@ pub(crate) fn solve(
     pattern: &Pattern,
     guess: &[SectionVector],
 ) -> Option<(Vec<SectionVector>, f64)> {
-    let mut sections = guess.to_vec();
+    let (mut sections, unit) = (guess.to_vec(), flow.unit());
     let mut joined = arcs(flow, pattern, &sections);
     let mut residuals = residual(&joined);
     let mut size = residuals.norm();
@@ -118,10 +118,9 @@ pub(crate) fn solve(
             }
             share *= 0.5;
         }
-        let scale = flow.unit + sections.iter().map(|section| mechanical(section).amax()).fold(0.0, f64::max);
+        let scale = unit + sections.iter().map(|section| mechanical(section).amax()).fold(0.0, f64::max);
         let solved = residuals.amax() <= SOLVED * scale;
-        if !accepted
-            || (solved && longest(&step, sections[0].len(), flow.unit) * share <= SHORT * (scale / flow.unit))
+        if !accepted || (solved && longest(&step, sections[0].len(), unit) * share <= SHORT * (scale / unit))
         {
             return solved.then_some((sections, residuals.amax()));
         }

@@ -35,7 +35,7 @@ struct Direction {
 impl NormalForm<'_> {
     fn direction(&self, vector: SectionVector) -> Option<Direction> {
         let PeriodicMotion { pattern, sections, .. } = self.motion;
-        let unit = self.flow.unit;
+        let unit = self.flow.unit();
         let [_, _, second, third] = jet::turn(self.flow, pattern, sections, &magnified(&vector, unit))?;
         let [second, third] = [second, third].map(|term| magnified(&term, 1.0 / unit));
         Some(Direction { vector, square: second * 2.0, cube: third * 6.0 })
@@ -117,7 +117,7 @@ pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64>
 ///
 /// The direction of ξ is that of the two null vectors on whose side `along` lies; the sign of a depends on it.
 pub fn fold_coefficient(system: &System, motion: &PeriodicMotion, along: &SectionVector) -> Option<f64> {
-    of_motion(system, motion, |form| form.fold(&magnified(along, 1.0 / form.flow.unit)))
+    of_motion(system, motion, |form| form.fold(&magnified(along, 1.0 / form.flow.unit())))
 }
 
 /// Re d at a pair of multipliers e^(±iθ), θ in (0, π), d of z → e^(iθ) z (1 + d|z|²).
@@ -134,7 +134,7 @@ fn of_motion(
     coefficient: impl Fn(&NormalForm<'_>) -> Option<f64>,
 ) -> Option<f64> {
     let flow = Flow::new(system);
-    let map = in_units(turn(&flow, &motion.pattern, &motion.sections)?, flow.unit);
+    let map = in_units(turn(&flow, &motion.pattern, &motion.sections)?, flow.unit());
     coefficient(&NormalForm { flow: &flow, motion, map: &map })
 }
 

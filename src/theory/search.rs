@@ -137,7 +137,7 @@ fn scattered(system: &System, index: u32) -> Vec<f64> {
     let ratio = (0..64).fold(2.0f64, |ratio, _| libm::pow(1.0 + ratio, power));
     let fraction = |k: usize| (0.5 + f64::from(index + 1) / ratio.powi(k as i32 + 1)).fract() * 2.0 - 1.0;
     let flow = Flow::new(system);
-    let unit = flow.unit;
+    let unit = flow.unit();
     let mut start: Vec<f64> = (0..size).map(|k| fraction(k) * unit).collect();
     // In reverse, so that of several stops on a line the first determines where it begins.
     for (stop, face) in flow.faces().collect::<Vec<_>>().into_iter().rev() {

@@ -21,9 +21,9 @@ pub(crate) fn mechanical(section: &SectionVector) -> DVectorView<'_, f64> {
     section.rows(0, section.len() - 1)
 }
 
-/// How large the difference of two sections is: that of their phases, or of displacements and velocities in units of `size`.
-pub(crate) fn extent(difference: &SectionVector, size: f64) -> f64 {
-    phase(difference).abs().max(mechanical(difference).amax() / size)
+/// How large a section is, or the difference of two: its phase as it is, displacements and velocities in units of `unit`.
+pub(crate) fn extent(section: &SectionVector, unit: f64) -> f64 {
+    phase(section).abs().max(mechanical(section).amax() / unit)
 }
 
 /// A section, or a deviation on it, with displacements and velocities so many times as large.

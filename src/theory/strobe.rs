@@ -87,7 +87,7 @@ impl StrobeMotion {
         let mut turn = Turn::from(follower.as_mut(), &flow, &state, n).ok_or(NoMotion::NotConverged)?;
         for _ in 0..MOST_STEPS {
             let defect = &turn.end - &state;
-            let scale = flow.unit + state.amax();
+            let scale = flow.unit() + state.amax();
             let Some(step) = step(&turn.jacobian, &defect, scale) else { break };
             let last = step.amax() <= SHORT * scale && defect.amax() <= SOLVED * scale;
             let better = (0..if last { 1 } else { MOST_HALVINGS }).find_map(|halvings| {
@@ -103,7 +103,7 @@ impl StrobeMotion {
             }
         }
         let residual = (&turn.end - &state).amax();
-        let scale = flow.unit + state.amax();
+        let scale = flow.unit() + state.amax();
         if residual.is_nan() || residual > SOLVED * scale {
             return Err(NoMotion::NotConverged);
         }
@@ -122,7 +122,8 @@ impl StrobeMotion {
         let residual = (&turn.end - state).amax();
         let half = turn.half.filter(|_| among.has_mirror());
         let asymmetry = half.as_ref().map(|(half, _)| (half - flow.mirrored(state)).amax());
-        let symmetric = asymmetry.is_some_and(|asymmetry| asymmetry <= MIRRORED * (flow.unit + state.amax()));
+        let symmetric =
+            asymmetry.is_some_and(|asymmetry| asymmetry <= MIRRORED * (flow.unit() + state.amax()));
         StrobeMotion {
             n,
             impacts: turn.impacts,
@@ -152,12 +153,12 @@ impl StrobeMotion {
         for _ in 0..HALF_TURN_STEPS {
             let (half, jacobian) = Turn::from(follower, flow, &state, motion.n)?.half?;
             let defect = flow.mirrored(&half) - &state;
-            state -= step(&flow.mirrored_columns(&jacobian), &defect, flow.unit + state.amax())?;
+            state -= step(&flow.mirrored_columns(&jacobian), &defect, flow.unit() + state.amax())?;
             follower.bring_within(&mut state.as_mut_slice()[..size / 2]);
         }
         let turn = Turn::from(follower, flow, &state, motion.n)?;
         let found = Self::solved(flow, motion.among.clone(), motion.n, &state, turn);
-        (found.symmetric && found.residual <= SOLVED * (flow.unit + state.amax())).then_some(found)
+        (found.symmetric && found.residual <= SOLVED * (flow.unit() + state.amax())).then_some(found)
     }
 
     /// P^n of (x, v) at forcing phase 0; none if the trajectory cannot be followed.

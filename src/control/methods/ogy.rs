@@ -23,7 +23,7 @@ use crate::dynamics::Stop;
 use crate::model::vector::dot;
 use crate::model::{Real, System};
 use crate::system::Family;
-use crate::theory::{impact_map_at, in_units};
+use crate::theory::{extent, impact_map_at, in_units};
 
 /// Settings of the small kicks; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -132,8 +132,7 @@ fn fixed_point(system: &System, stop: Stop, near: &[f64]) -> Option<(DVector<f64
         let jacobian = next.jacobian?;
         let mut away = DVector::from_row_slice(&next.section) - &point;
         away[tau] = (away[tau] + PI).rem_euclid(TAU) - PI;
-        let far = away.rows(0, tau).amax() / system.unit();
-        if far.max(away[tau].abs()) < EXACT {
+        if extent(&away, system.unit()) < EXACT {
             point[tau] = point[tau].rem_euclid(TAU);
             return Some((point, jacobian));
         }

@@ -7,4 +7,5 @@ pub mod conditioning;
 pub mod drawn;
 pub mod general;
 pub mod oracle;
+pub mod scaled;
 pub mod settled;

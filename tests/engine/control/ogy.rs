@@ -13,6 +13,7 @@ use impact_atlas::validate::Thresholds;
 
 use super::maps::{agreement, beside, map, plane};
 use super::{Returns, TARGET, away, delay, gpu};
+use crate::common::scaled::scaled;
 
 /// Where the 1-2-1 motion has the multiplier −3.9.
 const OMEGA: f64 = 2.5;
@@ -101,10 +102,7 @@ fn a_chaotic_motion_is_caught_where_it_comes_near() {
 #[test]
 fn it_is_caught_in_any_unit_of_length() {
     let unit = 2f64.powi(-20);
-    let mut plant = system_at(2.6).plant().clone();
-    plant.force_sin *= unit;
-    plant.stops.iter_mut().for_each(|stop| stop.gap *= unit);
-    let system = System::of_plant(plant).unwrap();
+    let system = System::of_plant(scaled(system_at(2.6).plant(), unit)).unwrap();
     let near = [-0.418 * unit, -0.031 * unit, 0.027 * unit, 1.71];
     let schedule =
         ControlSchedule { from: 1000, iterates: 8000, fixed: true, max_period: ControlSchedule::MAX_PERIOD };

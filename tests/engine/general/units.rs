@@ -3,22 +3,18 @@
 use impact_atlas::analysis::{Regime, Schedule, Verdict};
 use impact_atlas::backend::{Backend, Cpu, CpuSingle, Job, Unwatched, decide};
 use impact_atlas::model::{StateVector, System};
-use impact_atlas::system::Plant;
 
 use crate::common::adapter::open_exact;
 use crate::common::general::draw::{Setup, setups};
+use crate::common::scaled::scaled;
 
 const SCHEDULE: Schedule = Schedule { transient: 300, observe: 100, max_period: 16, fixed_periods: false };
 
 /// So many units of length are taken for one: a power of two, so that nothing is rounded.
 fn job(Setup { plant, start }: &Setup, unit: f64) -> Job {
-    let mut plant: Plant = plant.clone();
-    plant.force_sin *= unit;
-    plant.force_cos *= unit;
-    plant.load *= unit;
-    plant.stops.iter_mut().for_each(|stop| stop.gap *= unit);
+    let system = System::of_plant(scaled(plant, unit)).unwrap();
     let start: Vec<f64> = start.iter().map(|value| value * unit).collect();
-    Job { system: System::of_plant(plant).unwrap(), start: StateVector::from_slice(&start).unwrap() }
+    Job { system, start: StateVector::from_slice(&start).unwrap() }
 }
 
 fn decided(backend: &dyn Backend, setups: &[Setup], unit: f64) -> Vec<Verdict> {
