@@ -63,7 +63,7 @@ fn controlled_outcome() -> Outcome {
 fn controlled_is_symmetric(period: u32, impacts: vec4<u32>) -> bool {
     var symmetric = false;
     for (var i = 0u; i < period; i++) {
-        symmetric = symmetric || section_distance(memory.points[i], controlled.mirrored) <= RETURNED;
+        symmetric = symmetric || section_distance(memory.points[i], controlled.mirrored, stops.unit) <= RETURNED;
     }
     //: each stop
     symmetric = symmetric && control.mirror[$k] < MOST && impacts[$k] == impacts[control.mirror[$k]];

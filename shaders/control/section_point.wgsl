@@ -72,10 +72,10 @@ fn section_plus(section: SectionPoint, correction: SectionPoint) -> SectionPoint
 }
 
 // The largest difference of a component, that of τ as it is, others in units of what is of order one.
-fn section_distance(a: SectionPoint, b: SectionPoint) -> f32 {
+fn section_distance(a: SectionPoint, b: SectionPoint, unit: f32) -> f32 {
     let difference = section_minus(a, b);
     let rest = section_with_tau(difference, 0.0);
-    return max(max(largest(rest.head), largest(rest.tail)) / stops.unit, abs(section_tau(difference)));
+    return max(max(largest(rest.head), largest(rest.tail)) / unit, abs(section_tau(difference)));
 }
 
 // The square of the Euclidean length.

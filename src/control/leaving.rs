@@ -10,7 +10,7 @@ use crate::dynamics::{Contact, Point, Trajectory, holds};
 use crate::model::vector::dot;
 use crate::model::{Flight, Real};
 
-/// A point on σ farther than this from 0 is beyond all bounds: static deflections are of order one.
+/// A point on σ farther than this from 0, in units of [`Flight::reach`], is beyond all bounds.
 pub const RUNAWAY: f64 = 1e3;
 
 impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
@@ -58,7 +58,7 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
         section: &SectionPoint<T, N>,
         action: &Action<T, N>,
     ) {
-        if section.distance(&SectionPoint::zero(), flight.unit) > T::of(RUNAWAY) {
+        if section.distance(&SectionPoint::zero(), flight.reach()) > T::of(RUNAWAY) {
             self.progress = Progress::Runaway;
             return;
         }

@@ -89,7 +89,7 @@ impl Watched {
 
 /// Follows a motion both ways to the ends of a parameter's range, or to where it ceases to be one.
 pub(super) fn followed(Seed { motion, parameters }: &Seed, span: Span, until: Until<'_>) -> Followed {
-    let unknowns = Unknowns::new(motion.pattern.clone(), *parameters, 0, vec![span]);
+    let unknowns = Unknowns::new(motion.pattern.clone(), &motion.sections, *parameters, 0, vec![span]);
     let guess = unknowns.pack(&motion.sections, &[], parameters);
     let fixed = unknowns.parameters_at();
     let branch = Branch(unknowns);
@@ -149,7 +149,7 @@ fn watch(branch: &Branch, y: &DVector<f64>) -> Option<Watched> {
     let sections = unknowns.sections(y);
     let (flow, pattern) = (Flow::new(&system), &unknowns.pattern);
     let arcs = arcs(&flow, pattern, &sections);
-    let map = in_units(turn_along(&flow, pattern, &arcs)?, flow.unit());
+    let map = in_units(turn_along(&flow, pattern, &arcs)?, unknowns.unit);
     let multipliers = eigenvalues(&map)?;
     Some(Watched {
         tests: Kind::smooth(pattern).map(|kind| test_function(kind, &map)),
@@ -216,7 +216,7 @@ fn birth(branch: &Branch, here: &PathPoint, next: &PathPoint, ds: f64) -> Option
 fn smooth_event(branch: &Branch, y: &DVector<f64>, kind: Kind) -> Option<Event> {
     let system = branch.0.system(y)?;
     let seed = branch.seed(y);
-    let multipliers = eigenvalues(&in_units(seed.motion.jacobian(&system)?, system.unit()))?;
+    let multipliers = eigenvalues(&in_units(seed.motion.jacobian(&system)?, branch.0.unit))?;
     let (critical, others) = split(kind, &multipliers);
     let neutral_saddle = kind == Kind::NeimarkSacker && critical[0].im.abs() < 1e-9;
     if neutral_saddle || others.iter().any(|value| value.norm() > STABLE) {

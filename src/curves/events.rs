@@ -72,7 +72,7 @@ pub(super) fn look(locus: &Locus, y: &DVector<f64>, tangent: &DVector<f64>) -> O
     let system = unknowns.system(y)?;
     let (flow, sections) = (Flow::new(&system), unknowns.sections(y));
     let arcs = arcs(&flow, &unknowns.pattern, &sections);
-    let map = in_units(turn_along(&flow, &unknowns.pattern, &arcs)?, flow.unit());
+    let map = in_units(turn_along(&flow, &unknowns.pattern, &arcs)?, unknowns.unit);
     let multipliers = eigenvalues(&map)?;
     let motion = PeriodicMotion { pattern: unknowns.pattern.clone(), sections, residual: 0.0 };
     let (critical, others) = split(locus.kind, &multipliers);
@@ -124,7 +124,7 @@ fn beyond(
     };
     let crossed = touches(system, flow, pattern, &motion.sections)
         .iter()
-        .any(|touch| touch.gap < -CROSSED * flow.unit() && !own(touch.arc, touch.phase));
+        .any(|touch| touch.gap < -CROSSED * locus.unknowns.unit && !own(touch.arc, touch.phase));
     let certified = locus.kind == Kind::Grazing || fly(system, &motion.pattern, &motion.sections).is_ok();
     (crossed || !certified).then_some((End::Grazes, Some(Special::Grazing)))
 }

@@ -45,7 +45,13 @@ pub(super) struct Traced {
 pub(super) fn trace(event: &Event, spans: [Span; 2], until: Until<'_>) -> Option<Traced> {
     let extra = usize::from(event.kind == Kind::Grazing);
     let locus = Locus {
-        unknowns: Unknowns::new(event.pattern.clone(), event.parameters, extra, spans.to_vec()),
+        unknowns: Unknowns::new(
+            event.pattern.clone(),
+            &event.sections,
+            event.parameters,
+            extra,
+            spans.to_vec(),
+        ),
         kind: event.kind,
         touch: event.touch.map(|touch| (touch.arc, touch.stop)),
     };

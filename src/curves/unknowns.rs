@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::figure::Spacing;
 use crate::model::{Parameter, Setting, System};
 use crate::theory::newton::{arcs, arcs_with_gaps, is_ordered, joints, residual, residual_alone};
-use crate::theory::{Arc, Flow, Pattern, SectionVector, StopSet, magnified};
+use crate::theory::{Arc, Flow, Pattern, SectionVector, StopSet, magnified, unit_about};
 
 /// A parameter and the range of it that counts as length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ pub(super) struct Unknowns {
     pub spans: Vec<Span>,
     /// The system of the fixed parameters, if there is one: others that differ in gaps and restitutions alone have their flow from it.
     like: Option<System>,
-    /// The displacement, and the velocity, that count as one: those of the system where the path begins; see [`System::unit`].
+    /// The displacement, and the velocity, that count as one: what is of order one where the path begins.
     pub unit: f64,
 }
 
@@ -50,10 +50,16 @@ pub(super) struct Known<'a> {
 }
 
 impl Unknowns {
-    /// Those of a motion near some parameters.
-    pub fn new(pattern: Pattern, fixed: Setting, extra: usize, spans: Vec<Span>) -> Self {
+    /// Those of a motion near some parameters, where it has some sections.
+    pub fn new(
+        pattern: Pattern,
+        sections: &[SectionVector],
+        fixed: Setting,
+        extra: usize,
+        spans: Vec<Span>,
+    ) -> Self {
         let like = System::new(fixed).ok();
-        let unit = like.as_ref().map_or(1.0, System::unit);
+        let unit = unit_about(like.as_ref().map_or(1.0, System::unit), sections);
         Unknowns { pattern, fixed, extra, spans, like, unit }
     }
 

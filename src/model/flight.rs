@@ -3,7 +3,7 @@
 use arrayvec::ArrayVec;
 use nalgebra::SMatrix;
 
-use super::contact_normal::{ContactNormal, contact_normal};
+use super::contact_normal::{ContactNormal, FAR, contact_normal};
 use super::equations::Equations;
 use super::forced::{ForcedResponse, Trap, slowest};
 use super::quiet::{Quiet, quiet};
@@ -240,6 +240,21 @@ impl<T: Real, const N: usize> Flight<T, N> {
     #[inline(always)]
     pub fn least(&self) -> T {
         self.h * T::epsilon().sqrt()
+    }
+
+    /// How far, and how fast, masses may be carried at all: the largest of its unit, of what forces do, and of the gaps.
+    #[inline(always)]
+    pub fn reach(&self) -> T {
+        let mut reach = if self.forced > self.unit { self.forced } else { self.unit };
+        for normal in self.normals() {
+            for gap in normal.gap {
+                let gap = gap.abs();
+                if gap < T::of(FAR) && gap > reach {
+                    reach = gap;
+                }
+            }
+        }
+        reach
     }
 
     /// The contact normals.

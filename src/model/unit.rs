@@ -68,7 +68,8 @@ pub(super) fn forced<const N: usize>(free: &FreeFlight<N>, response: Option<&For
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Flight, Flows, Parameters};
+    use crate::model::{Flight, Flows, Parameters, Setting};
+    use crate::system::Family;
 
     /// The paper's oscillator with its lengths in units of one that is so long.
     fn of(omega: f64, gap: f64, unit: f64) -> System {
@@ -125,5 +126,19 @@ mod tests {
         };
         assert_eq!([flights(20.0), flights(30.0)], [10.0 * 1e-6, 15.0 * 1e-6]);
         assert_eq!(flights(0.1), flights(0.2), "forces do more");
+    }
+
+    #[test]
+    fn masses_are_carried_as_far_as_forces_and_gaps_are_large() {
+        let reach = |omega, gap, unit| Flight::<f64, 2>::new(&of(omega, gap, unit)).reach();
+        assert_eq!(reach(2.83, 40.0, 1.0), 40.0);
+        assert_eq!(reach(2.83, 40.0, 1024.0), 40960.0);
+        let forced = reach(1.0, 0.1, 1.0);
+        assert!(forced > 1.0 && forced < 10.0, "{forced}");
+        assert!((reach(1.0, 0.1, 1024.0) / forced - 1024.0).abs() < 1e-9);
+        // Never below the unit, nor as far as a stop is that is not there.
+        assert_eq!(reach(7.0, 0.3, 1.0), 1.0);
+        let ball = System::new(Setting::defaults(Family::builtin("bouncing-ball"))).unwrap();
+        assert!(Flight::<f64, 1>::new(&ball).reach() < 100.0);
     }
 }

@@ -9,7 +9,7 @@ use super::follower::{Follower, follower};
 use super::matching::departure;
 use super::newton::ends;
 use super::pattern::Pattern;
-use super::section_vector::{Node, SectionVector, phase, wrapped};
+use super::section_vector::{Node, SectionVector, phase, unit_about, wrapped};
 use crate::dynamics::{Event, Impact, Stop};
 use crate::model::System;
 
@@ -149,7 +149,7 @@ impl<'a> Passage<'a> {
         let speed = flow.face(from.stop).speed(&from.section);
         let due_face = flow.face(due.stop);
         let due_speed = due_face.speed(&due.section);
-        let unit = flow.unit();
+        let unit = unit_about(flow.unit(), [&from.section, &due.section]);
         let scale = unit + speed.abs() + due_speed.abs();
         let arrival = if due_face.restitution >= READ_BACK {
             -due_speed / due_face.restitution

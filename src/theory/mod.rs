@@ -56,7 +56,7 @@ pub use normal_form::{flip_coefficient, fold_coefficient, neimark_sacker_coeffic
 pub use pattern::{Pattern, StopSet};
 pub use search::{NotFound, labelled_motion};
 pub use section_vector::{Node, SectionVector};
-pub(crate) use section_vector::{extent, in_units, magnified, phase};
+pub(crate) use section_vector::{extent, in_units, magnified, phase, unit_about};
 pub use seeding::{Search, settled_motion};
 pub use settled::SettledMotion;
 pub use spectrum::{Spectrum, SpectrumFailed};

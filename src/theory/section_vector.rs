@@ -26,6 +26,17 @@ pub(crate) fn extent(section: &SectionVector, unit: f64) -> f64 {
     phase(section).abs().max(mechanical(section).amax() / unit)
 }
 
+/// So many of the system's own units are still of order one.
+const FEW: f64 = 8.0;
+
+/// What is of order one on a motion with some sections: `unit`, the system's own, or where displacements and velocities are many of
+/// these, half the largest.
+pub(crate) fn unit_about<'a>(unit: f64, sections: impl IntoIterator<Item = &'a SectionVector>) -> f64 {
+    let largest = sections.into_iter().map(|section| mechanical(section).amax()).fold(0.0, f64::max);
+    // What is infinite or no number says nothing.
+    if largest.is_finite() && largest > FEW * unit { 0.5 * largest } else { unit }
+}
+
 /// A section, or a deviation on it, with displacements and velocities so many times as large.
 pub(crate) fn magnified(section: &SectionVector, factor: f64) -> SectionVector {
     let mut section = section.clone();
@@ -56,4 +67,26 @@ pub struct Node {
 pub(crate) fn wrapped(phase: f64) -> f64 {
     let phase = phase.rem_euclid(TAU);
     if phase < TAU { phase } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_of_order_one_follows_a_motion_that_is_far_larger_than_the_unit() {
+        let section = |v: f64, x: f64, phase: f64| SectionVector::from_row_slice(&[v, x, 0.1, phase]);
+        let about = |unit: f64, sections: &[SectionVector]| unit_about(unit, sections);
+        assert_eq!(
+            about(1.0, &[section(-3.9, 0.2, 9e9), section(0.3, -8.0, 0.0)]),
+            1.0,
+            "no phase is a length"
+        );
+        assert_eq!(about(1.0, &[section(1.0, 0.2, 0.0), section(0.3, -80.0, 0.0)]), 40.0);
+        assert_eq!(about(0.01, &[section(0.2, 0.0, 0.0)]), 0.1);
+        for wrong in [f64::NAN, f64::INFINITY] {
+            assert_eq!(about(0.5, &[section(wrong, 0.2, 0.0)]), 0.5);
+        }
+        assert_eq!(about(0.5, &[]), 0.5);
+    }
 }

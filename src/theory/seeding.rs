@@ -5,7 +5,7 @@ use super::follower::follower;
 use super::label::Label;
 use super::motion::{NoMotion, PeriodicMotion};
 use super::pattern::{Pattern, StopSet};
-use super::section_vector::{SectionVector, extent, mechanical, phase};
+use super::section_vector::{SectionVector, extent, mechanical, phase, unit_about};
 use crate::dynamics::{Event, Stop};
 use crate::model::System;
 
@@ -89,9 +89,9 @@ fn solved_among(
     impacts: &[Met],
     tries: usize,
 ) -> (Option<PeriodicMotion>, usize) {
-    let unit = system.unit();
+    let unit = unit_about(system.unit(), impacts.iter().map(|met| &met.section));
     let mut tried: Vec<SectionVector> = Vec::new();
-    for first in close_returns(system, impacts, label) {
+    for first in close_returns(system, impacts, label, unit) {
         let count = label.count() as usize;
         let (pattern, guess) = sequence(system, &impacts[first..first + count], label.n);
         if tried.iter().any(|other| extent(&(other - &guess[0]), unit) < APART) {
@@ -154,12 +154,12 @@ fn impacts(system: &System, in_a_turn: u32, start: &[f64], search: &Search) -> O
     orbit
 }
 
-/// Where an orbit comes back to its section after N periods and the right impacts, closest first.
-fn close_returns(system: &System, impacts: &[Met], label: &Label) -> Vec<usize> {
+/// Where an orbit comes back to its section after N periods and the right impacts, closest first; `unit` is of order one on it.
+fn close_returns(system: &System, impacts: &[Met], label: &Label, unit: f64) -> Vec<usize> {
     let wanted = StopSet::of(system).in_plant_order(&label.impacts);
     let Some(stop) = wanted.iter().position(|&count| count > 0) else { return Vec::new() };
     let count = label.count() as usize;
-    let (turn, unit) = (f64::from(label.n) * system.period(), system.unit());
+    let turn = f64::from(label.n) * system.period();
     let mut returns: Vec<(f64, usize)> = impacts
         .windows(count + 1)
         .enumerate()

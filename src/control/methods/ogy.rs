@@ -23,7 +23,7 @@ use crate::dynamics::Stop;
 use crate::model::vector::dot;
 use crate::model::{Real, System};
 use crate::system::Family;
-use crate::theory::{extent, impact_map_at, in_units};
+use crate::theory::{extent, impact_map_at, in_units, unit_about};
 
 /// Settings of the small kicks; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -119,7 +119,7 @@ impl Settings for OgySetting {
     }
 }
 
-/// Rounds of Newton's method, and the distance that ends it, in units of what is of order one.
+/// Rounds of Newton's method, and the distance that ends it, in units of what is of order one on the motion.
 const ROUNDS: usize = 30;
 const EXACT: f64 = 1e-12;
 
@@ -132,7 +132,7 @@ fn fixed_point(system: &System, stop: Stop, near: &[f64]) -> Option<(DVector<f64
         let jacobian = next.jacobian?;
         let mut away = DVector::from_row_slice(&next.section) - &point;
         away[tau] = (away[tau] + PI).rem_euclid(TAU) - PI;
-        if extent(&away, system.unit()) < EXACT {
+        if extent(&away, unit_about(system.unit(), [&point])) < EXACT {
             point[tau] = point[tau].rem_euclid(TAU);
             return Some((point, jacobian));
         }

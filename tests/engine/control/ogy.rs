@@ -98,10 +98,16 @@ fn a_chaotic_motion_is_caught_where_it_comes_near() {
     assert_eq!(reached(1e-9).0.verdict.label(), "chaotic");
 }
 
-/// The same in a unit of length a million times as large: what comes near, returns and settles is told by the motion's own size.
+/// The same in a unit of length a million times as large, and one that is as much smaller: what comes near, returns, settles and
+/// runs away is told by the motion's own size.
 #[test]
 fn it_is_caught_in_any_unit_of_length() {
-    let unit = 2f64.powi(-20);
+    for exponent in [-20, 20] {
+        is_caught_with(2f64.powi(exponent));
+    }
+}
+
+fn is_caught_with(unit: f64) {
     let system = System::of_plant(scaled(system_at(2.6).plant(), unit)).unwrap();
     let near = [-0.418 * unit, -0.031 * unit, 0.027 * unit, 1.71];
     let schedule =

@@ -1,12 +1,14 @@
 //! Periodic motions and their multipliers.
 
 use impact_atlas::dynamics::{Stop, record};
+use impact_atlas::model::System;
 use impact_atlas::theory::{
     Label, PeriodicMotion, Search, SectionVector, flip_coefficient, labelled_motion,
     neimark_sacker_coefficient, symmetric_motions,
 };
 
 use super::{assert_close, at};
+use crate::common::scaled::scaled;
 
 fn physical(omega: f64, delta: f64) -> PeriodicMotion {
     let solutions = symmetric_motions(&at(omega, delta)).expect("the motion exists");
@@ -62,6 +64,23 @@ fn the_unstable_motion_inside_chaos_has_its_multipliers() {
     assert_close(&real, &[-1.4954, -0.6637, -0.5644, -0.1235], 5e-5);
     assert_close(&motion.section(), &[-0.41959403, -0.02899702, 0.02903494, 1.80721094], 1e-8);
     assert_eq!(motion.is_stable(&system), Some(false));
+}
+
+#[test]
+fn it_is_found_in_any_unit_of_length() {
+    for unit in [2f64.powi(-20), 2f64.powi(14)] {
+        let system = System::of_plant(scaled(at(2.83, 0.1).plant(), unit)).unwrap();
+        let search = Search { start: vec![0.0; 4], transient: 200, observe: 2000 };
+        let motion = labelled_motion(&system, Label::new(1, &[2, 1]), &search).unwrap();
+        assert_eq!(motion.label(), "1-2-1");
+        // It may be another of that label; but a motion it is.
+        let own = |section: &SectionVector| {
+            SectionVector::from_fn(section.len(), |i, _| if i < 3 { section[i] / unit } else { section[i] })
+        };
+        let sections: Vec<SectionVector> = motion.sections.iter().map(own).collect();
+        let there = PeriodicMotion::refine(&at(2.83, 0.1), &motion.pattern, &sections).unwrap();
+        assert_close(there.sections[0].as_slice(), sections[0].as_slice(), 1e-9);
+    }
 }
 
 /// A curve bounds 2-2-4 there, but every orbit from there leads elsewhere: it is followed from where it is stable.

@@ -113,6 +113,7 @@ fn flight_members<const N: usize>(flight: &Flight<f32, N>, members: &mut Members
     members.number("omega", flight.omega);
     members.number("rate", flight.rate);
     members.number("linear_exponent", flight.linear_exponent);
+    members.number("forced", flight.forced);
     if flight.count > 1 {
         members.numbers("pressing", pressing(flight).into_iter());
     }
