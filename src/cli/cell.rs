@@ -74,7 +74,8 @@ pub fn made(path: &Path) -> Result<Made> {
         carried.and_then(|text| serde_json::from_str(&text).ok()).ok_or_else(none)?;
     if value.get("control").is_some() {
         return Err(wrong!(
-            "`{name}` is a map under control: `classify` answers for maps without; follow a cell with `control`"
+            "`{name}` is a map under control, and --from takes maps without: follow a cell with `control`, or repeat the command \
+             that is in the picture"
         ));
     }
     let Ok(made) = serde_json::from_value::<Made>(value) else {

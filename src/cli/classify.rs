@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::anyhow;
 use clap::Args;
-use impact_atlas::analysis::{Schedule, Verdict};
+use impact_atlas::analysis::{Regime, Schedule, Verdict};
 use impact_atlas::backend::{Backend, Job, decide};
 use impact_atlas::model::{StateVector, System};
 use impact_atlas::plane::{Plane, Start, Window};
@@ -212,13 +212,14 @@ impl Classification {
             (_, true) => ", symmetric",
             (_, false) => ", unsymmetric",
         };
+        let sticking = if self.regime == Regime::PeriodicSticking.name() { ", with sticking" } else { "" };
         let exponent = match self.lyapunov {
             exponent if exponent.is_nan() => "not measured".to_owned(),
             f32::NEG_INFINITY => "minus infinity: every deviation is forgotten".to_owned(),
             exponent => format!("{exponent:.6} per forcing period"),
         };
         format!(
-            "{}{symmetric}\n\
+            "{}{symmetric}{sticking}\n\
              largest Lyapunov exponent   {exponent}\n\
              largest impact velocity     {}\n\
              state at forcing phase 0    {}\n\

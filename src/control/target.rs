@@ -102,7 +102,7 @@ impl Target {
         if needed.iter().all(|&i| given[i].is_some()) {
             return Ok(given.map(|value| value.unwrap_or(0.0)));
         }
-        let mut components = self.reference_motion(system, stop)?;
+        let mut components = self.reference_motion(system, stop, needed)?;
         for (component, given) in components.iter_mut().zip(given.iter()) {
             *component = given.unwrap_or(*component);
         }
@@ -127,10 +127,17 @@ impl Target {
         Ok(self.given)
     }
 
-    /// The point of the 1-1-1 motion at the reference frequency.
-    fn reference_motion(&self, system: &System, stop: Stop) -> Result<SectionValues<f64>, ControlError> {
+    /// The point of the 1-1-1 motion at the reference frequency; some of its components are needed.
+    fn reference_motion(
+        &self,
+        system: &System,
+        stop: Stop,
+        needed: &[usize],
+    ) -> Result<SectionValues<f64>, ControlError> {
         let plant = system.plant();
-        let needed = || ControlError::TargetNeeded(section_names(plant, stop).join(", "));
+        let names = section_names(plant, stop);
+        let names: Vec<&str> = needed.iter().map(|&i| names[i].as_ref()).collect();
+        let needed = || ControlError::TargetNeeded(names.join(", "));
         let exchanged = |mirror: &Mirror| is_met(mirror, stop);
         plant.mirror().filter(exchanged).ok_or_else(needed)?;
         let missing = ControlError::NoTarget { omega: self.reference, gap: plant.stops[stop.index()].gap };
