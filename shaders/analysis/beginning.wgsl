@@ -12,11 +12,13 @@ const NO_OBSERVATION = Observation(0u, 0u);
 
 // Of what returns: turn by turn where it no longer moves at all and its turns are short, else for longer.
 fn observation_of_settled(at_rest: bool) -> Observation {
-    let needed = max(SETTLED_OBSERVATION, SETTLED_TURNS * observer.recurrence.n);
+    let n = max(observer.recurrence.n, 1u);
+    let turns = max((SETTLED_OBSERVATION + (n - 1u)) / n, SETTLED_TURNS);
     if at_rest && observer_has_short_turns() {
         return observation_by_turns();
     }
-    return Observation(min(needed, schedule.observe), 0u);
+    // Whole turns: what is measured is the mean over them.
+    return Observation(min(turns * n, schedule.observe), 0u);
 }
 
 // Of what has not settled: the whole observation, once the transient is over.

@@ -15,11 +15,19 @@ fn loss_note(taken: Move) {
     let strobe = taken.event == EVENT_STROBE;
     let steps = select(trajectory.step, flight.steps, strobe);
     let now = f32(steps) * flight.h + trajectory.offset;
-    if observer.loss.held == 1u {
-        observer.loss.rested = observer.loss.rested + (now - observer.loss.since);
+    let holds = trajectory.contact != CONTACT_FREE;
+    let held = observer.loss.held == 1u;
+    if held {
+        let opened = taken.event == EVENT_RELEASED && !holds;
+        let until = select(now, now - taken.apart, opened);
+        observer.loss.rested = observer.loss.rested + max(until - observer.loss.since, 0.0);
     }
-    observer.loss.since = select(now, 0.0, strobe);
-    observer.loss.held = select(0u, 1u, trajectory.contact != CONTACT_FREE);
+    let caught = taken.event == EVENT_CAUGHT || taken.event == EVENT_COMPLETE_CHATTER;
+    // Rebounds end before the next strobe, but perhaps after phase π.
+    let ended = now + select(0.0, taken.apart, caught && !held);
+    let since = select(ended, max(observer.loss.since, ended), held);
+    observer.loss.since = select(since, 0.0, strobe);
+    observer.loss.held = select(0u, 1u, holds);
     if event_is_impact(taken.event) {
         let after = select(0.0, taken.rebound, taken.event == EVENT_IMPACT);
         loss_take(taken.stop, taken.velocity, after);

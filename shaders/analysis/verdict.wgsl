@@ -12,6 +12,12 @@ fn observer_is_late() -> bool {
     return observer.recurrence.since < observer.observed;
 }
 
+// Whether the observation ended within a turn of what returns: what was measured is no mean over whole ones.
+fn observer_is_within_turn() -> bool {
+    let n = observer.recurrence.n;
+    return n > 0u && observer.observed % max(n, 1u) != 0u;
+}
+
 fn observer_regime() -> u32 {
     if observer.stage == STAGE_FAILED {
         return REGIME_FAILED;
@@ -47,14 +53,18 @@ fn observer_verdict() -> Verdict {
         lyapunov = flight.linear_exponent;
     } else if observer.turn.n > 0u && periodic {
         lyapunov = observer.turn.exponent;
+    } else if regime != REGIME_FAILED && observer.exponent.lost == 1u {
+        lyapunov = FORGETS;
     } else if regime != REGIME_FAILED && observer.exponent.batches > 0u {
         lyapunov = exponent_per_period();
         if periodic && observer_is_late() {
             lyapunov = observer.grown / f32(observer.recurrence.since);
         }
     }
+    // Without an observation there were none in it.
+    let quiet = observer.stage == STAGE_QUIET;
     let may_return = regime != REGIME_NO_IMPACT && regime != REGIME_FAILED;
-    let in_question = !periodic || observer_is_late();
+    let in_question = !periodic || observer_is_late() || observer_is_within_turn();
     let returning = may_return && in_question && recurrence_holds_for(0u);
     let symmetric = periodic && observer.recurrence.n % 2u == 1u && observer.recurrence.symmetric == 1u;
     var impacts_per_stop = array<u32, MOST>();
@@ -78,9 +88,9 @@ fn observer_verdict() -> Verdict {
         lyapunov,
         impacts_per_stop,
         state_values(observer_state(regime)),
-        observer.impacts,
+        select(observer.impacts, 0u, quiet),
         observer.impacts_total,
-        observer.peak,
+        select(observer.peak, 0.0, quiet),
         observer.periods,
         select(0u, observer.recurrence.n, returning),
         select(0u, observer.observed, observer.stage == STAGE_OBSERVED),

@@ -24,9 +24,9 @@ fn rest(carry: bool) -> Move {
     let held = held_flight(motion, sure, clear, least);
     glide_to(carry, held.point, held.time);
     if held.time >= window {
-        return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
+        return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE, 0.0);
     }
-    return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE);
+    return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE, 0.0);
 }
 
 // A contact that opens now, if any does.
@@ -156,5 +156,5 @@ fn release(carry: bool, end: End) -> Move {
     let pulled = surely_held(motion, clear, least);
     glide(carry, pulled);
     trajectory_look_ahead(carry);
-    return Move(EVENT_RELEASED, flight.normals[end.normal].stop[end.side], 0.0, 0.0, CONTACT_FREE);
+    return Move(EVENT_RELEASED, flight.normals[end.normal].stop[end.side], 0.0, 0.0, CONTACT_FREE, pulled);
 }

@@ -55,7 +55,7 @@ fn strike(carry: bool, reached: Reached) -> Move {
             trajectory.point.state = placed_on(trajectory.point.state, end, -(sign * (lost + lost)));
         }
         bounce(carry, kick, later);
-        return Move(EVENT_IMPACT, stop, velocity, rebound, CONTACT_FREE);
+        return Move(EVENT_IMPACT, stop, velocity, rebound, CONTACT_FREE, 0.0);
     }
     // Caught: in the corner between several stops, or on this one.
     let single = contact_with(trajectory.contact, end);
@@ -65,16 +65,17 @@ fn strike(carry: bool, reached: Reached) -> Move {
     strike_catch(carry, select(corner, single, closed.closes));
     if !closed.closes {
         trajectory.point.state = rested(trajectory.point.state, corner);
-        return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, corner & ~single);
+        return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, corner & ~single, 0.0);
     }
     let event = select(EVENT_CAUGHT, EVENT_COMPLETE_CHATTER, !stays && abs(rebound) > 0.0);
-    return Move(event, stop, select(velocity, 0.0, stays), rebound, CONTACT_FREE);
+    return Move(event, stop, select(velocity, 0.0, stays), rebound, CONTACT_FREE, closed.rebounds);
 }
 
-// Whether closing the rebounds that follow an impact is as good as following them, and where they end at rest.
+// Whether closing the rebounds that follow an impact is as good as following them, where they end at rest, and how long they take.
 struct Closed {
     closes: bool,
     resting: Point,
+    rebounds: f32,
 }
 
 fn strike_closed(end: End, rebound: f32, after: Motion) -> Closed {
@@ -85,16 +86,16 @@ fn strike_closed(end: End, rebound: f32, after: Motion) -> Closed {
     let restitution = stops.restitution[end.normal][end.side];
     let least = unresolved(end, trajectory.point.state);
     if abs(rebound) <= least && rests(trajectory.point, trajectory.contact, end) {
-        return Closed(true, at_rest(end, 0.0));
+        return Closed(true, at_rest(end, 0.0), 0.0);
     }
     let closure = chatter_close(end.normal, Rebound(abs(rebound), restitution, least, room), towards);
     if !closure.closes {
-        return Closed(false, trajectory.point);
+        return Closed(false, trajectory.point, 0.0);
     }
     let resting = at_rest(end, closure.gap_integral);
     let contact = contact_with(trajectory.contact, end);
     let clears = contact_clears_elsewhere(resting, contact, end, closure.height, closure.lasts);
-    return Closed(clears, resting);
+    return Closed(clears, resting, closure.time);
 }
 
 // An impact that ends in flight: the end of the step is where the kick takes it.

@@ -23,6 +23,8 @@ struct Move {
     rebound: f32,
     // The stops beside this one that share the rebounds of a complete chatter sequence, as contacts; seldom any.
     beside: u32,
+    // For how long masses are off the stop: in rebounds that are closed, or since it opened.
+    apart: f32,
 }
 
 // Whether a move ended with an impact; a mass that comes to rest on a stop without one is caught at velocity 0.
@@ -129,7 +131,7 @@ fn fly(carry: bool) -> Move {
                 trajectory_cross(met, carry);
                 trajectory.point = trajectory_present();
                 let stop = flight.normals[met.end.normal].stop[met.end.side];
-                return Move(EVENT_IMPACT, stop, met.velocity, met.rebound, CONTACT_FREE);
+                return Move(EVENT_IMPACT, stop, met.velocity, met.rebound, CONTACT_FREE, 0.0);
             }
             if met.passes {
                 return go_ahead(window);
@@ -177,7 +179,7 @@ fn approach(carry: bool) -> Move {
     // A contact beyond the end of the step belongs to the next one.
     let reached = imminent(trajectory.point, CONTACT_FREE);
     if trajectory.offset + reached.left > flight.h {
-        return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE);
+        return Move(EVENT_FLIGHT, 0u, 0.0, 0.0, CONTACT_FREE, 0.0);
     }
     return strike(carry, reached);
 }
@@ -200,7 +202,7 @@ fn go_ahead(window: f32) -> Move {
     } else {
         trajectory.point = point_flown(trajectory.point, window, CONTACT_FREE);
     }
-    return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE);
+    return Move(end_step(), 0u, 0.0, 0.0, CONTACT_FREE, 0.0);
 }
 
 fn end_step() -> u32 {

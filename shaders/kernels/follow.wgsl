@@ -44,7 +44,7 @@ fn follow_turn() {
         }
     }
     if pace.rare {
-        var taken = Move(EVENT_STROBE, 0u, 0.0, 0.0, CONTACT_FREE);
+        var taken = Move(EVENT_STROBE, 0u, 0.0, 0.0, CONTACT_FREE, 0.0);
         if !pace.arrived {
             taken = advance_warily(observer.stage == STAGE_OBSERVATION);
         }

@@ -18,8 +18,10 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if at_rest && self.has_short_turns(schedule) {
             return self.observation_by_turns();
         }
-        let needed = SETTLED_OBSERVATION.max(SETTLED_TURNS * self.recurrence.n);
-        Observation::over(needed.min(schedule.observe))
+        let n = self.recurrence.n.max(1);
+        let turns = SETTLED_OBSERVATION.div_ceil(n).max(SETTLED_TURNS);
+        // Whole turns: what is measured is the mean over them.
+        Observation::over((turns * n).min(schedule.observe))
     }
 
     /// Of what has not settled: the whole observation, once the transient is over.

@@ -1,6 +1,7 @@
 //! What impacts take from a trajectory, and how long contacts hold.
 
-use crate::dynamics::{Event, Impact, Stop, Trajectory, energy_taken};
+use super::regime::Measures;
+use crate::dynamics::{Event, Impact, Move, Stop, Trajectory, energy_taken};
 use crate::model::{Flight, Real};
 
 /// The energy that impacts took, and the time in contact, since an observation began at phase 0.
@@ -8,11 +9,11 @@ use crate::model::{Flight, Real};
 pub struct Loss<T> {
     /// Σ ½ m ((d·v−)² − (d·v+)²) with m = 1/(dᵀM⁻¹d); all of it where rebounds are closed, since they take the rest.
     pub energy: T,
-    /// The time in which some contact held.
+    /// The time in which some contact held; masses that rebound until they rest are not in contact yet.
     pub rested: T,
-    /// The time of the last event within its forcing period.
+    /// The time within its forcing period of the last event, or of the end of the rebounds that were closed with it.
     since: T,
-    /// Whether some contact has held since.
+    /// Whether some contact holds since.
     held: bool,
 }
 
@@ -22,23 +23,39 @@ impl<T: Real> Loss<T> {
         Loss { energy: T::zero(), rested: T::zero(), since: T::zero(), held }
     }
 
-    /// Notes an event, with the trajectory just after it.
+    /// What that comes to per unit of time over so many forcing periods, which took a time.
+    pub fn measures(&self, observed: u32, time: T) -> Measures {
+        let per_time = |sum: T| (sum / time).widen() as f32;
+        Measures { observed, power: per_time(self.energy), contact: per_time(self.rested) }
+    }
+
+    /// Notes what ended a move, with the trajectory just after it.
     #[inline(always)]
     pub fn note<const N: usize>(
         &mut self,
         flight: &Flight<T, N>,
         trajectory: &Trajectory<T, N>,
-        event: &Event<T>,
+        taken: &Move<T>,
     ) {
-        let strobe = matches!(event, Event::Strobe);
+        let strobe = matches!(taken.event, Event::Strobe);
         let steps = if strobe { flight.steps } else { trajectory.step };
         let now = T::of(f64::from(steps)) * flight.h + trajectory.offset;
+        let holds = !trajectory.contact.is_free();
         if self.held {
-            self.rested = self.rested + (now - self.since);
+            let opened = matches!(taken.event, Event::Released(_)) && !holds;
+            let until = if opened { now - taken.time } else { now };
+            self.rested = self.rested + if until > self.since { until - self.since } else { T::zero() };
         }
-        self.since = if strobe { T::zero() } else { now };
-        self.held = !trajectory.contact.is_free();
-        match *event {
+        let rebounds = match taken.event {
+            Event::Caught { rebounds, .. } if !self.held => rebounds,
+            _ => T::zero(),
+        };
+        // They end before the next strobe, but perhaps after phase π.
+        let since = now + rebounds;
+        let since = if self.held && self.since > since { self.since } else { since };
+        self.since = if strobe { T::zero() } else { since };
+        self.held = holds;
+        match taken.event {
             Event::Impact(Impact { stop, velocity_before, velocity_after }) => {
                 self.take(flight, stop, velocity_before, velocity_after);
             }

@@ -31,6 +31,7 @@ pub use abreast::follow_abreast;
 pub(crate) use deciding::Evidence;
 pub(crate) use exponent::Exponent;
 pub use extent::{Extent, ExtentObserver};
+pub(crate) use loss::Loss;
 pub use observer::Observer;
 pub use probe::Probe;
 pub use queue::{Queue, Seat};

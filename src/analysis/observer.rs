@@ -127,7 +127,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             }
             if observing {
                 listen(&trajectory, &taken.event);
-                self.loss.note(flight, &trajectory, &taken.event);
+                self.loss.note(flight, &trajectory, &taken);
             }
             self.note(flight, schedule, &taken);
             if at_phase || self.stage == Stage::Failed {
@@ -165,7 +165,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             };
             if taken.event != Event::StepEnd {
                 if self.stage == Stage::Observation {
-                    self.loss.note(flight, &self.trajectory, &taken.event);
+                    self.loss.note(flight, &self.trajectory, &taken);
                 }
                 self.note(flight, schedule, &taken);
             }

@@ -36,7 +36,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         match taken.event {
             Event::Flight | Event::StepEnd | Event::Released(_) => {}
             Event::Impact(impact) => self.impact(impact.stop, impact.velocity_before, false),
-            Event::Caught { impact, complete_chatter, beside } => {
+            Event::Caught { impact, complete_chatter, beside, .. } => {
                 self.stuck = true;
                 if impact.velocity_before != T::zero() {
                     self.impact(impact.stop, impact.velocity_before, complete_chatter);

@@ -104,7 +104,7 @@ pub struct Verdict {
     /// Forcing periods simulated.
     pub periods: u32,
     /// Forcing periods after which the strobe state comes back at the end where a look at the exact motion is called for:
-    /// it still moves, may have a shorter period, or was reached within the observation; 0 elsewhere. Not written to files.
+    /// it still moves, may have a shorter period, or was not observed for whole turns; 0 elsewhere. Not written to files.
     pub returning: u16,
     /// What else was measured while it was observed.
     #[serde(default)]
@@ -119,7 +119,8 @@ pub struct Measures {
     /// Power that impacts take: Σ ½ (1 − r²) (d·v−)²/(dᵀM⁻¹d) over the observation, per unit of time; 0 where there was
     /// none since nothing impacts any more, NaN where the trajectory failed. Non-dimensional.
     pub power: f32,
-    /// The share of the observation in which some contact held, from 0 to 1; 0 and NaN as for the power.
+    /// The share of the observation in which some contact held, from 0 to 1, rebounds that end in one left out; 0 and NaN as for the
+    /// power.
     pub contact: f32,
 }
 

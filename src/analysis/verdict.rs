@@ -1,12 +1,11 @@
 //! What an observed trajectory settled on.
 
 use super::deciding::{Evidence, NEUTRAL_GROWTH};
-use super::loss::Loss;
 use super::observation::NEUTRAL_RATE;
 use super::observer::Observer;
 use super::regime::{Counts, Measures, Regime, Verdict};
 use super::stage::Stage;
-use super::turn::reported;
+use super::turn::{FORGETS, reported};
 use crate::model::{Flight, Real, State, StateVector};
 
 impl<T: Real, const N: usize> Observer<T, N> {
@@ -19,12 +18,16 @@ impl<T: Real, const N: usize> Observer<T, N> {
             Regime::NoImpact => flight.linear_exponent,
             Regime::Failed => T::nan(),
             _ if self.turn.is_measured() && regime.is_periodic() => self.turn.exponent,
+            _ if self.exponent.lost => T::of(FORGETS),
             _ if self.exponent.batches == 0 => T::nan(),
             // Growth from before the motion was reached does not count towards its exponent.
             _ if regime.is_periodic() && self.is_late() => self.grown / T::of(f64::from(recurrence.since)),
             _ => self.exponent.per_period(),
         };
-        let in_question = !regime.is_periodic() || self.is_late();
+        // Without an observation there were none in it.
+        let (impacts, peak) =
+            if self.stage == Stage::Quiet { (0, T::zero()) } else { (self.impacts, self.peak) };
+        let in_question = !regime.is_periodic() || self.is_late() || self.is_within_turn();
         let returning =
             if regime.may_return() && in_question && recurrence.holds_for(0) { recurrence.n } else { 0 };
         Verdict {
@@ -34,9 +37,9 @@ impl<T: Real, const N: usize> Observer<T, N> {
             symmetric: regime.is_periodic() && recurrence.n % 2 == 1 && recurrence.symmetric,
             lyapunov: reported(lyapunov.widen() as f32),
             state: StateVector::of(&self.state(flight, regime)),
-            impacts: self.impacts,
+            impacts,
             impacts_total: self.impacts_total,
-            peak_impact_velocity: self.peak.widen() as f32,
+            peak_impact_velocity: peak.widen() as f32,
             periods: self.periods,
             returning: returning as u16,
             measures: self.measures(flight),
@@ -51,9 +54,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             return Measures::default();
         }
         let time = T::of(f64::from(self.observed)) * (T::of(f64::from(flight.steps)) * flight.h);
-        let Loss { energy, rested, .. } = self.loss;
-        let per_time = |sum: T| (sum / time).widen() as f32;
-        Measures { observed: self.observed, power: per_time(energy), contact: per_time(rested) }
+        self.loss.measures(self.observed, time)
     }
 
     /// The state that is reported: where the trajectory ends, or of motion that decays onto the forced response without
@@ -66,6 +67,11 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// Whether the state began to return only within the observation.
     fn is_late(&self) -> bool {
         self.recurrence.since < self.observed
+    }
+
+    /// Whether the observation ended within a turn of what returns: what was measured is no mean over whole ones.
+    fn is_within_turn(&self) -> bool {
+        self.recurrence.n > 0 && !self.observed.is_multiple_of(self.recurrence.n)
     }
 
     fn regime(&self) -> Regime {

@@ -99,12 +99,12 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         }
         let impact =
             Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
-        let Some(resting) = closed else {
+        let Some((resting, rebounds)) = closed else {
             if let Some(corner) = corner::closes(flight, &self.point, self.contact, end) {
                 let beside = corner.since(self.contact.with(end));
                 self.catch(flight, tangents, corner);
                 self.point.state = rested(flight, &self.point.state, corner);
-                return Event::Caught { impact, complete_chatter: true, beside };
+                return Event::Caught { impact, complete_chatter: true, beside, rebounds: T::zero() };
             }
             let lost = contact::unresolved(flight, end, &self.point.state);
             if rebound.abs() <= lost {
@@ -119,10 +119,10 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         self.point = resting;
         self.catch(flight, tangents, self.contact.with(end));
         let complete_chatter = !stays && rebound.abs() > T::zero();
-        Event::Caught { impact, complete_chatter, beside: Contact::FREE }
+        Event::Caught { impact, complete_chatter, beside: Contact::FREE, rebounds }
     }
 
-    /// Where the rebounds that follow an impact end at rest, if closing them is as good as following them.
+    /// Where the rebounds that follow an impact end at rest, and how long they take, if closing them is as good as following them.
     #[inline(always)]
     fn closed(
         &self,
@@ -130,7 +130,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         end: End,
         rebound: T,
         after: &Motion<T, N>,
-    ) -> Option<Point<T, N>> {
+    ) -> Option<(Point<T, N>, T)> {
         let normal = &flight.normals[end.normal];
         let along = self.point.approach(flight, after, end.normal);
         let sign = end.sign::<T>();
@@ -143,12 +143,13 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             room,
         };
         if rebound.speed <= rebound.unresolved && rests(flight, &self.point, self.contact, end) {
-            return Some(self.at_rest(flight, end, T::zero()));
+            return Some((self.at_rest(flight, end, T::zero()), T::zero()));
         }
-        let Closure { gap_integral, height, lasts } = chatter::close(flight, normal, &rebound, &towards)?;
+        let Closure { gap_integral, height, time, lasts } =
+            chatter::close(flight, normal, &rebound, &towards)?;
         let resting = self.at_rest(flight, end, gap_integral);
         let contact = self.contact.with(end);
-        contact::clears_elsewhere(flight, &resting, contact, end, height, lasts).then_some(resting)
+        contact::clears_elsewhere(flight, &resting, contact, end, height, lasts).then_some((resting, time))
     }
 
     /// An impact that ends in flight: the end of the step is where the kick takes it.

@@ -47,12 +47,14 @@ pub enum Event<T> {
         complete_chatter: bool,
         /// The stops beside this one that share these rebounds, and hold as well now; seldom any.
         beside: Contact,
+        /// About how long these rebounds take.
+        rebounds: T,
     },
     /// What pressed on a contact vanished, and it opens.
     Released(Stop),
 }
 
-/// A move: how long it took, with what contacts, and what ended it.
+/// A move: how long it took, with what contacts, and what ended it; a contact opens at its beginning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move<T> {
     /// Its duration; non-dimensional.

@@ -7,7 +7,7 @@
 use nalgebra::DVector;
 
 use super::strobe::StrobeMotion;
-use crate::analysis::{Counts, Regime, Verdict};
+use crate::analysis::{Counts, Measures, Regime, Verdict};
 use crate::model::{StateVector, System};
 
 /// The largest distance of a strobe state from the motion that it approaches, for states of order one.
@@ -54,8 +54,10 @@ fn leads_to(system: &System, state: &[f64], motion: &StrobeMotion) -> bool {
     missed.norm() <= FORETOLD * before.norm() + UNCERTAIN * scale
 }
 
-/// A verdict with what the exact motion says of it: label, symmetry, exponent, state and largest impact velocity.
+/// A verdict with what the exact motion says of it: label, symmetry, exponent, state, and what is measured over whole turns, about as
+/// many as were observed.
 pub fn with_motion(verdict: &Verdict, motion: &StrobeMotion) -> Verdict {
+    let turns = (verdict.measures.observed / motion.n).max(1);
     let regime = if motion.sticking { Regime::PeriodicSticking } else { Regime::Periodic };
     Verdict {
         regime,
@@ -64,7 +66,9 @@ pub fn with_motion(verdict: &Verdict, motion: &StrobeMotion) -> Verdict {
         symmetric: motion.symmetric,
         lyapunov: motion.exponent().map_or(f32::NAN, |exponent| exponent as f32),
         state: StateVector::from_slice(&motion.state).unwrap_or(verdict.state),
+        impacts: turns.saturating_mul(motion.met),
         peak_impact_velocity: motion.peak as f32,
+        measures: Measures { observed: turns * motion.n, ..motion.measures },
         returning: 0,
         ..*verdict
     }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::section_vector::wrapped;
+use crate::analysis::Loss;
 use crate::dynamics::{Contact, Move, Moves, Stop, Tangent, Trajectory, catch_all};
 use crate::model::vector::axpy;
 use crate::model::{Flight, OfFlow, State, System};
@@ -43,6 +44,9 @@ pub(super) trait Follower {
 
     /// The stops of some contacts.
     fn stops_of(&self, contact: Contact) -> Vec<Stop>;
+
+    /// What impacts took, and how long contacts held, between the events since it began at forcing phase 0.
+    fn loss(&self) -> Loss<f64>;
 
     /// The time since forcing phase 0 was last met.
     fn elapsed(&self) -> f64;
@@ -108,6 +112,7 @@ struct Following<const N: usize, const K: usize> {
     trajectory: Trajectory<f64, N>,
     frame: [Tangent<f64, N>; K],
     carries: bool,
+    loss: Loss<f64>,
 }
 
 impl<const N: usize, const K: usize> Following<N, K> {
@@ -115,7 +120,8 @@ impl<const N: usize, const K: usize> Following<N, K> {
         let flight = Flight::boxed(system);
         let trajectory = Trajectory::new(&flight, State::zero());
         let of_flow = Arc::clone(system.of_flow());
-        Following { of_flow, flight, trajectory, frame: [Tangent(State::zero()); K], carries: false }
+        let loss = Loss::none(false);
+        Following { of_flow, flight, trajectory, frame: [Tangent(State::zero()); K], carries: false, loss }
     }
 }
 
@@ -131,6 +137,7 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
     fn begin(&mut self, state: &[f64]) {
         self.trajectory = Trajectory::new(&self.flight, State::from_slice(state));
         self.carries = false;
+        self.loss = Loss::none(!self.trajectory.contact.is_free());
     }
 
     fn begin_at(&mut self, x: &[f64], v: &[f64], phase: f64) {
@@ -155,11 +162,13 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
     }
 
     fn advance_to_event(&mut self) -> Move<f64> {
-        if self.carries {
+        let taken = if self.carries {
             self.trajectory.advance_to_event(&self.flight, &mut self.frame)
         } else {
             self.trajectory.advance_to_event(&self.flight, &mut [])
-        }
+        };
+        self.loss.note(&self.flight, &self.trajectory, &taken);
+        taken
     }
 
     fn x(&self) -> &[f64] {
@@ -186,6 +195,10 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
 
     fn stops_of(&self, contact: Contact) -> Vec<Stop> {
         contact.stops(&self.flight).collect()
+    }
+
+    fn loss(&self) -> Loss<f64> {
+        self.loss
     }
 
     fn elapsed(&self) -> f64 {

@@ -1,5 +1,6 @@
 //! Periodic motions as fixed points of the strobe map: those that stick, and have no finite impact sequence, too.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use nalgebra::{Complex, ComplexField, DMatrix, DVector};
@@ -11,7 +12,7 @@ use super::motion::NoMotion;
 use super::multipliers::{STABLE, multipliers};
 use super::pattern::StopSet;
 use super::turn::Turn;
-use crate::analysis::INFINITELY_MANY;
+use crate::analysis::{INFINITELY_MANY, Measures};
 use crate::dynamics::{Event, Moves, Stop};
 use crate::model::System;
 use crate::system::Mooring;
@@ -52,6 +53,10 @@ pub struct StrobeMotion {
     pub state: Vec<f64>,
     /// The largest |d·v−| of an impact.
     pub peak: f64,
+    /// The impacts of one period but those of complete chatter that are closed.
+    pub met: u32,
+    /// What else is measured over one period.
+    pub measures: Measures,
     /// The hardest impact of the period, at the first of the stops that are struck at all: the stop and the section just
     /// after it ((v1+, x2, v2, τ) of the paper's oscillator), its phase in [0, 2π). None where there is no impact, the
     /// masses being held by their stops.
@@ -132,6 +137,8 @@ impl StrobeMotion {
             sticking: turn.sticking,
             state: state.iter().map(|value| value + 0.0).collect(),
             peak: turn.peak,
+            met: turn.met,
+            measures: turn.loss.measures(n, f64::from(n) * TAU / flow.omega),
             section: turn.hardest.map(|hardest| (hardest.stop, hardest.section)),
             jacobian: turn.jacobian,
             half_jacobian: half.filter(|_| symmetric).map(|(_, jacobian)| flow.mirrored_columns(&jacobian)),

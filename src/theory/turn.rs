@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::flow::Flow;
 use super::follower::Follower;
-use crate::analysis::INFINITELY_MANY;
+use crate::analysis::{INFINITELY_MANY, Loss};
 use crate::dynamics::{Event, Impact, Moves, Stop};
 
 /// One turn of a trajectory over N forcing periods, with its derivative.
@@ -18,6 +18,10 @@ pub(super) struct Turn {
     pub impacts: Vec<u16>,
     pub sticking: bool,
     pub peak: f64,
+    /// All impacts but those that were closed.
+    pub met: u32,
+    /// What they took, and how long contacts held.
+    pub loss: Loss<f64>,
     pub hardest: Option<Hardest>,
 }
 
@@ -43,6 +47,8 @@ impl Turn {
             impacts: flow.faces().enumerate().map(clamped).collect(),
             sticking: !clamping.is_empty(),
             peak: 0.0,
+            met: 0,
+            loss: follower.loss(),
             hardest: None,
         };
         let mut moves = Moves::default();
@@ -54,7 +60,7 @@ impl Turn {
                 turn.sticking |= !taken.contact.is_free();
                 match taken.event {
                     Event::Impact(impact) => turn.note(follower, flow, &impact, false),
-                    Event::Caught { impact, complete_chatter, beside } => {
+                    Event::Caught { impact, complete_chatter, beside, .. } => {
                         turn.sticking = true;
                         if impact.velocity_before != 0.0 {
                             turn.note(follower, flow, &impact, complete_chatter);
@@ -73,6 +79,7 @@ impl Turn {
         }
         turn.end = follower.state();
         turn.jacobian = follower.tangents();
+        turn.loss = follower.loss();
         Some(turn)
     }
 
@@ -91,6 +98,7 @@ impl Turn {
         } else if *count < INFINITELY_MANY - 1 {
             *count += 1;
         }
+        self.met += 1;
         self.peak = self.peak.max(impact.velocity_before.abs());
         let speed = impact.velocity_after.abs();
         let harder = self
@@ -223,6 +231,8 @@ mod tests {
             impacts: Vec::new(),
             sticking: false,
             peak: 0.0,
+            met: 0,
+            loss: Loss::none(false),
             hardest: None,
         }
     }

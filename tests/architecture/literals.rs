@@ -22,7 +22,12 @@ const FORMULAS: [(&str, &str, usize, &str); 34] = [
     ("control/section_point.wgsl", "0.25", 1, "four quarter turns make a turn"),
     ("control/section_point.wgsl", "4.0", 1, "four quarter turns make a turn"),
     ("dynamics/chatter.wgsl", "1.5", 1, "k = 3a(1 − r)/(2c)"),
-    ("dynamics/chatter.wgsl", "3.0", 1, "u falls like exp(−ct/3)"),
+    (
+        "dynamics/chatter.wgsl",
+        "3.0",
+        2,
+        "u falls like exp(−ct/3); a force that grows by c ends rebounds sooner by c/3",
+    ),
     ("dynamics/contact.wgsl", "4.0", 1, "the discriminant b² − 4ac"),
     ("dynamics/course.wgsl", "3", 1, "the term of third degree"),
     ("dynamics/course.wgsl", "3.0", 1, "the derivative of a power"),

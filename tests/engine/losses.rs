@@ -1,11 +1,15 @@
 //! What impacts take and how long contacts hold: closed form, another way of measuring, and the twins.
 
+use std::f64::consts::TAU;
+
 use impact_atlas::analysis::{Regime, Schedule, Verdict};
-use impact_atlas::backend::{self, Choice, Job, Unwatched, follow};
+use impact_atlas::backend::{self, Choice, Cpu, Job, Unwatched, follow};
 use impact_atlas::dynamics::{Event, Trajectory};
-use impact_atlas::model::{Flight, Setting, State, System};
-use impact_atlas::plane::Start;
-use impact_atlas::system::Family;
+use impact_atlas::model::{Flight, Setting, State, StateVector, System};
+use impact_atlas::plane::{Axis, Plane, Start};
+use impact_atlas::sweep::sweep;
+use impact_atlas::system::{Family, Plant, PlantStop};
+use nalgebra::{DMatrix, DVector};
 
 const SCHEDULE: Schedule = Schedule { transient: 400, observe: 64, max_period: 16, fixed_periods: true };
 
@@ -57,14 +61,16 @@ fn measured(job: &Job) -> [f64; 2] {
     let mut trajectory = Trajectory::new(&flight, State::from_slice(&job.start));
     let (mut energy, mut rested, mut periods) = (0.0, 0.0, 0);
     while periods < SCHEDULE.transient + SCHEDULE.observe {
-        let before = trajectory.contact;
         let taken = trajectory.advance(&flight, &mut []);
         periods += u32::from(taken.event == Event::Strobe);
         if periods < SCHEDULE.transient || (periods == SCHEDULE.transient && taken.event == Event::Strobe) {
             continue;
         }
-        if !before.is_free() {
+        if !taken.contact.is_free() {
             rested += taken.time;
+        }
+        if let Event::Caught { rebounds, .. } = taken.event {
+            rested -= rebounds;
         }
         energy += match taken.event {
             Event::Impact(impact) => impact.velocity_before.powi(2) - impact.velocity_after.powi(2),
@@ -89,6 +95,81 @@ fn what_is_noted_of_events_is_what_every_move_adds_up_to() {
         assert!((f64::from(measures.contact) - contact).abs() < 1e-6, "{measures:?}, {contact}");
         assert_eq!(measures.contact > 0.05, sticks, "{measures:?}");
     }
+}
+
+/// A mass on a shaking floor: y'' = F sin t − 1 above it, and rebounds with r.
+fn on_a_floor(force: f64, r: f64) -> System {
+    let one = DMatrix::from_element(1, 1, 1.0);
+    let vector = |value: f64| DVector::from_element(1, value);
+    System::of_plant(Plant {
+        n: 1,
+        damping: &one * 0.0,
+        stiffness: &one * 0.0,
+        mass: one,
+        force_sin: vector(force),
+        force_cos: vector(0.0),
+        load: vector(-1.0),
+        omega: 1.0,
+        stops: vec![PlantStop { direction: vector(-1.0), gap: 0.0, restitution: r }],
+    })
+    .unwrap()
+}
+
+/// The share of the time for which that mass rests, from its flights in closed form: it parts where F sin t = 1, and rebounds until
+/// it rests again.
+fn resting_on_a_floor(force: f64, r: f64) -> f64 {
+    let parts = (1.0 / force).asin();
+    let (mut at, mut speed) = (parts, 0.0);
+    loop {
+        let fall = |s: f64| {
+            let (begun, now) = (at, at + s);
+            let height = (speed + force * begun.cos()) * s - force * (now.sin() - begun.sin()) - 0.5 * s * s;
+            (height, speed - force * (now.cos() - begun.cos()) - s)
+        };
+        // Past the only zero after the beginning: rebounds are short, the first flight is shorter than a turn.
+        let pull = 1.0 - force * at.sin();
+        let mut below = if speed > 0.0 { 0.5 * speed / pull.max(0.05) } else { 0.1 };
+        while fall(below).0 <= 0.0 {
+            below *= 0.5;
+        }
+        let mut above = below;
+        while fall(above).0 > 0.0 {
+            above *= 1.1;
+        }
+        for _ in 0..80 {
+            let middle = 0.5 * (below + above);
+            if fall(middle).0 > 0.0 { below = middle } else { above = middle }
+        }
+        (at, speed) = (at + above, -r * fall(above).1);
+        if speed < 1e-9 {
+            return 1.0 - (at - parts) / TAU;
+        }
+    }
+}
+
+#[test]
+fn contact_begins_after_the_last_rebound_and_ends_where_it_opens() {
+    let mut farthest = 0.0f64;
+    for r in [0.0, 0.05, 0.3, 0.5] {
+        for force in [1.05, 1.1, 1.2, 1.4, 1.45, 1.6] {
+            let system = on_a_floor(force, r);
+            let job = Job { system, start: StateVector::from_slice(&[0.0; 2]).unwrap() };
+            let expected = resting_on_a_floor(force, r);
+            if force * (TAU * (1.0 - expected) + (1.0 / force).asin()).sin() > 0.9 {
+                // It parts again before it has come to rest for good.
+                continue;
+            }
+            for (verdict, far) in
+                [(follow::<f64>(&job, &SCHEDULE), 2e-4), (follow::<f32>(&job, &SCHEDULE), 2e-4)]
+            {
+                assert_eq!(verdict.regime, Regime::PeriodicSticking, "F = {force}, r = {r}");
+                let away = (f64::from(verdict.measures.contact) - expected).abs();
+                assert!(away < far, "F = {force}, r = {r}: {} for {expected}", verdict.measures.contact);
+                farthest = farthest.max(away);
+            }
+        }
+    }
+    println!("at most {farthest:.1e} of the period off");
 }
 
 #[test]
@@ -119,4 +200,34 @@ fn both_back_ends_measure_the_same() {
         }
     }
     assert!(periodic >= 4, "too few cells were held against each other");
+}
+
+/// What is measured of a periodic motion is the mean over whole turns of it, however late it was reached.
+#[test]
+fn periodic_motions_are_measured_over_whole_turns() {
+    let family = Family::builtin("shaw-holmes");
+    let axes = family.plane.as_ref().unwrap();
+    let axis = |text: &str, count: u32| {
+        let (ends, _) = text.rsplit_once(':').unwrap();
+        Axis::of_family(&format!("{ends}:{count}"), family).unwrap()
+    };
+    let task = Schedule { transient: 300, observe: 150, max_period: 32, fixed_periods: false };
+    let plane = Plane {
+        x: axis(&axes.x, 80),
+        y: axis(&axes.y, 60),
+        parameters: Setting::defaults(family),
+        start: Start::Rest,
+        task,
+    };
+    let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
+    let (mut compared, mut many) = (0, 0);
+    for verdict in map.verdicts.iter().filter(|verdict| verdict.regime == Regime::Periodic) {
+        let turns = verdict.measures.observed / u32::from(verdict.n);
+        let in_a_turn: u32 = verdict.counts.iter().map(|&count| u32::from(count)).sum();
+        assert_eq!(verdict.measures.observed, turns * u32::from(verdict.n), "{verdict:?}");
+        assert_eq!(verdict.impacts, turns * in_a_turn, "{verdict:?}");
+        compared += 1;
+        many += u32::from(verdict.n > 6);
+    }
+    assert!(compared > 2000 && many > 10, "{compared} motions, {many} of long periods");
 }

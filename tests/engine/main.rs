@@ -6,6 +6,7 @@ mod control;
 mod curves;
 mod diagram;
 mod extents;
+mod forgetting;
 mod general;
 mod labels;
 mod lanes;

@@ -152,7 +152,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "share of time in contact",
         (Inner::One, "1"),
         Source::F32(|cell, _| cell.verdict.measures.contact),
-        "share of the observation in which some contact held, from 0 to 1; NaN where the regime is failed",
+        "share of the observation in which some contact held, from 0 to 1, rebounds that end in one left out; NaN where the regime is failed",
         drawn(Spread::Even, Some(0.0), "never in contact"),
     ),
     field(
