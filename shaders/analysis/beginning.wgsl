@@ -17,7 +17,7 @@ fn observation_of_settled(at_rest: bool) -> Observation {
     if at_rest && observer_has_short_turns() {
         return observation_by_turns();
     }
-    // Whole turns: what is measured is the mean over them.
+    // Whole turns, where there is time for them: what is measured is the mean over them.
     return Observation(min(turns * n, schedule.observe), 0u);
 }
 
@@ -73,4 +73,6 @@ fn observer_begin_observing(begins: Observation) {
     observer.turn = turn_over(begins.turn);
     observer.spread = spread_about(trajectory.point);
     observer.grown = 0.0;
+    observer.lost = 0u;
+    observer.lately_lost = 0u;
 }

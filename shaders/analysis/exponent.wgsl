@@ -8,19 +8,17 @@ struct Exponent {
     batches: u32,
     sum: f32,
     squares: f32,
-    lost: u32,
 }
 
 fn exponent_over(observe: u32) -> Exponent {
     let batches = min(observe, BATCHES);
-    return Exponent(observe / batches, batches / ALIGNING, 0u, 0.0, 0u, 0.0, 0.0, 0u);
+    return Exponent(observe / batches, batches / ALIGNING, 0u, 0.0, 0u, 0.0, 0.0);
 }
 
 // Counts a period, and measures what the tangent vector has grown by where a batch ends, where that is `asked` for, and where it is far
 // from unit length: it is brought back to that then. Otherwise it is left to grow. The growth that was measured, 0 where none was.
 fn exponent_at_strobe(asked: bool) -> f32 {
     let square = state_square(tangent);
-    observer.exponent.lost = select(observer.exponent.lost, 1u, square == 0.0);
     let far = !((SHORT_SQUARE < square) & (square < LONG_SQUARE));
     let ends = observer.exponent.filled + 1u >= observer.exponent.batch_periods;
     var growth = 0.0;

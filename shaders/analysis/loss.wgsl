@@ -8,26 +8,28 @@ struct Loss {
 }
 
 fn loss_none(contact: u32) -> Loss {
-    return Loss(0.0, 0.0, 0.0, select(0u, 1u, contact != CONTACT_FREE));
+    return Loss(0.0, 0.0, 0.0, contact);
 }
 
 fn loss_note(taken: Move) {
     let strobe = taken.event == EVENT_STROBE;
     let steps = select(trajectory.step, flight.steps, strobe);
     let now = f32(steps) * flight.h + trajectory.offset;
-    let holds = trajectory.contact != CONTACT_FREE;
-    let held = observer.loss.held == 1u;
+    let holds = trajectory.contact;
+    let held = observer.loss.held != CONTACT_FREE;
     if held {
-        let opened = taken.event == EVENT_RELEASED && !holds;
+        let opened = taken.event == EVENT_RELEASED && holds == CONTACT_FREE;
         let until = select(now, now - taken.apart, opened);
         observer.loss.rested = observer.loss.rested + max(until - observer.loss.since, 0.0);
     }
-    let caught = taken.event == EVENT_CAUGHT || taken.event == EVENT_COMPLETE_CHATTER;
+    // Unless another contact holds on.
+    let caught = (taken.event == EVENT_CAUGHT || taken.event == EVENT_COMPLETE_CHATTER)
+        && (observer.loss.held & holds) == CONTACT_FREE;
     // Rebounds end before the next strobe, but perhaps after phase π.
-    let ended = now + select(0.0, taken.apart, caught && !held);
+    let ended = now + select(0.0, taken.apart, caught);
     let since = select(ended, max(observer.loss.since, ended), held);
     observer.loss.since = select(since, 0.0, strobe);
-    observer.loss.held = select(0u, 1u, holds);
+    observer.loss.held = holds;
     if event_is_impact(taken.event) {
         let after = select(0.0, taken.rebound, taken.event == EVENT_IMPACT);
         loss_take(taken.stop, taken.velocity, after);

@@ -10,6 +10,8 @@ struct Observer {
     leaps: u32,
     spread: Spread,
     grown: f32,
+    lost: u32,
+    lately_lost: u32,
     stage: u32,
     periods: u32,
     observed: u32,
@@ -43,6 +45,8 @@ fn observer_begin(start: State) {
     observer.leaps = MOST_LEAPS;
     observer.spread = spread_about(trajectory.point);
     observer.grown = 0.0;
+    observer.lost = 0u;
+    observer.lately_lost = 0u;
     observer.stage = STAGE_TRANSIENT;
     observer.periods = 0u;
     observer.observed = 0u;

@@ -176,6 +176,9 @@ fn observer_measure_growth(rare: bool) {
     if observer.turn.n == 0u {
         let anchored = observer.recurrence.since == 0u;
         let ends = observer.observed == observer.observe;
+        let lost = select(0u, 1u, tangent_is_lost(tangent));
+        observer.lost = observer.lost | lost;
+        observer.lately_lost = select(observer.lately_lost | lost, 0u, anchored);
         let growth = exponent_at_strobe(anchored | (observer.stuck == 1u) | ends);
         observer.grown = select(observer.grown + growth, 0.0, anchored);
     } else if observer.observed % observer.turn.n == 0u {

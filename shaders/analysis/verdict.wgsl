@@ -48,23 +48,25 @@ fn observer_state(regime: u32) -> State {
 fn observer_verdict() -> Verdict {
     let regime = observer_regime();
     let periodic = regime == REGIME_PERIODIC || regime == REGIME_PERIODIC_STICKING;
+    let late = periodic && observer_is_late();
+    let lost = select(observer.lost, observer.lately_lost, late);
     var lyapunov = NOT_MEASURED;
     if regime == REGIME_NO_IMPACT {
         lyapunov = flight.linear_exponent;
     } else if observer.turn.n > 0u && periodic {
         lyapunov = observer.turn.exponent;
-    } else if regime != REGIME_FAILED && observer.exponent.lost == 1u {
+    } else if regime != REGIME_FAILED && lost == 1u {
         lyapunov = FORGETS;
     } else if regime != REGIME_FAILED && observer.exponent.batches > 0u {
         lyapunov = exponent_per_period();
-        if periodic && observer_is_late() {
+        if late {
             lyapunov = observer.grown / f32(observer.recurrence.since);
         }
     }
-    // Without an observation there were none in it.
-    let quiet = observer.stage == STAGE_QUIET;
+    // What came before an observation is not of it.
+    let observed = observer.stage == STAGE_OBSERVED;
     let may_return = regime != REGIME_NO_IMPACT && regime != REGIME_FAILED;
-    let in_question = !periodic || observer_is_late() || observer_is_within_turn();
+    let in_question = !periodic || late || observer_is_within_turn();
     let returning = may_return && in_question && recurrence_holds_for(0u);
     let symmetric = periodic && observer.recurrence.n % 2u == 1u && observer.recurrence.symmetric == 1u;
     var impacts_per_stop = array<u32, MOST>();
@@ -76,7 +78,7 @@ fn observer_verdict() -> Verdict {
     if observer.stage == STAGE_FAILED {
         power = NOT_MEASURED;
         contact = NOT_MEASURED;
-    } else if observer.stage == STAGE_OBSERVED {
+    } else if observed {
         let time = f32(observer.observed) * (f32(flight.steps) * flight.h);
         power = observer.loss.energy / time;
         contact = observer.loss.rested / time;
@@ -88,12 +90,12 @@ fn observer_verdict() -> Verdict {
         lyapunov,
         impacts_per_stop,
         state_values(observer_state(regime)),
-        select(observer.impacts, 0u, quiet),
+        select(0u, observer.impacts, observed),
         observer.impacts_total,
-        select(observer.peak, 0.0, quiet),
+        select(0.0, observer.peak, observed),
         observer.periods,
         select(0u, observer.recurrence.n, returning),
-        select(0u, observer.observed, observer.stage == STAGE_OBSERVED),
+        select(0u, observer.observed, observed),
         power,
         contact,
     );

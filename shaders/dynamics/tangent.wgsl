@@ -86,6 +86,11 @@ fn tangent_bring_back(square: f32) -> f32 {
     return 0.0;
 }
 
+// Whether nothing is left of it: of no other deviation is anything left then.
+fn tangent_is_lost(tangent: State) -> bool {
+    return largest_of(tangent.x, tangent.v) == 0.0;
+}
+
 fn tangent_caught(tangent: State, contact: u32) -> State {
     return State(spared(contact, tangent.x), spared(contact, tangent.v));
 }

@@ -20,7 +20,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         }
         let n = self.recurrence.n.max(1);
         let turns = SETTLED_OBSERVATION.div_ceil(n).max(SETTLED_TURNS);
-        // Whole turns: what is measured is the mean over them.
+        // Whole turns, where there is time for them: what is measured is the mean over them.
         Observation::over((turns * n).min(schedule.observe))
     }
 
@@ -64,13 +64,14 @@ impl<T: Real, const N: usize> Observer<T, N> {
         self.impacts = 0;
         self.peak = T::zero();
         self.stuck = false;
-        self.loss = Loss::none(!self.trajectory.contact.is_free());
+        self.loss = Loss::none(self.trajectory.contact);
         self.carry(flight, if begins.turn > 0 { Turn::begins_with(0) } else { Tangent::seed() });
         self.recurrence = Recurrence::anchored(point.state);
         self.exponent = Exponent::over(begins.periods);
         self.turn = Turn::over(begins.turn);
         self.spread = Spread::about(&point.state);
         self.grown = T::zero();
+        (self.lost, self.lately_lost) = (false, false);
     }
 
     /// Carries a deviation along from here. While a mass rests on a stop, deviations along the contact are zero.

@@ -1,7 +1,7 @@
 //! What impacts take from a trajectory, and how long contacts hold.
 
 use super::regime::Measures;
-use crate::dynamics::{Event, Impact, Move, Stop, Trajectory, energy_taken};
+use crate::dynamics::{Contact, Event, Impact, Move, Stop, Trajectory, energy_taken};
 use crate::model::{Flight, Real};
 
 /// The energy that impacts took, and the time in contact, since an observation began at phase 0.
@@ -13,13 +13,13 @@ pub struct Loss<T> {
     pub rested: T,
     /// The time within its forcing period of the last event, or of the end of the rebounds that were closed with it.
     since: T,
-    /// Whether some contact holds since.
-    held: bool,
+    /// What holds since.
+    held: Contact,
 }
 
 impl<T: Real> Loss<T> {
     /// Nothing yet, at phase 0.
-    pub fn none(held: bool) -> Self {
+    pub fn none(held: Contact) -> Self {
         Loss { energy: T::zero(), rested: T::zero(), since: T::zero(), held }
     }
 
@@ -40,19 +40,20 @@ impl<T: Real> Loss<T> {
         let strobe = matches!(taken.event, Event::Strobe);
         let steps = if strobe { flight.steps } else { trajectory.step };
         let now = T::of(f64::from(steps)) * flight.h + trajectory.offset;
-        let holds = !trajectory.contact.is_free();
-        if self.held {
-            let opened = matches!(taken.event, Event::Released(_)) && !holds;
+        let (holds, held) = (trajectory.contact, !self.held.is_free());
+        if held {
+            let opened = matches!(taken.event, Event::Released(_)) && holds.is_free();
             let until = if opened { now - taken.time } else { now };
             self.rested = self.rested + if until > self.since { until - self.since } else { T::zero() };
         }
         let rebounds = match taken.event {
-            Event::Caught { rebounds, .. } if !self.held => rebounds,
+            // Unless another contact holds on.
+            Event::Caught { rebounds, .. } if self.held.since(holds) == self.held => rebounds,
             _ => T::zero(),
         };
         // They end before the next strobe, but perhaps after phase π.
         let since = now + rebounds;
-        let since = if self.held && self.since > since { self.since } else { since };
+        let since = if held && self.since > since { self.since } else { since };
         self.since = if strobe { T::zero() } else { since };
         self.held = holds;
         match taken.event {

@@ -9,7 +9,7 @@ use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
 use crate::dynamics::constants::MOST_KICKS;
-use crate::dynamics::{Event, Moves, Stop, Tally, Tangent, Trajectory, Unseen};
+use crate::dynamics::{Contact, Event, Moves, Stop, Tally, Tangent, Trajectory, Unseen};
 use crate::model::{Flight, Real, State, System};
 
 /// How often a trajectory may leap, or measure the map of a turn in order to: what that does not lead to is waited for.
@@ -36,6 +36,10 @@ pub struct Observer<T, const N: usize> {
     pub(super) spread: Spread<T, N>,
     /// Logarithmic growth of the tangent vector from when the recurrence's anchor was set to when it was measured last.
     pub(super) grown: T,
+    /// Whether the tangent vector was lost altogether since the observation began: the exponent is −∞.
+    pub(super) lost: bool,
+    /// The same since the recurrence's anchor was set.
+    pub(super) lately_lost: bool,
     pub(super) stage: Stage,
     /// Forcing periods since the start.
     pub(super) periods: u32,
@@ -70,6 +74,8 @@ impl<T: Real, const N: usize> Observer<T, N> {
             leaps: MOST_LEAPS,
             spread: Spread::about(&trajectory.point.state),
             grown: T::zero(),
+            lost: false,
+            lately_lost: false,
             stage: Stage::Transient,
             periods: 0,
             observed: 0,
@@ -79,7 +85,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             impacts_total: 0,
             peak: T::zero(),
             stuck: false,
-            loss: Loss::none(false),
+            loss: Loss::none(Contact::FREE),
         };
         if schedule.transient == 0 {
             observer.begin_observation(flight, Observation::over(schedule.observe));

@@ -243,6 +243,9 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if !self.turn.is_measured() {
             let anchored = self.recurrence.since == 0;
             let asked = anchored || self.stuck || self.observed == self.observe;
+            let lost = self.tangent.is_lost();
+            self.lost |= lost;
+            self.lately_lost = !anchored && (self.lately_lost || lost);
             let growth = self.exponent.at_strobe(&mut self.tangent, asked);
             self.grown = if anchored { T::zero() } else { self.grown + growth };
         } else if self.observed.is_multiple_of(self.turn.n) {

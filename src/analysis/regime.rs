@@ -125,10 +125,14 @@ pub struct Measures {
 }
 
 impl Verdict {
-    /// Impacts per forcing period of the observation; NaN where there was none.
+    /// Impacts per forcing period of the observation, of a periodic motion in whole turns of it; NaN where there was none.
     pub fn impacts_per_period(&self) -> f32 {
         match self.measures.observed {
             0 => f32::NAN,
+            _ if self.regime == Regime::Periodic => {
+                let in_a_turn: u32 = self.counts.iter().map(|&count| u32::from(count)).sum();
+                (f64::from(in_a_turn) / f64::from(self.n)) as f32
+            }
             observed => (f64::from(self.impacts) / f64::from(observed)) as f32,
         }
     }

@@ -14,20 +14,22 @@ impl<T: Real, const N: usize> Observer<T, N> {
         let regime = self.regime();
         let recurrence = &self.recurrence;
         let count = |value: u32| if regime.is_periodic() { value as u16 } else { 0 };
+        let late = regime.is_periodic() && self.is_late();
+        let lost = if late { self.lately_lost } else { self.lost };
         let lyapunov = match regime {
             Regime::NoImpact => flight.linear_exponent,
             Regime::Failed => T::nan(),
             _ if self.turn.is_measured() && regime.is_periodic() => self.turn.exponent,
-            _ if self.exponent.lost => T::of(FORGETS),
+            _ if lost => T::of(FORGETS),
             _ if self.exponent.batches == 0 => T::nan(),
             // Growth from before the motion was reached does not count towards its exponent.
-            _ if regime.is_periodic() && self.is_late() => self.grown / T::of(f64::from(recurrence.since)),
+            _ if late => self.grown / T::of(f64::from(recurrence.since)),
             _ => self.exponent.per_period(),
         };
-        // Without an observation there were none in it.
-        let (impacts, peak) =
-            if self.stage == Stage::Quiet { (0, T::zero()) } else { (self.impacts, self.peak) };
-        let in_question = !regime.is_periodic() || self.is_late() || self.is_within_turn();
+        // What came before an observation is not of it.
+        let observed = self.stage == Stage::Observed;
+        let (impacts, peak) = if observed { (self.impacts, self.peak) } else { (0, T::zero()) };
+        let in_question = !regime.is_periodic() || late || self.is_within_turn();
         let returning =
             if regime.may_return() && in_question && recurrence.holds_for(0) { recurrence.n } else { 0 };
         Verdict {

@@ -209,7 +209,7 @@ fn birth(branch: &Branch, here: &PathPoint, next: &PathPoint, ds: f64) -> Option
     }
     let system = unknowns.system(&last)?;
     let event = Event::smooth(Kind::Fold, branch.seed(&last));
-    Some(event.of_simpler_motion(&system)).filter(|event| event.kind != Kind::Fold)
+    Some(event.of_simpler_motion(&system, unknowns.unit)).filter(|event| event.kind != Kind::Fold)
 }
 
 /// A smooth bifurcation, if it is one of stability.
@@ -223,7 +223,7 @@ fn smooth_event(branch: &Branch, y: &DVector<f64>, kind: Kind) -> Option<Event> 
         return None;
     }
     let event = Event::smooth(kind, seed);
-    Some(if kind == Kind::Fold { event.of_simpler_motion(&system) } else { event })
+    Some(if kind == Kind::Fold { event.of_simpler_motion(&system, branch.0.unit) } else { event })
 }
 
 impl Event {
@@ -239,11 +239,10 @@ impl Event {
     }
 
     /// A branch that is born in a pitchfork or a period doubling turns around there, as if at a fold: the motion is the
-    /// simpler one then, and the bifurcation is that one's.
-    fn of_simpler_motion(self, system: &System) -> Self {
+    /// simpler one then, and the bifurcation is that one's; `unit` is of order one.
+    fn of_simpler_motion(self, system: &System, unit: f64) -> Self {
         let Some((pattern, differences)) = parting(system, &self.seed().motion) else { return self };
         let count = pattern.stops.len();
-        let unit = system.unit();
         let near = |(a, difference): (&SectionVector, &SectionVector)| {
             extent(difference, unit) < NEAR * (1.0 + extent(a, unit))
         };

@@ -10,7 +10,7 @@ pub struct Closure<T> {
     pub gap_integral: T,
     /// How high they rise at most; 0 where that is lost in rounding.
     pub height: T,
-    /// About how long they last; 0 where that is lost in rounding.
+    /// About how long they last; 0 where that is lost in rounding, and where damping alone ends them, at what is as good as rest.
     pub time: T,
     /// How long they last at most; likewise.
     pub lasts: T,

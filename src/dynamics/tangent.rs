@@ -220,6 +220,16 @@ impl<T: Real, const N: usize> Tangent<T, N> {
         }
     }
 
+    /// Whether nothing is left of it: of no other deviation is anything left then.
+    #[inline(always)]
+    pub fn is_lost(&self) -> bool {
+        let mut lost = true;
+        for i in 0..N {
+            lost &= self.0.x[i] == T::zero() && self.0.v[i] == T::zero();
+        }
+        lost
+    }
+
     /// The deviation divided by a number.
     #[inline(always)]
     pub fn scaled(&self, factor: T) -> Self {

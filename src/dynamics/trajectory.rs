@@ -47,14 +47,14 @@ pub enum Event<T> {
         complete_chatter: bool,
         /// The stops beside this one that share these rebounds, and hold as well now; seldom any.
         beside: Contact,
-        /// About how long these rebounds take.
+        /// About how long these rebounds take; 0 in a corner, where they are over at once.
         rebounds: T,
     },
     /// What pressed on a contact vanished, and it opens.
     Released(Stop),
 }
 
-/// A move: how long it took, with what contacts, and what ended it; a contact opens at its beginning.
+/// A move: how long it took, with what contacts, and what ended it; one that ends with [`Event::Released`] begins as the contact opens.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move<T> {
     /// Its duration; non-dimensional.

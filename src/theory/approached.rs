@@ -54,10 +54,10 @@ fn leads_to(system: &System, state: &[f64], motion: &StrobeMotion) -> bool {
     missed.norm() <= FORETOLD * before.norm() + UNCERTAIN * scale
 }
 
-/// A verdict with what the exact motion says of it: label, symmetry, exponent, state, and what is measured over whole turns, about as
-/// many as were observed.
+/// A verdict with what the exact motion says of it: label, symmetry, exponent, state, and what is measured, as far as it was observed.
 pub fn with_motion(verdict: &Verdict, motion: &StrobeMotion) -> Verdict {
-    let turns = (verdict.measures.observed / motion.n).max(1);
+    let observed = verdict.measures.observed;
+    let turns = f64::from(observed) / f64::from(motion.n);
     let regime = if motion.sticking { Regime::PeriodicSticking } else { Regime::Periodic };
     Verdict {
         regime,
@@ -66,9 +66,9 @@ pub fn with_motion(verdict: &Verdict, motion: &StrobeMotion) -> Verdict {
         symmetric: motion.symmetric,
         lyapunov: motion.exponent().map_or(f32::NAN, |exponent| exponent as f32),
         state: StateVector::from_slice(&motion.state).unwrap_or(verdict.state),
-        impacts: turns.saturating_mul(motion.met),
+        impacts: (turns * f64::from(motion.met)).round() as u32,
         peak_impact_velocity: motion.peak as f32,
-        measures: Measures { observed: turns * motion.n, ..motion.measures },
+        measures: Measures { observed, ..motion.measures },
         returning: 0,
         ..*verdict
     }

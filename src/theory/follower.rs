@@ -120,7 +120,7 @@ impl<const N: usize, const K: usize> Following<N, K> {
         let flight = Flight::boxed(system);
         let trajectory = Trajectory::new(&flight, State::zero());
         let of_flow = Arc::clone(system.of_flow());
-        let loss = Loss::none(false);
+        let loss = Loss::none(Contact::FREE);
         Following { of_flow, flight, trajectory, frame: [Tangent(State::zero()); K], carries: false, loss }
     }
 }
@@ -137,7 +137,7 @@ impl<const N: usize, const K: usize> Follower for Following<N, K> {
     fn begin(&mut self, state: &[f64]) {
         self.trajectory = Trajectory::new(&self.flight, State::from_slice(state));
         self.carries = false;
-        self.loss = Loss::none(!self.trajectory.contact.is_free());
+        self.loss = Loss::none(self.trajectory.contact);
     }
 
     fn begin_at(&mut self, x: &[f64], v: &[f64], phase: f64) {

@@ -30,11 +30,11 @@ pub(crate) fn extent(section: &SectionVector, unit: f64) -> f64 {
 const FEW: f64 = 8.0;
 
 /// What is of order one on a motion with some sections: `unit`, the system's own, or where displacements and velocities are many of
-/// these, half the largest.
+/// these, the largest.
 pub(crate) fn unit_about<'a>(unit: f64, sections: impl IntoIterator<Item = &'a SectionVector>) -> f64 {
     let largest = sections.into_iter().map(|section| mechanical(section).amax()).fold(0.0, f64::max);
     // What is infinite or no number says nothing.
-    if largest.is_finite() && largest > FEW * unit { 0.5 * largest } else { unit }
+    if largest.is_finite() && largest > FEW * unit { largest } else { unit }
 }
 
 /// A section, or a deviation on it, with displacements and velocities so many times as large.
@@ -82,8 +82,8 @@ mod tests {
             1.0,
             "no phase is a length"
         );
-        assert_eq!(about(1.0, &[section(1.0, 0.2, 0.0), section(0.3, -80.0, 0.0)]), 40.0);
-        assert_eq!(about(0.01, &[section(0.2, 0.0, 0.0)]), 0.1);
+        assert_eq!(about(1.0, &[section(1.0, 0.2, 0.0), section(0.3, -80.0, 0.0)]), 80.0);
+        assert_eq!(about(0.01, &[section(0.2, 0.0, 0.0)]), 0.2);
         for wrong in [f64::NAN, f64::INFINITY] {
             assert_eq!(about(0.5, &[section(wrong, 0.2, 0.0)]), 0.5);
         }

@@ -89,11 +89,12 @@ fn solved_among(
     impacts: &[Met],
     tries: usize,
 ) -> (Option<PeriodicMotion>, usize) {
-    let unit = unit_about(system.unit(), impacts.iter().map(|met| &met.section));
+    let unit = system.unit();
     let mut tried: Vec<SectionVector> = Vec::new();
-    for first in close_returns(system, impacts, label, unit) {
+    for first in close_returns(system, impacts, label) {
         let count = label.count() as usize;
         let (pattern, guess) = sequence(system, &impacts[first..first + count], label.n);
+        let unit = unit_about(unit, [&guess[0]]);
         if tried.iter().any(|other| extent(&(other - &guess[0]), unit) < APART) {
             continue;
         }
@@ -154,8 +155,8 @@ fn impacts(system: &System, in_a_turn: u32, start: &[f64], search: &Search) -> O
     orbit
 }
 
-/// Where an orbit comes back to its section after N periods and the right impacts, closest first; `unit` is of order one on it.
-fn close_returns(system: &System, impacts: &[Met], label: &Label, unit: f64) -> Vec<usize> {
+/// Where an orbit comes back to its section after N periods and the right impacts, closest first.
+fn close_returns(system: &System, impacts: &[Met], label: &Label) -> Vec<usize> {
     let wanted = StopSet::of(system).in_plant_order(&label.impacts);
     let Some(stop) = wanted.iter().position(|&count| count > 0) else { return Vec::new() };
     let count = label.count() as usize;
@@ -174,6 +175,7 @@ fn close_returns(system: &System, impacts: &[Met], label: &Label, unit: f64) -> 
             }
             let late = system.plant().omega * (to.time - from.time - turn);
             let change = &to.section - &from.section;
+            let unit = unit_about(system.unit(), [&from.section, &to.section]);
             let away = mechanical(&change).abs().sum() / unit + late.abs();
             (away < CLOSE).then_some((away, first))
         })

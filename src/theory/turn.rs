@@ -117,6 +117,7 @@ impl Turn {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::Contact;
     use crate::model::System;
     use crate::system::{Plant, PlantStop};
     use crate::theory::example::{Ball, chain};
@@ -232,7 +233,7 @@ mod tests {
             sticking: false,
             peak: 0.0,
             met: 0,
-            loss: Loss::none(false),
+            loss: Loss::none(Contact::FREE),
             hardest: None,
         }
     }

@@ -98,8 +98,8 @@ fn a_chaotic_motion_is_caught_where_it_comes_near() {
     assert_eq!(reached(1e-9).0.verdict.label(), "chaotic");
 }
 
-/// The same in a unit of length a million times as large, and one that is as much smaller: what comes near, returns, settles and
-/// runs away is told by the motion's own size.
+/// The same in a unit of length a million times as large, and one that is as much smaller: what comes near, settles
+/// and runs away is told by the motion's own size.
 #[test]
 fn it_is_caught_in_any_unit_of_length() {
     for exponent in [-20, 20] {
