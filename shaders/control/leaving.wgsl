@@ -47,21 +47,9 @@ fn leaving_contact(section: SectionPoint, correction: SectionPoint) -> u32 {
     return kept;
 }
 
-// How far, and how fast, masses may be carried at all: the largest of the unit, of what forces do, and of the gaps.
-fn leaving_reach() -> f32 {
-    var reach = max(flights[flow].forced, stops.unit);
-    //: each normal
-    let upper$k = abs(stops.gap[$k][0]);
-    reach = max(reach, select(0.0, upper$k, upper$k < FAR));
-    let lower$k = abs(stops.gap[$k][1]);
-    reach = max(reach, select(0.0, lower$k, lower$k < FAR));
-    //: end
-    return reach;
-}
-
 // Leaves the section from a corrected point, under a force.
 fn leaving_goes_on_from(section: SectionPoint, action: Action) {
-    if section_distance(section, section_zero(), leaving_reach()) > RUNAWAY {
+    if section_distance(section, section_zero(), flight_reach()) > RUNAWAY {
         controlled.progress = PROGRESS_RUNAWAY;
         return;
     }

@@ -71,7 +71,7 @@ fn section_plus(section: SectionPoint, correction: SectionPoint) -> SectionPoint
     return section_with_tau(sum, into_turn(section_tau(sum)));
 }
 
-// The largest difference of a component, that of τ as it is, others in units of what is of order one.
+// The largest difference of a component, that of τ as it is, others in units of `unit`.
 fn section_distance(a: SectionPoint, b: SectionPoint, unit: f32) -> f32 {
     let difference = section_minus(a, b);
     let rest = section_with_tau(difference, 0.0);

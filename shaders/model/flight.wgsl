@@ -62,6 +62,18 @@ fn flight_least() -> f32 {
     return flight.h * SQRT_EPSILON;
 }
 
+// How far, and how fast, masses may be carried at all: the largest of the unit, of what forces do, and of the gaps.
+fn flight_reach() -> f32 {
+    var reach = max(flights[flow].forced, stops.unit);
+    //: each normal
+    let upper$k = abs(stops.gap[$k][0]);
+    reach = max(reach, select(0.0, upper$k, upper$k < FAR));
+    let lower$k = abs(stops.gap[$k][1]);
+    reach = max(reach, select(0.0, lower$k, lower$k < FAR));
+    //: end
+    return reach;
+}
+
 // A term of the polynomials of a normal: what a kick becomes, then what the end of a step says of the way to it.
 fn normal_term(normal: u32, term: u32) -> State {
     return normal_terms[normal][term];

@@ -33,7 +33,8 @@ pub struct Outcome {
     pub converged_at: u32,
     /// The control signal at the end: B, or the length of the correction; non-dimensional.
     pub signal: f32,
-    /// Whether control drove the points on σ beyond all bounds, a thousand times [`Flight::reach`](crate::model::Flight::reach), where the run ended.
+    /// Whether control drove the points on σ beyond all bounds, a thousand times [`Flight::reach`](crate::model::Flight::reach), where the
+    /// run ended.
     pub runaway: bool,
     /// Corrections left out because they led off the section: into its stop, or beyond another.
     pub escapes: u32,

@@ -102,7 +102,7 @@ impl<T: Real, const N: usize> SectionPoint<T, N> {
         SectionPoint { components }
     }
 
-    /// The largest difference of a component, that of τ as it is, others in units of what is of order one.
+    /// The largest difference of a component, that of τ as it is, others in units of `unit`.
     #[inline(always)]
     pub fn distance(&self, other: &Self, unit: T) -> T {
         let mut difference = self.minus(other);

@@ -94,8 +94,8 @@ fn solved_among(
     for first in close_returns(system, impacts, label) {
         let count = label.count() as usize;
         let (pattern, guess) = sequence(system, &impacts[first..first + count], label.n);
-        let unit = unit_about(unit, [&guess[0]]);
-        if tried.iter().any(|other| extent(&(other - &guess[0]), unit) < APART) {
+        let size = unit_about(unit, [&guess[0]]);
+        if tried.iter().any(|other| extent(&(other - &guess[0]), size) < APART) {
             continue;
         }
         tried.push(guess[0].clone());
@@ -160,7 +160,7 @@ fn close_returns(system: &System, impacts: &[Met], label: &Label) -> Vec<usize> 
     let wanted = StopSet::of(system).in_plant_order(&label.impacts);
     let Some(stop) = wanted.iter().position(|&count| count > 0) else { return Vec::new() };
     let count = label.count() as usize;
-    let turn = f64::from(label.n) * system.period();
+    let (turn, unit) = (f64::from(label.n) * system.period(), system.unit());
     let mut returns: Vec<(f64, usize)> = impacts
         .windows(count + 1)
         .enumerate()
@@ -175,8 +175,8 @@ fn close_returns(system: &System, impacts: &[Met], label: &Label) -> Vec<usize> 
             }
             let late = system.plant().omega * (to.time - from.time - turn);
             let change = &to.section - &from.section;
-            let unit = unit_about(system.unit(), [&from.section, &to.section]);
-            let away = mechanical(&change).abs().sum() / unit + late.abs();
+            let size = unit_about(unit, [&from.section, &to.section]);
+            let away = mechanical(&change).abs().sum() / size + late.abs();
             (away < CLOSE).then_some((away, first))
         })
         .collect();

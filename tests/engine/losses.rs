@@ -7,7 +7,7 @@ use impact_atlas::backend::{self, Choice, Cpu, Job, Unwatched, follow};
 use impact_atlas::dynamics::{Event, Trajectory};
 use impact_atlas::model::{Flight, Setting, State, StateVector, System};
 use impact_atlas::plane::{Axis, Plane, Start};
-use impact_atlas::sweep::sweep;
+use impact_atlas::sweep::{certify, sweep};
 use impact_atlas::system::{Family, Plant, PlantStop};
 use nalgebra::{DMatrix, DVector};
 
@@ -220,12 +220,19 @@ fn periodic_motions_are_measured_over_whole_turns() {
         task,
     };
     let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
+    let mut exact = map.clone();
+    certify(&mut exact, &Cpu, &Unwatched).unwrap();
     let (mut compared, mut many) = (0, 0);
-    for verdict in map.verdicts.iter().filter(|verdict| verdict.regime == Regime::Periodic) {
+    let pairs = map.verdicts.iter().zip(&exact.verdicts);
+    for (verdict, exact) in pairs.filter(|(verdict, _)| verdict.regime == Regime::Periodic) {
         let turns = f64::from(verdict.measures.observed) / f64::from(verdict.n);
         let in_a_turn: u32 = verdict.counts.iter().map(|&count| u32::from(count)).sum();
         assert_eq!(f64::from(verdict.impacts), (turns * f64::from(in_a_turn)).round(), "{verdict:?}");
         assert_eq!(verdict.impacts_per_period(), in_a_turn as f32 / f32::from(verdict.n));
+        if verdict.label() == exact.label() {
+            let [power, expected] = [verdict, exact].map(|verdict| verdict.measures.power);
+            assert!((power - expected).abs() <= 1e-3 * expected, "{power} for {expected}: {verdict:?}");
+        }
         compared += 1;
         many += u32::from(verdict.n > 6);
     }

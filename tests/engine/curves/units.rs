@@ -81,14 +81,14 @@ fn passed(curves: &[Curve], others: &[Curve], aside: f64) -> f64 {
 fn curves_do_not_depend_on_the_unit_of_length() {
     let own = curves(1.0);
     // Far above 1 trajectories are told to return as closely as at 1: seeds, and so what is found, differ a little.
-    for (unit, least) in [(1e-6, 0.97), (1e-12, 0.97), (256.0, 0.93)] {
+    for (unit, least, more) in [(1e-6, 0.97, 4), (1e-12, 0.97, 4), (256.0, 0.93, 2)] {
         let others = curves(unit);
         let points =
             [&own, &others].map(|curves| curves.iter().map(|curve| curve.points.len()).sum::<usize>());
         let [there, back] = [passed(&own, &others, 0.0), passed(&others, &own, 0.0)];
         println!("{} and {} curves, {points:?} points, {there} and {back} passed", own.len(), others.len());
         assert!(own.len() > 20 && there > least && back > 0.8, "{there} and {back}");
-        assert!(points[1] < points[0] + points[0] / 2, "steps are as long: {points:?}");
+        assert!(points[1] < points[0] + points[0] / more, "steps are as long: {points:?}");
         assert!(passed(&others, &own, 3e-3) < 0.5, "the check can fail");
     }
 }
