@@ -75,6 +75,7 @@ pub fn bifurcation_curves_until(
         trace_all(&mut curves, births, spans, until);
         births = followed.births;
     }
+    let without_impact = no_impact_curves(map, spans, &stops, until);
     // A curve that was not followed to its end is left out.
     if until.is_over() {
         return Err(CurvesError::Cancelled);
@@ -82,7 +83,7 @@ pub fn bifurcation_curves_until(
     curves.retain(|curve| curve.points.iter().any(|point| point.bounding));
     curves = without_twins(curves, spans);
     let left_out = left_out(&shown, &sought, |event| lies_on(event, &curves, spans));
-    curves.extend(no_impact_curves(map, spans, &stops));
+    curves.extend(without_impact);
     Ok(PlaneCurves { curves, left_out })
 }
 

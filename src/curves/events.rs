@@ -72,11 +72,12 @@ pub(super) fn look(locus: &Locus, y: &DVector<f64>, tangent: &DVector<f64>) -> O
     let system = unknowns.system(y)?;
     let (flow, sections) = (Flow::new(&system), unknowns.sections(y));
     let arcs = arcs(&flow, &unknowns.pattern, &sections);
-    let map = in_units(turn_along(&flow, &unknowns.pattern, &arcs)?, unknowns.unit);
+    let unit = unknowns.unit;
+    let map = in_units(turn_along(&flow, &unknowns.pattern, &arcs)?, unit);
     let multipliers = eigenvalues(&map)?;
     let motion = PeriodicMotion { pattern: unknowns.pattern.clone(), sections, residual: 0.0 };
     let (critical, others) = split(locus.kind, &multipliers);
-    let form = NormalForm { flow: &flow, motion: &motion, map: &map };
+    let form = NormalForm { flow: &flow, motion: &motion, unit, map: &map };
     let coefficient = match locus.kind {
         Kind::Fold | Kind::Grazing => None,
         Kind::PeriodDoubling | Kind::Pitchfork => form.flip(),

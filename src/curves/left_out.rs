@@ -21,7 +21,7 @@ pub struct LeftOut {
 /// Why a motion has no curve, in the order in which it is told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, VariantArray)]
 pub enum Why {
-    /// Nothing that ends it was met within the plane.
+    /// Nothing that ends it was met within the plane, or not before it was given up.
     Unbounded,
     /// No cell's trajectory leads Newton's method to it.
     Unsolved,
@@ -39,12 +39,14 @@ impl Why {
     /// Why, in words.
     pub fn words(self) -> String {
         match self {
-            Why::Unbounded => "nothing that ends them was met on this plane".to_owned(),
+            Why::Unbounded => {
+                "nothing that ends them was met on this plane, or not in so many steps".to_owned()
+            }
             Why::Unsolved => "no cell leads Newton's method to them".to_owned(),
             Why::Few => "too few cells show them".to_owned(),
             Why::ManyImpacts => format!("more than {MOST_IMPACTS} impacts in a period"),
             Why::Sticks => "sticking".to_owned(),
-            Why::LongPeriod => "N above --max-period".to_owned(),
+            Why::LongPeriod => "N above the largest that was asked for".to_owned(),
         }
     }
 

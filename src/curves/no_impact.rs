@@ -1,12 +1,14 @@
 //! Where the motion without impact grazes: the forced response just reaches a stop.
 
 use nalgebra::DVector;
+use rayon::prelude::*;
 
 use super::condition::Kind;
 use super::curve::{Curve, CurveMotion, CurvePoint, End, Special};
 use super::path::{Equations, PathPoint};
 use super::response::{Response, decays};
 use super::unknowns::Span;
+use super::until::Until;
 use crate::dynamics::Stop;
 use crate::model::{Setting, System};
 use crate::plane::RegionMap;
@@ -17,7 +19,7 @@ const STEP: f64 = 5e-3;
 /// The most points in one direction.
 const MOST_POINTS: usize = 2000;
 /// Places along each side at which the curve is looked for.
-const SCAN: u32 = 64;
+const SCAN: usize = 64;
 /// The share of the room to another stop by which the motion may go beyond that before it counts.
 const CROSSED: f64 = 1e-9;
 /// Bisections to place the end of a curve.
@@ -62,28 +64,45 @@ impl Equations for Reach {
 }
 
 /// The curves on which the motion without impact begins to touch a stop, of stops that are mirror images the first.
-pub(super) fn no_impact_curves(map: &RegionMap, spans: [Span; 2], stops: &StopSet) -> Vec<Curve> {
+pub(super) fn no_impact_curves(
+    map: &RegionMap,
+    spans: [Span; 2],
+    stops: &StopSet,
+    until: Until<'_>,
+) -> Vec<Curve> {
     let all = || (0..stops.count()).map(|stop| Stop(stop as u8));
     let of_stop = |stop: Stop| {
         let others = all().filter(|&other| other != stop).collect();
-        found(&Reach { fixed: map.plane.parameters, spans, stop, others }, stops)
+        found(&Reach { fixed: map.plane.parameters, spans, stop, others }, stops, until)
     };
     all().filter(|&stop| stops.image(stop) >= stop).flat_map(of_stop).collect()
 }
 
-fn found(reach: &Reach, stops: &StopSet) -> Vec<Curve> {
+/// The excess at places that stand evenly on the plane, column by column.
+fn scanned(reach: &Reach, until: Until<'_>) -> Vec<Vec<Option<f64>>> {
+    let share = |i: usize| i as f64 / SCAN as f64;
+    let of_place = |x: usize, y: usize| reach.excess([share(x), share(y)]);
+    let column = |x: usize| match until.is_over() {
+        true => vec![None; SCAN + 1],
+        false => (0..=SCAN).map(|y| of_place(x, y)).collect(),
+    };
+    (0..=SCAN).into_par_iter().map(column).collect()
+}
+
+fn found(reach: &Reach, stops: &StopSet, until: Until<'_>) -> Vec<Curve> {
+    let excess = scanned(reach, until);
     let mut paths: Vec<Path> = Vec::new();
     for line in 0..=SCAN {
-        let across = f64::from(line) / f64::from(SCAN);
         for along in 0..SCAN {
-            let ends = [f64::from(along), f64::from(along + 1)].map(|i| i / f64::from(SCAN));
-            for place in [|a: f64, b: f64| [a, b], |a: f64, b: f64| [b, a]] {
-                let values = ends.map(|end| reach.excess(place(end, across)));
-                let [Some(a), Some(b)] = values else { continue };
-                if a * b > 0.0 {
+            for turned in [false, true] {
+                let turn = |[a, b]: [f64; 2]| if turned { [b, a] } else { [a, b] };
+                let value = |end: usize| if turned { excess[line][end] } else { excess[end][line] };
+                let [Some(a), Some(b)] = [along, along + 1].map(value) else { continue };
+                if a * b > 0.0 || until.is_over() {
                     continue;
                 }
-                let start = place(ends[0] + (ends[1] - ends[0]) * a / (a - b), across);
+                let [begin, end, across] = [along, along + 1, line].map(|i| i as f64 / SCAN as f64);
+                let start = turn([begin + (end - begin) * a / (a - b), across]);
                 let near = |[x, y]: &[f64; 2]| (x - start[0]).hypot(y - start[1]) < 3.0 * STEP;
                 if paths.iter().any(|path| path.shares.iter().any(near)) {
                     continue;

@@ -92,7 +92,7 @@ fn arc(flow: &Flow, from: Stop, sections: &Jets, time: f64, to: Stop) -> Option<
         over.as_ref() * z
     });
     let [place, speed] = arrived.along(&arrival[0]);
-    debug_assert!((place - arrived.gap).abs() < 1e-6 * (1.0 + arrived.gap.abs()));
+    debug_assert!((place - arrived.gap).abs() < 1e-6 * (flow.unit() + arrived.gap.abs()));
     let terms = terms(flow, arrival);
     let place_of = |z: &DVector<f64>| arrived.along(z)[0];
     let places: Vec<Vec<f64>> = terms.iter().map(|term| term.iter().map(place_of).collect()).collect();

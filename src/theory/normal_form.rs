@@ -15,11 +15,13 @@ use crate::model::System;
 type ComplexSection = DVector<Complex<f64>>;
 
 /// The normal forms of the map of one turn around a motion: from its second and third derivatives B and C, which follow from
-/// exact series along single directions. Displacements and velocities are in units of what is of order one.
+/// exact series along single directions. Displacements and velocities of the map, and of all directions, are in units of `unit`.
 pub(crate) struct NormalForm<'a> {
     pub flow: &'a Flow,
     pub motion: &'a PeriodicMotion,
-    /// The Jacobian of the turn; see [`in_units`].
+    /// What is of order one on the motion.
+    pub unit: f64,
+    /// The Jacobian of the turn in units of that; see [`in_units`].
     pub map: &'a DMatrix<f64>,
 }
 
@@ -35,7 +37,7 @@ struct Direction {
 impl NormalForm<'_> {
     fn direction(&self, vector: SectionVector) -> Option<Direction> {
         let PeriodicMotion { pattern, sections, .. } = self.motion;
-        let unit = self.flow.unit();
+        let unit = self.unit;
         let [_, _, second, third] = jet::turn(self.flow, pattern, sections, &magnified(&vector, unit))?;
         let [second, third] = [second, third].map(|term| magnified(&term, 1.0 / unit));
         Some(Direction { vector, square: second * 2.0, cube: third * 6.0 })
@@ -117,7 +119,7 @@ pub fn flip_coefficient(system: &System, motion: &PeriodicMotion) -> Option<f64>
 ///
 /// The direction of ξ is that of the two null vectors on whose side `along` lies; the sign of a depends on it.
 pub fn fold_coefficient(system: &System, motion: &PeriodicMotion, along: &SectionVector) -> Option<f64> {
-    of_motion(system, motion, |form| form.fold(&magnified(along, 1.0 / form.flow.unit())))
+    of_motion(system, motion, |form| form.fold(&magnified(along, 1.0 / form.unit)))
 }
 
 /// Re d at a pair of multipliers e^(±iθ), θ in (0, π), d of z → e^(iθ) z (1 + d|z|²).
@@ -134,8 +136,9 @@ fn of_motion(
     coefficient: impl Fn(&NormalForm<'_>) -> Option<f64>,
 ) -> Option<f64> {
     let flow = Flow::new(system);
-    let map = in_units(turn(&flow, &motion.pattern, &motion.sections)?, flow.unit());
-    coefficient(&NormalForm { flow: &flow, motion, map: &map })
+    let unit = flow.unit();
+    let map = in_units(turn(&flow, &motion.pattern, &motion.sections)?, unit);
+    coefficient(&NormalForm { flow: &flow, motion, unit, map: &map })
 }
 
 fn complex(real: &SectionVector, imaginary: &SectionVector) -> ComplexSection {

@@ -109,7 +109,10 @@ fn the_papers_curves_have_its_names_and_are_the_same_every_time() {
     );
     let told = text(&output.stderr);
     assert!(told.contains("computing on cpu"));
-    let beyond = told.lines().find(|line| line.starts_with("no curve, N above --max-period: ")).unwrap();
+    let beyond = told
+        .lines()
+        .find(|line| line.starts_with("no curve, N above the largest that was asked for: "))
+        .unwrap();
     assert!(beyond.contains(" cells)"), "{beyond}");
 
     let rows = rows(&table);
