@@ -52,7 +52,7 @@ pub use run::control;
 pub use schedule::{ControlSchedule, ControlScheduleError};
 pub use section_point::SectionPoint;
 pub use site::Site;
-pub use surface::{Surface, own_coordinate, section_names};
+pub use surface::{Surface, section_names};
 pub use target::Target;
 pub use values::{MOST_COMPONENTS, SectionValues};
 pub use witness::{Return, Witness};

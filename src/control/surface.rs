@@ -8,9 +8,10 @@ use crate::system::Plant;
 
 /// The surface of states that touch one stop, on which the impact Poincaré section σ of that stop lies.
 ///
-/// On it d·x = gap, so that one displacement follows from the others: that of the coordinate c with the largest |d|, the
-/// first of equals. A point on σ is (v_c+, the other x in order, the other v in order, τ). Trajectories may fly in more
-/// coordinates, M, than the N of the system: those beyond them are no part of a point, and 0 in a state made of one.
+/// On it d·x = gap, so that one displacement follows from the others: that of the stop's
+/// [own coordinate](crate::system::PlantStop::own_coordinate), c. A point on σ is (v_c+, the other x in order, the other v in
+/// order, τ). Trajectories may fly in more coordinates, M, than the N of the system: those beyond them are no part of a point, and 0 in
+/// a state made of one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     /// The stop.
@@ -29,7 +30,6 @@ impl Surface {
     /// # Panics
     /// If the system has no such stop.
     pub fn new<T: Real, const N: usize>(system: &System, flight: &Flight<T, N>, stop: Stop) -> Self {
-        let plant = system.plant();
         let is_there = |end: &End| {
             let normal = &flight.normals[end.normal];
             normal.gap[end.side] < T::of(FAR) && usize::from(normal.stop[end.side]) == stop.index()
@@ -38,7 +38,7 @@ impl Surface {
         Surface {
             stop,
             end: ends.find(is_there).expect("the system has the stop"),
-            eliminated: own_coordinate(plant, stop),
+            eliminated: system.like().stops[stop.index()].own_coordinate(),
             mirror: system.mirror().map(|mirror| {
                 std::array::from_fn(|stop| Stop(mirror.stops.get(stop).map_or(stop, |&image| image) as u8))
             }),
@@ -124,21 +124,10 @@ impl Surface {
     }
 }
 
-/// The coordinate, from 0, whose displacement follows from the others at a stop, and whose velocity is the first component
-/// of a point on its section: see [`Surface`].
-pub fn own_coordinate(plant: &Plant, stop: Stop) -> usize {
-    let direction = &plant.stops[stop.index()].direction;
-    let largest = direction.amax() * (1.0 - EQUAL);
-    direction.iter().position(|d| d.abs() >= largest).unwrap_or(0)
-}
-
-/// Entries of a direction that differ by less than this share count as equal.
-const EQUAL: f64 = 1e-9;
-
 /// The names of the components of a point on the section of a stop: `v1+`, `x2`, `v2`, `tau` for the first of two
 /// coordinates.
 pub fn section_names(plant: &Plant, stop: Stop) -> Vec<String> {
-    let eliminated = own_coordinate(plant, stop);
+    let eliminated = plant.stops[stop.index()].own_coordinate();
     let others = || (0..plant.n).filter(|&i| i != eliminated).map(|i| i + 1);
     std::iter::once(format!("v{}+", eliminated + 1))
         .chain(others().map(|i| format!("x{i}")))
@@ -182,6 +171,29 @@ mod tests {
         assert_eq!(names(0), "v2+ x1 x3 v1 v3 tau");
         assert_eq!(names(1), "v1+ x2 x3 v2 v3 tau");
         assert_eq!(names(2), "v2+ x1 x3 v1 v3 tau");
+    }
+
+    /// Control takes its fixed points, and its gains, from theory: component by component.
+    #[test]
+    fn a_section_has_the_components_that_theory_has() {
+        // Entries that are one number but for rounding, either way, and clearly different ones.
+        let third = 0.1 + 0.2;
+        for direction in [[0.3, third, 0.0], [third, 0.3, 0.0], [-0.3, third, 1.0], [0.2, -0.7, third]] {
+            let mut plant = system().plant().clone();
+            plant.stops.truncate(1);
+            plant.stops[0].direction = DVector::from_row_slice(&direction);
+            let system = System::of_plant(plant).unwrap();
+            let of_theory = crate::theory::section_names(&system, Stop(0)).join(" ");
+            assert_eq!(section_names(system.plant(), Stop(0)).join(" ").replace('+', ""), of_theory);
+            let surface = Surface::new(&system, &Flight::<f64, 3>::new(&system), Stop(0));
+            let state = State { x: [1.0, 2.0, 3.0], v: [4.0, 5.0, 6.0] };
+            let components: Components<f64, 3> = surface.components(&state, 7.0);
+            let mut names = of_theory.split(' ');
+            for (name, value) in names.by_ref().zip(components.values()) {
+                let own = ["x1", "x2", "x3", "v1", "v2", "v3", "tau"].iter().position(|own| *own == name);
+                assert_eq!(value, own.unwrap() as f64 + 1.0, "{name} of {direction:?}");
+            }
+        }
     }
 
     #[test]

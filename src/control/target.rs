@@ -8,7 +8,7 @@ use super::error::ControlError;
 use super::option::{Arguments, GivenOptions, MethodOption, OptionKind};
 use super::quantity::ControlQuantity;
 use super::site::{Site, words};
-use super::surface::{own_coordinate, section_names};
+use super::surface::section_names;
 use super::values::SectionValues;
 use crate::dynamics::Stop;
 use crate::model::{Number, System};
@@ -71,7 +71,7 @@ impl Target {
             }
             given.iter_mut().zip(values).for_each(|(given, value)| *given = Some(*value));
         }
-        Ok(Target { reference, given, own: own_coordinate(&site.plant, site.stop) })
+        Ok(Target { reference, given, own: site.plant.stops[site.stop.index()].own_coordinate() })
     }
 
     /// The options that make some of its components again.
@@ -121,7 +121,7 @@ impl Target {
         if self.given.len() != wanted {
             return Err(ControlError::Count { what: "target", given: self.given.len(), wanted, names });
         }
-        if own_coordinate(plant, stop) != self.own {
+        if plant.stops[stop.index()].own_coordinate() != self.own {
             return Err(ControlError::OtherComponents { own: self.own + 1, names });
         }
         Ok(self.given)

@@ -7,7 +7,6 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::components::Components;
 use super::section_point::short_way;
-use super::surface::own_coordinate;
 use crate::dynamics::Stop;
 use crate::model::{Real, StateVector};
 use crate::system::{Plant, PlantStop};
@@ -85,6 +84,13 @@ impl<T: Real> SectionValues<T> {
         let sizes = mechanical.iter().map(|value| value.abs() / unit).chain(tau.iter().map(|tau| tau.abs()));
         sizes.fold(T::zero(), |largest, size| if size > largest { size } else { largest })
     }
+
+    /// How far this point is from another of the same section that it may return to; see
+    /// [`SectionPoint::away_from`](super::section_point::SectionPoint::away_from).
+    pub fn away_from(&self, anchor: &Self, unit: T) -> T {
+        let extents = anchor[..self.count - 1].iter().map(|value| value.abs());
+        self.distance(anchor, extents.fold(unit, |size, extent| if extent > size { extent } else { size }))
+    }
 }
 
 impl SectionValues<f64> {
@@ -94,7 +100,7 @@ impl SectionValues<f64> {
     /// # Panics
     /// If it does not have 2n components.
     pub fn state(&self, plant: &Plant, stop: Stop) -> StateVector {
-        let (n, own) = (plant.n, own_coordinate(plant, stop));
+        let (n, own) = (plant.n, plant.stops[stop.index()].own_coordinate());
         let mut state = StateVector::zeros(n);
         if self.iter().all(|&value| value == 0.0) {
             return state;

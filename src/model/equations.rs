@@ -47,8 +47,12 @@ impl<const N: usize> Normal<N> {
 
 /// The gap at the lower end of a normal: what closes it exactly where rounding alone leaves it open.
 pub(super) fn closed([upper, lower]: [f64; 2]) -> f64 {
-    let rounding = 8.0 * f64::EPSILON * (upper.abs() + lower.abs());
-    if (upper + lower).abs() <= rounding { -upper } else { lower }
+    if leave_no_room([upper, lower]) { -upper } else { lower }
+}
+
+/// Whether rounding alone is between the stops at the two ends of a line, whose gaps are these.
+pub(crate) fn leave_no_room([upper, lower]: [f64; 2]) -> bool {
+    (upper + lower).abs() <= 8.0 * f64::EPSILON * (upper.abs() + lower.abs())
 }
 
 /// A stop at one end of a contact normal.

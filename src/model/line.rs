@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::equations::{are_parallel, stretch};
+use super::equations::{are_parallel, leave_no_room, stretch};
 use super::system::System;
 use crate::system::{Gap, PlantStop};
 
@@ -55,7 +55,7 @@ impl System {
             self.stops().take(i).any(|(line, other)| {
                 let [own, line] = [direction, line].map(|d| d.as_slice());
                 let scale = stretch(own, line);
-                are_parallel(own, line) && scale < 0.0 && stop.gap == scale * other.gap
+                are_parallel(own, line) && scale < 0.0 && leave_no_room([other.gap, stop.gap / -scale])
             })
         })
     }

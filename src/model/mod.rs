@@ -2,6 +2,7 @@
 
 mod abreast;
 mod back;
+mod between_stops;
 mod bound;
 mod by_flow;
 mod common;
@@ -51,6 +52,7 @@ pub use back::BACK_TERMS;
 pub use bound::{Bound, OTHERS, others, sets_of_others};
 pub use by_flow::ByFlow;
 pub use contact_normal::{ContactNormal, FAR};
+pub(crate) use equations::leave_no_room;
 pub use equations::{Equations, are_parallel};
 pub use flight::Flight;
 pub use flights::Flights;

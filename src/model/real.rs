@@ -27,14 +27,14 @@ pub trait Real: Float + Debug + Send + Sync + 'static + Lanes<Real = Self, Mask 
     const STRAIGHT: f64;
     /// Whether contacts are missed by more than that so often that it is worth while to ask the course again.
     const ASKS_AGAIN: bool;
-    /// A gap below this multiple of δ is contact.
+    /// A gap below this multiple of the numbers whose difference it is counts as contact.
     const TOUCH: f64;
     /// Contact less than this far ahead, in units of the fastest motion's time scale, is reached in one straight line.
     const IMMINENT: f64;
     /// A pull this many times as large as what is lost in rounding of it, grown from nothing as fast as it can, has done no more to a
     /// speed than is lost, too: about ε^(−⅓)/4.
     const UNHEEDED: f64;
-    /// The largest effect on the second mass that closing a chatter sequence may neglect, in units of
+    /// The largest effect on the masses that closing a chatter sequence may neglect, in units of
     /// [`Flight::unit`](super::Flight::unit), as all distances below are.
     const CHATTER: f64;
     /// The largest distance between strobe states that counts as a return of a motion that may yet come closer.

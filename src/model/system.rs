@@ -230,24 +230,6 @@ impl System {
         directions.zip(self.plant.stops().iter().copied())
     }
 
-    /// A state (x1 … xn, v1 … vn) whose displacements lie beyond a stop, moved onto it along the stop's direction; any other
-    /// as it is.
-    #[must_use]
-    pub fn between_stops<S: std::ops::DerefMut<Target = [f64]>>(&self, mut state: S) -> S {
-        for (direction, stop) in self.stops() {
-            let along =
-                |state: &[f64]| -> f64 { direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum() };
-            let beyond = along(&state) - stop.gap;
-            if beyond > 0.0 {
-                let square = direction.norm_squared();
-                for (value, d) in state.iter_mut().zip(direction.iter()) {
-                    *value -= beyond * d / square;
-                }
-            }
-        }
-        state
-    }
-
     /// The mirror P, P² = 1, under which the system half a forcing period later is itself, if there is one.
     pub fn mirror(&self) -> Option<&Mirror> {
         self.of_flow().mirror(|| self.plant().mirror())

@@ -6,7 +6,7 @@ use super::places::stop_place;
 use super::symbol::control_symbol;
 use super::symbols;
 use crate::analysis::{Reading, Section};
-use crate::control::{ControlQuantity, ControlSchedule, History, Scheme, Shown, own_coordinate};
+use crate::control::{ControlQuantity, ControlSchedule, History, Scheme, Shown};
 use crate::dynamics::Stop;
 use crate::figure::{AxisTitle, Figure, Frame, INK, KeyEntry, Mark, Panel, Row, Sample, Scale, Text, number};
 use crate::model::{Setting, System};
@@ -133,7 +133,7 @@ impl ControlPicture<'_> {
 
     /// The coordinate whose velocity is the first component of a point on the section.
     fn own(&self) -> u8 {
-        own_coordinate(self.system.plant(), self.scheme.stop()) as u8
+        self.system.plant().stops[self.scheme.stop().index()].own_coordinate() as u8
     }
 
     /// The signal, and every component of a point on the section: the phase, then the others in their order.

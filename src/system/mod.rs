@@ -36,6 +36,7 @@ pub use plant_error::{Part, PlantError};
 pub use setting::{MOST_PARAMETERS, PAPER, Parameter, Setting, StopParameters};
 pub(crate) use sized::sized;
 pub use stop_place::{Gap, StopPlace, Term};
+pub(crate) use stops::own_coordinate;
 pub use stops::{PlantStop, StopValues};
 
 #[cfg(test)]

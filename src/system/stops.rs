@@ -17,6 +17,23 @@ pub struct PlantStop {
     pub restitution: f64,
 }
 
+impl PlantStop {
+    /// The coordinate c, from 0, whose displacement follows from the others at the stop, d·x being the gap, and whose velocity is the first
+    /// component of a point on the section there: the first of those with the largest |d_c|.
+    pub fn own_coordinate(&self) -> usize {
+        own_coordinate(&self.direction)
+    }
+}
+
+/// [`PlantStop::own_coordinate`] of a direction.
+pub(crate) fn own_coordinate(direction: &DVector<f64>) -> usize {
+    let largest = direction.amax() * (1.0 - EQUAL);
+    direction.iter().position(|d| d.abs() >= largest).unwrap_or(0)
+}
+
+/// Entries of a direction that differ by less than this share count as equal; expressions round by some ulps.
+const EQUAL: f64 = 1e-9;
+
 /// What may differ in a stop among plants with the same flow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StopValues {

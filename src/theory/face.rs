@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::section_vector::SectionVector;
 use crate::dynamics::Stop;
 use crate::model::System;
-use crate::system::StopValues;
+use crate::system::{StopValues, own_coordinate};
 
 /// A stop of a plant with n coordinates, and the section just after an impact there.
 ///
@@ -30,7 +30,7 @@ pub(crate) struct Side {
     pub direction: DVector<f64>,
     /// r.
     pub restitution: f64,
-    /// The contact's own coordinate: the first of those with the largest |d_c|.
+    /// The contact's [own coordinate](crate::system::PlantStop::own_coordinate).
     pub coordinate: usize,
     /// How z grows with the section, without forcing: (2n + 3) × 2n, its last column 0.
     pub lift: DMatrix<f64>,
@@ -148,11 +148,6 @@ impl Deref for Face {
     }
 }
 
-/// The contact's own coordinate: the first of those with the largest |d_c|.
-fn own_coordinate(direction: &DVector<f64>) -> usize {
-    (1..direction.len()).fold(0, |c, j| if direction[j].abs() > direction[c].abs() { j } else { c })
-}
-
 /// Where the components of a section but the phase stand in (x, v).
 pub(super) fn slots(n: usize, coordinate: usize) -> impl Iterator<Item = usize> {
     let others = move || (0..n).filter(move |&j| j != coordinate);
@@ -167,7 +162,7 @@ pub fn section_names(system: &System, stop: Stop) -> Vec<String> {
     let plant = system.plant();
     let n = plant.n;
     let name = |slot: usize| if slot < n { format!("x{}", slot + 1) } else { format!("v{}", slot + 1 - n) };
-    let coordinate = own_coordinate(&plant.stops[stop.index()].direction);
+    let coordinate = plant.stops[stop.index()].own_coordinate();
     slots(n, coordinate).map(name).chain(std::iter::once("tau".to_owned())).collect()
 }
 

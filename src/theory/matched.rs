@@ -18,7 +18,7 @@ use super::newton::ends;
 use super::pattern::{Pattern, StopSet};
 use super::section_vector::{Node, SectionVector, extent, in_units, phase, wrapped};
 use crate::dynamics::Stop;
-use crate::model::System;
+use crate::model::{System, leave_no_room};
 
 /// The largest residual of the matching equations that a solution in closed form may leave, for states of order one.
 const ACCEPTED: f64 = 1e-8;
@@ -207,9 +207,9 @@ impl<'a> Matched<'a> {
 /// Whether two stops face each other without room between them.
 fn leaves_no_room(own: &Face, opposite: &Face) -> bool {
     let [own_length, opposite_length] = [own, opposite].map(|face| face.direction.norm());
-    let room = own.gap / own_length + opposite.gap / opposite_length;
+    let gaps = [own.gap / own_length, opposite.gap / opposite_length];
     let facing = || &own.direction / own_length + &opposite.direction / opposite_length;
-    room == 0.0 && facing().amax() <= 1e-12
+    leave_no_room(gaps) && facing().amax() <= 1e-12
 }
 
 /// What meets a stop: a coordinate, or d·x.
