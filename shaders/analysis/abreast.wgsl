@@ -102,7 +102,7 @@ fn observer_pass_impacts_at(stop: u32, impacts: u32) {
     if impacts > 0u {
         observer.moves = observer.moves + impacts;
         recurrence_count_finite(stop, impacts);
-        observer.impacts = observer.impacts + impacts;
-        observer.impacts_total = observer.impacts_total + impacts;
+        observer.impacts = saturating(observer.impacts, impacts);
+        observer.impacts_total = saturating(observer.impacts_total, impacts);
     }
 }

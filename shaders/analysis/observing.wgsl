@@ -27,8 +27,8 @@ fn observer_note(taken: Move) {
 fn observer_impact(stop: u32, velocity: f32, complete_chatter: bool) {
     observer.moves = observer.moves + 1u;
     recurrence_count(stop, complete_chatter);
-    observer.impacts = observer.impacts + 1u;
-    observer.impacts_total = observer.impacts_total + 1u;
+    observer.impacts = saturating(observer.impacts, 1u);
+    observer.impacts_total = saturating(observer.impacts_total, 1u);
     observer.peak = max(observer.peak, abs(velocity));
 }
 

@@ -90,12 +90,13 @@ fn controlled_note(taken: Move) {
         controlled.stuck = controlled.iterates + 1u;
     }
     if is_impact(taken) {
+        // Before the return: they belong to it.
+        controlled_count_beside(taken.beside);
         let count = select(1u, INFINITELY_MANY, taken.event == EVENT_COMPLETE_CHATTER);
-        controlled.impacts = controlled.impacts + 1u;
-        controlled.impacts_total = controlled.impacts_total + 1u;
+        controlled.impacts = saturating(controlled.impacts, 1u);
+        controlled.impacts_total = saturating(controlled.impacts_total, 1u);
         controlled.peak = max(controlled.peak, abs(taken.velocity));
-        let here = vec4(taken.stop) == vec4(0u, 1u, 2u, 3u);
-        controlled.at_stops = added(controlled.at_stops, select(vec4(0u), vec4(count), here));
+        controlled.at_stops = added(controlled.at_stops, select(vec4(0u), vec4(count), controlled_place(taken.stop)));
         if control.mirror[control.stop] == taken.stop {
             controlled.mirrored = section_mirrored();
         }
@@ -108,6 +109,30 @@ fn controlled_note(taken: Move) {
     if controlled.moves > MOST_MOVES {
         controlled.progress = PROGRESS_FAILED;
     }
+}
+
+// Infinitely many impacts at every stop that shares the rebounds of another.
+fn controlled_count_beside(beside: u32) {
+    if beside == CONTACT_FREE {
+        return;
+    }
+    //: each normal
+    if contact_includes(beside, End($ku, 0u)) {
+        controlled_count_without_end(flight.normals[$k].stop[0]);
+    }
+    if contact_includes(beside, End($ku, 1u)) {
+        controlled_count_without_end(flight.normals[$k].stop[1]);
+    }
+    //: end
+}
+
+fn controlled_count_without_end(stop: u32) {
+    controlled.at_stops = select(controlled.at_stops, vec4(INFINITELY_MANY), controlled_place(stop));
+}
+
+// Where counts at a stop stand.
+fn controlled_place(stop: u32) -> vec4<bool> {
+    return vec4(stop) == vec4(0u, 1u, 2u, 3u);
 }
 
 fn controlled_strobe() {

@@ -27,7 +27,7 @@ fn memory_push(point: SectionPoint, turns: f32, impacts: vec4<u32>) {
     for (var m = 1u; m <= reach; m++) {
         var away = 1.0;
         if memory.seen > m {
-            away = section_distance(point, memory.points[m], stops.unit);
+            away = section_away(point, memory.points[m], stops.unit);
         }
         if away > RETURNED {
             memory.returning[m - 1u] = memory.seen;

@@ -63,7 +63,7 @@ fn controlled_outcome() -> Outcome {
 fn controlled_is_symmetric(period: u32, impacts: vec4<u32>) -> bool {
     var symmetric = false;
     for (var i = 0u; i < period; i++) {
-        symmetric = symmetric || section_distance(memory.points[i], controlled.mirrored, stops.unit) <= RETURNED;
+        symmetric = symmetric || section_away(controlled.mirrored, memory.points[i], stops.unit) <= RETURNED;
     }
     //: each stop
     symmetric = symmetric && control.mirror[$k] < MOST && impacts[$k] == impacts[control.mirror[$k]];
@@ -71,7 +71,7 @@ fn controlled_is_symmetric(period: u32, impacts: vec4<u32>) -> bool {
     return symmetric;
 }
 
-// Whether a mass rested on a stop in the last so many iterates.
+// Whether a mass rested on a stop in the last so many iterates, or since.
 fn controlled_has_stuck_for(iterates: u32) -> bool {
     return controlled.stuck > 0u && controlled.stuck + iterates > controlled.iterates;
 }
@@ -80,7 +80,8 @@ fn controlled_regime(period: u32) -> u32 {
     if controlled.progress == PROGRESS_FAILED {
         return REGIME_FAILED;
     }
-    if controlled.progress == PROGRESS_LOST && all(controlled.at_stops == vec4(0u)) {
+    let impacts = any(controlled.at_stops != vec4(0u));
+    if controlled.progress == PROGRESS_LOST && !impacts && !controlled_has_stuck_for(0u) {
         return REGIME_NO_IMPACT;
     }
     if controlled.progress != PROGRESS_DONE {

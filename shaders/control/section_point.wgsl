@@ -78,6 +78,12 @@ fn section_distance(a: SectionPoint, b: SectionPoint, unit: f32) -> f32 {
     return max(max(largest(rest.head), largest(rest.tail)) / unit, abs(section_tau(difference)));
 }
 
+// How far a point is from another that it may return to: relative where that is larger than `unit`.
+fn section_away(section: SectionPoint, anchor: SectionPoint, unit: f32) -> f32 {
+    let rest = section_with_tau(anchor, 0.0);
+    return section_distance(section, anchor, max(unit, max(largest(rest.head), largest(rest.tail))));
+}
+
 // The square of the Euclidean length.
 fn section_square(section: SectionPoint) -> f32 {
     return along(section.head, section.head) + along(section.tail, section.tail);

@@ -53,9 +53,9 @@ pub struct Observer<T, const N: usize> {
     pub(super) impacts: u32,
     /// Impacts since the start.
     pub(super) impacts_total: u32,
-    /// Largest |v1−| since the observation began.
+    /// Largest |d·v−| since the observation began, of any stop.
     pub(super) peak: T,
-    /// Whether the first mass rested on a stop since the observation began.
+    /// Whether a mass rested on a stop since the observation began.
     pub(super) stuck: bool,
     /// What the impacts took and how long contacts held since the observation began.
     pub(super) loss: Loss<T>,

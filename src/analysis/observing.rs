@@ -85,7 +85,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
 
     #[inline(always)]
     pub(super) fn count_impacts(&mut self, impacts: u32) {
-        self.impacts += impacts;
+        self.impacts = self.impacts.saturating_add(impacts);
         self.impacts_total = self.impacts_total.saturating_add(impacts);
     }
 

@@ -125,8 +125,12 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
         }
         match taken.event {
             Event::Impact(impact) => self.impact(flight, schedule, &impact, false, witness),
-            Event::Caught { impact, complete_chatter, .. } => {
+            Event::Caught { impact, complete_chatter, beside, .. } => {
                 self.stuck = self.iterates + 1;
+                // Before the return: they belong to it.
+                for stop in beside.stops(flight) {
+                    self.at_stops[stop.index()] = u32::from(INFINITELY_MANY);
+                }
                 self.impact(flight, schedule, &impact, complete_chatter, witness);
             }
             Event::Strobe => self.strobe(),
@@ -150,7 +154,7 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
             return;
         }
         let count = if complete { u32::from(INFINITELY_MANY) } else { 1 };
-        self.impacts += 1;
+        self.impacts = self.impacts.saturating_add(1);
         self.impacts_total = self.impacts_total.saturating_add(1);
         let speed = impact.velocity_before.abs();
         self.peak = if speed > self.peak { speed } else { self.peak };

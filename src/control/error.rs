@@ -30,6 +30,23 @@ pub enum ControlError {
         /// The gap of the stop: δ, the half clearance, of the paper's.
         gap: f64,
     },
+    /// Newton's method does not come from the target to a fixed point of the section's map.
+    #[error(
+        "Newton's method finds no fixed point of the section from the target: give one nearer to it (--target), and the section of a \
+         stop that the motion strikes once in its period (--stop)"
+    )]
+    NoFixedPoint,
+    /// Kicks along one component do not hold a motion that is unstable in so many directions, or turns.
+    #[error(
+        "the fixed point has {0} multipliers outside the unit circle: these kicks hold a motion with one real one; \
+         choose another target, or another method"
+    )]
+    TooUnstable(usize),
+    /// The unstable direction is out of the kicks' reach.
+    #[error(
+        "a kick of the velocity after the impact does not reach the unstable direction: choose another method"
+    )]
+    NotReached,
     /// No motion of the system is known that could be the target; with the components by name.
     #[error(
         "there is no symmetric 1-1-1 motion of this system to take as the target: give the target itself, {0} \
@@ -98,4 +115,13 @@ pub enum ControlError {
     /// The system cannot be followed.
     #[error(transparent)]
     System(#[from] SystemError),
+}
+
+impl ControlError {
+    /// Whether it stands in the way of one system alone, not of its neighbours: the motion that control aims at does not exist there, or
+    /// cannot be held.
+    pub fn is_of_one_system(&self) -> bool {
+        use ControlError::{NoFixedPoint, NoTarget, NotReached, TooUnstable};
+        matches!(self, NoTarget { .. } | NoFixedPoint | TooUnstable(_) | NotReached)
+    }
 }

@@ -1,7 +1,7 @@
 //! A controlled trajectory written down: every return to σ, and its flight at the end.
 
 use super::witness::{Return, Witness};
-use crate::dynamics::{Event, Impact, ImpactEvent, Move, Recording, Sample, Stick, Trajectory, resting_on};
+use crate::dynamics::{Event, Impact, ImpactEvent, Move, Recording, Sample, Trajectory};
 use crate::model::{Flight, StateVector, System};
 
 /// Samples nearer to an impact than this, in units of their distance, are left out.
@@ -16,6 +16,7 @@ pub struct History {
     pub recording: Recording,
     from: u32,
     interval: f64,
+    has_begun: bool,
     time: f64,
     next: u64,
 }
@@ -24,7 +25,7 @@ impl History {
     /// Records flight from the return `from` on, with a sample each `interval` of time.
     pub fn new(from: u32, interval: f64) -> Self {
         let recording = Recording::default();
-        History { returns: Vec::new(), recording, from, interval, time: 0.0, next: 0 }
+        History { returns: Vec::new(), recording, from, interval, has_begun: false, time: 0.0, next: 0 }
     }
 
     fn is_recording(&self) -> bool {
@@ -75,20 +76,14 @@ impl Witness<f64> for History {
             let state = before.point.flown(flight, (at - self.time).max(0.0), taken.contact).state;
             self.recording.samples.push(Sample { time: at, state: StateVector::of(&state.first::<N>()) });
         }
+        if !self.has_begun {
+            self.recording.begin_rests(flight, before.contact, 0.0);
+            self.has_begun = true;
+        }
+        self.recording.note_rests(flight, before.contact, taken, after.contact, self.time);
         self.time = end;
-        if let (Some(stop), None) = (resting_on(flight, before.contact), self.recording.sticks.last()) {
-            self.recording.sticks.push(Stick { stop, from: 0.0, until: end });
-        }
-        if let (false, Some(stick)) = (before.contact.is_free(), self.recording.sticks.last_mut()) {
-            stick.until = end;
-        }
-        match taken.event {
-            Event::Impact(impact) => self.impact::<N, M>(impact, flight, after),
-            Event::Caught { impact, .. } => {
-                self.impact::<N, M>(impact, flight, after);
-                self.recording.sticks.push(Stick { stop: impact.stop, from: end, until: end });
-            }
-            _ => {}
+        if let Event::Impact(impact) | Event::Caught { impact, .. } = taken.event {
+            self.impact::<N, M>(impact, flight, after);
         }
     }
 
@@ -102,7 +97,7 @@ impl Witness<f64> for History {
 }
 
 /// Iterates from switching control on until the points stay within `tolerance` of the last `period` of them, which
-/// repeat, in units of what is of order one in the system; `None` where they do not.
+/// repeat, in units of what is of order one in the system, relative above; `None` where they do not.
 pub fn converged_at(
     system: &System,
     returns: &[Return<f64>],
@@ -118,7 +113,7 @@ pub fn converged_at(
     let (end, unit) = (controlled.len(), system.unit());
     let away = |n: usize| {
         let twin = end - 1 - (end - 1 - n) % period;
-        controlled[n].section.distance(&controlled[twin].section, unit)
+        controlled[n].section.away_from(&controlled[twin].section, unit)
     };
     let first = (0..end).rev().take_while(|&n| away(n) <= tolerance).last()?;
     (end - first > 2 * period).then_some(first as u32)

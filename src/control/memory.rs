@@ -69,7 +69,7 @@ impl<T: Real, const N: usize> Memory<T, N> {
         self.impacts[0] = impacts;
         self.seen += 1;
         for m in 1..=self.reach as usize {
-            let away = if self.seen > m as u32 { point.distance(&self.points[m], unit) } else { T::one() };
+            let away = if self.seen > m as u32 { point.away_from(&self.points[m], unit) } else { T::one() };
             if away > T::of(RETURNED) {
                 self.returning[m - 1] = self.seen;
             }

@@ -107,13 +107,13 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
         let Some(mirror) = self.surface.mirror else { return false };
         let points = &self.memory.points[..(period as usize).min(LONGEST)];
         (0..MOST).all(|stop| impacts[stop] == impacts[mirror[stop].index()])
-            && points.iter().any(|point| point.distance(&self.mirrored, flight.unit) <= T::of(RETURNED))
+            && points.iter().any(|point| self.mirrored.away_from(point, flight.unit) <= T::of(RETURNED))
     }
 
     fn regime(&self, period: u32) -> Regime {
         match self.progress {
             Progress::Failed => Regime::Failed,
-            Progress::Lost if self.at_stops == [0; MOST] => Regime::NoImpact,
+            Progress::Lost if self.at_stops == [0; MOST] && !self.has_stuck_for(0) => Regime::NoImpact,
             Progress::Lost | Progress::Settling | Progress::Runaway => Regime::Unresolved,
             Progress::Observed | Progress::Done => self.evidence(period).regime(),
         }
@@ -131,7 +131,7 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
         }
     }
 
-    /// Whether a mass rested on a stop in the last so many iterates.
+    /// Whether a mass rested on a stop in the last so many iterates, or since.
     fn has_stuck_for(&self, iterates: u32) -> bool {
         self.stuck > 0 && self.stuck + iterates > self.iterates
     }

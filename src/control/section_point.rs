@@ -118,6 +118,18 @@ impl<T: Real, const N: usize> SectionPoint<T, N> {
         if away > late { away } else { late }
     }
 
+    /// How far this point is from another that it may return to: their distance in units of `unit` where that point is of order one or
+    /// less, relative to the largest of its displacements and velocities above, as strobes are told apart.
+    #[inline(always)]
+    pub fn away_from(&self, anchor: &Self, unit: T) -> T {
+        let mut size = unit;
+        for component in 0..Components::<T, N>::TAU {
+            let extent = anchor.components[component].abs();
+            size = if extent > size { extent } else { size };
+        }
+        self.distance(anchor, size)
+    }
+
     /// Whether every component is a finite number.
     pub fn is_finite(&self) -> bool {
         self.components.values().all(|value| value.is_finite())

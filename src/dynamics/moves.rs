@@ -1,5 +1,7 @@
 //! How many moves a trajectory may make.
 
+use super::trajectory::Event;
+
 /// Moves beyond their share at which a trajectory is given up.
 pub const MOST_MOVES: u32 = 1 << 24;
 
@@ -31,6 +33,15 @@ impl Moves {
     #[inline(always)]
     pub fn add(&mut self) {
         self.0 += 1;
+    }
+
+    /// Counts a move by what ended it: the end of a step and phase π are none, and phase 0 ends a forcing period.
+    pub fn note<T>(&mut self, event: &Event<T>) {
+        match event {
+            Event::Strobe => self.pass_period(),
+            Event::StepEnd | Event::HalfPeriod => {}
+            _ => self.add(),
+        }
     }
 
     /// Whether there was more than one. A strobe is a move: just after it, whether there were others since the last, or too many

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::moves::MOST_MOVES;
+use super::moves::Moves;
 use super::stop::{Contact, Stop};
 use super::trajectory::{Event, Impact, Move, Trajectory};
 use crate::model::{Flight, State, StateVector, System};
@@ -57,13 +57,46 @@ pub struct Recording {
     pub given_up: Option<GivenUp>,
 }
 
+impl Recording {
+    /// Notes the rests that are under way where a recording begins.
+    pub fn begin_rests<const N: usize>(&mut self, flight: &Flight<f64, N>, contact: Contact, from: f64) {
+        self.sticks.extend(resting(flight, contact).into_iter().map(|stop| Stick {
+            stop,
+            from,
+            until: from,
+        }));
+    }
+
+    /// Notes the rests that go on, end and begin in a move from a time on, between the contacts before it and after it.
+    pub fn note_rests<const N: usize>(
+        &mut self,
+        flight: &Flight<f64, N>,
+        before: Contact,
+        taken: &Move<f64>,
+        after: Contact,
+        began: f64,
+    ) {
+        let (ended, now) = (resting(flight, before), resting(flight, after));
+        let time = began + taken.time;
+        // A contact opens at the beginning of the move that pulls the masses off.
+        let released = if matches!(taken.event, Event::Released(_)) { began } else { time };
+        for stop in &ended {
+            if let Some(stick) = self.sticks.iter_mut().rev().find(|stick| stick.stop == *stop) {
+                stick.until = if now.contains(stop) { time } else { released };
+            }
+        }
+        let begun = now.into_iter().filter(|stop| !ended.contains(stop));
+        self.sticks.extend(begun.map(|stop| Stick { stop, from: time, until: time }));
+    }
+}
+
 /// A trajectory that was not followed to its end: the period in which it was given up, counted from 0 at its start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum GivenUp {
-    /// More moves in one forcing period than are made for any: rebounds that accumulate without end.
+    /// Too many moves in forcing period after forcing period: rebounds that accumulate without end.
     #[error(
-        "the trajectory was given up in forcing period {0}: it makes more than {MOST_MOVES} moves in it; \
-         lower r or zeta, or raise omega"
+        "the trajectory was given up in forcing period {0}: it makes too many moves to come to its end; \
+         less restitution, more damping or a faster forcing end rebounds sooner"
     )]
     Moves(u32),
     /// More impacts than are recorded.
@@ -117,21 +150,21 @@ impl Window {
     fn record<const N: usize>(self, system: &System, start: &[f64]) -> Recording {
         let flight = &Flight::<f64, N>::new(system);
         let mut trajectory = Trajectory::new(flight, State::from_slice(start));
+        let mut moves = Moves::default();
         for period in 0..self.transient {
-            if !pass_period(flight, &mut trajectory) {
+            if !pass_period(flight, &mut trajectory, &mut moves) {
                 return Recording { given_up: Some(GivenUp::Moves(period)), ..Recording::default() };
             }
         }
         let mut recorder = Recorder::new(system, flight, &trajectory, self);
-        let mut moves = 0;
         while recorder.period < self.transient + self.periods {
             let before = trajectory;
             let taken = trajectory.advance(flight, &mut []);
             recorder.sample(&before, &taken);
             let period = recorder.period;
             recorder.note(&before, &taken, &trajectory);
-            moves = if taken.event == Event::Strobe { 0 } else { moves + 1 };
-            if moves > MOST_MOVES {
+            moves.note(&taken.event);
+            if moves.are_too_many() {
                 return recorder.give_up(GivenUp::Moves(period), &trajectory);
             }
             if recorder.recording.impacts.len() > MOST_IMPACTS {
@@ -143,8 +176,19 @@ impl Window {
 }
 
 /// Follows a trajectory to the end of its forcing period; `false` where it makes no headway.
-fn pass_period<const N: usize>(flight: &Flight<f64, N>, trajectory: &mut Trajectory<f64, N>) -> bool {
-    (0..=MOST_MOVES).any(|_| trajectory.advance(flight, &mut []).event == Event::Strobe)
+fn pass_period<const N: usize>(
+    flight: &Flight<f64, N>,
+    trajectory: &mut Trajectory<f64, N>,
+    moves: &mut Moves,
+) -> bool {
+    while !moves.are_too_many() {
+        let taken = trajectory.advance(flight, &mut []);
+        moves.note(&taken.event);
+        if taken.event == Event::Strobe {
+            return true;
+        }
+    }
+    false
 }
 
 struct Recorder<'a, const N: usize> {
@@ -175,7 +219,7 @@ impl<'a, const N: usize> Recorder<'a, N> {
             next: 0,
         };
         let from = recorder.time(trajectory);
-        recorder.open(Contact::FREE, trajectory.contact, from);
+        recorder.recording.begin_rests(flight, trajectory.contact, from);
         recorder
     }
 
@@ -213,37 +257,7 @@ impl<'a, const N: usize> Recorder<'a, N> {
             Event::Strobe => (self.next, self.period) = (0, self.period + 1),
             _ => {}
         }
-        // A contact opens at the beginning of the move that pulls the masses off.
-        let released = if matches!(taken.event, Event::Released(_)) { began } else { time };
-        self.close(before.contact, after.contact, released);
-        self.open(before.contact, after.contact, time);
-    }
-
-    /// Notes the rests that begin.
-    fn open(&mut self, before: Contact, after: Contact, from: f64) {
-        if before == after {
-            return;
-        }
-        let (already, now) = (resting(self.flight, before), resting(self.flight, after));
-        let begun = now.into_iter().filter(|stop| !already.contains(stop));
-        self.recording.sticks.extend(begun.map(|stop| Stick { stop, from, until: from }));
-    }
-
-    /// Notes the ends of the rests that end.
-    fn close(&mut self, before: Contact, after: Contact, until: f64) {
-        if before == after {
-            return;
-        }
-        let kept = resting(self.flight, after);
-        for stop in resting(self.flight, before).into_iter().filter(|stop| !kept.contains(stop)) {
-            self.end(stop, until);
-        }
-    }
-
-    fn end(&mut self, stop: Stop, until: f64) {
-        if let Some(stick) = self.recording.sticks.iter_mut().rev().find(|stick| stick.stop == stop) {
-            stick.until = until;
-        }
+        self.recording.note_rests(self.flight, before.contact, taken, after.contact, began);
     }
 
     fn impact(&mut self, time: f64, trajectory: &Trajectory<f64, N>, impact: Impact<f64>) {
@@ -263,11 +277,8 @@ impl<'a, const N: usize> Recorder<'a, N> {
     }
 
     fn finish(mut self, trajectory: &Trajectory<f64, N>) -> Recording {
-        let time = self.time(trajectory);
-        for stop in resting(self.flight, trajectory.contact) {
-            self.end(stop, time);
-        }
         if self.samples > 0 {
+            let time = self.time(trajectory);
             self.recording.samples.push(Sample { time, state: StateVector::of(&trajectory.point.state) });
         }
         self.recording
@@ -281,13 +292,4 @@ fn resting<const N: usize>(flight: &Flight<f64, N>, contact: Contact) -> Vec<Sto
     }
     let ends = (0..flight.count).filter_map(|k| contact.opening_along(k));
     ends.map(|end| Stop(flight.normals[end.normal].stop[end.side])).collect()
-}
-
-/// The stop on which a mass rests, pressed; none where it is free, or clamped.
-pub fn resting_on<T: crate::model::Real, const N: usize>(
-    flight: &Flight<T, N>,
-    contact: Contact,
-) -> Option<Stop> {
-    let held = (0..flight.count).find_map(|k| contact.opening_along(k))?;
-    Some(Stop(flight.normals[held.normal].stop[held.side]))
 }

@@ -23,8 +23,8 @@ pub(super) const WORTH_A_LOOK: u64 = 4;
 
 /// Does what is asked of every cell of a plane on a back end.
 ///
-/// Under control a cell without impacts to control at (δ = 0), or whose target motion does not exist, is unresolved after 0
-/// iterates.
+/// Under control a cell without impacts to control at (δ = 0), or whose target motion does not exist or cannot be held, is unresolved
+/// after 0 iterates.
 ///
 /// # Errors
 /// A plane, a system or a method that cannot be used, a target that exists in no cell, or what the back end could not do;

@@ -63,8 +63,8 @@ pub enum SweepError {
 }
 
 impl SweepError {
-    /// Whether it stands in the way of one cell alone: the motion that its control aims at does not exist.
+    /// Whether it stands in the way of one cell alone: the motion that its control aims at does not exist, or cannot be held.
     fn is_of_one_cell(&self) -> bool {
-        matches!(self, SweepError::Control(ControlError::NoTarget { .. }))
+        matches!(self, SweepError::Control(error) if error.is_of_one_system())
     }
 }

@@ -12,6 +12,8 @@ use crate::model::System;
 
 /// Forcing periods after which a trajectory is taken not to return.
 const LONGEST: u32 = 1000;
+/// Impacts on the way after which it is given up.
+const MOST_IMPACTS: usize = 1 << 14;
 /// How far beyond another stop a section may lie, relative to numbers of order one.
 const BEYOND: f64 = 1e-12;
 
@@ -42,6 +44,11 @@ pub enum NoReturn {
     /// No impact there within a thousand forcing periods.
     #[error("no impact at stop {0} follows within {LONGEST} forcing periods")]
     Never(Stop),
+    /// Rebounds elsewhere that accumulate without end, or a state that is no longer finite, before an impact there.
+    #[error(
+        "the trajectory from stop {0} makes no headway: impacts elsewhere accumulate without end, or it diverges"
+    )]
+    NoHeadway(Stop),
 }
 
 /// The impact map at the first stop, the paper's σ→σ; see [`impact_map_at`].
@@ -84,6 +91,10 @@ pub fn impact_map_at(system: &System, stop: Stop, section: impl AsRef<[f64]>) ->
     let mut jacobian = Some(DMatrix::identity(2 * n, 2 * n));
     let mut elapsed = 0.0;
     while elapsed < f64::from(LONGEST) * system.period() {
+        // All of them are kept: many fewer than a trajectory may make.
+        if impacts.len() > MOST_IMPACTS || !follower.is_finite() {
+            return Err(NoReturn::NoHeadway(stop));
+        }
         let taken = follower.advance();
         elapsed += taken.time;
         let impact = match taken.event {

@@ -41,7 +41,8 @@ pub struct Spectrum {
 /// The trajectory could not be followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error(
-    "the trajectory was given up after {periods} forcing periods: {reason}; try another --start, lower r or raise omega"
+    "the trajectory was given up after {periods} forcing periods: {reason}; try another --start, less restitution or a faster \
+     forcing"
 )]
 pub struct SpectrumFailed {
     /// Forcing periods that were completed.
@@ -56,7 +57,7 @@ impl Spectrum {
     /// are factorised by QR.
     ///
     /// # Errors
-    /// [`SpectrumFailed`] for a state that is no longer finite, or more than 2²⁴ moves in one forcing period.
+    /// [`SpectrumFailed`] for a state that is no longer finite, or too many moves in forcing period after forcing period.
     ///
     /// # Panics
     /// If the start does not have 2n components.
@@ -68,10 +69,13 @@ impl Spectrum {
     ) -> Result<Self, SpectrumFailed> {
         let mut follower = follower(system);
         follower.begin(start.as_ref());
-        for period in 0..transient {
-            let mut headway = Headway { period, moves: Moves::default() };
-            while follower.advance().event != Event::Strobe {
-                headway.note(follower.as_ref())?;
+        let mut headway = Headway { periods: 0, moves: Moves::default() };
+        for _ in 0..transient {
+            loop {
+                let event = follower.advance().event;
+                if !headway.note(follower.as_ref(), &event)? {
+                    break;
+                }
             }
         }
         let stops = system.plant().stops.len();
@@ -85,15 +89,14 @@ impl Spectrum {
             if period >= aligning && (period - aligning).is_multiple_of(batch_periods) {
                 batches.push(vec![0.0; 2 * system.plant().n]);
             }
-            let mut headway = Headway { period: transient + period, moves: Moves::default() };
             loop {
                 let taken = follower.advance();
-                headway.note(follower.as_ref())?;
+                let goes_on = headway.note(follower.as_ref(), &taken.event)?;
                 if period >= aligning {
-                    tally.note(&taken.event);
+                    tally.note(follower.as_ref(), &taken.event);
                 }
                 frame.note(follower.as_mut(), taken.time, &taken.event);
-                if taken.event == Event::Strobe {
+                if !goes_on {
                     break;
                 }
             }
@@ -139,23 +142,27 @@ impl Spectrum {
     }
 }
 
-/// Guards against trajectories without end, within one forcing period.
+/// Guards against trajectories that make no headway.
 struct Headway {
-    period: u32,
+    /// Forcing periods that are completed.
+    periods: u32,
     moves: Moves,
 }
 
 impl Headway {
-    fn note(&mut self, follower: &dyn Follower) -> Result<(), SpectrumFailed> {
-        let periods = self.period;
-        self.moves.add();
+    /// Whether the forcing period goes on after a move.
+    fn note(&mut self, follower: &dyn Follower, event: &Event<f64>) -> Result<bool, SpectrumFailed> {
+        let periods = self.periods;
+        self.moves.note(event);
         if self.moves.are_too_many() {
-            return Err(SpectrumFailed { periods, reason: "too many impacts in one forcing period" });
+            return Err(SpectrumFailed { periods, reason: "too many impacts in each forcing period" });
         }
         if !follower.is_finite() {
             return Err(SpectrumFailed { periods, reason: "its state is no longer finite" });
         }
-        Ok(())
+        let is_over = *event == Event::Strobe;
+        self.periods += u32::from(is_over);
+        Ok(!is_over)
     }
 }
 
@@ -166,18 +173,21 @@ struct Tally {
 }
 
 impl Tally {
-    fn note(&mut self, event: &Event<f64>) {
-        let (impact, complete_chatter) = match event {
-            Event::Impact(impact) => (impact, false),
-            // A mass may also come to rest without an impact.
-            Event::Caught { impact, complete_chatter, .. } if impact.velocity_before != 0.0 => {
-                (impact, *complete_chatter)
+    fn note(&mut self, follower: &dyn Follower, event: &Event<f64>) {
+        match event {
+            Event::Impact(impact) => self.impacts[impact.stop.index()] += 1,
+            Event::Caught { impact, complete_chatter, beside, .. } => {
+                // A mass may also come to rest without an impact.
+                if impact.velocity_before != 0.0 {
+                    self.impacts[impact.stop.index()] += 1;
+                    self.endless[impact.stop.index()] |= complete_chatter;
+                }
+                for stop in follower.stops_of(*beside) {
+                    self.endless[stop.index()] = true;
+                }
             }
-            _ => return,
-        };
-        let at = impact.stop.index();
-        self.impacts[at] += 1;
-        self.endless[at] |= complete_chatter;
+            _ => {}
+        }
     }
 
     fn spectrum(self, system: &System, frame: &Frame, batches: &[Vec<f64>], batch_periods: u32) -> Spectrum {

@@ -102,12 +102,7 @@ impl Settings for OgySetting {
         let OgySetting { stop, window, target } = *self;
         let all = Vec::from_iter(0..2 * system.plant().n);
         let near = target.resolve(system, stop, &all)?;
-        let (point, jacobian) = fixed_point(system, stop, &near).ok_or_else(|| {
-            ControlError::Option(
-                "Newton's method finds no fixed point of the section from the target: give one nearer to it (--target)"
-                    .to_owned(),
-            )
-        })?;
+        let (point, jacobian) = fixed_point(system, stop, &near).ok_or(ControlError::NoFixedPoint)?;
         let values = |values: &DVector<f64>| {
             SectionValues::from_slice(values.as_slice()).expect("a section has 2 to 8 components")
         };
@@ -152,21 +147,13 @@ fn gains(jacobian: DMatrix<f64>, unit: f64) -> Result<DVector<f64>, ControlError
     let multiplier = match unstable[..] {
         [] => return Ok(DVector::zeros(size)),
         [one] if one.im == 0.0 => one.re,
-        _ => {
-            return Err(ControlError::Option(format!(
-                "the fixed point has {} multipliers outside the unit circle: these kicks hold a motion with one real one; \
-                 choose another target, or another method",
-                unstable.len()
-            )));
-        }
+        _ => return Err(ControlError::TooUnstable(unstable.len())),
     };
     let singular = jacobian.transpose() - DMatrix::identity(size, size) * multiplier;
     let rows = singular.svd(false, true).v_t.expect("it was asked for");
     let left = rows.row(size - 1).transpose();
     if left[0].abs() < 1e-6 * left.amax() {
-        return Err(ControlError::Option(
-            "a kick of the velocity after the impact does not reach the unstable direction: choose another method".to_owned(),
-        ));
+        return Err(ControlError::NotReached);
     }
     let mut gains = &left / left[0];
     // A phase is the same in any unit of length, a kick is not.

@@ -93,10 +93,19 @@ fn moves_without_end_are_given_up() {
     let system = Ball::STABLE.system();
     let mut follower = follower(&system);
     follower.begin(&[-0.1, 0.0]);
-    let mut headway = Headway { period: 7, moves: Moves::default() };
+    let mut headway = Headway { periods: 7, moves: Moves::default() };
+    let mut note = |event: Event<f64>| headway.note(follower.as_ref(), &event);
     for _ in 0..crate::dynamics::constants::MOST_MOVES {
-        assert_eq!(headway.note(follower.as_ref()), Ok(()));
+        assert_eq!(note(Event::Flight), Ok(true));
     }
-    let failed = headway.note(follower.as_ref()).unwrap_err();
-    assert_eq!((failed.periods, failed.reason), (7, "too many impacts in one forcing period"));
+    assert_eq!(
+        (note(Event::StepEnd), note(Event::Strobe)),
+        (Ok(true), Ok(false)),
+        "a period is over in time"
+    );
+    for _ in 0..crate::dynamics::constants::FAIR_MOVES {
+        assert_eq!(note(Event::Flight), Ok(true), "of which each has its share");
+    }
+    let failed = note(Event::Flight).unwrap_err();
+    assert_eq!((failed.periods, failed.reason), (8, "too many impacts in each forcing period"));
 }

@@ -6,6 +6,7 @@ mod maps;
 mod ogy;
 mod plants;
 mod pulse;
+mod resting;
 mod sine;
 
 use std::sync::LazyLock;

@@ -394,7 +394,7 @@ fn the_gpu_controls_any_plant_at_any_stop_as_the_cpu_does() {
     controlled_alike(settling());
 }
 
-const SETTLING: ControlSchedule =
+pub const SETTLING: ControlSchedule =
     ControlSchedule { from: 20, iterates: 300, fixed: true, max_period: ControlSchedule::MAX_PERIOD };
 
 /// Holds the GPU to the CPU; both to control making a difference.

@@ -249,6 +249,29 @@ fn sections_are_named_and_refused_where_they_are_none() {
 }
 
 /// Σ λ = −T tr(M⁻¹C) + 2 ln r for each impact at a stop of that r.
+/// Rebounds on the floor that hardly lose height never come back to the ceiling, and there are ever more of them.
+#[test]
+fn rebounds_elsewhere_that_do_not_end_are_no_return() {
+    let one = |value: f64| DMatrix::from_element(1, 1, value);
+    let stop =
+        |side: f64, gap: f64| PlantStop { direction: DVector::from_element(1, side), gap, restitution: 1.0 };
+    let system = System::of_plant(Plant {
+        n: 1,
+        mass: one(1.0),
+        damping: one(0.01),
+        stiffness: one(0.0),
+        force_sin: DVector::zeros(1),
+        force_cos: DVector::zeros(1),
+        load: DVector::from_element(1, -1.0),
+        omega: 0.01,
+        stops: vec![stop(1.0, 1.0), stop(-1.0, 0.0)],
+    })
+    .unwrap();
+    assert_eq!(impact_map_at(&system, Stop(0), [-0.1, 0.0]).unwrap_err(), NoReturn::NoHeadway(Stop(0)));
+    let next = impact_map_at(&system, Stop(1), [0.5, 0.0]).unwrap();
+    assert_eq!(next.impacts.len(), 1, "on the floor it returns at once");
+}
+
 #[test]
 fn exponents_of_random_plants_sum_to_the_contraction_of_volume() {
     let mut rng = ChaCha8Rng::seed_from_u64(9);
