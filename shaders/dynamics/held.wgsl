@@ -26,7 +26,10 @@ fn held(contact: u32, free: X) -> Held {
     return Held(rest, pressing);
 }
 
-// What the contacts that hold spare of accelerations, or of what adds up to them.
+// What the contacts that hold spare of accelerations, or of what adds up to them: nothing where there are as many as coordinates.
 fn spared(contact: u32, free: X) -> X {
+    if countOneBits(contact_held(contact)) == COORDINATES {
+        return X(0.0);
+    }
     return held(contact, free).rest;
 }

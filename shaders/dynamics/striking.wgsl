@@ -29,6 +29,12 @@ fn strike(carry: bool, reached: Reached) -> Move {
     let rest = (flight.h - trajectory.offset) * flight.inverse_h;
     let later = wake(end.normal, rest);
     let closed = strike_closed(end, rebound, after);
+    if NORMALS > 1u && !closed.closes {
+        let squeeze = squeezed(trajectory.point, trajectory.contact, end);
+        if squeeze.closes {
+            return squeeze_collapse(carry, end, squeeze.beside, velocity, rebound, before);
+        }
+    }
     // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop: it shifts nothing, and nothing
     // rebounds.
     let stays = closed.closes && abs(velocity) <= unresolved(end, arrived.state);
@@ -61,6 +67,12 @@ fn strike(carry: bool, reached: Reached) -> Move {
     let single = contact_with(trajectory.contact, end);
     if closed.closes {
         trajectory.point = closed.resting;
+        if carry && abs(rebound) > 0.0 && !stays {
+            let present = tangent_present(tangent);
+            let contact = trajectory.contact;
+            tangent = tangent_closed(present, contact, end, abs(rebound), closed.force, closed.gap_integral);
+            trajectory.under_way = 0u;
+        }
     }
     strike_catch(carry, select(corner, single, closed.closes));
     if !closed.closes {
@@ -76,6 +88,9 @@ struct Closed {
     closes: bool,
     resting: Point,
     rebounds: f32,
+    // What of them a deviation changes, 0 where they are over at once, and what presses.
+    gap_integral: f32,
+    force: f32,
 }
 
 fn strike_closed(end: End, rebound: f32, after: Motion) -> Closed {
@@ -86,16 +101,18 @@ fn strike_closed(end: End, rebound: f32, after: Motion) -> Closed {
     let restitution = stops.restitution[end.normal][end.side];
     let least = unresolved(end, trajectory.point.state);
     if abs(rebound) <= least && rests(trajectory.point, trajectory.contact, end) {
-        return Closed(true, at_rest(end, 0.0), 0.0);
+        return Closed(true, at_rest(end, 0.0), 0.0, 0.0, towards.acceleration);
     }
     let closure = chatter_close(end.normal, Rebound(abs(rebound), restitution, least, room), towards);
     if !closure.closes {
-        return Closed(false, trajectory.point, 0.0);
+        return Closed(false, trajectory.point, 0.0, 0.0, towards.acceleration);
     }
     let resting = at_rest(end, closure.gap_integral);
     let contact = contact_with(trajectory.contact, end);
     let clears = contact_clears_elsewhere(resting, contact, end, closure.height, closure.lasts);
-    return Closed(clears, resting, closure.time);
+    // Without height they are over at once, or damping alone ends what is as good as rest.
+    let gap_integral = select(0.0, closure.gap_integral, closure.height > 0.0);
+    return Closed(clears, resting, closure.time, gap_integral, towards.acceleration);
 }
 
 // An impact that ends in flight: the end of the step is where the kick takes it.
@@ -122,12 +139,10 @@ fn strike_catch(carry: bool, contact: u32) {
 // The end of a chatter sequence: springs and dampers acted on the masses that are free, and now the contact holds.
 fn at_rest(end: End, gap_integral: f32) -> Point {
     let contact = contact_with(trajectory.contact, end);
-    let response = flight.normals[end.normal].response;
-    let push = spared(contact, applied(flight.damping, response));
-    let pull = spared(contact, applied(flight.stiffness, response) + applied(flight.damping, push));
+    let sways = closing_sways(contact, end.normal);
     let signed_integral = -(end_sign(end) * gap_integral);
     let state = trajectory.point.state;
-    let moved = State(state.x + signed_integral * push, state.v + signed_integral * pull);
+    let moved = State(state.x + signed_integral * sways.x, state.v + signed_integral * sways.v);
     var point = trajectory.point;
     point.state = rested(moved, contact);
     return point;

@@ -29,8 +29,8 @@ pub fn held<T: Real, const N: usize>(
     (rest, pressing)
 }
 
-/// What the contacts that hold spare of accelerations, or of what adds up to them.
+/// What the contacts that hold spare of accelerations, or of what adds up to them: nothing where there are as many as coordinates.
 #[inline(always)]
 pub fn spared<T: Real, const N: usize>(flight: &Flight<T, N>, contact: Contact, free: [T; N]) -> [T; N] {
-    held(flight, contact, free).0
+    if contact.held().count_ones() as usize == N { [T::zero(); N] } else { held(flight, contact, free).0 }
 }

@@ -3,17 +3,18 @@
 use pulp::NullaryFnOnce;
 
 use super::chatter::{self, Closure, Rebound};
+use super::closing::{Closing, swayed};
 use super::contact;
 use super::corner;
-use super::held::spared;
 use super::imminent::Reached;
 use super::placing::{placed_on, rested};
 use super::point::{Approach, Motion, Point};
 use super::pressing::rests;
+use super::squeeze::squeezed;
 use super::stop::{Contact, End, Stop};
 use super::tangent::{FreeSaltation, Saltation, Tangent, catch_all, strike_all};
 use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
-use crate::model::vector::{added, applied, axpy, dot};
+use crate::model::vector::{axpy, dot};
 use crate::model::{Flight, Lanes, Real, State};
 
 /// Roundings of a kick by which a speed that it does not change may seem changed.
@@ -80,6 +81,14 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         }
         let after = self.point.motion(flight, self.contact);
         let closed = self.closed(flight, end, rebound, &after);
+        let impact =
+            Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
+        if closed.is_none()
+            && flight.count > 1
+            && let Some(beside) = squeezed(flight, &self.point, self.contact, end)
+        {
+            return self.collapse(flight, tangents, [end, beside], impact, before);
+        }
         // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop: it shifts nothing, and nothing
         // rebounds.
         let stays = closed.is_some() && velocity.abs() <= contact::unresolved(flight, end, &arrived.state);
@@ -87,19 +96,17 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             if self.under_way {
                 let rest = (flight.h - self.offset) * flight.inverse_h;
                 let wake = normal.wake(rest);
-                let impact = FreeSaltation { velocity, kick, pull: dot(&normal.direction, &before), wake };
-                strike_all(tangents, flight, end.normal, rest, &impact);
+                let saltation = FreeSaltation { velocity, kick, pull: dot(&normal.direction, &before), wake };
+                strike_all(tangents, flight, end.normal, rest, &saltation);
             } else {
                 let (after, contact) = (after.acceleration, self.contact);
-                let impact = Saltation { normal: end.normal, velocity, kick, before, after, contact };
+                let saltation = Saltation { normal: end.normal, velocity, kick, before, after, contact };
                 for tangent in tangents.iter_mut() {
-                    *tangent = tangent.struck(flight, &impact);
+                    *tangent = tangent.struck(flight, &saltation);
                 }
             }
         }
-        let impact =
-            Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
-        let Some((resting, rebounds)) = closed else {
+        let Some((resting, rebounds, closing)) = closed else {
             if let Some(corner) = corner::closes(flight, &self.point, self.contact, end) {
                 let beside = corner.since(self.contact.with(end));
                 self.catch(flight, tangents, corner);
@@ -117,12 +124,20 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         };
         let impact = if stays { Impact { velocity_before: T::zero(), ..impact } } else { impact };
         self.point = resting;
+        if closing.speed > T::zero() && !stays && !tangents.is_empty() {
+            self.bring_back(flight, tangents);
+            self.under_way = false;
+            for tangent in tangents.iter_mut() {
+                *tangent = tangent.closed(flight, self.contact, &closing);
+            }
+        }
         self.catch(flight, tangents, self.contact.with(end));
         let complete_chatter = !stays && rebound.abs() > T::zero();
         Event::Caught { impact, complete_chatter, beside: Contact::FREE, rebounds }
     }
 
-    /// Where the rebounds that follow an impact end at rest, and how long they take, if closing them is as good as following them.
+    /// Where the rebounds that follow an impact end at rest, how long they take, and what of them a deviation changes, if closing them
+    /// is as good as following them.
     #[inline(always)]
     fn closed(
         &self,
@@ -130,7 +145,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         end: End,
         rebound: T,
         after: &Motion<T, N>,
-    ) -> Option<(Point<T, N>, T)> {
+    ) -> Option<(Point<T, N>, T, Closing<T>)> {
         let normal = &flight.normals[end.normal];
         let along = self.point.approach(flight, after, end.normal);
         let sign = end.sign::<T>();
@@ -142,14 +157,19 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             unresolved: contact::unresolved(flight, end, &self.point.state),
             room,
         };
+        let (speed, force) = (rebound.speed, towards.acceleration);
+        let closing = Closing { end, speed, force, gap_integral: T::zero() };
         if rebound.speed <= rebound.unresolved && rests(flight, &self.point, self.contact, end) {
-            return Some((self.at_rest(flight, end, T::zero()), T::zero()));
+            return Some((self.at_rest(flight, end, T::zero()), T::zero(), closing));
         }
         let Closure { gap_integral, height, time, lasts } =
             chatter::close(flight, normal, &rebound, &towards)?;
         let resting = self.at_rest(flight, end, gap_integral);
         let contact = self.contact.with(end);
-        contact::clears_elsewhere(flight, &resting, contact, end, height, lasts).then_some((resting, time))
+        // Without height they are over at once, or damping alone ends what is as good as rest.
+        let closing = if height > T::zero() { Closing { gap_integral, ..closing } } else { closing };
+        contact::clears_elsewhere(flight, &resting, contact, end, height, lasts)
+            .then_some((resting, time, closing))
     }
 
     /// An impact that ends in flight: the end of the step is where the kick takes it.
@@ -181,13 +201,10 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     #[inline(always)]
     fn at_rest(&self, flight: &Flight<T, N>, end: End, gap_integral: T) -> Point<T, N> {
         let contact = self.contact.with(end);
-        let free = |v: [T; N]| spared(flight, contact, v);
-        let response = &flight.normals[end.normal].response;
-        let push = free(applied(&flight.damping, response));
-        let pull = free(added(&applied(&flight.stiffness, response), &applied(&flight.damping, &push)));
+        let swayed = swayed(flight, contact, end.normal);
         let signed = -(end.sign::<T>() * gap_integral);
         let State { x, v } = self.point.state;
-        let state = State { x: axpy(signed, &push, &x), v: axpy(signed, &pull, &v) };
+        let state = State { x: axpy(signed, &swayed.x, &x), v: axpy(signed, &swayed.v, &v) };
         Point { state: rested(flight, &state, contact), ..self.point }
     }
 

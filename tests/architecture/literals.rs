@@ -12,7 +12,7 @@ use super::files;
 const ARITHMETIC: [f64; 4] = [0.0, 1.0, 2.0, 0.5];
 
 /// Numbers that a formula consists of: the file, the number, how often it is there, and the formula.
-const FORMULAS: [(&str, &str, usize, &str); 34] = [
+const FORMULAS: [(&str, &str, usize, &str); 35] = [
     ("analysis/extent.wgsl", "0.25", 1, "a quarter of a piece, from one point of its quadrature to the next"),
     ("analysis/extent.wgsl", "15.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
     ("analysis/extent.wgsl", "16.0", 1, "quadrature exact to degree 5: (7a + 16m + 7b)/15"),
@@ -28,6 +28,7 @@ const FORMULAS: [(&str, &str, usize, &str); 34] = [
         2,
         "u falls like exp(−ct/3); a force that grows by c ends rebounds sooner by c/3",
     ),
+    ("dynamics/closing.wgsl", "3.0", 1, "a gap integral goes with the third power of a speed"),
     ("dynamics/contact.wgsl", "4.0", 1, "the discriminant b² − 4ac"),
     ("dynamics/course.wgsl", "3", 1, "the term of third degree"),
     ("dynamics/course.wgsl", "3.0", 1, "the derivative of a power"),

@@ -8,7 +8,7 @@ use crate::analysis::constants::{CLEAR_STEPS, HELD_STEPS, ROUNDS, SQUARINGS, TUR
 use crate::backend::gpu::layout::NORMAL_TERMS;
 use crate::backend::gpu::shader::{Arithmetic, Kernel, Residence, Shape, source};
 use crate::control::{ControlSchedule, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE};
-use crate::dynamics::constants::HELD_FLIGHTS;
+use crate::dynamics::constants::{HELD_FLIGHTS, SQUEEZES};
 use crate::model::Real;
 use crate::model::vector::MOST;
 
@@ -26,6 +26,7 @@ fn bound(head: &str) -> u32 {
         ("normal < NORMALS", MOST as u32),
         ("k <= ORDER", <f32 as Real>::ORDER as u32),
         ("tries <= HELD_FLIGHTS + 1u", HELD_FLIGHTS + 1),
+        ("squeeze < SQUEEZES", SQUEEZES),
         ("k <= SQUARINGS", SQUARINGS + 1),
         ("turn < TURNS", TURNS),
         ("step < HELD_STEPS", HELD_STEPS),

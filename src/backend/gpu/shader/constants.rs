@@ -49,6 +49,7 @@ pub fn source(shape: &Shape) -> String {
         ("LEAST_RETURNS", analysis::LEAST_RETURNS),
         ("MOST_KICKS", dynamics::MOST_KICKS),
         ("HELD_FLIGHTS", dynamics::HELD_FLIGHTS),
+        ("SQUEEZES", dynamics::SQUEEZES),
         ("ROUNDS", analysis::ROUNDS),
         ("TURNS", analysis::TURNS),
         ("HELD_STEPS", analysis::HELD_STEPS),

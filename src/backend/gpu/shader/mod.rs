@@ -21,7 +21,7 @@ use super::layout;
 use crate::control::METHODS;
 
 /// What every kernel begins with.
-const COMMON: [&str; 40] = [
+const COMMON: [&str; 42] = [
     include_str!("../../../../shaders/shared/numbers.wgsl"),
     include_str!("../../../../shaders/model/logarithm.wgsl"),
     include_str!("../../../../shaders/model/flight.wgsl"),
@@ -47,6 +47,8 @@ const COMMON: [&str; 40] = [
     include_str!("../../../../shaders/dynamics/corner.wgsl"),
     include_str!("../../../../shaders/dynamics/gliding.wgsl"),
     include_str!("../../../../shaders/dynamics/trajectory.wgsl"),
+    include_str!("../../../../shaders/dynamics/squeeze.wgsl"),
+    include_str!("../../../../shaders/dynamics/closing.wgsl"),
     include_str!("../../../../shaders/dynamics/striking.wgsl"),
     include_str!("../../../../shaders/dynamics/holding.wgsl"),
     include_str!("../../../../shaders/dynamics/sticking.wgsl"),
