@@ -35,8 +35,8 @@ Examples:
   impact-atlas bifurcation --x omega=5:0.2:2000 --set delta=0.1 --out fig6a.png
   impact-atlas bifurcation --x omega=2.6:4:700 --set delta=0.6 --sweep both --start symmetric --out both.svg
   impact-atlas bifurcation --x omega=5:0.2:1000 --set delta=0.6 --sweep symmetric --spectrum=iterate --out fig6d.svg
-  impact-atlas bifurcation --x delta=0.02:0.6:800 --set omega=2 --section strobe --record x2 --data d.npz
-  impact-atlas bifurcation --x v1=-1:1:500 --set omega=2.5 --set delta=0.6 --sweep rest --json
+  impact-atlas bifurcation --x delta=0.02:0.6:800 --set omega=2 --section strobe --record x2 --out d.png
+  impact-atlas bifurcation --x v1=-1:1:500 --set omega=2.5 --set delta=0.6 --sweep rest --out v1.png --json
   impact-atlas bifurcation --system bouncing-ball --x Gamma=1:5:800 --set r=0.5 --section A --record tau --out ball.png")]
 pub struct BifurcationArgs {
     /// The axis, ends included; FIRST may be greater than LAST

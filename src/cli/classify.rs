@@ -218,8 +218,15 @@ impl Classification {
             f32::NEG_INFINITY => "minus infinity: every deviation is forgotten".to_owned(),
             exponent => format!("{exponent:.6} per forcing period"),
         };
+        let given_up = match self.regime == Regime::Failed.name() {
+            true if self.state.iter().all(|value| value.is_finite()) => {
+                ": given up, with too many impacts to go on"
+            }
+            true => ": the motion grows beyond all numbers",
+            false => "",
+        };
         format!(
-            "{}{symmetric}{sticking}\n\
+            "{}{symmetric}{sticking}{given_up}\n\
              largest Lyapunov exponent   {exponent}\n\
              largest impact velocity     {}\n\
              state at forcing phase 0    {}\n\

@@ -121,15 +121,25 @@ fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extra
         measure_extents(&mut map, &*backend, &progress)?;
     }
     let whole = Window::whole(plane);
-    let source = args.curves.map(CurveSource::Computed);
-    let found = source.map(|source| args.drawing.curves(&map, whole, source)).transpose()?;
-    let (mut batch, mut archive) = (Batch::default(), Batch::default());
-    let (drawn, archived) = rayon::join(
+    let archived = || {
+        let mut archive = Batch::default();
+        archive.add(&data, |file| store::write_map(&map, file)).map(|()| archive)
+    };
+    // Curves take their time: what was computed is kept whatever becomes of them.
+    let found = match args.curves.map(CurveSource::Computed) {
+        None => None,
+        Some(source) => {
+            archived()?.show()?;
+            Some(args.drawing.curves(&map, whole, source)?)
+        }
+    };
+    let mut batch = Batch::default();
+    let (drawn, archive) = rayon::join(
         || batch.picture(&picture, &args.drawing.draw_under(&map, whole, found.as_ref())?),
-        || archive.add(&data, |file| store::write_map(&map, file)),
+        || found.is_none().then(archived).transpose(),
     );
-    drawn.and(archived)?;
-    batch.append(archive);
+    drawn?;
+    batch.append(archive?.unwrap_or_default());
     let curves = found.map(|found| found.curves).unwrap_or_default();
     curve_list::add_table(&mut batch, &table, &curves, plane)?;
     batch.show()?;

@@ -185,7 +185,7 @@ fn elsewhere(verdict: &Verdict) -> Option<String> {
         ),
         Regime::Failed => format!(
             "the trajectory was given up after {} forcing periods, with more impacts in one of them than can be \
-             followed: lower r or raise omega, or try another --start",
+             followed: try less restitution or a faster forcing, or another --start",
             verdict.periods
         ),
     })

@@ -74,6 +74,8 @@ pub struct OrbitArgs {
     impacts: Option<PathBuf>,
 
     /// Writes the trajectory: time, x1 … xn, v1 … vn
+    ///
+    /// Where the rest of a complete chatter is not followed, masses stand at rest on the stop from the last rebound on that is.
     #[arg(long, value_name = "FILE.csv")]
     trajectory: Option<PathBuf>,
 

@@ -21,7 +21,7 @@ pub struct StatusArgs {
     data: PathBuf,
 
     /// Prints JSON: {cells, cells_done, tiles, done, missing, failed: [{tile, message}], processes, cells_per_second,
-    /// seconds_left, tile, backend, adapter, version}; the times are null where no process was heard of lately
+    /// seconds_left, tile, backend, adapter, version}; the times are null where no process at work has finished a tile
     #[arg(long)]
     json: bool,
 }
@@ -51,16 +51,21 @@ fn text(status: &Status) -> String {
     match (status.missing, status.cells_per_second, status.seconds_left) {
         (0, ..) => lines.push("nothing is left to do".to_owned()),
         (_, Some(pace), Some(left)) => lines.push(format!(
-            "{} heard of lately, {pace:.0} cells/s together, about {} left at that pace",
-            if status.processes == 1 {
-                "1 process".to_owned()
-            } else {
-                format!("{} processes", status.processes)
-            },
+            "{} at work, {pace:.0} cells/s together, about {} left at that pace",
+            processes(status.processes),
             spans::words(Duration::from_secs_f64(left.min(1e9)))
         )),
-        _ => lines.push("no process was heard of lately: `map` with the same options goes on".to_owned()),
+        _ if status.processes > 0 => {
+            lines.push(format!("{} at work, without a tile so far", processes(status.processes)));
+        }
+        _ => lines.push(
+            "no process is at work, as far as is known: `map` with the same options goes on".to_owned(),
+        ),
     }
     lines.push(format!("computed by {} {}, impact-atlas {}", status.backend, status.adapter, status.version));
     lines.join("\n")
+}
+
+fn processes(count: u32) -> String {
+    if count == 1 { "1 process".to_owned() } else { format!("{count} processes") }
 }

@@ -48,6 +48,11 @@ pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, ex
              all parts are there"
         ));
     }
+    if args.curves.is_some() && args.out.is_none() {
+        return Err(wrong!(
+            "--curves draws over a picture, and beside a store there is none unless it is asked for: name one with --out"
+        ));
+    }
     let wanted = [Kind::Picture.at(args.out.as_deref()), Kind::Table.at(args.curves_out.as_deref())];
     let [picture, table] = files::prepare(args.overwrite, wanted)?;
     // Before there is a store; one that is there was checked before it was made.

@@ -8,7 +8,7 @@ use thiserror::Error;
 use super::limits;
 use super::request::{AskedPlane, AskedSystem};
 use crate::analysis::Schedule;
-use crate::model::{Parameter, Setting};
+use crate::model::{Parameter, Setting, System};
 use crate::plane::{Axis, Plane, Quantity, Start};
 use crate::system::{BUILTIN, Family};
 
@@ -114,7 +114,21 @@ pub fn plane(asked: &AskedPlane, family: &'static Family) -> Result<Plane, Refus
         },
     };
     check(&plane)?;
+    check_systems(&plane)?;
     Ok(plane)
+}
+
+/// Refuses a plane on which no place of a few, its corners among them, has a system; with the reason at the first.
+fn check_systems(plane: &Plane) -> Result<(), Refused> {
+    let places = |axis: &Axis| {
+        let last = axis.count - 1;
+        [0, last / 4, last / 2, last - last / 4, last]
+    };
+    let mut found = places(&plane.x).into_iter().flat_map(|column| {
+        places(&plane.y).map(|row| System::new(plane.parameters_at(column, row)).map(drop))
+    });
+    let first = found.next().unwrap_or(Ok(()));
+    if first.is_ok() || found.any(|system| system.is_ok()) { Ok(()) } else { first.map_err(because) }
 }
 
 /// Whether a plane can be looked at.

@@ -90,6 +90,18 @@ impl Scene {
         Some(Job { start: start.state(&system), system })
     }
 
+    /// Why there is no system at two values of the axes that are in range, or it does not begin there; none where it does.
+    pub fn missing(&self, x: f64, y: f64) -> Option<String> {
+        let plane = self.alone(x, y)?;
+        let family = plane.parameters.family();
+        match System::new(plane.parameters_at(0, 0)) {
+            Ok(system) => {
+                plane.start_at(0, 0).check(system.plant(), family).err().map(|error| error.to_string())
+            }
+            Err(error) => Some(error.to_string()),
+        }
+    }
+
     /// The numbers of the motions of some cells.
     pub fn numbered(&self, cells: &[Option<Verdict>]) -> Vec<u16> {
         let mut motions = self.motions.lock();

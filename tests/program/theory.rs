@@ -299,7 +299,7 @@ fn hopeless_requests_say_what_the_start_leads_to() {
     // To and fro between two stops, at once and without loss.
     let endless = ["r=1", "zeta=0", "delta=1e-6", "omega=0.05"];
     let fast = ["--start", "0,0,1,0"];
-    is_hopeless("motion", &endless, &fast, &["given up", "lower r"]);
+    is_hopeless("motion", &endless, &fast, &["given up", "less restitution"]);
     is_hopeless("motion", &endless, &[&fast[..], &["--label", "1-3-3"]].concat(), &["1-3-3"]);
     is_hopeless("lyapunov", &endless, &fast, &["given up"]);
     is_hopeless("motion", &["delta=0"], &["--label", "1-1-1"], &["1-1-1"]);

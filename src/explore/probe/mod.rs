@@ -31,7 +31,8 @@ pub fn probe(scene: &Scene, tiles: &Tiles, cell: Cell, width: u32, task: &Task) 
     let (job, alone) = scene.job(cell).zip(scene.alone(x, y)).ok_or_else(|| {
         let (a, b) = (scene.plane.x.quantity.name(), scene.plane.y.quantity.name());
         let place = format!("{a} = {}, {b} = {}", Number(x), Number(y));
-        refused(format!("there is no such system at {place}: outside the range of its parameters"))
+        let why = scene.missing(x, y).unwrap_or_else(|| "outside the range of its parameters".to_owned());
+        refused(format!("there is no such system at {place}: {why}"))
     })?;
     scene.prepare(std::iter::once(cell)).map_err(refused)?;
     let known = scene.known(cell).or_else(|| tiles.cell(scene.id, cell).flatten());

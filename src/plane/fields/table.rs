@@ -85,7 +85,7 @@ pub const CELL_FIELDS: &[CellField] = &[
             spread: Spread::AboutZero,
             sentinel: None,
             undefined: "not measured",
-            lost: "all deviations forgotten",
+            lost: "minus infinity",
         }),
         ..field(
             "lyapunov",

@@ -3,6 +3,7 @@
 use std::io::{self, Read, Seek};
 
 use npyz::{Deserialize as FromNpy, NpyFile};
+use serde_json::Value;
 use thiserror::Error;
 use zip::ZipArchive;
 
@@ -18,7 +19,11 @@ use crate::plane::{Made, Plane, RegionMap, Window};
 pub fn read_map(from: impl Read + Seek) -> Result<RegionMap, ReadError> {
     let mut zip = ZipArchive::new(from).map_err(io::Error::from)?;
     let config = values::<String>(&mut zip, "config", &[])?.concat();
-    let Made { provenance, plane, .. } = serde_json::from_str(&config)?;
+    let config: Value = serde_json::from_str(&config)?;
+    if config.get("control").is_some() {
+        return Err(ReadError::UnderControl);
+    }
+    let Made { provenance, plane, .. } = serde_json::from_value(config)?;
     let has = |name: &str| zip.index_for_name(&npyz::npz::file_name_from_array_name(name)).is_some();
     let extras = Extras { certified: has("multipliers"), extents: has("rms") };
     let cells = Window::whole(&plane).cells();
@@ -71,6 +76,9 @@ pub enum ReadError {
     /// The file is damaged, not an archive, lacks an array, or could not be read.
     #[error("the map's archive could not be read")]
     Io(#[from] io::Error),
+    /// It is a map under control.
+    #[error("it is a map under control: `map --control` draws it, and its times, anew")]
+    UnderControl,
     /// The configuration is not one of a map.
     #[error("the map's configuration is not understood")]
     Config(#[from] serde_json::Error),

@@ -10,10 +10,20 @@ use serde::{Deserialize, Serialize};
 
 use super::{HIDDEN, StoreError, ZarrStore};
 
-/// Something that happened to a tile.
+/// Something that happened to a process, or to a tile.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", tag = "event")]
 pub enum Event {
+    /// The process began.
+    Begun {
+        /// When, in seconds since 1970.
+        at: f64,
+    },
+    /// It came to its end.
+    Ended {
+        /// When, in seconds since 1970.
+        at: f64,
+    },
     /// The tile was written.
     Done {
         /// The tile.
@@ -57,7 +67,9 @@ impl Log {
         let path = store.path.join(HIDDEN).join(name);
         let file = fs::create_dir_all(store.path.join(HIDDEN))
             .and_then(|()| OpenOptions::new().create(true).append(true).open(path));
-        file.map(|file| Log { file: Mutex::new(file) }).map_err(|source| store.io(source))
+        let log = file.map(|file| Log { file: Mutex::new(file) }).map_err(|source| store.io(source))?;
+        log.note(&Event::Begun { at: now() });
+        Ok(log)
     }
 
     /// Notes that a tile is there.
@@ -75,6 +87,23 @@ impl Log {
         let Ok(mut line) = serde_json::to_vec(event) else { return };
         line.push(b'\n');
         let _ = self.file.lock().write_all(&line);
+    }
+}
+
+impl Drop for Log {
+    fn drop(&mut self) {
+        self.note(&Event::Ended { at: now() });
+    }
+}
+
+impl Event {
+    /// When it happened, in seconds since 1970.
+    pub fn at(&self) -> f64 {
+        match *self {
+            Event::Begun { at } | Event::Ended { at } | Event::Done { at, .. } | Event::Failed { at, .. } => {
+                at
+            }
+        }
     }
 }
 

@@ -154,6 +154,9 @@ fn of_chunks() -> Result<Vec<Arc<dyn BytesToBytesCodecTraits>>> {
     Ok(vec![Arc::new(GzipCodec::new(COMPRESSION)?), Arc::new(Crc32cCodec::new())])
 }
 
+/// The bytes of a shard's index: the place and the length of its chunk, and a checksum.
+pub const INDEX: usize = 8 + 8 + 4;
+
 /// The bytes of a shard of one chunk: the chunk's, and the index with its place and checksum.
 ///
 /// The sharding codec of zarrs 0.22 reserves for a chunk what it takes to be the most, which noise exceeds.

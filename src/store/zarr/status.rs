@@ -29,9 +29,9 @@ pub struct Status {
     pub missing: u32,
     /// Tiles that failed twice and are not there, with why.
     pub failed: Vec<Failure>,
-    /// Processes that were heard of lately.
+    /// Processes at work: those heard of lately, and not of their end.
     pub processes: u32,
-    /// Cells per second of those, together; none where there are none.
+    /// Cells per second of those, together; none where none of them has finished a tile.
     pub cells_per_second: Option<f64>,
     /// The seconds in which those will have computed the rest; 0 where nothing is missing.
     pub seconds_left: Option<f64>,
@@ -78,7 +78,8 @@ impl ZarrStore {
             }
         }
         failed.retain(|tile, _| missing.contains(tile));
-        let paces: Vec<Pace> = logs.iter().filter_map(|log| self.pace(log, now())).collect();
+        let at_work: Vec<&Vec<Event>> = logs.iter().filter(|log| is_at_work(log, now())).collect();
+        let paces: Vec<Pace> = at_work.iter().filter_map(|log| self.pace(log)).collect();
         let sum = |of: fn(&Pace) -> f64| paces.iter().map(of).sum::<f64>();
         let left: u64 = missing.iter().map(|&tile| cost(&self.plane, &self.tiling, tile)).sum();
         let seconds_left = match paces[..] {
@@ -93,7 +94,7 @@ impl ZarrStore {
             done: self.tiling.count() - missing.len() as u32,
             missing: missing.len() as u32,
             failed: failed.into_iter().map(|(tile, message)| Failure { tile, message }).collect(),
-            processes: paces.len() as u32,
+            processes: at_work.len() as u32,
             cells_per_second: (!paces.is_empty()).then(|| sum(|pace| pace.cells)),
             seconds_left,
             tile: self.tiling.side,
@@ -103,25 +104,31 @@ impl ZarrStore {
         })
     }
 
-    /// The pace of a process that is at work.
-    fn pace(&self, log: &[Event], now: f64) -> Option<Pace> {
-        let done: Vec<(u32, u64, f64, f64)> = log
-            .iter()
-            .filter_map(|event| match *event {
-                Event::Done { tile, cells, seconds, at } if tile < self.tiling.count() => {
-                    Some((tile, cells, seconds, at))
+    /// The pace of a process, if it has finished a tile.
+    fn pace(&self, log: &[Event]) -> Option<Pace> {
+        let (mut seconds, mut cells, mut work) = (0.0, 0, 0);
+        for event in log {
+            match *event {
+                Event::Done { tile, cells: of_tile, seconds: taken, .. } if tile < self.tiling.count() => {
+                    seconds += taken;
+                    cells += of_tile;
+                    work += cost(&self.plane, &self.tiling, tile);
                 }
-                _ => None,
-            })
-            .collect();
-        let &(.., last) = done.last()?;
-        let seconds: f64 = done.iter().map(|(_, _, seconds, _)| seconds).sum();
-        let usual = seconds / done.len() as f64;
-        if now - last > (PATIENCE * usual).max(RECENT) || seconds <= 0.0 {
-            return None;
+                _ => {}
+            }
         }
-        let cells: u64 = done.iter().map(|(_, cells, ..)| cells).sum();
-        let cost: u64 = done.iter().map(|(tile, ..)| cost(&self.plane, &self.tiling, *tile)).sum();
-        Some(Pace { cells: cells as f64 / seconds, cost: cost as f64 / seconds })
+        (seconds > 0.0).then(|| Pace { cells: cells as f64 / seconds, cost: work as f64 / seconds })
     }
+}
+
+/// Whether a process that noted some events has not come to its end, as far as is known: one that was killed says nothing.
+fn is_at_work(log: &[Event], now: f64) -> bool {
+    let Some(last) = log.last() else { return false };
+    let taken = log.iter().filter_map(|event| match event {
+        Event::Done { seconds, .. } => Some(*seconds),
+        _ => None,
+    });
+    let taken: Vec<f64> = taken.collect();
+    let usual = taken.iter().sum::<f64>() / taken.len().max(1) as f64;
+    !matches!(last, Event::Ended { .. }) && now - last.at() <= (PATIENCE * usual).max(RECENT)
 }

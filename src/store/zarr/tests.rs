@@ -126,9 +126,18 @@ fn a_damaged_shard_is_named() {
         fs::write(&shard, bad).unwrap();
         let CellsError(message) = read().unwrap_err();
         assert!(message.contains("periods/c/1/2") && message.contains("delete it"), "{message}");
+        // What was cut off counts as missing; what was changed within is found when it is read.
+        let there = store.tiles_there().unwrap();
+        assert_eq!(
+            (there[5], store.is_there(5)),
+            (bad.len() == bytes.len(), there[5]),
+            "{} bytes",
+            bad.len()
+        );
+        assert_eq!(there.iter().filter(|there| **there).count(), if there[5] { 6 } else { 5 });
     }
     fs::write(&shard, &bytes).unwrap();
-    assert!(read().is_ok());
+    assert!(read().is_ok() && store.tiles_there().unwrap() == [true; 6]);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Tiles of a store: written whole, found, and read.
 
-use std::fs;
-use std::io::{self, ErrorKind, Write};
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use zarrs::array::codec::CodecOptions;
 use zarrs::array::{Array, ArrayError, ElementOwned};
 use zarrs::filesystem::FilesystemStore;
 
-use super::skeleton::{kind_and_fill, nothing, shard_of};
+use super::skeleton::{INDEX, kind_and_fill, nothing, shard_of};
 use super::{HIDDEN, StoreError, ZarrStore};
 use crate::plane::fields::{
     Assembled, CELL_FIELDS, CellField, CellResult, Cells, CellsError, Extras, Kind, Values, assembled, of_any,
@@ -43,7 +43,7 @@ impl ZarrStore {
         write(regime)
     }
 
-    /// Which tiles are there.
+    /// Which tiles are there, as whole as they were written.
     ///
     /// # Errors
     /// What the file system reports.
@@ -67,7 +67,7 @@ impl ZarrStore {
 
     /// Whether a tile is there.
     pub fn is_there(&self, tile: u32) -> bool {
-        CellField::of_plane(self.extras).all(|field| self.shard(field, tile).is_file())
+        CellField::of_plane(self.extras).all(|field| is_whole(&self.shard(field, tile)))
     }
 
     /// The cells of a window as a map; it must be there altogether.
@@ -242,11 +242,24 @@ fn columns_there(folder: &Path) -> io::Result<Vec<u32>> {
         while path.is_dir() && path.join("0").exists() {
             path.push("0");
         }
-        if path.is_file() {
+        if is_whole(&path) {
             columns.push(column);
         }
     }
     Ok(columns)
+}
+
+/// Whether a shard is there, and no shorter or longer than its index says. What was changed within it, reading finds by its checksum.
+fn is_whole(path: &Path) -> bool {
+    let length = || -> io::Result<bool> {
+        let mut file = File::open(path)?;
+        let mut index = [0; INDEX];
+        file.seek(SeekFrom::End(-(INDEX as i64)))?;
+        file.read_exact(&mut index)?;
+        let number = |at: usize| u64::from_le_bytes(std::array::from_fn(|i| index[at + i]));
+        Ok(number(0) == 0 && Some(number(8)) == file.metadata()?.len().checked_sub(INDEX as u64))
+    };
+    length().unwrap_or(false)
 }
 
 /// A tile's values in a square of its side.

@@ -116,4 +116,8 @@ fn a_truncated_shard_and_layers_that_are_not_there_are_refused() {
     let bytes = fs::read(&shard).unwrap();
     fs::write(&shard, &bytes[..bytes.len() / 2]).unwrap();
     render(&[], &["n/c/0/0", "damaged", "delete it"]);
+    // The same command computes it again.
+    done(root, &format!("{SMALL} --data plane.zarr"));
+    assert_eq!(fs::read(&shard).unwrap(), bytes);
+    refused(root, &words(&format!("{SMALL} --data plane.zarr --curves")), &["--curves", "--out"]);
 }
