@@ -32,8 +32,21 @@ fn squeezed(point: Point, contact: u32, end: End) -> Squeeze {
     // What an impact at one stop throws on the other, per speed that it changes.
     let onto_own = facing * along(own_direction, flight.normals[other.normal].response);
     let onto_other = facing * along(other_direction, flight.normals[end.normal].response);
-    let trace = (1.0 + r) * (1.0 + s) * onto_own * onto_other - r - s;
-    if !(onto_own > 0.0 && onto_other > 0.0 && trace > sqrt(r * s) + sqrt(r * s)) {
+    let product = onto_own * onto_other;
+    let trace = (1.0 + r) * (1.0 + s) * product - r - s;
+    let faces = onto_own > 0.0 && onto_other > 0.0 && product < 1.0;
+    if !(faces && trace > sqrt(r * s) + sqrt(r * s)) {
+        return Squeeze(false, end);
+    }
+    // Contacts that hold must not be in the way.
+    var free = true;
+    //: each normal
+    if contact_opens_along(contact, $ku) {
+        let thrown = abs(along(flight.normals[$k].direction, flight.normals[other.normal].response));
+        free = free && thrown <= KICK_ROUNDINGS * EPSILON;
+    }
+    //: end
+    if !free {
         return Squeeze(false, end);
     }
     // The speed towards the own stop, per speed towards the other.
@@ -71,6 +84,8 @@ fn squeeze_collapse(carry: bool, end: End, beside: End, velocity: f32, rebound: 
     contact = squeeze_pressed(contact, beside);
     // Whether one presses depends on the other.
     contact = squeeze_pressed(contact, end);
+    contact = squeeze_joined(contact, end);
+    contact = squeeze_joined(contact, beside);
     squeeze_part(contact, end);
     squeeze_part(contact, beside);
     if carry {
@@ -89,6 +104,13 @@ fn squeeze_pressed(contact: u32, end: End) -> u32 {
     let motion = point_motion(trajectory.point, contact);
     let pulls = contact_includes(contact, end) && end_sign(end) * motion.pressing[end.normal] < 0.0;
     return select(contact, contact_without(contact, end.normal), pulls);
+}
+
+// The contacts with that at an end, where it presses.
+fn squeeze_joined(contact: u32, end: End) -> u32 {
+    let joined = contact_with(contact, end);
+    let motion = point_motion(trajectory.point, joined);
+    return select(contact, joined, end_sign(end) * motion.pressing[end.normal] > 0.0);
 }
 
 // Lets masses part from a stop off which they are pulled at once: rounding must not make that another impact.

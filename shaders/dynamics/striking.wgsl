@@ -29,7 +29,9 @@ fn strike(carry: bool, reached: Reached) -> Move {
     let rest = (flight.h - trajectory.offset) * flight.inverse_h;
     let later = wake(end.normal, rest);
     let closed = strike_closed(end, rebound, after);
-    if NORMALS > 1u && !closed.closes {
+    // Of two stops without restitution either may seem to end it at once.
+    let at_once = closed.gap_integral == 0.0 && closed.rebounds == 0.0;
+    if NORMALS > 1u && (!closed.closes || at_once) && abs(velocity) > unresolved(end, arrived.state) {
         let squeeze = squeezed(trajectory.point, trajectory.contact, end);
         if squeeze.closes {
             return squeeze_collapse(carry, end, squeeze.beside, velocity, rebound, before);

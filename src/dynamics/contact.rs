@@ -86,6 +86,9 @@ pub fn holds<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>
 /// As many roundings of a place as [`holds`] lets pass.
 pub const ROUNDINGS: f64 = 64.0;
 
+/// Roundings of a kick by which a speed that it does not change may seem changed.
+pub const KICK_ROUNDINGS: f64 = 4.0;
+
 /// The gap to the stop at an end.
 #[inline(always)]
 pub fn gap_to<T: Real, const N: usize>(flight: &Flight<T, N>, point: &Point<T, N>, end: End) -> T {

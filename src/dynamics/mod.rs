@@ -68,7 +68,7 @@ pub use usage::Usage;
 pub(crate) mod constants {
     pub use super::chatter::{FADING, NEARLY, PUSH, SLOW, STEADY};
     pub use super::clear::SHORT;
-    pub use super::contact::{ROUNDINGS, WIDENING};
+    pub use super::contact::{KICK_ROUNDINGS, ROUNDINGS, WIDENING};
     pub use super::crossing::{EXACT, WIDER};
     pub use super::holding::{HELD_FLIGHTS, SEEN};
     pub use super::hull::SWELLING;
@@ -77,7 +77,6 @@ pub(crate) mod constants {
     pub use super::quintic::{ASIDE, STEPS as NEWTON_STEPS};
     pub use super::series::INVERSE_FACTORIALS;
     pub use super::squeeze::SQUEEZES;
-    pub use super::striking::KICK_ROUNDINGS;
     pub use super::trajectory::MOST_KICKS;
     pub use crate::model::FAR;
 }

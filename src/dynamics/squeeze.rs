@@ -1,6 +1,6 @@
 //! Masses that two stops squeeze: they rebound between both ever faster, and lose all speed along both in an instant.
 
-use super::contact::{gap_to, unresolved};
+use super::contact::{KICK_ROUNDINGS, gap_to, unresolved};
 use super::placing::{placed_on, rested};
 use super::point::Point;
 use super::stop::{Contact, End};
@@ -16,8 +16,8 @@ pub const SQUEEZES: u32 = 24;
 ///
 /// With both gaps closed, speeds alone matter: an impact at one stop turns the speed off it by −r and throws the masses on the other by
 /// what the two normals share, c. The speeds after two impacts are a linear map of those before, with the determinant r₁r₂ and the trace
-/// (1 + r₁)(1 + r₂) c − r₁ − r₂, and impacts follow each other for ever where that has two positive eigenvalues, which are below 1, and
-/// the speeds are such that none of the first few leads off both. It takes no time, whatever presses. Such impacts are followed one by
+/// (1 + r₁)(1 + r₂) c − r₁ − r₂, and impacts follow each other for ever where that has two positive eigenvalues, below 1 as c is, and the
+/// speeds are such that none of the first few leads off both. It takes no time, whatever presses. Such impacts are followed one by
 /// one until their speeds squared are below [`Real::CHATTER`]: what they took then is known, and what a deviation shifts them by.
 #[inline(never)]
 pub fn squeezed<T: Real, const N: usize>(
@@ -47,9 +47,18 @@ pub fn squeezed<T: Real, const N: usize>(
     let onto_own = facing * dot(&own.direction, &beside.response);
     let onto_other = facing * dot(&beside.direction, &own.response);
     let (one, zero) = (T::one(), T::zero());
-    let trace = (one + r) * (one + s) * onto_own * onto_other - r - s;
-    if !(onto_own > zero && onto_other > zero && trace > (r * s).sqrt() + (r * s).sqrt()) {
+    let product = onto_own * onto_other;
+    let trace = (one + r) * (one + s) * product - r - s;
+    let faces = onto_own > zero && onto_other > zero && product < one;
+    if !(faces && trace > (r * s).sqrt() + (r * s).sqrt()) {
         return None;
+    }
+    // Contacts that hold must not be in the way.
+    for (k, normal) in flight.normals().iter().enumerate() {
+        let thrown = dot(&normal.direction, &beside.response).abs() > T::of(KICK_ROUNDINGS) * T::epsilon();
+        if thrown && contact.opening_along(k).is_some() {
+            return None;
+        }
     }
     // The speed towards the own stop, per speed towards the other.
     let own_speed = end.sign::<T>() * dot(&own.direction, &point.state.v);
@@ -96,6 +105,13 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             let pressing = self.point.motion(flight, contact).pressure(held)[0];
             if contact.includes(held) && pressing < T::zero() {
                 contact = contact.without(held.normal);
+            }
+        }
+        for parted in [end, beside] {
+            let joined = contact.with(parted);
+            let pressing = self.point.motion(flight, joined).pressure(parted)[0];
+            if !contact.includes(parted) && pressing > T::zero() {
+                contact = joined;
             }
         }
         for parted in [end, beside] {

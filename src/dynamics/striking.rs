@@ -17,9 +17,6 @@ use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
 use crate::model::vector::{axpy, dot};
 use crate::model::{Flight, Lanes, Real, State};
 
-/// Roundings of a kick by which a speed that it does not change may seem changed.
-pub const KICK_ROUNDINGS: f64 = 4.0;
-
 /// The energy that an impact takes, ½ m ((d·v−)² − (d·v+)²) with m = 1/(dᵀM⁻¹d).
 #[inline(always)]
 pub fn energy_taken<L: Lanes>(mass: L, before: L, after: L) -> L {
@@ -83,8 +80,13 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         let closed = self.closed(flight, end, rebound, &after);
         let impact =
             Impact { stop: Stop(normal.stop[end.side]), velocity_before: velocity, velocity_after: rebound };
-        if closed.is_none()
-            && flight.count > 1
+        // Of two stops without restitution either may seem to end it at once.
+        let at_once = |(_, rebounds, closing): &(_, T, Closing<T>)| {
+            closing.gap_integral == T::zero() && *rebounds == T::zero()
+        };
+        if flight.count > 1
+            && closed.as_ref().is_none_or(at_once)
+            && velocity.abs() > contact::unresolved(flight, end, &arrived.state)
             && let Some(beside) = squeezed(flight, &self.point, self.contact, end)
         {
             return self.collapse(flight, tangents, [end, beside], impact, before);
@@ -217,7 +219,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             let Some(end) = self.contact.end_along(k) else { continue };
             let change = kick * dot(&normal.direction, response);
             let lost = contact::unresolved(flight, end, &self.point.state)
-                + T::of(KICK_ROUNDINGS) * T::epsilon() * kick.abs();
+                + T::of(contact::KICK_ROUNDINGS) * T::epsilon() * kick.abs();
             if !self.contact.is_clamped_along(k) && change.abs() > lost {
                 self.contact = self.contact.without(k);
             }

@@ -39,13 +39,14 @@ pub enum Event<T> {
     Strobe,
     /// An impact after which the masses part from the stop.
     Impact(Impact<T>),
-    /// An impact that ends in sticking; `complete_chatter` if infinitely many rebounds were closed with it.
+    /// An impact that ends in sticking; `complete_chatter` if infinitely many rebounds were closed with it. Where two stops squeeze masses
+    /// either contact may open at once.
     Caught {
         /// The impact; its speed is 0 where a mass came to rest on the stop without one.
         impact: Impact<T>,
         /// Whether rebounds follow it, infinitely many in finite time.
         complete_chatter: bool,
-        /// The stops beside this one that share these rebounds, and hold as well now; seldom any.
+        /// The stops beside this one that share these rebounds; seldom any.
         beside: Contact,
         /// About how long these rebounds take; 0 in a corner, where they are over at once.
         rebounds: T,

@@ -118,15 +118,17 @@ pub fn plane(asked: &AskedPlane, family: &'static Family) -> Result<Plane, Refus
     Ok(plane)
 }
 
-/// Refuses a plane on which no place of a few, its corners among them, has a system; with the reason at the first.
+/// Places along either axis at which a plane is tried.
+const TRIED: u32 = 32;
+
+/// Refuses a plane on which no place of some that stand evenly, its corners among them, has a system; with the reason at the first.
 fn check_systems(plane: &Plane) -> Result<(), Refused> {
     let places = |axis: &Axis| {
-        let last = axis.count - 1;
-        [0, last / 4, last / 2, last - last / 4, last]
+        let last = u64::from(axis.count - 1);
+        (0..=TRIED).map(move |k| (last * u64::from(k) / u64::from(TRIED)) as u32)
     };
-    let mut found = places(&plane.x).into_iter().flat_map(|column| {
-        places(&plane.y).map(|row| System::new(plane.parameters_at(column, row)).map(drop))
-    });
+    let columns = places(&plane.x).flat_map(|column| places(&plane.y).map(move |row| (column, row)));
+    let mut found = columns.map(|(column, row)| System::new(plane.parameters_at(column, row)).map(drop));
     let first = found.next().unwrap_or(Ok(()));
     if first.is_ok() || found.any(|system| system.is_ok()) { Ok(()) } else { first.map_err(because) }
 }

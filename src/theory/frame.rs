@@ -85,8 +85,17 @@ impl Frame {
                 self.lose(2 * contacts(follower) + usize::from(self.is_plastic(impact.stop)));
                 self.orthogonalise(follower);
             }
-            Event::Caught { .. } => {
+            Event::Caught { impact, beside, .. } => {
                 self.lose(2 * contacts(follower));
+                // Of what a squeeze takes and then lets go, a shift in time is left.
+                let (held, mut let_go) = (follower.stops_of(follower.contact()), follower.stops_of(*beside));
+                if !let_go.is_empty() {
+                    let_go.push(impact.stop);
+                    let_go.retain(|stop| !held.contains(stop));
+                }
+                if !let_go.is_empty() {
+                    self.lose(2 * (contacts(follower) + let_go.len()) - 1);
+                }
                 self.orthogonalise(follower);
             }
             _ if self.since > REACH => self.orthogonalise(follower),

@@ -11,8 +11,10 @@ use crate::plane::cost;
 /// A process that was heard of not longer ago than this many of its tiles' times is at work.
 const PATIENCE: f64 = 5.0;
 
-/// At least this long ago, in seconds.
+/// At least this long ago, in seconds …
 const RECENT: f64 = 60.0;
+/// … and this long, where it has not finished any tile.
+const FIRST: f64 = 600.0;
 
 /// How far a store is.
 #[derive(Clone, Debug, Serialize)]
@@ -130,5 +132,6 @@ fn is_at_work(log: &[Event], now: f64) -> bool {
     });
     let taken: Vec<f64> = taken.collect();
     let usual = taken.iter().sum::<f64>() / taken.len().max(1) as f64;
-    !matches!(last, Event::Ended { .. }) && now - last.at() <= (PATIENCE * usual).max(RECENT)
+    let least = if taken.is_empty() { FIRST } else { RECENT };
+    !matches!(last, Event::Ended { .. }) && now - last.at() <= (PATIENCE * usual).max(least)
 }

@@ -137,6 +137,11 @@ fn multipliers_of_squeezed_masses_are_those_of_differences() {
             "{:?}, not {exponent}",
             spectrum.per_period
         );
+        assert_eq!(
+            (spectrum.lost, spectrum.per_period[1]),
+            (3, f64::NEG_INFINITY),
+            "a shift in time is left"
+        );
         let own = f64::from(verdict.lyapunov);
         assert!((own - exponent).abs() < 0.02, "{own}, not {exponent}");
         let theirs = open().run(jobs, &schedule, &Unwatched).unwrap()[0];
@@ -179,6 +184,22 @@ fn multipliers_of_chatter_are_those_of_differences() {
     }
     println!("{compared} motions, at most {worst:.1e} away");
     assert!(compared > 40 && worst > 0.0, "{compared}");
+}
+
+/// Without restitution at either stop too, whichever of them seems to end it.
+#[test]
+fn what_is_squeezed_without_restitution_is_squeezed_for_ever() {
+    let schedule = Schedule { transient: 300, observe: 150, max_period: 8, fixed_periods: false };
+    for (mu, rr, rw) in
+        [(1.0, 0.0, 0.0), (0.3, 0.0, 0.0), (1.0, 0.02, 0.02), (1.0, 0.0, 0.02), (3.4, 0.1, 0.0)]
+    {
+        let mut plant = system(&[1.0, mu, 0.1, 0.0, 0.5, rr, rw, 0.3, 0.0]).plant().clone();
+        plant.load[1] = 0.6;
+        let system = System::of_plant(plant).unwrap();
+        let job = Job { system: system.clone(), start: StateVector::zeros(2) };
+        let verdict = decide(&Cpu, &[job], &schedule, &Unwatched).unwrap().remove(0);
+        assert_eq!(verdict.counts[0..2], [INFINITELY_MANY; 2], "{mu}, {rr}, {rw}: {verdict:?}");
+    }
 }
 
 /// What a deviation becomes through the squeeze, by itself.

@@ -14,6 +14,7 @@ use crate::backend::gpu::followed::Followed;
 use crate::backend::gpu::layout::{Cells, NORMAL_TERMS};
 use crate::backend::gpu::shader::Shape;
 use crate::backend::{Result, Watch};
+use crate::dynamics::constants::SQUEEZES;
 use crate::model::Real;
 use crate::model::vector::MOST;
 
@@ -26,9 +27,9 @@ const FIRST_BUDGET: u32 = 32;
 const MOST_GROWTH: f64 = 16.0;
 /// The most moves of one dispatch on hardware.
 const HARDWARE_BUDGET: u32 = 1 << 14;
-/// Loop iterations in one move: its own loop, and every place where a series is summed, more of them the more contact normals
-/// there are. Lanes that diverge go through all of them, one after the other. A test counts them in the shader.
-pub const MOVE: u32 = 1 + 30 * <f32 as Real>::ORDER as u32;
+/// Loop iterations in one move: its own loop, every place where a series is summed, more of them the more contact normals there are,
+/// and the impacts of a squeeze. Lanes that diverge go through all of them, one after the other. A test counts them in the shader.
+pub const MOVE: u32 = 1 + 36 * <f32 as Real>::ORDER as u32 + SQUEEZES;
 /// Loop iterations in which a dispatch fetches the constants of a cell.
 pub const FETCH: u32 = ((MOST + 1) * NORMAL_TERMS) as u32;
 /// Loop iterations of one dispatch on a software adapter, beside those: Mesa's stop every loop in silence after 65,535 iterations
