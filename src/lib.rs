@@ -105,22 +105,23 @@
 //! does, or for as long as a quadratic bound from its beginning says. The contact then opens along its jerk. A flight under contacts
 //! is linear too: on stops along one normal, a whole step of it is a matrix of its own.
 //!
-//! *Verdict.* The strobe state is compared with one remembered state: its first return gives N, and it must keep
-//! returning, with the same impacts. A trajectory that has settled, or that energy shows can never impact again, finishes
-//! early. A return is no period yet: a spiral that still shrinks returns, and so does every second turn of an alternation
-//! that dies out. Half-way through the observation the remembered state moves along with the motion. N is its period where
-//! the returns are as close as rounding lets them be, or come closer by the half, where a turn by a divisor of N ends a
-//! thousand times farther away, and where nearby trajectories do not part. A tangent vector, carried through flight and
-//! impact (the saltation of Eq. (3)), gives λ1 with a standard error from sixteen batches; of a motion that was reached
-//! within the observation, only from there on. Where it grows by more than e¹⁰ in the first half of the observation, no less than
-//! 64 periods without sticking, chaos is plain, and the other half is left out. A motion that no longer moves at all and whose turns are short is observed
-//! turn by turn instead: unit deviations carried through one turn each are the columns of its monodromy matrix, and the
-//! spectral radius of that is its largest multiplier. That matrix M is measured of a state that returns and still moves,
-//! too: where it contracts, the state leaps to where its returns lead, anchor + Σ Mᵏ (state − anchor), if that is no
-//! farther than 10⁻³ and off the stops. It goes on from there; the next return is ten times closer, or the map is measured
-//! anew; leaps and measurements are six at most, together. Where there is no period, a growth of more than e⁵ that is
-//! significant is chaos; a growth within e^±3 on strobe points that scatter alike early and late is quasi-periodic;
-//! everything else is unresolved, and says so.
+//! *Verdict.* The strobe state is compared with one remembered state: its first return gives N, and it must keep returning,
+//! with the same impacts. A trajectory that has settled, or that energy shows can never impact again, finishes early. A
+//! return is no period yet: a spiral that still shrinks returns, and so does every second turn of an alternation that dies
+//! out. Half-way through the observation the remembered state moves along with the motion. N is its period where the returns
+//! are as close as rounding lets them be, or come closer by the half, where a turn by a divisor of N ends a thousand times
+//! farther away, and where nearby trajectories do not part. A tangent vector, carried through flight and impact (the
+//! saltation of Eq. (3)), gives λ1 with a standard error from sixteen batches; of a motion that was reached within the
+//! observation, only from there on. Where it grows by more than e¹⁰ in the first half of the observation, no less than 64
+//! periods without sticking, chaos is plain, and the other half is left out. A motion that has settled before its transient
+//! is over is observed turn by turn instead, where there is time for 2n of them: unit deviations carried through one turn
+//! each are the columns of its monodromy matrix, and the spectral radius of that is its largest multiplier; where it no
+//! longer moves at all and its turns are short, for no longer than that. The matrix M is measured of a state that returns
+//! after a short turn and still moves, too: where it contracts, the state leaps to where its returns lead, anchor + Σ Mᵏ
+//! (state − anchor), if that is no farther than 10⁻³ and off the stops. It goes on from there; the next return is ten times
+//! closer, or the map is measured anew; leaps and measurements are six at most, together. Where there is no period, a growth
+//! of more than e⁵ that is significant is chaos; a growth within e^±3 on strobe points that scatter alike early and late is
+//! quasi-periodic; everything else is unresolved, and says so.
 //!
 //! *In doubt.* What returns without having settled is held against the exact motion beside it: Newton's method on the
 //! strobe map finds it, its multipliers say whether it is stable and what λ1 is, and its Jacobian must foretell where the
@@ -154,10 +155,10 @@
 //! # Limits
 //!
 //! Two opposed stops without a gap clamp what is between them: the limit of a closing gap (δ = 0 in the paper's). Stops whose
-//! directions are linearly dependent without being parallel are refused. A forcing period of more than 65,536 steps of the
-//! fastest motion is refused, and so is ω above 10⁶. r = 1 with strong damping at low frequency makes ever more
-//! rebounds in finite time; a trajectory that makes 2²⁴ moves more than 2¹⁶ in each forcing period
-//! is given up as failed.
+//! directions are linearly dependent without being parallel are refused, and stops farther away than 10¹⁸. A forcing period
+//! of more than 65,536 steps of the fastest motion is refused, and so is ω above 10⁶ of the systems that come with the
+//! program. r = 1 with strong damping at low frequency makes ever more rebounds in finite time; a trajectory that makes 2²⁴
+//! moves more than 2¹⁶ in each forcing period is given up as failed, and so is one that goes farther than 10¹⁸.
 #![doc = include_str!("parameter.md")]
 
 // That clippy finds what is denied below is shown by what is expected here.

@@ -10,12 +10,17 @@ struct Observation {
 
 const NO_OBSERVATION = Observation(0u, 0u);
 
-// Of what returns: turn by turn where it no longer moves at all and its turns are short, else for longer.
+// Of what returns: turn by turn, where there is time for that. Where it no longer moves at all, and its turns are short, that is
+// enough; it is observed for longer otherwise.
 fn observation_of_settled(at_rest: bool) -> Observation {
     let n = max(observer.recurrence.n, 1u);
     let turns = max((SETTLED_OBSERVATION + (n - 1u)) / n, SETTLED_TURNS);
     if at_rest && observer_has_short_turns() {
         return observation_by_turns();
+    }
+    let measured = max(turns * n, observer_turns_needed());
+    if measured < schedule.observe {
+        return Observation(measured, observer.recurrence.n);
     }
     // Whole turns, where there is time for them: what is measured is the mean over them.
     return Observation(min(turns * n, schedule.observe), 0u);

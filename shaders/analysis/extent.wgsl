@@ -48,7 +48,7 @@ fn extent_advance(periods: u32) -> u32 {
         extent.turn = X(0.0);
         extent.moves = 0u;
         extent.periods = extent.periods + 1u;
-        if !state_is_finite(trajectory.point.state) {
+        if !state_is_bounded(trajectory.point.state) {
             return EXTENT_FAILED;
         }
         return select(EXTENT_FOLLOWED, EXTENT_DONE, extent.periods == periods);

@@ -87,7 +87,7 @@ fn observer_strobe(observed: bool, rare: bool) {
     let moved = observer.moves > 1u;
     observer.moves = observer.moves - min(observer.moves, FAIR_MOVES);
     observer.periods = observer.periods + 1u;
-    if !state_is_finite(state) {
+    if !state_is_bounded(state) {
         observer.stage = STAGE_FAILED;
         return;
     }
@@ -152,12 +152,17 @@ fn observer_observe(state: State, rare: bool) -> Observation {
     if observer.observed < observer.observe {
         return NO_OBSERVATION;
     }
+    // What leaps, or came to rest, must have ended there.
+    let brief = observer.turn.n > 0u && observer.observe <= BRIEF;
     let still = observer.recurrence.worst <= ROUNDING;
-    let settled = observer.turn.n == 0u || (still && observer_is_settled());
+    let settled = !brief || (still && observer_is_settled());
     if observer.observe < schedule.observe && !(settled && recurrence_holds_for(observer_proof())) {
         // It had not settled after all: the observation is discarded and the transient goes on.
         observer.recurrence = recurrence_anchored(state);
         observer.stage = STAGE_TRANSIENT;
+        if !brief {
+            observer.turn = turn_over(0u);
+        }
         return observation_of_unsettled();
     }
     observer.stage = STAGE_OBSERVED;

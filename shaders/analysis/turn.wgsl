@@ -37,11 +37,12 @@ fn turn_measured() -> f32 {
     var share = 1.0;
     for (var k = 0u; k <= SQUARINGS; k++) {
         let size = turn_largest(power);
-        if size == 0.0 {
+        let factor = 1.0 / size;
+        // A long turn may leave nothing that is a number.
+        if size == 0.0 || !is_finite(factor) {
             return FORGETS;
         }
         sum = sum + share * logarithm(size);
-        let factor = 1.0 / size;
         //: each component
         power[$k] = state_scaled(factor, power[$k]);
         //: end

@@ -139,7 +139,7 @@ fn controlled_strobe() {
     controlled.moves = controlled.moves - min(controlled.moves, FAIR_MOVES);
     controlled.periods = controlled.periods + 1u;
     controlled.passage = controlled.passage + 1u;
-    if !state_is_finite(trajectory.point.state) {
+    if !state_is_bounded(trajectory.point.state) {
         controlled.progress = PROGRESS_FAILED;
     } else if controlled.passage > LONGEST_PASSAGE || contact_is_clamped_along(trajectory.contact, control.normal) {
         controlled.progress = PROGRESS_LOST;

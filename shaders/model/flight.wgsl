@@ -28,6 +28,11 @@ fn state_is_finite(state: State) -> bool {
     return are_finite(state.x) && are_finite(state.v);
 }
 
+// Whether every component is a finite number, and together they are within BOUNDLESS.
+fn state_is_bounded(state: State) -> bool {
+    return state_is_finite(state) && state_square(state) < BOUNDLESS;
+}
+
 // The square of the Euclidean length.
 fn state_square(state: State) -> f32 {
     return squares(state.x, state.v);

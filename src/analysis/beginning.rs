@@ -13,13 +13,18 @@ use crate::dynamics::Tangent;
 use crate::model::{Flight, Real};
 
 impl<T: Real, const N: usize> Observer<T, N> {
-    /// Of what returns: turn by turn where it no longer moves at all and its turns are short, else for longer.
+    /// Of what returns: turn by turn, where there is time for that. Where it no longer moves at all, and its turns are short, that
+    /// is enough; it is observed for longer otherwise.
     pub(super) fn observation_of_settled(&self, schedule: &Schedule, at_rest: bool) -> Observation {
         if at_rest && self.has_short_turns(schedule) {
             return self.observation_by_turns();
         }
         let n = self.recurrence.n.max(1);
         let turns = SETTLED_OBSERVATION.div_ceil(n).max(SETTLED_TURNS);
+        let measured = (turns * n).max(self.turns_needed());
+        if measured < schedule.observe {
+            return Observation { periods: measured, turn: self.recurrence.n };
+        }
         // Whole turns, where there is time for them: what is measured is the mean over them.
         Observation::over((turns * n).min(schedule.observe))
     }

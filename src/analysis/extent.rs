@@ -75,7 +75,7 @@ impl<T: Real, const N: usize> ExtentObserver<T, N> {
             self.note(flight, &before, until - offset, contact);
             moves.add();
             if matches!(event, Event::Strobe) {
-                return self.trajectory.point.state.is_finite();
+                return self.trajectory.point.state.is_bounded();
             }
             if moves.are_too_many() {
                 return false;

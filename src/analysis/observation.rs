@@ -4,7 +4,7 @@ use super::deciding::NEUTRAL_GROWTH;
 
 /// Periods for which a settled trajectory is still observed.
 pub const SETTLED_OBSERVATION: u32 = 48;
-/// The longest observation turn by turn.
+/// The longest observation turn by turn of what may be on its way still.
 pub const BRIEF: u32 = 24;
 /// Turns of its own period for which it is observed at least.
 pub const SETTLED_TURNS: u32 = 4;

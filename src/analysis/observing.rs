@@ -1,7 +1,7 @@
 //! What is noted of a trajectory: its impacts, and at every strobe whether the transient or the observation ends.
 
 use super::deciding::{PLAIN_GROWTH, grows};
-use super::observation::Observation;
+use super::observation::{BRIEF, Observation};
 use super::observer::Observer;
 use super::quiet::is_quiet;
 use super::recurrence::{Recurrence, patience};
@@ -132,7 +132,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         let moved = self.moves.are_more_than_one();
         self.moves.pass_period();
         self.periods += 1;
-        if !self.trajectory.point.state.is_finite() {
+        if !self.trajectory.point.state.is_bounded() {
             self.stage = Stage::Failed;
             return None;
         }
@@ -212,12 +212,17 @@ impl<T: Real, const N: usize> Observer<T, N> {
             return Observation::NONE;
         }
         let early = self.observe < schedule.observe;
+        // What leaps, or came to rest, must have ended there.
+        let brief = self.turn.is_measured() && self.observe <= BRIEF;
         let still = self.recurrence.is_within(T::of(T::ROUNDING));
-        let settled = !self.turn.is_measured() || still && self.is_settled();
+        let settled = !brief || still && self.is_settled();
         if early && !(settled && self.recurrence.holds_for(self.proof())) {
             // It had not settled after all: the observation is discarded and the transient goes on.
             self.recurrence = Recurrence::anchored(point.state);
             self.stage = Stage::Transient;
+            if !brief {
+                self.turn = Turn::none();
+            }
             return self.observation_of_unsettled(schedule);
         }
         self.stage = Stage::Observed;

@@ -46,7 +46,7 @@ pub enum Regime {
     /// No period up to the largest looked for, with sticking.
     #[strum(serialize = "aperiodic with sticking")]
     AperiodicSticking = 6,
-    /// Non-finite state or an iteration cap: must not happen, and is counted.
+    /// Growth without bounds, or too many moves to go on.
     Failed = 7,
 }
 
@@ -99,7 +99,8 @@ pub struct Verdict {
     pub impacts: u32,
     /// Impacts over the whole trajectory, transient included (a measure of work, not written to files).
     pub impacts_total: u32,
-    /// Largest |d·v−| before an impact of the observed window; non-dimensional.
+    /// Largest |d·v−| before an impact of the observed window, d being the direction of the first stop on the same line;
+    /// non-dimensional.
     pub peak_impact_velocity: f32,
     /// Forcing periods simulated.
     pub periods: u32,

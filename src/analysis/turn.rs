@@ -99,11 +99,13 @@ impl<T: Real, const N: usize> Turn<T, N> {
         let mut share = T::one();
         for _ in 0..=SQUARINGS {
             let size = power.largest();
-            if size == T::zero() {
+            let factor = T::one() / size;
+            // A long turn may leave nothing that is a number.
+            if !factor.is_finite() {
                 return T::of(FORGETS);
             }
             sum = sum + share * size.logarithm();
-            power = power.scaled(T::one() / size);
+            power = power.scaled(factor);
             power = power.squared();
             share = T::of(0.5) * share;
         }

@@ -174,7 +174,7 @@ impl<T: Real, const N: usize, const M: usize> Controlled<T, N, M> {
         self.moves.pass_period();
         self.periods += 1;
         self.passage += 1;
-        if !self.trajectory.point.state.is_finite() {
+        if !self.trajectory.point.state.is_bounded() {
             self.progress = Progress::Failed;
         } else if self.passage > LONGEST_PASSAGE || self.is_clamped() {
             self.progress = Progress::Lost;

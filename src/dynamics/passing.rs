@@ -2,7 +2,7 @@
 
 use super::moves::Moves;
 use super::tally::Tally;
-use crate::model::{Lanes, Mask, Real, State};
+use crate::model::{BOUND, Lanes, Mask, Real, State};
 
 /// How often a trajectory may pass phase 0 before it is to be seen there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,9 +29,6 @@ pub struct Passing<L: Lanes, const N: usize> {
     anchor: State<L, N>,
     nearest: L,
 }
-
-/// States that are farther than this from where they may return to, or no numbers, are to be seen: they may not be finite.
-const FAR_AWAY: f64 = 1e30;
 
 impl<L: Lanes, const N: usize> Passing<L, N> {
     /// All are to be seen.
@@ -62,10 +59,10 @@ impl<L: Lanes, const N: usize> Passing<L, N> {
             let x = (state.x[i] - self.anchor.x[i]).magnitude();
             let v = (state.v[i] - self.anchor.v[i]).magnitude();
             farthest = x.larger(v).larger(farthest);
-            sum = sum + (x + v);
+            sum = sum + (state.x[i].magnitude() + state.v[i].magnitude());
         }
-        // The sum of what is no number is none, and below nothing.
-        let away = self.nearest.below(farthest).and(sum.below(zero.all(FAR_AWAY)));
+        // What may not be bounded is to be seen. The sum of what is no number is none, and below nothing.
+        let away = self.nearest.below(farthest).and(sum.below(zero.all(BOUND)));
         let moved = zero.below(tally.moves).and(tally.moves.below(zero.all(f64::from(Moves::MANY))));
         let passes = may.and(away).and(moved);
         let one = zero.all(1.0);
@@ -112,6 +109,7 @@ mod tests {
         assert!(!passes(1, 0.0, 0.5), "it may never move again");
         assert!(!passes(1, f64::from(Moves::MANY), 0.5), "others would wait for it");
         assert!(!passes(1, 3.0, 1e-7) && !passes(1, 3.0, 0.0), "it may have returned");
+        assert!(passes(1, 3.0, 9e17) && !passes(1, 3.0, 1e18), "it may be beyond all bounds");
         assert!(!passes(1, 3.0, 1e31) && !passes(1, 3.0, f64::INFINITY) && !passes(1, 3.0, f64::NAN));
     }
 

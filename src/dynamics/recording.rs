@@ -1,7 +1,6 @@
 //! A trajectory written down: its impacts, and samples at equal times.
 
-use thiserror::Error;
-
+use super::given_up::{GivenUp, MOST_IMPACTS};
 use super::moves::Moves;
 use super::stop::{Contact, Stop};
 use super::trajectory::{Event, Impact, Move, Trajectory};
@@ -90,26 +89,6 @@ impl Recording {
     }
 }
 
-/// A trajectory that was not followed to its end: the period in which it was given up, counted from 0 at its start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum GivenUp {
-    /// Too many moves in forcing period after forcing period: rebounds that accumulate without end.
-    #[error(
-        "the trajectory was given up in forcing period {0}: it makes too many moves to come to its end; \
-         less restitution, more damping or a faster forcing end rebounds sooner"
-    )]
-    Moves(u32),
-    /// More impacts than are recorded.
-    #[error(
-        "the recording was given up in forcing period {0}: it holds more than {MOST_IMPACTS} impacts; \
-         record fewer periods"
-    )]
-    Impacts(u32),
-}
-
-/// The most impacts of one recording.
-const MOST_IMPACTS: usize = 10_000_000;
-
 /// Follows a trajectory in f64 from (x, v) at forcing phase 0, and writes down what it does.
 ///
 /// The first `transient` forcing periods are left out; the next `periods` are recorded with `samples_per_period`
@@ -152,18 +131,23 @@ impl Window {
         let mut trajectory = Trajectory::new(flight, State::from_slice(start));
         let mut moves = Moves::default();
         for period in 0..self.transient {
-            if !pass_period(flight, &mut trajectory, &mut moves) {
-                return Recording { given_up: Some(GivenUp::Moves(period)), ..Recording::default() };
+            let passed = pass_period(flight, &mut trajectory, &mut moves);
+            let given_up = if !passed { Some(GivenUp::Moves(period)) } else { grown(period, &trajectory) };
+            if given_up.is_some() {
+                return Recording { given_up, ..Recording::default() };
             }
         }
         let mut recorder = Recorder::new(system, flight, &trajectory, self);
-        while recorder.period < self.transient + self.periods {
+        while recorder.period < self.transient.saturating_add(self.periods) {
             let before = trajectory;
             let taken = trajectory.advance(flight, &mut []);
             recorder.sample(&before, &taken);
             let period = recorder.period;
             recorder.note(&before, &taken, &trajectory);
             moves.note(&taken.event);
+            if let (Event::Strobe, Some(grown)) = (taken.event, grown(period, &trajectory)) {
+                return recorder.give_up(grown, &trajectory);
+            }
             if moves.are_too_many() {
                 return recorder.give_up(GivenUp::Moves(period), &trajectory);
             }
@@ -173,6 +157,11 @@ impl Window {
         }
         recorder.finish(&trajectory)
     }
+}
+
+/// Why a trajectory is given up at the end of a forcing period, where it grows without bounds.
+fn grown<const N: usize>(period: u32, trajectory: &Trajectory<f64, N>) -> Option<GivenUp> {
+    (!trajectory.point.state.is_bounded()).then_some(GivenUp::Growth(period))
 }
 
 /// Follows a trajectory to the end of its forcing period; `false` where it makes no headway.

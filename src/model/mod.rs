@@ -1,6 +1,7 @@
 //! The system: its parameters, the equations of motion, and the constants of linear flight.
 
 mod abreast;
+mod at_frequency;
 mod back;
 mod between_stops;
 mod bound;
@@ -65,7 +66,8 @@ pub use quiet::Quiet;
 pub use real::{Lanes, Mask, Real};
 pub use row::Row;
 pub use shared::Flows;
-pub use state::{State, StateVector};
+pub(crate) use state::BOUND;
+pub use state::{BOUNDLESS, State, StateVector};
 pub use step::Step;
 pub use stops_along::StopsAlong;
 pub use system::System;

@@ -15,6 +15,12 @@ pub struct State<T, const N: usize> {
     pub v: [T; N],
 }
 
+/// See [`BOUNDLESS`]: squares of what is shorter are numbers in either precision.
+pub(crate) const BOUND: f64 = 1e18;
+
+/// The square of the length of a state, 10¹⁸, from which on a motion counts as growing without bounds, and is followed no further.
+pub const BOUNDLESS: f64 = BOUND * BOUND;
+
 impl<T: Real, const N: usize> State<T, N> {
     /// All zeros.
     #[inline(always)]
@@ -63,6 +69,12 @@ impl<T: Real, const N: usize> State<T, N> {
             finite &= self.x[i].is_finite() & self.v[i].is_finite();
         }
         finite
+    }
+
+    /// Whether every component is a finite number, and together they are within [`BOUNDLESS`].
+    #[inline(always)]
+    pub fn is_bounded(&self) -> bool {
+        self.is_finite() && self.square() < T::of(BOUNDLESS)
     }
 
     /// Each component by itself.
@@ -181,6 +193,11 @@ impl StateVector {
     pub fn state<T: Real, const N: usize>(&self) -> State<T, N> {
         assert_eq!(self.length, 2 * N, "a state of {N} coordinates");
         State { x: std::array::from_fn(|i| T::of(self[i])), v: std::array::from_fn(|i| T::of(self[N + i])) }
+    }
+
+    /// See [`State::is_bounded`].
+    pub fn is_bounded(&self) -> bool {
+        self.iter().map(|value| value * value).sum::<f64>() < BOUNDLESS
     }
 
     /// The number of coordinates.

@@ -93,7 +93,7 @@ impl System {
         self.ordered(label_order.into_iter().collect())
     }
 
-    fn ordered(mut self, label_order: LabelOrder) -> Self {
+    pub(super) fn ordered(mut self, label_order: LabelOrder) -> Self {
         self.common_mut().label_order = label_order;
         self
     }
@@ -110,20 +110,6 @@ impl System {
     /// [`SystemError::TooStiff`] where one forcing period would hold too many steps.
     pub(super) fn with_sound_plant(&self, plant: Plant) -> Result<Self, SystemError> {
         System::divided(self.setting(), plant, self.common().label_order.clone())
-    }
-
-    /// The same system forced at another frequency ω: its setting's omega, where it was made from one that has it.
-    ///
-    /// # Errors
-    /// As [`System::new`] and [`System::of_plant`].
-    pub fn at_frequency(&self, omega: f64) -> Result<Self, SystemError> {
-        match self.setting().filter(|setting| setting.named("omega").is_some()) {
-            Some(setting) => System::new(setting.with_named("omega", omega)),
-            None => {
-                let other = System::of_plant(Plant { omega, ..self.free_plant() })?;
-                if self.mooring().is_some() { other.moored() } else { Ok(other) }
-            }
-        }
     }
 
     /// The same system with another plant, as fast as its own and with the same stops.

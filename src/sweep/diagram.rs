@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{Result, provenance};
-use crate::analysis::Trace;
+use crate::analysis::{Regime, Trace};
 use crate::backend::{Backend, Cpu, Job, Watch, trace};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
 use crate::model::{StateVector, System};
@@ -69,7 +69,7 @@ fn carried(spec: &DiagramSpec, systems: &[System], falling: bool, watch: &dyn Wa
     for column in spec.x.order(falling) {
         watch.check()?;
         let system = systems[column as usize].clone();
-        let start = match last.filter(|state| state.iter().all(|value| value.is_finite())) {
+        let start = match last.filter(StateVector::is_bounded) {
             Some(state) => system.between_stops(state),
             None => spec.start.state(&system),
         };
@@ -107,6 +107,9 @@ fn with_spectra(
 /// The 2n exponents, largest first whatever their statistical error; NaN where the trajectory could not be followed, and for the
 /// last ones where the masses may drift.
 fn exponents(system: &System, trace: &Trace, spec: &DiagramSpec, unit: ExponentUnit) -> Vec<f64> {
+    if trace.verdict.regime == Regime::Failed {
+        return vec![f64::NAN; trace.verdict.state.len()];
+    }
     let start = system.between_stops(trace.verdict.state);
     let spectrum = Spectrum::of(system, &start[..], 0, spec.schedule.observe);
     let in_unit = |spectrum: Spectrum| unit.of(&spectrum, spec.probe.section);

@@ -158,6 +158,15 @@ pub struct Setting {
     values: [f64; MOST_PARAMETERS],
 }
 
+impl Family {
+    /// The parameter that the forcing frequency depends on, if it depends on a single one.
+    pub fn of_frequency(&'static self) -> Option<Parameter> {
+        let mut uses = self.equations.frequency.uses();
+        let id = uses.next()?;
+        uses.all(|other| other == id).then_some(Parameter { family: self, id })
+    }
+}
+
 impl Setting {
     /// The family's defaults.
     pub fn defaults(family: &'static Family) -> Self {

@@ -8,7 +8,7 @@ use super::section_vector::wrapped;
 use crate::analysis::Loss;
 use crate::dynamics::{Contact, Move, Moves, Stop, Tangent, Trajectory, catch_all};
 use crate::model::vector::axpy;
-use crate::model::{Flight, OfFlow, State, System};
+use crate::model::{BOUNDLESS, Flight, OfFlow, State, System};
 
 /// A trajectory of the certified flight, with or without tangent vectors.
 pub(super) trait Follower {
@@ -68,6 +68,11 @@ pub(super) trait Follower {
     /// Whether every component is a finite number.
     fn is_finite(&self) -> bool {
         self.x().iter().chain(self.v()).all(|value| value.is_finite())
+    }
+
+    /// Whether it is followed further: see [`State::is_bounded`].
+    fn is_bounded(&self) -> bool {
+        self.x().iter().chain(self.v()).map(|value| value * value).sum::<f64>() < BOUNDLESS
     }
 
     /// Moves on to the next event but the end of a step; none where the state is not finite then, or the moves are too many.

@@ -57,7 +57,7 @@ impl Spectrum {
     /// are factorised by QR.
     ///
     /// # Errors
-    /// [`SpectrumFailed`] for a state that is no longer finite, or too many moves in forcing period after forcing period.
+    /// [`SpectrumFailed`] for a motion that grows without bounds, or too many moves in forcing period after forcing period.
     ///
     /// # Panics
     /// If the start does not have 2n components.
@@ -157,8 +157,8 @@ impl Headway {
         if self.moves.are_too_many() {
             return Err(SpectrumFailed { periods, reason: "too many impacts in each forcing period" });
         }
-        if !follower.is_finite() {
-            return Err(SpectrumFailed { periods, reason: "its state is no longer finite" });
+        if !follower.is_bounded() {
+            return Err(SpectrumFailed { periods, reason: "it grows without bounds" });
         }
         let is_over = *event == Event::Strobe;
         self.periods += u32::from(is_over);

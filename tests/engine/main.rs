@@ -8,6 +8,7 @@ mod diagram;
 mod extents;
 mod forgetting;
 mod general;
+mod growing;
 mod labels;
 mod lanes;
 mod losses;

@@ -60,7 +60,7 @@ fn labels_do_not_depend_on_the_unit_of_length() {
     // Below that everything is the same but for the factor.
     // Where nothing says what is large, or a motion grows beyond all bounds, no unit is as good as another.
     let has_size = |i: usize| job(&setups[i], small.0).system.unit() < 1.0;
-    let ends = |verdict: &Verdict| verdict.state.iter().all(|value| value.abs() < 1e20);
+    let ends = |verdict: &Verdict| verdict.state.iter().all(|value| value.abs() < 1e17);
     let pairs = small.1.iter().zip(&smaller.1).enumerate();
     let bounded = pairs.filter(|(i, (verdict, _))| has_size(*i) && ends(verdict));
     let off = bounded.filter_map(|(i, (a, b))| {

@@ -2,6 +2,7 @@
 
 mod certified;
 mod continued;
+mod exponents;
 mod mirrored;
 mod named;
 

@@ -12,7 +12,7 @@ use crate::control::{Constant, DELAYS, LONGEST_DELAY, LONGEST_ON_DEVICE, METHODS
 use crate::dynamics::Contact;
 use crate::dynamics::constants as dynamics;
 use crate::model::vector::MOST;
-use crate::model::{INVERSE_ODD, Real, sets_of_others};
+use crate::model::{BOUNDLESS, INVERSE_ODD, Real, sets_of_others};
 
 /// Their declarations in WGSL.
 pub fn source(shape: &Shape) -> String {
@@ -114,6 +114,7 @@ pub fn source(shape: &Shape) -> String {
         ("STEADY_BOUND", dynamics::STEADY * dynamics::WIDER),
         ("CHATTER_BOUND", <f32 as Real>::CHATTER * dynamics::WIDER),
         ("FAR", dynamics::FAR),
+        ("BOUNDLESS", BOUNDLESS),
         ("STEADY", dynamics::STEADY),
         ("FADING", dynamics::FADING),
         ("NEARLY", dynamics::NEARLY),
