@@ -12,7 +12,9 @@ const NEAR: f64 = 1e-3;
 pub struct History {
     /// The returns, in order.
     pub returns: Vec<Return<f64>>,
-    /// The flight from iterate `from` on, of all coordinates; times are non-dimensional and count from its beginning.
+    /// The flight from iterate `from` on, of all coordinates; times are non-dimensional and count from its beginning. Where control acts
+    /// at an impact, `velocity_after` is that after the correction, and the state and the phase are those before it; there are no
+    /// samples right beside impacts.
     pub recording: Recording,
     from: u32,
     interval: f64,
@@ -23,7 +25,11 @@ pub struct History {
 
 impl History {
     /// Records flight from the return `from` on, with a sample each `interval` of time.
+    ///
+    /// # Panics
+    /// If the interval is not positive.
     pub fn new(from: u32, interval: f64) -> Self {
+        assert!(interval > 0.0, "samples are taken at times that follow each other, not every {interval}");
         let recording = Recording::default();
         History { returns: Vec::new(), recording, from, interval, has_begun: false, time: 0.0, next: 0 }
     }

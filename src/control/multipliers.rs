@@ -23,7 +23,8 @@ const STEP: f64 = 1e-6;
 /// of a sine force held: 2n, those of F without control, and with feedback those of all the points that it remembers.
 /// The largest modulus first.
 ///
-/// From central differences, so good to about eight digits; `None` where σ is not met again.
+/// From central differences: good to about 1e-8 of the largest entry of their matrix, which is some digits fewer where a motion is very
+/// unstable; `None` where σ is not met again.
 ///
 /// # Errors
 /// [`SystemError::TooStiff`] where the steps of a forced flight would be too many.

@@ -32,7 +32,7 @@ impl Site {
             Some(name) => family.stop(name).ok_or_else(|| {
                 let known: Vec<&str> = family.stops().iter().map(|stop| stop.name.as_str()).collect();
                 ControlError::Option(format!(
-                    "--stop {name}: the system has no such stop; it has {}",
+                    "--stop `{name}`: the system has no such stop; it has {}",
                     known.join(", ")
                 ))
             })?,
@@ -67,7 +67,7 @@ impl Site {
                 let is_it = |own: &String| own == name || own.trim_end_matches('+') == name;
                 self.names.iter().position(is_it).ok_or_else(|| {
                     ControlError::Option(format!(
-                        "--component {name}: a point on the section of stop {} has no such component; it has {}",
+                        "--component `{name}`: a point on the section of stop {} has no such component; it has {}",
                         self.family.stops()[self.stop.index()].name,
                         self.listed()
                     ))
@@ -82,7 +82,7 @@ impl Site {
         let all: Vec<String> = (1..=self.plant.n).map(|i| format!("x{i}")).collect();
         all.iter().position(|own| own == name || own[1..] == *name).ok_or_else(|| {
             ControlError::Option(format!(
-                "--coordinate {name}: the system has no such coordinate; it has {}",
+                "--coordinate `{name}`: the system has no such coordinate; it has {}",
                 all.join(", ")
             ))
         })

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::analysis::ScheduleError;
 use crate::model::ParameterError;
-use crate::plane::StartError;
+use crate::plane::{AxisError, StartError};
 
 /// The most readings that a diagram may have to hold.
 pub(super) const MOST_READINGS: u64 = 1 << 27;
@@ -49,6 +49,9 @@ pub enum DiagramError {
     /// An axis over a start component needs a start that it can change.
     #[error("an axis over a component of the start needs --sweep rest or --sweep X1,X2,V1,V2, not symmetric")]
     SymmetricStartVaried,
+    /// The axis cannot be used.
+    #[error(transparent)]
+    Axis(#[from] AxisError),
     /// The schedule cannot be used.
     #[error(transparent)]
     Schedule(#[from] ScheduleError),

@@ -29,6 +29,20 @@ pub struct Diagram {
 }
 
 impl Diagram {
+    /// A diagram without a column, as it is before it is computed: what its figure needs room for at least.
+    pub fn blank(spec: &DiagramSpec) -> Self {
+        let of = |&direction| Branch {
+            direction,
+            traces: Vec::new(),
+            spectrum: spec.spectrum.map(|_| Vec::new()),
+        };
+        Diagram {
+            spec: spec.clone(),
+            provenance: Provenance::default(),
+            branches: spec.sweep.branches().iter().map(of).collect(),
+        }
+    }
+
     /// The configuration text that files carry: the specification and its provenance, as JSON.
     pub fn config(&self) -> String {
         self.provenance.configuration(&self.spec).to_string()

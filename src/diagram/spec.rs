@@ -44,6 +44,7 @@ impl DiagramSpec {
     /// # Errors
     /// The first thing that cannot be used, with its value and the remedy.
     pub fn check(&self) -> Result<(), DiagramError> {
+        self.x.check(self.parameters.family())?;
         self.schedule.check()?;
         if !self.probe.fits(self.parameters.family()) {
             return Err(DiagramError::Probe(&self.parameters.family().name));

@@ -19,6 +19,15 @@ pub struct Canvas {
     pub(super) xml: Writer<Vec<u8>>,
 }
 
+/// A text with a sign in place of every character that XML has no place for.
+pub(super) fn printable(text: String) -> String {
+    let has_place = |c: char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{d7ff}' | '\u{e000}'..='\u{fffd}' | '\u{10000}'..);
+    if text.chars().all(has_place) {
+        return text;
+    }
+    text.chars().map(|c| if has_place(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
+}
+
 /// Why nothing here returns an error.
 pub(super) const IN_MEMORY: &str = "memory takes every byte";
 
@@ -150,7 +159,7 @@ impl Canvas {
     pub fn finish(mut self) -> String {
         self.xml.write_event(Event::End(BytesEnd::new("svg"))).expect(IN_MEMORY);
         self.line_break();
-        String::from_utf8(self.xml.into_inner()).expect("only text was written")
+        printable(String::from_utf8(self.xml.into_inner()).expect("only text was written"))
     }
 
     fn rect(&mut self, rect: Rect, style: &[(&str, &str)]) {

@@ -7,6 +7,7 @@ use image::RgbImage;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
+use super::canvas::printable;
 use super::font::{self, FAMILY};
 use super::outlines::outlined;
 use super::size::Size;
@@ -55,7 +56,7 @@ impl Picture {
     /// The same picture, with the command that makes it, which its files carry.
     #[must_use]
     pub fn made_by(self, command: String) -> Self {
-        Picture { command: Some(command), ..self }
+        Picture { command: Some(printable(command)), ..self }
     }
 
     /// What is left out for want of room, if anything is.
@@ -160,6 +161,26 @@ mod tests {
         let svg = picture().svg().to_owned();
         assert!(svg.contains("a &lt; b &amp; "));
         assert!(svg.contains("&lt;&amp;&gt;"));
+    }
+
+    #[test]
+    fn characters_that_no_document_holds_are_replaced() {
+        let size = Size::new(60, 40).unwrap();
+        let mut canvas = Canvas::new(size, "{\"title\":\"\u{fffe}\"}");
+        canvas.text(
+            &Text::from("a\u{7}b\u{1b}"),
+            Point { x: 2.0, y: 30.0 },
+            Anchor::Start,
+            10.0,
+            Rgb([0; 3]),
+        );
+        let drawn = Picture::new(size, "{}".into(), canvas.finish()).made_by("map --out o\u{1}.svg".into());
+        let mut svg = Vec::new();
+        drawn.write_svg(&mut svg).unwrap();
+        let svg = String::from_utf8(svg).unwrap();
+        assert!(svg.contains("a\u{fffd}b\u{fffd}") && svg.contains("o\u{fffd}.svg"), "{svg}");
+        assert!(Tree::from_str(&svg, &Options::default()).is_ok());
+        assert!(Tree::from_str(&svg.replacen('\u{fffd}', "\u{7}", 1), &Options::default()).is_err());
     }
 
     #[test]

@@ -7,6 +7,9 @@ use super::ticks::Ticks;
 /// An edge of so few cells has a tick at every value.
 const FEW: u32 = 5;
 
+/// Values that are smaller than this are as good as 0: a share of them may be no number.
+const NOTHING: f64 = 1e-200;
+
 /// A scale between two values; it may run downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
@@ -47,7 +50,7 @@ impl Scale {
         }
         let size = low.abs().max(high.abs());
         let room = match size {
-            ..1e-200 => 1.0,
+            ..NOTHING => 1.0,
             _ if high - low > 1e-6 * size => margin * (high - low),
             _ => 0.05 * size,
         };
@@ -74,7 +77,7 @@ impl Scale {
     pub fn of(values: &Steps) -> Self {
         let cells = Some(*values);
         if values.count == 1 {
-            let half = if values.first == 0.0 { 0.5 } else { 0.05 * values.first.abs() };
+            let half = if values.first.abs() < NOTHING { 0.5 } else { 0.05 * values.first.abs() };
             return Scale { cells, ..Scale::new(values.first - half, values.first + half) };
         }
         let (first, last) = (values.at(-0.5), values.at(f64::from(values.count) - 0.5));
@@ -115,6 +118,14 @@ mod tests {
 
     fn ratios(first: f64, last: f64, count: u32) -> Steps {
         Steps { spacing: Spacing::Log, ..even(first, last, count) }
+    }
+
+    #[test]
+    fn one_cell_has_a_scale_whatever_its_value() {
+        for value in [0.0, 5e-324, -5e-324, 1e-250, 3.0, -1e300] {
+            let scale = Scale::of(&even(value, value, 1));
+            assert!((scale.fraction(value) - 0.5).abs() < 1e-9, "{value:e}");
+        }
     }
 
     #[test]

@@ -39,8 +39,9 @@ impl Axis {
     /// A checked axis.
     ///
     /// # Errors
-    /// Ends that are not finite, or too far apart for their difference to be, or on a logarithmic axis not positive; equal ends for several values, one value for two
-    /// different ends, a count outside 1 to [`Axis::LARGEST`], and ends outside the physical range of a parameter.
+    /// Ends that are not finite, or too far apart for their difference to be, or on a logarithmic axis not positive or without a
+    /// ratio; equal ends for several values, one value for two different ends, a count outside 1 to [`Axis::LARGEST`], and ends
+    /// outside the physical range of a parameter.
     pub fn spaced(
         quantity: Quantity,
         first: f64,
@@ -71,6 +72,9 @@ impl Axis {
         if spacing == Spacing::Log && first.min(last) <= 0.0 {
             return ends("cannot be logarithmic: give two ends above 0, or drop :log");
         }
+        if spacing == Spacing::Log && !(last / first).is_normal() {
+            return ends("has ends whose ratio is no number: bring them closer");
+        }
         if let Quantity::Parameter(parameter) = quantity {
             parameter.check(first)?;
             parameter.check(last)?;
@@ -83,6 +87,17 @@ impl Axis {
             return Err(AxisError::Ends { axis, problem });
         }
         Ok(axis)
+    }
+
+    /// Checks that it is what [`Axis::spaced`] makes, of a quantity that systems of a family have.
+    ///
+    /// # Errors
+    /// [`AxisError::Foreign`], and those of [`Axis::spaced`].
+    pub fn check(&self, family: &Family) -> Result<(), AxisError> {
+        if !self.quantity.is_of(family) {
+            return Err(AxisError::Foreign { name: self.quantity.name(), family: family.name.clone() });
+        }
+        Axis::spaced(self.quantity, self.first, self.last, self.count, self.spacing).map(drop)
     }
 
     /// The values that lie between two, both included: the index of the first, and how many; none if there are none.
@@ -223,6 +238,8 @@ mod tests {
             ("omega=NaN:2:3", "finite"),
             ("omega=1:inf:3", "finite"),
             ("x2=-1e308:1e308:3", "too far apart"),
+            ("delta=1e-300:1e10:3:log", "ratio"),
+            ("delta=5e-324:0.5:3:log", "ratio"),
         ];
         for (text, part) in errors {
             let message = text.parse::<Axis>().unwrap_err().to_string();

@@ -29,6 +29,16 @@ pub enum AxisError {
         /// Those of settings.
         settings: String,
     },
+    /// Of a quantity that systems of the family do not have.
+    #[error(
+        "axis {name} is of another system than {family}: read axes by the names of the plane's own system"
+    )]
+    Foreign {
+        /// The axis.
+        name: &'static str,
+        /// The family.
+        family: String,
+    },
     /// Ends and a count that do not fit each other, or the quantity.
     #[error("axis {axis} {problem}")]
     Ends {

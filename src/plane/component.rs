@@ -23,6 +23,11 @@ impl Component {
         Component::all(coordinates).find(|component| component.name() == name)
     }
 
+    /// How many coordinates the systems have of whose states it is one.
+    pub fn coordinates(self) -> usize {
+        self.coordinates
+    }
+
     /// The name used on the command line and in files: x1 … xn, v1 … vn.
     pub fn name(self) -> &'static str {
         NAMES[usize::from(self.is_velocity())][self.coordinate()]

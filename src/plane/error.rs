@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::axis_error::AxisError;
 use super::start::StartError;
 use crate::analysis::ScheduleError;
 use crate::control::{ControlError, ControlScheduleError, METHODS};
@@ -37,6 +38,9 @@ pub enum PlaneError {
     /// An axis over a start component needs a start that it can change.
     #[error("an axis over a component of the start needs --start rest or --start X1,X2,V1,V2, not symmetric")]
     SymmetricStartVaried,
+    /// An axis cannot be used.
+    #[error(transparent)]
+    Axis(#[from] AxisError),
     /// The schedule cannot be used.
     #[error(transparent)]
     Schedule(#[from] ScheduleError),

@@ -20,6 +20,15 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// Whether systems of a family have it.
+    pub fn is_of(self, family: &Family) -> bool {
+        match self {
+            Quantity::Parameter(parameter) => std::ptr::eq(parameter.family(), family),
+            Quantity::Start(component) => component.coordinates() == family.n(),
+            Quantity::Control(_) => true,
+        }
+    }
+
     /// The name used on the command line and in files.
     pub fn name(self) -> &'static str {
         match self {

@@ -78,6 +78,7 @@ impl<T: Task> RegionMap<T> {
 
     /// What came out of the cell in column `column` of row `row`.
     pub fn at(&self, column: u32, row: u32) -> &T::Cell {
+        assert!(column < self.plane.x.count, "column {column} of {}", self.plane.x.count);
         &self.verdicts[row as usize * self.plane.x.count as usize + column as usize]
     }
 

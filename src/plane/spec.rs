@@ -14,6 +14,9 @@ use crate::control::Scheme;
 use crate::model::{Setting, StateVector};
 use crate::system::Family;
 
+/// So many cells along each side of a plane show whether starts lie between the stops.
+const STARTS_ALONG: u32 = 256;
+
 /// A plane of parameter pairs (or of start components, or of settings of a control method), cell by cell in rows of equal y,
 /// of each of which the same is asked: a [`Task`], or nothing (`()`) where only the plane itself matters.
 ///
@@ -58,6 +61,9 @@ impl<T: Task> Plane<T> {
         if self.x.quantity == self.y.quantity {
             return Err(PlaneError::SameAxis(self.x.quantity.name()));
         }
+        for axis in [&self.x, &self.y] {
+            axis.check(self.parameters.family())?;
+        }
         if self.cells() > T::LARGEST {
             return Err(PlaneError::TooLarge { x: self.x.count, y: self.y.count, most: T::LARGEST });
         }
@@ -90,14 +96,28 @@ impl<T> Plane<T> {
             return Err(PlaneError::SymmetricStartVaried);
         }
         self.start.fits(self.parameters.family())?;
-        // The places between the stops are convex, and the gaps are seldom anything but monotone: the corners decide.
-        for column in [0, self.x.count - 1] {
-            for row in [0, self.y.count - 1] {
-                let Ok(plant) = self.parameters_at(column, row).plant() else { continue };
-                self.start_at(column, row).check(&plant, self.parameters.family())?;
-            }
+        if self.start == Start::Rest && !axes.iter().any(varies_start) || self.start == Start::Symmetric {
+            return Ok(());
+        }
+        // The places between the stops are convex, and gaps are seldom anything but monotone in two parameters at once: the border
+        // decides.
+        for (column, row) in self.border(STARTS_ALONG) {
+            let Ok(plant) = self.parameters_at(column, row).plant() else { continue };
+            self.start_at(column, row).check(&plant, self.parameters.family())?;
         }
         Ok(())
+    }
+
+    /// Cells on its border, corners among them: of each side so many, or all of fewer.
+    pub(crate) fn border(&self, most: u32) -> impl Iterator<Item = (u32, u32)> + use<T> {
+        let along = move |count: u32| {
+            let shown = count.min(most.max(2));
+            (0..shown)
+                .map(move |i| (u64::from(i) * u64::from(count - 1) / u64::from(shown.max(2) - 1)) as u32)
+        };
+        let (columns, rows) = (self.x.count, self.y.count);
+        let horizontal = along(columns).flat_map(move |column| [(column, 0), (column, rows - 1)]);
+        horizontal.chain(along(rows).flat_map(move |row| [(0, row), (columns - 1, row)]))
     }
 
     /// Whether the system in the middle of the plane has a mirror.

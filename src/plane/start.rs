@@ -15,7 +15,7 @@ use crate::theory::{SymmetricStarts, symmetric_start};
 #[display(rename_all = "lowercase")]
 #[serde(rename_all = "lowercase")]
 pub enum Start {
-    /// Both masses at rest at their equilibrium.
+    /// All masses at rest at the origin, moved within the stops where it lies beyond one.
     Rest,
     /// The stable-branch 1-1-1 symmetric motion, nudged, where it exists and is physical; rest elsewhere, and
     /// where a system has no mirror.
@@ -57,11 +57,14 @@ impl Start {
     /// Checks that the start has as many components as a family's states.
     ///
     /// # Errors
-    /// [`StartError::Components`] with both numbers.
+    /// [`StartError::Components`] with both numbers, and [`StartError::NotFinite`].
     pub fn fits(&self, family: &Family) -> Result<(), StartError> {
         match *self {
             Start::State(state) if state.coordinates() != family.n() => {
                 Err(StartError::Components { given: state.len(), needed: 2 * family.n() })
+            }
+            Start::State(state) if !state.iter().all(|value| value.is_finite()) => {
+                Err(StartError::NotFinite(self.to_string()))
             }
             _ => Ok(()),
         }
@@ -179,6 +182,8 @@ mod tests {
                 gap: 0.1
             })
         );
+        let nowhere = Start::State([0.0, f64::NAN, 0.0, 0.0].into());
+        assert!(matches!(nowhere.check(&plant, Family::paper()), Err(StartError::NotFinite(_))));
         let short = Start::State(StateVector::zeros(1));
         assert_eq!(short.check(&plant, Family::paper()), Err(StartError::Components { given: 2, needed: 4 }));
     }

@@ -21,6 +21,12 @@ impl Window {
         Window { column: 0, row: 0, columns: plane.x.count, rows: plane.y.count }
     }
 
+    /// Whether all of its cells are on a plane.
+    pub fn is_on<T>(&self, plane: &Plane<T>) -> bool {
+        let ends = [(self.column, self.columns, plane.x.count), (self.row, self.rows, plane.y.count)];
+        ends.into_iter().all(|(first, count, all)| first.checked_add(count).is_some_and(|end| end <= all))
+    }
+
     /// How many cells it holds.
     pub fn cells(&self) -> usize {
         self.columns as usize * self.rows as usize

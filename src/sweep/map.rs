@@ -103,16 +103,21 @@ fn put<C: Clone + Send + Sync, N: Iterator<Item = usize>>(
 /// A plane or a system that cannot be used.
 pub fn check<T: Task>(plane: &Plane<T>) -> Result<()> {
     plane.check()?;
-    let (columns, rows) = (plane.x.count, plane.y.count);
-    let horizontal = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
-    let vertical = (0..rows).flat_map(|row| [(0, row), (columns - 1, row)]);
-    horizontal
-        .chain(vertical)
+    plane
+        .border(u32::MAX)
         .try_for_each(|(column, row)| Ok(System::new(plane.parameters_at(column, row)).map(drop)?))
 }
 
 /// The jobs of some cells of a plane, window by window and row by row.
 pub(super) fn window_jobs(plane: &Plane, windows: &[Window]) -> Result<Vec<Job>, SystemError> {
+    for window in windows {
+        assert!(
+            window.is_on(plane),
+            "{window:?} reaches beyond the plane of {} × {} cells",
+            plane.x.count,
+            plane.y.count
+        );
+    }
     let whole = Window::whole(plane);
     let places = windows.iter().flat_map(Window::places);
     jobs_of(plane, &places.map(|place| whole.index(place) as u64).collect::<Vec<_>>())
@@ -122,6 +127,9 @@ pub(super) fn window_jobs(plane: &Plane, windows: &[Window]) -> Result<Vec<Job>,
 ///
 /// # Errors
 /// As [`sweep`].
+///
+/// # Panics
+/// If a window reaches beyond the plane.
 pub fn sweep_windows(
     plane: &Plane,
     windows: &[Window],

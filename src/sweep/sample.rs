@@ -33,12 +33,20 @@ pub fn spread(columns: u32, rows: u32, count: u32) -> Vec<u64> {
 ///
 /// # Errors
 /// As [`sweep`](super::sweep).
+///
+/// # Panics
+/// If the plane does not have the cells.
 pub fn sample<T: Swept>(
     plane: &Plane<T>,
     backend: &dyn Backend,
     cells: &[u64],
     watch: &dyn Watch,
 ) -> Result<Vec<T::Cell>> {
+    assert!(
+        cells.iter().all(|&cell| cell < plane.cells()),
+        "the cells are those of the plane: {}",
+        plane.cells()
+    );
     let jobs: Result<Vec<_>, _> = made_in_order(plane, cells, |preparing, cell| preparing.asked_of(cell))
         .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))
         .filter_map(Result::transpose)

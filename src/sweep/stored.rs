@@ -48,12 +48,12 @@ impl StoredRun {
 
 /// Computes those of some tiles of a store that are not there, in their order; a few together, as many as keep the back end busy.
 ///
-/// What fails is tried once more, tile by tile on a back end opened anew; a tile that fails then is left out, and the rest is
-/// computed. A cell's results are those that it has on the whole plane, certified ones too, whatever the tiles.
+/// What a device fails at is tried once more, tile by tile on a back end opened anew; a tile that fails then is left out, and
+/// the rest is computed. A cell's results are those that it has on the whole plane, certified ones too, whatever the tiles.
 ///
 /// # Errors
-/// A plane that cannot be used, a store that cannot be written, and the end that the watch asked for; tiles that are there
-/// by then stay.
+/// A plane that cannot be used, a store that cannot be written, what a back end does not have, and the end that the watch
+/// asked for; tiles that are there by then stay.
 pub fn sweep_stored(
     store: &ZarrStore,
     tiles: &[u32],

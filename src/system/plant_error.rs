@@ -2,7 +2,10 @@
 
 use thiserror::Error;
 
-use super::limits::{LEAST_CONDITION, MOST_COORDINATES, MOST_STOPS};
+use super::limits::{
+    FARTHEST_STOP, LEAST_CONDITION, LONGEST_DIRECTION, MOST_COORDINATES, MOST_STOPS, SHORTEST_DIRECTION,
+};
+use super::number::Number;
 
 /// A part of a plant, as the file names it; stops count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -100,6 +103,31 @@ pub enum PlantError {
     /// A direction that is zero.
     #[error("the direction of stop {} is zero: at least one component must differ from 0", .0 + 1)]
     NoDirection(usize),
+    /// A direction too short or too long for its squares.
+    #[error(
+        "the direction of stop {} has length {length:e}: give it one between {SHORTEST_DIRECTION:e} and \
+         {LONGEST_DIRECTION:e}, about 1 if possible, and scale its gap alike",
+        stop + 1
+    )]
+    DirectionLength {
+        /// The stop.
+        stop: usize,
+        /// The length of its direction.
+        length: f64,
+    },
+    /// A stop too far away.
+    #[error(
+        "the gap of stop {} is {}, which is out of all motion's reach: it must be between -{FARTHEST_STOP:e} and \
+         {FARTHEST_STOP:e} for a direction of length 1; leave out a stop that is never met",
+        stop + 1,
+        Number(*value)
+    )]
+    TooFar {
+        /// The stop.
+        stop: usize,
+        /// Its gap.
+        value: f64,
+    },
     /// dᵀM⁻¹d is not positive.
     #[error(
         "dᵀM⁻¹d = {value} for the direction d of stop {}, so that an impact could not turn it back: it must be \
@@ -160,7 +188,10 @@ impl PlantError {
             PlantError::Shape { part, .. } | PlantError::NotFinite { part, .. } => vec![part],
             PlantError::Frequency(_) => vec![Part::Frequency],
             PlantError::Restitution { stop, .. } => vec![Part::Restitution(stop)],
-            PlantError::NoDirection(stop) => vec![Part::Direction(stop)],
+            PlantError::NoDirection(stop) | PlantError::DirectionLength { stop, .. } => {
+                vec![Part::Direction(stop)]
+            }
+            PlantError::TooFar { stop, .. } => vec![Part::Gap(stop), Part::Direction(stop)],
             PlantError::NoImpulse { stop, .. } => vec![Part::Direction(stop), Part::Mass],
             PlantError::SameSide { first, second } => vec![Part::Direction(second), Part::Direction(first)],
             PlantError::NoRoom { first, second, .. } => {

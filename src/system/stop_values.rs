@@ -6,6 +6,9 @@ use super::parameter::ParameterId;
 use super::plant::Plant;
 use super::stops::StopValues;
 
+/// A gap that is in order for directions of any length that is used.
+const SURELY_NEAR: f64 = 1e9;
+
 impl Family {
     /// The parameters on which more depends than gaps and restitutions, in the order of the file.
     pub(super) fn parameters_of_flow(&self) -> Vec<ParameterId> {
@@ -33,7 +36,7 @@ impl Family {
         for (own, stop) in self.stops.iter().zip(&mut stops) {
             (stop.gap, stop.restitution) = (own.gap.number(values)?, own.restitution.number(values)?);
             // Stops at gaps that are not negative always leave room between them.
-            let is_fit = stop.gap.is_finite() && stop.gap >= 0.0 && (0.0..=1.0).contains(&stop.restitution);
+            let is_fit = (0.0..=SURELY_NEAR).contains(&stop.gap) && (0.0..=1.0).contains(&stop.restitution);
             is_fit.then_some(())?;
         }
         Some(stops)

@@ -9,7 +9,7 @@ use super::plant_error::PlantError;
 /// A rigid stop: the motion keeps direction · x ≤ gap, and touches the stop where they are equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlantStop {
-    /// d, the direction, n; of any length but 0.
+    /// d, the direction, n; of a length between 1e-9 and 1e9, about 1 if possible: gaps and velocities are in its unit.
     pub direction: DVector<f64>,
     /// The value of direction · x at contact, of any sign.
     pub gap: f64,
@@ -97,7 +97,14 @@ pub(super) fn check<const N: usize>(
             return Err(PlantError::NoImpulse { stop, value: value * size * size });
         }
         let length = scaled.norm();
-        lines.push(Line { unit: scaled / length, gap: gap / size / length });
+        if !(limits::SHORTEST_DIRECTION..=limits::LONGEST_DIRECTION).contains(&(size * length)) {
+            return Err(PlantError::DirectionLength { stop, length: size * length });
+        }
+        let line = Line { unit: scaled / length, gap: gap / size / length };
+        if line.gap.abs() > limits::FARTHEST_STOP {
+            return Err(PlantError::TooFar { stop, value: *gap });
+        }
+        lines.push(line);
     }
     check_pairs(&lines)?;
     check_independence(&lines)

@@ -92,7 +92,17 @@ impl StopSet {
 
 impl Pattern {
     /// The pattern of a motion of a system.
+    ///
+    /// # Panics
+    /// If there is no impact, the system does not have a stop, the half turns are none, or odd where the motion is not mirrored.
     pub fn new(system: &System, stops: Vec<Stop>, half_turns: u32, mirrored: bool) -> Self {
+        let known = system.plant().stops.len();
+        assert!(!stops.is_empty(), "a motion with impacts has one");
+        assert!(stops.iter().all(|stop| stop.index() < known), "the system has {known} stops: {stops:?}");
+        assert!(
+            half_turns > 0 && (mirrored || half_turns.is_multiple_of(2)),
+            "{half_turns} half turns are no period"
+        );
         Pattern { stops, half_turns, mirrored, among: StopSet::of(system) }
     }
 

@@ -82,8 +82,11 @@ impl StrobeMotion {
     /// where that is a divisor.
     ///
     /// # Errors
-    /// [`NoMotion::NotConverged`] if there is none near by, or the trajectory cannot be followed.
+    /// [`NoMotion::NotConverged`] if there is none near by, or the trajectory cannot be followed; there is none of 0 periods.
     pub fn refine(system: &System, state: impl AsRef<[f64]>, n: u32) -> Result<Self, NoMotion> {
+        if n == 0 {
+            return Err(NoMotion::NotConverged);
+        }
         let flow = Flow::new(system);
         let among = StopSet::of(system);
         let mut follower = follower(system);

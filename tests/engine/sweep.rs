@@ -2,9 +2,10 @@
 
 use impact_atlas::analysis::{Probe, Regime, Schedule, Trace, Verdict};
 use impact_atlas::backend::{Backend, BackendError, Cpu, Job, Unwatched, Watch, follow};
-use impact_atlas::model::{Flows, Parameters};
-use impact_atlas::plane::{Plane, Start};
-use impact_atlas::sweep::sweep;
+use impact_atlas::model::{Flows, Parameters, Setting};
+use impact_atlas::plane::{Axis, AxisError, Plane, PlaneError, Start, StartError, Window};
+use impact_atlas::sweep::{sample, sweep, sweep_windows};
+use impact_atlas::system::Family;
 
 use crate::common::adapter::gpu;
 
@@ -105,4 +106,78 @@ fn the_same_bits_for_any_tile_on_an_adapter() {
     for tile in [7, 50] {
         assert_eq!(bits(gpu, tile, 2), expected, "tiles of {tile}");
     }
+}
+
+/// A plane of another family, over the axes of these texts as a family has them.
+fn of_family(name: &str, x: &str, y: &str, axes_of: &str, start: Start) -> Plane {
+    let axis = |text: &str| Axis::of_family(text, Family::builtin(axes_of)).unwrap();
+    let task = Schedule { transient: 10, observe: 8, max_period: 4, fixed_periods: true };
+    Plane { x: axis(x), y: axis(y), parameters: Setting::defaults(Family::builtin(name)), start, task }
+}
+
+#[test]
+fn axes_of_another_family_are_refused() {
+    for (name, x, y) in [
+        ("shaw-holmes", "omega=2:3:3", "delta=0.1:0.3:2"),
+        ("bouncing-ball", "f20=0:1:3", "mu_c=0.1:0.3:2"),
+        // A component of a state of two coordinates, of a system that has one.
+        ("shaw-holmes", "x2=0:0.1:3", "v2=0:1:2"),
+    ] {
+        let plane = of_family(name, x, y, "luo-ma-lv", Start::Rest);
+        assert!(matches!(plane.check(), Err(PlaneError::Axis(AxisError::Foreign { .. }))), "{name}");
+        assert!(sweep(&plane, &Cpu, &Unwatched).is_err(), "{name}");
+    }
+    let mut own = of_family("luo-ma-lv", "omega=2:3:3", "delta=0.1:0.3:2", "luo-ma-lv", Start::Rest);
+    assert!(own.check().is_ok());
+    own.x.steps.count = 0;
+    assert!(matches!(own.check(), Err(PlaneError::Axis(AxisError::Count { .. }))));
+}
+
+#[test]
+fn starts_are_held_to_the_gaps_all_along_the_border() {
+    // The gap is smallest within the axis.
+    let file = r#"
+name = "waist"
+[parameters]
+b = 0
+[system]
+frequency = "1"
+mass = [["1"]]
+stiffness = [["1"]]
+damping = [["0.1"]]
+force_sin = ["1"]
+[[stop]]
+name = "A"
+direction = ["1"]
+gap = "0.6 - 0.5*cos(3*b)"
+restitution = "0.5"
+"#;
+    let family = Family::kept(file, "waist.toml").unwrap();
+    let axis = |text: &str| Axis::of_family(text, family).unwrap();
+    let task = Schedule { transient: 10, observe: 8, max_period: 4, fixed_periods: true };
+    let plane = |y: &str| Plane {
+        x: axis("b=-1:1:5"),
+        y: axis(y),
+        parameters: Setting::defaults(family),
+        start: Start::Rest,
+        task,
+    };
+    let refused = plane("x1=0.05:0.5:2").check();
+    assert!(matches!(refused, Err(PlaneError::Start(StartError::OutsideStops { .. }))), "{refused:?}");
+    assert!(plane("x1=0.05:0.09:2").check().is_ok());
+}
+
+#[test]
+fn cells_beyond_a_plane_are_no_cells() {
+    let plane = of_family("luo-ma-lv", "omega=2:3:3", "delta=0.1:0.3:3", "luo-ma-lv", Start::Rest);
+    let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
+    let window = |column: u32, columns: u32| Window { column, row: 0, columns, rows: 1 };
+    let within = sweep_windows(&plane, &[window(1, 2)], &Cpu, &Unwatched).unwrap();
+    assert_eq!(within[0], [*map.at(1, 0), *map.at(2, 0)]);
+    let fails = |work: &dyn Fn()| std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).is_err();
+    assert!(fails(&|| drop(sweep_windows(&plane, &[window(2, 2)], &Cpu, &Unwatched))));
+    assert!(fails(&|| drop(sweep_windows(&plane, &[window(u32::MAX, 2)], &Cpu, &Unwatched))));
+    assert!(fails(&|| assert_eq!(map.at(3, 0), map.at(3, 0))));
+    assert!(fails(&|| drop(sample(&plane, &Cpu, &[9], &Unwatched))));
+    assert!(!fails(&|| drop(sample(&plane, &Cpu, &[8], &Unwatched))));
 }

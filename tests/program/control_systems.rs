@@ -89,7 +89,7 @@ fn a_force_acts_on_the_coordinate_that_is_named() {
     assert_ne!(first["fixed_point"], second["fixed_point"], "{first} {second}");
     let kick = ["control", "sine", "--system", "colliding-pair", "--coordinate", "x2"];
     refuses(&kick, &["--coordinate x2", "kick", "v1+"]);
-    refuses(&[&kick[..5], &["x3", "--convention", "force"]].concat(), &["--coordinate x3", "x1, x2"]);
+    refuses(&[&kick[..5], &["x3", "--convention", "force"]].concat(), &["--coordinate `x3`", "x1, x2"]);
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn what_the_system_does_not_have_is_refused() {
     refuses(&pulse, &["give the target itself", "v1+, tau"]);
     refuses(&[&pulse[..], &["--target=-0.3,1"]].concat(), &["v1+ = -0.3"]);
     let sine = [&["control", "sine"], &BALL[..], &["--target", "1", "--component", "x2"]].concat();
-    refuses(&sine, &["--component x2", "stop A", "v1+ and tau"]);
+    refuses(&sine, &["--component `x2`", "stop A", "v1+ and tau"]);
     let map = ["map", "--control", "pulse", "--system", "bouncing-ball", "--target", "-1,1"];
     refuses(&[&map[..], &["--y", "target_x1=0:1:3"]].concat(), &["pulse has no setting target_x1"]);
 }

@@ -4,12 +4,12 @@ pub(crate) mod clip;
 mod key;
 mod marks;
 mod strip;
-
-use thiserror::Error;
+mod too_small;
 
 pub use key::{KeyEntry, Sample};
 pub use marks::Mark;
 pub use strip::{Stretch, Strip, StripLabel};
+pub use too_small::TooSmall;
 
 use self::marks::Plot;
 use super::canvas::Canvas;
@@ -92,23 +92,6 @@ pub struct Figure {
     pub width: f64,
 }
 
-/// A figure does not fit into a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error(
-    "a picture of {width} × {height} pixels is too small for this figure: give at least \
-     {least_width}x{least_height}"
-)]
-pub struct TooSmall {
-    /// Pixels across.
-    pub width: u32,
-    /// Pixels down.
-    pub height: u32,
-    /// Pixels across that are enough.
-    pub least_width: u32,
-    /// Pixels down that are enough.
-    pub least_height: u32,
-}
-
 impl Figure {
     /// A size that suits the figure, for a picture so many pixels wide: plots about four fifths as high as wide.
     pub fn natural_size(&self, width: u32) -> Size {
@@ -118,8 +101,25 @@ impl Figure {
         let em = f64::from(width) / self.width;
         let height = rows * 0.8 * f64::from(width) / across + 5.0 * em;
         let height = (height as u32).clamp(Size::SMALLEST, Size::LARGEST);
-        Size::new(width.clamp(Size::SMALLEST, Size::LARGEST), height).unwrap_or_else(|_| {
+        let size = Size::new(width.clamp(Size::SMALLEST, Size::LARGEST), height).unwrap_or_else(|_| {
             Size::new(Size::SMALLEST, Size::SMALLEST).expect("the smallest size is a size")
+        });
+        self.at_least(size)
+    }
+
+    /// A size, or a larger one where the figure does not fit into it, if it fits into any.
+    pub fn at_least(&self, size: Size) -> Size {
+        if self.layout(size).is_some() { size } else { self.enough(size).unwrap_or(size) }
+    }
+
+    /// The first of larger sizes that the figure fits into: as much wider as higher, or higher alone, since letters grow with the
+    /// width.
+    fn enough(&self, size: Size) -> Option<Size> {
+        (10..400).map(|percent| f64::from(percent) * 0.1).find_map(|factor| {
+            let scaled = |side: u32| (f64::from(side.max(100)) * factor) as u32;
+            let larger = [scaled(size.width()), size.width().max(100)]
+                .map(|width| Size::new(width, scaled(size.height())));
+            larger.into_iter().flatten().find(|&larger| self.layout(larger).is_some())
         })
     }
 
@@ -148,12 +148,7 @@ impl Figure {
     }
 
     fn too_small(&self, size: Size) -> TooSmall {
-        let enough = (10..400).map(|percent| f64::from(percent) * 0.1).find_map(|factor| {
-            let scaled = |side: u32| (f64::from(side.max(100)) * factor) as u32;
-            let larger = Size::new(scaled(size.width()), scaled(size.height())).ok()?;
-            self.layout(larger).map(|_| larger)
-        });
-        let enough = enough.unwrap_or_else(|| self.natural_size(1600));
+        let enough = self.enough(size).unwrap_or_else(|| self.natural_size(1600));
         TooSmall {
             width: size.width(),
             height: size.height(),

@@ -1,6 +1,6 @@
 //! Verdicts from the fields of a file.
 
-use super::{CellField, CellsError, Extras, Values};
+use super::{CellField, CellsError, Extras, NOT_COMPUTED, Values};
 use crate::analysis::{Counts, Extent, Measures, Regime, Verdict};
 use crate::model::StateVector;
 use crate::plane::region_map::{Multipliers, Provenance, RegionMap};
@@ -52,6 +52,10 @@ pub fn assembled<E: From<CellsError>>(
     let (stops, components) = (family.stops().len(), 2 * family.n());
     let verdict = |i: usize| {
         let code = regime.whole(i);
+        if code == u32::from(NOT_COMPUTED) {
+            let remedy = "compute the rest of them first: `map --data` goes on where its store ends";
+            return Err(CellsError(format!("some of its cells were not computed: {remedy}")));
+        }
         let of_code = u8::try_from(code).ok().and_then(Regime::from_repr);
         let per_stop: Vec<u16> = (0..stops).map(|k| counts.whole(stops * i + k) as u16).collect();
         let place: Vec<f64> = (0..components).map(|k| state.real(components * i + k)).collect();

@@ -77,7 +77,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "whether the motion is symmetric",
         (Inner::One, ""),
         Source::U8(|cell| cell.verdict.symmetric.into()),
-        "1 where x(t + Nπ/ω) = −x(t), otherwise 0",
+        "1 where x(t + Nπ/ω) = P x(t), P being the mirror (−x(t) of the paper's oscillator), otherwise 0",
         None,
     ),
     CellField {
@@ -135,7 +135,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "largest speed before an impact",
         (Inner::One, "1"),
         Source::F32(|cell, _| cell.verdict.peak_impact_velocity),
-        "largest speed before an impact while the cell was observed",
+        "largest modulus of d·v before an impact while the cell was observed, d being the direction of the first stop on the same line",
         drawn(Spread::Even, Some(0.0), "no impact"),
     ),
     field(

@@ -228,6 +228,9 @@ pub(super) mod tests {
                 let size = Size::new(size.0, size.1).unwrap();
                 let picture = diagram_figure(&diagram).draw(size, &diagram.config()).unwrap();
                 assert_eq!(faults(&picture, size), [""; 0], "{x}, {size:?}");
+                let before = diagram_figure(&Diagram::blank(&diagram.spec));
+                assert!(before.draw(size, "{}").is_ok(), "{x}, {size:?}");
+                assert!(before.draw(Size::new(200, 100).unwrap(), "{}").is_err(), "{x}");
                 let mut expected = vec!["λ", "forcing periods", "1-2-2 symmetric<", "chaotic<"];
                 if diagram.spec.x.count == 1 {
                     expected.truncate(2);

@@ -125,6 +125,17 @@ mod tests {
     fn a_damaged_file_is_refused() {
         let bytes = written(&example());
         assert!(matches!(read_map(Cursor::new(&bytes[..bytes.len() / 2])), Err(ReadError::Io(_))));
+        // One bit in the middle of an array.
+        let whole = written(&example());
+        let mut zip = zip::ZipArchive::new(Cursor::new(whole.clone())).unwrap();
+        for name in ["regime.npy", "lyapunov.npy", "config.npy"] {
+            let entry = zip.by_name(name).unwrap();
+            let last = (entry.data_start().unwrap() + entry.compressed_size()) as usize - 1;
+            drop(entry);
+            let mut damaged = whole.clone();
+            damaged[last] ^= 1;
+            assert!(read_map(Cursor::new(damaged)).is_err(), "{name}");
+        }
         let mut map = example();
         map.verdicts.pop();
         assert!(matches!(read_map(Cursor::new(written_raw(&map))), Err(ReadError::Shape(_))));

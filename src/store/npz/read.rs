@@ -62,12 +62,15 @@ fn values<T: FromNpy>(
     name: &'static str,
     shape: &[u64],
 ) -> Result<Vec<T>, ReadError> {
-    let entry = zip.by_name(&npyz::npz::file_name_from_array_name(name)).map_err(io::Error::from)?;
-    let array = NpyFile::new(entry)?;
+    let mut entry = zip.by_name(&npyz::npz::file_name_from_array_name(name)).map_err(io::Error::from)?;
+    let array = NpyFile::new(&mut entry)?;
     if array.shape() != shape {
         return Err(ReadError::Shape(name));
     }
-    Ok(array.into_vec()?)
+    let values = array.into_vec()?;
+    // The archive compares its checksum where an entry ends.
+    io::copy(&mut entry, &mut io::sink())?;
+    Ok(values)
 }
 
 /// Why a map could not be read.

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use super::super::OutputError;
+use crate::plane::Tiling;
 use crate::plane::fields::CellsError;
 
 /// Why a store was refused, or could not be read or written.
@@ -49,6 +50,9 @@ pub enum StoreError {
         /// What differs, each in words.
         differences: Vec<String>,
     },
+    /// Tiles of that side are none that a store has.
+    #[error("tiles of {0} × {0} cells cannot be stored: give a side of 1 to {most}", most = Tiling::LARGEST)]
+    Tile(u32),
     /// A shard cannot be read.
     #[error(
         "the shard `{}` is damaged ({reason}): delete it, and `map` with the same options computes its tile again",

@@ -157,6 +157,9 @@ impl ZarrStore {
 
 /// Makes an empty store, which appears whole. Where another process was faster, its store stays.
 fn create(path: &Path, wanted: &Wanted) -> Result<(), StoreError> {
+    if let Some(side) = wanted.tile.filter(|side| !(1..=Tiling::LARGEST).contains(side)) {
+        return Err(StoreError::Tile(side));
+    }
     let name = path.file_name().ok_or_else(|| OutputError::NoName(path.to_owned()))?;
     let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !parent.is_dir() {

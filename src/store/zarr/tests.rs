@@ -44,6 +44,17 @@ fn regimes(store: &ZarrStore) -> Vec<u8> {
 }
 
 #[test]
+fn a_store_is_not_made_with_tiles_that_none_has() {
+    let folder = tempdir().unwrap();
+    let path = folder.path().join("a.zarr");
+    for side in [0, Tiling::LARGEST + 1] {
+        assert!(matches!(of(&path, &plane(), Some(side)), Err(StoreError::Tile(refused)) if refused == side));
+        assert!(!path.exists());
+    }
+    assert!(of(&path, &plane(), Some(Tiling::LARGEST)).is_ok());
+}
+
+#[test]
 fn tiles_are_there_or_not_and_hold_what_was_written() {
     let folder = tempdir().unwrap();
     let store = of(&folder.path().join("plane.zarr"), &plane(), Some(4)).unwrap();

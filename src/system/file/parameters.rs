@@ -3,6 +3,7 @@
 use super::super::error::{FamilyError, Place};
 use super::super::expression;
 use super::super::parameter::{Bound, Parameter, Range};
+use super::super::setting::MOST_PARAMETERS;
 use super::super::table::{Item, Table};
 
 const KEYS: [&str; 7] = ["default", "symbol", "about", "at_least", "at_most", "above", "below"];
@@ -10,6 +11,12 @@ const KEYS: [&str; 7] = ["default", "symbol", "about", "at_least", "at_most", "a
 /// The parameters in the order of the file, with their places.
 pub(super) fn read(table: &Table) -> Result<(Vec<Parameter>, Vec<Place>), FamilyError> {
     let items = table.items();
+    if let Some((name, item)) = items.get(MOST_PARAMETERS) {
+        return Err(item.error(format!(
+            "`{name}` is parameter {} of at most {MOST_PARAMETERS}: write numbers that do not vary into the expressions",
+            MOST_PARAMETERS + 1
+        )));
+    }
     let parameters = items.iter().map(|(name, item)| parameter(name, item)).collect::<Result<_, _>>()?;
     Ok((parameters, items.iter().map(|(_, item)| item.place()).collect()))
 }

@@ -113,6 +113,21 @@ fn names_that_parameters_cannot_have() {
 }
 
 #[test]
+fn more_parameters_than_there_is_room_for() {
+    let named = |count: usize| {
+        let more: Vec<String> = (0..count).map(|i| format!("p{i} = 1")).collect();
+        let sum: Vec<String> = (0..count).map(|i| format!("0*p{i}")).collect();
+        let gap = format!("gap = \"sigma + {}\"", sum.join(" + "));
+        let text = example().replace(ZETA, &format!("{ZETA}\n{}", more.join("\n"))).replace(GAP, &gap);
+        Family::parse(&text, "mine.toml").map(|family| family.parameters.len())
+    };
+    let own = Family::parse(example(), "mine.toml").unwrap().parameters.len();
+    assert_eq!(named(32 - own), Ok(32));
+    let error = named(33 - own).unwrap_err().to_string();
+    assert!(error.contains("at most 32"), "{error}");
+}
+
+#[test]
 fn parameters_without_a_use() {
     let words = ["no expression uses this parameter"];
     refused(ZETA, "zeta = 0\nspare = 1", "sigma = {", "parameters.spare", &words);

@@ -85,6 +85,37 @@ fn an_impact_must_turn_its_stop_back() {
 }
 
 #[test]
+fn a_stop_is_within_reach() {
+    for (direction, gap, passes) in [
+        ([1.0, 0.0], 1e17, true),
+        ([1.0, 0.0], -1e17, true),
+        ([1.0, 0.0], 1e30, false),
+        ([1.0, 0.0], -1e300, false),
+        // A tenth of a direction is ten times as far.
+        ([1e-3, 0.0], 1e14, true),
+        ([1e-3, 0.0], 1e17, false),
+    ] {
+        let found = with_stops(2, vec![stop(&direction, gap)]);
+        assert_eq!(found, if passes { Ok(()) } else { Err(PlantError::TooFar { stop: 0, value: gap }) });
+    }
+    let error = with_stops(1, vec![stop(&[1.0], 1e30)]).unwrap_err().to_string();
+    assert!(error.contains("stop 1 is 1e30") && error.contains("leave out"), "{error}");
+}
+
+#[test]
+fn a_direction_is_neither_too_short_nor_too_long() {
+    for (length, passes) in
+        [(1e9, true), (1e-9, true), (1e10, false), (1e-10, false), (1e200, false), (1e-200, false)]
+    {
+        let found = with_stops(2, vec![stop(&[0.6 * length, -0.8 * length], length)]);
+        assert_eq!(found.is_ok(), passes, "{length:e}: {found:?}");
+    }
+    let error = with_stops(1, vec![stop(&[1e-10], 0.0)]).unwrap_err();
+    assert_eq!(error, PlantError::DirectionLength { stop: 0, length: 1e-10 });
+    assert!(error.to_string().contains("between 1e-9 and 1e9"), "{error}");
+}
+
+#[test]
 fn opposed_stops_must_leave_room() {
     let pair = |gap, other| with_stops(1, vec![stop(&[1.0], gap), stop(&[-2.0], other)]);
     assert_eq!(pair(1.0, 1.0), Ok(()));
