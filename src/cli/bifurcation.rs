@@ -128,6 +128,10 @@ pub fn run(args: &BifurcationArgs) -> Result<()> {
     let npz = files::data_beside(&args.out, args.data.as_deref());
     let wanted = [Kind::Picture.at(Some(&args.out)), Kind::Archive.at(npz.as_deref())];
     let [picture, data] = files::prepare(args.overwrite, wanted)?;
+    if let Some(size) = args.size {
+        // A picture without room is refused before anything is computed, as far as that can be known.
+        diagram_figure(&Diagram::blank(&spec)).draw(size, "{}").map_err(CliError::input)?;
+    }
     let backend = args.open()?;
     let began = Instant::now();
     let branches = spec.sweep.branches().len() as u64;
@@ -136,10 +140,12 @@ pub fn run(args: &BifurcationArgs) -> Result<()> {
     let summary = Summary::new(&diagram, began.elapsed().as_secs_f64());
     let figure = diagram_figure(&diagram);
     let size = args.size.unwrap_or_else(|| diagram_size(&diagram, &figure));
-    let drawn = figure.draw(size, &diagram.config()).map_err(CliError::input)?;
     let mut batch = Batch::default();
-    batch.picture(&picture, &drawn)?;
     batch.add(&data, |file| write_diagram(&diagram, file))?;
+    match figure.draw(size, &diagram.config()) {
+        Ok(drawn) => batch.picture(&picture, &drawn)?,
+        Err(too_small) => return batch.show_without(too_small),
+    }
     batch.show()?;
     if args.json { print_json(&summary) } else { print(&summary.text(&diagram)) }
 }
@@ -149,7 +155,8 @@ fn diagram_size(diagram: &Diagram, figure: &Figure) -> Size {
     let below = 480 * (figure.rows.len() as u32 - 1);
     let strips = 90 * (diagram.branches.len() as u32 - 1);
     let key = 52 * (figure.key.len() as u32).div_ceil(KEY_IN_A_ROW);
-    Size::new(defaults::WIDE_FIGURE, 1030 + below + strips + key).expect("the sizes of diagrams are sizes")
+    let size = Size::new(defaults::WIDE_FIGURE, 1030 + below + strips + key);
+    figure.at_least(size.expect("the sizes of diagrams are sizes"))
 }
 
 impl BifurcationArgs {

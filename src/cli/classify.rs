@@ -1,23 +1,21 @@
 //! `impact-atlas classify`: what one trajectory settles on.
 
-use std::path::PathBuf;
-
 use anyhow::anyhow;
 use clap::Args;
 use impact_atlas::analysis::{Regime, Schedule, Verdict};
 use impact_atlas::backend::{Backend, Job, decide};
-use impact_atlas::model::{StateVector, System};
+use impact_atlas::model::StateVector;
 use impact_atlas::plane::{Plane, Start, Window};
 use impact_atlas::sweep::certify_window;
 use serde::Serialize;
 
-use super::cell::{Cell, Place, made};
+use super::cell::Cell;
 use super::interrupt::{Interruptible, abandonable};
-use super::options::{BackendArgs, SystemArgs, start_state};
+use super::options::{BackendArgs, Trajectory, TrajectoryArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::{count, parse};
-use super::{CliError, Result, defaults, multipliers, note};
+use super::values::count;
+use super::{CliError, Result, defaults, multipliers};
 
 /// Follows one trajectory and says what it settles on
 ///
@@ -32,24 +30,7 @@ Examples:
   impact-atlas classify --set omega=2.6 --set delta=0.6 --start rest --transient 8000")]
 pub struct ClassifyArgs {
     #[command(flatten)]
-    system: SystemArgs,
-
-    /// Answers for a cell of this map: a picture or the data that `map` wrote
-    #[arg(long, value_name = "FILE", requires = "at", conflicts_with_all = ["family", "assignments", "start", "transient",
-        "observe", "max_period", "fixed_periods"])]
-    from: Option<PathBuf>,
-
-    /// Where on the map: the cell that holds these values of its axes
-    #[arg(long, value_name = "NAME=VALUE,NAME=VALUE", value_parser = parse::<Place>, requires = "from")]
-    at: Option<Place>,
-
-    /// How the trajectory begins: rest, symmetric, or X1,X2,V1,V2 at forcing phase 0
-    ///
-    /// `symmetric` is the stable-branch 1-1-1 motion where there is one, nudged so that an unstable one is left, and rest
-    /// elsewhere. A system may have several motions: which one is reached depends on the start.
-    #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = defaults::START,
-        allow_hyphen_values = true)]
-    start: Start,
+    asked: TrajectoryArgs,
 
     /// Forcing periods before the observation
     ///
@@ -57,22 +38,22 @@ pub struct ClassifyArgs {
     /// still undecided or neutral runs as long again and is observed four times as long: beside a Neimark-Sacker curve spirals
     /// are slow. What even that leaves undecided runs eight times as long. What returns without having settled is held against
     /// the exact motion beside it.
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRANSIENT)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRANSIENT, conflicts_with = "from")]
     transient: u32,
 
     /// Forcing periods of the observation
     ///
     /// Chaos that is plain after half of it, and no less than 64 periods, is not observed any longer, unless the periods are fixed;
     /// what is observed of it when it is looked at for longer counts, too.
-    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::OBSERVE)]
+    #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::OBSERVE, conflicts_with = "from")]
     observe: u32,
 
     /// Largest N looked for in N-p-q
-    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::MAX_PERIOD)]
+    #[arg(long, value_parser = count, value_name = "N", default_value_t = defaults::MAX_PERIOD, conflicts_with = "from")]
     max_period: u32,
 
     /// Runs transient + observe periods, settled or not
-    #[arg(long)]
+    #[arg(long, conflicts_with = "from")]
     fixed_periods: bool,
 
     #[command(flatten)]
@@ -122,17 +103,15 @@ struct Asked {
     cell: Option<Cell>,
     /// Of a certified map: its plane, which certifies the cell.
     certified: Option<Plane>,
+    backend: BackendArgs,
 }
 
 /// Runs the command.
 pub fn run(args: &ClassifyArgs) -> Result<()> {
-    let (asked, options) = match (&args.from, &args.at) {
-        (Some(from), Some(at)) => of_map(from, at, &args.backend)?,
-        _ => (args.asked()?, args.backend.clone()),
-    };
+    let asked = args.asked()?;
     let progress = Progress::of_trajectory();
     let classification = abandonable(move || -> Result<_> {
-        let backend = options.open()?;
+        let backend = asked.backend.open()?;
         let jobs = [asked.job.clone()];
         let mut verdicts = decide(&*backend, &jobs, &asked.schedule, &Interruptible)?;
         if let (Some(plane), Some(Cell { column, row, .. })) = (&asked.certified, asked.cell) {
@@ -146,28 +125,8 @@ pub fn run(args: &ClassifyArgs) -> Result<()> {
     if args.json { print_json(&classification) } else { print(&classification.text()) }
 }
 
-/// A cell of a map that was computed before, on the back end that computed it unless another is asked for.
-fn of_map(from: &std::path::Path, at: &Place, backend: &BackendArgs) -> Result<(Asked, BackendArgs)> {
-    let made = made(from)?;
-    let cell = Cell::holding(at, &made.plane)?;
-    let Cell { column, row, .. } = cell;
-    let (x, y) = (made.plane.x.quantity.name(), made.plane.y.quantity.name());
-    note(&format!("column {column}, row {row} of `{}`: {x} = {}, {y} = {}", from.display(), cell.x, cell.y));
-    let system = System::new(made.plane.parameters_at(column, row)).map_err(CliError::input)?;
-    let start = made.plane.start_at(column, row);
-    let state = start_state(&system, start);
-    let job = Job { system, start: state };
-    let asked = Asked {
-        job,
-        start,
-        schedule: made.plane.task,
-        cell: Some(cell),
-        certified: made.certified.then_some(made.plane),
-    };
-    Ok((asked, backend.or_those_of(&made.provenance)))
-}
-
 impl ClassifyArgs {
+    /// The schedule and the back end of a cell are those of its map.
     fn asked(&self) -> Result<Asked> {
         let schedule = Schedule {
             transient: self.transient,
@@ -176,8 +135,21 @@ impl ClassifyArgs {
             fixed_periods: self.fixed_periods,
         };
         schedule.check().map_err(CliError::input)?;
-        let (system, start) = self.system.system_and_start(self.start)?;
-        Ok(Asked { job: Job { system, start }, start: self.start, schedule, cell: None, certified: None })
+        let Trajectory { system, start, state, of_map, .. } = self.asked.trajectory(defaults::START)?;
+        let job = Job { system, start: state };
+        Ok(match of_map {
+            None => {
+                Asked { job, start, schedule, cell: None, certified: None, backend: self.backend.clone() }
+            }
+            Some((made, cell)) => Asked {
+                job,
+                start,
+                schedule: made.plane.task,
+                cell: Some(cell),
+                backend: self.backend.or_those_of(&made.provenance),
+                certified: made.certified.then_some(made.plane),
+            },
+        })
     }
 }
 
@@ -219,10 +191,8 @@ impl Classification {
             exponent => format!("{exponent:.6} per forcing period"),
         };
         let given_up = match self.regime == Regime::Failed.name() {
-            true if self.state.iter().all(|value| value.is_finite()) => {
-                ": given up, with too many impacts to go on"
-            }
-            true => ": the motion grows beyond all numbers",
+            true if self.state.is_bounded() => ": given up, with too many impacts to go on",
+            true => ": the motion grows without bounds",
             false => "",
         };
         format!(

@@ -188,12 +188,15 @@ pub fn run(args: &ControlArgs) -> Result<()> {
         labels: [&report.label_before, &report.label_after],
     };
     let mut batch = Batch::default();
+    batch.add(&data, |file| store::write_control(&history, &config, file))?;
     if out.is_some() {
         let figure = picture.figure(args.range);
         let size = args.size.unwrap_or_else(|| figure.natural_size(defaults::WIDE_FIGURE));
-        batch.picture(&out, &figure.draw(size, &config).map_err(CliError::input)?)?;
+        match figure.draw(size, &config) {
+            Ok(drawn) => batch.picture(&out, &drawn)?,
+            Err(too_small) => return batch.show_without(too_small),
+        }
     }
-    batch.add(&data, |file| store::write_control(&history, &config, file))?;
     batch.show()?;
     if args.json { print_json(&report) } else { print(&report.text()) }
 }

@@ -28,10 +28,10 @@ Axes may vary the settings of the method too: {}; target_v1 … target_vn, targe
     #[arg(long, value_name = "N|FILE", help_heading = "Control")]
     from: Option<String>,
 
-    /// Iterates altogether; a cell that has settled under control finishes early
-    #[arg(long, value_parser = count, value_name = "K", default_value_t = defaults::CONTROL_MAP_ITERATES, requires = "control",
-        help_heading = "Control")]
-    iterates: u32,
+    #[arg(long, value_parser = count, value_name = "K", requires = "control", help_heading = "Control",
+        help = format!("Iterates altogether; a cell that has settled under control finishes early [default: {}]",
+            defaults::CONTROL_MAP_ITERATES))]
+    iterates: Option<u32>,
 
     #[command(flatten)]
     settings: MethodArgs,
@@ -40,7 +40,8 @@ Axes may vary the settings of the method too: {}; target_v1 … target_vn, targe
 impl ControlledArgs {
     /// Refuses settings of a method where there is none.
     pub fn refuse_settings(&self) -> Result<()> {
-        match self.settings.any() {
+        // The parser waives that an option requires --control where one that conflicts with it is given, too.
+        match self.settings.any().or(self.iterates.map(|_| "iterates")) {
             Some(option) => Err(wrong!(
                 "--{option} has no effect without control: drop it or choose a method with --control"
             )),
@@ -68,7 +69,8 @@ impl ControlledArgs {
     pub fn plane(&self, method: &Method, plane: &PlaneArgs) -> Result<Plane<Control>> {
         let max_period = plane.max_period.unwrap_or(ControlSchedule::MAX_PERIOD);
         let from = self.first()?;
-        let schedule = ControlSchedule { from, iterates: self.iterates, fixed: false, max_period };
+        let iterates = self.iterates.unwrap_or(defaults::CONTROL_MAP_ITERATES);
+        let schedule = ControlSchedule { from, iterates, fixed: false, max_period };
         plane.control_plane(method, &self.settings, schedule)
     }
 }

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use impact_atlas::figure::Picture;
+use impact_atlas::figure::{Picture, TooSmall};
 use impact_atlas::store::{Filled, Output};
 use serde::Serialize;
 
@@ -160,6 +160,17 @@ impl<'a> Batch<'a> {
             }
             table.flush()
         })
+    }
+
+    /// The same without a picture that does not fit, which is then the error: what was computed is kept.
+    pub fn show_without(self, too_small: TooSmall) -> Result<()> {
+        let kept = if self.filled.is_empty() {
+            ""
+        } else {
+            "; everything else is written, and --force writes it anew"
+        };
+        self.show()?;
+        Err(wrong!("{too_small}{kept}"))
     }
 
     /// Puts every file where it belongs, unless Ctrl-C was pressed, and lists them.

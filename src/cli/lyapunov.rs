@@ -10,10 +10,10 @@ use serde::Serialize;
 
 use super::interrupt::abandonable;
 use super::multipliers::note_cpu;
-use super::options::SystemArgs;
+use super::options::{Trajectory, TrajectoryArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::{count, parse};
+use super::values::count;
 use super::{CliError, Result, defaults};
 
 /// Measures all 2n Lyapunov exponents of one trajectory of a system with n coordinates
@@ -32,15 +32,11 @@ use super::{CliError, Result, defaults};
 Examples:
   impact-atlas lyapunov --set omega=2.83
   impact-atlas lyapunov --set omega=3.03 --transient 5000 --observe 50000 --json
+  impact-atlas lyapunov --from map.png --at omega=2.83,delta=0.1
   impact-atlas lyapunov --system three-mass-chain --set omega=1.5")]
 pub struct LyapunovArgs {
     #[command(flatten)]
-    system: SystemArgs,
-
-    /// How the trajectory begins: rest, symmetric, or a state X1,X2,V1,V2 (x1 … xn, v1 … vn) at forcing phase 0
-    #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
-        allow_hyphen_values = true)]
-    start: Start,
+    asked: TrajectoryArgs,
 
     /// Forcing periods before the measurement
     #[arg(long, value_parser = count, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT)]
@@ -88,12 +84,12 @@ pub fn run(args: &LyapunovArgs) -> Result<()> {
     let (transient, observe) = (args.transient, args.observe);
     let schedule = Schedule { transient, observe, max_period: defaults::MAX_PERIOD, fixed_periods: true };
     schedule.check().map_err(CliError::input)?;
-    let (system, start) = args.system.system_and_start(args.start)?;
+    let Trajectory { system, state, .. } = args.asked.trajectory(Start::Rest)?;
     note_cpu();
     let progress = Progress::of_trajectory();
     let spectrum = {
         let system = system.clone();
-        abandonable(move || Spectrum::of(&system, &start[..], transient, observe))?
+        abandonable(move || Spectrum::of(&system, &state[..], transient, observe))?
     };
     drop(progress);
     let spectrum = spectrum.map_err(|failed| CliError::NotFound(failed.to_string()))?;

@@ -65,6 +65,11 @@ pub fn run(args: &MapArgs) -> Result<()> {
         return control_map::run(method, args);
     }
     args.control.cells.refuse_settings()?;
+    if args.control.times.is_some() {
+        return Err(wrong!(
+            "--times has no effect without control: drop it or choose a method with --control"
+        ));
+    }
     let made = args.control.cells.again().map(cell::made).transpose()?;
     let plane = match &made {
         Some(made) => args.plane.again(&made.plane)?,

@@ -13,10 +13,10 @@ use serde::Serialize;
 
 use super::interrupt::{Interruptible, abandonable};
 use super::multipliers::{self, note_cpu, pairs};
-use super::options::SystemArgs;
+use super::options::{Trajectory, TrajectoryArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::values::{count, parse};
+use super::values::count;
 use super::{CliError, Result, defaults};
 
 /// Solves for a periodic motion, stable or not, with its Floquet multipliers
@@ -40,15 +40,11 @@ Examples:
   impact-atlas motion --set omega=1.65
   impact-atlas motion --set omega=2.83 --label 1-2-1 --json
   impact-atlas motion --set omega=0.25 --set delta=0.545
+  impact-atlas motion --from map.png --at omega=1.65,delta=0.1
   impact-atlas motion --system bouncing-ball --set Gamma=1.6 --label 1-1")]
 pub struct MotionArgs {
     #[command(flatten)]
-    system: SystemArgs,
-
-    /// How the trajectory begins: rest, symmetric, or a state X1,X2,V1,V2 (x1 … xn, v1 … vn) at forcing phase 0
-    #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
-        allow_hyphen_values = true)]
-    start: Start,
+    asked: TrajectoryArgs,
 
     /// Searches for a motion of this label: N forcing periods, then the impacts at each stop in the order of the system's
     /// labels; the paper's are p impacts at x1 = -delta and q impacts at x1 = +delta
@@ -111,14 +107,17 @@ pub fn run(args: &MotionArgs) -> Result<()> {
         fixed_periods: false,
     };
     schedule.check().map_err(CliError::input)?;
-    let label = args.label.as_ref().map(|text| args.system.named("--label <N-p-q>", text, Label::of_family));
+    let Trajectory { options, system, state, of_map, .. } = args.asked.trajectory(Start::Rest)?;
+    // Periods as long as the map itself looked for.
+    let of_map = of_map.map_or(0, |(made, _)| made.plane.task.max_period);
+    let schedule = Schedule { max_period: schedule.max_period.max(of_map), ..schedule };
+    let label = args.label.as_ref().map(|text| options.named("--label <N-p-q>", text, Label::of_family));
     let label = label.transpose()?;
-    let (system, start) = args.system.system_and_start(args.start)?;
     note_cpu();
     let progress = Progress::of_trajectory();
     let motion = abandonable(move || match label {
-        Some(label) => named(&system, start, &schedule, label),
-        None => reached(&system, start, &schedule),
+        Some(label) => named(&system, state, &schedule, label),
+        None => reached(&system, state, &schedule),
     })??;
     drop(progress);
     if args.json { print_json(&motion) } else { print(&motion.text()) }
@@ -181,6 +180,10 @@ fn elsewhere(verdict: &Verdict) -> Option<String> {
         Regime::Unresolved => format!(
             "no period was found from this start in {} forcing periods: raise --transient, --observe or \
              --max-period, or {other}",
+            verdict.periods
+        ),
+        Regime::Failed if !verdict.state.is_bounded() => format!(
+            "the motion grows without bounds: {} forcing periods take it out of all reach; try more damping, or another --start",
             verdict.periods
         ),
         Regime::Failed => format!(

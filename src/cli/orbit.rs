@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use impact_atlas::analysis::Schedule;
 use impact_atlas::dynamics::{self, Recording};
-use impact_atlas::figure::{Picture, Size};
+use impact_atlas::figure::{Picture, Size, TooSmall};
 use impact_atlas::model::{Number, Setting};
 use impact_atlas::plane::Start;
 use impact_atlas::plane::written::WrittenSystem;
@@ -14,11 +14,11 @@ use impact_atlas::system::Family;
 use serde::Serialize;
 
 use super::files::{self, Batch, Kind};
-use super::options::{OverwriteArgs, SystemArgs};
+use super::options::{OverwriteArgs, SystemArgs, Trajectory, TrajectoryArgs};
 use super::orbit_table::Columns;
 use super::progress::Progress;
 use super::terminal::print;
-use super::values::{counted, parse, parse_size};
+use super::values::{counted, parse_size};
 use super::{CliError, Result, defaults, interrupt, multipliers, wrong};
 
 /// The most points of a trajectory.
@@ -39,17 +39,13 @@ Examples:
   impact-atlas orbit --set omega=3.7 --impacts impacts.csv
   impact-atlas orbit --set omega=0.5 --set r=0.6 --periods 3 --samples 2000 --trajectory trajectory.csv
   impact-atlas orbit --set omega=3.7 --periods 3 --out orbit.png
+  impact-atlas orbit --from map.png --at omega=1.65,delta=0.1 --out cell.png
   impact-atlas orbit --set omega=3.03 --panel section:x2,v2 --panel strobe --section-periods 5000 --out o.svg
   impact-atlas orbit --set omega=0.25 --set delta=0.545 --periods 2 --panel time --zoom t=0.1:0.4 --out z.png
   impact-atlas orbit --system impact-damper --periods 4 --panel time:gap.A --panel portrait:x1,v1 --out damper.svg")]
 pub struct OrbitArgs {
     #[command(flatten)]
-    system: SystemArgs,
-
-    /// How the trajectory begins: rest, symmetric, or a state X1,X2,V1,V2 (x1 … xn, v1 … vn) at forcing phase 0
-    #[arg(long, value_name = "START", value_parser = parse::<Start>, default_value_t = Start::Rest,
-        allow_hyphen_values = true)]
-    start: Start,
+    asked: TrajectoryArgs,
 
     /// Forcing periods before the recording
     #[arg(long, value_name = "P", default_value_t = defaults::TRAJECTORY_TRANSIENT,
@@ -137,8 +133,8 @@ struct Shown {
 
 /// Runs the command.
 pub fn run(args: &OrbitArgs) -> Result<()> {
-    let shown = args.shown()?;
-    let (system, start) = args.system.system_and_start(args.start)?;
+    let Trajectory { options, system, start, state, .. } = args.asked.trajectory(Start::Rest)?;
+    let shown = args.shown(&options)?;
     let (transient, periods) = (args.transient, args.periods);
     let samples = args.samples();
     if u64::from(periods) * u64::from(samples) > LARGEST {
@@ -158,10 +154,10 @@ pub fn run(args: &OrbitArgs) -> Result<()> {
     let followed = system.adrift().map_err(CliError::input)?;
     let (recording, sections) = interrupt::abandonable(move || {
         let system = followed;
-        let recording = dynamics::record(&system, start, transient, periods, samples);
+        let recording = dynamics::record(&system, state, transient, periods, samples);
         let sections = match section_periods {
             0 => Recording::default(),
-            periods => dynamics::record(&system, start, transient, periods, 1),
+            periods => dynamics::record(&system, state, transient, periods, 1),
         };
         (recording, sections)
     })?;
@@ -170,11 +166,8 @@ pub fn run(args: &OrbitArgs) -> Result<()> {
         return Err(CliError::machine(why));
     }
     let mut batch = Batch::default();
-    if out.is_some() {
-        let orbit = Orbit { system: &system, recording: &recording, sections: &sections };
-        batch.picture(&out, &args.picture(&orbit, &shown)?)?;
-    }
-    let columns = Columns::of(args.system.family());
+    let family = options.family();
+    let columns = Columns::of(family);
     batch.table(
         &impacts,
         &columns.of_impacts(),
@@ -182,8 +175,15 @@ pub fn run(args: &OrbitArgs) -> Result<()> {
     )?;
     let rows = recording.samples.iter().map(|sample| (sample.time, &sample.state));
     batch.table(&trajectory, &columns.of_trajectory(), rows)?;
+    if out.is_some() {
+        let orbit = Orbit { system: &system, recording: &recording, sections: &sections };
+        match args.picture(&orbit, start, &shown)? {
+            Ok(drawn) => batch.picture(&out, &drawn)?,
+            Err(too_small) => return batch.show_without(too_small),
+        }
+    }
     batch.show()?;
-    print(&summary(&recording, periods, args.system.family()))
+    print(&summary(&recording, periods, family))
 }
 
 impl OrbitArgs {
@@ -196,10 +196,10 @@ impl OrbitArgs {
         self.samples.unwrap_or(default)
     }
 
-    fn shown(&self) -> Result<Shown> {
-        let family = self.system.family();
-        let panel = |text: &String| self.system.named("--panel <NAME[:X,Y]>", text, OrbitPanel::of_family);
-        let zoom = |text: &String| self.system.named("--zoom <NAME=LOW:HIGH>", text, Zoom::of_family);
+    fn shown(&self, options: &SystemArgs) -> Result<Shown> {
+        let family = options.family();
+        let panel = |text: &String| options.named("--panel <NAME[:X,Y]>", text, OrbitPanel::of_family);
+        let zoom = |text: &String| options.named("--zoom <NAME=LOW:HIGH>", text, Zoom::of_family);
         let panels = match (&self.out, &self.panels[..]) {
             (None, _) => Vec::new(),
             (Some(_), []) => vec![OrbitPanel::portrait(family), OrbitPanel::time_series(family)],
@@ -210,20 +210,21 @@ impl OrbitArgs {
         Ok(shown)
     }
 
-    fn picture(&self, orbit: &Orbit<'_>, Shown { panels, zooms }: &Shown) -> Result<Picture> {
-        let family = self.system.family();
-        let figure = orbit_figure(orbit, self.start, panels, zooms);
+    fn picture(&self, orbit: &Orbit<'_>, start: Start, shown: &Shown) -> Result<Result<Picture, TooSmall>> {
+        let Shown { panels, zooms } = shown;
+        let parameters = &orbit.system.setting().expect("a system that is asked for is made of a setting");
+        let family = parameters.family();
+        let figure = orbit_figure(orbit, start, panels, zooms);
         let width = if panels.len() == 1 { defaults::NARROW_FIGURE } else { defaults::WIDE_FIGURE };
         let size = self.size.unwrap_or_else(|| figure.natural_size(width));
-        let parameters = &orbit.system.setting().expect("a system that is asked for is made of a setting");
         let panels: Vec<String> = panels.iter().map(|panel| panel.name(family)).collect();
         let zooms: Vec<String> = zooms.iter().map(|zoom| zoom.name(family)).collect();
         let config = Config {
             version: env!("CARGO_PKG_VERSION"),
-            command: &self.command(parameters, &panels, &zooms),
+            command: &self.command(parameters, start, &panels, &zooms),
             system: WrittenSystem::of(family),
             parameters,
-            start: self.start,
+            start,
             transient: self.transient,
             periods: self.periods,
             samples: self.samples(),
@@ -232,13 +233,13 @@ impl OrbitArgs {
             zooms,
         };
         let config = serde_json::to_string(&config).map_err(CliError::machine)?;
-        figure.draw(size, &config).map_err(CliError::input)
+        Ok(figure.draw(size, &config))
     }
 
     /// The command that makes the figure again.
-    fn command(&self, parameters: &Setting, panels: &[String], zooms: &[String]) -> String {
+    fn command(&self, parameters: &Setting, start: Start, panels: &[String], zooms: &[String]) -> String {
         let mut command = String::from("impact-atlas orbit");
-        let family = self.system.family();
+        let family = parameters.family();
         if !family.is_paper() {
             command.push_str(&format!(" --system {}", family.origin));
         }
@@ -246,8 +247,7 @@ impl OrbitArgs {
             command.push_str(&format!(" --set {parameter}={}", Number(value)));
         }
         command.push_str(&format!(
-            " --start {} --transient {} --periods {} --samples {} --section-periods {}",
-            self.start,
+            " --start {start} --transient {} --periods {} --samples {} --section-periods {}",
             self.transient,
             self.periods,
             self.samples(),

@@ -81,7 +81,9 @@ pub enum AssignmentError {
     #[error("`{0}` is not NAME=VALUE with a number, for example delta=0.1")]
     Malformed(String),
     /// A component of the start is not a parameter.
-    #[error("{0} is a component of the start and not a parameter: give it with --start X1,X2,V1,V2")]
+    #[error(
+        "{0} is a component of the start and not a parameter: give it with --start X1,X2,V1,V2, where the command has one"
+    )]
     Component(String),
     /// Iterates are counted.
     #[error("`{0}` sets a number of iterates: give a whole number")]

@@ -94,6 +94,37 @@ fn the_cells_of_certified_maps_and_of_svg_pictures_are_read_too() {
 }
 
 #[test]
+fn other_commands_follow_the_cell_of_a_map_too() {
+    let (folder, map) = mapped("map.png", &[]);
+    let followed = |of: &[&str], more: &[&str]| run_in(folder.path(), &[of, more].concat());
+    let (mut compared, mut moved) = (0, 0);
+    for (column, row) in
+        cells(&map).filter(|&(column, row)| map.at(column, row).regime.is_periodic()).step_by(3)
+    {
+        let (omega, delta) =
+            (format!("omega={}", map.plane.x.value(column)), format!("delta={}", map.plane.y.value(row)));
+        let at = format!("{omega},{delta}");
+        let cell = ["--from", "map.png", "--at", &at];
+        let own = ["--set", &omega, "--set", &delta, "--start", "symmetric"];
+        let motion = json(&followed(&["motion", "--json"], &cell));
+        assert_eq!(motion["label"], map.at(column, row).label(), "{at}");
+        let short = ["--transient", "40", "--observe", "32", "--json"];
+        let measured = |of: &[&str]| json(&followed(&["lyapunov"], &[of, &short].concat()));
+        assert_eq!(measured(&cell), measured(&own), "{at}");
+        let impacts = |of: &[&str], file: &str| {
+            let more = ["--transient", "3", "--periods", "4", "--impacts", file, "--force"];
+            followed(&["orbit"], &[of, &more].concat());
+            fs::read_to_string(folder.path().join(file)).unwrap()
+        };
+        let table = impacts(&cell, "cell.csv");
+        assert_eq!(table, impacts(&own, "own.csv"), "{at}");
+        moved += u32::from(table != impacts(&own[..4], "rest.csv"));
+        compared += 1;
+    }
+    assert!(compared >= 4 && moved >= 1, "{compared}, of which {moved} begin elsewhere by themselves");
+}
+
+#[test]
 fn the_start_is_printed() {
     let output = run(&["classify", "--backend", "cpu"]);
     assert!(stdout(&output).contains("start                       symmetric: x1 "), "{}", stdout(&output));
@@ -133,6 +164,11 @@ fn cells_that_cannot_be_read_are_refused() {
     refuses(&["classify", "--from", &map, "--at", "omega=2"], &["NAME=VALUE,NAME=VALUE"]);
     refuses(&["classify", "--from", &map, "--at", at, "--set", "r=0.5"], &["--from", "--set"]);
     refuses(&["classify", "--from", &map, "--at", at, "--transient", "5"], &["--from", "--transient"]);
+    for command in ["orbit", "motion", "lyapunov"] {
+        refuses(&[command, "--from", &map], &["--at"]);
+        refuses(&[command, "--from", &map, "--at", at, "--start", "rest"], &["--from", "--start"]);
+        refuses(&[command, "--from", &notes, "--at", at], &["notes.txt", "no configuration"]);
+    }
     refuses(&["classify", "--from", &notes, "--at", at], &["notes.txt", "no configuration"]);
     refuses(&["classify", "--from", &none, "--at", at], &["none.png", "cannot read"]);
     let control =

@@ -144,6 +144,8 @@ fn maps_that_cannot_be_controlled_are_refused() {
     refuses(&["map", "--control", "pulse", "--x", "period=1:2:3"], &["whole numbers"]);
     refuses(&["map", "--control", "delay", "--transient", "5"], &["--transient"]);
     refuses(&["map", "--times", "t.png"], &["--control"]);
+    refuses(&["map", "--times", "t.png", "--transient", "5"], &["--times", "--control"]);
+    refuses(&["map", "--iterates", "30", "--transient", "5"], &["--iterates", "--control"]);
     refuses(&["bifurcation", "--x", "gain=0:1:4"], &["gain"]);
 }
 

@@ -114,7 +114,7 @@ fn maps_are_controlled_at_any_stop_on_both_back_ends() {
 #[test]
 fn what_the_system_does_not_have_is_refused() {
     let ball = |more: &[&'static str]| [&["control", "delay"], &BALL[..], more].concat();
-    refuses(&ball(&["--stop", "B"]), &["--stop B", "has A"]);
+    refuses(&ball(&["--stop", "B"]), &["--stop `B`", "has A"]);
     refuses(&ball(&["--gains", "0.1,0.2,0.3,0.4"]), &["--gains has 4 numbers", "two", "v1+ and tau"]);
     let pulse = [&["control", "pulse"], &BALL[..]].concat();
     refuses(&pulse, &["give the target itself", "v1+, tau"]);

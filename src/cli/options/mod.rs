@@ -5,9 +5,11 @@ mod backend;
 mod overwrite;
 mod plane;
 mod system;
+mod trajectory;
 
 pub use axes::AxesArgs;
 pub use backend::BackendArgs;
 pub use overwrite::OverwriteArgs;
 pub use plane::PlaneArgs;
-pub use system::{SystemArgs, start_state};
+pub use system::SystemArgs;
+pub use trajectory::{Trajectory, TrajectoryArgs};

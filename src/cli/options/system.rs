@@ -32,6 +32,11 @@ impl SystemArgs {
         self.family.map_or_else(|| Family::builtin(defaults::SYSTEM), |chosen| chosen.0)
     }
 
+    /// Those that name a family alone.
+    pub(super) fn of_family(family: &'static Family) -> SystemArgs {
+        SystemArgs { family: Some(Chosen(family)), assignments: Vec::new() }
+    }
+
     /// The same options for the system of a plane that was computed before.
     pub(super) fn of_family_of(&self, plane: &Plane) -> Result<SystemArgs> {
         let family = plane.parameters.family();

@@ -56,14 +56,14 @@ export class Card {
     return undefined;
   }
 
-  motion({ place, fixed, name, regime, exponent, peak, impacts, periods, state, start, command }) {
+  motion({ place, fixed, name, regime, exponent, forgets, peak, impacts, periods, state, start, command }) {
     this.name.textContent = name;
     this.place.textContent = place.map((p) => `${p.name} = ${digits(p.value, 8)}`).join(', ');
     this.place.title = fixed.map((p) => `${p.name} = ${digits(p.value, 8)}`).join(', ');
     const row = (term, value) => [element('dt', { text: term }), element('dd', { text: value })];
     this.numbers.replaceChildren(
       ...(regime === name || name.startsWith(regime) ? [] : row('regime', regime)),
-      ...row('λ1 per period', digits(exponent, 5)), ...row('peak impact velocity', digits(peak, 5)),
+      ...row('λ1 per period', digits(forgets ? -Infinity : exponent, 5)), ...row('peak impact velocity', digits(peak, 5)),
       ...row('impacts observed', String(impacts)), ...row('periods followed', String(periods)),
       ...row('started', start), element('dt', { text: 'state' }), element('dd', {}, ...state.flatMap((s, k) => [
         k > 0 ? ', ' : '', element('span', { text: `${s.name} = ${digits(s.value, 6)}` })])));

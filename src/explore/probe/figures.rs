@@ -60,8 +60,8 @@ fn draw(
     // The panel's own heading says where it is.
     figure.title.clear();
     let width = width.clamp(280, 2000);
-    let height = if kind == "series" { width * 5 / 8 } else { figure.natural_size(width).height() };
-    let size = Size::new(width, height).unwrap_or_else(|_| figure.natural_size(width));
+    let low = Size::new(width, width * 5 / 8).ok().filter(|_| kind == "series");
+    let size = low.map_or_else(|| figure.natural_size(width), |low| figure.at_least(low));
     match figure.draw(size, "{}") {
         Ok(picture) => task.answer(kind, json!({ "svg": picture.svg() })),
         Err(error) => task.answer(kind, json!({ "none": error.to_string() })),

@@ -75,6 +75,7 @@ fn motion(scene: &Scene, alone: &Plane, verdict: &Verdict) -> Value {
         "regime": verdict.regime.name(),
         "n": verdict.n,
         "exponent": finite(verdict.lyapunov.into()),
+        "forgets": verdict.lyapunov == f32::NEG_INFINITY,
         "peak": finite(verdict.peak_impact_velocity.into()),
         "impacts": verdict.impacts,
         "periods": verdict.periods,
