@@ -142,11 +142,7 @@ pub fn run(args: &BifurcationArgs) -> Result<()> {
     let size = args.size.unwrap_or_else(|| diagram_size(&diagram, &figure));
     let mut batch = Batch::default();
     batch.add(&data, |file| write_diagram(&diagram, file))?;
-    match figure.draw(size, &diagram.config()) {
-        Ok(drawn) => batch.picture(&picture, &drawn)?,
-        Err(too_small) => return batch.show_without(too_small),
-    }
-    batch.show()?;
+    batch.show_with(&picture, figure.draw(size, &diagram.config()))?;
     if args.json { print_json(&summary) } else { print(&summary.text(&diagram)) }
 }
 

@@ -192,12 +192,10 @@ pub fn run(args: &ControlArgs) -> Result<()> {
     if out.is_some() {
         let figure = picture.figure(args.range);
         let size = args.size.unwrap_or_else(|| figure.natural_size(defaults::WIDE_FIGURE));
-        match figure.draw(size, &config) {
-            Ok(drawn) => batch.picture(&out, &drawn)?,
-            Err(too_small) => return batch.show_without(too_small),
-        }
+        batch.show_with(&out, figure.draw(size, &config))?;
+    } else {
+        batch.show()?;
     }
-    batch.show()?;
     if args.json { print_json(&report) } else { print(&report.text()) }
 }
 

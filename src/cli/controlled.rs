@@ -38,10 +38,10 @@ Axes may vary the settings of the method too: {}; target_v1 … target_vn, targe
 }
 
 impl ControlledArgs {
-    /// Refuses settings of a method where there is none.
-    pub fn refuse_settings(&self) -> Result<()> {
+    /// Refuses settings of a method, and another option of control that was given, where there is no method.
+    pub fn refuse_settings(&self, other: Option<&str>) -> Result<()> {
         // The parser waives that an option requires --control where one that conflicts with it is given, too.
-        match self.settings.any().or(self.iterates.map(|_| "iterates")) {
+        match self.settings.any().or(self.iterates.map(|_| "iterates")).or(other) {
             Some(option) => Err(wrong!(
                 "--{option} has no effect without control: drop it or choose a method with --control"
             )),

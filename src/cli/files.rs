@@ -162,15 +162,19 @@ impl<'a> Batch<'a> {
         })
     }
 
-    /// The same without a picture that does not fit, which is then the error: what was computed is kept.
-    pub fn show_without(self, too_small: TooSmall) -> Result<()> {
-        let kept = if self.filled.is_empty() {
-            ""
-        } else {
-            "; everything else is written, and --force writes it anew"
-        };
-        self.show()?;
-        Err(wrong!("{too_small}{kept}"))
+    /// Shows them with a picture; where that does not fit, without it, and that is the error: what was computed is kept.
+    pub fn show_with(mut self, output: &'a Option<Output>, drawn: Result<Picture, TooSmall>) -> Result<()> {
+        match drawn {
+            Ok(picture) => {
+                self.picture(output, &picture)?;
+                self.show()
+            }
+            Err(too_small) if self.filled.is_empty() => Err(CliError::input(too_small)),
+            Err(too_small) => {
+                self.show()?;
+                Err(wrong!("{too_small}; everything else is written, and --force writes it anew"))
+            }
+        }
     }
 
     /// Puts every file where it belongs, unless Ctrl-C was pressed, and lists them.

@@ -64,12 +64,7 @@ pub fn run(args: &MapArgs) -> Result<()> {
     if let Some(method) = args.control.cells.control {
         return control_map::run(method, args);
     }
-    args.control.cells.refuse_settings()?;
-    if args.control.times.is_some() {
-        return Err(wrong!(
-            "--times has no effect without control: drop it or choose a method with --control"
-        ));
-    }
+    args.control.cells.refuse_settings(args.control.times.as_ref().map(|_| "times"))?;
     let made = args.control.cells.again().map(cell::made).transpose()?;
     let plane = match &made {
         Some(made) => args.plane.again(&made.plane)?,

@@ -177,12 +177,10 @@ pub fn run(args: &OrbitArgs) -> Result<()> {
     batch.table(&trajectory, &columns.of_trajectory(), rows)?;
     if out.is_some() {
         let orbit = Orbit { system: &system, recording: &recording, sections: &sections };
-        match args.picture(&orbit, start, &shown)? {
-            Ok(drawn) => batch.picture(&out, &drawn)?,
-            Err(too_small) => return batch.show_without(too_small),
-        }
+        batch.show_with(&out, args.picture(&orbit, start, &shown)?)?;
+    } else {
+        batch.show()?;
     }
-    batch.show()?;
     print(&summary(&recording, periods, family))
 }
 

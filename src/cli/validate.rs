@@ -67,7 +67,7 @@ pub fn run(args: &ValidateArgs) -> Result<()> {
     if let Some(method) = args.control.control {
         return controlled(args, method);
     }
-    args.control.refuse_settings()?;
+    args.control.refuse_settings(None)?;
     if let Some(from) = args.control.again() {
         return Err(wrong!(
             "--from {} has no effect without control: drop it or choose a method with --control",

@@ -66,7 +66,7 @@ pub use quiet::Quiet;
 pub use real::{Lanes, Mask, Real};
 pub use row::Row;
 pub use shared::Flows;
-pub(crate) use state::BOUND;
+pub(crate) use state::{BOUND, are_bounded};
 pub use state::{BOUNDLESS, State, StateVector};
 pub use step::Step;
 pub use stops_along::StopsAlong;

@@ -21,6 +21,11 @@ pub(crate) const BOUND: f64 = 1e18;
 /// The square of the length of a state, 10¹⁸, from which on a motion counts as growing without bounds, and is followed no further.
 pub const BOUNDLESS: f64 = BOUND * BOUND;
 
+/// Whether the components of a state are bounded: see [`State::is_bounded`].
+pub(crate) fn are_bounded<'a>(components: impl Iterator<Item = &'a f64>) -> bool {
+    components.map(|value| value * value).sum::<f64>() < BOUNDLESS
+}
+
 impl<T: Real, const N: usize> State<T, N> {
     /// All zeros.
     #[inline(always)]
@@ -197,7 +202,7 @@ impl StateVector {
 
     /// See [`State::is_bounded`].
     pub fn is_bounded(&self) -> bool {
-        self.iter().map(|value| value * value).sum::<f64>() < BOUNDLESS
+        are_bounded(self.iter())
     }
 
     /// The number of coordinates.

@@ -96,9 +96,7 @@ impl<T> Plane<T> {
             return Err(PlaneError::SymmetricStartVaried);
         }
         self.start.fits(self.parameters.family())?;
-        if self.start == Start::Rest && !axes.iter().any(varies_start) || self.start == Start::Symmetric {
-            return Ok(());
-        }
+        let Start::State(_) = self.start_at(0, 0) else { return Ok(()) };
         // The places between the stops are convex, and gaps are seldom anything but monotone in two parameters at once: the border
         // decides.
         for (column, row) in self.border(STARTS_ALONG) {

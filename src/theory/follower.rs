@@ -8,7 +8,7 @@ use super::section_vector::wrapped;
 use crate::analysis::Loss;
 use crate::dynamics::{Contact, Move, Moves, Stop, Tangent, Trajectory, catch_all};
 use crate::model::vector::axpy;
-use crate::model::{BOUNDLESS, Flight, OfFlow, State, System};
+use crate::model::{Flight, OfFlow, State, System, are_bounded};
 
 /// A trajectory of the certified flight, with or without tangent vectors.
 pub(super) trait Follower {
@@ -72,7 +72,7 @@ pub(super) trait Follower {
 
     /// Whether it is followed further: see [`State::is_bounded`].
     fn is_bounded(&self) -> bool {
-        self.x().iter().chain(self.v()).map(|value| value * value).sum::<f64>() < BOUNDLESS
+        are_bounded(self.x().iter().chain(self.v()))
     }
 
     /// Moves on to the next event but the end of a step; none where the state is not finite then, or the moves are too many.

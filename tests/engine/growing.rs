@@ -7,28 +7,36 @@ use impact_atlas::dynamics::{GivenUp, record};
 use impact_atlas::model::{Setting, StateVector, System};
 use impact_atlas::plane::{Axis, Start};
 use impact_atlas::sweep::diagram;
-use impact_atlas::system::{Family, Plant, PlantStop};
+use impact_atlas::system::Family;
 use impact_atlas::theory::Spectrum;
-use nalgebra::{DMatrix, DVector};
 
 use crate::common::adapter;
 
-/// One mass before a stop, with so much damping.
+/// One mass before a stop, with damping that may be negative.
+fn driven() -> &'static Family {
+    let file = r#"
+name = "driven"
+[parameters]
+c = 0.1
+[system]
+frequency = "1.3"
+mass = [["1"]]
+damping = [["c"]]
+stiffness = [["1"]]
+force_sin = ["1"]
+[[stop]]
+name = "A"
+direction = ["1"]
+gap = "0.5"
+restitution = "0.8"
+"#;
+    Family::kept(file, "driven.toml").unwrap()
+}
+
+/// The same with so much damping, from rest.
 fn damped(damping: f64) -> Job {
-    let matrix = |value: f64| DMatrix::from_element(1, 1, value);
-    let vector = |value: f64| DVector::from_element(1, value);
-    let plant = Plant {
-        n: 1,
-        mass: matrix(1.0),
-        damping: matrix(damping),
-        stiffness: matrix(1.0),
-        force_sin: vector(1.0),
-        force_cos: vector(0.0),
-        load: vector(0.0),
-        omega: 1.3,
-        stops: vec![PlantStop { direction: vector(1.0), gap: 0.5, restitution: 0.8 }],
-    };
-    Job { system: System::of_plant(plant).unwrap(), start: StateVector::zeros(1) }
+    let system = System::new(Setting::defaults(driven()).with_named("c", damping)).unwrap();
+    Job { system, start: StateVector::zeros(1) }
 }
 
 /// The verdict on so many forcing periods, half of them observed.
@@ -109,23 +117,7 @@ fn nothing_is_measured_of_growth_without_bounds() {
 
 #[test]
 fn a_carried_diagram_goes_on_beyond_columns_that_grow_without_bounds() {
-    let file = r#"
-name = "driven"
-[parameters]
-c = 0.1
-[system]
-frequency = "1.3"
-mass = [["1"]]
-damping = [["c"]]
-stiffness = [["1"]]
-force_sin = ["1"]
-[[stop]]
-name = "A"
-direction = ["1"]
-gap = "0.5"
-restitution = "0.8"
-"#;
-    let family = Family::kept(file, "driven.toml").unwrap();
+    let family = driven();
     let spec = DiagramSpec {
         x: Axis::of_family("c=-0.5:0.5:6", family).unwrap(),
         parameters: Setting::defaults(family),

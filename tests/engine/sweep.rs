@@ -108,11 +108,11 @@ fn the_same_bits_for_any_tile_on_an_adapter() {
     }
 }
 
-/// A plane of another family, over the axes of these texts as a family has them.
-fn of_family(name: &str, x: &str, y: &str, axes_of: &str, start: Start) -> Plane {
-    let axis = |text: &str| Axis::of_family(text, Family::builtin(axes_of)).unwrap();
+/// A plane of a family, over the axes of these texts as this or another family has them.
+fn of_family(family: &'static Family, [x, y]: [&str; 2], axes_of: &'static Family) -> Plane {
+    let axis = |text: &str| Axis::of_family(text, axes_of).unwrap();
     let task = Schedule { transient: 10, observe: 8, max_period: 4, fixed_periods: true };
-    Plane { x: axis(x), y: axis(y), parameters: Setting::defaults(Family::builtin(name)), start, task }
+    Plane { x: axis(x), y: axis(y), parameters: Setting::defaults(family), start: Start::Rest, task }
 }
 
 #[test]
@@ -123,11 +123,11 @@ fn axes_of_another_family_are_refused() {
         // A component of a state of two coordinates, of a system that has one.
         ("shaw-holmes", "x2=0:0.1:3", "v2=0:1:2"),
     ] {
-        let plane = of_family(name, x, y, "luo-ma-lv", Start::Rest);
+        let plane = of_family(Family::builtin(name), [x, y], Family::paper());
         assert!(matches!(plane.check(), Err(PlaneError::Axis(AxisError::Foreign { .. }))), "{name}");
         assert!(sweep(&plane, &Cpu, &Unwatched).is_err(), "{name}");
     }
-    let mut own = of_family("luo-ma-lv", "omega=2:3:3", "delta=0.1:0.3:2", "luo-ma-lv", Start::Rest);
+    let mut own = of_family(Family::paper(), ["omega=2:3:3", "delta=0.1:0.3:2"], Family::paper());
     assert!(own.check().is_ok());
     own.x.steps.count = 0;
     assert!(matches!(own.check(), Err(PlaneError::Axis(AxisError::Count { .. }))));
@@ -153,15 +153,7 @@ gap = "0.6 - 0.5*cos(3*b)"
 restitution = "0.5"
 "#;
     let family = Family::kept(file, "waist.toml").unwrap();
-    let axis = |text: &str| Axis::of_family(text, family).unwrap();
-    let task = Schedule { transient: 10, observe: 8, max_period: 4, fixed_periods: true };
-    let plane = |y: &str| Plane {
-        x: axis("b=-1:1:5"),
-        y: axis(y),
-        parameters: Setting::defaults(family),
-        start: Start::Rest,
-        task,
-    };
+    let plane = |y: &str| of_family(family, ["b=-1:1:5", y], family);
     let refused = plane("x1=0.05:0.5:2").check();
     assert!(matches!(refused, Err(PlaneError::Start(StartError::OutsideStops { .. }))), "{refused:?}");
     assert!(plane("x1=0.05:0.09:2").check().is_ok());
@@ -169,7 +161,7 @@ restitution = "0.5"
 
 #[test]
 fn cells_beyond_a_plane_are_no_cells() {
-    let plane = of_family("luo-ma-lv", "omega=2:3:3", "delta=0.1:0.3:3", "luo-ma-lv", Start::Rest);
+    let plane = of_family(Family::paper(), ["omega=2:3:3", "delta=0.1:0.3:3"], Family::paper());
     let map = sweep(&plane, &Cpu, &Unwatched).unwrap();
     let window = |column: u32, columns: u32| Window { column, row: 0, columns, rows: 1 };
     let within = sweep_windows(&plane, &[window(1, 2)], &Cpu, &Unwatched).unwrap();

@@ -37,12 +37,16 @@ fn cells(map: &RegionMap) -> impl Iterator<Item = (u32, u32)> {
     (0..rows).flat_map(move |row| (0..columns).map(move |column| (column, row)))
 }
 
+/// The parameters of a cell, as they are set.
+fn place(map: &RegionMap, (column, row): (u32, u32)) -> [String; 2] {
+    [format!("omega={}", map.plane.x.value(column)), format!("delta={}", map.plane.y.value(row))]
+}
+
 #[test]
 fn classify_begins_and_looks_as_map_does() {
     let (_folder, map) = mapped("map.png", &[]);
     for (column, row) in cells(&map) {
-        let omega = format!("omega={}", map.plane.x.value(column));
-        let delta = format!("delta={}", map.plane.y.value(row));
+        let [omega, delta] = place(&map, (column, row));
         let found = json(&run(&["classify", "--set", &omega, "--set", &delta, "--backend", "cpu", "--json"]));
         assert_cell(&map, column, row, &found);
         assert_eq!(found["start"], "symmetric");
@@ -50,8 +54,7 @@ fn classify_begins_and_looks_as_map_does() {
     }
     // From rest it is another plane: the agreement above is not for want of difference.
     let from_rest = |(column, row): (u32, u32)| {
-        let omega = format!("omega={}", map.plane.x.value(column));
-        let delta = format!("delta={}", map.plane.y.value(row));
+        let [omega, delta] = place(&map, (column, row));
         let set = ["classify", "--set", &omega, "--set", &delta, "--start", "rest"];
         let found = json(&run(&[&set[..], &["--backend", "cpu", "--json"]].concat()));
         found["state"] != serde_json::to_value(map.at(column, row).state).unwrap()
@@ -101,8 +104,7 @@ fn other_commands_follow_the_cell_of_a_map_too() {
     for (column, row) in
         cells(&map).filter(|&(column, row)| map.at(column, row).regime.is_periodic()).step_by(3)
     {
-        let (omega, delta) =
-            (format!("omega={}", map.plane.x.value(column)), format!("delta={}", map.plane.y.value(row)));
+        let [omega, delta] = place(&map, (column, row));
         let at = format!("{omega},{delta}");
         let cell = ["--from", "map.png", "--at", &at];
         let own = ["--set", &omega, "--set", &delta, "--start", "symmetric"];

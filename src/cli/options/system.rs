@@ -120,11 +120,16 @@ impl SystemArgs {
 
     /// The system, with a start that lies between its stops.
     pub fn system_and_start(&self, start: Start) -> Result<(System, StateVector)> {
-        let system = System::new(self.parameters(&[])?).map_err(CliError::input)?;
-        start.check(system.plant(), self.family()).map_err(CliError::input)?;
-        let state = start_state(&system, start);
-        Ok((system, state))
+        begun(self.parameters(&[])?, start)
     }
+}
+
+/// The system of a setting, with the state of a start that lies between its stops.
+pub(super) fn begun(setting: Setting, start: Start) -> Result<(System, StateVector)> {
+    let system = System::new(setting).map_err(CliError::input)?;
+    start.check(system.plant(), setting.family()).map_err(CliError::input)?;
+    let state = start_state(&system, start);
+    Ok((system, state))
 }
 
 /// What is said of the option that sets parameters, and settings of a control method.
@@ -143,7 +148,7 @@ fn invalid(text: &str, option: &str, error: impl std::error::Error + Send + Sync
 }
 
 /// The state that a start means for a system, which is told where it is not the one named.
-pub fn start_state(system: &System, start: Start) -> StateVector {
+fn start_state(system: &System, start: Start) -> StateVector {
     let is_sought = system.mirror().is_some() && system.plant().stops.len() == 2;
     if start == Start::Symmetric && is_sought && symmetric_start(system).is_none() {
         note("there is no physical symmetric 1-1-1 motion here: starting from rest");

@@ -1,15 +1,15 @@
 //! The trajectory that a command follows: of a system from a start, or that of a cell of a map.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use impact_atlas::model::{StateVector, System};
 use impact_atlas::plane::{Made, Start};
 
-use super::system::{SystemArgs, start_state};
+use super::system::{SystemArgs, begun};
 use crate::cli::cell::{Cell, Place, made};
 use crate::cli::values::parse;
-use crate::cli::{CliError, Result, note};
+use crate::cli::{Result, note};
 
 /// The system and its start, or a cell of a map that has both.
 #[derive(Clone, Debug, Args)]
@@ -62,16 +62,14 @@ impl TrajectoryArgs {
 }
 
 /// That of a cell of a map that was computed before.
-fn of_map(from: &std::path::Path, at: &Place) -> Result<Trajectory> {
+fn of_map(from: &Path, at: &Place) -> Result<Trajectory> {
     let made = made(from)?;
     let cell = Cell::holding(at, &made.plane)?;
     let Cell { column, row, .. } = cell;
     let (x, y) = (made.plane.x.quantity.name(), made.plane.y.quantity.name());
     note(&format!("column {column}, row {row} of `{}`: {x} = {}, {y} = {}", from.display(), cell.x, cell.y));
-    let system = System::new(made.plane.parameters_at(column, row)).map_err(CliError::input)?;
     let start = made.plane.start_at(column, row);
-    start.check(system.plant(), made.plane.parameters.family()).map_err(CliError::input)?;
-    let state = start_state(&system, start);
+    let (system, state) = begun(made.plane.parameters_at(column, row), start)?;
     let options = SystemArgs::of_family(made.plane.parameters.family());
     Ok(Trajectory { options, system, start, state, of_map: Some((made, cell)) })
 }

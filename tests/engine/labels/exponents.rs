@@ -2,11 +2,10 @@
 
 use impact_atlas::analysis::{Schedule, Verdict};
 use impact_atlas::backend::{Backend, Cpu, Job, Unwatched, follow};
-use impact_atlas::model::{Parameters, System};
 use impact_atlas::plane::{Plane, RegionMap, Start};
 use impact_atlas::sweep::{certify, sweep};
 
-use super::schedule;
+use super::{at, job, schedule};
 use crate::common::adapter;
 
 /// Periods that a tangent vector does not align in within an observation.
@@ -14,13 +13,8 @@ const LONG: u16 = 7;
 
 /// A plane with many long periods.
 fn map() -> RegionMap {
-    let plane = Plane {
-        x: "omega=0.9:2.7:80".parse().unwrap(),
-        y: "delta=0.05:0.25:60".parse().unwrap(),
-        parameters: Parameters::default().into(),
-        start: Start::Symmetric,
-        task: schedule(300),
-    };
+    let plane =
+        Plane::of_paper("omega=0.9:2.7:80", "delta=0.05:0.25:60", Start::Symmetric, schedule(300)).unwrap();
     sweep(&plane, &Cpu, &Unwatched).unwrap()
 }
 
@@ -34,13 +28,8 @@ fn long_motions() -> Vec<(Job, Verdict, f32)> {
         let same = verdict.label() == exact.label() && verdict.regime.is_periodic();
         let long = verdict.n >= LONG && verdict.periods < 300 + verdict.measures.observed;
         let (column, row) = (cell as u32 % before.plane.x.count, cell as u32 / before.plane.x.count);
-        let system = System::new(before.plane.parameters_at(column, row)).unwrap();
-        let start = Start::Symmetric.state(&system);
-        (same && long && exact.lyapunov.is_finite()).then_some((
-            Job { system, start },
-            *verdict,
-            exact.lyapunov,
-        ))
+        let job = job(at(before.plane.x.value(column), before.plane.y.value(row)));
+        (same && long && exact.lyapunov.is_finite()).then_some((job, *verdict, exact.lyapunov))
     });
     found.collect()
 }
