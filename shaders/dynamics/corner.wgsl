@@ -30,8 +30,9 @@ fn corner_closes(point: Point, contact: u32, end: End) -> u32 {
         let force = sign * motion.pressing[$k];
         let slope = sign * motion.pressing_rate[$k];
         let lossy = force * (1.0 - stops.restitution[$k][end.side]);
-        closes = closes && force > 0.0 && speed * speed <= corner_negligible(point, end) * lossy;
-        closes = closes && -(slope * speed) <= STEADY * force * lossy;
+        let lost = HOPS * EPSILON * contact_extent(point, end);
+        let completes = speed * speed <= corner_negligible(point, end) * lossy && -(slope * speed) <= STEADY * force * lossy;
+        closes = closes && force > 0.0 && (completes || speed * speed <= lost * force);
     }
     //: end
     return select(CONTACT_FREE, corner, closes);

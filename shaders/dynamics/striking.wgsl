@@ -37,9 +37,16 @@ fn strike(carry: bool, reached: Reached) -> Move {
             return squeeze_collapse(carry, end, squeeze.beside, velocity, rebound, before);
         }
     }
+    // Where an impact takes masses off a contact, which throws them back, each stop by itself seems to end that, again and again.
+    let freed = trajectory.contact != before_contact;
+    var corner = CONTACT_FREE;
+    if !closed.closes || freed {
+        corner = corner_closes(trajectory.point, trajectory.contact, end);
+    }
+    let closes = closed.closes && corner == CONTACT_FREE;
     // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop: it shifts nothing, and nothing
     // rebounds.
-    let stays = closed.closes && abs(velocity) <= unresolved(end, arrived.state);
+    let stays = closes && abs(velocity) <= unresolved(end, arrived.state);
     if carry && velocity != 0.0 && !stays {
         if trajectory.under_way == 1u {
             let pull = along(direction, before);
@@ -52,11 +59,7 @@ fn strike(carry: bool, reached: Reached) -> Move {
         }
     }
     let stop = flight.normals[end.normal].stop[end.side];
-    var corner = CONTACT_FREE;
-    if !closed.closes {
-        corner = corner_closes(trajectory.point, trajectory.contact, end);
-    }
-    if !closed.closes && corner == CONTACT_FREE {
+    if !closes && corner == CONTACT_FREE {
         let lost = unresolved(end, trajectory.point.state);
         if abs(rebound) <= lost {
             // Pulled off the stop as soon as it is met: rounding must not make that another impact.
@@ -67,7 +70,7 @@ fn strike(carry: bool, reached: Reached) -> Move {
     }
     // Caught: in the corner between several stops, or on this one.
     let single = contact_with(trajectory.contact, end);
-    if closed.closes {
+    if closes {
         trajectory.point = closed.resting;
         if carry && abs(rebound) > 0.0 && !stays {
             let present = tangent_present(tangent);
@@ -76,8 +79,8 @@ fn strike(carry: bool, reached: Reached) -> Move {
             trajectory.under_way = 0u;
         }
     }
-    strike_catch(carry, select(corner, single, closed.closes));
-    if !closed.closes {
+    strike_catch(carry, select(corner, single, closes));
+    if !closes {
         trajectory.point.state = rested(trajectory.point.state, corner);
         return Move(EVENT_COMPLETE_CHATTER, stop, velocity, rebound, corner & ~single, 0.0);
     }

@@ -7,6 +7,10 @@ use super::stop::{Contact, End};
 use crate::model::vector::dot;
 use crate::model::{FAR, Flight, Real};
 
+/// As many roundings of a place as what is lost in them may displace masses: they would go on hopping about so far, thrown by rounding
+/// alone.
+pub const HOPS: f64 = 32.0;
+
 /// The contacts of masses that an impact at `end` leaves so slow, and so near to stops along other normals, that they may
 /// as well rest on all of them; `None` elsewhere.
 ///
@@ -14,7 +18,8 @@ use crate::model::{FAR, Flight, Real};
 /// contact forces would all press with the masses at rest in the corner, the energy of the motion about it is positive
 /// and every impact takes some of it, so that infinitely many impacts end there in finite time. A speed u against a
 /// pressing acceleration a lasts for about u/(a(1 − r)), in which the masses are displaced by u²/(a(1 − r)): where that
-/// is below [`Real::CHATTER`] or lost in rounding, the rest of the sequence is left out.
+/// is below [`Real::CHATTER`] or lost in rounding, the rest of the sequence is left out; and so it is where a single rebound, which
+/// displaces them by u²/(2a), is lost in rounding, as at a stop that takes nothing while the others do.
 #[inline(never)]
 pub fn closes<T: Real, const N: usize>(
     flight: &Flight<T, N>,
@@ -46,8 +51,10 @@ pub fn closes<T: Real, const N: usize>(
         let speed = dot(&normal.direction, &point.state.v).abs();
         let [force, slope] = motion.pressure(end);
         let lossy = force * (T::one() - normal.restitution[end.side]);
-        closes &= force > T::zero() && speed * speed <= negligible(flight, point, end) * lossy;
-        closes &= -(slope * speed) <= T::of(STEADY) * force * lossy;
+        let lost = T::of(HOPS) * T::epsilon() * contact::extent(normal, point, end.side);
+        let completes = speed * speed <= negligible(flight, point, end) * lossy
+            && -(slope * speed) <= T::of(STEADY) * force * lossy;
+        closes &= force > T::zero() && (completes || speed * speed <= lost * force);
     }
     closes.then_some(corner)
 }

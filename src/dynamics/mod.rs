@@ -71,6 +71,7 @@ pub(crate) mod constants {
     pub use super::chatter::{FADING, NEARLY, PUSH, SLOW, STEADY};
     pub use super::clear::SHORT;
     pub use super::contact::{KICK_ROUNDINGS, ROUNDINGS, WIDENING};
+    pub use super::corner::HOPS;
     pub use super::crossing::{EXACT, WIDER};
     pub use super::holding::{HELD_FLIGHTS, SEEN};
     pub use super::hull::SWELLING;

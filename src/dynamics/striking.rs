@@ -91,6 +91,14 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
         {
             return self.collapse(flight, tangents, [end, beside], impact, before);
         }
+        // Where an impact takes masses off a contact, which throws them back, each stop by itself seems to end that, again and again.
+        let freed = self.contact != held;
+        let corner = if closed.is_none() || freed {
+            corner::closes(flight, &self.point, self.contact, end)
+        } else {
+            None
+        };
+        let closed = closed.filter(|_| corner.is_none());
         // A speed that rounding cannot tell from 0 is no impact where the masses stay on the stop: it shifts nothing, and nothing
         // rebounds.
         let stays = closed.is_some() && velocity.abs() <= contact::unresolved(flight, end, &arrived.state);
@@ -109,7 +117,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
             }
         }
         let Some((resting, rebounds, closing)) = closed else {
-            if let Some(corner) = corner::closes(flight, &self.point, self.contact, end) {
+            if let Some(corner) = corner {
                 let beside = corner.since(self.contact.with(end));
                 self.catch(flight, tangents, corner);
                 self.point.state = rested(flight, &self.point.state, corner);

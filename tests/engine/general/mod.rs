@@ -5,6 +5,7 @@ mod families;
 mod gpu;
 mod grazing;
 mod invariants;
+mod joint;
 mod numbers;
 mod settling;
 mod simultaneous;

@@ -97,6 +97,7 @@ pub fn source(shape: &Shape) -> String {
         ("RUNAWAY", control::RUNAWAY),
         ("KICK_ROUNDINGS", dynamics::KICK_ROUNDINGS),
         ("ROUNDINGS", dynamics::ROUNDINGS),
+        ("HOPS", dynamics::HOPS),
         ("SHORT", dynamics::SHORT),
         ("LOST_SHARE", dynamics::LOST * epsilon),
         ("TANGENT_SEED", 1.0 / (2.0 * shape.coordinates as f64).sqrt()),
