@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::analysis::ScheduleError;
+use crate::control::ControlScheduleError;
 
 /// What a back end comes to.
 pub type Result<T, E = BackendError> = std::result::Result<T, E>;
@@ -16,6 +17,9 @@ pub enum BackendError {
     /// The schedule cannot be followed.
     #[error(transparent)]
     Schedule(#[from] ScheduleError),
+    /// The schedule cannot be followed under control.
+    #[error(transparent)]
+    ControlSchedule(#[from] ControlScheduleError),
     /// No adapter is there, or none that matches.
     #[error("{0}")]
     NoAdapter(String),

@@ -64,7 +64,8 @@ pub trait Backend: Debug + Send + Sync {
     /// Follows every job under control and gives one outcome per job, in order.
     ///
     /// # Errors
-    /// As [`Backend::run`], and [`BackendError::Unsupported`] for a method that this back end does not have.
+    /// [`BackendError::ControlSchedule`] for one that cannot be followed, otherwise as [`Backend::run`], and
+    /// [`BackendError::Unsupported`] for a method that this back end does not have.
     fn control(
         &self,
         _jobs: &[ControlJob],

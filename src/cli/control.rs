@@ -117,6 +117,7 @@ struct Config<'a> {
 /// Runs the command.
 pub fn run(args: &ControlArgs) -> Result<()> {
     let (system_args, set) = args.system.split()?;
+    MethodArgs::note_shadowed(args.method, system_args.assignments()?.into_iter().map(|set| set.quantity));
     let scheme = args.settings.scheme(args.method, &set, &system_args.parameters(&[])?)?;
     let schedule = ControlSchedule {
         from: args.from,

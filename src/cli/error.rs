@@ -71,6 +71,7 @@ impl From<BackendError> for CliError {
         match error {
             BackendError::Cancelled => CliError::Interrupted,
             BackendError::Schedule(error) => CliError::input(error),
+            BackendError::ControlSchedule(error) => CliError::input(error),
             error => CliError::machine(error),
         }
     }

@@ -9,7 +9,7 @@ use impact_atlas::model::Setting;
 use impact_atlas::plane::Quantity;
 
 use super::values::{Assignment, count};
-use super::{CliError, Result, wrong};
+use super::{CliError, Result, note, wrong};
 
 /// Reads the name of a method.
 pub fn method() -> impl TypedValueParser<Value = &'static Method> {
@@ -93,10 +93,6 @@ impl MethodArgs {
         let replaced: Vec<_> = set.iter().map(|set| (format!("--set {set} sets"), set.quantity)).collect();
         self.refuse_replaced(method, &replaced)?;
         let site = Site::new(setting, self.given.word("stop")).map_err(CliError::input)?;
-        if let Some(option) = self.options.iter().find(|option| !method.has(option.name)) {
-            let (option, method) = (option.name, method.name);
-            return Err(wrong!("--{option} has no effect on {method}: drop it"));
-        }
         let mut scheme = Scheme::given(method, &self.given, &site).map_err(CliError::input)?;
         Assignment::refuse_twice(set)?;
         for one in set {
@@ -118,6 +114,22 @@ impl MethodArgs {
             }
         }
         Ok(())
+    }
+
+    /// Says which names stand for parameters of the system and not for settings of a method, which has these names, too.
+    pub fn note_shadowed(method: &Method, named: impl IntoIterator<Item = Quantity>) {
+        for quantity in named {
+            let Quantity::Parameter(parameter) = quantity else { continue };
+            if let Some(setting) = method.varied.iter().find(|setting| setting.name == parameter.name()) {
+                note(&format!(
+                    "{} is a parameter of the system here, and not the setting of {}: --{} sets that, and no axis varies it \
+                     while the parameter has its name",
+                    setting.name,
+                    method.name,
+                    setting.option()
+                ));
+            }
+        }
     }
 
     /// The first option that was given.

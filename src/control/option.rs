@@ -1,5 +1,6 @@
 //! The options of control methods, as a command line has them: what there is, what was given, and how it is written again.
 
+use super::error::ControlError;
 use super::quantity::ControlQuantity;
 use crate::model::Number;
 
@@ -49,6 +50,30 @@ impl MethodOption {
     /// The same in the place of another.
     pub(super) const fn instead_of(self, other: &'static str) -> Self {
         MethodOption { instead_of: Some(other), ..self }
+    }
+
+    /// Refuses a value of another kind.
+    pub(super) fn check(&self, value: &OptionValue) -> Result<(), ControlError> {
+        let wanted = match (self.kind, value) {
+            (OptionKind::Number, OptionValue::Number(_))
+            | (OptionKind::Count, OptionValue::Count(_))
+            | (OptionKind::Numbers, OptionValue::Numbers(_))
+            | (OptionKind::Word, OptionValue::Word(_)) => return Ok(()),
+            (OptionKind::Number, _) => "a number".to_owned(),
+            (OptionKind::Count, _) => "a whole number".to_owned(),
+            (OptionKind::Numbers, _) => "a list of numbers".to_owned(),
+            (OptionKind::Word, _) => "a word".to_owned(),
+            (OptionKind::Choice(words), value) => {
+                let known: Vec<&str> = words.iter().map(|[word, _]| *word).collect();
+                if let OptionValue::Word(word) = value
+                    && known.contains(&word.as_str())
+                {
+                    return Ok(());
+                }
+                format!("one of {}", known.join(", "))
+            }
+        };
+        Err(ControlError::Option(format!("--{} cannot be {value:?}: give {wanted}", self.name)))
     }
 }
 

@@ -126,6 +126,9 @@ impl Surface {
 
 /// The names of the components of a point on the section of a stop: `v1+`, `x2`, `v2`, `tau` for the first of two
 /// coordinates.
+///
+/// # Panics
+/// If the plant has no such stop.
 pub fn section_names(plant: &Plant, stop: Stop) -> Vec<String> {
     let eliminated = plant.stops[stop.index()].own_coordinate();
     let others = || (0..plant.n).filter(|&i| i != eliminated).map(|i| i + 1);

@@ -64,10 +64,9 @@ impl Target {
                     1 => "one, for --component".to_owned(),
                     count => format!("{}, for {}", words(count), site.listed()),
                 };
-                return Err(ControlError::Option(format!(
-                    "--target has {} numbers: give {wanted}",
-                    values.len()
-                )));
+                let numbers =
+                    if values.len() == 1 { "1 number" } else { &format!("{} numbers", values.len()) };
+                return Err(ControlError::Option(format!("--target has {numbers}: give {wanted}")));
             }
             given.iter_mut().zip(values).for_each(|(given, value)| *given = Some(*value));
         }

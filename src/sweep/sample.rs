@@ -15,6 +15,9 @@ const ONE_OF: u32 = 4;
 
 /// Cells of a plane of so many columns and rows by their indices, row by row: the first `count` of a sequence that
 /// fills the plane evenly however many of it are taken, in some of its columns. A cell may come twice.
+///
+/// # Panics
+/// If the plane has no cells.
 pub fn spread(columns: u32, rows: u32, count: u32) -> Vec<u64> {
     /// The real root of g³ = g + 1, whose powers make the sequence.
     const G: f64 = 1.324_717_957_244_746;

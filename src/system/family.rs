@@ -131,6 +131,9 @@ impl Family {
     }
 
     /// Where a stop stands, by its place in the order of the file.
+    ///
+    /// # Panics
+    /// If the family has no such stop.
     pub fn stop_place(&self, stop: usize) -> StopPlace {
         let FamilyStop { direction, gap, .. } = &self.stops[stop];
         StopPlace::of(direction.texts(), gap.texts().next().unwrap_or("0"))

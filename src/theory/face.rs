@@ -158,6 +158,9 @@ pub(super) fn slots(n: usize, coordinate: usize) -> impl Iterator<Item = usize> 
 ///
 /// The speed along the contact's own coordinate just after the impact (the first coordinate with the largest component
 /// of the stop's direction), the other displacements, the other velocities, the forcing phase.
+///
+/// # Panics
+/// If the system has no such stop.
 pub fn section_names(system: &System, stop: Stop) -> Vec<String> {
     let plant = system.plant();
     let n = plant.n;

@@ -55,6 +55,9 @@ pub enum NoReturn {
 ///
 /// # Errors
 /// As [`impact_map_at`].
+///
+/// # Panics
+/// If the section has not 2n components.
 pub fn impact_map(system: &System, section: impl AsRef<[f64]>) -> Result<Return, NoReturn> {
     impact_map_at(system, Stop(0), section)
 }
@@ -66,6 +69,9 @@ pub fn impact_map(system: &System, section: impl AsRef<[f64]>) -> Result<Return,
 ///
 /// # Errors
 /// [`NoReturn`] where there is no next impact at the stop, or where sticking comes between.
+///
+/// # Panics
+/// If the system has no such stop, or the section has not 2n components.
 pub fn impact_map_at(system: &System, stop: Stop, section: impl AsRef<[f64]>) -> Result<Return, NoReturn> {
     let flow = Flow::new(system);
     let n = flow.n;

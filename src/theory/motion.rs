@@ -45,6 +45,9 @@ impl PeriodicMotion {
     ///
     /// # Errors
     /// [`NoMotion`]: no solution near by, or one that no trajectory follows.
+    ///
+    /// # Panics
+    /// If the guess has not a section of 2n components for each impact of the pattern, or the pattern a stop that the system has not.
     pub fn refine(system: &System, pattern: &Pattern, guess: &[SectionVector]) -> Result<Self, NoMotion> {
         let flow = Flow::new(system);
         let (sections, residual) = newton::solve(&flow, pattern, guess).ok_or(NoMotion::NotConverged)?;

@@ -33,6 +33,9 @@ pub struct Search {
 ///
 /// # Errors
 /// [`NoMotion`] if Newton's method leads nowhere from there; a motion with sticking has no finite impact sequence.
+///
+/// # Panics
+/// If the state has not 2n values.
 pub fn settled_motion(system: &System, state: impl AsRef<[f64]>, n: u32) -> Result<PeriodicMotion, NoMotion> {
     let search = Search { start: state.as_ref().to_vec(), transient: 0, observe: n };
     let orbit = impacts(system, Label::MOST_IMPACTS, &search.start, &search);

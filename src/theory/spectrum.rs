@@ -116,6 +116,9 @@ impl Spectrum {
     }
 
     /// Returns to the section at a stop: impacts there; none where complete chatter makes them infinitely many.
+    ///
+    /// # Panics
+    /// If the system has no such stop.
     pub fn returns(&self, stop: Stop) -> Option<u64> {
         let at = stop.index();
         (!self.endless[at]).then_some(self.impacts_per_stop[at])
@@ -123,6 +126,9 @@ impl Spectrum {
 
     /// The exponents per iterate of the impact map σ→σ at a stop, at A the paper's unit; none where there are no returns,
     /// or infinitely many.
+    ///
+    /// # Panics
+    /// If the system has no such stop.
     pub fn per_iterate(&self, stop: Stop) -> Option<Vec<f64>> {
         let iterates = self.returns(stop).filter(|&iterates| iterates > 0)?;
         let scaled = |exponent: &f64| exponent * f64::from(self.periods) / iterates as f64;

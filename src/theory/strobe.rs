@@ -83,6 +83,9 @@ impl StrobeMotion {
     ///
     /// # Errors
     /// [`NoMotion::NotConverged`] if there is none near by, or the trajectory cannot be followed; there is none of 0 periods.
+    ///
+    /// # Panics
+    /// If the state has not 2n values.
     pub fn refine(system: &System, state: impl AsRef<[f64]>, n: u32) -> Result<Self, NoMotion> {
         if n == 0 {
             return Err(NoMotion::NotConverged);

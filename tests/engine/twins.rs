@@ -4,8 +4,11 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use impact_atlas::analysis::{Probe, Reading, Regime, Schedule, Section, Verdict};
-use impact_atlas::backend::{Backend, BackendError, Cpu, CpuSingle, Gpu, Job, Unwatched, extents, follow};
-use impact_atlas::dynamics::{Event, Trajectory};
+use impact_atlas::backend::{
+    Backend, BackendError, ControlJob, Cpu, CpuSingle, Gpu, Job, Unwatched, extents, follow,
+};
+use impact_atlas::control::{ControlSchedule, Controller};
+use impact_atlas::dynamics::{Event, Stop, Trajectory};
 use impact_atlas::model::{Flight, State};
 use impact_atlas::validate::are_same;
 
@@ -14,6 +17,7 @@ use crate::common::drawn::{families, paper};
 
 const SHORT: Schedule = Schedule { transient: 1, observe: 4, max_period: 2, fixed_periods: true };
 const LOOK: Schedule = Schedule { transient: 100, observe: 48, max_period: 16, fixed_periods: false };
+const CONTROL: ControlSchedule = ControlSchedule { from: 0, iterates: 20, fixed: true, max_period: 2 };
 /// Long enough for chaos to be plain after half the observation.
 const LONG: Schedule = Schedule { transient: 50, observe: 140, max_period: 16, fixed_periods: false };
 
@@ -166,6 +170,17 @@ fn a_schedule_that_cannot_be_followed_is_refused() {
             assert!(matches!(traced, Err(BackendError::Schedule(_))), "{traced:?}");
         }
         assert_eq!(backend.run(&jobs, &SHORT, &Unwatched).unwrap().len(), jobs.len());
+        let control = |schedule: ControlSchedule| {
+            let job = ControlJob { job: jobs[0].clone(), controller: Controller::None(Stop::A) };
+            backend.control(&[job], &schedule, &Unwatched)
+        };
+        for refused in
+            [ControlSchedule { iterates: 3, ..CONTROL }, ControlSchedule { max_period: 0, ..CONTROL }]
+        {
+            let controlled = control(refused);
+            assert!(matches!(controlled, Err(BackendError::ControlSchedule(_))), "{controlled:?}");
+        }
+        assert_eq!(control(CONTROL).unwrap().len(), 1);
     }
 }
 

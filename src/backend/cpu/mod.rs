@@ -71,6 +71,7 @@ macro_rules! on_the_processor {
                 schedule: &ControlSchedule,
                 watch: &dyn Watch,
             ) -> Result<Vec<Outcome>, BackendError> {
+                schedule.check()?;
                 each(jobs, watch, |job| follow_controlled::<$real>(job, schedule))?.into_iter().collect()
             }
 

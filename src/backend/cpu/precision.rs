@@ -10,7 +10,7 @@ use crate::backend::watch::Watch;
 use crate::dynamics::Usage;
 use crate::model::{Real, Width};
 
-/// Follows one trajectory in the given precision; in f32 it does what the GPU does.
+/// Follows one trajectory in the given precision; in f32 it does what the GPU does. [`Schedule::check`] is the caller's to ask.
 pub fn follow<T: Precision>(job: &Job, schedule: &Schedule) -> Verdict {
     T::follow(job, schedule)
 }

@@ -152,6 +152,7 @@ impl Backend for Gpu {
         schedule: &ControlSchedule,
         watch: &dyn Watch,
     ) -> Result<Vec<Outcome>> {
+        schedule.check()?;
         self.check_control_ends(jobs)?;
         jobs.iter()
             .try_for_each(|job| job.controller.check_on_device())

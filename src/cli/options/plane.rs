@@ -80,6 +80,8 @@ impl PlaneArgs {
         settings.refuse_replaced(method, &varied)?;
         self.axes.system.check_beside(&axes)?;
         let (system, set) = self.axes.system.split()?;
+        let of_system = system.assignments()?.into_iter().map(|set| set.quantity);
+        MethodArgs::note_shadowed(method, of_system.chain([x.quantity, y.quantity]));
         let parameters = system.parameters(&axes)?;
         let first = [x, y].iter().fold(parameters, |setting, axis| match axis.quantity {
             Quantity::Parameter(parameter) => setting.with(parameter, axis.first),

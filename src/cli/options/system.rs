@@ -68,7 +68,7 @@ impl SystemArgs {
         self.assigned_to(Setting::defaults(self.family()))
     }
 
-    fn assignments(&self) -> Result<Vec<Assignment>> {
+    pub fn assignments(&self) -> Result<Vec<Assignment>> {
         let read = |text: &String| {
             Assignment::of_family(text, self.family())
                 .map_err(|error| invalid(text, "--set <NAME=VALUE>", error))

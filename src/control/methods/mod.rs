@@ -46,11 +46,12 @@ macro_rules! methods {
             /// The scheme of a method that options make on a section, not checked.
             ///
             /// # Errors
-            /// What is wrong with an option.
+            /// What is wrong with an option: the method does not have it, or not with such a value.
             ///
             /// # Panics
             /// If the method is none of [`METHODS`].
             pub fn given(method: &Method, options: &GivenOptions, site: &Site) -> Result<Self, ControlError> {
+                method.check(options)?;
                 match method.name {
                     $(name if name == <$Setting as Settings>::METHOD.name => {
                         Settings::given(options, site).map(Scheme::$Name)
@@ -228,11 +229,18 @@ impl Method {
         METHODS.iter().copied().find(|method| method.name == name)
     }
 
-    /// Whether it has an option.
-    pub fn has(&self, option: &str) -> bool {
-        let is_it = |own: &&MethodOption| own.name == option;
+    /// Its option of a name, that of the stop and those of a target among them.
+    pub fn option(&self, name: &str) -> Option<&'static MethodOption> {
         let aimed = TARGET_OPTIONS.iter().filter(|_| self.aim != Aim::Nothing);
-        option == STOP_OPTION.name || self.options.1.iter().chain(aimed).any(|own| is_it(&own))
+        self.options.1.iter().chain(aimed).chain([&STOP_OPTION]).find(|own| own.name == name)
+    }
+
+    /// Refuses options that it does not have, and values that are none of theirs.
+    fn check(&self, options: &GivenOptions) -> Result<(), ControlError> {
+        options.0.iter().try_for_each(|(name, value)| match self.option(name) {
+            None => Err(ControlError::Option(format!("--{name} has no effect on {}: drop it", self.name))),
+            Some(option) => option.check(value),
+        })
     }
 
     /// Whether an option has no effect beside a setting that something else sets.

@@ -4,6 +4,7 @@ mod delay;
 mod force;
 mod maps;
 mod ogy;
+mod options;
 mod plants;
 mod pulse;
 mod resting;
