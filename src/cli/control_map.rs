@@ -10,6 +10,7 @@ use impact_atlas::sweep::sweep;
 use serde::Serialize;
 
 use super::census::{self, Census};
+use super::drawing::DrawingArgs;
 use super::files::{self, Batch, Kind};
 use super::map_args::MapArgs;
 use super::progress::Progress;
@@ -37,6 +38,12 @@ struct Summary<'a> {
 
 /// Runs the command.
 pub fn run(method: &Method, args: &MapArgs) -> Result<()> {
+    let of_motions = args.drawing.given().find(|&option| option != DrawingArgs::SIZE);
+    if let Some(option) = of_motions.or(args.curves_out.as_ref().map(|_| "curves-out")) {
+        return Err(wrong!(
+            "--{option} has no effect on a map under control, which shows what is reached: drop it"
+        ));
+    }
     let plane = args.control.cells.plane(method, &args.plane)?;
     if let Some(store) = args.data.as_deref().filter(|path| files::is_store(path)) {
         return Err(wrong!(

@@ -13,7 +13,7 @@ use super::options::{AxesArgs, BackendArgs, OverwriteArgs};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, counted};
-use super::{CliError, Result, curve_list, defaults, estimate, interrupt, note};
+use super::{CliError, Result, curve_list, curve_table, defaults, estimate, interrupt, note};
 
 /// Computes the bifurcation curves of a plane of two parameters
 ///
@@ -86,7 +86,7 @@ pub fn run(args: &CurvesArgs) -> Result<()> {
     tell_of_rest(&plane);
     let (_, PlaneCurves { curves, left_out }) = of_map(map, args.max_period)?;
     let mut batch = Batch::default();
-    curve_list::add_table(&mut batch, &output, &curves, &plane)?;
+    curve_table::add(&mut batch, &output, &curves, &plane)?;
     batch.show()?;
     let summaries = curve_list::summaries(&curves, &plane);
     if args.json {

@@ -11,7 +11,7 @@ use impact_atlas::plane::{Axis, RegionMap, Window};
 use impact_atlas::render::{DrawnCurves, PlanePicture, Shown};
 
 use super::values::{counted, parse, parse_size, parse_span};
-use super::{CliError, Result, curve_list, curves, defaults, wrong};
+use super::{CliError, Result, curve_list, curve_table, curves, defaults, wrong};
 
 /// Curves are read off a map of so many cells at most, those of a larger one in equal steps.
 const MOST_CELLS_OF_CURVES: usize = 480_000;
@@ -44,19 +44,18 @@ pub struct DrawingArgs {
     #[arg(long)]
     no_legend: bool,
 
-    /// Largest N, in forcing periods, of the motions whose curves are computed
-    #[arg(long, value_name = "N", default_value_t = defaults::CURVES_MAX_PERIOD, requires = "curves",
-        value_parser = counted(1, Schedule::LARGEST_PERIOD))]
-    pub curves_max_period: u32,
+    /// Largest N, in forcing periods, of the motions whose curves are computed [default: that of `curves`]
+    #[arg(long, value_name = "N", requires = "curves", value_parser = counted(1, Schedule::LARGEST_PERIOD))]
+    curves_max_period: Option<u32>,
 }
 
 /// Where curves come from.
 #[derive(Clone, Copy, Debug)]
 pub enum CurveSource<'a> {
-    /// The curves are computed.
+    /// The curves are computed, and these of them drawn.
     Computed(Shown),
-    /// They are read from a table.
-    Table(&'a Path),
+    /// They are read from a table, likewise.
+    Table(&'a Path, Shown),
 }
 
 /// Curves, and the map that they are drawn over.
@@ -69,6 +68,25 @@ pub struct Curves {
 }
 
 impl DrawingArgs {
+    /// The option of the size.
+    pub const SIZE: &str = "size";
+    /// The option of the layer.
+    pub const LAYER: &str = "layer";
+
+    /// The options that were given.
+    pub fn given(&self) -> impl Iterator<Item = &'static str> {
+        let given = [
+            (Self::LAYER, self.layer != Layer::MOTION),
+            ("title", self.title.is_some()),
+            ("palette", self.palette.is_some()),
+            ("range", self.range.is_some()),
+            ("no-legend", self.no_legend),
+            ("curves-max-period", self.curves_max_period.is_some()),
+            (Self::SIZE, parse_size(defaults::PICTURE_SIZE) != Ok(self.size)),
+        ];
+        given.into_iter().filter(|(_, given)| *given).map(|(option, _)| option)
+    }
+
     /// Refuses what does not fit a plane.
     pub fn check(&self, family: &'static impact_atlas::system::Family) -> Result<Layer> {
         let layer = Layer::named(&self.layer, family).map_err(CliError::input)?;
@@ -104,19 +122,21 @@ impl DrawingArgs {
 
     /// The curves over a window.
     pub fn curves(&self, cells: &dyn Cells, window: Window, source: CurveSource) -> Result<Curves> {
+        if let (CurveSource::Table(path, _), Some(n)) = (source, self.curves_max_period) {
+            let path = path.display();
+            return Err(wrong!("--curves-max-period {n} has no effect on the curves of `{path}`: drop it"));
+        }
         let map = thinned(cells, window, MOST_CELLS_OF_CURVES).map_err(CliError::input)?;
         Ok(match source {
-            CurveSource::Table(path) => Curves {
-                curves: curve_list::read(path, &map.plane)?,
-                map,
-                which: Shown::All,
-                max_period: None,
-            },
+            CurveSource::Table(path, which) => {
+                Curves { curves: curve_table::read(path, &map.plane)?, map, which, max_period: None }
+            }
             CurveSource::Computed(which) => {
                 impact_atlas::curves::check(&map.plane).map_err(CliError::input)?;
-                let (map, found) = curves::of_map(map, self.curves_max_period)?;
+                let max_period = self.curves_max_period.unwrap_or(defaults::CURVES_MAX_PERIOD);
+                let (map, found) = curves::of_map(map, max_period)?;
                 curve_list::note_left_out(&found.left_out);
-                Curves { map, curves: found.curves, which, max_period: Some(self.curves_max_period) }
+                Curves { map, curves: found.curves, which, max_period: Some(max_period) }
             }
         })
     }

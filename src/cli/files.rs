@@ -19,6 +19,8 @@ pub enum Kind {
     Table,
     /// Arrays: a NumPy archive.
     Archive,
+    /// The same of a plane, which could also be put into a store.
+    Plane,
 }
 
 impl Kind {
@@ -35,7 +37,8 @@ impl Kind {
                 &["png", "svg", "pdf"],
             ),
             Kind::Table => ("tables are CSV files, name it with .csv", &["csv"]),
-            Kind::Archive => ("data are NumPy archives or Zarr stores, name it with .npz or .zarr", &["npz"]),
+            Kind::Archive => ("data are NumPy archives, name it with .npz", &["npz"]),
+            Kind::Plane => ("data are NumPy archives or Zarr stores, name it with .npz or .zarr", &["npz"]),
         };
         let extension = path.extension()?;
         let fits = known.iter().any(|known| extension.eq_ignore_ascii_case(known));
@@ -81,6 +84,11 @@ pub fn prepare<const N: usize>(
         *output = Some(prepared);
     }
     Ok(outputs)
+}
+
+/// Whether a path names a picture.
+pub fn is_picture(path: &Path) -> bool {
+    path.extension().is_some() && Kind::Picture.complaint(path).is_none()
 }
 
 /// Whether a path names a store.

@@ -16,7 +16,7 @@ use super::map_args::MapArgs;
 use super::options::BackendArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, Result, cell, control_map, curve_list, defaults, estimate, stored, wrong};
+use super::{CliError, Result, cell, control_map, curve_table, defaults, estimate, stored, wrong};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -106,7 +106,7 @@ fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extra
     let npz = files::data_beside(&out, args.data.as_deref());
     let wanted = [
         Kind::Picture.at(Some(&out)),
-        Kind::Archive.at(npz.as_deref()),
+        Kind::Plane.at(npz.as_deref()),
         Kind::Table.at(args.curves_out.as_deref()),
     ];
     let [picture, data, table] = files::prepare(args.overwrite, wanted)?;
@@ -141,7 +141,7 @@ fn in_memory(args: &MapArgs, plane: &Plane, options: &BackendArgs, extras: Extra
     drawn?;
     batch.append(archive?.unwrap_or_default());
     let curves = found.map(|found| found.curves).unwrap_or_default();
-    curve_list::add_table(&mut batch, &table, &curves, plane)?;
+    curve_table::add(&mut batch, &table, &curves, plane)?;
     batch.show()?;
     let summary = Summary { certified, ..Summary::new(&map, seconds) };
     if args.json { print_json(&summary) } else { print(&summary.text()) }

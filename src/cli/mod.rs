@@ -15,6 +15,7 @@ mod control_map;
 mod control_report;
 mod controlled;
 mod curve_list;
+mod curve_table;
 mod curves;
 mod defaults;
 mod drawing;
@@ -85,8 +86,8 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Files: - is standard output; what is printed otherwise goes to standard error then. Files that are there are replaced
-only with --force.
+Files: - is standard output; what is printed otherwise goes to standard error then. Files that are there are
+replaced only with --force.
 
 Exit codes: 0 done, 1 a check did not hold or what was asked for is not there, 2 the input is wrong, 3 the machine cannot do it, 130 interrupted.";
 

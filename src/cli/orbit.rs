@@ -32,7 +32,8 @@ const MOST_SECTION_PERIODS: u32 = 1_000_000;
 /// Computed in double precision on the CPU. Times are non-dimensional and count from the start of the trajectory,
 /// transient included; the phase is that of the forcing, from 0 to 2π. The stops have the names of the system: the paper's
 /// are A, x1 = +delta, and B, x1 = -delta. Masses that no spring and no stop ties to the ground drift as they
-/// do; all other commands follow them in a frame that moves with them as a whole.
+/// do; all other commands follow them in a frame that moves with them as a whole, or goes after them where dampers
+/// resist.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -137,6 +138,9 @@ pub fn run(args: &OrbitArgs) -> Result<()> {
     let shown = args.shown(&options)?;
     let (transient, periods) = (args.transient, args.periods);
     let samples = args.samples();
+    if let (0, Some(samples)) = (samples, args.samples) {
+        return Err(wrong!("--samples {samples} has no effect without --out or --trajectory: drop it"));
+    }
     if u64::from(periods) * u64::from(samples) > LARGEST {
         return Err(wrong!(
             "{periods} periods with {samples} points each are too many: at most {LARGEST} points are accepted"

@@ -45,6 +45,10 @@ pub struct RenderArgs {
     #[arg(long, value_name = "FILE.csv|compute")]
     curves: Option<PathBuf>,
 
+    /// Which of the curves: as for `map`, those that bound what can be observed, or all of them
+    #[arg(long, value_name = "WHICH", value_enum, requires = "curves", default_value_t = Shown::Bounding)]
+    curves_shown: Shown,
+
     #[command(flatten)]
     drawing: DrawingArgs,
 
@@ -60,8 +64,8 @@ pub fn run(args: &RenderArgs) -> Result<()> {
     let window = window(cells, args.x, args.y)?;
     let [picture] = files::prepare(args.overwrite, [Kind::Picture.at(Some(&args.out))])?;
     let source = args.curves.as_deref().map(|curves| match curves.to_str() {
-        Some("compute") => CurveSource::Computed(Shown::Bounding),
-        _ => CurveSource::Table(curves),
+        Some("compute") => CurveSource::Computed(args.curves_shown),
+        _ => CurveSource::Table(curves, args.curves_shown),
     });
     let (drawn, _) = args.drawing.draw(cells, window, source)?;
     let mut batch = Batch::default();
@@ -74,6 +78,12 @@ pub fn opened(path: &Path) -> Result<Box<dyn Cells>> {
     let name = path.display();
     if path.is_dir() {
         return Ok(Box::new(ZarrStore::open(path).map_err(CliError::from)?));
+    }
+    if files::is_picture(path) {
+        return Err(wrong!(
+            "`{name}` is a picture: give the data beside it, `{}`",
+            path.with_extension("npz").display()
+        ));
     }
     let file = File::open(path).map_err(|error| wrong!("cannot read `{name}`: {error}"))?;
     let refused = |error: ReadError| {

@@ -51,12 +51,16 @@ fn text(status: &Status) -> String {
     match (status.missing, status.cells_per_second, status.seconds_left) {
         (0, ..) => lines.push("nothing is left to do".to_owned()),
         (_, Some(pace), Some(left)) => lines.push(format!(
-            "{} at work, {pace:.0} cells/s together, about {} left at that pace",
+            "{} at work, unless killed lately; {pace:.0} cells/s together, about {} left at that pace",
             processes(status.processes),
             spans::words(Duration::from_secs_f64(left.min(1e9)))
         )),
         _ if status.processes > 0 => {
-            lines.push(format!("{} at work, without a tile so far", processes(status.processes)));
+            lines.push(format!(
+                "{} at work, unless killed in the last {}; without a tile so far",
+                processes(status.processes),
+                spans::words(Status::SILENCE)
+            ));
         }
         _ => lines.push(
             "no process is at work, as far as is known: `map` with the same options goes on".to_owned(),

@@ -10,13 +10,13 @@ use impact_atlas::store::{Failure, Wanted, ZarrStore};
 use impact_atlas::sweep::{check, provenance, sweep_stored};
 use serde::Serialize;
 
-use super::drawing::CurveSource;
+use super::drawing::{CurveSource, DrawingArgs};
 use super::files::{self, Batch, Kind};
 use super::map_args::MapArgs;
 use super::options::BackendArgs;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
-use super::{CliError, Result, curve_list, estimate, note, wrong};
+use super::{CliError, Result, curve_table, estimate, note, wrong};
 
 /// What is printed.
 #[derive(Debug, Serialize)]
@@ -51,6 +51,14 @@ pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, ex
     if args.curves.is_some() && args.out.is_none() {
         return Err(wrong!(
             "--curves draws over a picture, and beside a store there is none unless it is asked for: name one with --out"
+        ));
+    }
+    // A layer may ask for what the store is to hold.
+    let unseen = args.drawing.given().find(|&option| option != DrawingArgs::LAYER || !extras.extents);
+    if let (None, Some(option)) = (&args.out, unseen) {
+        return Err(wrong!(
+            "--{option} has no effect beside a store, of which nothing is drawn unless it is asked for: drop it, or name a picture \
+             with --out"
         ));
     }
     let wanted = [Kind::Picture.at(args.out.as_deref()), Kind::Table.at(args.curves_out.as_deref())];
@@ -97,7 +105,7 @@ pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, ex
         let (drawn, curves) = args.drawing.draw(&store, Window::whole(plane), source)?;
         let mut batch = Batch::default();
         batch.picture(&picture, &drawn)?;
-        curve_list::add_table(&mut batch, &table, &curves, plane)?;
+        curve_table::add(&mut batch, &table, &curves, plane)?;
         batch.show()?;
     }
     if args.json { print_json(&summary) } else { print(&summary.text(path)) }?;
@@ -113,13 +121,16 @@ pub fn run(args: &MapArgs, plane: &Plane, path: &Path, options: &BackendArgs, ex
 
 impl Summary<'_> {
     fn text(&self, path: &Path) -> String {
-        let mut lines = vec![format!(
-            "{} cells and {} impacts in {:.2} s, {:.3e} impacts/s",
-            self.cells, self.impacts, self.seconds, self.impacts_per_second
-        )];
+        let mut lines = match self.tiles_computed {
+            0 => vec!["nothing was computed".to_owned()],
+            _ => vec![format!(
+                "{} cells and {} impacts in {:.2} s, {:.3e} impacts/s",
+                self.cells, self.impacts, self.seconds, self.impacts_per_second
+            )],
+        };
         let part = if self.part == "1/1" { String::new() } else { format!(" of part {}", self.part) };
         lines.push(format!(
-            "{} tiles{part} computed, {} were there before, {} failed; {} of the plane are missing in {}",
+            "tiles{part}: {} computed, {} there before, {} failed; of the plane {} missing in {}",
             self.tiles_computed,
             self.tiles_there,
             self.tiles_failed.len(),

@@ -109,6 +109,7 @@ fn unusable_lengths_are_refused() {
     refuses(&["classify", "--observe", "many"], &["many", "--observe"]);
     refuses(&["orbit", "--periods", "0"], &["--periods"]);
     refuses(&["orbit", "--trajectory", "t.csv", "--periods", "1000000", "--samples", "100"], &["at most"]);
+    refuses(&["orbit", "--impacts", "i.csv", "--samples", "100"], &["--samples 100", "--trajectory"]);
     refuses(&["validate", "--cells", "0"], &["--cells"]);
     refuses(&["map", "--size", "0x0"], &["0 × 0"]);
     refuses(&["map", "--size", "big"], &["WIDTHxHEIGHT"]);

@@ -106,6 +106,7 @@ fn settings_out_of_range_are_refused() {
     refuses(&control("delay", &["--range", "10:99999", "--out", "c.png"]), &["99999"]);
     refuses(&control("delay", &["--tolerance", "0"]), &["--tolerance 0"]);
     refuses(&control("delay", &["--out", "c.gif"]), &["c.gif"]);
+    refuses(&control("delay", &["--data", "c.zarr"]), &["c.zarr", "name it with .npz"]);
     refuses(&control("delay", &["--out", "c.png", "--data", "c.png"]), &["two results"]);
     refuses(&["control", "delay", "--set", "delta=0"], &["delta = 0"]);
     // The motion from rest settles without impacts: there is nothing to act at.
@@ -143,6 +144,19 @@ fn maps_that_cannot_be_controlled_are_refused() {
     refuses(&["map", "--control", "delay", "--x", "gain=0:1:4", "--gain", "0.3"], &["--gain has no effect"]);
     refuses(&["map", "--control", "pulse", "--x", "period=1:2:3"], &["whole numbers"]);
     refuses(&["map", "--control", "delay", "--transient", "5"], &["--transient"]);
+    let small = ["map", "--control", "delay", "--x", "gain=0:1:4", "--y", "omega=2.6:3:3"];
+    for option in [
+        "--layer=lyapunov",
+        "--layer=nonsense",
+        "--palette=magma",
+        "--range=0:1",
+        "--title=a",
+        "--no-legend",
+        "--curves-out=c.csv",
+        "--curves-max-period=3",
+    ] {
+        refuses(&[&small[..], &[option]].concat(), &[option.split('=').next().unwrap(), "under control"]);
+    }
     refuses(&["map", "--times", "t.png"], &["--control"]);
     refuses(&["map", "--times", "t.png", "--transient", "5"], &["--times", "--control"]);
     refuses(&["map", "--iterates", "30", "--transient", "5"], &["--iterates", "--control"]);
@@ -181,4 +195,26 @@ fn a_map_under_control_is_validated() {
     refuses(&["validate", "--control", "delay", "--curves"], &["--curves"]);
     let local = ["--control", "sine", "--convention", "force-local", "--cells", "4"];
     refuses(&[&["validate"], &local[..]].concat(), &["--backend cpu"]);
+}
+
+#[test]
+fn a_parameter_with_the_name_of_a_setting_is_told_from_it() {
+    let folder = tempdir().unwrap();
+    let text =
+        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/system/families/bouncing-ball.toml"))
+            .unwrap();
+    fs::write(folder.path().join("own.toml"), text.replace("Gamma", "gain")).unwrap();
+    let said = |system: &str, set: &str| {
+        let system = ["control", "delay", "--system", system, "--set", set, "--start", "1.5,1.5"];
+        let output = run_in(folder.path(), &[&system[..], &["--from", "20", "--iterates", "40"]].concat());
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(0), "{said}");
+        said
+    };
+    assert!(!said("bouncing-ball", "Gamma=1.6").contains("parameter of the system"));
+    let said = said("own.toml", "gain=1.6");
+    assert!(
+        said.contains("gain is a parameter of the system here") && said.contains("--gain sets that"),
+        "{said}"
+    );
 }

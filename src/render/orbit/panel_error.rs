@@ -10,7 +10,7 @@ pub enum PanelError {
     /// No plot has that name.
     #[error(
         "unknown panel `{0}`; the panels are portrait, portrait2, time, section, section-b, strobe (a number names \
-         the coordinate, what stands behind section- the stop)"
+         the coordinate, what stands behind section- the stop, where the system has it)"
     )]
     Panel(String),
     /// Two quantities are missing.

@@ -1,6 +1,7 @@
 //! How far a store is.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
 use serde::Serialize;
 
@@ -13,8 +14,8 @@ const PATIENCE: f64 = 5.0;
 
 /// At least this long ago, in seconds …
 const RECENT: f64 = 60.0;
-/// … and this long, where it has not finished any tile.
-const FIRST: f64 = 600.0;
+/// … and this long, where it has not finished any tile; see [`Status::SILENCE`].
+const FIRST: f64 = Status::SILENCE.as_secs() as f64;
 
 /// How far a store is.
 #[derive(Clone, Debug, Serialize)]
@@ -31,7 +32,7 @@ pub struct Status {
     pub missing: u32,
     /// Tiles that failed twice and are not there, with why.
     pub failed: Vec<Failure>,
-    /// Processes at work: those heard of lately, and not of their end.
+    /// Processes at work, as far as is known: those heard of lately, and not of their end; one that is killed does not say so.
     pub processes: u32,
     /// Cells per second of those, together; none where none of them has finished a tile.
     pub cells_per_second: Option<f64>,
@@ -60,6 +61,11 @@ pub struct Failure {
 struct Pace {
     cells: f64,
     cost: f64,
+}
+
+impl Status {
+    /// For so long a process that began, and was not heard of since, counts as at work: nobody tells whether it was killed.
+    pub const SILENCE: Duration = Duration::from_secs(600);
 }
 
 impl ZarrStore {

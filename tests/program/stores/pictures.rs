@@ -84,7 +84,15 @@ fn curves_of_a_table_are_drawn() {
     assert!(pixels(&at("map.png")) != pixels(&at("curves.png")));
     done(folder.path(), "render map.npz --out curves.svg --size 600x450 --curves curves.csv");
     let svg = fs::read_to_string(at("curves.svg")).unwrap().replace("&quot;", "\"");
-    assert!(svg.contains(r#""curves":{"shown":"all","max_period":null}"#));
+    assert!(svg.contains(r#""curves":{"shown":"bounding","max_period":null}"#));
+    done(folder.path(), "render map.npz --out all.svg --size 600x450 --curves curves.csv --curves-shown all");
+    let all = fs::read_to_string(at("all.svg")).unwrap().replace("&quot;", "\"");
+    assert!(all.contains(r#""curves":{"shown":"all","max_period":null}"#));
+    // The curves that `map` draws and writes are those that are drawn from its table.
+    done(folder.path(), &format!("{SMALL} --out drawn.png --size 600x450 --curves --curves-out drawn.csv"));
+    done(folder.path(), "render drawn.npz --out again.png --size 600x450 --curves drawn.csv");
+    assert!(pixels(&at("drawn.png")) == pixels(&at("again.png")));
+    assert!(pixels(&at("drawn.png")) != pixels(&at("map.png")));
 }
 
 #[test]

@@ -110,8 +110,20 @@ fn a_truncated_shard_and_layers_that_are_not_there_are_refused() {
     render(&["--x", "7:9"], &["holds none of the cells", "omega=2.6:3.9:12"]);
     render(&["--x", "7"], &["A:B"]);
     render(&["--curves", "none.csv"], &["none.csv"]);
+    refused(root, &["render", "map.png", "--out", "o.png"], &["map.png", "map.npz"]);
     fs::write(root.join("bad.csv"), "a,b\n1,2\n").unwrap();
     render(&["--curves", "bad.csv"], &["columns"]);
+    let header = "curve,kind,motion,x,y,criticality,point,symmetric,bounding";
+    for (row, parts) in [
+        ("1,fold,1-1-1,3,0.1,supper,ordinary,true,true", ["line 2", "`supper` in criticality"]),
+        ("1,fold,1-1-1,3,0.1,,special,true,true", ["line 2", "`special` in point"]),
+        ("1,fold,1-1-1,3,0.1,,ordinary,true,perhaps", ["line 2", "neither true nor false in bounding"]),
+        ("1,fold,1-1-1,3,0.1,,ordinary,1,true", ["line 2", "neither true nor false in symmetric"]),
+    ] {
+        fs::write(root.join("bad.csv"), format!("{header}\n{row}\n")).unwrap();
+        render(&["--curves", "bad.csv"], &parts);
+    }
+    render(&["--curves", "bad.csv", "--curves-max-period", "3"], &["--curves-max-period 3", "bad.csv"]);
     let shard = root.join("plane.zarr/n/c/0/0");
     let bytes = fs::read(&shard).unwrap();
     fs::write(&shard, &bytes[..bytes.len() / 2]).unwrap();
@@ -120,4 +132,8 @@ fn a_truncated_shard_and_layers_that_are_not_there_are_refused() {
     done(root, &format!("{SMALL} --data plane.zarr"));
     assert_eq!(fs::read(&shard).unwrap(), bytes);
     refused(root, &words(&format!("{SMALL} --data plane.zarr --curves")), &["--curves", "--out"]);
+    for option in ["--title=a", "--size=300x300", "--layer=lyapunov", "--no-legend"] {
+        let name = option.split('=').next().unwrap();
+        refused(root, &words(&format!("{SMALL} --data plane.zarr {option}")), &[name, "--out"]);
+    }
 }
