@@ -6,6 +6,7 @@ use parking_lot::Mutex;
 use thiserror::Error;
 
 use super::limits;
+use super::ranges::axis_of;
 use super::request::{AskedPlane, AskedSystem};
 use crate::analysis::Schedule;
 use crate::model::{Parameter, Setting, System};
@@ -86,8 +87,14 @@ fn check_lines(text: &str) -> Result<(), Refused> {
 /// # Errors
 /// [`Refused`] with what cannot be used.
 pub fn plane(asked: &AskedPlane, family: &'static Family) -> Result<Plane, Refused> {
-    let x = axis(asked.x.as_deref(), family, family.plane.as_ref().map(|plane| &*plane.x), "horizontal")?;
-    let y = axis(asked.y.as_deref(), family, family.plane.as_ref().map(|plane| &*plane.y), "vertical")?;
+    let own = match &family.plane {
+        Some(plane) => [Some(plane.x.to_string()), Some(plane.y.to_string())],
+        None => [0, 1].map(|place| axis_of(family, place)),
+    };
+    let [x, y] = [&asked.x, &asked.y].map(Option::clone);
+    let [own_x, own_y] = own;
+    let x = axis(x.or(own_x), family, "horizontal")?;
+    let y = axis(y.or(own_y), family, "vertical")?;
     let periods = [("transient", asked.transient), ("observation", asked.observe)];
     if let Some((name, periods)) = periods.into_iter().find(|(_, periods)| *periods > limits::PERIODS) {
         return Err(refused(format!(
@@ -147,16 +154,11 @@ pub fn check(plane: &Plane) -> Result<(), Refused> {
     Ok(())
 }
 
-fn axis(
-    given: Option<&str>,
-    family: &'static Family,
-    default: Option<&str>,
-    which: &str,
-) -> Result<Axis, Refused> {
-    let text = given
-        .or(default)
-        .ok_or_else(|| refused(format!("the system has no default plane: choose the {which} axis")))?;
-    let axis = Axis::of_family(text, family).map_err(because)?;
+fn axis(text: Option<String>, family: &'static Family, which: &str) -> Result<Axis, Refused> {
+    let text = text.ok_or_else(|| {
+        refused(format!("the system has no second parameter: choose the {which} axis in its [plane]"))
+    })?;
+    let axis = Axis::of_family(&text, family).map_err(because)?;
     match axis.quantity {
         Quantity::Control(_) => Err(refused(format!("{axis} is a setting of a control method"))),
         Quantity::Parameter(_) | Quantity::Start(_) => Ok(axis),

@@ -4,6 +4,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::backends;
+use super::ranges::{component_range, slider};
 use super::scene::Scene;
 use crate::model::{Parameter, joined};
 use crate::plane::{Axis, Component, Plane, Quantity, Start};
@@ -21,24 +22,6 @@ struct Described {
     slider: [f64; 2],
     /// The range in words.
     range: String,
-}
-
-/// The ends of a slider: the parameter's own where it has any, else about the value.
-fn slider(parameter: Parameter, value: f64) -> [f64; 2] {
-    let range = parameter.about().range;
-    let reach = if value == 0.0 { 1.0 } else { 2.0 * value.abs() };
-    let shy = |end: f64, included: bool, inwards: f64| if included { end } else { end + inwards };
-    // A bound far away, such as the largest frequency, is no use as the end of a slider.
-    let near = |end: f64| end.abs() <= 20.0 * reach;
-    let low = range.lower.filter(|bound| near(bound.value));
-    let high = range.upper.filter(|bound| near(bound.value));
-    let span = match (low, high) {
-        (Some(low), Some(high)) => high.value - low.value,
-        _ => reach,
-    };
-    let low = low.map_or(value - reach, |bound| shy(bound.value, bound.included, 1e-3 * span));
-    let high = high.map_or(value + reach, |bound| shy(bound.value, bound.included, -1e-3 * span));
-    [low.min(value), high.max(value)]
 }
 
 fn parameters(plane: &Plane) -> Vec<Described> {
@@ -99,6 +82,7 @@ pub fn scene(scene: &Scene, own: &'static Family) -> Value {
     let family = plane.parameters.family();
     let stops: Vec<&str> = family.stops().iter().map(|stop| stop.name.as_str()).collect();
     let components: Vec<&str> = Component::all(family.n()).map(Component::name).collect();
+    let ranges: Vec<[f64; 2]> = (0..components.len()).map(|of| component_range(plane, of)).collect();
     json!({
         "scene": scene.id,
         "plane": asked(plane, &scene.computing.asked.name(), own),
@@ -107,6 +91,7 @@ pub fn scene(scene: &Scene, own: &'static Family) -> Value {
         "title": live_title(plane),
         "parameters": parameters(plane),
         "components": components,
+        "component_ranges": ranges,
         "stops": stops,
         "system": { "name": family.name, "origin": family.origin, "text": family.text, "source": family.source },
         "layers": super::layer::layers(family),

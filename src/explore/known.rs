@@ -4,6 +4,7 @@ use super::lattice::Cell;
 use super::limits::HELD_CELLS;
 use super::stored::Stored;
 use crate::analysis::Verdict;
+use crate::plane::fields::Cells as _;
 use crate::plane::{Plane, RegionMap};
 use crate::store::ZarrStore;
 
@@ -11,6 +12,8 @@ use crate::store::ZarrStore;
 #[derive(Debug)]
 pub struct Known {
     plane: Plane,
+    /// Whether its periodic cells were certified.
+    certified: bool,
     cells: Cells,
 }
 
@@ -31,12 +34,18 @@ impl Known {
     /// # Errors
     /// What the file system reports.
     pub fn of_store(store: ZarrStore) -> Result<Self, crate::store::StoreError> {
-        Ok(Known { plane: store.plane().clone(), cells: Cells::Stored(Box::new(Stored::new(store)?)) })
+        let (plane, certified) = (store.plane().clone(), store.extras().certified);
+        Ok(Known { plane, certified, cells: Cells::Stored(Box::new(Stored::new(store)?)) })
     }
 
     /// The plane.
     pub fn plane(&self) -> &Plane {
         &self.plane
+    }
+
+    /// Whether its periodic cells were certified.
+    pub fn is_certified(&self) -> bool {
+        self.certified
     }
 
     /// The store that the cells are in, if they are in one.
@@ -71,6 +80,6 @@ impl Known {
 
 impl From<RegionMap> for Known {
     fn from(map: RegionMap) -> Self {
-        Known { plane: map.plane, cells: Cells::All(map.verdicts) }
+        Known { certified: map.extras().certified, plane: map.plane, cells: Cells::All(map.verdicts) }
     }
 }

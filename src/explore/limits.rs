@@ -47,7 +47,7 @@ pub const TASKS: usize = 6;
 /// Pages at a time.
 pub const CONNECTIONS: usize = 32;
 
-/// Planes that are kept.
+/// Planes that are kept, beside those that pages show.
 pub const SCENES: usize = 64;
 
 /// Tiles that are kept, over all planes.

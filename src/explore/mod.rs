@@ -23,6 +23,7 @@ mod limits;
 mod outbox;
 mod page;
 mod probe;
+mod ranges;
 mod reply;
 mod request;
 mod scene;

@@ -22,11 +22,11 @@ const HTML: [Part; 1] = parts!("text/html; charset=utf-8": "index.html");
 const STYLES: [Part; 5] = parts!("text/css; charset=utf-8":
     "style/base.css", "style/plane.css", "style/controls.css", "style/panel.css", "style/narrow.css");
 
-const MODULES: [Part; 30] = parts!("text/javascript; charset=utf-8":
+const MODULES: [Part; 32] = parts!("text/javascript; charset=utf-8":
     "main.js", "link.js", "protocol.js", "view.js", "address.js", "tiles.js", "grid.js", "paint.js", "axes.js",
     "legend.js", "words.js", "pointer.js", "keys.js", "hover.js", "panel.js", "card.js", "circle.js", "controls.js",
     "system.js", "form.js", "curves.js", "marks.js", "toolbar.js", "slice.js", "save.js", "status.js", "theme.js", "dom.js",
-    "place.js", "timing.js");
+    "place.js", "timing.js", "told.js", "summary.js");
 
 const FONTS: [Part; 2] = [
     Part {

@@ -61,6 +61,11 @@ impl Scene {
         self.known.as_ref()?.stored()
     }
 
+    /// Whether the cells of a level are those that are known from before, and were certified.
+    pub fn is_certified(&self, level: i32) -> bool {
+        level == 0 && self.known.as_ref().is_some_and(|known| known.is_certified())
+    }
+
     /// What is known of a cell from before, of those that were made ready.
     pub fn known(&self, cell: Cell) -> Option<Verdict> {
         let (column, row) = cell.of_plane(&self.plane)?;

@@ -101,8 +101,11 @@ impl Served {
         let scene = Arc::new(Scene::new(id, plane, computing, known));
         let mut scenes = self.scenes.lock();
         scenes.push_back(scene.clone());
-        if scenes.len() > limits::SCENES
-            && let Some(oldest) = scenes.pop_front()
+        // What a page shows is kept: it would have to be opened again.
+        let is_shown = |scene: &Arc<Scene>| Arc::strong_count(scene) > 1;
+        while scenes.len() > limits::SCENES
+            && let Some(at) = scenes.iter().position(|scene| !is_shown(scene))
+            && let Some(oldest) = scenes.remove(at)
         {
             self.engine.tiles().forget(oldest.id);
         }

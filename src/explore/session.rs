@@ -30,6 +30,8 @@ pub struct Session {
     place: Place,
     page: Page,
     tasks: Tasks,
+    /// The plane that the page opened last.
+    shown: Mutex<Option<Arc<Scene>>>,
 }
 
 /// What is done for a page, by the number of its question.
@@ -40,7 +42,7 @@ impl Session {
     pub fn begin(served: &Arc<Served>, place: Place, page: Page) -> Self {
         let hello = describe::hello(&served.first, &served.computing.asked.name(), served.own());
         let _ = page.send(Outgoing::of(hello));
-        Session { served: served.clone(), place, page, tasks: Tasks::default() }
+        Session { served: served.clone(), place, page, tasks: Tasks::default(), shown: Mutex::default() }
     }
 
     /// Does what a message asks for, or begins to.
@@ -75,6 +77,7 @@ impl Session {
             (Request::Open { ask, plane }, _) => {
                 let scene = served.open(&plane)?;
                 self.reply("scene", ask, describe::scene(&scene, served.own()));
+                *self.shown.lock() = Some(scene);
             }
             (Request::Cancel { ask }, _) => {
                 if let Some(flag) = self.tasks.lock().get(&ask) {
@@ -104,7 +107,10 @@ impl Session {
                     return Err(refused("this window is empty or too far away"));
                 }
                 let plane = window.plane(&scene.plane).map_err(super::asked::because)?;
-                let text = command::map(&plane, scene.computing.asked, size, curves, layer);
+                let mut text = command::map(&plane, scene.computing.asked, size, curves, layer);
+                if scene.is_certified(window.z) {
+                    text += " --certify";
+                }
                 self.reply("command", ask, json!({ "text": text }));
             }
             (Request::Bar { ask, layer, window, length, em, .. }, Some(scene)) => {

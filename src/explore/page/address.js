@@ -1,6 +1,7 @@
 // The address holds the whole view: plane, window, clicked cell, curves; the browser's history goes through the views.
 
 import { afterwards } from './dom.js';
+import { isWhole } from './form.js';
 
 const WORDS = ['x', 'y', 'start', 'backend'];
 const NUMBERS = ['transient', 'observe', 'max_period'];
@@ -13,7 +14,7 @@ export function written({ plane, window, cell, curves, layer }) {
   for (const key of [...WORDS, ...NUMBERS]) if (plane[key] != null) words.set(key, plane[key]);
   if (plane.fixed_periods) words.set('fixed_periods', '1');
   for (const [name, value] of Object.entries(plane.set)) words.set(`set.${name}`, value);
-  if (window) words.set('view', window.map((value) => Number(value.toPrecision(12))).join(','));
+  if (window) words.set('view', window.join(','));
   if (cell) words.set('cell', cell.join(','));
   if (curves) words.set('curves', '1');
   if (layer) words.set('layer', layer);
@@ -28,7 +29,7 @@ export function read(hash, first) {
   if (words.has('described')) plane.system = { text: words.get('described') };
   else if (words.has('system')) plane.system = { name: words.get('system') };
   for (const key of WORDS) if (words.has(key)) plane[key] = words.get(key);
-  for (const key of NUMBERS) if (Number.isInteger(Number(words.get(key)))  && words.has(key)) plane[key] = Number(words.get(key));
+  for (const key of NUMBERS) if (words.has(key) && isWhole(Number(words.get(key)))) plane[key] = Number(words.get(key));
   for (const [key, value] of words) {
     if (key.startsWith('set.') && Number.isFinite(Number(value))) plane.set[key.slice(4)] = Number(value);
   }
@@ -36,7 +37,8 @@ export function read(hash, first) {
     const values = (words.get(key) ?? '').split(',').map(Number);
     return words.has(key) && values.length === count && values.every(Number.isFinite) ? values : null;
   };
-  return { plane, window: numbers('view', 4), cell: numbers('cell', 3), curves: words.get('curves') === '1',
+  const cell = numbers('cell', 3);
+  return { plane, window: numbers('view', 4), cell: cell?.every(Number.isSafeInteger) ? cell : null, curves: words.get('curves') === '1',
     layer: words.get('layer') };
 }
 

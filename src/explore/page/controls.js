@@ -1,7 +1,7 @@
 // Everything that says which plane it is: axes, parameters, start, periods, back end. Each change asks for another plane.
 
 import { afterwards, element } from './dom.js';
-import { choice, group, number, row } from './form.js';
+import { choice, focused, group, number, row, whole } from './form.js';
 import { SystemForm } from './system.js';
 
 const STEPS = 400;
@@ -15,6 +15,7 @@ export class Controls {
     this.slide = afterwards(120, (name, value) => this.set(name, value));
     this.system = new SystemForm(hello.systems, (system) => this.change({ system, x: null, y: null, set: {}, start: 'rest' }));
     this.body = element('div', {});
+    for (const type of ['pointerup', 'pointercancel']) addEventListener(type, () => { this.held = false; });
     root.replaceChildren(this.system.root, this.body);
   }
 
@@ -26,14 +27,24 @@ export class Controls {
     this.change({ set: { ...this.plane.set, [name]: value } });
   }
 
-  /** Shows the plane that is open. While a slider is held it stays as it is. */
+  /** Shows the plane that is open. While a slider is held it stays as it is, and what is being typed stays. */
   show(scene) {
     const sameSystem = this.scene && this.scene.system.text === scene.system.text;
     const sameAxes = sameSystem && this.scene.x.name === scene.x.name && this.scene.y.name === scene.y.name;
     this.scene = scene;
     this.plane = scene.plane;
     this.system.show(scene);
-    if (sameAxes && this.body.contains(document.activeElement)) return void this.update(scene);
+    if (sameAxes && this.held) return void this.update(scene);
+    this.build(scene);
+  }
+
+  /** What was asked for is refused: the fields say again which plane is open. */
+  refuse() {
+    if (this.scene) this.build(this.scene);
+  }
+
+  build(scene) {
+    const focus = focused(this.body);
     const folded = new Map([...this.body.querySelectorAll('details')].map((g) => [g.firstChild.textContent, g.open]));
     const open = (name, first) => folded.get(name) ?? first;
     this.inputs = new Map();
@@ -42,6 +53,7 @@ export class Controls {
       group('Axes', open('Axes', true), ...this.axis('x', scene), ...this.axis('y', scene)),
       group('Start and periods', open('Start and periods', false), ...this.start(scene)),
       group('Computing', open('Computing', false), this.backend(scene)));
+    focus();
   }
 
   update(scene) {
@@ -65,6 +77,7 @@ export class Controls {
       const typed = number(value, name, (given) => this.set(name, given));
       const slider = element('input', { type: 'range', min: 0, max: STEPS, 'aria-label': `${name}, slider`,
         value: Math.round(((value - low) / (high - low)) * STEPS) });
+      slider.addEventListener('pointerdown', () => { this.held = true; });
       slider.addEventListener('input', () => {
         const given = Number((low + (slider.value / STEPS) * (high - low)).toPrecision(4));
         typed.value = String(given);
@@ -82,7 +95,7 @@ export class Controls {
     const names = [...scene.parameters.map((parameter) => parameter.name), ...scene.components];
     const options = names.filter((candidate) => candidate !== other).map((candidate) => [candidate, candidate]);
     const text = (changes) => {
-      const axis = { name, first, last, count, log, ...changes };
+      const axis = { ...this.scene[which], ...changes };
       return `${axis.name}=${axis.first}:${axis.last}:${axis.count}${axis.log ? ':log' : ''}`;
     };
     const change = (changes) => this.change({ [which]: text(changes) });
@@ -95,7 +108,7 @@ export class Controls {
       row('from', 'The first value', number(first, `${title}: from`, (value) => change({ first: value })),
         element('span', { class: 'to', text: 'to' }), number(last, `${title}: to`, (value) => change({ last: value }))),
       row('cells', 'Cells of the whole plane; closer up they are finer',
-        number(count, `${title}: cells`, (value) => change({ count: Math.round(value) }))),
+        whole(count, `${title}: cells`, (value) => change({ count: value }))),
     ];
   }
 
@@ -103,7 +116,8 @@ export class Controls {
   vary(which, name) {
     const scene = this.scene;
     const parameter = scene.parameters.find((candidate) => candidate.name === name);
-    const [low, high] = parameter ? parameter.slider : [-1, 1];
+    const range = parameter ? parameter.slider : scene.component_ranges[scene.components.indexOf(name)];
+    const [low, high] = range.map((end) => Number(end.toPrecision(6)));
     const set = { ...this.plane.set };
     delete set[name];
     const { count } = scene[which];
@@ -120,12 +134,12 @@ export class Controls {
       hidden: kind !== 'state', spellcheck: 'false', title: scene.components.join(', ') });
     typed.addEventListener('change', () => this.change({ start: typed.value }));
     const choose = choice(kinds, kind, 'start', (chosen) => this.change({ start: chosen === 'state' ? typed.value : chosen }));
-    const whole = (name, title, key) => row(name, title, number(this.plane[key], name, (value) => this.change({ [key]: Math.round(value) })));
+    const periods = (name, title, key) => row(name, title, whole(this.plane[key], name, (value) => this.change({ [key]: value })));
     return [
       row('start', 'How every cell begins', choose), typed,
-      whole('transient', 'Forcing periods before the observation', 'transient'),
-      whole('observe', 'Forcing periods of the observation', 'observe'),
-      whole('largest N', 'Largest N looked for in N-p-q', 'max_period'),
+      periods('transient', 'Forcing periods before the observation', 'transient'),
+      periods('observe', 'Forcing periods of the observation', 'observe'),
+      periods('largest N', 'Largest N looked for in N-p-q', 'max_period'),
     ];
   }
 

@@ -17,7 +17,8 @@ export function known(tiles, view, x, y) {
 export function readout(plane, motions, tiles, view, x, y) {
   const [, i, j] = view.cellAt(x, y);
   const unit = 2 ** -view.level;
-  const place = `${plane.x.name} = ${digits(valueAt(plane.x, i * unit), 6)}, ${plane.y.name} = ${digits(valueAt(plane.y, j * unit), 6)}`;
+  const side = (axis, k) => `${axis.name} = ${told(valueAt(axis, k * unit), valueAt(axis, (k + 1) * unit))}`;
+  const place = `${side(plane.x, i)}, ${side(plane.y, j)}`;
   const found = known(tiles, view, x, y);
   if (!found) return { place, words: 'not computed yet' };
   const { tile, at } = found;
@@ -26,6 +27,12 @@ export function readout(plane, motions, tiles, view, x, y) {
   if (tile.n[at] > 0) words.push(`N = ${tile.n[at]}`);
   words.push(`λ1 = ${digits(tile.exponent[at], 4)}`, `peak velocity ${digits(tile.peak[at], 4)}`);
   return { place, words: words.join(', '), motion: tile.motion[at] };
+}
+
+/** A value in as many digits as tell it from that of the next cell. */
+function told(value, next) {
+  const needed = Math.ceil(Math.log10(Math.abs(value) / Math.abs(next - value))) + 1;
+  return digits(value, Number.isFinite(needed) ? Math.max(6, Math.min(15, needed)) : 6);
 }
 
 /** The value of an axis at a place, to be read; what is computed is the server's. */

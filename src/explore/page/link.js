@@ -6,7 +6,7 @@ const FIRST_WAIT = 300;
 const LONGEST_WAIT = 5000;
 
 export class Link {
-  /** `heard(type, message)` gets what is no answer; types `open` and `closed` tell of the connection. */
+  /** `heard(type, message)` gets what is no answer; types `closed` and `moved` tell of the connection. */
   constructor(heard) {
     this.heard = heard;
     this.asked = 0;
@@ -31,8 +31,14 @@ export class Link {
     for (const { heard } of this.open.values()) heard('refused', { message: 'The connection was lost.' });
     this.open.clear();
     this.heard('closed', {});
-    setTimeout(() => this.connect(), this.wait);
+    setTimeout(() => this.again(), this.wait);
     this.wait = Math.min(2 * this.wait, LONGEST_WAIT);
+  }
+
+  /** Connects again, unless another program answers here: one that was started anew has another address. */
+  again() {
+    const moved = ({ status }) => (status === 404 ? this.heard('moved', {}) : this.connect());
+    fetch(document.baseURI, { cache: 'no-store' }).then(moved, () => this.connect());
   }
 
   get isOpen() {
@@ -58,7 +64,9 @@ export class Link {
   /** Asks something that has one answer. */
   once(request, type) {
     return new Promise((resolve, reject) => {
-      const ask = this.ask(request, (heard, content) => {
+      // Where there is no connection it is refused at once, before it has a number.
+      let ask = null;
+      ask = this.ask(request, (heard, content) => {
         this.open.delete(ask);
         if (heard === type) resolve(content);
         else reject(Object.assign(new Error(content.message), content));
@@ -78,7 +86,7 @@ export class Link {
     const { heard } = question;
     if (message.type === 'file') return void this.files.set(message.ask, message.content);
     if (message.type === 'done' || message.type === 'refused') this.open.delete(message.ask);
-    heard(message.type, message.content ?? message);
+    heard(message.type, 'content' in message ? message.content : message);
   }
 
   bytes(buffer) {

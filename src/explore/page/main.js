@@ -4,7 +4,7 @@ import { Address, read } from './address.js';
 import { Axes } from './axes.js';
 import { Controls } from './controls.js';
 import { Curves } from './curves.js';
-import { element, seldom, shape } from './dom.js';
+import { element, shape } from './dom.js';
 import { Grid } from './grid.js';
 import { Keys } from './keys.js';
 import { Legend } from './legend.js';
@@ -17,9 +17,11 @@ import { Pointer } from './pointer.js';
 import { Save } from './save.js';
 import { Slice } from './slice.js';
 import { Status } from './status.js';
+import { Summary } from './summary.js';
 import * as theme from './theme.js';
-import { first } from './timing.js';
 import { Tiles } from './tiles.js';
+import { first } from './timing.js';
+import { Told } from './told.js';
 import { Toolbar } from './toolbar.js';
 import { clipped, View } from './view.js';
 import { asHtml } from './words.js';
@@ -32,6 +34,7 @@ const at = (id) => document.getElementById(id);
 const plane = at('plane'), frame = at('frame'), canvas = plane.querySelector('canvas');
 const state = { scene: null, motions: [], over: null, cursor: null, pending: null, shownFor: null };
 
+const told = new Told();
 const view = new View();
 const grid = new Grid();
 const paint = new Paint(canvas);
@@ -44,7 +47,7 @@ const curves = new Curves(frame, link, status);
 const slice = new Slice(frame, at('slice'), link, status);
 const marks = new Marks(frame, plane, at('hover'), at('readout'), view, MARGINS);
 const axes = new Axes(frame, link, MARGINS);
-const legend = new Legend(at('legend'));
+const summary = new Summary({ state, grid, view, paint, link, legend: new Legend(at('legend')) }, redraw);
 const panel = new Panel(at('cards'), link, () => { redraw(); address.write(true); });
 const save = new Save(link, status, () => ({ scene: state.scene.scene, window: shown(), curves: curves.shown, layer: grid.layer }));
 const address = new Address(() => ({
@@ -68,12 +71,14 @@ function hear(type, message) {
   if (type === 'hello' || type === 'tile') first(type);
   if (type === 'hello') welcome(message);
   else if (type === 'tile') tile(message);
-  else if (type === 'motions' && message.scene === state.scene?.scene) motions(message);
+  else if (type === 'motions') motions(message);
   else if (type === 'failed' && message.scene === state.scene?.scene) status.notice(message.message, 'tiles');
   else if (type === 'refused') status.notice(message.message, 'refused');
   else if (type === 'closed') {
     if (state.scene) status.notice('The connection was lost; trying again …', 'link');
     state.pending = null;
+  } else if (type === 'moved') {
+    status.notice('The program was started anew: open the address that it prints now.', 'link');
   }
 }
 
@@ -84,11 +89,12 @@ function welcome(hello) {
   const before = state.scene && { plane: state.scene.plane, window: view.window, cell: null, curves: false, layer: grid.layer };
   const wanted = before ?? read(location.hash, hello.plane) ?? { plane: hello.plane };
   state.scene = null;
+  told.forget();
   open(wanted.plane, { ...wanted, fallback: hello.plane, again: before != null });
 }
 
 /** Asks for a plane; the view stays where the axes do. */
-function open(asked, { window = null, cell = null, curves: withCurves = false, layer = grid.layer, step = false, fallback = null, again = false } = {}) {
+function open(asked, { window = null, cell = null, curves: withCurves = false, layer = grid.layer, step = false, fallback = null, again = false, because = null } = {}) {
   const request = state.pending = {};
   link.once({ type: 'open', plane: asked }, 'scene').then((scene) => {
     if (state.pending !== request) return;
@@ -97,12 +103,14 @@ function open(asked, { window = null, cell = null, curves: withCurves = false, l
     if (cell) panel.show(scene.scene, cell);
     if (withCurves) toggleCurves(true);
     address.write(step);
+    if (because) status.notice(because, 'open');
   }, (refused) => {
     if (state.pending !== request) return;
     state.pending = null;
+    if (fallback && !state.scene) return void open(fallback, { because: refused.message });
     if (refused.line != null) controls.system.fail(refused);
     else status.notice(refused.message, 'open');
-    if (fallback && !state.scene) open(fallback);
+    controls.refuse();
   });
 }
 
@@ -113,21 +121,21 @@ function arrive(scene, { window, again, layer }) {
     && before.system.text === scene.system.text;
   scene.clip = (cells) => clipped(cells, scene.x.count, scene.y.count);
   state.scene = scene;
-  state.motions = [];
+  state.motions = told.of(scene.scene);
   grid.layer = layered(layer);
-  bar(null);
+  summary.bar(null);
   tiles.clear();
   if (!again) {
     paint.clear();
     panel.clear();
   }
+  state.motions.forEach(({ paint: own }, k) => paint.set(k, own));
   curves.clear();
   slice.close();
   status.clear('open');
   state.stale = true;
   view.extent(scene.x.count, scene.y.count);
-  if (window) view.set(window);
-  else if (!same && !again) view.reset();
+  if (window ? !view.set(window) : !same && !again) view.reset();
   at('system-name').textContent = scene.system.name;
   at('title').replaceChildren(...scene.title.flatMap((words) => [element('span', {}, ...asHtml(words)), ' ']));
   document.title = `${scene.x.name}, ${scene.y.name} – Impact Atlas`;
@@ -137,11 +145,9 @@ function arrive(scene, { window, again, layer }) {
   look();
 }
 
-function motions({ first, motions: told }) {
-  told.forEach((motion, k) => {
-    state.motions[first + k] = motion;
-    paint.set(first + k, motion.paint);
-  });
+function motions(message) {
+  told.add(message);
+  if (message.scene === state.scene?.scene) message.motions.forEach(({ paint: own }, k) => paint.set(message.first + k, own));
 }
 
 function tile(message) {
@@ -155,7 +161,7 @@ function tile(message) {
   }
   tiles.topUp();
   redraw();
-  count();
+  summary.count();
 }
 
 // ——— the view ———
@@ -168,12 +174,13 @@ function look() {
   tiles.look(view, state.over ?? [(x0 + x1) / 2, (y0 + y1) / 2]);
   axes.ask(state.scene.scene, view, EM, (sides) => { paint.hatch = sides.hatch; redraw(); });
   redraw();
-  count();
+  summary.count();
 }
 
+/** The view moves; a `step` ends there, and going back undoes the whole of it. */
 function moved(step) {
   look();
-  address[step ? 'write' : 'replace'](true);
+  if (step) address.write(true);
 }
 
 let drawing = false;
@@ -187,7 +194,7 @@ function redraw() {
     axes.draw(view);
     curves.draw(view, MARGINS, EM);
     slice.place(view, MARGINS);
-    marks.draw(state, panel.cells, tiles);
+    marks.draw(state, panel.cellsOf(state.scene.scene), tiles);
     const share = tiles.share;
     const [i0, i1, j0, j1] = view.cells(view.level);
     status.tiles(share, [i1 - i0 + 1, j1 - j0 + 1]);
@@ -210,44 +217,13 @@ function layerPlace() {
 /** Shows motions, or a layer of numbers. */
 function showLayer(name) {
   grid.layer = layered(name);
-  bar(null);
+  summary.bar(null);
   // Tiles carry the numbers of one layer; the program still has their cells.
   tiles.clear();
   state.stale = true;
   look();
   address.replace();
 }
-
-/** Asks for the colour bar of what is in sight. */
-function askBar() {
-  const { layer } = grid;
-  legend.ask(link, state.scene.scene, layer, view).then((shown) => {
-    if (grid.layer !== layer || !shown) return;
-    bar(shown);
-    redraw();
-  }, () => {});
-}
-
-/** Shows a colour bar, and numbers by it; neither for null. */
-function bar(shown) {
-  paint.bar = shown;
-  legend.scale(shown);
-}
-
-const count = seldom(120, () => {
-  if (!state.scene || state.stale) return;
-  if (grid.layer) askBar();
-  const counts = grid.count(view);
-  if (counts.length === 0) return;
-  const rows = innerWidth < 760 ? 12 : 14;
-  const scene = state.scene.scene;
-  link.once({ type: 'legend', scene, cells: counts, rows }, 'legend').then((shownLegend) => {
-    if (scene !== state.scene?.scene) return;
-    counts.forEach(([motion], k) => paint.set(motion, shownLegend.paints[k]));
-    legend.show(shownLegend);
-    redraw();
-  }, () => {});
-});
 
 // ——— input ———
 
@@ -268,7 +244,7 @@ function go(wanted) {
   wanted ??= { plane: address.first };
   if (layered(wanted.layer) !== grid.layer) showLayer(wanted.layer);
   if (!scene || JSON.stringify(wanted.plane) !== JSON.stringify({ ...scene.plane })) return void open(wanted.plane, wanted);
-  view.set(wanted.window ?? view.whole);
+  if (!wanted.window || !view.set(wanted.window)) view.reset();
   const cell = panel.current?.cell;
   if (wanted.cell && String(cell) !== String(wanted.cell)) panel.show(scene.scene, wanted.cell);
   if (!wanted.cell) panel.clear();

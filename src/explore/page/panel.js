@@ -23,9 +23,8 @@ export class Panel {
 
   /** Shows a cell of a plane. */
   show(scene, cell) {
-    const last = this.current;
-    if (last) this.remove(last);
-    const entry = { cell, kept: false, asked: performance.now() };
+    this.clear();
+    const entry = { scene, cell, kept: false, asked: performance.now() };
     entry.card = new Card({
       onclose: () => { this.remove(entry); this.changed(null); },
       onkeep: () => this.keep(entry),
@@ -58,13 +57,13 @@ export class Panel {
     this.hint.hidden = this.cards.length > 0;
   }
 
+  /** Removes what is not kept. */
   clear() {
-    const last = this.current;
-    if (last) this.remove(last);
+    for (const entry of this.cards.filter(({ kept }) => !kept)) this.remove(entry);
   }
 
-  /** The cells that are shown, to mark them. */
-  get cells() {
-    return this.cards.map(({ cell, kept }) => ({ cell, kept }));
+  /** The cells of a plane that are shown, to mark them. */
+  cellsOf(scene) {
+    return this.cards.filter((entry) => entry.scene === scene).map(({ cell, kept }) => ({ cell, kept }));
   }
 }

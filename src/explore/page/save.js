@@ -1,7 +1,7 @@
 // Taking it along: PNG, SVG or npz of what is in sight, or the command that makes it.
 
 import { element } from './dom.js';
-import { number } from './form.js';
+import { whole } from './form.js';
 
 const FORMATS = [['png', 'PNG'], ['svg', 'SVG'], ['npz', 'npz']];
 
@@ -9,7 +9,7 @@ export class Save {
   /** `asked()` gives the plane and the window that are in sight, and whether curves are drawn. */
   constructor(link, status, asked) {
     Object.assign(this, { link, status, asked, size: [1600, 1200] });
-    const side = (k, name) => number(this.size[k], name, (value) => { this.size[k] = Math.round(value); });
+    const side = (k, name) => whole(this.size[k], name, (value) => { this.size[k] = value; });
     const buttons = FORMATS.map(([format, name]) => element('button', { type: 'button', text: name, onclick: () => this.save(format) }));
     this.command = element('button', { type: 'button', text: 'Copy command', onclick: () => this.copy() });
     this.text = element('textarea', { rows: 3, readonly: true, hidden: true, 'aria-label': 'the command' });
@@ -43,6 +43,7 @@ export class Save {
   }
 
   copy() {
+    this.text.hidden = true;
     this.link.once({ type: 'command', ...this.request() }, 'command').then(({ text }) => {
       this.text.hidden = false;
       this.text.value = text;

@@ -18,6 +18,7 @@ export class Toolbar {
     const { state, grid, curves, slice, plane, save, home, showLayer, toggleCurves } = this.parts;
     const layers = [['motion', 'Motions'], ...(state.scene?.layers ?? []).map(({ name, title }) => [name, title])];
     const inactive = !state.scene?.curves;
+    const held = [...this.root.children].indexOf(document.activeElement);
     this.root.replaceChildren(
       choice(layers, grid.layer ?? 'motion', 'layer', showLayer),
       button('Whole plane', 'The whole plane (key 0)', null, home),
@@ -30,5 +31,6 @@ export class Toolbar {
       }),
       save,
       button('◐', 'Light or dark', null, theme.toggle));
+    this.root.children[held]?.focus();
   }
 }

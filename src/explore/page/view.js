@@ -7,6 +7,10 @@ const EDGE = 0.5 - 1e-6;
 /** A cell has at least so many pixels; a screen has at most so many cells. */
 const LEAST_PIXELS = 0.7;
 const MOST_CELLS = 1.2e6;
+/** Sides of what is looked at, and how far away it may be, in cells of level 0; rounding may take a little of them. */
+const SMALLEST = 4 * 2 ** -FINEST;
+const LARGEST = 2 ** 19;
+const FARTHEST = 2 ** 30;
 
 export class View {
   constructor() {
@@ -78,20 +82,17 @@ export class View {
   zoom(factors, px, py) {
     const [x, y] = this.placeAt(px, py);
     const [x0, x1, y0, y1] = this.window;
-    const [across, up] = this.scale;
-    const smallest = 8 * 2 ** -FINEST, largest = 2 ** 18;
-    const span = (from, to, factor, pixels, scale) => {
-      const length = Math.max(smallest, Math.min(largest, (to - from) / factor));
-      return length / (to - from);
-    };
-    const fx = span(x0, x1, factors[0], across), fy = span(y0, y1, factors[1], up);
+    const span = (from, to, factor) => Math.max(8 * 2 ** -FINEST, Math.min(2 ** 18, (to - from) / factor)) / (to - from);
+    const fx = span(x0, x1, factors[0]), fy = span(y0, y1, factors[1]);
     this.set([x + (x0 - x) * fx, x + (x1 - x) * fx, y + (y0 - y) * fy, y + (y1 - y) * fy]);
   }
 
+  /** Shows a window; false where it cannot be looked at. */
   set(window) {
-    if (window.length === 4 && window.every(Number.isFinite) && window[1] > window[0] && window[3] > window[2]) {
-      this.window = window;
-    }
+    const extent = (from, to) => to - from >= SMALLEST && to - from <= LARGEST && Math.max(Math.abs(from), Math.abs(to)) <= FARTHEST;
+    const fits = window.length === 4 && extent(window[0], window[1]) && extent(window[2], window[3]);
+    if (fits) this.window = window;
+    return fits;
   }
 
   reset() {

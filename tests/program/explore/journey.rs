@@ -105,7 +105,7 @@ async fn a_plane_is_opened_and_clicked_and_changed_and_found_again() {
     browser.until("a portrait", "document.querySelector('.card .portrait svg')").await;
     browser.until("exponents", "document.querySelector('.card .exponents li')").await;
     browser.until("other starts", "document.querySelector('.card .coexisting li')").await;
-    let cell = browser.run("return explorer.panel.cells[0].cell").await;
+    let cell = browser.run("return explorer.panel.current.cell").await;
     let [z, i, j]: [i64; 3] = serde_json::from_value(cell).unwrap();
     let shown = browser.page.find(Locator::Css(".card h2")).await.unwrap().text().await.unwrap();
     let on_plane = |at: i64| (at as f64 * 2_f64.powi(-(z as i32))).round() as u32;

@@ -1,5 +1,6 @@
 //! The explorer from outside: what it refuses, what it serves, and its page in a real browser.
 
+mod again;
 mod browser;
 mod figures;
 mod hostile;
