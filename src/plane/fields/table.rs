@@ -102,7 +102,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "state at the end",
         (Inner::Components, "1"),
         Source::F64(|cell, i| cell.place[i]),
-        "(x1 … xn, v1 … vn) at the end, at forcing phase 0; NaN only where the regime is failed",
+        "(x1 … xn, v1 … vn) at the end, at forcing phase 0; of masses that drift, in the frame that goes with them; NaN only where the regime is failed",
         None,
     ),
     field(
@@ -110,7 +110,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "impacts while observed",
         (Inner::One, "impacts"),
         Source::U32(|cell| cell.verdict.impacts),
-        "impacts while the cell was observed",
+        "impacts while the cell was observed; those without end between stops that clamp a mass are in the label alone",
         None,
     ),
     field(
