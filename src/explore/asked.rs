@@ -87,14 +87,9 @@ fn check_lines(text: &str) -> Result<(), Refused> {
 /// # Errors
 /// [`Refused`] with what cannot be used.
 pub fn plane(asked: &AskedPlane, family: &'static Family) -> Result<Plane, Refused> {
-    let own = match &family.plane {
-        Some(plane) => [Some(plane.x.to_string()), Some(plane.y.to_string())],
-        None => [0, 1].map(|place| axis_of(family, place)),
-    };
-    let [x, y] = [&asked.x, &asked.y].map(Option::clone);
-    let [own_x, own_y] = own;
-    let x = axis(x.or(own_x), family, "horizontal")?;
-    let y = axis(y.or(own_y), family, "vertical")?;
+    let [own_x, own_y] = own_axes(family);
+    let x = axis(asked.x.clone().or(own_x), family, "horizontal")?;
+    let y = axis(asked.y.clone().or(own_y), family, "vertical")?;
     let periods = [("transient", asked.transient), ("observation", asked.observe)];
     if let Some((name, periods)) = periods.into_iter().find(|(_, periods)| *periods > limits::PERIODS) {
         return Err(refused(format!(
@@ -152,6 +147,14 @@ pub fn check(plane: &Plane) -> Result<(), Refused> {
         }
     }
     Ok(())
+}
+
+/// The axes of a family's own plane; where it has none, those of its first parameters.
+fn own_axes(family: &'static Family) -> [Option<String>; 2] {
+    match &family.plane {
+        Some(plane) => [&plane.x, &plane.y].map(|axis| Some(axis.to_string())),
+        None => [0, 1].map(|place| axis_of(family, place)),
+    }
 }
 
 fn axis(text: Option<String>, family: &'static Family, which: &str) -> Result<Axis, Refused> {
