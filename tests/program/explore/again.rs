@@ -91,6 +91,7 @@ async fn a_plane_that_was_left_is_found_again_with_its_names_and_views() {
 
     // A turn of the wheel is a step that going back undoes.
     let whole = browser.run("return explorer.view.window").await;
+    let steps = browser.run("return history.length").await;
     browser
         .run(
             "const plane = document.querySelector('#plane'), box = plane.getBoundingClientRect(); \
@@ -98,8 +99,7 @@ async fn a_plane_that_was_left_is_found_again_with_its_names_and_views() {
              clientX: box.left + 300, clientY: box.top + 200 }));",
         )
         .await;
-    browser.until("a step", "location.hash.includes('view=') && history.length > 1").await;
-    tokio::time::sleep(std::time::Duration::from_millis(600)).await;
+    browser.until("a step", &format!("history.length > {steps}")).await;
     assert_ne!(browser.run("return explorer.view.window").await, whole);
     browser.page.back().await.unwrap();
     browser.until("the view before", &format!("String(explorer.view.window) === String({whole})")).await;
@@ -112,7 +112,7 @@ async fn a_plane_that_was_left_is_found_again_with_its_names_and_views() {
     browser.fill("r", "0.7", "\u{e007}").await;
     browser.until("another plane", "explorer.state.scene.plane.set.r === 0.7 && !explorer.state.stale").await;
     browser.settled().await;
-    assert_eq!(browser.run("return document.querySelector('.ring')").await, Value::Null);
+    browser.until("no ring", "!document.querySelector('.ring')").await;
     browser.page.back().await.unwrap();
     browser
         .until("the plane before", "explorer.state.scene.plane.set.r === 0.8 && !explorer.state.stale")
