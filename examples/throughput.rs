@@ -13,12 +13,12 @@
 //! largest Lyapunov exponent is below zero); the f64 path itself is held to an independent oracle by the tests.
 //!
 //! ```text
-//! cargo run --release --example throughput -- [cpu|sixteen|eight|one|gpu|exact|f32] [SIDE] [REPEATS] \
+//! cargo run --release --example throughput -- [cpu|sixteen|four|one|gpu|exact|f32] [SIDE] [REPEATS] \
 //!     [--only=WORKLOAD] [--json]
 //! ```
 //!
 //! SIDE is the cells along either axis (32 by default; 1024 for a million-cell plane). `cpu` follows as many trajectories
-//! side by side as the processor has room for, `sixteen`, `eight` and `one` that many where it has room for them. The number of
+//! side by side as the processor has room for, `sixteen`, `four` and `one` that many where it has room for them. The number of
 //! threads is RAYON_NUM_THREADS, all cores by default. `exact` is the GPU with arithmetic that no driver changes, `f32` the
 //! CPU in the GPU's precision: their end states have the same bits. Preparing the cells' constants is part of the time, and is
 //! measured by itself too.
@@ -173,7 +173,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 fn width(path: &str) -> Result<Width, String> {
     let lanes = match path {
         "sixteen" => 16,
-        "eight" => 8,
+        "four" => 4,
         "one" => 1,
         _ => return Ok(Width::widest()),
     };
@@ -184,7 +184,7 @@ fn width(path: &str) -> Result<Width, String> {
 /// What computes, and how it is run.
 fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
     Ok(match path {
-        "cpu" | "sixteen" | "eight" | "one" => {
+        "cpu" | "sixteen" | "four" | "one" => {
             let width = width(path)?;
             let what = format!("{}, {}", Cpu.adapter(), width.description::<f64>());
             (
@@ -216,7 +216,7 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
         }
         other => {
             return Err(
-                format!("`{other}` is no path: choose cpu, sixteen, eight, one, gpu, exact or f32").into()
+                format!("`{other}` is no path: choose cpu, sixteen, four, one, gpu, exact or f32").into()
             );
         }
     })

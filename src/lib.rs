@@ -80,7 +80,7 @@
 //! window, and the trajectory flies to that quadratic's root: just short of the contact, never beyond. Repeated, this converges
 //! faster than Newton's method, and a touch that comes to nothing is passed without harm.
 //!
-//! *Side by side.* The CPU path follows as many trajectories at once as the processor has room for (sixteen with AVX-512, eight
+//! *Side by side.* The CPU path follows as many trajectories at once as the processor has room for (sixteen with AVX-512, four
 //! with AVX2), from the same source as a single one and with the same bits: products and sums are fused where that is written and
 //! nowhere else, and every machine rounds alike; sines, exponentials and logarithms are libm's, not the platform's. The lanes step
 //! together until nine of sixteen of them wait for a contact; contacts are then found, and steps taken, by all of them, impacts are

@@ -19,11 +19,12 @@ use super::registers::Packed;
 pub enum Width {
     /// One by one.
     One,
-    /// Two registers of AVX2, with FMA: eight numbers of f64, sixteen of f32. A contact is a chain of operations that wait for each
-    /// other, so that with one register the processor would wait, too.
+    /// One register of AVX2, with FMA: four numbers of f64, eight of f32. There are sixteen registers: of two side by side so much
+    /// would lie in memory that a contact took longer by two fifths (Zen 3).
     #[cfg(target_arch = "x86_64")]
     Avx2,
-    /// Two registers of AVX-512: sixteen numbers of f64, thirty-two of f32.
+    /// Two registers of AVX-512, of which there are thirty-two: sixteen numbers of f64, thirty-two of f32. A contact is a chain of
+    /// operations that wait for each other, so that with one register the processor would wait, too.
     #[cfg(target_arch = "x86_64")]
     Avx512,
 }
@@ -32,7 +33,7 @@ pub enum Width {
 pub(crate) trait AtWidth<T: Real> {
     /// What it gives.
     type Output;
-    /// Whether it fills two registers side by side; else it has one, and half as many lanes.
+    /// Whether it fills two registers side by side, where a width has them; else it has one, and half as many lanes.
     const PAIRED: bool = true;
 
     /// Computes it in lanes, of which 0 is given. To be inlined always: the instructions that it is compiled for are the caller's.
@@ -86,7 +87,7 @@ impl Width {
         match self {
             Width::One => 1,
             #[cfg(target_arch = "x86_64")]
-            Width::Avx2 => 64 / size_of::<T>(),
+            Width::Avx2 => 32 / size_of::<T>(),
             #[cfg(target_arch = "x86_64")]
             Width::Avx512 => 128 / size_of::<T>(),
         }
@@ -103,8 +104,8 @@ impl Width {
         }
     }
 
-    /// Computes something in as many lanes, in half of them where it is not [`AtWidth::PAIRED`]; in one where the processor has not
-    /// so many.
+    /// Computes something in as many lanes, in one register of them where it is not [`AtWidth::PAIRED`]; in one lane where the
+    /// processor has not so many.
     #[inline]
     pub(crate) fn compute<T: AnyWidth, C: AtWidth<T>>(self, computation: C) -> C::Output {
         match self {
@@ -112,13 +113,15 @@ impl Width {
             #[cfg(target_arch = "x86_64")]
             Width::Avx2 => {
                 if let Some(simd) = V3::try_new() {
-                    return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
+                    return simd
+                        .vectorize(Wide::<_, _, false> { computation, zero: Pack::<_, T>::zero(simd) });
                 }
             }
             #[cfg(target_arch = "x86_64")]
             Width::Avx512 => {
                 if let Some(simd) = V4::try_new() {
-                    return simd.vectorize(Wide { computation, zero: Pack::<_, T>::zero(simd) });
+                    return simd
+                        .vectorize(Wide::<_, _, true> { computation, zero: Pack::<_, T>::zero(simd) });
                 }
             }
         }
@@ -126,21 +129,21 @@ impl Width {
     }
 }
 
-/// A computation at a width, with the instructions that it is compiled for.
+/// A computation at a width, with the instructions that it is compiled for, in one register or in `TWO` if it fills them.
 #[cfg(target_arch = "x86_64")]
-struct Wide<C, P> {
+struct Wide<C, P, const TWO: bool> {
     computation: C,
     /// In one register.
     zero: P,
 }
 
 #[cfg(target_arch = "x86_64")]
-impl<C: AtWidth<P::Real>, P: Lanes> NullaryFnOnce for Wide<C, P> {
+impl<C: AtWidth<P::Real>, P: Lanes, const TWO: bool> NullaryFnOnce for Wide<C, P, TWO> {
     type Output = C::Output;
 
     #[inline(always)]
     fn call(self) -> C::Output {
-        if C::PAIRED {
+        if TWO && C::PAIRED {
             self.computation.call(Pair::both(self.zero))
         } else {
             self.computation.call(self.zero)
@@ -177,8 +180,13 @@ mod tests {
         let lanes: Vec<usize> = widths.iter().map(|width| width.lanes::<T>()).collect();
         println!("{}", widths.iter().map(|width| width.description::<T>()).collect::<Vec<_>>().join("; "));
         assert_eq!(at_every_width::<T, _>(Counted::<true>), lanes);
-        let halves: Vec<usize> = lanes.iter().map(|lanes| lanes.div_ceil(2)).collect();
-        assert_eq!(at_every_width::<T, _>(Counted::<false>), halves);
+        let of_one_register = |width: &Width| match width {
+            #[cfg(target_arch = "x86_64")]
+            Width::Avx512 => 64 / size_of::<T>(),
+            _ => width.lanes::<T>(),
+        };
+        let of_one_register: Vec<usize> = widths.iter().map(of_one_register).collect();
+        assert_eq!(at_every_width::<T, _>(Counted::<false>), of_one_register);
         assert!(lanes.is_sorted_by(|a, b| a > b) && lanes.ends_with(&[1]), "{lanes:?}");
         let widest = Width::widest().compute::<T, _>(Counted::<true>);
         assert_eq!((Width::widest(), widest), (widths[0], lanes[0]));
