@@ -2,7 +2,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use rayon::prelude::*;
+use parking_lot::Mutex;
+use rustc_hash::FxHashMap;
 
 use super::preparing::made;
 use super::swept::Swept;
@@ -26,39 +27,38 @@ impl<J: Send + Sync> Prepared<J> {
     /// # Errors
     /// What stands in the way of all of them.
     pub fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: &[u64], flows: &Flows) -> Result<Self> {
-        let some_have_none = AtomicBool::new(false);
+        let (some_have_none, refused) = (AtomicBool::new(false), Mutex::new(FxHashMap::default()));
         let found = made(plane, cells, flows, |preparing, cell| {
-            let job = preparing.asked_of(cell);
-            if !matches!(job, Ok(Some(_))) {
+            let job = preparing.asked_of(cell).unwrap_or_else(|why| {
+                refused.lock().insert(cell, why);
+                None
+            });
+            if job.is_none() {
                 some_have_none.store(true, Ordering::Relaxed);
             }
             job
         });
-        // As a rule every cell has a job.
+        // As a rule every cell has a job; then the jobs stay where they are.
+        let (mut refused, count) = (refused.into_inner(), cells.len());
         if !some_have_none.into_inner() {
-            let jobs = found.into_par_iter().map(|job| match job {
-                Ok(Some(job)) => job,
-                _ => unreachable!("every cell was seen to have one"),
-            });
-            return Ok(Prepared {
-                jobs: jobs.collect(),
-                places: (0..cells.len() as u32).collect(),
-                missing: None,
-            });
+            let jobs = found.into_iter().map(|job| job.expect("every cell was seen to have one")).collect();
+            return Ok(Prepared { jobs, places: (0..count as u32).collect(), missing: None });
         }
-        let (mut places, mut missing) = (Vec::with_capacity(cells.len()), None);
-        let jobs = found.into_iter().zip(0..).filter_map(|(job, place)| match job {
-            Ok(job) => {
-                places.extend(job.is_some().then_some(place));
-                job.map(Ok)
+        let (mut jobs, mut places) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut missing = None;
+        for ((place, &cell), job) in (0..).zip(cells).zip(found) {
+            match (job, refused.remove(&cell)) {
+                (Some(job), _) => {
+                    jobs.push(job);
+                    places.push(place);
+                }
+                (None, Some(why)) if why.is_of_one_cell() => {
+                    missing.get_or_insert(why);
+                }
+                (None, Some(why)) => return Err(why),
+                (None, None) => {}
             }
-            Err(why) if why.is_of_one_cell() => {
-                missing.get_or_insert(why);
-                None
-            }
-            Err(why) => Some(Err(why)),
-        });
-        let jobs = jobs.collect::<Result<Vec<_>>>()?;
+        }
         Ok(Prepared { jobs, places, missing })
     }
 }
