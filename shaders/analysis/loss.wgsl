@@ -32,16 +32,19 @@ fn loss_note(taken: Move) {
     observer.loss.held = holds;
     if event_is_impact(taken.event) {
         let after = select(0.0, taken.rebound, taken.event == EVENT_IMPACT);
-        loss_take(taken.stop, taken.velocity, after);
+        loss_take(holds, taken.stop, taken.velocity, after);
     }
 }
 
-fn loss_take(stop: u32, before: f32, after: f32) {
+fn loss_take(holds: u32, stop: u32, before: f32, after: f32) {
+    var struck = 0u;
     var mass = 0.0;
     //: each normal
     if flight.normals[$k].stop[0] == stop || flight.normals[$k].stop[1] == stop {
+        struck = $ku;
         mass = flight.normals[$k].mass;
     }
     //: end
     observer.loss.energy = observer.loss.energy + energy_taken(mass, before, after);
+    observer.loss.energy = observer.loss.energy + taken_by_clamps(holds, struck, after - before);
 }

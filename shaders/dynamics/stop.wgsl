@@ -41,6 +41,11 @@ fn contact_opens_along(contact: u32, normal: u32) -> bool {
     return (contact_held(contact) >> normal & 1u) == 1u && !contact_is_clamped_along(contact, normal);
 }
 
+// Whether some normal holds at both ends.
+fn contact_is_clamped(contact: u32) -> bool {
+    return (contact & (contact >> MOST)) != 0u;
+}
+
 // Whether every contact is one that is clamped.
 fn contact_is_clamped_only(contact: u32) -> bool {
     return contact != CONTACT_FREE && (contact & ((1u << MOST) - 1u)) == (contact >> MOST);

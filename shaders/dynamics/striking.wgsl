@@ -5,6 +5,23 @@ fn energy_taken(mass: f32, before: f32, after: f32) -> f32 {
     return 0.5 * mass * (before * before - after * after);
 }
 
+// The energy that clamps take besides, of an impact along the normal `struck` that throws masses on them, whose speeds it changes.
+fn taken_by_clamps(contact: u32, struck: u32, kick: f32) -> f32 {
+    var taken = 0.0;
+    if !contact_is_clamped(contact) {
+        return taken;
+    }
+    let contacts = contact_held(contact);
+    let response = flight.normals[struck].response;
+    //: each normal
+    let thrown$k = select(0.0, kick * along(flight.normals[$k].direction, response), contact_is_clamped_along(contact, $ku));
+    //: end
+    //: each pair of normals
+    taken = taken + 0.5 * flight.normals[$k].mass * thrown$k * (pressing_share(contacts, $ku, $lu) * thrown$l);
+    //: end
+    return taken;
+}
+
 fn strike(carry: bool, reached: Reached) -> Move {
     let end = reached.end;
     let direction = flight.normals[end.normal].direction;

@@ -1,13 +1,14 @@
 //! What impacts take from a trajectory, and how long contacts hold.
 
 use super::regime::Measures;
-use crate::dynamics::{Contact, Event, Impact, Move, Stop, Trajectory, energy_taken};
+use crate::dynamics::{Contact, Event, Impact, Move, Stop, Trajectory, energy_taken, taken_by_clamps};
 use crate::model::{Flight, Real};
 
 /// The energy that impacts took, and the time in contact, since an observation began at phase 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loss<T> {
-    /// Σ ½ m ((d·v−)² − (d·v+)²) with m = 1/(dᵀM⁻¹d); all of it where rebounds are closed, since they take the rest.
+    /// Σ ½ m ((d·v−)² − (d·v+)²) with m = 1/(dᵀM⁻¹d), and what clamps take besides; all of it where rebounds are closed, since they
+    /// take the rest.
     pub energy: T,
     /// The time in which some contact held; masses that rebound until they rest are not in contact yet.
     pub rested: T,
@@ -58,22 +59,31 @@ impl<T: Real> Loss<T> {
         self.held = holds;
         match taken.event {
             Event::Impact(Impact { stop, velocity_before, velocity_after }) => {
-                self.take(flight, stop, velocity_before, velocity_after);
+                self.take(flight, holds, stop, [velocity_before, velocity_after]);
             }
-            Event::Caught { impact, .. } => self.take(flight, impact.stop, impact.velocity_before, T::zero()),
+            Event::Caught { impact, .. } => {
+                self.take(flight, holds, impact.stop, [impact.velocity_before, T::zero()]);
+            }
             _ => {}
         }
     }
 
-    /// Notes what an impact takes that ends free flight and begins it again.
+    /// Notes what an impact takes, with the contacts that hold after it.
     #[inline(always)]
-    pub fn take<const N: usize>(&mut self, flight: &Flight<T, N>, stop: Stop, before: T, after: T) {
-        let mut mass = T::zero();
-        for normal in flight.normals() {
+    fn take<const N: usize>(
+        &mut self,
+        flight: &Flight<T, N>,
+        holds: Contact,
+        stop: Stop,
+        [before, after]: [T; 2],
+    ) {
+        let (mut struck, mut mass) = (0, T::zero());
+        for (k, normal) in flight.normals().iter().enumerate() {
             if normal.stop[0] == stop.0 || normal.stop[1] == stop.0 {
-                mass = normal.mass;
+                (struck, mass) = (k, normal.mass);
             }
         }
         self.energy = self.energy + energy_taken(mass, before, after);
+        self.energy = self.energy + taken_by_clamps(flight, holds, struck, after - before);
     }
 }

@@ -59,7 +59,7 @@ pub(crate) use passing::Unseen;
 pub use point::{Motion, Point};
 pub use recording::{ImpactEvent, Recording, Sample, Stick, record};
 pub use stop::{Contact, End, Stop};
-pub(crate) use striking::energy_taken;
+pub(crate) use striking::{energy_taken, taken_by_clamps};
 pub(crate) use tally::Tally;
 pub(crate) use tangent::catch_all;
 pub use tangent::{Saltation, Tangent};

@@ -14,13 +14,41 @@ use super::squeeze::squeezed;
 use super::stop::{Contact, End, Stop};
 use super::tangent::{FreeSaltation, Saltation, Tangent, catch_all, strike_all};
 use super::trajectory::{Event, Impact, MOST_KICKS, Trajectory};
-use crate::model::vector::{axpy, dot};
+use crate::model::vector::{MOST, axpy, dot};
 use crate::model::{Flight, Lanes, Real, State};
 
 /// The energy that an impact takes, ½ m ((d·v−)² − (d·v+)²) with m = 1/(dᵀM⁻¹d).
 #[inline(always)]
 pub fn energy_taken<L: Lanes>(mass: L, before: L, after: L) -> L {
     mass.all(0.5) * mass * (before * before - after * after)
+}
+
+/// The energy that clamps take besides, of an impact along the normal `struck` that throws masses on them, whose speeds it changes by
+/// u: ½ uᵀ (D M⁻¹ Dᵀ)⁻¹ u, D having a row for each contact that holds afterwards.
+#[inline(always)]
+pub fn taken_by_clamps<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
+    contact: Contact,
+    struck: usize,
+    kick: T,
+) -> T {
+    let mut taken = T::zero();
+    if !contact.is_clamped() {
+        return taken;
+    }
+    let mut thrown = [T::zero(); MOST];
+    for (k, normal) in flight.normals().iter().enumerate() {
+        if contact.is_clamped_along(k) {
+            thrown[k] = kick * dot(&normal.direction, &flight.normals[struck].response);
+        }
+    }
+    let matrix = &flight.pressing[contact.held() as usize];
+    for (s, normal) in flight.normals().iter().enumerate() {
+        for t in 0..flight.count {
+            taken = taken + T::of(0.5) * normal.mass * thrown[s] * (matrix[s][t] * thrown[t]);
+        }
+    }
+    taken
 }
 
 /// See [`Trajectory::strike`]; a type of its own, as [`Flown`](super::series::Flown) is.

@@ -238,3 +238,77 @@ fn periodic_motions_are_measured_over_whole_turns() {
     }
     assert!(compared > 2000 && many > 10, "{compared} motions, {many} of long periods");
 }
+
+/// Two masses on springs without dampers or forces, the first of which has no room to move; the second strikes it, and rests on it in
+/// the end.
+fn beside_a_clamp(r: f64) -> System {
+    let vector = |values: [f64; 2]| DVector::from_row_slice(&values);
+    let stop = |direction, gap| PlantStop { direction: vector(direction), gap, restitution: r };
+    System::of_plant(Plant {
+        n: 2,
+        mass: DMatrix::from_row_slice(2, 2, &[1.0, 0.1, 0.1, 0.7]),
+        damping: DMatrix::zeros(2, 2),
+        stiffness: DMatrix::from_row_slice(2, 2, &[2.0, -1.0, -1.0, 2.0]),
+        force_sin: vector([0.0; 2]),
+        force_cos: vector([0.0; 2]),
+        load: vector([0.0, -0.3]),
+        omega: 1.0,
+        stops: vec![stop([1.0, 0.0], 0.0), stop([-1.0, 0.0], 0.0), stop([1.0, -1.0], 0.05)],
+    })
+    .unwrap()
+}
+
+/// ½ vᵀMv + ½ xᵀKx − gᵀx.
+fn energy(system: &System, state: &[f64]) -> f64 {
+    let plant = system.plant();
+    let [x, v] = [&state[..2], &state[2..]].map(DVector::from_row_slice);
+    0.5 * (v.dot(&(&plant.mass * &v)) + x.dot(&(&plant.stiffness * &x))) - plant.load.dot(&x)
+}
+
+#[test]
+fn what_impacts_and_clamps_take_is_what_is_missing() {
+    let Ok(gpu) = backend::open(Choice::Gpu, None) else { panic!("these tests need an adapter") };
+    let schedule = Schedule { transient: 0, observe: 9, max_period: 4, fixed_periods: true };
+    let jobs: Vec<Job> = [0.9, 0.6, 0.2, 0.0]
+        .map(|r| Job { system: beside_a_clamp(r), start: [0.0, 0.2, 0.0, 0.5].into() })
+        .into();
+    let on_gpu = gpu.run(&jobs, &schedule, &Unwatched).unwrap();
+    for (job, on_gpu) in jobs.iter().zip(on_gpu) {
+        let time = f64::from(schedule.observe) * job.system.period();
+        let r = job.system.plant().stops[0].restitution;
+        let of_cpu = [follow::<f64>(job, &schedule), follow::<f32>(job, &schedule)];
+        for (verdict, within) in of_cpu.into_iter().chain([on_gpu]).zip([1e-6, 1e-4, 1e-4]) {
+            let missing = energy(&job.system, &job.start) - energy(&job.system, &verdict.state);
+            let taken = f64::from(verdict.measures.power) * time;
+            assert!(
+                missing > 0.05 && verdict.impacts >= if r > 0.0 { 3 } else { 1 },
+                "r = {r}: {missing} is missing, {verdict:?}"
+            );
+            assert!((taken - missing).abs() < within * missing, "r = {r}: {taken} of {missing}");
+        }
+        let alone = taken_by_impacts(job, schedule.observe);
+        let missing = energy(&job.system, &job.start) - energy(&job.system, &on_gpu.state);
+        assert!(alone < 0.95 * missing, "r = {r}: of {missing} impacts take {alone}, clamps hardly anything");
+    }
+}
+
+/// What the impacts at the last stop take by themselves.
+fn taken_by_impacts(job: &Job, periods: u32) -> f64 {
+    let plant = job.system.plant();
+    let direction = &plant.stops[2].direction;
+    let inverse = plant.mass.clone().try_inverse().unwrap();
+    let mass = 1.0 / (direction.transpose() * inverse * direction)[0];
+    let flight = Flight::<f64, 2>::new(&job.system);
+    let mut trajectory = Trajectory::new(&flight, State::from_slice(&job.start));
+    let (mut energy, mut over) = (0.0, 0);
+    while over < periods {
+        let taken = trajectory.advance(&flight, &mut []);
+        over += u32::from(taken.event == Event::Strobe);
+        energy += match taken.event {
+            Event::Impact(impact) => impact.velocity_before.powi(2) - impact.velocity_after.powi(2),
+            Event::Caught { impact, .. } => impact.velocity_before.powi(2),
+            _ => 0.0,
+        };
+    }
+    0.5 * mass * energy
+}
