@@ -117,8 +117,9 @@ pub struct Verdict {
 pub struct Measures {
     /// Forcing periods of the observation that the verdict rests on; 0 where there was none.
     pub observed: u32,
-    /// Power that impacts take: Σ ½ (1 − r²) (d·v−)²/(dᵀM⁻¹d) over the observation, per unit of time; 0 where there was
-    /// none since nothing impacts any more, NaN where the trajectory failed. Non-dimensional.
+    /// Power that impacts take: Σ ½ (1 − r²) (d·v−)²/(dᵀM⁻¹d) over the observation, per unit of time, and what two stops with no
+    /// room between them take of masses that are thrown on them; 0 where there was none since nothing impacts any more, NaN where
+    /// the trajectory failed. Non-dimensional.
     pub power: f32,
     /// The share of the observation in which some contact held, from 0 to 1, rebounds that end in one left out; 0 and NaN as for the
     /// power.
