@@ -22,12 +22,26 @@ fn job(settings: &[(&str, f64)], start: Start) -> Job {
     Job { system, start }
 }
 
-/// 1/(dᵀM⁻¹d) of the first stop.
-fn mass(job: &Job) -> f64 {
+/// 1/(dᵀM⁻¹d) of a stop.
+fn mass_at(job: &Job, stop: usize) -> f64 {
     let plant = job.system.plant();
-    let direction = &plant.stops[0].direction;
+    let direction = &plant.stops[stop].direction;
     let inverse = plant.mass.clone().try_inverse().unwrap();
     1.0 / (direction.transpose() * inverse * direction)[0]
+}
+
+/// The same of the first stop.
+fn mass(job: &Job) -> f64 {
+    mass_at(job, 0)
+}
+
+/// (d·v−)² − (d·v+)² of an impact, (d·v−)² of one that ends at rest.
+fn squares_lost(event: &Event<f64>) -> f64 {
+    match event {
+        Event::Impact(impact) => impact.velocity_before.powi(2) - impact.velocity_after.powi(2),
+        Event::Caught { impact, .. } => impact.velocity_before.powi(2),
+        _ => 0.0,
+    }
 }
 
 /// The power of a 1-1-1 symmetric motion: two equal impacts in each forcing period.
@@ -72,11 +86,7 @@ fn measured(job: &Job) -> [f64; 2] {
         if let Event::Caught { rebounds, .. } = taken.event {
             rested -= rebounds;
         }
-        energy += match taken.event {
-            Event::Impact(impact) => impact.velocity_before.powi(2) - impact.velocity_after.powi(2),
-            Event::Caught { impact, .. } => impact.velocity_before.powi(2),
-            _ => 0.0,
-        };
+        energy += squares_lost(&taken.event);
     }
     let time = f64::from(SCHEDULE.observe) * job.system.period();
     [0.5 * mass(job) * energy / time, rested / time]
@@ -294,21 +304,13 @@ fn what_impacts_and_clamps_take_is_what_is_missing() {
 
 /// What the impacts at the last stop take by themselves.
 fn taken_by_impacts(job: &Job, periods: u32) -> f64 {
-    let plant = job.system.plant();
-    let direction = &plant.stops[2].direction;
-    let inverse = plant.mass.clone().try_inverse().unwrap();
-    let mass = 1.0 / (direction.transpose() * inverse * direction)[0];
     let flight = Flight::<f64, 2>::new(&job.system);
     let mut trajectory = Trajectory::new(&flight, State::from_slice(&job.start));
     let (mut energy, mut over) = (0.0, 0);
     while over < periods {
         let taken = trajectory.advance(&flight, &mut []);
         over += u32::from(taken.event == Event::Strobe);
-        energy += match taken.event {
-            Event::Impact(impact) => impact.velocity_before.powi(2) - impact.velocity_after.powi(2),
-            Event::Caught { impact, .. } => impact.velocity_before.powi(2),
-            _ => 0.0,
-        };
+        energy += squares_lost(&taken.event);
     }
-    0.5 * mass * energy
+    0.5 * mass_at(job, 2) * energy
 }
