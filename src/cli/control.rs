@@ -18,7 +18,7 @@ use serde::Serialize;
 use super::control_report::{Ran, Report};
 use super::files::{self, Batch, Kind};
 use super::method::{MethodArgs, method};
-use super::options::{OverwriteArgs, SystemArgs};
+use super::options::{OverwriteArgs, SystemArgs, sets_control};
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::values::{count, counted, parse, parse_range, parse_size};
@@ -44,6 +44,7 @@ Examples:
   impact-atlas control sine --set omega=2.83 --convention force --alpha 0.05 --dead-band 0.0001 --iterates 8000 --json
   impact-atlas control ogy --set omega=2.6 --target=-0.418,-0.031,0.027,1.71 --window 0.05 --out kicks.png
   impact-atlas control delay --system bouncing-ball --set Gamma=1.6 --start 0,2 --gain 0.4 --out ball.png")]
+#[command(mut_arg("assignments", sets_control))]
 pub struct ControlArgs {
     /// The method
     #[arg(value_parser = method())]

@@ -31,6 +31,7 @@ Examples:
   impact-atlas explore --x omega=2.4:3.8:400 --y r=0.5:0.95:300 --set delta=0.1 --port 8080
   impact-atlas explore --system bouncing-ball
   impact-atlas explore --data map.npz")]
+#[command(mut_arg("reproducible", |arg| arg.hide(true)))]
 pub struct ExploreArgs {
     #[command(flatten)]
     plane: PlaneArgs,

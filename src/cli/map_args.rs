@@ -8,7 +8,7 @@ use impact_atlas::render::Shown;
 
 use super::controlled::ControlledArgs;
 use super::drawing::DrawingArgs;
-use super::options::{BackendArgs, OverwriteArgs, PlaneArgs};
+use super::options::{BackendArgs, OverwriteArgs, PlaneArgs, counts_iterates, sets_control};
 use super::values::{counted, parse};
 
 /// Computes what every cell of a parameter plane settles on, as a picture and as data
@@ -27,6 +27,7 @@ Examples:
   impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --out basins.png
   impact-atlas map --control delay --x omega=2.6:3:200 --y gain=0:1:150 --out delay.png --times times.png
   impact-atlas map --control pulse --x target_v1=-0.5:-0.1:200 --y target_tau=1:3:150 --set omega=2.83")]
+#[command(mut_arg("assignments", sets_control), mut_arg("max_period", counts_iterates))]
 pub struct MapArgs {
     #[command(flatten)]
     pub plane: PlaneArgs,

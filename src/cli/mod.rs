@@ -34,6 +34,7 @@ mod motion;
 mod multipliers;
 mod options;
 mod orbit;
+mod orbit_shown;
 mod orbit_table;
 mod panics;
 mod pictures;

@@ -9,12 +9,13 @@ use impact_atlas::figure::{Picture, Size, TooSmall};
 use impact_atlas::model::{Number, Setting};
 use impact_atlas::plane::Start;
 use impact_atlas::plane::written::WrittenSystem;
-use impact_atlas::render::{Orbit, OrbitPanel, Zoom, orbit_figure};
+use impact_atlas::render::{Orbit, orbit_figure};
 use impact_atlas::system::Family;
 use serde::Serialize;
 
 use super::files::{self, Batch, Kind};
 use super::options::{OverwriteArgs, SystemArgs, Trajectory, TrajectoryArgs};
+use super::orbit_shown::Shown;
 use super::orbit_table::Columns;
 use super::progress::Progress;
 use super::terminal::print;
@@ -97,10 +98,9 @@ pub struct OrbitArgs {
     #[arg(long = "zoom", value_name = "NAME=LOW:HIGH", requires = "out", allow_hyphen_values = true)]
     zooms: Vec<String>,
 
-    /// Forcing periods that sections show
-    #[arg(long, value_name = "P", default_value_t = defaults::SECTION_PERIODS,
-        value_parser = counted(1, MOST_SECTION_PERIODS))]
-    section_periods: u32,
+    /// Forcing periods that sections show [default: 2000]
+    #[arg(long, value_name = "P", value_parser = counted(1, MOST_SECTION_PERIODS))]
+    section_periods: Option<u32>,
 
     /// The figure's size in pixels [default: as its plots need]
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, requires = "out")]
@@ -126,12 +126,6 @@ struct Config<'a> {
     zooms: Vec<String>,
 }
 
-/// The plots of the figure.
-struct Shown {
-    panels: Vec<OrbitPanel>,
-    zooms: Vec<Zoom>,
-}
-
 /// Runs the command.
 pub fn run(args: &OrbitArgs) -> Result<()> {
     let Trajectory { options, system, start, state, .. } = args.asked.trajectory(Start::Rest)?;
@@ -152,8 +146,7 @@ pub fn run(args: &OrbitArgs) -> Result<()> {
         Kind::Table.at(args.trajectory.as_deref()),
     ];
     let [out, impacts, trajectory] = files::prepare(args.overwrite, wanted)?;
-    let section_periods =
-        if shown.panels.iter().any(|panel| panel.is_section()) { args.section_periods } else { 0 };
+    let section_periods = shown.section_periods;
     let progress = Progress::of_trajectory();
     let followed = system.adrift().map_err(CliError::input)?;
     let (recording, sections) = interrupt::abandonable(move || {
@@ -199,21 +192,12 @@ impl OrbitArgs {
     }
 
     fn shown(&self, options: &SystemArgs) -> Result<Shown> {
-        let family = options.family();
-        let panel = |text: &String| options.named("--panel <NAME[:X,Y]>", text, OrbitPanel::of_family);
-        let zoom = |text: &String| options.named("--zoom <NAME=LOW:HIGH>", text, Zoom::of_family);
-        let panels = match (&self.out, &self.panels[..]) {
-            (None, _) => Vec::new(),
-            (Some(_), []) => vec![OrbitPanel::portrait(family), OrbitPanel::time_series(family)],
-            (Some(_), panels) => panels.iter().map(panel).collect::<Result<_, _>>()?,
-        };
-        let shown = Shown { panels, zooms: self.zooms.iter().map(zoom).collect::<Result<_, _>>()? };
-        shown.check(family)?;
-        Ok(shown)
+        let panels = self.out.as_ref().map(|_| &self.panels[..]);
+        Shown::of(options, panels, &self.zooms, self.section_periods)
     }
 
     fn picture(&self, orbit: &Orbit<'_>, start: Start, shown: &Shown) -> Result<Result<Picture, TooSmall>> {
-        let Shown { panels, zooms } = shown;
+        let Shown { panels, zooms, section_periods } = shown;
         let parameters = &orbit.system.setting().expect("a system that is asked for is made of a setting");
         let family = parameters.family();
         let figure = orbit_figure(orbit, start, panels, zooms);
@@ -223,14 +207,14 @@ impl OrbitArgs {
         let zooms: Vec<String> = zooms.iter().map(|zoom| zoom.name(family)).collect();
         let config = Config {
             version: env!("CARGO_PKG_VERSION"),
-            command: &self.command(parameters, start, &panels, &zooms),
+            command: &self.command(parameters, start, &panels, &zooms, *section_periods),
             system: WrittenSystem::of(family),
             parameters,
             start,
             transient: self.transient,
             periods: self.periods,
             samples: self.samples(),
-            section_periods: self.section_periods,
+            section_periods: *section_periods,
             panels,
             zooms,
         };
@@ -239,7 +223,14 @@ impl OrbitArgs {
     }
 
     /// The command that makes the figure again.
-    fn command(&self, parameters: &Setting, start: Start, panels: &[String], zooms: &[String]) -> String {
+    fn command(
+        &self,
+        parameters: &Setting,
+        start: Start,
+        panels: &[String],
+        zooms: &[String],
+        section_periods: u32,
+    ) -> String {
         let mut command = String::from("impact-atlas orbit");
         let family = parameters.family();
         if !family.is_paper() {
@@ -249,37 +240,17 @@ impl OrbitArgs {
             command.push_str(&format!(" --set {parameter}={}", Number(value)));
         }
         command.push_str(&format!(
-            " --start {start} --transient {} --periods {} --samples {} --section-periods {}",
+            " --start {start} --transient {} --periods {} --samples {}",
             self.transient,
             self.periods,
-            self.samples(),
-            self.section_periods
+            self.samples()
         ));
+        if section_periods > 0 {
+            command.push_str(&format!(" --section-periods {section_periods}"));
+        }
         panels.iter().for_each(|panel| command.push_str(&format!(" --panel {panel}")));
         zooms.iter().for_each(|zoom| command.push_str(&format!(" --zoom {zoom}")));
         command
-    }
-}
-
-impl Shown {
-    /// A range that no plot shows is a mistake.
-    fn check(&self, family: &Family) -> Result<()> {
-        for (i, zoom) in self.zooms.iter().enumerate() {
-            let name = zoom.name(family);
-            let of = zoom.variable.name(family);
-            if !self.panels.iter().any(|panel| panel.axes().contains(&zoom.variable)) {
-                return Err(wrong!(
-                    "--zoom {name} has no effect, since no panel has an axis over {of}: drop it or add a --panel"
-                ));
-            }
-            if let Some(other) = self.zooms[..i].iter().find(|other| other.variable == zoom.variable) {
-                return Err(wrong!(
-                    "{of} has two ranges, --zoom {} and --zoom {name}: drop one of the two",
-                    other.name(family)
-                ));
-            }
-        }
-        Ok(())
     }
 }
 

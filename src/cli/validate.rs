@@ -11,7 +11,7 @@ use impact_atlas::validate::{Thresholds, boundaries, compare, compare_continued,
 use super::compared::Compared;
 use super::controlled::ControlledArgs;
 use super::interrupt::{Interruptible, abandonable};
-use super::options::{BackendArgs, PlaneArgs};
+use super::options::{BackendArgs, PlaneArgs, counts_iterates, sets_control};
 use super::progress::Progress;
 use super::report::Report;
 use super::terminal::{print, print_json};
@@ -35,6 +35,7 @@ Examples:
   impact-atlas validate --curves --cells 480000
   impact-atlas validate --x omega=0.2:0.5:60 --y r=0.5:0.8:40 --set delta=0.2
   impact-atlas validate --control pulse --x target_v1=-0.45:-0.25:40 --y target_tau=1.4:2.2:30 --set omega=2.83")]
+#[command(mut_arg("assignments", sets_control), mut_arg("max_period", counts_iterates))]
 pub struct ValidateArgs {
     #[command(flatten)]
     plane: PlaneArgs,

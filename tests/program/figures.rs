@@ -66,6 +66,9 @@ fn plots_that_cannot_be_are_refused() {
     refuses(&["orbit", "--out", "o.jpg"], &["o.jpg", ".png, .svg or .pdf"]);
     refuses(&["orbit", "--out", "o.svg", "--impacts", "o.svg"], &["two results"]);
     refuses(&["orbit", "--panel", "time"], &["--out"]);
+    let periods = ["--section-periods", "50"];
+    refuses(&orbit(&periods), &["--section-periods 50", "no effect", "add a --panel"]);
+    refuses(&[&["orbit"], &periods[..]].concat(), &["--section-periods 50", "no effect"]);
 }
 
 /// To and fro between two stops, at once and without loss: more impacts in a period than can be followed.

@@ -10,6 +10,6 @@ mod trajectory;
 pub use axes::AxesArgs;
 pub use backend::BackendArgs;
 pub use overwrite::OverwriteArgs;
-pub use plane::PlaneArgs;
-pub use system::SystemArgs;
+pub use plane::{PlaneArgs, counts_iterates};
+pub use system::{SystemArgs, sets_control};
 pub use trajectory::{Trajectory, TrajectoryArgs};

@@ -1,6 +1,6 @@
 //! A plane, and how long its cells run.
 
-use clap::Args;
+use clap::{Arg, Args};
 use impact_atlas::analysis::Schedule;
 use impact_atlas::control::{ControlSchedule, Method};
 use impact_atlas::plane::{Control, Plane, Quantity};
@@ -33,15 +33,25 @@ pub struct PlaneArgs {
     #[arg(long, value_parser = count, value_name = "P")]
     observe: Option<u32>,
 
-    /// Largest N looked for in N-p-q [default: 32]; under control, most iterates in one period [default: 8]
+    /// Largest N looked for in N-p-q [default: 32]
     ///
-    /// A motion with a longer period has none: it is quasi-periodic, chaotic or unresolved. Under control at most 32, on the GPU 8.
+    /// A motion with a longer period has none: it is quasi-periodic, chaotic or unresolved.
     #[arg(long, value_parser = count, value_name = "N")]
     pub max_period: Option<u32>,
 
     /// Every cell runs transient + observe periods, settled or not
     #[arg(long)]
     fixed_periods: bool,
+}
+
+/// The option of the largest period, of a command that counts the iterates of control by it, too.
+pub fn counts_iterates(max_period: Arg) -> Arg {
+    max_period
+        .help("Largest N looked for in N-p-q [default: 32]; under control, most iterates in one period [default: 8]")
+        .long_help(
+            "Largest N looked for in N-p-q [default: 32]; under control, most iterates in one period [default: 8]\n\nA motion \
+             with a longer period has none: it is quasi-periodic, chaotic or unresolved. Under control at most 32, on the GPU 8.",
+        )
 }
 
 impl PlaneArgs {

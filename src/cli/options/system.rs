@@ -1,6 +1,6 @@
 //! The system and its fixed parameters.
 
-use clap::Args;
+use clap::{Arg, Args};
 use impact_atlas::model::{Parameter, Setting, StateVector, System};
 use impact_atlas::plane::{Axis, Plane, Quantity, Start};
 use impact_atlas::system::Family;
@@ -22,7 +22,7 @@ pub struct SystemArgs {
     family: Option<Chosen>,
 
     /// Sets a parameter of the system; may be given for each of them
-    #[arg(long = "set", value_name = "NAME=VALUE", long_help = help_of_set())]
+    #[arg(long = "set", value_name = "NAME=VALUE", long_help = HELP_OF_SET)]
     assignments: Vec<String>,
 }
 
@@ -132,14 +132,18 @@ pub(super) fn begun(setting: Setting, start: Start) -> Result<(System, StateVect
     Ok((system, state))
 }
 
-/// What is said of the option that sets parameters, and settings of a control method.
-fn help_of_set() -> String {
-    format!(
-        "Sets a parameter of the system; may be given for each of them\n\nThose not given have the system's defaults; the \
-         paper's are omega=3.7, delta=0.1, zeta=0.1, r=0.8, mu_m=mu_k=mu_c=0.5, f20=0. Under control it sets what the \
-         method has, too: {}; target_v1 … target_vn, target_x1 … target_xn, target_tau.",
+/// What is said of the option that sets parameters.
+const HELP_OF_SET: &str = "\
+Sets a parameter of the system; may be given for each of them
+
+Those not given have the system's defaults; the paper's are omega=3.7, delta=0.1, zeta=0.1, r=0.8, mu_m=mu_k=mu_c=0.5, f20=0.";
+
+/// The option that sets parameters, of a command that sets what a control method has by it, too.
+pub fn sets_control(set: Arg) -> Arg {
+    set.long_help(format!(
+        "{HELP_OF_SET} Under control it sets what the method has, too: {}; target_v1 … target_vn, target_x1 … target_xn, target_tau.",
         varied()
-    )
+    ))
 }
 
 /// An option whose value cannot be used.
