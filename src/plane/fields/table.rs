@@ -143,8 +143,8 @@ pub const CELL_FIELDS: &[CellField] = &[
         "power lost in impacts",
         (Inner::One, "1"),
         Source::F32(|cell, _| cell.verdict.measures.power),
-        "power lost in impacts while the cell was observed: the sum of ½ (1 − r²) (d·v)²/(dᵀM⁻¹d) per unit of time; NaN \
-         where the regime is failed",
+        "power lost in impacts while the cell was observed: the sum of ½ (1 − r²) (d·v)²/(dᵀM⁻¹d) and of what two stops \
+         without room between them take where an impact throws masses on them, per unit of time; NaN where the regime is failed",
         drawn(Spread::Ratios, Some(0.0), "no loss"),
     ),
     field(
