@@ -47,8 +47,9 @@ impl Plant {
     /// The first of: too many coordinates or stops, a wrong shape, a number that is not finite, ω ≤ 0, a mass matrix
     /// that is singular or nearly so (whatever the units of its rows), restitution outside [0, 1], a direction that
     /// is zero or that an impact cannot turn back (dᵀM⁻¹d ≤ 0), two stops on the same side of the same line, two
-    /// opposed stops that no state satisfies (touching ones, whose gaps sum to 0, clamp and are allowed), and
-    /// directions that are linearly dependent without being parallel.
+    /// opposed stops that no state satisfies (touching ones, whose gaps sum to 0, clamp and are allowed),
+    /// directions that are linearly dependent without being parallel, and a symmetric mass matrix by which some motion has a
+    /// kinetic energy below zero.
     pub fn check(&self) -> Result<(), PlantError> {
         self.check_counts()?;
         self.check_shapes()?;
@@ -67,7 +68,8 @@ impl Plant {
                 return Err(PlantError::Restitution { stop, value: *restitution });
             }
         }
-        stops::check(&self.stops, &inverse)
+        stops::check(&self.stops, &inverse)?;
+        check_definite::<N>(&self.mass)
     }
 
     /// The forcing period T = 2π/ω.
@@ -151,6 +153,19 @@ fn inverse_mass<const N: usize>(mass: &DMatrix<f64>) -> Result<SMatrix<f64, N, N
     }
     let inverse = mass.try_inverse().filter(|inverse| inverse.iter().all(|entry| entry.is_finite()));
     inverse.ok_or(PlantError::LightMass)
+}
+
+/// A symmetric M gives every motion an energy ½ vᵀMv above zero; of one that is not symmetric that is no energy.
+fn check_definite<const N: usize>(mass: &DMatrix<f64>) -> Result<(), PlantError> {
+    let mass = SMatrix::<f64, N, N>::from_column_slice(mass.as_slice());
+    let same = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
+    let is_symmetric = mass.iter().zip(mass.transpose().iter()).all(|(&a, &b)| same(a, b));
+    if !is_symmetric || mass.cholesky().is_some() {
+        return Ok(());
+    }
+    // Its sign is that of an energy whatever the units of the rows, as its size is not.
+    let energies = DMatrix::from_column_slice(N, N, mass.as_slice()).symmetric_eigenvalues();
+    Err(PlantError::IndefiniteMass(energies.min()))
 }
 
 /// The reciprocal condition of a square matrix in the norm of the largest row sum, once each row and then each

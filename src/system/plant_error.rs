@@ -92,6 +92,13 @@ pub enum PlantError {
     /// M⁻¹ is too large for a number.
     #[error("the mass matrix is so small that its inverse is no number: give every coordinate a larger mass")]
     LightMass,
+    /// M is symmetric and not positive definite; with its least eigenvalue.
+    #[error(
+        "the mass matrix is not positive definite (its least eigenvalue is {}): some motion would have a kinetic energy below \
+         zero; check the signs of its entries",
+        Number(*.0)
+    )]
+    IndefiniteMass(f64),
     /// A coefficient of restitution outside [0, 1].
     #[error("the restitution of stop {} is {value}, it must be between 0 and 1, ends included", stop + 1)]
     Restitution {
@@ -181,7 +188,10 @@ impl PlantError {
     /// The parts that are at fault together, the one to blame first.
     pub fn parts(&self) -> Vec<Part> {
         match *self {
-            PlantError::Coordinates(_) | PlantError::SingularMass(_) | PlantError::LightMass => {
+            PlantError::Coordinates(_)
+            | PlantError::SingularMass(_)
+            | PlantError::LightMass
+            | PlantError::IndefiniteMass(_) => {
                 vec![Part::Mass]
             }
             PlantError::Stops(_) => Vec::new(),

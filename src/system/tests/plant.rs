@@ -76,6 +76,16 @@ fn the_mass_matrix_must_be_invertible_in_any_units() {
 }
 
 #[test]
+fn no_motion_has_an_energy_below_zero() {
+    // The stop stands ahead of the first mass, which an impact does turn back.
+    assert_eq!(with_mass(&[1.0, 0.0, 0.0, -2.0]), Err(PlantError::IndefiniteMass(-2.0)));
+    let error = with_mass(&[1.0, 0.1 + 0.2, 0.3, -2.0]).unwrap_err();
+    assert!(matches!(error, PlantError::IndefiniteMass(_)), "symmetric but for rounding: {error}");
+    assert_eq!(error.parts(), [Part::Mass]);
+    assert_eq!(with_mass(&[1.0, 0.5, 0.0, 2.0]), Ok(()), "one that is not symmetric has none");
+}
+
+#[test]
 fn an_impact_must_turn_its_stop_back() {
     assert_eq!(with_stops(2, vec![stop(&[0.0, 0.0], 1.0)]), Err(PlantError::NoDirection(0)));
     let negative = Plant { mass: -DMatrix::<f64>::identity(2, 2), ..plain(2) };
