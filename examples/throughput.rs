@@ -1,8 +1,9 @@
 //! How many trajectories, and impacts, a back end follows in a second.
 //!
-//! Four workloads, every cell from rest:
+//! Five workloads, every cell from rest:
 //!
 //! - `plane`: ω from 1 to 5 and δ from 0.1 to 0.6 in equal steps, 200 forcing periods without early finish;
+//! - `observed`: the same, all of its periods observed: a tangent vector goes along with every trajectory;
 //! - `figure`: the plane of the paper's Fig. 5, ω from 0.5 to 4.4 and δ from 0.02 to 0.6, by the default schedule but without
 //!   longer looks;
 //! - `chaos`: ω from 1.37 to 1.65 and δ from 0.207 to 0.232, where nearly all motion is chaotic, 200 forcing periods without
@@ -222,12 +223,13 @@ fn runner(path: &str) -> Result<(String, Runner), Box<dyn std::error::Error>> {
     })
 }
 
-fn workloads() -> [Workload; 4] {
+fn workloads() -> [Workload; 5] {
     let fixed =
         |transient| Schedule { transient, observe: PERIODS - transient, max_period: 32, fixed_periods: true };
     let default = Schedule { transient: 400, observe: 200, max_period: 32, fixed_periods: false };
     [
         Workload { name: "plane", omega: [1.0, 5.0], delta: [0.1, 0.6], schedule: fixed(PERIODS - 1) },
+        Workload { name: "observed", omega: [1.0, 5.0], delta: [0.1, 0.6], schedule: fixed(0) },
         Workload { name: "figure", omega: [0.5, 4.4], delta: [0.02, 0.6], schedule: default },
         Workload { name: "chaos", omega: [1.37, 1.65], delta: [0.207, 0.232], schedule: fixed(0) },
         Workload { name: "chatter", omega: [0.2, 0.6], delta: [0.1, 0.6], schedule: fixed(PERIODS - 1) },
