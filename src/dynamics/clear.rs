@@ -5,7 +5,7 @@ use super::contact::{safe_time, safe_where_bounded};
 use super::imminent::rests_at;
 use super::point::{Motion, Point};
 use super::stop::{Contact, End};
-use crate::model::vector::dot;
+use crate::model::vector::{MOST, dot};
 use crate::model::{Flight, Real, State, others};
 
 /// Shorter times, as a share of a step, are asked for again.
@@ -31,8 +31,11 @@ pub fn clear_time<T: Real, const N: usize>(
         return T::zero();
     }
     let onward = onward(flight, point, motion, contact);
-    let bound = |k| fourth(flight, [motion, &onward], contact, k, window);
-    let nearer = safe_where_bounded(flight, point, motion, ignored, window, bound);
+    let mut bounds = [T::zero(); MOST];
+    for k in 0..flight.count {
+        bounds[k] = fourth(flight, [motion, &onward], contact, k, window);
+    }
+    let nearer = safe_where_bounded(flight, point, motion, ignored, window, |k| bounds[k]);
     if nearer > safe { nearer } else { safe }
 }
 
@@ -43,8 +46,15 @@ fn rests_at_any<T: Real, const N: usize>(
     point: &Point<T, N>,
     [contact, ignored]: [Contact; 2],
 ) -> bool {
-    let ends = (0..flight.count).flat_map(|normal| [0, 1].map(|side| End { normal, side }));
-    ends.filter(|&end| !ignored.includes(end)).any(|end| rests_at(flight, point, contact, end))
+    for normal in 0..flight.count {
+        for side in 0..2 {
+            let end = End { normal, side };
+            if !ignored.includes(end) && rests_at(flight, point, contact, end) {
+                return true;
+            }
+        }
+    }
+    false
 }
 
 /// How x'' moves: it flows like x without loads, forced by −ω² times as much.

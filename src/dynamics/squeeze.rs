@@ -1,5 +1,7 @@
 //! Masses that two stops squeeze: they rebound between both ever faster, and lose all speed along both in an instant.
 
+use pulp::NullaryFnOnce;
+
 use super::contact::{KICK_ROUNDINGS, gap_to, unresolved};
 use super::placing::{placed_on, rested};
 use super::point::Point;
@@ -21,6 +23,33 @@ pub const SQUEEZES: u32 = 24;
 /// one until their speeds squared are below [`Real::CHATTER`]: what they took then is known, and what a deviation shifts them by.
 #[inline(never)]
 pub fn squeezed<T: Real, const N: usize>(
+    flight: &Flight<T, N>,
+    point: &Point<T, N>,
+    contact: Contact,
+    end: End,
+) -> Option<End> {
+    T::fused(Squeezed { flight, point, contact, end })
+}
+
+/// See [`squeezed`]; a type of its own, as [`Flown`](super::series::Flown) is.
+struct Squeezed<'a, T, const N: usize> {
+    flight: &'a Flight<T, N>,
+    point: &'a Point<T, N>,
+    contact: Contact,
+    end: End,
+}
+
+impl<T: Real, const N: usize> NullaryFnOnce for Squeezed<'_, T, N> {
+    type Output = Option<End>;
+
+    #[inline(always)]
+    fn call(self) -> Option<End> {
+        squeezed_inlined(self.flight, self.point, self.contact, self.end)
+    }
+}
+
+#[inline(always)]
+fn squeezed_inlined<T: Real, const N: usize>(
     flight: &Flight<T, N>,
     point: &Point<T, N>,
     contact: Contact,

@@ -248,7 +248,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
 
     /// After an impact along the normal `struck`: a contact whose speed this changes, by more than is lost in rounding, no
     /// longer holds; where it is directed into the stop, the next move is an impact there, at the same instant.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn keep_pressed(&mut self, flight: &Flight<T, N>, struck: usize, kick: T) {
         let response = &flight.normals[struck].response;
         for (k, normal) in flight.normals().iter().enumerate() {
