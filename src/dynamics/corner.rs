@@ -1,7 +1,5 @@
 //! Complete chatter in a corner: masses that rebound between several stops at once, ever faster, and come to rest on all.
 
-use pulp::NullaryFnOnce;
-
 use super::chatter::STEADY;
 use super::contact;
 use super::point::Point;
@@ -22,40 +20,16 @@ pub const HOPS: f64 = 32.0;
 /// pressing acceleration a lasts for about u/(a(1 − r)), in which the masses are displaced by u²/(a(1 − r)): where that
 /// is below [`Real::CHATTER`] or lost in rounding, the rest of the sequence is left out; and so it is where a single rebound, which
 /// displaces them by u²/(2a), is lost in rounding, as at a stop that takes nothing while the others do.
-#[inline(never)]
+#[inline(always)]
 pub fn closes<T: Real, const N: usize>(
     flight: &Flight<T, N>,
     point: &Point<T, N>,
     contact: Contact,
     end: End,
 ) -> Option<Contact> {
-    if flight.count == 1 { None } else { T::fused(Closes { flight, point, contact, end }) }
-}
-
-/// See [`closes`]; a type of its own, as [`Flown`](super::series::Flown) is.
-struct Closes<'a, T, const N: usize> {
-    flight: &'a Flight<T, N>,
-    point: &'a Point<T, N>,
-    contact: Contact,
-    end: End,
-}
-
-impl<T: Real, const N: usize> NullaryFnOnce for Closes<'_, T, N> {
-    type Output = Option<Contact>;
-
-    #[inline(always)]
-    fn call(self) -> Option<Contact> {
-        closes_inlined(self.flight, self.point, self.contact, self.end)
+    if flight.count == 1 {
+        return None;
     }
-}
-
-#[inline(always)]
-fn closes_inlined<T: Real, const N: usize>(
-    flight: &Flight<T, N>,
-    point: &Point<T, N>,
-    contact: Contact,
-    end: End,
-) -> Option<Contact> {
     let struck = contact.with(end);
     let mut corner = struck;
     for (k, normal) in flight.normals().iter().enumerate() {

@@ -1,7 +1,5 @@
 //! Masses that two stops squeeze: they rebound between both ever faster, and lose all speed along both in an instant.
 
-use pulp::NullaryFnOnce;
-
 use super::contact::{KICK_ROUNDINGS, gap_to, unresolved};
 use super::placing::{placed_on, rested};
 use super::point::Point;
@@ -21,35 +19,8 @@ pub const SQUEEZES: u32 = 24;
 /// (1 + r₁)(1 + r₂) c − r₁ − r₂, and impacts follow each other for ever where that has two positive eigenvalues, below 1 as c is, and the
 /// speeds are such that none of the first few leads off both. It takes no time, whatever presses. Such impacts are followed one by
 /// one until their speeds squared are below [`Real::CHATTER`]: what they took then is known, and what a deviation shifts them by.
-#[inline(never)]
-pub fn squeezed<T: Real, const N: usize>(
-    flight: &Flight<T, N>,
-    point: &Point<T, N>,
-    contact: Contact,
-    end: End,
-) -> Option<End> {
-    T::fused(Squeezed { flight, point, contact, end })
-}
-
-/// See [`squeezed`]; a type of its own, as [`Flown`](super::series::Flown) is.
-struct Squeezed<'a, T, const N: usize> {
-    flight: &'a Flight<T, N>,
-    point: &'a Point<T, N>,
-    contact: Contact,
-    end: End,
-}
-
-impl<T: Real, const N: usize> NullaryFnOnce for Squeezed<'_, T, N> {
-    type Output = Option<End>;
-
-    #[inline(always)]
-    fn call(self) -> Option<End> {
-        squeezed_inlined(self.flight, self.point, self.contact, self.end)
-    }
-}
-
 #[inline(always)]
-fn squeezed_inlined<T: Real, const N: usize>(
+pub fn squeezed<T: Real, const N: usize>(
     flight: &Flight<T, N>,
     point: &Point<T, N>,
     contact: Contact,

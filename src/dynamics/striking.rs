@@ -249,7 +249,7 @@ impl<T: Real, const N: usize> Trajectory<T, N> {
     /// After an impact along the normal `struck`: a contact whose speed this changes, by more than is lost in rounding, no
     /// longer holds; where it is directed into the stop, the next move is an impact there, at the same instant.
     #[inline(always)]
-    pub(super) fn keep_pressed(&mut self, flight: &Flight<T, N>, struck: usize, kick: T) {
+    fn keep_pressed(&mut self, flight: &Flight<T, N>, struck: usize, kick: T) {
         let response = &flight.normals[struck].response;
         for (k, normal) in flight.normals().iter().enumerate() {
             let Some(end) = self.contact.end_along(k) else { continue };

@@ -7,7 +7,7 @@ use arrayvec::ArrayVec;
 use super::equations::Equations;
 use super::of_flow::OfFlow;
 use super::system_error::{MOST_STEPS, Stiff, SystemError};
-use crate::system::{Mooring, Plant, Setting, StopValues};
+use crate::system::{Mooring, Plant, Setting, StopValues, near};
 
 /// rate·h of a step of length h is kept below this: large enough for few steps, small enough for low orders.
 pub(super) const STEP: f64 = 1.0;
@@ -66,7 +66,6 @@ impl Common {
     /// Which of some stops, in the plant's order, have the same gap, per length of their direction, and the same restitution,
     /// within a few ulps: one bit for each pair.
     pub fn alike(&self, stops: &[StopValues]) -> u64 {
-        let near = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
         let measures = |i: usize| [stops[i].gap / self.lengths[i], stops[i].restitution];
         let mut bits = 0;
         for i in 0..self.lengths.len() {

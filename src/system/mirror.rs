@@ -5,11 +5,9 @@ use std::sync::LazyLock;
 use arrayvec::ArrayVec;
 use nalgebra::{DMatrix, DVector};
 
+use super::near::SAME;
 use super::plant::Plant;
 use super::stops::PlantStop;
-
-/// Two numbers are the same within this, relative to the largest that they are compared with.
-const SAME: f64 = 8.0 * f64::EPSILON;
 
 /// A symmetry of a plant: where x(t) is a motion, so is P x(t + π/ω).
 #[derive(Clone, Debug, PartialEq)]

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector, SMatrix};
 
 use super::limits;
+use super::near::near;
 use super::plant_error::{Part, PlantError};
 use super::sized::sized;
 use super::stops::{self, PlantStop};
@@ -62,14 +63,19 @@ impl Plant {
 
     /// Its mass matrix and its stops.
     fn check_geometry<const N: usize>(&self) -> Result<(), PlantError> {
-        let inverse = inverse_mass::<N>(&self.mass)?;
+        let mass = SMatrix::<f64, N, N>::from_column_slice(self.mass.as_slice());
+        let inverse = inverse_mass(&mass)?;
         for (stop, PlantStop { restitution, .. }) in self.stops.iter().enumerate() {
             if !(0.0..=1.0).contains(restitution) {
                 return Err(PlantError::Restitution { stop, value: *restitution });
             }
         }
         stops::check(&self.stops, &inverse)?;
-        check_definite::<N>(&self.mass)
+        // Of a mass matrix that is not symmetric ½ vᵀMv is no energy.
+        if is_symmetric(&mass) && mass.cholesky().is_none() {
+            return Err(PlantError::IndefiniteMass(self.mass.symmetric_eigenvalues().min()));
+        }
+        Ok(())
     }
 
     /// The forcing period T = 2π/ω.
@@ -145,9 +151,8 @@ struct Array<'a> {
 const _: () = assert!(Plant::MOST_COORDINATES == 4, "the sizes of which `Plant::check` knows the inverse");
 
 /// M⁻¹, where M has one that can be computed with.
-fn inverse_mass<const N: usize>(mass: &DMatrix<f64>) -> Result<SMatrix<f64, N, N>, PlantError> {
-    let mass = SMatrix::<f64, N, N>::from_column_slice(mass.as_slice());
-    let condition = condition(&mass);
+fn inverse_mass<const N: usize>(mass: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>, PlantError> {
+    let condition = condition(mass);
     if condition.is_nan() || condition < Plant::LEAST_CONDITION {
         return Err(PlantError::SingularMass(condition));
     }
@@ -155,17 +160,9 @@ fn inverse_mass<const N: usize>(mass: &DMatrix<f64>) -> Result<SMatrix<f64, N, N
     inverse.ok_or(PlantError::LightMass)
 }
 
-/// A symmetric M gives every motion an energy ½ vᵀMv above zero; of one that is not symmetric that is no energy.
-fn check_definite<const N: usize>(mass: &DMatrix<f64>) -> Result<(), PlantError> {
-    let mass = SMatrix::<f64, N, N>::from_column_slice(mass.as_slice());
-    let same = |a: f64, b: f64| (a - b).abs() <= 8.0 * f64::EPSILON * a.abs().max(b.abs());
-    let is_symmetric = mass.iter().zip(mass.transpose().iter()).all(|(&a, &b)| same(a, b));
-    if !is_symmetric || mass.cholesky().is_some() {
-        return Ok(());
-    }
-    // Its sign is that of an energy whatever the units of the rows, as its size is not.
-    let energies = DMatrix::from_column_slice(N, N, mass.as_slice()).symmetric_eigenvalues();
-    Err(PlantError::IndefiniteMass(energies.min()))
+/// Whether a matrix is its own transpose, but for rounding.
+fn is_symmetric<const N: usize>(matrix: &SMatrix<f64, N, N>) -> bool {
+    matrix.iter().zip(matrix.transpose().iter()).all(|(&a, &b)| near(a, b))
 }
 
 /// The reciprocal condition of a square matrix in the norm of the largest row sum, once each row and then each
