@@ -14,12 +14,14 @@ struct Recurrence {
     quickly: u32,
     moved: u32,
     apart: f32,
+    // Within this a first return must be.
+    trusted: f32,
     symmetric: u32,
 }
 
 fn recurrence_anchored(state: State) -> Recurrence {
     let none = array<u32, STOPS>();
-    return Recurrence(state, 0u, 0u, 0u, none, none, 0.0, 0.0, 0u, 0u, FARTHEST, 0u);
+    return Recurrence(state, 0u, 0u, 0u, none, none, 0.0, 0.0, 0u, 0u, FARTHEST, FARTHEST, 0u);
 }
 
 // Counts an impact; infinitely many if it ends a complete chatter sequence.
@@ -59,12 +61,12 @@ fn recurrence_at_strobe(state: State, tolerance: f32, max_period: u32, late: boo
     observer.recurrence.since = observer.recurrence.since + 1u;
     let away = anchor_distance(state);
     if observer.recurrence.n == 0u {
-        if away <= tolerance {
+        if away <= tolerance && away <= observer.recurrence.trusted {
             observer.recurrence.n = observer.recurrence.since;
             observer.recurrence.impacts = observer.recurrence.running;
             recurrence_returned(away);
         } else if observer.recurrence.since >= max_period {
-            recurrence_start_over(state, late);
+            recurrence_start_over(state, late, FARTHEST);
         }
         return;
     }
@@ -80,7 +82,7 @@ fn recurrence_at_strobe(state: State, tolerance: f32, max_period: u32, late: boo
                 recurrence_move_along(state);
             }
         } else {
-            recurrence_start_over(state, late);
+            recurrence_start_over(state, late, NEARER * recurrence_farthest());
         }
     } else if observer.recurrence.n % turned == 0u {
         observer.recurrence.apart = min(observer.recurrence.apart, away);
@@ -105,9 +107,15 @@ fn recurrence_kept_for(periods: u32) -> bool {
     return recurrence_holds_for(0u) && observer.recurrence.kept + observer.recurrence.since >= periods;
 }
 
-fn recurrence_start_over(state: State, late: bool) {
+fn recurrence_start_over(state: State, late: bool, trusted: f32) {
     observer.recurrence = recurrence_anchored(state);
     observer.recurrence.moved = select(0u, 1u, late);
+    observer.recurrence.trusted = trusted;
+}
+
+// The largest distance of a return from its anchor, before that moved along with the motion or since.
+fn recurrence_farthest() -> f32 {
+    return max(observer.recurrence.early, observer.recurrence.worst);
 }
 
 // The motion is compared with its present self from now on.
@@ -133,9 +141,8 @@ fn recurrence_holds_for(periods: u32) -> bool {
 // Whether N is the period of a motion that was reached.
 fn recurrence_is_settled() -> bool {
     let worst = observer.recurrence.worst;
-    let early = observer.recurrence.early;
-    let comes_closer = worst <= SETTLED && worst + worst <= early;
-    return (worst <= ROUNDING || comes_closer) && observer.recurrence.apart >= DISTINCT * max(early, worst);
+    let comes_closer = worst <= SETTLED && worst + worst <= observer.recurrence.early;
+    return (worst <= ROUNDING || comes_closer) && observer.recurrence.apart >= DISTINCT * recurrence_farthest();
 }
 
 fn anchor_distance(state: State) -> f32 {

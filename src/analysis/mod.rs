@@ -54,7 +54,7 @@ pub(crate) mod constants {
     pub use super::observation::{BRIEF, NEUTRAL_RATE, SETTLED_OBSERVATION, SETTLED_TURNS};
     pub use super::observer::MOST_LEAPS;
     pub use super::observing::{FOLLOWING, PROOF_SHARE, RETURNED, SETTLING, SETTLING_AT_REST};
-    pub use super::recurrence::{DISTINCT, FARTHEST, LEAST_RETURNS, PATIENCE_SHARE, QUICKLY};
+    pub use super::recurrence::{DISTINCT, FARTHEST, LEAST_RETURNS, NEARER, PATIENCE_SHARE, QUICKLY};
     pub use super::spread::STATIONARY;
     pub use super::turn::{EXPLODES, FORGETS, SQUARINGS};
     pub use crate::dynamics::constants::{FAIR_MOVES, MOST_MOVES};

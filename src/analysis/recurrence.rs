@@ -16,6 +16,9 @@ pub const QUICKLY: f64 = 0.25;
 /// The share of the time since the start, one in so many, for which a state's return is waited for in the transient: what
 /// was met early is no part of the motion that is reached.
 pub const PATIENCE_SHARE: u32 = 4;
+/// The share of the distance of returns that led astray within which the next must be: those as far, but for rounding, are no
+/// more to be trusted.
+pub const NEARER: f64 = 0.98;
 /// How much farther than a return a state may be to be looked at.
 const NEARLY_RETURNED: f64 = 1.001;
 
@@ -35,6 +38,9 @@ pub fn patience(periods: u32, max_period: u32) -> u32 {
 ///
 /// The first return gives N; every N periods after it the state must return again, with the same impacts in
 /// between. A miss moves the anchor to the present and the search starts over.
+///
+/// Small alternations return within any tolerance that they are smaller than, and miss later, or not with the same impacts:
+/// after a miss only nearer returns count, until they have been waited for in vain.
 ///
 /// A return alone proves no period: a spiral that still shrinks returns, and so does every second turn of an alternation
 /// that dies out slowly. Half-way through the observation the anchor therefore moves along with the motion, so that
@@ -62,6 +68,8 @@ pub struct Recurrence<T, const N: usize> {
     moved: bool,
     /// The smallest distance from the anchor after a proper divisor of N.
     apart: T,
+    /// Within this a first return must be; see [`NEARER`].
+    trusted: T,
     /// Whether the state half a cycle after the last full one was its mirror image.
     pub symmetric: bool,
 }
@@ -81,6 +89,7 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
             quickly: false,
             moved: false,
             apart: T::of(FARTHEST),
+            trusted: T::of(FARTHEST),
             symmetric: false,
         }
     }
@@ -137,12 +146,12 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         self.since += 1;
         let away = distance(flight, &point.state, &self.anchor);
         if self.n == 0 {
-            if away <= tolerance {
+            if away <= tolerance && away <= self.trusted {
                 self.n = self.since;
                 self.impacts = self.running;
                 self.returned(away);
             } else if self.since >= max_period {
-                self.start_over(point, late);
+                self.start_over(point, late, T::of(FARTHEST));
             }
         } else if self.since.is_multiple_of(self.n) {
             if self.running == self.impacts && away <= tolerance {
@@ -151,7 +160,7 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
                     self.move_along(point);
                 }
             } else {
-                self.start_over(point, late);
+                self.start_over(point, late, T::of(NEARER) * self.farthest());
             }
         } else if self.n.is_multiple_of(self.since % self.n) {
             self.apart = if away < self.apart { away } else { self.apart };
@@ -198,8 +207,14 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
     }
 
     #[inline(always)]
-    fn start_over(&mut self, point: &Point<T, N>, late: bool) {
-        *self = Recurrence { moved: late, ..Self::anchored(point.state) };
+    fn start_over(&mut self, point: &Point<T, N>, late: bool, trusted: T) {
+        *self = Recurrence { moved: late, trusted, ..Self::anchored(point.state) };
+    }
+
+    /// The largest distance of a return from its anchor, before that moved along with the motion or since.
+    #[inline(always)]
+    fn farthest(&self) -> T {
+        if self.early > self.worst { self.early } else { self.worst }
     }
 
     /// The motion is compared with its present self from now on.
@@ -235,8 +250,7 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
     /// closer by the half, and a turn by a divisor of N ends clearly elsewhere.
     pub fn is_settled(&self) -> bool {
         let comes_closer = self.worst <= T::of(T::SETTLED) && self.worst + self.worst <= self.early;
-        let farthest = if self.early > self.worst { self.early } else { self.worst };
-        (self.worst <= T::of(T::ROUNDING) || comes_closer) && self.apart >= T::of(DISTINCT) * farthest
+        (self.worst <= T::of(T::ROUNDING) || comes_closer) && self.apart >= T::of(DISTINCT) * self.farthest()
     }
 }
 
@@ -259,42 +273,4 @@ pub(super) fn distance<T: Real, const N: usize>(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// As many strobes as nothing can happen at, by trying one after the other.
-    fn tried(since: u32, periods: u32, max_period: u32) -> u32 {
-        (0..).find(|k| since + k + 1 >= patience(periods + k + 1, max_period)).unwrap()
-    }
-
-    #[test]
-    fn strobes_are_unseen_until_the_anchor_moves() {
-        let flight = Flight::<f64, 1>::blank(1, 0.0);
-        let mut most = 0;
-        for max_period in [0, 1, 2, 7, 32, 100] {
-            for periods in 0..500 {
-                for since in (0..40).filter(|&since| since <= periods) {
-                    let waiting = Recurrence { since, ..Recurrence::anchored(State::zero()) };
-                    let unseen = waiting.unseen(&flight, periods, max_period).strobes;
-                    assert_eq!(unseen, tried(since, periods, max_period));
-                    let returned = Recurrence { n: 1, ..waiting };
-                    assert_eq!(returned.unseen(&flight, periods, max_period).strobes, 0);
-                    most = most.max(unseen);
-                }
-            }
-        }
-        assert_eq!(most, 99);
-    }
-
-    #[test]
-    fn what_is_unseen_is_farther_than_a_return() {
-        // Large, small, and small where all is.
-        for (place, unit) in [(-20.0, 1.0), (-0.2, 1.0), (-2e-6, 1e-6), (-2e-8, 1e-6)] {
-            let flight = Flight { unit, ..Flight::blank(1, 0.0) };
-            let anchor = State { x: [place], v: [0.1 * place] };
-            let nearest = Recurrence::anchored(anchor).unseen(&flight, 100, 32).nearest;
-            let away = distance(&flight, &State { v: [0.1 * place + nearest], ..anchor }, &anchor);
-            assert!(away > f64::RETURNING && away < 1.01 * f64::RETURNING, "{away} at {place}");
-        }
-    }
-}
+mod tests;

@@ -1,6 +1,7 @@
 //! The engine for any linear oscillator with rigid stops, against a brute-force oracle and what physics demands.
 
 mod adrift;
+mod alternating;
 mod families;
 mod gpu;
 mod grazing;

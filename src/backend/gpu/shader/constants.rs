@@ -84,6 +84,7 @@ pub fn source(shape: &Shape) -> String {
         ("AT_REST", <f32 as Real>::AT_REST),
         ("ROUNDING", <f32 as Real>::ROUNDING),
         ("DISTINCT", analysis::DISTINCT),
+        ("NEARER", analysis::NEARER),
         ("QUICKLY", analysis::QUICKLY),
         ("FARTHEST", analysis::FARTHEST),
         ("NOT_MEASURED", f64::from(NOT_MEASURED)),
