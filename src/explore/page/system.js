@@ -3,6 +3,8 @@
 import { element } from './dom.js';
 
 const OWN = '(own)';
+/** A wrong line is shown with about so many above it. */
+const ABOVE = 4;
 
 export class SystemForm {
   /** `chosen(system)` asks for a system by its name or its text. */
@@ -36,11 +38,13 @@ export class SystemForm {
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
+  /** Shows the system that is open; what was written since stays as long as that is the same. */
   show({ system }) {
-    this.fail(null);
     const known = this.systems.some(({ name }) => name === system.origin);
     this.select.value = known ? system.origin : OWN;
-    if (document.activeElement !== this.text) this.text.value = system.text;
+    if (this.shown === system.text) return;
+    this.fail(null);
+    this.text.value = this.shown = system.text;
   }
 
   /** Says what is wrong with the text, and goes to its line. */
@@ -54,5 +58,6 @@ export class SystemForm {
     const before = lines.slice(0, refused.line - 1).join('\n').length + (refused.line > 1 ? 1 : 0);
     this.text.focus();
     this.text.setSelectionRange(before, before + (lines[refused.line - 1]?.length ?? 0));
+    this.text.scrollTop = ((refused.line - ABOVE) / lines.length) * this.text.scrollHeight;
   }
 }
