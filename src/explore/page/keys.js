@@ -4,9 +4,14 @@ const STEP = 0.12;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class Keys {
-  /** `hears` has moved(step), clicked(x, y), cursor(x, y) and home(). */
+  /** `hears` has moved(step), clicked(x, y), cursor(place or null) and home(). */
   constructor(plane, view, hears) {
     this.cursor = null;
+    const left = () => {
+      this.cursor = null;
+      hears.cursor(null);
+    };
+    plane.addEventListener('blur', left);
     plane.addEventListener('keydown', (event) => {
       if (event.ctrlKey || event.metaKey) return;
       const arrow = ARROWS[event.key];
@@ -24,7 +29,7 @@ export class Keys {
       } else if (event.key === '0' || event.key === 'Home') {
         hears.home();
       } else if (event.key === 'Enter' || event.key === ' ') {
-        hears.clicked(...(this.cursor ?? view.placeAt(width / 2, height / 2)));
+        hears.clicked(...this.place(view));
       } else {
         return;
       }
@@ -32,17 +37,24 @@ export class Keys {
     });
   }
 
+  /** Where the cursor is; the middle of the view where there is none in it. */
+  place(view) {
+    const [x0, x1, y0, y1] = view.window;
+    const inSight = this.cursor && this.cursor[0] >= x0 && this.cursor[0] <= x1 && this.cursor[1] >= y0 && this.cursor[1] <= y1;
+    return inSight ? this.cursor : view.placeAt(view.size[0] / 2, view.size[1] / 2);
+  }
+
   middle(view) {
-    return this.cursor ? view.pixelAt(...this.cursor) : [view.size[0] / 2, view.size[1] / 2];
+    return view.pixelAt(...this.place(view));
   }
 
   step(view, [dx, dy], cells, hears) {
     const unit = Math.max(2 ** -view.level, 1.5 / Math.min(...view.scale));
-    const [x, y] = this.cursor ?? view.placeAt(view.size[0] / 2, view.size[1] / 2);
+    const [x, y] = this.place(view);
     const [x0, x1, y0, y1] = view.window;
     this.cursor = [
       Math.min(x1, Math.max(x0, x + dx * cells * unit)), Math.min(y1, Math.max(y0, y + dy * cells * unit)),
     ];
-    hears.cursor(...this.cursor);
+    hears.cursor(this.cursor);
   }
 }

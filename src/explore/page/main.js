@@ -100,7 +100,7 @@ function open(asked, { window = null, cell = null, curves: withCurves = false, l
     if (state.pending !== request) return;
     state.pending = null;
     arrive(scene, { window, again, layer });
-    if (cell) panel.show(scene.scene, cell);
+    if (cell) panel.show(scene.scene, cell, { told: true });
     if (withCurves) toggleCurves(true);
     address.write(step);
     if (because) status.notice(because, 'open');
@@ -129,6 +129,7 @@ function arrive(scene, { window, again, layer }) {
     paint.clear();
     panel.clear();
   }
+  if (before && before.system.text !== scene.system.text) summary.none();
   state.motions.forEach(({ paint: own }, k) => paint.set(k, own));
   curves.clear();
   slice.close();
@@ -246,13 +247,14 @@ function go(wanted) {
   if (!scene || JSON.stringify(wanted.plane) !== JSON.stringify({ ...scene.plane })) return void open(wanted.plane, wanted);
   if (!wanted.window || !view.set(wanted.window)) view.reset();
   const cell = panel.current?.cell;
-  if (wanted.cell && String(cell) !== String(wanted.cell)) panel.show(scene.scene, wanted.cell);
+  if (wanted.cell && String(cell) !== String(wanted.cell)) panel.show(scene.scene, wanted.cell, { told: true });
   if (!wanted.cell) panel.clear();
+  if (Boolean(wanted.curves) !== curves.shown) toggleCurves(!curves.shown);
   look();
 }
 
 function toggleCurves(on) {
-  if (on) curves.compute(state.scene, view, () => { tools(); redraw(); });
+  if (on) curves.compute(state.scene, view, () => { tools(); redraw(); address.replace(); });
   else curves.clear();
   tools();
   redraw();
@@ -263,8 +265,7 @@ new Pointer(plane, view, MARGINS, {
   moved, over, clicked: click, cutting: () => slice.active,
   line: (from, to, done) => { slice.draw(from, to, done, state.scene.scene); redraw(); },
 });
-new Keys(plane, view, { moved, home, clicked: click, cursor: (x, y) => { state.cursor = [x, y]; redraw(); } });
-plane.addEventListener('blur', () => { state.cursor = null; redraw(); });
+new Keys(plane, view, { moved, home, clicked: click, cursor: (place) => { state.cursor = place; redraw(); } });
 addEventListener('keydown', (event) => { if (event.key === 'Escape') slice.close(); });
 
 new ResizeObserver(() => {

@@ -54,6 +54,11 @@ export class Paint {
     this.hatches.fill(0);
   }
 
+  /** Nothing is drawn. */
+  blank() {
+    this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+  }
+
   /** The canvas for a plot of so many pixels of the page. */
   resize([width, height]) {
     const ratio = Math.min(window.devicePixelRatio || 1, 2);

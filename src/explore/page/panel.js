@@ -21,8 +21,8 @@ export class Panel {
     return this.cards.find((entry) => !entry.kept);
   }
 
-  /** Shows a cell of a plane. */
-  show(scene, cell) {
+  /** Shows a cell of a plane; `changed` does not hear of it where it was told already. */
+  show(scene, cell, { told = false } = {}) {
     this.clear();
     const entry = { scene, cell, kept: false, asked: performance.now() };
     entry.card = new Card({
@@ -40,7 +40,7 @@ export class Panel {
     // Beside the plane the card comes into sight; below it, on a phone, the plane stays where it is.
     const column = this.root.parentElement;
     if (column.scrollHeight > column.clientHeight) column.scrollTop = entry.card.root.offsetTop - column.offsetTop - 8;
-    this.changed(cell);
+    if (!told) this.changed(cell);
   }
 
   keep(entry) {

@@ -2,6 +2,8 @@
 
 import { seldom } from './dom.js';
 
+const NOTHING = { rows: [], notes: [] };
+
 export class Summary {
   /** `parts` has state, grid, view, paint, link and legend; `redraw()` draws the plane anew. */
   constructor(parts, redraw) {
@@ -15,7 +17,7 @@ export class Summary {
     if (!state.scene || state.stale) return;
     if (grid.layer) this.askBar();
     const counts = grid.count(view);
-    if (counts.length === 0) return void legend.show({ rows: [], notes: [] });
+    if (counts.length === 0) return void legend.show(NOTHING);
     const rows = innerWidth < 760 ? 12 : 14;
     const { scene } = state.scene;
     link.once({ type: 'legend', scene, cells: counts, rows }, 'legend').then((shown) => {
@@ -34,6 +36,12 @@ export class Summary {
       this.bar(shown);
       this.redraw();
     }, () => {});
+  }
+
+  /** Shows that nothing is known yet. */
+  none() {
+    this.legend.show(NOTHING);
+    this.paint.blank();
   }
 
   /** Shows a colour bar, and numbers by it; neither for null. */
