@@ -24,7 +24,7 @@ export class Curves {
   stop() {
     this.link.cancel(this.ask);
     this.ask = null;
-    this.status.running(null);
+    this.status.running('curves', null);
   }
 
   /** Asks for the curves of a view. */
@@ -40,14 +40,14 @@ export class Curves {
     const [i0, i1, j0, j1] = view.cells(z);
     const window = { z, columns: [i0, i1], rows: [j0, j1] };
     const clipped = scene.clip(window);
-    this.status.running({ words: 'following the bifurcation curves', share: null, stop: () => { this.clear(); done(); } });
+    this.status.running('curves', { words: 'following the bifurcation curves', share: null, stop: () => { this.clear(); done(); } });
     this.ask = this.link.ask({ type: 'curves', scene: scene.scene, window: clipped, max_period: 2, all: false }, (kind, content) => {
-      if (kind === 'progress') this.status.running({ words: content.what, share: content.share, stop: () => { this.clear(); done(); } });
+      if (kind === 'progress') this.status.running('curves', { words: content.what, share: content.share, stop: () => { this.clear(); done(); } });
       if (kind === 'curves') this.lines = content.lines;
       if (kind === 'refused') this.status.notice(content.message, 'curves');
       if (kind === 'done' || kind === 'refused') {
         this.ask = null;
-        this.status.running(null);
+        this.status.running('curves', null);
         if (kind === 'refused') this.shown = false;
       }
       done();

@@ -17,6 +17,8 @@ export class Save {
       element('p', {}, ...buttons),
       element('p', { class: 'size' }, side(0, 'width in pixels'), ' × ', side(1, 'height in pixels'), ' pixels'),
       this.command, this.text));
+    const away = (event) => event.key === 'Escape' || (event.type === 'pointerdown' && !this.root.contains(event.target));
+    for (const type of ['keydown', 'pointerdown']) addEventListener(type, (event) => { if (away(event)) this.root.open = false; });
   }
 
   request() {
@@ -26,11 +28,11 @@ export class Save {
 
   save(format) {
     this.root.open = false;
-    const stop = () => { this.link.cancel(ask); this.status.running(null); };
+    const stop = () => { this.link.cancel(ask); this.status.running('save', null); };
     const ask = this.link.ask({ type: 'save', format, ...this.request() }, (kind, content) => {
-      if (kind === 'progress') this.status.running({ words: content.what, share: content.share, stop });
+      if (kind === 'progress') this.status.running('save', { words: content.what, share: content.share, stop });
       if (kind === 'refused') this.status.notice(content.message, 'save');
-      if (kind === 'done' || kind === 'refused') this.status.running(null);
+      if (kind === 'done' || kind === 'refused') this.status.running('save', null);
       if (kind === 'file') this.download(content);
     });
   }

@@ -30,18 +30,21 @@ export class Slice {
     const width = Math.round(Math.max(360, Math.min(1100, innerWidth - 48)));
     this.open(element('p', { class: 'hint', text: 'Computing the diagram along the line …' }));
     this.ask = this.link.ask({ type: 'slice', scene, from, to, columns: COLUMNS, width }, (kind, content) => {
-      if (kind === 'progress') this.status.running({ words: content.what, share: content.share, stop: () => this.close() });
+      if (kind === 'progress') this.status.running('slice', { words: content.what, share: content.share, stop: () => this.close() });
       if (kind === 'slice') this.open(drawn(content.svg, 'Bifurcation diagram along the line'));
       if (kind === 'refused') this.open(element('p', { class: 'none', text: content.message }));
       if (kind === 'done' || kind === 'refused') {
         this.ask = null;
-        this.status.running(null);
+        this.status.running('slice', null);
       }
     });
   }
 
   open(content) {
     const close = element('button', { type: 'button', text: '×', 'aria-label': 'Close the diagram', onclick: () => this.close() });
+    // Away from the line, over the other half of the plane.
+    const middle = this.path.getBoundingClientRect();
+    this.root.classList.toggle('above', middle.top + middle.bottom > innerHeight);
     this.root.hidden = false;
     this.root.replaceChildren(close, content);
   }
@@ -50,7 +53,7 @@ export class Slice {
     if (this.ask) {
       this.link.cancel(this.ask);
       this.ask = null;
-      this.status.running(null);
+      this.status.running('slice', null);
     }
     this.line = null;
     this.root.hidden = true;

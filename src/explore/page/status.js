@@ -10,7 +10,12 @@ export class Status {
     this.words = element('span', { class: 'words' });
     this.stop = element('button', { type: 'button', class: 'small', text: 'Stop', hidden: true });
     progress.append(this.words, element('span', { class: 'track' }, this.bar), this.stop);
-    this.task = null;
+    this.tasks = new Map();
+  }
+
+  /** Of what runs, what began last; null where nothing does. */
+  get task() {
+    return [...this.tasks.values()].at(-1) ?? null;
   }
 
   /** How much of what is in sight is there. */
@@ -20,11 +25,12 @@ export class Status {
     this.show();
   }
 
-  /** What else runs: words, a share or null, and how to stop it; nothing for nothing. */
-  running(task) {
-    this.task = task;
-    this.stop.hidden = !task?.stop;
-    this.stop.onclick = task?.stop ?? null;
+  /** What else runs under a name: words, a share or null, and how to stop it; null where it has ended. */
+  running(name, task) {
+    if (task) this.tasks.set(name, task);
+    else this.tasks.delete(name);
+    this.stop.hidden = !this.task?.stop;
+    this.stop.onclick = this.task?.stop ?? null;
     this.show();
   }
 
