@@ -28,6 +28,8 @@ export function read(hash, first) {
   const plane = { ...first, set: {}, fixed_periods: words.get('fixed_periods') === '1' };
   if (words.has('described')) plane.system = { text: words.get('described') };
   else if (words.has('system')) plane.system = { name: words.get('system') };
+  // Another system has axes of its own.
+  if (JSON.stringify(plane.system) !== JSON.stringify(first.system)) Object.assign(plane, { x: null, y: null, start: 'rest' });
   for (const key of WORDS) if (words.has(key)) plane[key] = words.get(key);
   for (const key of NUMBERS) if (words.has(key) && isWhole(Number(words.get(key)))) plane[key] = Number(words.get(key));
   for (const [key, value] of words) {

@@ -42,7 +42,10 @@ export class Card {
   hear(kind, content) {
     if (kind === 'motion') return this.motion(content);
     if (kind === 'progress') return void (this.progress.textContent = `${content.what} …`);
-    if (kind === 'refused') this.progress.textContent = content.message;
+    if (kind === 'refused') {
+      if (!this.place.textContent) this.name.textContent = 'no motion';
+      this.progress.textContent = content.message;
+    }
     if (kind === 'done') this.progress.textContent = '';
     if (kind === 'done' || kind === 'refused') {
       for (const part of this.parts.values()) if (part.classList.contains('waiting')) part.hidden = true;
@@ -58,7 +61,7 @@ export class Card {
 
   motion({ place, fixed, name, regime, exponent, forgets, peak, impacts, periods, state, start, command }) {
     this.name.textContent = name;
-    this.place.textContent = place.map((p) => `${p.name} = ${digits(p.value, 8)}`).join(', ');
+    this.place.textContent = place.map((p) => `${p.name} = ${digits(p.value, 15)}`).join(', ');
     this.place.title = fixed.map((p) => `${p.name} = ${digits(p.value, 8)}`).join(', ');
     const row = (term, value) => [element('dt', { text: term }), element('dd', { text: value })];
     this.numbers.replaceChildren(

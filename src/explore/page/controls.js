@@ -62,6 +62,7 @@ export class Controls {
       for (const input of pair ?? []) {
         if (input === document.activeElement) continue;
         input.value = input.type === 'range' ? this.toSlider(name, value) : String(value);
+        if (input.type === 'range') input.setAttribute('aria-valuetext', String(value));
       }
     }
   }
@@ -75,12 +76,13 @@ export class Controls {
     const free = scene.parameters.filter(({ name }) => name !== scene.x.name && name !== scene.y.name);
     return free.map(({ name, symbol, about, value, slider: [low, high], range }) => {
       const typed = number(value, name, (given) => this.set(name, given));
-      const slider = element('input', { type: 'range', min: 0, max: STEPS, 'aria-label': `${name}, slider`,
+      const slider = element('input', { type: 'range', min: 0, max: STEPS, 'aria-label': `${name}, slider`, 'aria-valuetext': String(value),
         value: Math.round(((value - low) / (high - low)) * STEPS) });
       slider.addEventListener('pointerdown', () => { this.held = true; });
       slider.addEventListener('input', () => {
         const given = Number((low + (slider.value / STEPS) * (high - low)).toPrecision(4));
         typed.value = String(given);
+        slider.setAttribute('aria-valuetext', typed.value);
         this.slide(name, given);
       });
       this.inputs.set(name, [typed, slider]);

@@ -13,7 +13,7 @@ export function known(tiles, view, x, y) {
   return null;
 }
 
-/** A line about a place: its values, and what moves there. */
+/** A line about a place: its values, that of the layer that is shown, and what moves there. */
 export function readout(plane, motions, tiles, view, x, y) {
   const [, i, j] = view.cellAt(x, y);
   const unit = 2 ** -view.level;
@@ -24,6 +24,7 @@ export function readout(plane, motions, tiles, view, x, y) {
   const { tile, at } = found;
   if (tile.motion[at] === NOWHERE) return { place, words: 'no such system: outside the range of its parameters' };
   const words = [motions[tile.motion[at]]?.name ?? '…'];
+  if (tile.layer > 0) words.unshift(`${plane.layers[tile.layer - 1].title}: ${digits(tile.number[at], 4)}`);
   if (tile.n[at] > 0) words.push(`N = ${tile.n[at]}`);
   words.push(`λ1 = ${digits(tile.exponent[at], 4)}`, `peak velocity ${digits(tile.peak[at], 4)}`);
   return { place, words: words.join(', '), motion: tile.motion[at] };

@@ -5,7 +5,8 @@ import { choice } from './form.js';
 import * as theme from './theme.js';
 
 function button(text, title, pressed, onclick, disabled = false) {
-  return element('button', { type: 'button', text, title, onclick, 'aria-pressed': pressed == null ? null : String(pressed), disabled });
+  const label = /\w/.test(text) ? null : title;
+  return element('button', { type: 'button', text, title, onclick, 'aria-label': label, 'aria-pressed': pressed == null ? null : String(pressed), disabled });
 }
 
 export class Toolbar {
