@@ -32,10 +32,11 @@ fn of_name(name: &str) -> Text {
     Text::new().italic(word).subscript(subscript)
 }
 
-/// A symbol as its letter and its subscript: everything after the first letter.
+/// A symbol as its letter and its subscript: everything after the first letter, but for an underscore.
 fn split_symbol(symbol: &str) -> (&str, &str) {
     let end = symbol.chars().next().map_or(0, char::len_utf8);
-    symbol.split_at(end)
+    let (letter, subscript) = symbol.split_at(end);
+    (letter, subscript.strip_prefix('_').unwrap_or(subscript))
 }
 
 /// The symbol of a setting of a control method.
@@ -58,5 +59,6 @@ mod tests {
         assert_eq!(of_name("_a"), plain("_a"));
         let mu = split_symbol("µm");
         assert_eq!(mu, ("µ", "m"));
+        assert_eq!(["Ω_shaker", "f_"].map(split_symbol), [("Ω", "shaker"), ("f", "")]);
     }
 }

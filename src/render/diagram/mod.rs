@@ -146,7 +146,7 @@ fn notes(diagram: &Diagram) -> Vec<Text> {
         format!("After {} forcing periods, {} are shown", schedule.transient, schedule.observe).into(),
         where_read(diagram.spec.probe.section, family),
     ];
-    notes.extend(places::label_definition(family));
+    notes.extend(places::label_definition(family, false));
     let last = notes.len() - 1;
     notes[last] = notes[last].clone().upright(".");
     let bands = diagram.branches.iter().map(|branch| Columns::of(&diagram.spec.x).bands(&branch.traces));

@@ -53,7 +53,7 @@ pub fn live_legend(
     LiveLegend {
         rows: rows.collect(),
         paints: found.iter().map(|(motion, _)| paint(&own(motion))).collect(),
-        notes: definition(&census).iter().map(words).collect(),
+        notes: definition(&census, false).iter().map(words).collect(),
     }
 }
 

@@ -63,12 +63,23 @@ struct Detail {
 #[derive(Clone, Copy, Debug)]
 struct LegendDetail {
     shares: bool,
-    definition: bool,
+    definition: Definition,
+}
+
+/// How the meaning of labels is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Definition {
+    /// By where stops stand.
+    Places,
+    /// By their names.
+    Names,
+    Missing,
 }
 
 /// The parts of a picture that may be left out.
 const LEGEND: &str = "the legend";
 const TITLE: &str = "the title";
+const LONG_TITLE: &str = "so long a title";
 const AXIS_TITLES: &str = "the titles of the axes";
 const AXES: &str = "the axes";
 
@@ -83,12 +94,14 @@ impl Detail {
     }
 
     /// From everything to the axes alone, in the order in which things are given up.
-    const LADDER: [Detail; 6] = {
-        let full = LegendDetail { shares: true, definition: true };
-        let undefined = LegendDetail { shares: true, definition: false };
-        let names = LegendDetail { shares: false, definition: false };
+    const LADDER: [Detail; 7] = {
+        let full = LegendDetail { shares: true, definition: Definition::Places };
+        let shorter = LegendDetail { shares: true, definition: Definition::Names };
+        let undefined = LegendDetail { shares: true, definition: Definition::Missing };
+        let names = LegendDetail { shares: false, definition: Definition::Missing };
         [
             Detail::new(Some(full), true, true),
+            Detail::new(Some(shorter), true, true),
             Detail::new(Some(undefined), true, true),
             Detail::new(Some(names), true, true),
             Detail::new(None, true, true),
@@ -101,10 +114,17 @@ impl Detail {
 impl Layout {
     /// The layout with the most detail that fits, of a picture that is to have a legend, or none.
     pub fn of(legend: bool, title: &[Text], census: &Census, frame: &Frame, key: &Key, size: Size) -> Self {
+        let mut all = Attempt { title, census, frame, key, size, em: size.em() };
+        // For a title that is longer than there ever is room for nothing else is given up.
+        let long = all.title_lines().is_none();
+        if long {
+            all.title = &[];
+        }
         let attempt = |detail: Detail| {
-            let layout = Attempt { title, census, frame, key, size, em: size.em() }.layout(detail)?;
+            let layout = all.layout(detail)?;
             let mut left_out = detail.left_out();
-            left_out.retain(|part| legend || *part != LEGEND);
+            left_out.retain(|part| (legend || *part != LEGEND) && !(long && *part == TITLE));
+            left_out.extend(long.then_some(LONG_TITLE));
             Some(Layout { left_out, ..layout })
         };
         let mut wanted = Detail::LADDER.into_iter().filter(|detail| legend || detail.legend.is_none());
@@ -135,13 +155,7 @@ impl Attempt<'_> {
         let (width, height) = (f64::from(self.size.width()), f64::from(self.size.height()));
         let mut space =
             Rect { x: margin, y: margin, width: width - 2.0 * margin, height: height - 2.0 * margin };
-        // The title starts above the plot, whose left edge is not known yet: ticks and titles take at most this.
-        let title_width = space.width - 7.0 * em;
-        let title = if detail.title { Text::wrap(self.title.to_vec(), em, title_width) } else { Vec::new() };
-        let fits = title.len() <= MOST_TITLE_LINES && title.iter().all(|line| line.width(em) <= title_width);
-        if !fits {
-            return None;
-        }
+        let title = if detail.title { self.title_lines()? } else { Vec::new() };
         space.height -= title.len() as f64 * TITLE_ROW * em;
         space.y += title.len() as f64 * TITLE_ROW * em;
         let Some(wanted) = detail.legend else {
@@ -164,6 +178,15 @@ impl Attempt<'_> {
         Some(Layout { margin, title, plot, frame, legend, left_out: Vec::new() })
     }
 
+    /// The lines of the title; none where they are too many, or too long.
+    fn title_lines(&self) -> Option<Vec<Text>> {
+        // It starts above the plot, whose left edge is not known yet: ticks and titles take at most this.
+        let width = f64::from(self.size.width()) - (2.0 * MARGIN + 7.0) * self.em;
+        let lines = Text::wrap(self.title.to_vec(), self.em, width);
+        let fits = lines.len() <= MOST_TITLE_LINES && lines.iter().all(|line| line.width(self.em) <= width);
+        fits.then_some(lines)
+    }
+
     fn legend_beside(
         &self,
         space: Rect,
@@ -171,7 +194,7 @@ impl Attempt<'_> {
         axis_titles: bool,
     ) -> Option<(Placed, PlacedLegend)> {
         let em = self.em;
-        let notes = if wanted.definition { names::definition(self.census) } else { Vec::new() };
+        let notes = self.notes(wanted);
         let plot_height = self.frame.place(space, em, axis_titles)?.plot.height;
         let key_height = self.key_height(1);
         let rows = Legend::rows_in(plot_height - key_height, notes.len(), em).min(MOST_ROWS);
@@ -194,11 +217,7 @@ impl Attempt<'_> {
         axis_titles: bool,
     ) -> Option<(Placed, PlacedLegend)> {
         let em = self.em;
-        let notes = if wanted.definition {
-            Text::wrap(names::definition(self.census), em, space.width - 7.0 * em)
-        } else {
-            Vec::new()
-        };
+        let notes = Text::wrap(self.notes(wanted), em, space.width - 7.0 * em);
         let most = HIGHEST_LEGEND * f64::from(self.size.height());
         // The legend stands under the plot, whose width does not depend on its height but for the labels.
         let width = self.frame.place(space, em, axis_titles)?.plot.width;
@@ -217,6 +236,15 @@ impl Attempt<'_> {
         let at = Point { x, y: space.bottom() - height };
         let key_at = Point { x, y: space.bottom() - key_height + KEY_GAP * em };
         Some((placed, PlacedLegend { legend, at, width, columns, key_at, key_columns }))
+    }
+
+    /// The meaning of labels, as it is wanted.
+    fn notes(&self, wanted: LegendDetail) -> Vec<Text> {
+        match wanted.definition {
+            Definition::Places => names::definition(self.census, false),
+            Definition::Names => names::definition(self.census, true),
+            Definition::Missing => Vec::new(),
+        }
     }
 
     /// The height of the key with the space above it.

@@ -73,9 +73,10 @@ fn names(periodic: &[&Region], census: &Census, rows: usize) -> Vec<Motion> {
     of(&distinct[..shown])
 }
 
-/// The meaning of the labels, in pieces that belong together; of N = 0 where a region has it.
-pub fn definition(census: &Census) -> Vec<Text> {
-    let mut pieces = places::label_definition(census.family);
+/// The meaning of the labels, in pieces that belong together; of N = 0 where a region has it. Stops are called by where they stand, or
+/// by their `names`.
+pub fn definition(census: &Census, names: bool) -> Vec<Text> {
+    let mut pieces = places::label_definition(census.family, names);
     if census.regions.iter().any(|region| region.name.starts_with("0-")) {
         // Only control, which may shift the phase, has motions of less than half a forcing period.
         pieces.extend([
@@ -188,7 +189,7 @@ mod tests {
     fn a_motion_of_no_forcing_period_is_explained_where_there_is_one() {
         let mut map = example::map(40, 30);
         let explained = |map: &RegionMap| {
-            definition(&census(map)).iter().any(|piece| plain(piece).contains("jump in phase"))
+            definition(&census(map), false).iter().any(|piece| plain(piece).contains("jump in phase"))
         };
         assert!(!explained(&map));
         let verdict = &mut map.verdicts[7];

@@ -141,8 +141,10 @@ fn a_small_picture_says_what_it_leaves_out_and_which_size_is_enough() {
             assert!(picture.svg().contains(">chaotic<"), "{width} × {height}");
             continue;
         };
-        assert_eq!(left_out.parts[0], "the legend", "{width} × {height}");
-        assert!(!picture.svg().contains(">chaotic<"), "{width} × {height}");
+        // There may be room for all but the title.
+        let legend = left_out.parts != ["so long a title"];
+        assert_eq!(left_out.parts[0] == "the legend", legend, "{width} × {height}");
+        assert_eq!(picture.svg().contains(">chaotic<"), !legend, "{width} × {height}");
         let enough = left_out.enough.unwrap();
         assert!(left_out.to_string().contains(&format!("{}x{} is enough", enough.width(), enough.height())));
         let whole = region_map(&map, enough);
@@ -152,6 +154,19 @@ fn a_small_picture_says_what_it_leaves_out_and_which_size_is_enough() {
     }
     assert!(region_map(&map, Size::new(300, 200).unwrap()).left_out().is_some());
     assert!(region_map(&map, Size::new(1200, 900).unwrap()).left_out().is_none());
+}
+
+#[test]
+fn nothing_else_is_given_up_for_a_title_that_is_too_long() {
+    let map = example::map(80, 60);
+    let long: Vec<Text> = (0..60).map(|k| Text::from(format!("stiffness{k} = 0.123456789,"))).collect();
+    let size = Size::new(1200, 900).unwrap();
+    let (census, frame) = (Census::of(&map, Window::whole(&map.plane)).unwrap(), frame_of(&map.plane));
+    let layout = |title: &[Text]| Layout::of(true, title, &census, &frame, &Key::default(), size);
+    let without = layout(&long);
+    assert!(without.legend.is_some() && without.title.is_empty());
+    assert_eq!(without.left_out, ["so long a title"]);
+    assert!(layout(&long[..8]).left_out.is_empty());
 }
 
 #[test]
