@@ -80,17 +80,12 @@ impl Start {
         for (number, stop) in plant.stops.iter().enumerate() {
             let place: f64 = stop.direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum();
             if place > stop.gap {
-                // Most stops are met by one coordinate.
-                let alone = stop.direction.iter().filter(|d| **d != 0.0).count() == 1;
-                let met = stop.direction.iter().position(|d| *d != 0.0).filter(|_| alone);
-                let place = met.map_or_else(
-                    || {
-                        let met = family.stop_place(number).to_string();
-                        let along = met.split_once(" = ").map_or("d·x", |(along, _)| along);
-                        format!("{along} = {}", Number(place))
-                    },
-                    |i| format!("x{} = {}", i + 1, Number(state[i])),
-                );
+                let met = family.stop_place(number);
+                let along = met.to_string();
+                let along = along.split_once(" = ").map_or("d·x", |(along, _)| along);
+                // One coordinate that meets its stop from above.
+                let sign = if met.negative { "-" } else { "" };
+                let place = format!("{sign}{along} = {}", Number(place));
                 return Err(StartError::OutsideStops {
                     start: Box::new(*self),
                     stop: family.stops()[number].plain_name().to_owned(),
@@ -155,7 +150,7 @@ pub enum StartError {
         start: Box<Start>,
         /// Which stop, by its name.
         stop: String,
-        /// Where it would begin, in words: the coordinate that meets the stop, or direction · x.
+        /// Where it would begin, in words: direction · x, which is to stay below the gap.
         place: Box<str>,
         /// The stop's gap.
         gap: f64,
@@ -178,7 +173,7 @@ mod tests {
             Err(StartError::OutsideStops {
                 start: start.into(),
                 stop: "B".into(),
-                place: "x1 = -0.2".into(),
+                place: "-x1 = 0.2".into(),
                 gap: 0.1
             })
         );
