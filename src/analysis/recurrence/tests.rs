@@ -41,8 +41,7 @@ fn what_is_unseen_is_farther_than_a_return() {
 /// The N that is found of strobes that go round `places`, with so many impacts before each, and for how many periods it has held by
 /// the end.
 fn found<T: Real>(places: &[f64], impacts: &[u32], tolerance: f64) -> (u32, u32) {
-    let flight = Flight::<T, 1>::blank(1, T::zero());
-    let flight = Flight { unit: T::one(), ..flight };
+    let flight = Flight { unit: T::one(), ..Flight::<T, 1>::blank(1, T::zero()) };
     let at = |k: usize| State { x: [T::of(places[k % places.len()])], v: [T::one()] };
     let mut recurrence = Recurrence::anchored(at(0));
     for k in 1..=96 {

@@ -126,8 +126,8 @@ pub const CELL_FIELDS: &[CellField] = &[
         "impacts per forcing period",
         (Inner::One, "per forcing period"),
         Source::F32(|cell, _| cell.verdict.impacts_per_period()),
-        "impacts per forcing period while the cell was observed; NaN where it was not, since it was proven never to \
-         impact again, or failed",
+        "impacts per forcing period while the cell was observed, of complete chatter those that were followed one by one; \
+         NaN where it was not, since it was proven never to impact again, or failed",
         drawn(Spread::Ratios, Some(0.0), "no impact"),
     ),
     field(
