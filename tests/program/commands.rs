@@ -92,10 +92,10 @@ fn contradictions_are_refused() {
 #[test]
 fn starts_outside_the_stops_are_refused() {
     refuses(&["classify", "--start", "0.2,0,0,0"], &["x1 = 0.2", "gap is 0.1"]);
-    refuses(&["orbit", "--start=-0.2,0,0,0"], &["x1 = -0.2", "gap is 0.1"]);
+    refuses(&["orbit", "--start=-0.2,0,0,0"], &["-x1 = 0.2", "gap is 0.1"]);
     refuses(&["map", "--start", "0.1,0,0,0"], &["x1 = 0.1", "gap is 0.02"]);
-    refuses(&["map", "--x", "x1=-0.2:0.1:5", "--y", "v1=-1:1:5"], &["x1 = -0.2", "gap is 0.1"]);
-    refuses(&["map", "--x", "x1=-0.1:0.1:5", "--y", "delta=0.05:0.2:5"], &["x1 = -0.1", "gap is 0.05"]);
+    refuses(&["map", "--x", "x1=-0.2:0.1:5", "--y", "v1=-1:1:5"], &["-x1 = 0.2", "gap is 0.1"]);
+    refuses(&["map", "--x", "x1=-0.1:0.1:5", "--y", "delta=0.05:0.2:5"], &["-x1 = 0.1", "gap is 0.05"]);
     refuses(&["classify", "--start", "1,2,3"], &["1,2,3", "X1,X2,V1,V2"]);
     refuses(&["classify", "--start", "0,NaN,0,0"], &["not a finite number"]);
 }
