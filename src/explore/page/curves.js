@@ -40,9 +40,10 @@ export class Curves {
     const [i0, i1, j0, j1] = view.cells(z);
     const window = { z, columns: [i0, i1], rows: [j0, j1] };
     const clipped = scene.clip(window);
-    this.status.running('curves', { words: 'following the bifurcation curves', share: null, stop: () => { this.clear(); done(); } });
+    const stop = () => { this.clear(); done(); };
+    this.status.running('curves', { words: 'following the bifurcation curves', share: null, stop });
     this.ask = this.link.ask({ type: 'curves', scene: scene.scene, window: clipped, max_period: 2, all: false }, (kind, content) => {
-      if (kind === 'progress') this.status.running('curves', { words: content.what, share: content.share, stop: () => { this.clear(); done(); } });
+      if (kind === 'progress') this.status.running('curves', { words: content.what, share: content.share, stop });
       if (kind === 'curves') this.lines = content.lines;
       if (kind === 'refused') this.status.notice(content.message, 'curves');
       if (kind === 'done' || kind === 'refused') {

@@ -48,7 +48,7 @@ const slice = new Slice(frame, at('slice'), link, status);
 const marks = new Marks(frame, plane, at('hover'), at('readout'), view, MARGINS);
 const axes = new Axes(frame, link, MARGINS);
 const summary = new Summary({ state, grid, view, paint, link, legend: new Legend(at('legend')) }, redraw);
-const panel = new Panel(at('cards'), link, () => { redraw(); address.write(true); });
+const panel = new Panel(at('cards'), link, () => chosen());
 const save = new Save(link, status, () => ({ scene: state.scene.scene, window: shown(), curves: curves.shown, layer: grid.layer }));
 const address = new Address(() => ({
   plane: state.scene.plane, window: view.window, cell: panel.current?.cell, curves: curves.shown, layer: grid.layer,
@@ -100,7 +100,7 @@ function open(asked, { window = null, cell = null, curves: withCurves = false, l
     if (state.pending !== request) return;
     state.pending = null;
     arrive(scene, { window, again, layer });
-    if (cell) panel.show(scene.scene, cell, { told: true });
+    if (cell) panel.show(scene.scene, cell);
     if (withCurves) toggleCurves(true);
     address.write(step);
     if (because) status.notice(because, 'open');
@@ -229,7 +229,15 @@ function showLayer(name) {
 // ——— input ———
 
 function click(x, y) {
-  if (state.scene) panel.show(state.scene.scene, view.cellAt(x, y));
+  if (!state.scene) return;
+  panel.show(state.scene.scene, view.cellAt(x, y));
+  chosen();
+}
+
+/** Another cell is shown, or none: a step that going back undoes. */
+function chosen() {
+  redraw();
+  address.write(true);
 }
 
 const tools = () => toolbar.show();
@@ -247,7 +255,7 @@ function go(wanted) {
   if (!scene || JSON.stringify(wanted.plane) !== JSON.stringify({ ...scene.plane })) return void open(wanted.plane, wanted);
   if (!wanted.window || !view.set(wanted.window)) view.reset();
   const cell = panel.current?.cell;
-  if (wanted.cell && String(cell) !== String(wanted.cell)) panel.show(scene.scene, wanted.cell, { told: true });
+  if (wanted.cell && String(cell) !== String(wanted.cell)) panel.show(scene.scene, wanted.cell);
   if (!wanted.cell) panel.clear();
   if (Boolean(wanted.curves) !== curves.shown) toggleCurves(!curves.shown);
   look();

@@ -7,11 +7,11 @@ const MOST_KEPT = 3;
 const HINT = 'Click the plane, or press Enter on it, to see what moves there.';
 
 export class Panel {
-  /** `changed(cell)` hears which cell is shown, null for none. */
-  constructor(root, link, changed) {
+  /** `closed()` hears that a card was closed. */
+  constructor(root, link, closed) {
     this.root = root;
     this.link = link;
-    this.changed = changed;
+    this.closed = closed;
     this.cards = [];
     this.hint = element('p', { class: 'hint', text: HINT });
     root.append(this.hint);
@@ -21,12 +21,12 @@ export class Panel {
     return this.cards.find((entry) => !entry.kept);
   }
 
-  /** Shows a cell of a plane; `changed` does not hear of it where it was told already. */
-  show(scene, cell, { told = false } = {}) {
+  /** Shows a cell of a plane. */
+  show(scene, cell) {
     this.clear();
     const entry = { scene, cell, kept: false, asked: performance.now() };
     entry.card = new Card({
-      onclose: () => { this.remove(entry); this.changed(null); },
+      onclose: () => { this.remove(entry); this.closed(); },
       onkeep: () => this.keep(entry),
     });
     const width = Math.round(Math.max(300, Math.min(460, this.root.clientWidth - 26)));
@@ -40,7 +40,6 @@ export class Panel {
     // Beside the plane the card comes into sight; below it, on a phone, the plane stays where it is.
     const column = this.root.parentElement;
     if (column.scrollHeight > column.clientHeight) column.scrollTop = entry.card.root.offsetTop - column.offsetTop - 8;
-    if (!told) this.changed(cell);
   }
 
   keep(entry) {
