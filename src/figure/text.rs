@@ -104,6 +104,12 @@ impl Text {
         lines
     }
 
+    /// The words alone, whatever their style.
+    #[cfg(test)]
+    pub(crate) fn plain(&self) -> String {
+        self.spans.iter().map(|span| span.content.as_str()).collect()
+    }
+
     pub(crate) fn spans(&self) -> &[Span] {
         &self.spans
     }

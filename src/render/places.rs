@@ -178,10 +178,6 @@ mod tests {
         assert_eq!((labels("shaw-holmes").len(), labels("luo-ma-lv").len()), (2, 3));
     }
 
-    fn plain(text: &Text) -> String {
-        text.spans().iter().map(|span| span.content.as_str()).collect()
-    }
-
     /// Where the two stops of a family stand whose gaps are written so.
     fn places_of(gap: &str, direction: &str) -> [String; 2] {
         let text = format!(
@@ -211,10 +207,10 @@ mod tests {
             "#
         );
         let family = Family::kept(&text, "gaps.toml").unwrap();
-        let stops = [0, 1].map(|stop| plain(&stop_place(family, stop)));
+        let stops = [0, 1].map(|stop| stop_place(family, stop).plain());
         let named = label_definition(family, true);
-        assert_eq!(plain(&named[1]), "p impacts at top,");
-        assert_eq!(plain(&named[2]), "q impacts at bottom");
+        assert_eq!(named[1].plain(), "p impacts at top,");
+        assert_eq!(named[2].plain(), "q impacts at bottom");
         stops
     }
 

@@ -104,16 +104,12 @@ mod tests {
     use crate::render::example;
     use crate::system::Family;
 
-    fn plain(text: &Text) -> String {
-        text.spans().iter().map(|span| span.content.as_str()).collect()
-    }
-
     fn census(map: &RegionMap) -> Census {
         Census::of(map, Window::whole(&map.plane)).unwrap()
     }
 
     fn title_of(plane: &Plane) -> String {
-        title(plane).iter().map(plain).collect::<Vec<_>>().join(" ")
+        title(plane).iter().map(Text::plain).collect::<Vec<_>>().join(" ")
     }
 
     /// Without a mirror there is no symmetric motion to begin on; where one cell has it, that is said.
@@ -172,13 +168,13 @@ mod tests {
             let entries = entries(&census, rows, true);
             assert!(entries.len() <= rows, "{rows}: {}", entries.len());
             for regime in [Regime::Chaotic, Regime::Failed, Regime::NoImpact] {
-                assert!(entries.iter().any(|entry| plain(&entry.name) == regime.name()));
+                assert!(entries.iter().any(|entry| entry.name.plain() == regime.name()));
             }
-            let named = |entry: &&Entry| !plain(&entry.name).starts_with("other");
+            let named = |entry: &&Entry| !entry.name.plain().starts_with("other");
             let singles = entries.iter().filter(named).count();
             let group = entries.iter().find(|entry| !named(entry));
             let grouped = group.map_or(0, |entry| {
-                plain(&entry.name).split(['(', ' ']).find_map(|word| word.parse().ok()).unwrap()
+                entry.name.plain().split(['(', ' ']).find_map(|word| word.parse().ok()).unwrap()
             });
             assert_eq!(singles + grouped, motions, "{rows}");
             assert_ne!(grouped, 1, "{rows}");
@@ -189,7 +185,7 @@ mod tests {
     fn a_motion_of_no_forcing_period_is_explained_where_there_is_one() {
         let mut map = example::map(40, 30);
         let explained = |map: &RegionMap| {
-            definition(&census(map), false).iter().any(|piece| plain(piece).contains("jump in phase"))
+            definition(&census(map), false).iter().any(|piece| piece.plain().contains("jump in phase"))
         };
         assert!(!explained(&map));
         let verdict = &mut map.verdicts[7];
@@ -200,7 +196,7 @@ mod tests {
     #[test]
     fn shares_add_up() {
         let census = census(&example::map(120, 90));
-        let shares = entries(&census, 18, true).into_iter().map(|entry| plain(&entry.value.unwrap()));
+        let shares = entries(&census, 18, true).into_iter().map(|entry| entry.value.unwrap().plain());
         let total: f64 = shares.filter_map(|share| share.strip_suffix(" %")?.parse::<f64>().ok()).sum();
         assert!((99.0..101.0).contains(&total), "{total}");
         assert_eq!(percentage(1e-6), "< 0.1 %");
