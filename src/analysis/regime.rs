@@ -48,6 +48,9 @@ pub enum Regime {
     AperiodicSticking = 6,
     /// Growth without bounds, or too many moves to go on.
     Failed = 7,
+    /// The start lies beyond a stop: no motion begins there.
+    #[strum(serialize = "inadmissible start")]
+    Inadmissible = 8,
 }
 
 impl Regime {
@@ -67,7 +70,7 @@ impl Regime {
 
     /// Whether a periodic motion may yet come out of a trajectory of this regime.
     pub(super) fn may_return(self) -> bool {
-        !matches!(self, Regime::NoImpact | Regime::Failed)
+        !matches!(self, Regime::NoImpact | Regime::Failed | Regime::Inadmissible)
     }
 
     /// Whether motions of this regime carry an N-p-q label.
@@ -276,6 +279,6 @@ mod tests {
             assert_eq!(usize::from(regime.code()), i);
             assert_eq!(Regime::from_repr(regime.code()), Some(regime));
         }
-        assert_eq!(Regime::from_repr(8), None);
+        assert_eq!(Regime::from_repr(9), None);
     }
 }

@@ -4,7 +4,7 @@
 macro_rules! regime_codes {
     () => {
         "code: 0 unresolved, 1 no impact, 2 periodic, 3 periodic with sticking, 4 quasi-periodic, 5 chaotic, \
-         6 aperiodic with sticking, 7 failed"
+         6 aperiodic with sticking, 7 failed, 8 inadmissible start"
     };
 }
 

@@ -7,7 +7,6 @@ use impact_atlas::sweep::{measure_extents, sweep};
 use impact_atlas::validate::differing;
 use serde::Serialize;
 
-use super::interrupt::Interruptible;
 use super::progress::Progress;
 use super::terminal::{print, print_json};
 use super::{CliError, Result, estimate, note};
@@ -34,7 +33,11 @@ pub fn hold(plane: &Plane, candidate: &dyn Backend, json: bool) -> Result<()> {
     let computed = |what: &str, backend: &dyn Backend| -> Result<_> {
         estimate::of_plane(&format!("the {what}'s map"), plane, backend)?;
         let mut map = sweep(plane, backend, &Progress::of_cells(what, plane.cells()))?;
-        measure_extents(&mut map, backend, &Interruptible)?;
+        measure_extents(
+            &mut map,
+            backend,
+            &Progress::of_cells(&format!("the {what}'s extents"), plane.cells()),
+        )?;
         Ok(map)
     };
     let theirs = computed("candidate", candidate)?;

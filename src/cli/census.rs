@@ -1,9 +1,10 @@
 //! How many cells of a plane each regime has, as it is printed.
 
+use impact_atlas::analysis::Regime;
 use serde::Serializer;
 
 /// Names and cells of every regime, in the order of their codes.
-pub type Census = [(&'static str, u64); 8];
+pub type Census = [(&'static str, u64); Regime::ALL.len()];
 
 /// Writes the regimes as one JSON object, in their order.
 pub fn in_order<S: Serializer>(regimes: &Census, serializer: S) -> Result<S::Ok, S::Error> {

@@ -102,7 +102,9 @@ impl<'a> Summary<'a> {
             self.cells,
             self.seconds,
             self.converged,
-            self.median_time.map(|n| format!(", half of them within {n} iterates")).unwrap_or_default()
+            self.median_time
+                .map(|n| format!(", half of them within {n} iterate{}", if n == 1 { "" } else { "s" }))
+                .unwrap_or_default()
         )];
         lines.extend(census::lines(self.regimes, self.cells));
         if self.runaway > 0 {

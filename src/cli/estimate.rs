@@ -11,6 +11,7 @@ use impact_atlas::plane::Plane;
 use impact_atlas::sweep::{Swept, sample, spread};
 
 use super::interrupt;
+use super::progress::Progress;
 use super::{CliError, Result, note, spans};
 
 /// The most cells that are measured.
@@ -63,7 +64,8 @@ fn of_cells(
     let lanes = Width::widest().lanes::<f32>() * rayon::current_num_threads();
     let first = if backend.name() == "cpu" { lanes } else { AT_ONCE };
     if backend.name() != "cpu" {
-        // A shader is compiled once, however many cells there are.
+        // A shader is compiled once, however many cells there are; drivers take seconds for it, or minutes.
+        let _waiting = Progress::of_unknown("compiling the kernel");
         compute(&cells[..1], &interrupt::Interruptible)?;
     }
     let began = Instant::now();

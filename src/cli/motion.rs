@@ -191,6 +191,7 @@ fn elsewhere(verdict: &Verdict) -> Option<String> {
              followed: try less restitution or a faster forcing, or another --start",
             verdict.periods
         ),
+        Regime::Inadmissible => format!("this start lies beyond a stop: {other}"),
     })
 }
 

@@ -86,8 +86,8 @@ pub fn run(args: &ValidateArgs) -> Result<()> {
     }
     let reference = backend::open(Choice::Cpu, None)?;
     let [mut theirs, mut ours] = computed(&plane, [&*candidate, &*reference])?;
-    measure_extents(&mut theirs, &*candidate, &Interruptible)?;
-    measure_extents(&mut ours, &*reference, &Interruptible)?;
+    measure_extents(&mut theirs, &*candidate, &Progress::of_cells("the candidate's extents", plane.cells()))?;
+    measure_extents(&mut ours, &*reference, &Progress::of_cells("the reference's extents", plane.cells()))?;
     let strays = impact_atlas::validate::strays(&ours, &theirs).len() as u64;
     let continued = continue_strays(&ours, &theirs, &*reference, &Progress::of_cells("continuing", strays))?;
     let examined = tipped(&ours, &theirs, &*reference, &Interruptible)?;

@@ -16,6 +16,7 @@ use super::tile::{Cells, Extents, encoded};
 use crate::analysis::{Extent, Verdict};
 use crate::backend::{self, BackendError, Job, Watch, decide};
 use crate::plane::fields::Layer;
+use crate::plane::{Inadmissible, Reached as _};
 
 /// Jobs that a processor's thread takes at a time.
 const FEW: usize = 128;
@@ -75,10 +76,15 @@ impl Watch for Flag<'_> {
 /// # Errors
 /// [`Stopped`], also where the program has a mistake.
 pub fn verdicts(scene: &Scene, cells: &[Cell], watch: &dyn Watch) -> Result<Vec<Option<Verdict>>, Stopped> {
-    let jobs: Vec<Option<Job>> = cells.par_iter().map(|&cell| scene.job(cell)).collect();
-    let followed: Vec<Job> = jobs.iter().flatten().cloned().collect();
+    let begun: Vec<Option<Result<Job, Inadmissible>>> =
+        cells.par_iter().map(|&cell| scene.job(cell)).collect();
+    let followed: Vec<Job> = begun.iter().flatten().flatten().cloned().collect();
     let mut decided = caught(|| decided(scene, &followed, watch))?.into_iter();
-    Ok(jobs.iter().map(|job| job.as_ref().and_then(|_| decided.next())).collect())
+    let verdict = |cell: Option<Result<Job, Inadmissible>>| match cell? {
+        Ok(_) => decided.next(),
+        Err(Inadmissible(start)) => Some(Verdict::inadmissible(start)),
+    };
+    Ok(begun.into_iter().map(verdict).collect())
 }
 
 /// What a back end computes; a mistake in the program ends no more than this.
@@ -160,7 +166,7 @@ fn measured(batch: &Batch<'_>, key: TileKey, verdicts: &Cells) -> Result<Arc<Ext
     let there: Vec<(usize, Job, Verdict)> = cells(key)
         .zip(verdicts)
         .enumerate()
-        .filter_map(|(at, (cell, verdict))| Some((at, scene.job(cell)?, (*verdict)?)))
+        .filter_map(|(at, (cell, verdict))| Some((at, scene.job(cell)?.ok()?, (*verdict)?)))
         .collect();
     let (jobs, found): (Vec<Job>, Vec<Verdict>) =
         there.iter().map(|(_, job, verdict)| (job.clone(), *verdict)).unzip();

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::analysis::Verdict;
+use crate::analysis::{Regime, Verdict};
 use crate::figure::css;
 use crate::render::{Motion, paint_of};
 
@@ -47,14 +47,18 @@ impl Outgoing {
         Outgoing::of(json!({ "type": "failed", "scene": scene, "message": message }))
     }
 
-    /// Motions of a plane by their numbers, from `first` on: what they are called, and their paints while nothing else is
-    /// to be told from them; `mirrored` says whether systems have a mirror.
+    /// Motions of a plane by their numbers, from `first` on: what they are called, their paints while nothing else is to be told
+    /// from them, and whether a motion begins there at all; `mirrored` says whether systems have a mirror.
     pub fn motions(scene: u32, first: usize, motions: &[Verdict], mirrored: bool) -> Self {
         let told: Vec<Value> = motions
             .iter()
             .map(|verdict| {
                 let paint = paint_of(Motion::of(verdict));
-                json!({ "name": Motion::name(verdict, mirrored), "paint": [css(paint.fill), paint.hatch.map(css)] })
+                json!({
+                    "name": Motion::name(verdict, mirrored),
+                    "paint": [css(paint.fill), paint.hatch.map(css)],
+                    "begins": verdict.regime != Regime::Inadmissible,
+                })
             })
             .collect();
         Outgoing::of(json!({ "type": "motions", "scene": scene, "first": first, "motions": told }))

@@ -13,8 +13,9 @@ use super::stored::Stored;
 use crate::analysis::Verdict;
 use crate::backend::Job;
 use crate::model::System;
-use crate::plane::{Axis, Plane};
+use crate::plane::{Axis, Inadmissible, Plane};
 use crate::render::Motion;
+use crate::theory::SymmetricStarts;
 
 /// A plane that is looked at.
 #[derive(Debug)]
@@ -72,8 +73,8 @@ impl Scene {
         self.known.as_ref()?.at(column, row)
     }
 
-    /// What is to be followed at a cell; none where there is no such system, or it does not begin between its stops.
-    pub fn job(&self, cell: Cell) -> Option<Job> {
+    /// What is to be followed at a cell, or where it would begin beyond a stop; none where there is no such system.
+    pub fn job(&self, cell: Cell) -> Option<Result<Job, Inadmissible>> {
         let [x, y] = self.values(cell);
         self.job_at(x, y)
     }
@@ -86,13 +87,12 @@ impl Scene {
         Some(Plane { x: one(&self.plane.x, x)?, y: one(&self.plane.y, y)?, ..self.plane.clone() })
     }
 
-    /// What is to be followed at two values of the axes; none where there is no such system.
-    pub fn job_at(&self, x: f64, y: f64) -> Option<Job> {
+    /// What is to be followed at two values of the axes, or where it would begin beyond a stop; none where there is no such system.
+    pub fn job_at(&self, x: f64, y: f64) -> Option<Result<Job, Inadmissible>> {
         let plane = self.alone(x, y)?;
         let system = System::new(plane.parameters_at(0, 0)).ok()?;
-        let start = plane.start_at(0, 0);
-        start.check(system.plant(), plane.parameters.family()).ok()?;
-        Some(Job { start: start.state(&system), system })
+        let start = plane.start_at(0, 0).begun_by(&system, &mut SymmetricStarts::default());
+        Some(start.map(|start| Job { start, system }))
     }
 
     /// Why there is no system at two values of the axes that are in range, or it does not begin there; none where it does.

@@ -10,7 +10,7 @@ use super::task::{Ended, Task};
 use crate::analysis::{Probe, Reading, Section};
 use crate::backend::{BackendError, Job, Watch};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, Sweep};
-use crate::plane::{Axis, Quantity};
+use crate::plane::{Axis, Inadmissible, Quantity};
 use crate::render::slice_figure;
 use crate::sweep::provenance;
 use crate::theory::confirmed;
@@ -53,10 +53,13 @@ impl Line {
             0 => scene.job_at(axis.value(i), at(1, i)),
             _ => scene.job_at(at(0, i), axis.value(i)),
         };
-        let jobs: Option<Vec<Job>> = (0..columns).map(job).collect();
+        let begun: Option<Result<Vec<Job>, Inadmissible>> = (0..columns).map(job).collect();
         let nowhere = || refused("a part of the line has no such system: keep it off the edge");
+        let inadmissible =
+            |_| refused("a part of the line begins beyond a stop: keep it off inadmissible starts");
+        let jobs = begun.ok_or_else(nowhere)?.map_err(inadmissible)?;
         let ends = [at(other, 0), at(other, columns - 1)];
-        Ok(Line { axis, other: (axes[other].quantity, ends), jobs: jobs.ok_or_else(nowhere)? })
+        Ok(Line { axis, other: (axes[other].quantity, ends), jobs })
     }
 
     /// The diagram of its columns, which begin as the plane's cells do.

@@ -5,6 +5,7 @@ use image::RgbImage;
 use super::canvas::Canvas;
 use super::frame::{fitting_ticks, line_width};
 use super::ink::{INK, MUTED};
+use super::paint::Paint;
 use super::palette::Palette;
 use super::scale::Scale;
 use super::shapes::{Anchor, Colour, Point, Rect};
@@ -156,13 +157,13 @@ fn ends(values: impl Iterator<Item = f64>, spread: Spread) -> Option<[f64; 2]> {
     }
 }
 
-/// Draws samples of colours with what they stand for, upwards from the lower end of a plot; gives the height that they take.
-pub fn draw_samples(canvas: &mut Canvas, at: Point, samples: &[(Colour, &str)], em: f64) -> f64 {
+/// Draws samples of paints with what they stand for, upwards from the lower end of a plot; gives the height that they take.
+pub fn draw_samples(canvas: &mut Canvas, at: Point, samples: &[(Paint, &str)], em: f64) -> f64 {
     let (line, width) = (line_width(em), (WIDTH * em).round());
     let mut bottom = at.y;
-    for (colour, name) in samples.iter().rev() {
+    for (paint, name) in samples.iter().rev() {
         let swatch = Rect { x: at.x, y: bottom - 1.2 * em, width, height: (0.9 * em).round() };
-        canvas.fill(swatch, *colour);
+        canvas.paint(swatch, *paint, em);
         canvas.outline(swatch, line, INK);
         let beside = Point { x: swatch.right() + 0.7 * em, y: swatch.y + swatch.height / 2.0 };
         canvas.text(&(*name).into(), beside, Anchor::Start, 0.9 * em, MUTED);

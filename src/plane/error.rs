@@ -53,6 +53,9 @@ pub enum PlaneError {
     /// A parameter cannot be used.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
+    /// No cell begins between its stops.
+    #[error("no cell of the plane begins between its stops; of the first, {0}")]
+    Nowhere(StartError),
     /// A start cannot be used.
     #[error(transparent)]
     Start(#[from] StartError),

@@ -24,6 +24,6 @@ pub use part::{Part, PartError, cost};
 pub use quantity::Quantity;
 pub use region_map::{Made, Multipliers, Provenance, RegionMap};
 pub use spec::Plane;
-pub use start::{Start, StartError};
+pub use start::{Inadmissible, Start, StartError};
 pub use task::{Control, Reached, Task};
 pub use window::{Tiling, Window};

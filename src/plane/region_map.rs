@@ -88,7 +88,7 @@ impl<T: Task> RegionMap<T> {
     }
 
     /// How many cells are in each regime, in the order of [`Regime::ALL`].
-    pub fn census(&self) -> [(Regime, u64); 8] {
+    pub fn census(&self) -> [(Regime, u64); Regime::ALL.len()] {
         let cells = |regime| self.verdicts.iter().filter(|cell| cell.verdict().regime == regime).count();
         Regime::ALL.map(|regime| (regime, cells(regime) as u64))
     }

@@ -14,8 +14,9 @@ use crate::control::Scheme;
 use crate::model::{Setting, StateVector};
 use crate::system::Family;
 
-/// So many cells along each side of a plane show whether starts lie between the stops.
-const STARTS_ALONG: u32 = 256;
+/// Of so many columns and rows at most it is looked whether a start lies between the stops; smaller planes have all their cells
+/// looked at.
+const STARTS_ALONG: u32 = 1024;
 
 /// A plane of parameter pairs (or of start components, or of settings of a control method), cell by cell in rows of equal y,
 /// of each of which the same is asked: a [`Task`], or nothing (`()`) where only the plane itself matters.
@@ -97,25 +98,26 @@ impl<T> Plane<T> {
         }
         self.start.fits(self.parameters.family())?;
         let Start::State(_) = self.start_at(0, 0) else { return Ok(()) };
-        // The places between the stops are convex, and gaps are seldom anything but monotone in two parameters at once: the border
-        // decides.
-        for (column, row) in self.border(STARTS_ALONG) {
+        // Cells that begin beyond a stop are inadmissible; a plane of nothing else is a mistake.
+        let mut refused = None;
+        let columns = spread(self.x.count, STARTS_ALONG);
+        let cells = spread(self.y.count, STARTS_ALONG)
+            .flat_map(|row| columns.clone().map(move |column| (column, row)));
+        for (column, row) in cells {
             let Ok(plant) = self.parameters_at(column, row).plant() else { continue };
-            self.start_at(column, row).check(&plant, self.parameters.family())?;
+            match self.start_at(column, row).check(&plant, self.parameters.family()) {
+                Ok(()) => return Ok(()),
+                Err(why) => refused = refused.or(Some(why)),
+            }
         }
-        Ok(())
+        refused.map_or(Ok(()), |first| Err(PlaneError::Nowhere(first)))
     }
 
-    /// Cells on its border, corners among them: of each side so many, or all of fewer.
-    pub(crate) fn border(&self, most: u32) -> impl Iterator<Item = (u32, u32)> + use<T> {
-        let along = move |count: u32| {
-            let shown = count.min(most.max(2));
-            (0..shown)
-                .map(move |i| (u64::from(i) * u64::from(count - 1) / u64::from(shown.max(2) - 1)) as u32)
-        };
+    /// The cells on its border; corners come twice.
+    pub(crate) fn border(&self) -> impl Iterator<Item = (u32, u32)> + use<T> {
         let (columns, rows) = (self.x.count, self.y.count);
-        let horizontal = along(columns).flat_map(move |column| [(column, 0), (column, rows - 1)]);
-        horizontal.chain(along(rows).flat_map(move |row| [(0, row), (columns - 1, row)]))
+        let horizontal = (0..columns).flat_map(move |column| [(column, 0), (column, rows - 1)]);
+        horizontal.chain((0..rows).flat_map(move |row| [(0, row), (columns - 1, row)]))
     }
 
     /// Whether the system in the middle of the plane has a mirror.
@@ -162,6 +164,12 @@ impl<T> Plane<T> {
         }
         start
     }
+}
+
+/// So many of some columns or rows, spread evenly from the first to the last, or all of fewer.
+fn spread(count: u32, most: u32) -> impl Iterator<Item = u32> + Clone {
+    let shown = u64::from(count.min(most));
+    (0..shown).map(move |i| (i * u64::from(count - 1) / (shown - 1).max(1)) as u32)
 }
 
 /// A plane as files carry it, with what is asked under names of its own.

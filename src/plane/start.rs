@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use derive_more::Display;
+use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -33,7 +34,24 @@ impl Start {
         self.state_by(system, &mut SymmetricStarts::default())
     }
 
-    /// The same of one system after the other.
+    /// The same of one system after the other, where nothing stands in the way of the start.
+    ///
+    /// # Errors
+    /// [`Inadmissible`] for a given state that lies beyond a stop of the system.
+    pub fn begun_by(
+        &self,
+        system: &System,
+        symmetric: &mut SymmetricStarts,
+    ) -> Result<StateVector, Inadmissible> {
+        match *self {
+            Start::State(state) if system.stops().any(|(d, stop)| along(d, &state) > stop.gap) => {
+                Err(Inadmissible(state))
+            }
+            _ => Ok(self.state_by(system, symmetric)),
+        }
+    }
+
+    /// The same of a start that is known to lie between the stops.
     pub fn state_by(&self, system: &System, symmetric: &mut SymmetricStarts) -> StateVector {
         let rest = || {
             let origin = StateVector::zeros(system.coordinates());
@@ -78,7 +96,7 @@ impl Start {
         self.fits(family)?;
         let Start::State(state) = *self else { return Ok(()) };
         for (number, stop) in plant.stops.iter().enumerate() {
-            let place: f64 = stop.direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum();
+            let place = along(&stop.direction, &state);
             if place > stop.gap {
                 let met = family.stop_place(number);
                 let along = met.to_string();
@@ -97,6 +115,15 @@ impl Start {
         Ok(())
     }
 }
+
+/// d·x.
+fn along(direction: &DVector<f64>, state: &StateVector) -> f64 {
+    direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum()
+}
+
+/// A state (x1 … xn, v1 … vn) that lies beyond a stop, so that no motion begins there; non-dimensional.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inadmissible(pub StateVector);
 
 impl FromStr for Start {
     type Err = StartError;

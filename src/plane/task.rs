@@ -39,6 +39,9 @@ pub trait Reached: Clone + Debug + PartialEq + Send + Sync {
 
     /// What stands for a cell of so many coordinates that nothing could be done with: zeros, and no motion.
     fn unresolved(coordinates: usize) -> Self;
+
+    /// What stands for a cell that would begin beyond a stop: no motion, and nothing measured.
+    fn inadmissible(start: StateVector) -> Self;
 }
 
 impl Reached for Verdict {
@@ -66,6 +69,16 @@ impl Reached for Verdict {
             measures: Measures::default(),
         }
     }
+
+    fn inadmissible(start: StateVector) -> Self {
+        Verdict {
+            regime: Regime::Inadmissible,
+            state: start,
+            peak_impact_velocity: f32::NAN,
+            measures: Measures { observed: 0, power: f32::NAN, contact: f32::NAN },
+            ..Verdict::unresolved(start.coordinates())
+        }
+    }
 }
 
 impl Reached for Outcome {
@@ -90,6 +103,10 @@ impl Reached for Outcome {
             escapes: 0,
             effort: 0.0,
         }
+    }
+
+    fn inadmissible(start: StateVector) -> Self {
+        Outcome { verdict: Verdict::inadmissible(start), ..Outcome::unresolved(start.coordinates()) }
     }
 }
 

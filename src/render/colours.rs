@@ -29,6 +29,7 @@ const NO_IMPACT: Colour = hex(0xf6f6f4);
 const UNRESOLVED: Colour = hex(0xbac3c6);
 const APERIODIC_STICKING: Colour = hex(0x60665d);
 const FAILED: Colour = hex(0xff00ff);
+const BEYOND_A_STOP: Colour = hex(0xdad6d0);
 const WHITE: Colour = hex(0xffffff);
 
 /// The two tones of a hue: symmetric and unsymmetric, or more impacts at Ā and more impacts at A.
@@ -87,6 +88,8 @@ pub fn paint_of(motion: Motion) -> Paint {
         Regime::Chaotic => Paint::plain(CHAOTIC),
         Regime::AperiodicSticking => Paint::hatched(APERIODIC_STICKING, WHITE),
         Regime::Failed => Paint::plain(FAILED),
+        // As drawings hatch what is solid.
+        Regime::Inadmissible => Paint::hatched(BEYOND_A_STOP, STOP),
     }
 }
 
@@ -133,7 +136,9 @@ mod tests {
     }
 
     fn not_periodic() -> Vec<(String, Colour)> {
-        let regimes = Regime::ALL.into_iter().filter(|regime| !regime.is_periodic());
+        // What is inadmissible is told apart by its hatch.
+        let regimes =
+            Regime::ALL.into_iter().filter(|regime| !regime.is_periodic() && *regime != Regime::Inadmissible);
         regimes.map(|regime| (regime.name().to_owned(), motion(regime, [0; 3], false))).collect()
     }
 
@@ -225,6 +230,21 @@ mod tests {
         let (free, sticking) = (of(Regime::Periodic), of(Regime::PeriodicSticking));
         assert_eq!(free.fill, sticking.fill);
         assert!(free.hatch.is_none() && sticking.hatch.is_some());
+    }
+
+    #[test]
+    fn what_is_inadmissible_is_hatched_as_nothing_else() {
+        let paint = |regime| paint_of(Motion { regime, counts: [1, 1, 1, 0, 0], symmetric: false });
+        let inadmissible = paint(Regime::Inadmissible);
+        let hatch = inadmissible.hatch.unwrap();
+        assert!(difference(inadmissible.fill, hatch) >= 20.0);
+        for regime in Regime::ALL.into_iter().filter(|regime| *regime != Regime::Inadmissible) {
+            let other = paint(regime);
+            let differ = |own: Colour| difference(own, other.hatch.unwrap_or(other.fill));
+            assert!(differ(hatch).max(differ(inadmissible.fill)) >= 15.0, "{}", regime.name());
+            assert!(other.hatch.is_none_or(|other| differ(hatch) >= 10.0 && other != hatch));
+        }
+        assert!(difference(NOT_THERE.hatch.unwrap(), hatch) >= 10.0);
     }
 
     #[test]

@@ -7,10 +7,10 @@ use image::Rgb;
 use super::axes::frame_of;
 use super::colours::paint_of;
 use super::motion::Motion;
-use super::numbers::{Numbers, Sheet};
+use super::numbers::{Apart, Numbers, Sheet};
 use super::regions::control_title;
 use crate::analysis::Regime;
-use crate::control::NEVER;
+use crate::control::{NEVER, Outcome};
 use crate::figure::{Bar, Colour, Palette, Picture, Size, Spread};
 use crate::plane::{Control, RegionMap};
 
@@ -30,7 +30,10 @@ pub fn convergence_map(map: &RegionMap<Control>, size: Size) -> Picture {
     let extent = [map.plane.x.count, map.plane.y.count];
     // The first row is at the bottom.
     let upper_first = map.verdicts.chunks(extent[0] as usize).rev().flatten();
+    let inadmissible = |outcome: &Outcome| outcome.verdict.regime == Regime::Inadmissible;
+    let apart = Apart::inadmissible(upper_first.clone().map(inadmissible).collect());
     let numbers = numbers(upper_first.map(|outcome| outcome.converged_at), extent);
+    let numbers = Numbers { apart: vec![apart], ..numbers };
     let Ok(picture) = sheet.draw(size, None, |_| Ok::<_, Infallible>(numbers));
     picture
 }
@@ -47,7 +50,7 @@ fn numbers(times: impl Iterator<Item = u32>, extent: [u32; 2]) -> Numbers {
     let unresolved = paint_of(Motion { regime: Regime::Unresolved, counts: [0; 5], symmetric: false }).fill;
     Numbers {
         extent,
-        not_there: vec![false; values.len()],
+        apart: Vec::new(),
         values,
         bar,
         undefined: (unresolved, "not reached"),

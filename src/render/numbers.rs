@@ -2,13 +2,16 @@
 
 use image::{Rgb, RgbImage};
 
+use crate::analysis::Regime;
 use crate::figure::{
-    Anchor, Bar, Canvas, Colour, Frame, INK, LeftOut, Palette, Picture, Placed, Point, Rect, Size, Text,
-    WIDTH, draw_samples,
+    Anchor, Bar, Canvas, Colour, Frame, Hatch, INK, LeftOut, Paint, Palette, Picture, Placed, Point, Rect,
+    Size, Text, WIDTH, draw_samples,
 };
 use crate::plane::fields::{CELL_FIELDS, CellsError, Layer, NOT_COMPUTED};
 use crate::render::axes::frame_of;
+use crate::render::colours::paint_of;
 use crate::render::curves::Overlay;
+use crate::render::motion::Motion;
 use crate::render::regions::{PlanePicture, means, most};
 
 /// The lengths of the picture, in em.
@@ -23,7 +26,7 @@ const MOST_TITLE_LINES: usize = 3;
 /// Cells without a number, those whose number is minus infinity, and those that were not computed.
 pub const UNDEFINED: Colour = Rgb([0xd9, 0xd9, 0xd9]);
 pub const LOST: Colour = Rgb([0x8c, 0x8c, 0x8c]);
-const NOT_THERE: Colour = Rgb([0xff; 3]);
+const NOT_THERE: Paint = Paint::plain(Rgb([0xff; 3]));
 
 /// Draws a layer of numbers, and curves over it.
 ///
@@ -44,11 +47,15 @@ pub fn draw_numbers(of: &PlanePicture, overlay: Option<&Overlay>, size: Size) ->
     sheet.draw(size, overlay, |extent| {
         let across = extent.map(|length| length as usize);
         let values = means(of.cells, of.window, &of.layer, across)?;
-        let not_there = most(of.cells, of.window, &CELL_FIELDS[0], NOT_COMPUTED.into(), across)?;
+        let regime = |code: u8| most(of.cells, of.window, &CELL_FIELDS[0], code.into(), across);
+        let apart = vec![
+            Apart { which: regime(NOT_COMPUTED)?, paint: NOT_THERE, name: "not computed" },
+            Apart::inadmissible(regime(Regime::Inadmissible.code())?),
+        ];
         let palette = of.palette.unwrap_or_else(|| Palette::suiting(drawn.spread));
         let bar = Bar::of(&values, drawn.spread, of.range, palette);
         let (undefined, lost) = ((UNDEFINED, drawn.undefined), (LOST, drawn.lost));
-        Ok(Numbers { extent, values, not_there, bar, undefined, lost })
+        Ok(Numbers { extent, values, apart, bar, undefined, lost })
     })
 }
 
@@ -80,7 +87,7 @@ impl Sheet {
         let plot = placed.as_ref().map_or(Rect::whole(size), |(placed, _)| placed.plot);
         let numbers = numbers([plot.width as u32, plot.height as u32])?;
         let mut canvas = Canvas::new(size, &self.config);
-        canvas.image(plot, &numbers.image());
+        canvas.image(plot, &numbers.image(em));
         if let Some(overlay) = overlay {
             overlay.draw(&mut canvas, plot, &self.frame, em);
         }
@@ -129,8 +136,8 @@ pub struct Numbers {
     pub extent: [u32; 2],
     /// NaN where there is none, infinities as they are.
     pub values: Vec<f32>,
-    /// Which of them stand for cells that were not computed, where some were not.
-    pub not_there: Vec<bool>,
+    /// What of them is no number, and not for want of one.
+    pub apart: Vec<Apart>,
     /// Their colours; none where no number is finite.
     pub bar: Option<Bar>,
     /// The colour of what has no number, and what it is called.
@@ -139,14 +146,40 @@ pub struct Numbers {
     pub lost: (Colour, &'static str),
 }
 
+/// Cells that are shown otherwise than by a number.
+pub struct Apart {
+    /// Which of the numbers stand for them.
+    pub which: Vec<bool>,
+    /// What they are painted with.
+    pub paint: Paint,
+    /// What they are called.
+    pub name: &'static str,
+}
+
+impl Apart {
+    /// Those that would begin beyond a stop.
+    pub fn inadmissible(which: Vec<bool>) -> Self {
+        let regime = Regime::Inadmissible;
+        let paint = paint_of(Motion { regime, counts: [0; 5], symmetric: false });
+        Apart { which, paint, name: regime.name() }
+    }
+}
+
 impl Numbers {
-    fn image(&self) -> RgbImage {
-        let [width, height] = self.extent;
+    /// What one of them is shown as instead.
+    fn apart(&self, i: usize) -> Option<&Apart> {
+        self.apart.iter().find(|apart| apart.which[i])
+    }
+
+    fn image(&self, em: f64) -> RgbImage {
+        let ([width, height], hatch) = (self.extent, Hatch::new(em));
         RgbImage::from_fn(width, height, |x, y| {
             let i = y as usize * width as usize + x as usize;
+            if let Some(Apart { paint, .. }) = self.apart(i) {
+                return paint.at(x, y, hatch);
+            }
             let value = f64::from(self.values[i]);
             match &self.bar {
-                _ if self.not_there[i] => NOT_THERE,
                 _ if value == f64::NEG_INFINITY => self.lost.0,
                 Some(bar) if value.is_finite() => bar.colour(value),
                 _ => self.undefined.0,
@@ -157,15 +190,17 @@ impl Numbers {
     /// The bar over samples of what is not on it.
     fn draw_key(&self, canvas: &mut Canvas, plot: Rect, title: &str, em: f64) {
         let any = |wanted: fn(f32) -> bool| {
-            self.values.iter().zip(&self.not_there).any(|(&value, &not)| !not && wanted(value))
+            self.values.iter().enumerate().any(|(i, &value)| wanted(value) && self.apart(i).is_none())
         };
-        let mut samples: Vec<(Colour, &str)> = Vec::new();
+        let mut samples: Vec<(Paint, &str)> = Vec::new();
+        let plain = |(colour, name)| (Paint::plain(colour), name);
         let [below, above] = self.bar.as_ref().map_or([false; 2], |bar| bar.beyond(&self.values));
-        samples.extend(above.then_some((Palette::beyond(true), "above the bar")));
-        samples.extend(below.then_some((Palette::beyond(false), "below the bar")));
-        samples.extend(any(|value| value == f32::NEG_INFINITY).then_some(self.lost));
-        samples.extend(any(f32::is_nan).then_some(self.undefined));
-        samples.extend(self.not_there.contains(&true).then_some((NOT_THERE, "not computed")));
+        samples.extend(above.then_some(plain((Palette::beyond(true), "above the bar"))));
+        samples.extend(below.then_some(plain((Palette::beyond(false), "below the bar"))));
+        samples.extend(any(|value| value == f32::NEG_INFINITY).then_some(plain(self.lost)));
+        samples.extend(any(f32::is_nan).then_some(plain(self.undefined)));
+        let shown = self.apart.iter().filter(|apart| apart.which.contains(&true));
+        samples.extend(shown.map(|apart| (apart.paint, apart.name)));
         let left = (plot.right() + GAP * em).round();
         let taken = draw_samples(canvas, Point { x: left, y: plot.bottom() }, &samples, em);
         let height = (plot.height - taken - 0.6 * em).round();

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::Result;
 use super::map::window_jobs;
-use super::preparing::jobs_of;
+use super::preparing::{Begun, jobs_of};
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
 use crate::backend::{self, Backend, Job, Silent, Watch, decide, long_look};
 use crate::plane::{Multipliers, Plane, RegionMap, Window};
@@ -68,7 +68,7 @@ pub fn certify_window(
     let mut found: Vec<Option<Certified>> = (jobs.par_iter().zip(&before))
         .map(|(job, verdict)| {
             watch.finished(1);
-            (!watch.cancelled()).then(|| by_itself(job, verdict)).flatten()
+            job.as_ref().ok().filter(|_| !watch.cancelled()).and_then(|job| by_itself(job, verdict))
         })
         .collect();
     watch.check()?;
@@ -76,7 +76,8 @@ pub fn certify_window(
         let open = open(&before, &found);
         let around =
             Around { plane, window, found: &found, beyond: beyond(plane, window, &open, backend, watch)? };
-        let certified = |cell: usize| Some((cell, by_neighbour(&jobs[cell], &before[cell], &around, cell)?));
+        let certified =
+            |cell: usize| Some((cell, by_neighbour(begun(jobs, cell), &before[cell], &around, cell)?));
         open.into_par_iter().filter_map(certified).collect()
     };
     for (cell, certified) in by_neighbours {
@@ -85,7 +86,7 @@ pub fn certify_window(
     let left = open(&before, &found);
     let again = reexamined(&left, jobs, &before, schedule, backend, watch)?;
     for (&cell, verdict) in left.iter().zip(&again) {
-        found[cell] = by_itself(&jobs[cell], verdict);
+        found[cell] = by_itself(begun(jobs, cell), verdict);
         let periodic = verdict.regime.is_periodic();
         verdicts[cell] = if periodic { unresolved(verdict) } else { *verdict };
     }
@@ -94,6 +95,11 @@ pub fn certify_window(
     }
     let counts = counted(&before, verdicts, &found, left.len());
     Ok((found.into_iter().map(|cell| Some(cell?.multipliers)).collect(), counts))
+}
+
+/// The job of a cell that something is known of.
+fn begun(jobs: &[Begun], cell: usize) -> &Job {
+    jobs[cell].as_ref().expect("only what begins has a motion")
 }
 
 /// Periodic cells that are not certified.
@@ -160,7 +166,11 @@ fn beyond(
     places.dedup();
     let whole = Window::whole(plane);
     let cells: Vec<u64> = places.iter().map(|&place| whole.index(place) as u64).collect();
-    let jobs = jobs_of(plane, &cells)?;
+    let (jobs, places): (Vec<Job>, Vec<(u32, u32)>) = jobs_of(plane, &cells)?
+        .into_iter()
+        .zip(places)
+        .filter_map(|(job, place)| Some((job.ok()?, place)))
+        .unzip();
     let verdicts = decide(backend, &jobs, &plane.task, &Silent(watch))?;
     let found = (jobs.par_iter().zip(&verdicts).zip(places))
         .filter_map(|((job, verdict), place)| Some((place, by_itself(job, verdict)?)));
@@ -175,7 +185,7 @@ fn certified(verdict: &Verdict, motion: &StrobeMotion) -> Option<Certified> {
 /// Verdicts on the trajectories of some cells after a longer look, from where they ended.
 fn reexamined(
     cells: &[usize],
-    jobs: &[Job],
+    jobs: &[Begun],
     before: &[Verdict],
     schedule: &Schedule,
     backend: &dyn Backend,
@@ -184,7 +194,7 @@ fn reexamined(
     let longer = Schedule { fixed_periods: false, ..long_look(schedule) };
     let again: Vec<Job> = cells
         .iter()
-        .map(|&cell| Job { system: jobs[cell].system.clone(), start: before[cell].state })
+        .map(|&cell| Job { system: begun(jobs, cell).system.clone(), start: before[cell].state })
         .collect();
     let mut verdicts = decide(backend, &again, &longer, watch)?;
     for (verdict, &cell) in verdicts.iter_mut().zip(cells) {

@@ -1,8 +1,8 @@
 //! How far the motions of a map go.
 
 use super::Result;
-use super::map::window_jobs;
-use crate::analysis::{Extent, Verdict};
+use super::map::{of_begun, window_jobs};
+use crate::analysis::{Extent, Regime, Verdict};
 use crate::backend::{self, Backend, Silent, Watch};
 use crate::plane::{Plane, RegionMap, Window};
 
@@ -33,8 +33,14 @@ pub(super) fn window_extents(
     for (k, verdicts) in verdicts.chunks(rows * columns).enumerate() {
         let part =
             Window { row: window.row + (k * rows) as u32, rows: (verdicts.len() / columns) as u32, ..window };
-        let jobs = window_jobs(plane, &[part])?;
-        extents.extend(backend::extents(backend, &jobs, verdicts, &plane.task, &Silent(watch))?);
+        let begun = window_jobs(plane, &[part])?;
+        let of_these: Vec<Verdict> =
+            verdicts.iter().filter(|verdict| verdict.regime != Regime::Inadmissible).copied().collect();
+        extents.extend(of_begun(
+            begun,
+            |jobs| Ok(backend::extents(backend, jobs, &of_these, &plane.task, &Silent(watch))?),
+            |_| Extent::NONE,
+        )?);
         watch.finished(verdicts.len() as u64);
     }
     Ok(extents)

@@ -10,13 +10,13 @@ use rayon::prelude::*;
 
 use super::order::Order;
 use super::prepared::Prepared;
-use super::preparing::jobs_of;
+use super::preparing::{Begun, jobs_of};
 use super::swept::Swept;
 use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
 use crate::backend::{Backend, Job, Watch, decide, in_flight};
-use crate::model::{Flows, System, SystemError};
-use crate::plane::{Plane, Reached, RegionMap, Task, Window};
+use crate::model::{Flows, StateVector, System, SystemError};
+use crate::plane::{Inadmissible, Plane, Reached, RegionMap, Task, Window};
 
 /// One part in so many of a tile is worth a look: less would leave most of a back end idle.
 pub(super) const WORTH_A_LOOK: u64 = 4;
@@ -24,7 +24,7 @@ pub(super) const WORTH_A_LOOK: u64 = 4;
 /// Does what is asked of every cell of a plane on a back end.
 ///
 /// Under control a cell without impacts to control at (δ = 0), or whose target motion does not exist or cannot be held, is unresolved
-/// after 0 iterates.
+/// after 0 iterates. A cell that would begin beyond a stop is inadmissible, whatever is asked of it.
 ///
 /// # Errors
 /// A plane, a system or a method that cannot be used, a target that exists in no cell, or what the back end could not do;
@@ -52,10 +52,15 @@ pub fn sweep<T: Swept>(plane: &Plane<T>, backend: &dyn Backend, watch: &dyn Watc
         flows.tidy();
         let places = first..cells.min(first.saturating_add(tile));
         let here: Vec<u64> = order.cells(places.clone()).collect();
-        let Prepared { jobs, places: of_jobs, missing } = Prepared::of(plane, &here, &flows)?;
+        let Prepared { jobs, places: of_jobs, inadmissible, missing } = Prepared::of(plane, &here, &flows)?;
         watch.finished((here.len() - jobs.len()) as u64);
         let found = plane.task.begin(backend, &jobs, watch)?;
         put(&rows, |row| order.numbers_in(row, &places), &here, &of_jobs, &found);
+        if !inadmissible.is_empty() {
+            let (beyond, starts): (Vec<u32>, Vec<StateVector>) = inadmissible.into_iter().unzip();
+            let cells: Vec<T::Cell> = starts.into_iter().map(T::Cell::inadmissible).collect();
+            put(&rows, |row| order.numbers_in(row, &places), &here, &beyond, &cells);
+        }
         // What is in doubt waits only now: as soon as it does, another tile's thread may put what it settles in that place.
         let number = |job: usize| here[of_jobs[job] as usize];
         plane.task.put_off(&jobs, &found, number, &doubts);
@@ -103,13 +108,11 @@ fn put<C: Clone + Send + Sync, N: Iterator<Item = usize>>(
 /// A plane or a system that cannot be used.
 pub fn check<T: Task>(plane: &Plane<T>) -> Result<()> {
     plane.check()?;
-    plane
-        .border(u32::MAX)
-        .try_for_each(|(column, row)| Ok(System::new(plane.parameters_at(column, row)).map(drop)?))
+    plane.border().try_for_each(|(column, row)| Ok(System::new(plane.parameters_at(column, row)).map(drop)?))
 }
 
 /// The jobs of some cells of a plane, window by window and row by row.
-pub(super) fn window_jobs(plane: &Plane, windows: &[Window]) -> Result<Vec<Job>, SystemError> {
+pub(super) fn window_jobs(plane: &Plane, windows: &[Window]) -> Result<Vec<Begun>, SystemError> {
     for window in windows {
         assert!(
             window.is_on(plane),
@@ -121,6 +124,27 @@ pub(super) fn window_jobs(plane: &Plane, windows: &[Window]) -> Result<Vec<Job>,
     let whole = Window::whole(plane);
     let places = windows.iter().flat_map(Window::places);
     jobs_of(plane, &places.map(|place| whole.index(place) as u64).collect::<Vec<_>>())
+}
+
+/// Finds something of those of some cells that begin, and puts in the place of each of the others what stands for it.
+pub(super) fn of_begun<R>(
+    begun: Vec<Begun>,
+    found_of: impl FnOnce(&[Job]) -> Result<Vec<R>>,
+    otherwise: impl Fn(StateVector) -> R,
+) -> Result<Vec<R>> {
+    let mut jobs = Vec::with_capacity(begun.len());
+    let starts: Vec<Option<StateVector>> = (begun.into_iter())
+        .map(|cell| match cell {
+            Ok(job) => {
+                jobs.push(job);
+                None
+            }
+            Err(Inadmissible(start)) => Some(start),
+        })
+        .collect();
+    let mut found = found_of(&jobs)?.into_iter();
+    let mut of_job = || found.next().expect("something is found of each job");
+    Ok(starts.into_iter().map(|beyond| beyond.map_or_else(&mut of_job, &otherwise)).collect())
 }
 
 /// Computes some cells of a plane on a back end together, the same as in the whole; of each window row by row.
@@ -136,8 +160,13 @@ pub fn sweep_windows(
     backend: &dyn Backend,
     watch: &dyn Watch,
 ) -> Result<Vec<Vec<Verdict>>> {
-    let jobs = window_jobs(plane, windows)?;
-    let mut verdicts = decide(backend, &jobs, &plane.task, watch)?.into_iter();
+    let begun = window_jobs(plane, windows)?;
+    let all = begun.len();
+    let decided = |jobs: &[Job]| {
+        watch.finished((all - jobs.len()) as u64);
+        Ok(decide(backend, jobs, &plane.task, watch)?)
+    };
+    let mut verdicts = of_begun(begun, decided, Verdict::inadmissible)?.into_iter();
     Ok(windows.iter().map(|window| verdicts.by_ref().take(window.cells()).collect()).collect())
 }
 

@@ -6,9 +6,9 @@ use parking_lot::Mutex;
 use rustc_hash::FxHashMap;
 
 use super::preparing::made;
-use super::swept::Swept;
+use super::swept::{Asked, Swept};
 use super::{Result, SweepError};
-use crate::model::Flows;
+use crate::model::{Flows, StateVector};
 use crate::plane::Plane;
 
 /// What a back end is given for some cells.
@@ -17,6 +17,8 @@ pub(super) struct Prepared<J> {
     pub jobs: Vec<J>,
     /// The cell of each of them, by its place among the cells.
     pub places: Vec<u32>,
+    /// The cells that would begin beyond a stop, by their places, and where.
+    pub inadmissible: Vec<(u32, StateVector)>,
     /// Why a cell without a job has none, where that is an error.
     pub missing: Option<SweepError>,
 }
@@ -29,36 +31,38 @@ impl<J: Send + Sync> Prepared<J> {
     pub fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: &[u64], flows: &Flows) -> Result<Self> {
         let (some_have_none, refused) = (AtomicBool::new(false), Mutex::new(FxHashMap::default()));
         let found = made(plane, cells, flows, |preparing, cell| {
-            let job = preparing.asked_of(cell).unwrap_or_else(|why| {
+            let asked = preparing.asked_of(cell).unwrap_or_else(|why| {
                 refused.lock().insert(cell, why);
-                None
+                Asked::Nothing
             });
-            if job.is_none() {
+            if !matches!(asked, Asked::Job(_)) {
                 some_have_none.store(true, Ordering::Relaxed);
             }
-            job
+            asked
         });
         // As a rule every cell has a job; then the jobs stay where they are.
         let (mut refused, count) = (refused.into_inner(), cells.len());
         if !some_have_none.into_inner() {
-            let jobs = found.into_iter().map(|job| job.expect("every cell was seen to have one")).collect();
-            return Ok(Prepared { jobs, places: (0..count as u32).collect(), missing: None });
+            let jobs = found.into_iter().map(|asked| asked.job().expect("every cell was seen to have one"));
+            let (jobs, places) = (jobs.collect(), (0..count as u32).collect());
+            return Ok(Prepared { jobs, places, inadmissible: Vec::new(), missing: None });
         }
         let (mut jobs, mut places) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        let mut missing = None;
-        for ((place, &cell), job) in (0..).zip(cells).zip(found) {
-            match (job, refused.remove(&cell)) {
-                (Some(job), _) => {
+        let (mut inadmissible, mut missing) = (Vec::new(), None);
+        for ((place, &cell), asked) in (0..).zip(cells).zip(found) {
+            match (asked, refused.remove(&cell)) {
+                (Asked::Job(job), _) => {
                     jobs.push(job);
                     places.push(place);
                 }
-                (None, Some(why)) if why.is_of_one_cell() => {
+                (Asked::Inadmissible(start), _) => inadmissible.push((place, start)),
+                (Asked::Nothing, Some(why)) if why.is_of_one_cell() => {
                     missing.get_or_insert(why);
                 }
-                (None, Some(why)) => return Err(why),
-                (None, None) => {}
+                (Asked::Nothing, Some(why)) => return Err(why),
+                (Asked::Nothing, None) => {}
             }
         }
-        Ok(Prepared { jobs, places, missing })
+        Ok(Prepared { jobs, places, inadmissible, missing })
     }
 }

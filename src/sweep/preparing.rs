@@ -4,14 +4,17 @@ use rayon::prelude::*;
 
 use super::Result;
 use super::order::{goes_by_column, has_flows_by_cell};
-use super::swept::Swept;
+use super::swept::{Asked, Swept};
 use crate::backend::Job;
 use crate::model::{Flows, Setting, System, SystemError};
-use crate::plane::Plane;
+use crate::plane::{Inadmissible, Plane};
 use crate::theory::SymmetricStarts;
 
 /// As many cells as are worth a thread's turn.
 const AT_ONCE: usize = 8;
+
+/// The system of a cell and its start, where that lies between the stops.
+pub(super) type Begun = Result<Job, Inadmissible>;
 
 /// Makes what is asked of one cell after the other.
 pub(super) struct Preparing<'a, T> {
@@ -37,26 +40,26 @@ impl<'a, T> Preparing<'a, T> {
     ///
     /// # Errors
     /// As [`System::new`].
-    pub fn job(&mut self, cell: u64) -> Result<Job, SystemError> {
+    pub fn job(&mut self, cell: u64) -> Result<Begun, SystemError> {
         self.job_at(column_and_row(self.plane, cell))
     }
 
     /// The same of the cell in a column of a row.
-    fn job_at(&mut self, (column, row): (u32, u32)) -> Result<Job, SystemError> {
+    fn job_at(&mut self, (column, row): (u32, u32)) -> Result<Begun, SystemError> {
         self.plane.put_parameters(column, row, &mut self.setting);
         let start = self.plane.start_at(column, row);
         if self.each_alone {
             let system = System::new(self.setting)?;
-            let start = start.state_by(&system, &mut self.symmetric);
+            let start = start.begun_by(&system, &mut self.symmetric);
             // What was found on the way would be kept as long as the system is; of it only the mirror is asked for again.
-            return Ok(Job { system: system.alone(), start });
+            return Ok(start.map(|start| Job { system: system.alone(), start }));
         }
         let system = match self.like.as_ref().and_then(|like| like.neighbour(&self.setting)) {
             Some(system) => system,
             None => self.like.insert(self.flows.system(self.setting)?).clone(),
         };
-        let start = start.state_by(&system, &mut self.symmetric);
-        Ok(Job { system, start })
+        let start = start.begun_by(&system, &mut self.symmetric);
+        Ok(start.map(|start| Job { system, start }))
     }
 }
 
@@ -65,10 +68,12 @@ impl<T: Swept> Preparing<'_, T> {
     ///
     /// # Errors
     /// What cannot be used.
-    pub fn asked_of(&mut self, cell: u64) -> Result<Option<T::Job>> {
+    pub fn asked_of(&mut self, cell: u64) -> Result<Asked<T::Job>> {
         let at = column_and_row(self.plane, cell);
-        let job = self.job_at(at)?;
-        T::job(self.plane, at, job)
+        match self.job_at(at)? {
+            Ok(job) => Ok(T::job(self.plane, at, job)?.map_or(Asked::Nothing, Asked::Job)),
+            Err(Inadmissible(start)) => Ok(Asked::Inadmissible(start)),
+        }
     }
 }
 
@@ -120,7 +125,7 @@ pub(super) fn made_in_order<T: Sync, M: Send>(
 ///
 /// # Errors
 /// As [`System::new`].
-pub(super) fn jobs_of<T: Sync>(plane: &Plane<T>, cells: &[u64]) -> Result<Vec<Job>, SystemError> {
+pub(super) fn jobs_of<T: Sync>(plane: &Plane<T>, cells: &[u64]) -> Result<Vec<Begun>, SystemError> {
     made_in_order(plane, cells, |preparing, cell| preparing.job(cell)).collect()
 }
 
@@ -163,7 +168,7 @@ mod tests {
             let parameters = Setting::defaults(family);
             let plane = Plane { x: axis(x), y: axis(y), parameters, start: Start::Symmetric, task: () };
             let cells: Vec<u64> = (3..plane.cells() - 5).collect();
-            let made = jobs_of(&plane, &cells).unwrap();
+            let made: Vec<Job> = jobs_of(&plane, &cells).unwrap().into_iter().map(Result::unwrap).collect();
             for (&cell, job) in cells.iter().zip(&made) {
                 assert_eq!(apart(job, &alone(&plane, cell)), 0.0, "{x}, {y}: cell {cell}");
                 compared += 1;
@@ -180,7 +185,7 @@ mod tests {
             let plane = Plane::of_paper(x, y, Start::Rest, ()).unwrap();
             let cells: Vec<u64> = (0..plane.cells()).collect();
             let made = made_by_flow(&plane, &cells, &Flows::default(), |preparing, cell| {
-                preparing.job(cell).unwrap()
+                preparing.job(cell).unwrap().unwrap()
             });
             let omega = |(_, job): &(u32, Job)| job.system.parameters().omega;
             let changes = made.windows(2).filter(|pair| omega(&pair[0]) != omega(&pair[1])).count();

@@ -1,7 +1,7 @@
 //! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
 use super::preparing::made_in_order;
-use super::swept::Swept;
+use super::swept::{Asked, Swept};
 use super::{Result, SweepError};
 use crate::backend::{Backend, Watch};
 use crate::plane::Plane;
@@ -32,7 +32,8 @@ pub fn spread(columns: u32, rows: u32, count: u32) -> Vec<u64> {
         .collect()
 }
 
-/// What comes out of single cells of a plane, the same as in the whole; those that cannot be controlled are left out.
+/// What comes out of single cells of a plane, the same as in the whole; those that cannot be controlled are left out, and those that
+/// are inadmissible.
 ///
 /// # Errors
 /// As [`sweep`](super::sweep).
@@ -51,8 +52,8 @@ pub fn sample<T: Swept>(
         plane.cells()
     );
     let jobs: Result<Vec<_>, _> = made_in_order(plane, cells, |preparing, cell| preparing.asked_of(cell))
-        .filter(|job| !job.as_ref().is_err_and(SweepError::is_of_one_cell))
-        .filter_map(Result::transpose)
+        .filter(|asked| !asked.as_ref().is_err_and(SweepError::is_of_one_cell))
+        .filter_map(|asked| asked.map(Asked::job).transpose())
         .collect();
     Ok(plane.task.run(backend, &jobs?, watch)?)
 }

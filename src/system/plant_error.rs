@@ -162,7 +162,7 @@ pub enum PlantError {
     },
     /// Two opposed stops that overlap.
     #[error(
-        "no state satisfies the gaps of stops {} and {}, which face each other and overlap by {overlap}: their sum \
+        "no state satisfies the gaps of stops {} and {}, which face each other and overlap by {overlap} along their line: their sum \
          must be 0 or greater",
         first + 1,
         second + 1

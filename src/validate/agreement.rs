@@ -4,16 +4,16 @@ use serde::Serialize;
 
 use super::layers::LayerAgreement;
 use super::spread::{Share, Spread};
-use crate::analysis::Verdict;
+use crate::analysis::{Regime, Verdict};
 use crate::system::named;
 
-/// How well a candidate's map agrees with the reference's.
+/// How well a candidate's map agrees with the reference's. Shares are of cells that begin in one of them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Agreement {
     /// Cells of the plane.
     pub cells: u64,
     /// How many cells the reference puts in the regime of the row's code and the candidate in that of the column's.
-    pub confusion: [[u64; 8]; 8],
+    pub confusion: [[u64; Regime::ALL.len()]; Regime::ALL.len()],
     /// Regime and label, in cells whose eight neighbours agree with the cell in the reference.
     pub inside: Share,
     /// Regime and label, in the other cells.

@@ -37,13 +37,15 @@ pub fn compare_continued<T: Comparable>(
     let cells: Vec<Cell> = (0..reference.verdicts.len())
         .map(|index| Cell::compare(reference, candidate, (continued, &units), index))
         .collect();
+    // Where neither begins there is nothing to agree on.
+    let begun = || cells.iter().filter(|cell| !cell.is_inadmissible());
     let of_regime = |regime| cells.iter().filter(move |cell: &&Cell| cell.reference.regime == regime);
     Agreement {
         cells: cells.len() as u64,
         confusion: confusion(&cells),
-        inside: share(cells.iter().filter(|cell| cell.inside)),
-        boundary: share(cells.iter().filter(|cell| !cell.inside)),
-        non_chaotic: share(cells.iter().filter(|cell| cell.reference.regime != Regime::Chaotic)),
+        inside: share(begun().filter(|cell| cell.inside)),
+        boundary: share(begun().filter(|cell| !cell.inside)),
+        non_chaotic: share(begun().filter(|cell| cell.reference.regime != Regime::Chaotic)),
         symmetry: symmetry(&cells),
         regimes: Regime::ALL
             .into_iter()
@@ -95,6 +97,11 @@ impl<'a> Cell<'a> {
         }
     }
 
+    /// Whether it begins in neither.
+    fn is_inadmissible(&self) -> bool {
+        [self.reference, self.candidate].iter().all(|verdict| verdict.regime == Regime::Inadmissible)
+    }
+
     fn fault(&self) -> Option<Fault> {
         match self {
             cell if cell.reference.regime == Regime::Failed => Some(Fault::Failed),
@@ -134,8 +141,8 @@ fn symmetry(cells: &[Cell]) -> Share {
     share
 }
 
-fn confusion(cells: &[Cell]) -> [[u64; 8]; 8] {
-    let mut confusion = [[0; 8]; 8];
+fn confusion(cells: &[Cell]) -> [[u64; Regime::ALL.len()]; Regime::ALL.len()] {
+    let mut confusion = [[0; Regime::ALL.len()]; Regime::ALL.len()];
     for cell in cells {
         confusion[usize::from(cell.reference.regime.code())][usize::from(cell.candidate.regime.code())] += 1;
     }

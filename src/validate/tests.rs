@@ -65,6 +65,24 @@ fn a_map_agrees_with_itself() {
     assert_eq!(failing(&nothing), ["cells compared"]);
 }
 
+/// Where nothing begins there is nothing to agree on, however large a part of the plane that is.
+#[test]
+fn inadmissible_cells_are_not_compared() {
+    let reference = halves(of_regime(Regime::Inadmissible));
+    let agreement = compare(&reference, &reference);
+    assert_eq!(failing(&agreement), [""; 0]);
+    assert_eq!(agreement.inside, Share { agree: 90, cells: 90 });
+    assert_eq!(agreement.boundary, Share { agree: 10, cells: 10 });
+    assert_eq!(agreement.non_chaotic, Share { agree: 100, cells: 100 });
+    assert_eq!(agreement.confusion[8][8], 100);
+    // A back end that lets begin what may not is found.
+    let mut candidate = reference.clone();
+    candidate.verdicts[cell(15, 3)] = motion(1, true);
+    let agreement = compare(&reference, &candidate);
+    assert_eq!(agreement.inside, Share { agree: 90, cells: 91 });
+    assert_eq!(failing(&agreement), ["agreement inside regions"]);
+}
+
 #[test]
 fn another_label_inside_a_region_fails() {
     let reference = halves(of_regime(Regime::Chaotic));

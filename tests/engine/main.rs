@@ -9,6 +9,7 @@ mod extents;
 mod forgetting;
 mod general;
 mod growing;
+mod inadmissible;
 mod labels;
 mod lanes;
 mod losses;

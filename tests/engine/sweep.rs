@@ -3,7 +3,7 @@
 use impact_atlas::analysis::{Probe, Regime, Schedule, Trace, Verdict};
 use impact_atlas::backend::{Backend, BackendError, Cpu, Job, Unwatched, Watch, follow};
 use impact_atlas::model::{Flows, Parameters, Setting};
-use impact_atlas::plane::{Axis, AxisError, Plane, PlaneError, Start, StartError, Window};
+use impact_atlas::plane::{Axis, AxisError, Plane, PlaneError, Start, Window};
 use impact_atlas::sweep::{sample, sweep, sweep_windows};
 use impact_atlas::system::Family;
 
@@ -131,32 +131,6 @@ fn axes_of_another_family_are_refused() {
     assert!(own.check().is_ok());
     own.x.steps.count = 0;
     assert!(matches!(own.check(), Err(PlaneError::Axis(AxisError::Count { .. }))));
-}
-
-#[test]
-fn starts_are_held_to_the_gaps_all_along_the_border() {
-    // The gap is smallest within the axis.
-    let file = r#"
-name = "waist"
-[parameters]
-b = 0
-[system]
-frequency = "1"
-mass = [["1"]]
-stiffness = [["1"]]
-damping = [["0.1"]]
-force_sin = ["1"]
-[[stop]]
-name = "A"
-direction = ["1"]
-gap = "0.6 - 0.5*cos(3*b)"
-restitution = "0.5"
-"#;
-    let family = Family::kept(file, "waist.toml").unwrap();
-    let plane = |y: &str| of_family(family, ["b=-1:1:5", y], family);
-    let refused = plane("x1=0.05:0.5:2").check();
-    assert!(matches!(refused, Err(PlaneError::Start(StartError::OutsideStops { .. }))), "{refused:?}");
-    assert!(plane("x1=0.05:0.09:2").check().is_ok());
 }
 
 #[test]

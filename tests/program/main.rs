@@ -1,6 +1,7 @@
 //! The program, from outside: every command as it is typed, its files, its refusals, and the explorer.
 
 mod bad_files;
+mod basins;
 mod cells;
 mod commands;
 mod control;

@@ -23,7 +23,7 @@ pub struct Report<'a> {
     reference: &'a Provenance,
     candidate: &'a Provenance,
     /// The regimes in the order of the rows and columns of `confusion`.
-    codes: [&'static str; 8],
+    codes: [&'static str; Regime::ALL.len()],
     #[serde(flatten)]
     agreement: &'a Agreement,
     /// The map's boundaries against the bifurcation curves, where those were asked for.

@@ -23,7 +23,9 @@ export function readout(plane, motions, tiles, view, x, y) {
   if (!found) return { place, words: 'not computed yet' };
   const { tile, at } = found;
   if (tile.motion[at] === NOWHERE) return { place, words: 'no such system: outside the range of its parameters' };
-  const words = [motions[tile.motion[at]]?.name ?? '…'];
+  const motion = motions[tile.motion[at]];
+  if (motion && !motion.begins) return { place, words: `${motion.name}: it lies beyond a stop`, motion: tile.motion[at] };
+  const words = [motion?.name ?? '…'];
   if (tile.layer > 0) words.unshift(`${plane.layers[tile.layer - 1].title}: ${digits(tile.number[at], 4)}`);
   if (tile.n[at] > 0) words.push(`N = ${tile.n[at]}`);
   words.push(`λ1 = ${digits(tile.exponent[at], 4)}`, `peak velocity ${digits(tile.peak[at], 4)}`);

@@ -130,7 +130,7 @@ function arrive(scene, { window, again, layer }) {
     panel.clear();
   }
   if (before && before.system.text !== scene.system.text) summary.none();
-  state.motions.forEach(({ paint: own }, k) => paint.set(k, own));
+  state.motions.forEach((motion, k) => paint.meet(k, motion));
   curves.clear();
   slice.close();
   status.clear('open');
@@ -148,7 +148,7 @@ function arrive(scene, { window, again, layer }) {
 
 function motions(message) {
   told.add(message);
-  if (message.scene === state.scene?.scene) message.motions.forEach(({ paint: own }, k) => paint.set(message.first + k, own));
+  if (message.scene === state.scene?.scene) message.motions.forEach((motion, k) => paint.meet(message.first + k, motion));
 }
 
 function tile(message) {

@@ -15,8 +15,16 @@ export class Paint {
     this.context = canvas.getContext('2d', { alpha: true });
     this.grounds = new Uint32Array(65536);
     this.hatches = new Uint32Array(65536);
+    /** 1 where no motion begins: such cells have no numbers. */
+    this.barred = new Uint8Array(65536);
     this.hatch = [7, 2];
     this.scale = null;
+  }
+
+  /** A motion that the program tells of. */
+  meet(motion, { paint, begins }) {
+    this.set(motion, paint);
+    this.barred[motion] = begins ? 0 : 1;
   }
 
   /** The paint of a motion: ground and hatch. */
@@ -52,6 +60,7 @@ export class Paint {
   clear() {
     this.grounds.fill(0);
     this.hatches.fill(0);
+    this.barred.fill(0);
   }
 
   /** Nothing is drawn. */
@@ -92,7 +101,7 @@ export class Paint {
           this.pixels[at] = 0;
           continue;
         }
-        if (numbers) {
+        if (numbers && !this.barred[motion]) {
           this.pixels[at] = this.number(grid.value[line + columns[x]]);
           continue;
         }

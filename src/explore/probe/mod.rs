@@ -28,12 +28,14 @@ const EXPONENTS_OVER: u32 = 2000;
 /// [`Ended`], also where there is no such system.
 pub fn probe(scene: &Scene, tiles: &Tiles, cell: Cell, width: u32, task: &Task) -> Result<(), Ended> {
     let [x, y] = scene.values(cell);
-    let (job, alone) = scene.job(cell).zip(scene.alone(x, y)).ok_or_else(|| {
+    let missing = |what: &str| {
         let (a, b) = (scene.plane.x.quantity.name(), scene.plane.y.quantity.name());
         let place = format!("{a} = {}, {b} = {}", Number(x), Number(y));
         let why = scene.missing(x, y).unwrap_or_else(|| "outside the range of its parameters".to_owned());
-        refused(format!("there is no such system at {place}: {why}"))
-    })?;
+        refused(format!("{what} at {place}: {why}"))
+    };
+    let begun = scene.job(cell).zip(scene.alone(x, y)).ok_or_else(|| missing("there is no such system"))?;
+    let (Ok(job), alone) = begun else { return Err(missing("no motion begins").into()) };
     scene.prepare(std::iter::once(cell)).map_err(refused)?;
     let known = scene.known(cell).or_else(|| tiles.cell(scene.id, cell).flatten());
     let verdict = match known {

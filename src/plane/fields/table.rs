@@ -102,7 +102,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "state at the end",
         (Inner::Components, "1"),
         Source::F64(|cell, i| cell.place[i]),
-        "(x1 … xn, v1 … vn) at the end, at forcing phase 0; of masses that drift, in the frame that goes with them; NaN only where the regime is failed",
+        "(x1 … xn, v1 … vn) at the end, at forcing phase 0; of masses that drift, in the frame that goes with them; of an inadmissible start that start; NaN only where the regime is failed",
         None,
     ),
     field(
@@ -118,7 +118,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "forcing periods observed",
         (Inner::One, "forcing periods"),
         Source::U32(|cell| cell.verdict.measures.observed),
-        "forcing periods of the observation; 0 where it was proven never to impact again, or failed",
+        "forcing periods of the observation; 0 where it was proven never to impact again, failed, or did not begin",
         None,
     ),
     field(
@@ -127,7 +127,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         (Inner::One, "per forcing period"),
         Source::F32(|cell, _| cell.verdict.impacts_per_period()),
         "impacts per forcing period while the cell was observed, of complete chatter those that were followed one by one; \
-         NaN where it was not, since it was proven never to impact again, or failed",
+         NaN where it was not, since it was proven never to impact again, failed, or did not begin",
         drawn(Spread::Ratios, Some(0.0), "no impact"),
     ),
     field(
@@ -135,7 +135,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "largest speed before an impact",
         (Inner::One, "1"),
         Source::F32(|cell, _| cell.verdict.peak_impact_velocity),
-        "largest modulus of d·v before an impact while the cell was observed, d being the direction of the first stop on the same line",
+        "largest modulus of d·v before an impact while the cell was observed, d being the direction of the first stop on the same line; NaN where the start is inadmissible",
         drawn(Spread::Even, Some(0.0), "no impact"),
     ),
     field(
@@ -144,7 +144,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         (Inner::One, "1"),
         Source::F32(|cell, _| cell.verdict.measures.power),
         "power lost in impacts while the cell was observed: the sum of ½ (1 − r²) (d·v)²/(dᵀM⁻¹d) and of what two stops \
-         without room between them take where an impact throws masses on them, per unit of time; NaN where the regime is failed",
+         without room between them take where an impact throws masses on them, per unit of time; NaN where the regime is failed or the start inadmissible",
         drawn(Spread::Ratios, Some(0.0), "no loss"),
     ),
     field(
@@ -152,7 +152,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         "share of time in contact",
         (Inner::One, "1"),
         Source::F32(|cell, _| cell.verdict.measures.contact),
-        "share of the observation in which some contact held, from 0 to 1, rebounds that end in one left out; NaN where the regime is failed",
+        "share of the observation in which some contact held, from 0 to 1, rebounds that end in one left out; NaN where the regime is failed or the start inadmissible",
         drawn(Spread::Even, Some(0.0), "never in contact"),
     ),
     field(
@@ -180,7 +180,7 @@ pub const CELL_FIELDS: &[CellField] = &[
             (Inner::Coordinates, "1"),
             Source::F32(|cell, i| cell.extent.map_or(f32::NAN, |extent| extent.rms[i])),
             "with `--extents` only: √⟨xᵢ²⟩ of every coordinate over the forcing periods that follow on the observation, \
-             whole periods of a periodic motion; NaN where the regime is failed",
+             whole periods of a periodic motion; NaN where the regime is failed or the start inadmissible",
             drawn(Spread::Even, None, "failed"),
         )
     },
@@ -192,7 +192,7 @@ pub const CELL_FIELDS: &[CellField] = &[
             (Inner::Coordinates, "1"),
             Source::F32(|cell, i| cell.extent.map_or(f32::NAN, |extent| extent.peak[i])),
             "with `--extents` only: the largest modulus of every coordinate of the continuous motion over the same forcing periods, to 1e-4 of it; NaN \
-             where the regime is failed",
+             where the regime is failed or the start inadmissible",
             drawn(Spread::Even, None, "failed"),
         )
     },

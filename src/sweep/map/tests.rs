@@ -102,6 +102,32 @@ fn windows_hold_the_cells_of_the_whole() {
     }
 }
 
+/// Whatever the tiles, and however many cells of one begin beyond a stop.
+#[test]
+fn cells_that_begin_beyond_a_stop_are_in_their_places() {
+    for (x, y) in [("x1=-0.75:0.75:7", "delta=0.1:0.5:5"), ("delta=0.1:0.5:5", "x1=-0.75:0.75:7")] {
+        let plane = plane(x, y, Start::Rest);
+        for tile in [1, 3, 8, 35] {
+            let watch = Limit { limit: 1000, finished: AtomicU64::new(0) };
+            let map = sweep(&plane, &Echo { tile }, &watch).unwrap();
+            assert_eq!(watch.finished.into_inner(), 35, "every cell is told of once");
+            let mut inadmissible = 0;
+            for (column, row) in Window::whole(&plane).places() {
+                let Start::State(start) = plane.start_at(column, row) else { panic!("the start varies") };
+                let gap = plane.parameters_at(column, row).plant().unwrap().stops[0].gap;
+                let verdict = map.at(column, row);
+                if start[0].abs() > gap {
+                    inadmissible += 1;
+                    assert_eq!((verdict.regime, verdict.state), (Regime::Inadmissible, start));
+                } else {
+                    assert_eq!(verdict.state, [3.7, gap, start[0], 0.0].into(), "{column}, {row}");
+                }
+            }
+            assert_eq!(inadmissible, 22, "{x}, {y}");
+        }
+    }
+}
+
 #[test]
 fn axes_over_the_start_vary_the_start() {
     let plane = plane("x1=-0.1:0.1:3", "v1=-2:2:2", Start::Rest);

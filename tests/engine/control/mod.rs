@@ -2,7 +2,7 @@
 
 mod delay;
 mod force;
-mod maps;
+pub mod maps;
 mod ogy;
 mod options;
 mod plants;
