@@ -60,7 +60,7 @@ pub struct ClassifyArgs {
     backend: BackendArgs,
 
     /// Prints JSON; impacts_per_stop counts in the order of the system's stops, p and q in that of its labels; they are 65535 for infinitely many impacts (complete chatter), lyapunov null where it was not
-    /// measured, or is minus infinity; start_taken is rest where there is no symmetric motion to begin on
+    /// measured, or is minus infinity
     #[arg(long)]
     json: bool,
 }
@@ -80,9 +80,10 @@ struct Classification {
     peak_impact_velocity: f32,
     periods: u32,
     start: String,
-    /// The start that was taken in place of the one asked for, where that does not exist.
-    start_taken: String,
     start_state: StateVector,
+    /// The start that was taken in place of the one asked for, where that does not exist.
+    #[serde(skip)]
+    taken: String,
     /// Whether symmetry means anything: only where the plant has a mirror.
     #[serde(skip)]
     has_mirror: bool,
@@ -167,8 +168,8 @@ impl Classification {
             peak_impact_velocity: verdict.peak_impact_velocity,
             periods: verdict.periods,
             start: asked.start.to_string(),
-            start_taken: asked.start.taken(&asked.job.system).to_string(),
             start_state: asked.job.start,
+            taken: asked.start.taken(&asked.job.system).to_string(),
             has_mirror: asked.job.system.mirror().is_some(),
             cell: asked.cell,
             backend: backend.name(),
@@ -204,7 +205,7 @@ impl Classification {
             self.label,
             multipliers::velocity(self.peak_impact_velocity.into()),
             multipliers::state(&self.state),
-            self.start_taken,
+            self.taken,
             multipliers::state(&self.start_state),
             self.periods
         )

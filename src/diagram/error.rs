@@ -2,8 +2,9 @@
 
 use thiserror::Error;
 
+use super::sweep::Direction;
 use crate::analysis::ScheduleError;
-use crate::model::ParameterError;
+use crate::model::{Number, ParameterError};
 use crate::plane::{AxisError, StartError};
 
 /// The most readings that a diagram may have to hold.
@@ -58,6 +59,21 @@ pub enum DiagramError {
     /// A parameter cannot be used.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
+    /// No column begins between its stops.
+    #[error("no column begins between its stops: of the first, {0}; choose starts within the gaps")]
+    Nowhere(StartError),
+    /// The column that a sweep begins with would begin beyond a stop.
+    #[error("the sweep {} begins at {axis} = {}, where {why}; choose --start within the gap there", direction.name(), Number(*value))]
+    Beyond {
+        /// Which sweep.
+        direction: Direction,
+        /// What the axis varies.
+        axis: &'static str,
+        /// Its value there.
+        value: f64,
+        /// Why it is refused.
+        why: StartError,
+    },
     /// A start cannot be used.
     #[error(transparent)]
     Start(#[from] StartError),

@@ -1,11 +1,11 @@
 //! The bifurcation diagram to compute: an axis, how its columns begin, and what is read where.
 
 use super::error::{DiagramError, MOST_READINGS};
-use super::sweep::Sweep;
+use super::sweep::{Direction, Sweep};
 use super::unit::ExponentUnit;
 use crate::analysis::{Probe, Schedule};
 use crate::model::{Setting, StateVector};
-use crate::plane::{Axis, Component, Quantity, Start};
+use crate::plane::{Axis, Component, Quantity, Start, StartError};
 
 /// A bifurcation diagram to compute.
 ///
@@ -68,14 +68,32 @@ impl DiagramSpec {
         if varies_start && self.sweep == Sweep::Each(Start::Symmetric) {
             return Err(DiagramError::SymmetricStartVaried);
         }
-        let first = if self.sweep.is_carried() { self.start } else { Start::Rest };
-        for end in [0, self.x.count - 1] {
-            self.start_at(end).fits(self.parameters.family())?;
-            let Ok(plant) = self.parameters_at(end).plant() else { continue };
-            first.check(&plant, self.parameters.family())?;
-            self.start_at(end).check(&plant, self.parameters.family())?;
+        self.start_at(0).fits(self.parameters.family())?;
+        if self.sweep.is_carried() { self.check_first_columns() } else { self.check_starts() }
+    }
+
+    /// Checks that the columns that carried sweeps begin with begin between their stops.
+    fn check_first_columns(&self) -> Result<(), DiagramError> {
+        for &direction in self.sweep.branches() {
+            let column = self.x.order(direction == Direction::Down)[0];
+            let (axis, value) = (self.x.quantity.name(), self.x.value(column));
+            self.check_start(column).map_err(|why| DiagramError::Beyond { direction, axis, value, why })?;
         }
         Ok(())
+    }
+
+    /// Checks that some column begins between its stops: others are inadmissible.
+    fn check_starts(&self) -> Result<(), DiagramError> {
+        let first = self.check_start(0);
+        if first.is_ok() || (1..self.x.count).any(|column| self.check_start(column).is_ok()) {
+            return Ok(());
+        }
+        first.map_err(DiagramError::Nowhere)
+    }
+
+    fn check_start(&self, column: u32) -> Result<(), StartError> {
+        let Ok(plant) = self.parameters_at(column).plant() else { return Ok(()) };
+        self.start_at(column).check(&plant, self.parameters.family())
     }
 
     /// The parameters of a column.

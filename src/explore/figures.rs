@@ -35,6 +35,7 @@ pub fn curves(
     all: bool,
     task: &Task,
 ) -> Result<(), Ended> {
+    check(&scene.plane).map_err(because)?;
     let map = gather::map(scene, tiles, window, limits::CURVES_CELLS, false, task)?;
     let found = followed(&map, max_period, task)?;
     let shown = if all { Shown::All } else { Shown::Bounding };

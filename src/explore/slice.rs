@@ -12,7 +12,7 @@ use crate::backend::{BackendError, Job, Watch};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, Sweep};
 use crate::plane::{Axis, Inadmissible, Quantity};
 use crate::render::slice_figure;
-use crate::sweep::provenance;
+use crate::sweep::{SweepError, provenance, traces};
 use crate::theory::confirmed;
 
 /// Forcing periods for which a column is observed.
@@ -29,7 +29,7 @@ struct Line {
     axis: Axis,
     /// What the other axis has at both ends.
     other: (Quantity, [f64; 2]),
-    jobs: Vec<Job>,
+    begun: Vec<Result<Job, Inadmissible>>,
 }
 
 impl Line {
@@ -53,13 +53,10 @@ impl Line {
             0 => scene.job_at(axis.value(i), at(1, i)),
             _ => scene.job_at(at(0, i), axis.value(i)),
         };
-        let begun: Option<Result<Vec<Job>, Inadmissible>> = (0..columns).map(job).collect();
+        let begun: Option<Vec<Result<Job, Inadmissible>>> = (0..columns).map(job).collect();
         let nowhere = || refused("a part of the line has no such system: keep it off the edge");
-        let inadmissible =
-            |_| refused("a part of the line begins beyond a stop: keep it off inadmissible starts");
-        let jobs = begun.ok_or_else(nowhere)?.map_err(inadmissible)?;
         let ends = [at(other, 0), at(other, columns - 1)];
-        Ok(Line { axis, other: (axes[other].quantity, ends), jobs })
+        Ok(Line { axis, other: (axes[other].quantity, ends), begun: begun.ok_or_else(nowhere)? })
     }
 
     /// The diagram of its columns, which begin as the plane's cells do.
@@ -75,17 +72,14 @@ impl Line {
             capacity: POINTS,
             spectrum: None,
         };
-        let watch = task.at("computing the diagram", self.jobs.len() as u64);
+        let watch = task.at("computing the diagram", self.begun.len() as u64);
         let backend = scene.computing.backend;
-        let mut traces = Vec::with_capacity(self.jobs.len());
-        for some in self.jobs.chunks(backend.tile().max(1)) {
-            let traced = backend.trace(some, &spec.schedule, spec.probe, spec.capacity, &watch);
-            traces.extend(traced.map_err(|error| match error {
-                BackendError::Cancelled => Ended::Cancelled,
-                error => because(error).into(),
-            })?);
-        }
-        for (trace, job) in traces.iter_mut().zip(&self.jobs) {
+        let mut traces = traces(self.begun.clone(), &spec, backend, &watch).map_err(|error| match error {
+            SweepError::Backend(BackendError::Cancelled) => Ended::Cancelled,
+            error => because(error).into(),
+        })?;
+        for (trace, begun) in traces.iter_mut().zip(&self.begun) {
+            let Ok(job) = begun else { continue };
             trace.verdict = confirmed(&job.system, &trace.verdict).unwrap_or(trace.verdict);
         }
         if watch.cancelled() {

@@ -54,7 +54,10 @@ pub enum PlaneError {
     #[error(transparent)]
     Parameter(#[from] ParameterError),
     /// No cell begins between its stops.
-    #[error("no cell of the plane begins between its stops; of the first, {0}")]
+    #[error(
+        "no cell of the plane begins between its stops: of the first, {0}; choose starts within the gaps: --start gives what \
+         no axis varies, 0 by default where one varies a component"
+    )]
     Nowhere(StartError),
     /// A start cannot be used.
     #[error(transparent)]

@@ -10,6 +10,7 @@ mod part;
 mod quantity;
 mod region_map;
 mod spec;
+mod spread;
 mod start;
 mod task;
 mod window;

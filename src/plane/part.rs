@@ -7,8 +7,13 @@ use derive_more::Display;
 use thiserror::Error;
 
 use super::spec::Plane;
-use super::window::Tiling;
+use super::spread::spread;
+use super::start::Start;
+use super::window::{Tiling, Window};
 use crate::model::System;
+
+/// Of so many columns and rows of a tile it is looked whether their cells begin.
+const ALONG: u32 = 4;
 
 /// Part K of M.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Display)]
@@ -40,14 +45,30 @@ impl Part {
     }
 }
 
-/// What a tile costs, about: the steps of flight in one forcing period, over all its cells.
+/// What a tile costs, about: the steps of flight in one forcing period, over all its cells that begin.
 ///
 /// The steps follow the fastest motion, so that a low frequency has many in a period, and impacts with them.
 pub fn cost(plane: &Plane, tiling: &Tiling, tile: u32) -> u64 {
     let window = tiling.window(tile);
     let middle = (window.column + window.columns / 2, window.row + window.rows / 2);
     let steps = System::new(plane.parameters_at(middle.0, middle.1)).map_or(1, |system| system.steps());
-    window.cells() as u64 * u64::from(steps)
+    let [looked_at, begin] = beginning(plane, window);
+    (window.cells() as u64 * u64::from(steps) * begin).div_ceil(looked_at).max(1)
+}
+
+/// Of how many cells of a window it is looked whether they begin between the stops, and how many of these do.
+fn beginning(plane: &Plane, window: Window) -> [u64; 2] {
+    if !matches!(plane.start_at(window.column, window.row), Start::State(_)) {
+        return [1, 1];
+    }
+    let columns = window.column..window.column + window.columns;
+    let rows = window.row..window.row + window.rows;
+    let looked_at: Vec<(u32, u32)> = spread(columns, rows, ALONG).collect();
+    let begins = |&(column, row): &(u32, u32)| {
+        let plant = plane.parameters_at(column, row).plant();
+        plant.is_ok_and(|plant| plane.start_at(column, row).check(&plant, plane.parameters.family()).is_ok())
+    };
+    [looked_at.len() as u64, looked_at.iter().filter(|cell| begins(cell)).count() as u64]
 }
 
 impl FromStr for Part {
@@ -105,6 +126,21 @@ mod tests {
         let simple = (0..5).map(|k| all(block(k).collect())).collect();
         let (dealt, simple) = (ratio(dealt), ratio(simple));
         assert!(dealt < 1.1 && simple > 3.0, "{dealt} and {simple}");
+    }
+
+    /// Tiles of which nothing begins are dealt out last, and cost next to nothing.
+    #[test]
+    fn what_does_not_begin_costs_nothing() {
+        let schedule = Schedule { transient: 4, observe: 2, max_period: 1, fixed_periods: false };
+        let plane = Plane::of_paper("x1=-0.4:0.4:128", "v1=-1:1:128", Start::Rest, schedule).unwrap();
+        let tiling = Tiling::of(&plane, 16);
+        let of_tile = |tile| cost(&plane, &tiling, tile);
+        let costs: Vec<u64> = (0..8).map(of_tile).collect();
+        assert!(costs[..3].iter().chain(&costs[5..]).all(|&cost| cost == 1), "{costs:?}");
+        assert!(costs[3..5].iter().all(|&cost| cost > 1000), "{costs:?}");
+        let dealt =
+            |number| Part { number, of: 2 }.tiles(&plane, &tiling).into_iter().map(of_tile).sum::<u64>();
+        assert!(dealt(1).abs_diff(dealt(2)) < 100, "{} and {}", dealt(1), dealt(2));
     }
 
     #[test]

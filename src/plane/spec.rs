@@ -6,6 +6,7 @@ use super::axis::Axis;
 use super::axis_error::AxisError;
 use super::error::PlaneError;
 use super::quantity::Quantity;
+use super::spread::spread;
 use super::start::Start;
 use super::task::{Control, LARGEST_AT_ONCE, Task};
 use super::written::{WrittenAxis, WrittenParameters, WrittenSystem, parameters, setting};
@@ -100,10 +101,7 @@ impl<T> Plane<T> {
         let Start::State(_) = self.start_at(0, 0) else { return Ok(()) };
         // Cells that begin beyond a stop are inadmissible; a plane of nothing else is a mistake.
         let mut refused = None;
-        let columns = spread(self.x.count, STARTS_ALONG);
-        let cells = spread(self.y.count, STARTS_ALONG)
-            .flat_map(|row| columns.clone().map(move |column| (column, row)));
-        for (column, row) in cells {
+        for (column, row) in spread(0..self.x.count, 0..self.y.count, STARTS_ALONG) {
             let Ok(plant) = self.parameters_at(column, row).plant() else { continue };
             match self.start_at(column, row).check(&plant, self.parameters.family()) {
                 Ok(()) => return Ok(()),
@@ -164,12 +162,6 @@ impl<T> Plane<T> {
         }
         start
     }
-}
-
-/// So many of some columns or rows, spread evenly from the first to the last, or all of fewer.
-fn spread(count: u32, most: u32) -> impl Iterator<Item = u32> + Clone {
-    let shown = u64::from(count.min(most));
-    (0..shown).map(move |i| (i * u64::from(count - 1) / (shown - 1).max(1)) as u32)
 }
 
 /// A plane as files carry it, with what is asked under names of its own.

@@ -11,6 +11,9 @@ use crate::model::{Number, StateVector, System, joined};
 use crate::system::{Family, Plant};
 use crate::theory::{SymmetricStarts, symmetric_start};
 
+/// A start that lies beyond a stop by no more than this share of the numbers that say so lies on it.
+const ROUNDING: f64 = 1e-12;
+
 /// How a trajectory begins, at forcing phase 0.
 #[derive(Clone, Copy, Debug, PartialEq, Display, Serialize, Deserialize)]
 #[display(rename_all = "lowercase")]
@@ -44,7 +47,7 @@ impl Start {
         symmetric: &mut SymmetricStarts,
     ) -> Result<StateVector, Inadmissible> {
         match *self {
-            Start::State(state) if system.stops().any(|(d, stop)| along(d, &state) > stop.gap) => {
+            Start::State(state) if system.stops().any(|(d, stop)| is_beyond(d, stop.gap, &state)) => {
                 Err(Inadmissible(state))
             }
             _ => Ok(self.state_by(system, symmetric)),
@@ -62,6 +65,10 @@ impl Start {
             Start::Rest => rest(),
             Start::Symmetric => {
                 symmetric.of(system).and_then(|state| StateVector::from_slice(&state)).unwrap_or_else(rest)
+            }
+            // Values of an axis are rounded: what they put on a stop may lie beyond it by that.
+            Start::State(state) if system.stops().any(|(d, stop)| along(d, &state) > stop.gap) => {
+                system.between_stops(state)
             }
             Start::State(state) => state,
         }
@@ -97,7 +104,7 @@ impl Start {
         let Start::State(state) = *self else { return Ok(()) };
         for (number, stop) in plant.stops.iter().enumerate() {
             let place = along(&stop.direction, &state);
-            if place > stop.gap {
+            if is_beyond(&stop.direction, stop.gap, &state) {
                 let met = family.stop_place(number);
                 let along = met.to_string();
                 let along = along.split_once(" = ").map_or("d·x", |(along, _)| along);
@@ -119,6 +126,12 @@ impl Start {
 /// d·x.
 fn along(direction: &DVector<f64>, state: &StateVector) -> f64 {
     direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum()
+}
+
+/// Whether a state lies beyond a stop, and not by rounding alone.
+fn is_beyond(direction: &DVector<f64>, gap: f64, state: &StateVector) -> bool {
+    let size: f64 = direction.iter().zip(state.iter()).map(|(d, x)| (d * x).abs()).sum();
+    along(direction, state) - gap > ROUNDING * (size + gap.abs())
 }
 
 /// A state (x1 … xn, v1 … vn) that lies beyond a stop, so that no motion begins there; non-dimensional.
@@ -169,7 +182,7 @@ pub enum StartError {
     },
     /// A mass would begin beyond a stop.
     #[error(
-        "the start {start} lies beyond stop {stop}: {place}, and the gap is {}; choose it within the gap",
+        "the start {start} lies beyond stop {stop}: {place}, and the gap is {}",
         Number(*gap)
     )]
     OutsideStops {

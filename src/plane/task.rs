@@ -106,7 +106,12 @@ impl Reached for Outcome {
     }
 
     fn inadmissible(start: StateVector) -> Self {
-        Outcome { verdict: Verdict::inadmissible(start), ..Outcome::unresolved(start.coordinates()) }
+        Outcome {
+            verdict: Verdict::inadmissible(start),
+            signal: f32::NAN,
+            effort: f32::NAN,
+            ..Outcome::unresolved(start.coordinates())
+        }
     }
 }
 

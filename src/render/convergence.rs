@@ -11,7 +11,7 @@ use super::numbers::{Apart, Numbers, Sheet};
 use super::regions::control_title;
 use crate::analysis::Regime;
 use crate::control::{NEVER, Outcome};
-use crate::figure::{Bar, Colour, Palette, Picture, Size, Spread};
+use crate::figure::{Bar, Colour, Paint, Palette, Picture, Size, Spread};
 use crate::plane::{Control, RegionMap};
 
 /// The colour of cells that took no time: none of the bar's.
@@ -32,6 +32,8 @@ pub fn convergence_map(map: &RegionMap<Control>, size: Size) -> Picture {
     let upper_first = map.verdicts.chunks(extent[0] as usize).rev().flatten();
     let inadmissible = |outcome: &Outcome| outcome.verdict.regime == Regime::Inadmissible;
     let apart = Apart::inadmissible(upper_first.clone().map(inadmissible).collect());
+    // A hatch is of pixels, and there is one number for each cell.
+    let apart = Apart { paint: Paint::plain(apart.paint.fill), ..apart };
     let numbers = numbers(upper_first.map(|outcome| outcome.converged_at), extent);
     let numbers = Numbers { apart: vec![apart], ..numbers };
     let Ok(picture) = sheet.draw(size, None, |_| Ok::<_, Infallible>(numbers));

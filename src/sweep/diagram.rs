@@ -2,12 +2,14 @@
 
 use rayon::prelude::*;
 
+use super::map::of_begun;
 use super::{Result, provenance};
-use crate::analysis::{Regime, Trace};
+use crate::analysis::{Regime, Trace, Verdict};
 use crate::backend::{Backend, Cpu, Job, Watch, trace};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
 use crate::model::{StateVector, System};
-use crate::theory::{Spectrum, confirmed};
+use crate::plane::{Inadmissible, Reached as _};
+use crate::theory::{Spectrum, SymmetricStarts, confirmed};
 
 /// Computes a bifurcation diagram.
 ///
@@ -50,16 +52,41 @@ fn each(
     backend: &dyn Backend,
     watch: &dyn Watch,
 ) -> Result<Vec<Trace>> {
-    let jobs: Vec<Job> = (0..)
-        .zip(systems)
-        .map(|(column, system)| Job { system: system.clone(), start: spec.start_at(column).state(system) })
-        .collect();
-    let mut traces = Vec::new();
-    for tile in jobs.chunks(backend.tile().max(1)) {
-        watch.check()?;
-        traces.extend(backend.trace(tile, &spec.schedule, spec.probe, spec.capacity, watch)?);
-    }
-    Ok(traces)
+    let mut symmetric = SymmetricStarts::default();
+    let begun = (0..).zip(systems).map(|(column, system)| {
+        let start = spec.start_at(column).begun_by(system, &mut symmetric);
+        start.map(|start| Job { system: system.clone(), start })
+    });
+    traces(begun.collect(), spec, backend, watch)
+}
+
+/// What columns that begin by themselves leave on the section of a diagram; nothing of those that would begin beyond a stop.
+///
+/// # Errors
+/// What the back end could not do.
+pub fn traces(
+    begun: Vec<Result<Job, Inadmissible>>,
+    spec: &DiagramSpec,
+    backend: &dyn Backend,
+    watch: &dyn Watch,
+) -> Result<Vec<Trace>> {
+    let all = begun.len();
+    let traced = |jobs: &[Job]| {
+        watch.finished((all - jobs.len()) as u64);
+        let mut traces = Vec::with_capacity(jobs.len());
+        for tile in jobs.chunks(backend.tile().max(1)) {
+            watch.check()?;
+            traces.extend(backend.trace(tile, &spec.schedule, spec.probe, spec.capacity, watch)?);
+        }
+        Ok(traces)
+    };
+    let nothing = |start| Trace {
+        verdict: Verdict::inadmissible(start),
+        readings: Vec::new(),
+        left_out: 0,
+        rebounds: 0,
+    };
+    of_begun(begun, traced, nothing)
 }
 
 /// Every column begins where the one before it ended; where that is beyond a stop of this column, on the stop.
@@ -107,7 +134,7 @@ fn with_spectra(
 /// The 2n exponents, largest first whatever their statistical error; NaN where the trajectory could not be followed, and for the
 /// last ones where the masses may drift.
 fn exponents(system: &System, trace: &Trace, spec: &DiagramSpec, unit: ExponentUnit) -> Vec<f64> {
-    if trace.verdict.regime == Regime::Failed {
+    if matches!(trace.verdict.regime, Regime::Failed | Regime::Inadmissible) {
         return vec![f64::NAN; trace.verdict.state.len()];
     }
     let start = system.between_stops(trace.verdict.state);

@@ -20,7 +20,7 @@ use crate::model::SystemError;
 use crate::plane::{PlaneError, Provenance};
 
 pub use certify::{Certification, certify, certify_window};
-pub use diagram::diagram;
+pub use diagram::{diagram, traces};
 pub use extents::measure_extents;
 pub use map::{check, sweep, sweep_windows};
 pub use sample::{sample, spread};

@@ -22,7 +22,7 @@ pub struct Agreement {
     pub non_chaotic: Share,
     /// Symmetric or not, in cells that are periodic with the same label in both.
     pub symmetry: Share,
-    /// Every regime that the reference finds, in the order of the codes.
+    /// Every regime that the reference finds of what begins, in the order of the codes.
     pub regimes: Vec<RegimeAgreement>,
     /// Differences of the strobe states in cells that are periodic with the same label in both; non-dimensional.
     pub end_state: Option<Spread>,

@@ -49,7 +49,7 @@ pub fn compare_continued<T: Comparable>(
         symmetry: symmetry(&cells),
         regimes: Regime::ALL
             .into_iter()
-            .filter(|&regime| of_regime(regime).next().is_some())
+            .filter(|&regime| regime != Regime::Inadmissible && of_regime(regime).next().is_some())
             .map(|regime| regime_agreement(regime, &of_regime(regime).collect::<Vec<_>>()))
             .collect(),
         end_state: Spread::of(cells.iter().filter_map(|cell| cell.difference).collect()),

@@ -4,11 +4,12 @@ use serde::Serialize;
 
 use super::alike::same_label;
 use super::spread::{Share, Spread};
+use crate::analysis::Regime;
 use crate::figure::Spread as Scale;
 use crate::plane::fields::{Cells, Layer};
 use crate::plane::{RegionMap, Window};
 
-/// How well a layer of a candidate's map agrees with the reference's, in cells whose regime and label agree.
+/// How well a layer of a candidate's map agrees with the reference's, in cells whose regime and label agree and that begin.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LayerAgreement {
     /// The layer's name.
@@ -34,7 +35,8 @@ pub(super) fn layers(reference: &RegionMap, candidate: &RegionMap) -> Vec<LayerA
         let mut defined = Share::default();
         let mut differences = Vec::new();
         for i in 0..whole.cells() {
-            if !same_label(&reference.verdicts[i], &candidate.verdicts[i]) {
+            let [ours_is, theirs_is] = [&reference.verdicts[i], &candidate.verdicts[i]];
+            if !same_label(ours_is, theirs_is) || ours_is.regime == Regime::Inadmissible {
                 continue;
             }
             let (a, b) = (f64::from(ours[i]), f64::from(theirs[i]));

@@ -75,6 +75,8 @@ fn inadmissible_cells_are_not_compared() {
     assert_eq!(agreement.boundary, Share { agree: 10, cells: 10 });
     assert_eq!(agreement.non_chaotic, Share { agree: 100, cells: 100 });
     assert_eq!(agreement.confusion[8][8], 100);
+    assert_eq!(agreement.regimes.iter().map(|r| r.regime).collect::<Vec<_>>(), ["periodic"]);
+    assert!(agreement.layers.iter().all(|layer| layer.defined.cells == 100));
     // A back end that lets begin what may not is found.
     let mut candidate = reference.clone();
     candidate.verdicts[cell(15, 3)] = motion(1, true);

@@ -192,7 +192,15 @@ fn what_cannot_be_computed_is_refused() {
     let carried = spec("v1=-1:1:5", "down", at(0.1));
     assert!(matches!(refused(carried), DiagramError::CarriedStart { .. }));
     assert_eq!(refused(spec("v1=-1:1:5", "symmetric", at(0.1))), DiagramError::SymmetricStartVaried);
-    assert!(matches!(refused(spec("x1=-0.2:0.1:5", "rest", at(0.1))), DiagramError::Start(_)));
+    assert!(matches!(refused(spec("x1=-0.3:-0.2:5", "rest", at(0.1))), DiagramError::Nowhere(_)));
+    let carried = DiagramSpec {
+        start: Start::State([0.2, 0.0, 0.0, 0.0].into()),
+        ..spec("delta=0.1:0.4:4", "both", at(0.1))
+    };
+    let beyond = refused(carried.clone());
+    assert!(matches!(beyond, DiagramError::Beyond { axis: "delta", value: 0.1, .. }), "{beyond:?}");
+    // The sweep that begins with the widest gap begins within it.
+    assert!(diagram(&DiagramSpec { sweep: "down".parse().unwrap(), ..carried }, &Cpu, &Unwatched).is_ok());
     let none = DiagramSpec { capacity: 0, ..spec("omega=1:2:5", "rest", at(0.1)) };
     assert!(matches!(refused(none), DiagramError::Capacity { .. }));
     assert!(matches!("sideways".parse::<Sweep>(), Err(DiagramError::Sweep(_))));

@@ -132,6 +132,27 @@ restitution = "0.5"
     assert_eq!(regimes("x1=0.05:0.09:2"), [false; 5]);
 }
 
+/// Values of an axis are rounded: what stands for a place on a stop begins there.
+#[test]
+fn rounding_puts_no_start_beyond_a_stop() {
+    let plane = plane(Family::paper(), "x1=-0.3:0.3:31", "v1=-1:1:2");
+    let values: Vec<f64> = [10, 20].map(|column| plane.x.value(column)).into();
+    assert!(values.iter().any(|x| x.abs() > 0.1), "the axis rounds to either side: {values:?}");
+    for backend in [&Cpu as &dyn Backend, gpu()] {
+        let map = sweep(&plane, backend, &Unwatched).unwrap();
+        for (place, verdict) in Window::whole(&plane).places().zip(&map.verdicts) {
+            assert_eq!(verdict.regime != Regime::Inadmissible, (10..=20).contains(&place.0), "{place:?}");
+        }
+        let beyond = alone(&plane, (20, 1), backend);
+        assert_eq!(format!("{beyond:?}"), format!("{:?}", map.at(20, 1)));
+    }
+    let system = System::new(plane.parameters_at(20, 1)).unwrap();
+    assert_eq!(plane.start_at(20, 1).state(&system)[0], 0.1, "on the stop");
+    // A place that is merely close is beyond it.
+    let close = self::plane(Family::paper(), "x1=0:0.10000000001:2", "v1=-1:1:2");
+    assert_eq!(sweep(&close, &Cpu, &Unwatched).unwrap().at(1, 0).regime, Regime::Inadmissible);
+}
+
 #[test]
 fn a_plane_that_begins_nowhere_is_refused() {
     let nowhere = plane(Family::paper(), "x1=0.2:0.4:3", "v1=-1:1:3");
@@ -173,7 +194,7 @@ fn control_of_what_does_not_begin_is_inadmissible() {
     for backend in [&Cpu as &dyn Backend, crate::control::gpu()] {
         let map = maps::map(&plane, backend);
         for (place, outcome) in Window::whole(&plane).places().zip(&map.verdicts) {
-            let beyond = plane.x.value(place.0).abs() > 0.1;
+            let beyond = plane.x.value(place.0).abs() > 0.1001;
             assert_eq!(outcome.verdict.regime == Regime::Inadmissible, beyond, "{place:?}");
             assert_eq!(outcome.iterates == 0, beyond, "{place:?}");
         }

@@ -7,12 +7,14 @@ use std::path::Path;
 use impact_atlas::analysis::Regime;
 use impact_atlas::plane::{RegionMap, Window};
 use impact_atlas::store::read_map;
+use npyz::NpyFile;
 use serde_json::{Value, json};
 use tempfile::tempdir;
+use zip::ZipArchive;
 
 use crate::explore::server::Explorer;
 use crate::explore::socket::{Heard, Socket};
-use crate::run::{done, json, refuses, run_in};
+use crate::run::{done, json, refuses, run_in, stderr};
 
 /// The gap is 0.1: two columns in three lie beyond a stop.
 const PLANE: &str =
@@ -56,8 +58,13 @@ fn a_basin_shows_what_is_inadmissible() {
     let pixels = |name: &str| image::open(folder.path().join(name)).unwrap().into_rgb8();
     assert!(pixels("store.png") == pixels("map.png"));
     // One cell of it, asked for alone, is refused with the reason.
-    let refused = run_in(folder.path(), &["classify", "--from", "map.npz", "--at", "0.2,0"]);
+    let refused = run_in(folder.path(), &["classify", "--from", "map.npz", "--at", "x1=0.2,v1=0"]);
     assert_eq!(refused.status.code(), Some(2));
+    let message = stderr(&refused);
+    assert!(
+        message.contains("lies beyond stop A") && message.contains("choose another by --at"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -69,6 +76,25 @@ fn a_plane_that_begins_nowhere_is_refused() {
     );
     let fixed = "map --backend cpu --x omega=2:3:3 --y r=0.5:0.9:3 --start 0.2,0,0,0";
     refuses(&fixed.split(' ').collect::<Vec<_>>(), &["no cell of the plane begins", "0.2"]);
+}
+
+/// A diagram over starts has nothing to show where none begins, and goes on where one does.
+#[test]
+fn a_diagram_over_starts_leaves_out_what_is_inadmissible() {
+    let folder = tempdir().unwrap();
+    let diagram =
+        "bifurcation --backend cpu --x x1=-0.3:0.3:31 --transient 40 --observe 24 --spectrum --data d.npz";
+    done(folder.path(), diagram);
+    let mut zip = ZipArchive::new(File::open(folder.path().join("d.npz")).unwrap()).unwrap();
+    let regimes = NpyFile::new(zip.by_name("regime.npy").unwrap()).unwrap().into_vec::<u8>().unwrap();
+    let counts = NpyFile::new(zip.by_name("counts.npy").unwrap()).unwrap().into_vec::<u32>().unwrap();
+    // ±0.1 lies on the stops, however the axis rounds it.
+    for (column, (regime, count)) in regimes.iter().zip(&counts).enumerate() {
+        let begins = (10..=20).contains(&column);
+        assert_eq!((*regime != Regime::Inadmissible.code(), *count > 0), (begins, begins), "column {column}");
+    }
+    let spectrum = NpyFile::new(zip.by_name("spectrum.npy").unwrap()).unwrap().into_vec::<f64>().unwrap();
+    assert!(spectrum[..40].iter().all(|exponent| exponent.is_nan()) && !spectrum[60].is_nan());
 }
 
 #[tokio::test(flavor = "multi_thread")]

@@ -93,9 +93,15 @@ fn contradictions_are_refused() {
 fn starts_outside_the_stops_are_refused() {
     refuses(&["classify", "--start", "0.2,0,0,0"], &["x1 = 0.2", "gap is 0.1"]);
     refuses(&["orbit", "--start=-0.2,0,0,0"], &["-x1 = 0.2", "gap is 0.1"]);
-    refuses(&["map", "--start", "0.1,0,0,0"], &["x1 = 0.1", "gap is 0.02"]);
-    refuses(&["map", "--x", "x1=-0.2:0.1:5", "--y", "v1=-1:1:5"], &["-x1 = 0.2", "gap is 0.1"]);
-    refuses(&["map", "--x", "x1=-0.1:0.1:5", "--y", "delta=0.05:0.2:5"], &["-x1 = 0.1", "gap is 0.05"]);
+    refuses(&["map", "--start", "0.9,0,0,0"], &["x1 = 0.9", "gap is 0.02", "no cell", "--start"]);
+    refuses(&["map", "--x", "x1=-0.2:-0.11:5", "--y", "v1=-1:1:5"], &["-x1 = 0.2", "gap is 0.1", "no cell"]);
+    refuses(
+        &["map", "--x", "x1=-0.4:-0.3:5", "--y", "delta=0.05:0.2:5"],
+        &["-x1 = 0.4", "gap is 0.05", "no cell"],
+    );
+    refuses(&["bifurcation", "--x", "x1=0.3:0.2:5"], &["x1 = 0.3", "gap is 0.1", "no column"]);
+    let rising = ["bifurcation", "--x", "delta=0.4:0.02:9", "--sweep", "both", "--start", "0.2,0,0,0"];
+    refuses(&rising, &["the sweep up begins at delta = 0.02", "x1 = 0.2", "gap is 0.02"]);
     refuses(&["classify", "--start", "1,2,3"], &["1,2,3", "X1,X2,V1,V2"]);
     refuses(&["classify", "--start", "0,NaN,0,0"], &["not a finite number"]);
 }
@@ -319,7 +325,7 @@ fn single_precision_agrees_with_the_reference() {
     assert_eq!(report["holds"], true);
     assert_eq!(report["cells"], 30);
     assert_eq!(report["checks"].as_array().unwrap().len(), 6);
-    assert_eq!(report["confusion"].as_array().unwrap().len(), 8);
+    assert_eq!(report["confusion"].as_array().unwrap().len(), 9);
     assert_eq!(keys(&report["tipped"]), ["cells", "inside", "non_chaotic"]);
     let text = run(&[]);
     assert_eq!(text.status.code(), Some(0));

@@ -33,7 +33,8 @@ pub struct AxesArgs {
     /// [default: symmetric, or rest where an axis varies the start]
     ///
     /// `symmetric` is the stable-branch 1-1-1 motion of the cell where there is one, nudged so that an unstable one
-    /// is left, and rest elsewhere. The plane is multistable: what a map shows depends on its start.
+    /// is left, and rest elsewhere. The plane is multistable: what a map shows depends on its start. Where an axis varies a
+    /// component, the others are those of the state given, or 0. A cell whose start lies beyond a stop is `inadmissible start`.
     #[arg(long, value_name = "START", value_parser = parse::<Start>, allow_hyphen_values = true)]
     pub(super) start: Option<Start>,
 }

@@ -2,7 +2,7 @@
 
 use clap::{Arg, Args};
 use impact_atlas::model::{Parameter, Setting, StateVector, System};
-use impact_atlas::plane::{Axis, Plane, Quantity, Start};
+use impact_atlas::plane::{Axis, Plane, Quantity, Start, StartError};
 use impact_atlas::system::Family;
 use impact_atlas::theory::symmetric_start;
 
@@ -120,14 +120,17 @@ impl SystemArgs {
 
     /// The system, with a start that lies between its stops.
     pub fn system_and_start(&self, start: Start) -> Result<(System, StateVector)> {
-        begun(self.parameters(&[])?, start)
+        begun(self.parameters(&[])?, start, "choose it within the gap")
     }
 }
 
-/// The system of a setting, with the state of a start that lies between its stops.
-pub(super) fn begun(setting: Setting, start: Start) -> Result<(System, StateVector)> {
+/// The system of a setting, with the state of a start that lies between its stops; `remedy` is what helps where it does not.
+pub(super) fn begun(setting: Setting, start: Start, remedy: &str) -> Result<(System, StateVector)> {
     let system = System::new(setting).map_err(CliError::input)?;
-    start.check(system.plant(), setting.family()).map_err(CliError::input)?;
+    start.check(system.plant(), setting.family()).map_err(|error| match error {
+        StartError::OutsideStops { .. } => wrong!("{error}; {remedy}"),
+        error => CliError::input(error),
+    })?;
     let state = start_state(&system, start);
     Ok((system, state))
 }

@@ -69,7 +69,8 @@ fn of_map(from: &Path, at: &Place) -> Result<Trajectory> {
     let (x, y) = (made.plane.x.quantity.name(), made.plane.y.quantity.name());
     note(&format!("column {column}, row {row} of `{}`: {x} = {}, {y} = {}", from.display(), cell.x, cell.y));
     let start = made.plane.start_at(column, row);
-    let (system, state) = begun(made.plane.parameters_at(column, row), start)?;
+    let elsewhere = "no motion begins in this cell: choose another by --at";
+    let (system, state) = begun(made.plane.parameters_at(column, row), start, elsewhere)?;
     let options = SystemArgs::of_family(made.plane.parameters.family());
     Ok(Trajectory { options, system, start, state, of_map: Some((made, cell)) })
 }

@@ -69,8 +69,9 @@ impl Report<'_> {
 
     fn write_confusion(&self, to: &mut String) -> std::fmt::Result {
         let confusion = &self.agreement.confusion;
-        let occurs = |code: usize| (0..8).any(|other| confusion[code][other] + confusion[other][code] > 0);
-        let codes: Vec<usize> = (0..8).filter(|&code| occurs(code)).collect();
+        let all = 0..confusion.len();
+        let occurs = |code: &usize| all.clone().any(|o| confusion[*code][o] + confusion[o][*code] > 0);
+        let codes: Vec<usize> = all.clone().filter(occurs).collect();
         let heads: String = codes.iter().map(|code| format!("{code:>9}")).collect();
         writeln!(to, "cells by regime: rows are the reference, columns the candidate")?;
         writeln!(to, "  {:<26}{heads}", "")?;

@@ -5,6 +5,15 @@ import { shape } from './dom.js';
 /** About so many cells are looked at to find where curves begin. */
 const SEED_CELLS = 20000;
 
+/** The places of a window's cells, where they are not the whole plane. */
+function partOf({ z, columns, rows }, view) {
+  const edges = ([first, last]) => [(first - 0.5) * 2 ** -z, (last + 0.5) * 2 ** -z];
+  const part = [...edges(columns), ...edges(rows)];
+  const unit = 2 ** -Math.min(0, z);
+  const whole = part.every((edge, k) => Math.abs(edge - view.whole[k]) < unit);
+  return whole ? null : part;
+}
+
 export class Curves {
   constructor(svg, link, status) {
     this.link = link;
@@ -17,6 +26,7 @@ export class Curves {
   clear() {
     if (this.ask) this.stop();
     this.lines = [];
+    this.part = null;
     this.shown = false;
     this.group.replaceChildren();
   }
@@ -40,6 +50,7 @@ export class Curves {
     const [i0, i1, j0, j1] = view.cells(z);
     const window = { z, columns: [i0, i1], rows: [j0, j1] };
     const clipped = scene.clip(window);
+    this.part = partOf(clipped, view);
     const stop = () => { this.clear(); done(); };
     this.status.running('curves', { words: 'following the bifurcation curves', share: null, stop });
     this.ask = this.link.ask({ type: 'curves', scene: scene.scene, window: clipped, max_period: 2, all: false }, (kind, content) => {
@@ -75,7 +86,21 @@ export class Curves {
     const taken = [];
     const order = [...lines].sort((a, b) => /^L\d/.test(b.name) - /^L\d/.test(a.name));
     const named = order.map((line) => this.label(line, view, left, top, taken)).filter(Boolean);
-    this.group.replaceChildren(...cased, ...inked, ...named, ...felt);
+    this.group.replaceChildren(...cased, ...inked, ...named, ...felt, ...this.outline(view, left, top));
+  }
+
+  /** The part of the plane that curves were followed in, where more than that is in sight. */
+  outline(view, left, top) {
+    if (!this.part || this.lines.length === 0) return [];
+    const [a0, a1, b0, b1] = this.part, [x0, x1, y0, y1] = view.window;
+    const slack = [0.02 * (x1 - x0), 0.02 * (y1 - y0)];
+    if (x0 >= a0 - slack[0] && x1 <= a1 + slack[0] && y0 >= b0 - slack[1] && y1 <= b1 + slack[1]) return [];
+    const [[x, y], [right, bottom]] = [view.pixelAt(a0, b1), view.pixelAt(a1, b0)];
+    const at = { x: left + x, y: top + y };
+    return [
+      ...['followed light', 'followed'].map((name) => shape('rect', { ...at, width: right - x, height: bottom - y, class: name })),
+      shape('text', { x: at.x + 5, y: at.y - 5, class: 'curve-name', text: 'curves were followed here' }),
+    ];
   }
 
   /** The name of a curve at its middle in sight, where it is long enough. */

@@ -1,14 +1,19 @@
-// The plane by keyboard: arrows move, + and − zoom, Shift and arrows move a cursor, Enter asks what moves there.
+// The plane by keyboard: arrows move, + and − zoom, Shift and arrows move a cursor, Enter asks what moves there or, where a line
+// is to cut the plane, begins and ends it.
 
 const STEP = 0.12;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class Keys {
-  /** `hears` has moved(step), clicked(x, y), cursor(place or null) and home(). */
+  /**
+   * `hears` has moved(step), clicked(x, y), cursor(place or null), home() and line(from, to, done); `cutting()` says whether
+   * Enter sets the ends of a line.
+   */
   constructor(plane, view, hears) {
     this.cursor = null;
+    this.from = null;
     const left = () => {
-      this.cursor = null;
+      this.cursor = this.from = null;
       hears.cursor(null);
     };
     plane.addEventListener('blur', left);
@@ -29,7 +34,7 @@ export class Keys {
       } else if (event.key === '0' || event.key === 'Home') {
         hears.home();
       } else if (event.key === 'Enter' || event.key === ' ') {
-        hears.clicked(...this.place(view));
+        this.enter(this.place(view), hears);
       } else {
         return;
       }
@@ -44,6 +49,18 @@ export class Keys {
     return inSight ? this.cursor : view.placeAt(view.size[0] / 2, view.size[1] / 2);
   }
 
+  /** Asks what moves at a place, or begins or ends a line there. */
+  enter(place, hears) {
+    const from = hears.cutting() ? this.from : null;
+    this.from = null;
+    if (!hears.cutting()) hears.clicked(...place);
+    else if (from) hears.line(from, place, true);
+    else {
+      this.from = place;
+      hears.line(place, place, false);
+    }
+  }
+
   middle(view) {
     return view.pixelAt(...this.place(view));
   }
@@ -56,5 +73,6 @@ export class Keys {
       Math.min(x1, Math.max(x0, x + dx * cells * unit)), Math.min(y1, Math.max(y0, y + dy * cells * unit)),
     ];
     hears.cursor(this.cursor);
+    if (this.from) hears.line(this.from, this.cursor, false);
   }
 }

@@ -12,7 +12,7 @@ import { Link } from './link.js';
 import { Marks } from './marks.js';
 import { Paint } from './paint.js';
 import { Panel } from './panel.js';
-import { fitted, MARGINS } from './place.js';
+import { fitted, makeRoom, MARGINS } from './place.js';
 import { Pointer } from './pointer.js';
 import { Save } from './save.js';
 import { Slice } from './slice.js';
@@ -173,7 +173,11 @@ function look() {
   if (!state.stale) grid.fit(view, tiles);
   const [x0, x1, y0, y1] = view.window;
   tiles.look(view, state.over ?? [(x0 + x1) / 2, (y0 + y1) / 2]);
-  axes.ask(state.scene.scene, view, EM, (sides) => { paint.hatch = sides.hatch; redraw(); });
+  axes.ask(state.scene.scene, view, EM, (sides) => {
+    paint.hatch = sides.hatch;
+    if (makeRoom(sides.y)) fit();
+    redraw();
+  });
   redraw();
   summary.count();
 }
@@ -269,17 +273,18 @@ function toggleCurves(on) {
   address.replace();
 }
 
-new Pointer(plane, view, MARGINS, {
-  moved, over, clicked: click, cutting: () => slice.active,
-  line: (from, to, done) => { slice.draw(from, to, done, state.scene.scene); redraw(); },
-});
-new Keys(plane, view, { moved, home, clicked: click, cursor: (place) => { state.cursor = place; redraw(); } });
+const cutting = () => slice.active;
+const line = (from, to, done) => { slice.draw(from, to, done, state.scene.scene); redraw(); };
+new Pointer(plane, view, MARGINS, { moved, over, clicked: click, cutting, line });
+new Keys(plane, view, { moved, home, clicked: click, cutting, line, cursor: (place) => { state.cursor = place; redraw(); } });
 addEventListener('keydown', (event) => { if (event.key === 'Escape') slice.close(); });
 
-new ResizeObserver(() => {
+/** The plot in the room that there is. */
+function fit() {
   view.size = fitted(plane, canvas, clip);
   paint.resize(view.size);
   look();
-}).observe(plane);
+}
+new ResizeObserver(fit).observe(plane);
 
 globalThis.explorer = { state, view, grid, tiles, paint, panel, link, curves, slice, save, shown };

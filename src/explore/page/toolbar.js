@@ -25,7 +25,7 @@ export class Toolbar {
       button('Whole plane', 'The whole plane (key 0)', null, home),
       button('Curves', inactive ? 'Curves need two parameters on the axes' : 'Bifurcation curves of what is in sight',
         curves.shown, () => toggleCurves(!curves.shown), inactive),
-      button('Slice', 'Drag a line: the bifurcation diagram along it', slice.active, () => {
+      button('Slice', 'Drag a line, or set its ends by Enter: the bifurcation diagram along it', slice.active, () => {
         slice.active = !slice.active;
         plane.classList.toggle('cutting', slice.active);
         this.show();

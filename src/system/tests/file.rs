@@ -188,7 +188,7 @@ fn plants_that_the_defaults_do_not_make() {
     };
     let overlap = with_order(second(-1, "\"-sigma - 0.5\""));
     assert_eq!((overlap.place.line, overlap.place.key.as_str()), (at + 3, "stop[2].gap"), "{overlap}");
-    assert!(overlap.to_string().contains("overlap by 0.5:"), "{overlap}");
+    assert!(overlap.to_string().contains("overlap by 0.5 along their line:"), "{overlap}");
     let behind = with_order(second(2, "1"));
     assert_eq!((behind.place.line, behind.place.key.as_str()), (at + 2, "stop[2].direction"), "{behind}");
 }

@@ -245,6 +245,14 @@ async fn own_systems_slices_layers_and_small_screens() {
     browser.drag(&[[60.0, 120.0], [200.0, 160.0], [330.0, 300.0]]).await;
     browser.until("a diagram", "document.querySelector('#slice svg')").await;
     browser.screenshot("1280x800-dark").await;
+    // So does one whose ends are set by keys; without its second end it gives none.
+    browser.run("explorer.slice.close()").await;
+    browser.type_on_plane(&Key::Enter.to_string()).await;
+    let moved = format!("{}{}{}", Key::Shift, Key::Right.to_string().repeat(25), Key::Null);
+    browser.type_on_plane(&moved).await;
+    assert_eq!(browser.run("return document.querySelector('#slice').hidden").await, json!(true));
+    browser.type_on_plane(&Key::Enter.to_string()).await;
+    browser.until("a diagram by keys", "document.querySelector('#slice svg')").await;
     browser.close().await;
 }
 
@@ -278,5 +286,27 @@ async fn curves_lie_over_the_plane_and_say_what_they_are() {
     assert_ne!(browser.run(first).await, before);
     browser.run(pressed).await;
     browser.until("no curves", "document.querySelectorAll('.curves .felt').length === 0").await;
+
+    // Those of a part say where they were followed once more than that is in sight.
+    browser.type_on_plane("0++").await;
+    browser.settled().await;
+    browser.run(pressed).await;
+    browser.until("curves of a part", "document.querySelectorAll('.curves .felt').length > 0").await;
+    let outlined = "return document.querySelectorAll('.curves .followed').length";
+    assert_eq!(browser.run(outlined).await, json!(0));
+    browser.type_on_plane("0").await;
+    browser.until("their part", "document.querySelectorAll('.curves .followed').length === 2").await;
+    browser.screenshot("part-1280x800").await;
+
+    // However long labels are, they stand apart from the title of their axis.
+    let apart = "const title = document.querySelectorAll('.axes .name')[1].getBoundingClientRect(); \
+         return [...document.querySelectorAll('.axes text[text-anchor=end]')].map((label) => label.getBoundingClientRect().left - title.right)";
+    let long = "Math.max(...[...document.querySelectorAll('.axes text[text-anchor=end]')].map((label) => label.textContent.length)) > 9";
+    browser.type_on_plane(&"+".repeat(40)).await;
+    browser.until("long labels", long).await;
+    browser.settled().await;
+    let gaps: Vec<f64> = serde_json::from_value(browser.run(apart).await).unwrap();
+    assert!(gaps.len() > 2 && gaps.iter().all(|gap| *gap > 0.0), "{gaps:?}");
+    browser.screenshot("deep-1280x800").await;
     browser.close().await;
 }
