@@ -10,7 +10,7 @@ const LEAST: u32 = 48;
 ///
 /// A trajectory is followed on from where its verdict left it: a periodic one for whole periods of its own, at least 48
 /// forcing periods or the observation, any other for as many forcing periods as the schedule observes.
-/// [`Extent::NONE`] where the verdict is a failure.
+/// [`Extent::NONE`] where the verdict is a failure. Jobs begin between the stops: none is inadmissible.
 ///
 /// # Errors
 /// What the back end could not do.

@@ -13,6 +13,9 @@ pub struct Summary<'a> {
     left_out: u64,
     /// Columns whose trajectory was given up.
     failed: usize,
+    /// Columns that would begin beyond a stop; only where there are some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inadmissible: Option<usize>,
     seconds: f64,
     /// The ranges in which the branches differ; only where there are two.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -24,12 +27,14 @@ pub struct Summary<'a> {
 impl<'a> Summary<'a> {
     pub fn new(diagram: &'a Diagram, seconds: f64) -> Self {
         let traces = || diagram.branches.iter().flat_map(|branch| &branch.traces);
+        let of = |regime| traces().filter(|trace| trace.verdict.regime == regime).count();
         Summary {
             columns: diagram.spec.x.count,
             branches: diagram.branches.iter().map(|branch| branch.direction.name()).collect(),
             points: traces().map(|trace| trace.readings.len()).sum(),
             left_out: diagram.left_out(),
-            failed: traces().filter(|trace| trace.verdict.regime == Regime::Failed).count(),
+            failed: of(Regime::Failed),
+            inadmissible: Some(of(Regime::Inadmissible)).filter(|&columns| columns > 0),
             seconds,
             coexistence: (diagram.branches.len() == 2).then(|| diagram.coexistence()),
             backend: &diagram.provenance.backend,
@@ -49,6 +54,9 @@ impl<'a> Summary<'a> {
         }
         if self.failed > 0 {
             lines.push(format!("{} given up: too many impacts in one forcing period", columns(self.failed)));
+        }
+        if let Some(inadmissible) = self.inadmissible {
+            lines.push(format!("{} would begin beyond a stop", columns(inadmissible)));
         }
         let name = diagram.spec.x.quantity.name();
         for range in self.coexistence.iter().flatten() {

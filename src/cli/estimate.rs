@@ -42,7 +42,7 @@ pub const WORTH_SAYING: Duration = Duration::from_secs(10);
 /// Says how long a plane will take on a back end, if that is long.
 pub fn of_plane<T: Swept>(what: &str, plane: &Plane<T>, backend: &dyn Backend) -> Result<()> {
     of_cells(what, [plane.x.count, plane.y.count], backend, |cells, watch| {
-        sample(plane, backend, cells, watch).map(drop).map_err(CliError::from)
+        sample(plane, backend, cells, watch).map(|found| found.len()).map_err(CliError::from)
     })
 }
 
@@ -50,7 +50,7 @@ fn of_cells(
     what: &str,
     [columns, rows]: [u32; 2],
     backend: &dyn Backend,
-    compute: impl Fn(&[u64], &dyn Watch) -> Result<()>,
+    compute: impl Fn(&[u64], &dyn Watch) -> Result<usize>,
 ) -> Result<()> {
     let all = u64::from(columns) * u64::from(rows);
     if all < FEWEST {
@@ -66,7 +66,11 @@ fn of_cells(
     if backend.name() != "cpu" {
         // A shader is compiled once, however many cells there are; drivers take seconds for it, or minutes.
         let _waiting = Progress::of_unknown("compiling the kernel");
-        compute(&cells[..1], &interrupt::Interruptible)?;
+        for cell in cells.chunks(1) {
+            if compute(cell, &interrupt::Interruptible)? > 0 {
+                break;
+            }
+        }
     }
     let began = Instant::now();
     let mut measured = 0;
@@ -81,7 +85,7 @@ fn of_cells(
             ));
         };
         let began_with_these = Instant::now();
-        let Some(()) = before(DEADLINE, announce, |watch| compute(some, watch))? else { return Ok(()) };
+        let Some(_) = before(DEADLINE, announce, |watch| compute(some, watch))? else { return Ok(()) };
         measured += some.len();
         estimate = time_of_all(began_with_these.elapsed());
         // The next part is at least twice as large.

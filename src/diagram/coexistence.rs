@@ -101,9 +101,9 @@ fn name(verdict: &Verdict) -> String {
 }
 
 fn differ(a: &Trace, b: &Trace, tolerance: f64) -> bool {
-    use crate::analysis::Regime::{Failed, NoImpact, Unresolved};
+    use crate::analysis::Regime::{Failed, Inadmissible, NoImpact, Unresolved};
     let regular = |trace: &Trace| trace.verdict.regime.is_periodic() || trace.verdict.regime == NoImpact;
-    let unknown = |trace: &Trace| matches!(trace.verdict.regime, Unresolved | Failed);
+    let unknown = |trace: &Trace| matches!(trace.verdict.regime, Unresolved | Failed | Inadmissible);
     if unknown(a) || unknown(b) {
         return false;
     }

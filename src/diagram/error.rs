@@ -2,7 +2,6 @@
 
 use thiserror::Error;
 
-use super::sweep::Direction;
 use crate::analysis::ScheduleError;
 use crate::model::{Number, ParameterError};
 use crate::plane::{AxisError, StartError};
@@ -63,10 +62,10 @@ pub enum DiagramError {
     #[error("no column begins between its stops: of the first, {0}; choose starts within the gaps")]
     Nowhere(StartError),
     /// The column that a sweep begins with would begin beyond a stop.
-    #[error("the sweep {} begins at {axis} = {}, where {why}; choose --start within the gap there", direction.name(), Number(*value))]
+    #[error("the sweep {} begins at {axis} = {}, where {why}; choose --start within the gap there", direction, Number(*value))]
     Beyond {
         /// Which sweep.
-        direction: Direction,
+        direction: &'static str,
         /// What the axis varies.
         axis: &'static str,
         /// Its value there.

@@ -77,7 +77,12 @@ impl DiagramSpec {
         for &direction in self.sweep.branches() {
             let column = self.x.order(direction == Direction::Down)[0];
             let (axis, value) = (self.x.quantity.name(), self.x.value(column));
-            self.check_start(column).map_err(|why| DiagramError::Beyond { direction, axis, value, why })?;
+            self.check_start(column).map_err(|why| DiagramError::Beyond {
+                direction: direction.name(),
+                axis,
+                value,
+                why,
+            })?;
         }
         Ok(())
     }

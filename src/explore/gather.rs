@@ -31,7 +31,7 @@ pub fn map(
         return Err(refused(format!("{columns} × {rows} cells are too many: at most {most}")).into());
     }
     let plane = window.plane(&scene.plane).map_err(because)?;
-    plane.check().map_err(because)?;
+    plane.check_ranges().map_err(because)?;
     let cells: Vec<Cell> = (window.rows[0]..=window.rows[1])
         .flat_map(|j| (window.columns[0]..=window.columns[1]).map(move |i| Cell { z: window.z, i, j }))
         .collect();

@@ -59,7 +59,7 @@ pub fn layers(family: &Family) -> Value {
     json!(listed.collect::<Vec<_>>())
 }
 
-/// The numbers of a tile's cells, row by row; NaN where there is no such system, and everywhere without a layer.
+/// The numbers of a tile's cells, row by row; NaN where there is no such system or it does not begin, and everywhere without a layer.
 pub fn numbers(layer: Option<Layer>, cells: &Cells, extents: Option<&Extents>, family: &Family) -> Vec<f32> {
     let Some(layer) = layer else { return vec![f32::NAN; cells.len()] };
     let extent = |at: usize| extents.map(|all| all[at]);

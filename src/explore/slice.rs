@@ -13,7 +13,6 @@ use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, Sweep};
 use crate::plane::{Axis, Inadmissible, Quantity};
 use crate::render::slice_figure;
 use crate::sweep::{SweepError, provenance, traces};
-use crate::theory::confirmed;
 
 /// Forcing periods for which a column is observed.
 const OBSERVE: u32 = 150;
@@ -41,7 +40,7 @@ impl Line {
         let axes = [scene.plane.x, scene.plane.y];
         let reach = |k: usize| (to[k] - from[k]).abs() / f64::from(axes[k].count);
         if !from.iter().chain(&to).all(|at| at.is_finite()) || reach(0).max(reach(1)) < 1e-9 {
-            return Err(refused("the line has no length: drag it from one place to another"));
+            return Err(refused("the line has no length: draw it from one place to another"));
         }
         let (over, other) = if reach(0) >= reach(1) { (0, 1) } else { (1, 0) };
         let share = |i: u32| f64::from(i) / f64::from(columns - 1);
@@ -55,12 +54,16 @@ impl Line {
         };
         let begun: Option<Vec<Result<Job, Inadmissible>>> = (0..columns).map(job).collect();
         let nowhere = || refused("a part of the line has no such system: keep it off the edge");
+        let begun = begun.ok_or_else(nowhere)?;
+        if begun.iter().all(Result::is_err) {
+            return Err(refused("the whole line begins beyond a stop: draw it where motions begin"));
+        }
         let ends = [at(other, 0), at(other, columns - 1)];
-        Ok(Line { axis, other: (axes[other].quantity, ends), begun: begun.ok_or_else(nowhere)? })
+        Ok(Line { axis, other: (axes[other].quantity, ends), begun })
     }
 
     /// The diagram of its columns, which begin as the plane's cells do.
-    fn diagram(&self, scene: &Scene, task: &Task) -> Result<Diagram, Ended> {
+    fn diagram(self, scene: &Scene, task: &Task) -> Result<Diagram, Ended> {
         let plane = &scene.plane;
         let spec = DiagramSpec {
             x: self.axis,
@@ -74,14 +77,10 @@ impl Line {
         };
         let watch = task.at("computing the diagram", self.begun.len() as u64);
         let backend = scene.computing.backend;
-        let mut traces = traces(self.begun.clone(), &spec, backend, &watch).map_err(|error| match error {
+        let traces = traces(self.begun, &spec, backend, &watch).map_err(|error| match error {
             SweepError::Backend(BackendError::Cancelled) => Ended::Cancelled,
             error => because(error).into(),
         })?;
-        for (trace, begun) in traces.iter_mut().zip(&self.begun) {
-            let Ok(job) = begun else { continue };
-            trace.verdict = confirmed(&job.system, &trace.verdict).unwrap_or(trace.verdict);
-        }
         if watch.cancelled() {
             return Err(Ended::Cancelled);
         }
@@ -105,8 +104,9 @@ pub fn slice(
     task: &Task,
 ) -> Result<(), Ended> {
     let line = Line::between(scene, from, to, columns)?;
+    let other = line.other;
     let diagram = line.diagram(scene, task)?;
-    let mut figure = slice_figure(&diagram, line.other.0, line.other.1);
+    let mut figure = slice_figure(&diagram, other.0, other.1);
     let width = width.clamp(360, 2400);
     // The text size of the page.
     figure.width = (f64::from(width) / EM).max(30.0);

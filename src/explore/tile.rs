@@ -19,7 +19,7 @@ pub const CELL: usize = 2 + 2 + 4 + 4 + 4;
 /// The cells of a tile, row by row, the lowest row first; none where there is no such system.
 pub type Cells = Vec<Option<Verdict>>;
 
-/// How far the motions of a tile's cells go, in the same order; [`Extent::NONE`] where there is no such system.
+/// How far the motions of a tile's cells go, in the same order; [`Extent::NONE`] where there is no such system, or it does not begin.
 pub type Extents = Vec<Extent>;
 
 /// A tile's message: the header, then one array per field, all little-endian; see the protocol.

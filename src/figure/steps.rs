@@ -19,14 +19,16 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// The value at index `i`; the ends are exact.
+    /// The value at index `i`; the ends are exact, and so is 0 where it is one of equal steps.
     pub fn value(&self, i: u32) -> f64 {
-        if i + 1 == self.count {
-            return self.last;
-        }
         match self.spacing {
+            _ if i == 0 => self.first,
+            _ if i + 1 == self.count => self.last,
             Spacing::Linear => {
-                self.first + (self.last - self.first) * f64::from(i) / f64::from(self.count - 1)
+                let value = self.first + (self.last - self.first) * f64::from(i) / f64::from(self.count - 1);
+                // What is left of it by rounding alone is nothing.
+                let rounding = 4.0 * f64::EPSILON * self.first.abs().max(self.last.abs());
+                if value.abs() <= rounding { 0.0 } else { value }
             }
             Spacing::Log => self.at(f64::from(i)),
         }
@@ -50,5 +52,25 @@ impl Steps {
     /// All values, in order.
     pub fn values(&self) -> Vec<f64> {
         (0..self.count).map(|i| self.value(i)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ends_and_zero_are_exact() {
+        let steps = |first, last, count| Steps { first, last, count, spacing: Spacing::Linear };
+        for (first, last, count, zero) in
+            [(-0.1, 0.5, 7, 1), (-0.3, 0.4, 8, 3), (0.9, -0.3, 13, 9), (-1e-9, 2e-9, 4, 1)]
+        {
+            let values = steps(first, last, count).values();
+            assert_eq!((values[0], values[zero], *values.last().unwrap()), (first, 0.0, last));
+            assert!(values.iter().enumerate().all(|(i, value)| (*value == 0.0) == (i == zero)), "{values:?}");
+        }
+        // Unrounded it would be something else.
+        assert_ne!(-0.1 + (0.5 + 0.1) / 6.0, 0.0);
+        assert_eq!(steps(1e-18, 1.0, 2).value(0), 1e-18, "an end is what was given");
     }
 }

@@ -6,8 +6,8 @@ use std::str::FromStr;
 use derive_more::Display;
 use thiserror::Error;
 
+use super::some_cells::some_cells;
 use super::spec::Plane;
-use super::spread::spread;
 use super::start::Start;
 use super::window::{Tiling, Window};
 use crate::model::System;
@@ -63,10 +63,10 @@ fn beginning(plane: &Plane, window: Window) -> [u64; 2] {
     }
     let columns = window.column..window.column + window.columns;
     let rows = window.row..window.row + window.rows;
-    let looked_at: Vec<(u32, u32)> = spread(columns, rows, ALONG).collect();
+    let looked_at: Vec<(u32, u32)> = some_cells(columns, rows, ALONG).collect();
     let begins = |&(column, row): &(u32, u32)| {
         let plant = plane.parameters_at(column, row).plant();
-        plant.is_ok_and(|plant| plane.start_at(column, row).check(&plant, plane.parameters.family()).is_ok())
+        plant.is_ok_and(|plant| plane.start_at(column, row).begins(&plant))
     };
     [looked_at.len() as u64, looked_at.iter().filter(|cell| begins(cell)).count() as u64]
 }

@@ -6,7 +6,7 @@ use super::axis::Axis;
 use super::axis_error::AxisError;
 use super::error::PlaneError;
 use super::quantity::Quantity;
-use super::spread::spread;
+use super::some_cells::some_cells;
 use super::start::Start;
 use super::task::{Control, LARGEST_AT_ONCE, Task};
 use super::written::{WrittenAxis, WrittenParameters, WrittenSystem, parameters, setting};
@@ -15,9 +15,10 @@ use crate::control::Scheme;
 use crate::model::{Setting, StateVector};
 use crate::system::Family;
 
-/// Of so many columns and rows at most it is looked whether a start lies between the stops; smaller planes have all their cells
-/// looked at.
-const STARTS_ALONG: u32 = 1024;
+/// Of so many columns and rows it is looked first whether any start lies between the stops …
+const FEW_ALONG: u32 = 16;
+/// … then of so many; of larger planes it is found out when they are computed.
+const MOST_ALONG: u32 = 1024;
 
 /// A plane of parameter pairs (or of start components, or of settings of a control method), cell by cell in rows of equal y,
 /// of each of which the same is asked: a [`Task`], or nothing (`()`) where only the plane itself matters.
@@ -55,11 +56,20 @@ impl Plane<Control> {
 }
 
 impl<T: Task> Plane<T> {
-    /// Checks that every cell can be computed: ranges, distinct axes, size, what is asked, and starts.
+    /// Checks that the plane can be computed: what [`Plane::check_ranges`] does, and that something begins on it.
     ///
     /// # Errors
     /// The first thing that cannot be used, with its value and the remedy.
     pub fn check(&self) -> Result<(), PlaneError> {
+        self.check_ranges()?;
+        self.check_starts()
+    }
+
+    /// Checks ranges, distinct axes, size, and what is asked.
+    ///
+    /// # Errors
+    /// The first thing that cannot be used, with its value and the remedy.
+    pub fn check_ranges(&self) -> Result<(), PlaneError> {
         if self.x.quantity == self.y.quantity {
             return Err(PlaneError::SameAxis(self.x.quantity.name()));
         }
@@ -71,7 +81,10 @@ impl<T: Task> Plane<T> {
         }
         self.task.check([&self.x, &self.y])?;
         self.parameters.check()?;
-        self.check_starts()
+        if self.start == Start::Symmetric && self.varies_start() {
+            return Err(PlaneError::SymmetricStartVaried);
+        }
+        Ok(self.start.fits(self.parameters.family())?)
     }
 }
 
@@ -91,24 +104,30 @@ impl<T> Plane<T> {
         Plane { x, y, parameters, start, task }
     }
 
+    fn varies_start(&self) -> bool {
+        [&self.x, &self.y].iter().any(|axis| matches!(axis.quantity, Quantity::Start(_)))
+    }
+
     fn check_starts(&self) -> Result<(), PlaneError> {
-        let axes = [&self.x, &self.y];
-        let varies_start = |axis: &&Axis| matches!(axis.quantity, Quantity::Start(_));
-        if self.start == Start::Symmetric && axes.iter().any(varies_start) {
-            return Err(PlaneError::SymmetricStartVaried);
-        }
-        self.start.fits(self.parameters.family())?;
         let Start::State(_) = self.start_at(0, 0) else { return Ok(()) };
         // Cells that begin beyond a stop are inadmissible; a plane of nothing else is a mistake.
-        let mut refused = None;
-        for (column, row) in spread(0..self.x.count, 0..self.y.count, STARTS_ALONG) {
-            let Ok(plant) = self.parameters_at(column, row).plant() else { continue };
-            match self.start_at(column, row).check(&plant, self.parameters.family()) {
-                Ok(()) => return Ok(()),
-                Err(why) => refused = refused.or(Some(why)),
+        let varies_plant =
+            [&self.x, &self.y].iter().any(|axis| matches!(axis.quantity, Quantity::Parameter(_)));
+        let same = if varies_plant { None } else { self.parameters.plant().ok() };
+        let begins = |(column, row): (u32, u32)| match &same {
+            Some(plant) => self.start_at(column, row).begins(plant),
+            None => {
+                let plant = self.parameters_at(column, row).plant();
+                plant.map_or(true, |plant| self.start_at(column, row).begins(&plant))
             }
+        };
+        let some = |along: u32| some_cells(0..self.x.count, 0..self.y.count, along);
+        if some(FEW_ALONG).chain(some(MOST_ALONG)).any(begins) || self.x.count.max(self.y.count) > MOST_ALONG
+        {
+            return Ok(());
         }
-        refused.map_or(Ok(()), |first| Err(PlaneError::Nowhere(first)))
+        let Ok(plant) = self.parameters_at(0, 0).plant() else { return Ok(()) };
+        self.start_at(0, 0).check(&plant, self.parameters.family()).map_err(PlaneError::Nowhere)
     }
 
     /// The cells on its border; corners come twice.

@@ -32,9 +32,10 @@ pub enum Start {
 impl Start {
     /// The state (x1 … xn, v1 … vn) that a trajectory of this system begins with, at forcing phase 0; non-dimensional.
     ///
-    /// Rest is the origin, moved onto a stop beyond which it would lie.
+    /// Rest is the origin, moved onto a stop beyond which it would lie. A given state is moved so by what rounding has put it
+    /// beyond a stop; one that lies farther beyond is what it is.
     pub fn state(&self, system: &System) -> StateVector {
-        self.state_by(system, &mut SymmetricStarts::default())
+        self.begun_by(system, &mut SymmetricStarts::default()).unwrap_or_else(|Inadmissible(state)| state)
     }
 
     /// The same of one system after the other, where nothing stands in the way of the start.
@@ -46,32 +47,32 @@ impl Start {
         system: &System,
         symmetric: &mut SymmetricStarts,
     ) -> Result<StateVector, Inadmissible> {
-        match *self {
-            Start::State(state) if system.stops().any(|(d, stop)| is_beyond(d, stop.gap, &state)) => {
-                Err(Inadmissible(state))
-            }
-            _ => Ok(self.state_by(system, symmetric)),
-        }
-    }
-
-    /// The same of a start that is known to lie between the stops.
-    pub fn state_by(&self, system: &System, symmetric: &mut SymmetricStarts) -> StateVector {
         let rest = || {
             let origin = StateVector::zeros(system.coordinates());
             let is_between = system.stops().all(|(_, stop)| stop.gap >= 0.0);
             if is_between { origin } else { system.between_stops(origin) }
         };
         match *self {
-            Start::Rest => rest(),
+            Start::Rest => Ok(rest()),
             Start::Symmetric => {
-                symmetric.of(system).and_then(|state| StateVector::from_slice(&state)).unwrap_or_else(rest)
+                let found = symmetric.of(system).and_then(|state| StateVector::from_slice(&state));
+                Ok(found.unwrap_or_else(rest))
             }
-            // Values of an axis are rounded: what they put on a stop may lie beyond it by that.
-            Start::State(state) if system.stops().any(|(d, stop)| along(d, &state) > stop.gap) => {
-                system.between_stops(state)
+            Start::State(state) => {
+                let places = system.stops().map(|(direction, stop)| Place::of(&state, direction, stop.gap));
+                match places.max().unwrap_or(Place::Between) {
+                    Place::Between => Ok(state),
+                    Place::Rounded => Ok(system.between_stops(state)),
+                    Place::Beyond => Err(Inadmissible(state)),
+                }
             }
-            Start::State(state) => state,
         }
+    }
+
+    /// Whether a motion of a plant begins with it.
+    pub fn begins(&self, plant: &Plant) -> bool {
+        let Start::State(state) = self else { return true };
+        plant.stops.iter().all(|stop| Place::of(state, &stop.direction, stop.gap) < Place::Beyond)
     }
 
     /// The start that is really taken: rest where there is no symmetric motion to begin on.
@@ -103,8 +104,8 @@ impl Start {
         self.fits(family)?;
         let Start::State(state) = *self else { return Ok(()) };
         for (number, stop) in plant.stops.iter().enumerate() {
-            let place = along(&stop.direction, &state);
-            if is_beyond(&stop.direction, stop.gap, &state) {
+            if Place::of(&state, &stop.direction, stop.gap) == Place::Beyond {
+                let place = along(&stop.direction, &state);
                 let met = family.stop_place(number);
                 let along = met.to_string();
                 let along = along.split_once(" = ").map_or("d·x", |(along, _)| along);
@@ -128,10 +129,25 @@ fn along(direction: &DVector<f64>, state: &StateVector) -> f64 {
     direction.iter().zip(state.iter()).map(|(d, x)| d * x).sum()
 }
 
-/// Whether a state lies beyond a stop, and not by rounding alone.
-fn is_beyond(direction: &DVector<f64>, gap: f64, state: &StateVector) -> bool {
-    let size: f64 = direction.iter().zip(state.iter()).map(|(d, x)| (d * x).abs()).sum();
-    along(direction, state) - gap > ROUNDING * (size + gap.abs())
+/// Where a state lies at a stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    Between,
+    /// Beyond the stop by rounding: it stands for one that lies on it.
+    Rounded,
+    Beyond,
+}
+
+impl Place {
+    fn of(state: &StateVector, direction: &DVector<f64>, gap: f64) -> Self {
+        let excess = along(direction, state) - gap;
+        let size: f64 = direction.iter().zip(state.iter()).map(|(d, x)| (d * x).abs()).sum();
+        match excess {
+            excess if excess <= 0.0 => Place::Between,
+            excess if excess <= ROUNDING * (size + gap.abs()) => Place::Rounded,
+            _ => Place::Beyond,
+        }
+    }
 }
 
 /// A state (x1 … xn, v1 … vn) that lies beyond a stop, so that no motion begins there; non-dimensional.

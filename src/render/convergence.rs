@@ -19,7 +19,8 @@ const AT_ONCE: Colour = Rgb([255; 3]);
 
 /// Draws how many iterates each cell of a plane took from switching control on until its points kept returning.
 ///
-/// Cells whose points returned from the first one on, and those that did not come to return, have colours of their own.
+/// Cells whose points returned from the first one on, those that did not come to return, and those that would begin beyond a stop
+/// have colours of their own.
 pub fn convergence_map(map: &RegionMap<Control>, size: Size) -> Picture {
     let sheet = Sheet {
         frame: frame_of(&map.plane),

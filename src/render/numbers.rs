@@ -47,10 +47,13 @@ pub fn draw_numbers(of: &PlanePicture, overlay: Option<&Overlay>, size: Size) ->
     sheet.draw(size, overlay, |extent| {
         let across = extent.map(|length| length as usize);
         let values = means(of.cells, of.window, &of.layer, across)?;
-        let regime = |code: u8| most(of.cells, of.window, &CELL_FIELDS[0], code.into(), across);
+        let codes = [NOT_COMPUTED, Regime::Inadmissible.code()].map(u32::from);
+        let regimes = most(of.cells, of.window, &CELL_FIELDS[0], codes, across)?;
+        let [not_there, inadmissible] =
+            codes.map(|code| regimes.iter().map(|&regime| regime == Some(code)).collect());
         let apart = vec![
-            Apart { which: regime(NOT_COMPUTED)?, paint: NOT_THERE, name: "not computed" },
-            Apart::inadmissible(regime(Regime::Inadmissible.code())?),
+            Apart { which: not_there, paint: NOT_THERE, name: "not computed" },
+            Apart::inadmissible(inadmissible),
         ];
         let palette = of.palette.unwrap_or_else(|| Palette::suiting(drawn.spread));
         let bar = Bar::of(&values, drawn.spread, of.range, palette);

@@ -73,7 +73,7 @@ pub fn certify_window(
         .collect();
     watch.check()?;
     let by_neighbours: Vec<(usize, Certified)> = {
-        let open = open(&before, &found);
+        let open = open(jobs, &before, &found);
         let around =
             Around { plane, window, found: &found, beyond: beyond(plane, window, &open, backend, watch)? };
         let certified =
@@ -83,7 +83,7 @@ pub fn certify_window(
     for (cell, certified) in by_neighbours {
         found[cell] = Some(certified);
     }
-    let left = open(&before, &found);
+    let left = open(jobs, &before, &found);
     let again = reexamined(&left, jobs, &before, schedule, backend, watch)?;
     for (&cell, verdict) in left.iter().zip(&again) {
         found[cell] = by_itself(begun(jobs, cell), verdict);
@@ -97,14 +97,15 @@ pub fn certify_window(
     Ok((found.into_iter().map(|cell| Some(cell?.multipliers)).collect(), counts))
 }
 
-/// The job of a cell that something is known of.
+/// The job of a cell that is open.
 fn begun(jobs: &[Begun], cell: usize) -> &Job {
-    jobs[cell].as_ref().expect("only what begins has a motion")
+    jobs[cell].as_ref().expect("only what begins is open")
 }
 
 /// Periodic cells that are not certified.
-fn open(verdicts: &[Verdict], found: &[Option<Certified>]) -> Vec<usize> {
-    (0..verdicts.len()).filter(|&i| verdicts[i].regime.is_periodic() && found[i].is_none()).collect()
+fn open(jobs: &[Begun], verdicts: &[Verdict], found: &[Option<Certified>]) -> Vec<usize> {
+    let is_open = |&i: &usize| jobs[i].is_ok() && verdicts[i].regime.is_periodic() && found[i].is_none();
+    (0..verdicts.len()).filter(is_open).collect()
 }
 
 /// The orbit that the cell's own end state leads to.

@@ -26,15 +26,11 @@ pub fn diagram(spec: &DiagramSpec, backend: &dyn Backend, watch: &dyn Watch) -> 
         (0..spec.x.count).map(|column| System::new(spec.parameters_at(column))).collect::<Result<_, _>>()?;
     let branches: Vec<Branch> = (spec.sweep.branches().par_iter())
         .map(|&direction| {
-            let mut traces = match direction {
+            let traces = match direction {
                 Direction::Each => each(spec, &systems, backend, watch)?,
                 Direction::Down => carried(spec, &systems, true, watch)?,
                 Direction::Up => carried(spec, &systems, false, watch)?,
             };
-            // Slow spirals and alternations are held against the exact motion.
-            for (trace, system) in traces.iter_mut().zip(&systems) {
-                trace.verdict = confirmed(system, &trace.verdict).unwrap_or(trace.verdict);
-            }
             Ok(Branch { direction, traces, spectrum: None })
         })
         .collect::<Result<_>>()?;
@@ -78,6 +74,7 @@ pub fn traces(
             watch.check()?;
             traces.extend(backend.trace(tile, &spec.schedule, spec.probe, spec.capacity, watch)?);
         }
+        confirm(&mut traces, jobs.iter().map(|job| &job.system));
         Ok(traces)
     };
     let nothing = |start| Trace {
@@ -105,7 +102,16 @@ fn carried(spec: &DiagramSpec, systems: &[System], falling: bool, watch: &dyn Wa
         traces[column as usize] = Some(trace);
         watch.finished(1);
     }
-    Ok(traces.into_iter().flatten().collect())
+    let mut traces: Vec<Trace> = traces.into_iter().flatten().collect();
+    confirm(&mut traces, systems.iter());
+    Ok(traces)
+}
+
+/// Slow spirals and alternations are held against the exact motion.
+fn confirm<'a>(traces: &mut [Trace], systems: impl Iterator<Item = &'a System>) {
+    for (trace, system) in traces.iter_mut().zip(systems) {
+        trace.verdict = confirmed(system, &trace.verdict).unwrap_or(trace.verdict);
+    }
 }
 
 fn with_spectra(

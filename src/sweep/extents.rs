@@ -2,7 +2,7 @@
 
 use super::Result;
 use super::map::{of_begun, window_jobs};
-use crate::analysis::{Extent, Regime, Verdict};
+use crate::analysis::{Extent, Verdict};
 use crate::backend::{self, Backend, Silent, Watch};
 use crate::plane::{Plane, RegionMap, Window};
 
@@ -34,8 +34,12 @@ pub(super) fn window_extents(
         let part =
             Window { row: window.row + (k * rows) as u32, rows: (verdicts.len() / columns) as u32, ..window };
         let begun = window_jobs(plane, &[part])?;
-        let of_these: Vec<Verdict> =
-            verdicts.iter().filter(|verdict| verdict.regime != Regime::Inadmissible).copied().collect();
+        let of_these: Vec<Verdict> = verdicts
+            .iter()
+            .zip(&begun)
+            .filter(|(_, begun)| begun.is_ok())
+            .map(|(verdict, _)| *verdict)
+            .collect();
         extents.extend(of_begun(
             begun,
             |jobs| Ok(backend::extents(backend, jobs, &of_these, &plane.task, &Silent(watch))?),

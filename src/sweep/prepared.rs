@@ -6,7 +6,7 @@ use parking_lot::Mutex;
 use rustc_hash::FxHashMap;
 
 use super::preparing::made;
-use super::swept::{Asked, Swept};
+use super::swept::{Swept, Without};
 use super::{Result, SweepError};
 use crate::model::{Flows, StateVector};
 use crate::plane::Plane;
@@ -29,38 +29,38 @@ impl<J: Send + Sync> Prepared<J> {
     /// # Errors
     /// What stands in the way of all of them.
     pub fn of<T: Swept<Job = J>>(plane: &Plane<T>, cells: &[u64], flows: &Flows) -> Result<Self> {
-        let (some_have_none, refused) = (AtomicBool::new(false), Mutex::new(FxHashMap::default()));
+        let (some_have_none, without) = (AtomicBool::new(false), Mutex::new(FxHashMap::default()));
         let found = made(plane, cells, flows, |preparing, cell| {
-            let asked = preparing.asked_of(cell).unwrap_or_else(|why| {
-                refused.lock().insert(cell, why);
-                Asked::Nothing
+            let job = preparing.asked_of(cell).unwrap_or_else(|why| {
+                without.lock().insert(cell, why);
+                None
             });
-            if !matches!(asked, Asked::Job(_)) {
+            if job.is_none() {
                 some_have_none.store(true, Ordering::Relaxed);
             }
-            asked
+            job
         });
         // As a rule every cell has a job; then the jobs stay where they are.
-        let (mut refused, count) = (refused.into_inner(), cells.len());
+        let (mut without, count) = (without.into_inner(), cells.len());
         if !some_have_none.into_inner() {
-            let jobs = found.into_iter().map(|asked| asked.job().expect("every cell was seen to have one"));
+            let jobs = found.into_iter().map(|job| job.expect("every cell was seen to have one"));
             let (jobs, places) = (jobs.collect(), (0..count as u32).collect());
             return Ok(Prepared { jobs, places, inadmissible: Vec::new(), missing: None });
         }
         let (mut jobs, mut places) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let (mut inadmissible, mut missing) = (Vec::new(), None);
-        for ((place, &cell), asked) in (0..).zip(cells).zip(found) {
-            match (asked, refused.remove(&cell)) {
-                (Asked::Job(job), _) => {
+        for ((place, &cell), job) in (0..).zip(cells).zip(found) {
+            match (job, without.remove(&cell)) {
+                (Some(job), _) => {
                     jobs.push(job);
                     places.push(place);
                 }
-                (Asked::Inadmissible(start), _) => inadmissible.push((place, start)),
-                (Asked::Nothing, Some(why)) if why.is_of_one_cell() => {
+                (None, Some(Without::Inadmissible(start))) => inadmissible.push((place, start)),
+                (None, Some(Without::Refused(why))) if why.is_of_one_cell() => {
                     missing.get_or_insert(why);
                 }
-                (Asked::Nothing, Some(why)) => return Err(why),
-                (Asked::Nothing, None) => {}
+                (None, Some(Without::Refused(why))) => return Err(why),
+                (None, None) => {}
             }
         }
         Ok(Prepared { jobs, places, inadmissible, missing })

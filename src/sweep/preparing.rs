@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::Result;
 use super::order::{goes_by_column, has_flows_by_cell};
-use super::swept::{Asked, Swept};
+use super::swept::{Swept, Without};
 use crate::backend::Job;
 use crate::model::{Flows, Setting, System, SystemError};
 use crate::plane::{Inadmissible, Plane};
@@ -64,16 +64,15 @@ impl<'a, T> Preparing<'a, T> {
 }
 
 impl<T: Swept> Preparing<'_, T> {
-    /// What a back end is given for a cell, counted row by row.
+    /// What a back end is given for a cell, counted row by row; nothing where there is nothing to do.
     ///
     /// # Errors
-    /// What cannot be used.
-    pub fn asked_of(&mut self, cell: u64) -> Result<Asked<T::Job>> {
+    /// What cannot be used, or does not begin.
+    pub fn asked_of(&mut self, cell: u64) -> Result<Option<T::Job>, Without> {
         let at = column_and_row(self.plane, cell);
-        match self.job_at(at)? {
-            Ok(job) => Ok(T::job(self.plane, at, job)?.map_or(Asked::Nothing, Asked::Job)),
-            Err(Inadmissible(start)) => Ok(Asked::Inadmissible(start)),
-        }
+        let begun = self.job_at(at).map_err(|error| Without::Refused(error.into()))?;
+        let job = begun.map_err(|Inadmissible(start)| Without::Inadmissible(start))?;
+        T::job(self.plane, at, job).map_err(Without::Refused)
     }
 }
 

@@ -1,8 +1,8 @@
 //! Some cells spread over a plane, computed alone, from which the cost of the whole plane is estimated.
 
+use super::Result;
 use super::preparing::made_in_order;
-use super::swept::{Asked, Swept};
-use super::{Result, SweepError};
+use super::swept::{Swept, Without};
 use crate::backend::{Backend, Watch};
 use crate::plane::Plane;
 
@@ -52,8 +52,10 @@ pub fn sample<T: Swept>(
         plane.cells()
     );
     let jobs: Result<Vec<_>, _> = made_in_order(plane, cells, |preparing, cell| preparing.asked_of(cell))
-        .filter(|asked| !asked.as_ref().is_err_and(SweepError::is_of_one_cell))
-        .filter_map(|asked| asked.map(Asked::job).transpose())
+        .filter_map(|asked| match asked {
+            Err(Without::Refused(why)) if !why.is_of_one_cell() => Some(Err(why)),
+            asked => asked.ok().flatten().map(Ok),
+        })
         .collect();
     Ok(plane.task.run(backend, &jobs?, watch)?)
 }

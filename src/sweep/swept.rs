@@ -1,30 +1,18 @@
 //! How back ends do what is asked of a cell.
 
-use super::Result;
+use super::{Result, SweepError};
 use crate::analysis::{Schedule, Verdict};
 use crate::backend::{self, Backend, ControlJob, Doubts, Job, Watch, confirmed_by, decide};
 use crate::model::StateVector;
 use crate::plane::{Control, Plane, Task};
 
-/// What there is to do for a cell.
-#[derive(Clone, Debug)]
-pub(super) enum Asked<J> {
-    /// What a back end is given.
-    Job(J),
-    /// Nothing.
-    Nothing,
+/// Why a back end is given nothing for a cell.
+#[derive(Debug)]
+pub(super) enum Without {
     /// It would begin beyond a stop, with (x1 … xn, v1 … vn): no motion begins there.
     Inadmissible(StateVector),
-}
-
-impl<J> Asked<J> {
-    /// What a back end is given, if anything.
-    pub fn job(self) -> Option<J> {
-        match self {
-            Asked::Job(job) => Some(job),
-            Asked::Nothing | Asked::Inadmissible(_) => None,
-        }
-    }
+    /// It cannot be used.
+    Refused(SweepError),
 }
 
 /// A task that back ends do.

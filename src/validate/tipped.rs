@@ -41,7 +41,9 @@ pub fn tipped(
 ) -> Result<BTreeSet<usize>, SweepError> {
     assert_eq!(reference.plane, candidate.plane, "only maps of the same plane can be compared");
     let pairs = reference.verdicts.iter().zip(&candidate.verdicts).enumerate();
-    let differing = pairs.filter(|(_, (ours, theirs))| !same_label(ours, theirs)).map(|(index, _)| index);
+    // What does not begin is decided by no rounding of a motion.
+    let differs = |ours: &Verdict, theirs| ours.regime != Regime::Inadmissible && !same_label(ours, theirs);
+    let differing = pairs.filter(|(_, (ours, theirs))| differs(ours, theirs)).map(|(index, _)| index);
     let most = FEWEST.max(reference.verdicts.len() / ONE_OF);
     let examined: Vec<usize> = differing.take(most).collect();
     let (of_cells, jobs): (Vec<usize>, Vec<Job>) =

@@ -148,6 +148,11 @@ fn rounding_puts_no_start_beyond_a_stop() {
     }
     let system = System::new(plane.parameters_at(20, 1)).unwrap();
     assert_eq!(plane.start_at(20, 1).state(&system)[0], 0.1, "on the stop");
+    // A gap of 0 leaves no number to be rounded: the axis itself is exact there.
+    let floor = self::plane(Family::builtin("bouncing-ball"), "x1=-0.1:0.5:7", "v1=-1:1:2");
+    let map = sweep(&floor, &Cpu, &Unwatched).unwrap();
+    let begins: Vec<bool> = (0..7).map(|column| map.at(column, 0).regime != Regime::Inadmissible).collect();
+    assert_eq!(begins, [false, true, true, true, true, true, true]);
     // A place that is merely close is beyond it.
     let close = self::plane(Family::paper(), "x1=0:0.10000000001:2", "v1=-1:1:2");
     assert_eq!(sweep(&close, &Cpu, &Unwatched).unwrap().at(1, 0).regime, Regime::Inadmissible);
@@ -159,6 +164,9 @@ fn a_plane_that_begins_nowhere_is_refused() {
     let refused = nowhere.check().unwrap_err();
     assert!(matches!(refused, PlaneError::Nowhere(StartError::OutsideStops { .. })), "{refused:?}");
     assert!(sweep(&nowhere, &Cpu, &Unwatched).is_err());
+    // Of larger planes it is found out when they are computed.
+    let large = plane(Family::paper(), "x1=-200:201:2000", "v1=-1:1:2");
+    assert!(large.check().is_ok());
     // The one cell that begins is none of those along the border.
     let wide = plane(Family::paper(), "x1=-4:4:3", "v1=-1:1:3");
     assert_eq!(wide.check(), Ok(()));

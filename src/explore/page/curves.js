@@ -96,10 +96,13 @@ export class Curves {
     const slack = [0.02 * (x1 - x0), 0.02 * (y1 - y0)];
     if (x0 >= a0 - slack[0] && x1 <= a1 + slack[0] && y0 >= b0 - slack[1] && y1 <= b1 + slack[1]) return [];
     const [[x, y], [right, bottom]] = [view.pixelAt(a0, b1), view.pixelAt(a1, b0)];
+    const [width, height] = view.size;
+    if (right < 0 || x > width || bottom < 0 || y > height) return [];
     const at = { x: left + x, y: top + y };
+    const named = { x: left + Math.max(0, x) + 5, y: top + Math.max(y - 5, 13) };
     return [
       ...['followed light', 'followed'].map((name) => shape('rect', { ...at, width: right - x, height: bottom - y, class: name })),
-      shape('text', { x: at.x + 5, y: at.y - 5, class: 'curve-name', text: 'curves were followed here' }),
+      shape('text', { ...named, class: 'curve-name', text: 'curves were followed here' }),
     ];
   }
 

@@ -6,14 +6,13 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
 
 export class Keys {
   /**
-   * `hears` has moved(step), clicked(x, y), cursor(place or null), home() and line(from, to, done); `cutting()` says whether
-   * Enter sets the ends of a line.
+   * `hears` has moved(step), clicked(x, y), cursor(place or null), home() and mark(place); `cutting()` says whether Enter marks
+   * the ends of a line.
    */
   constructor(plane, view, hears) {
     this.cursor = null;
-    this.from = null;
     const left = () => {
-      this.cursor = this.from = null;
+      this.cursor = null;
       hears.cursor(null);
     };
     plane.addEventListener('blur', left);
@@ -34,7 +33,7 @@ export class Keys {
       } else if (event.key === '0' || event.key === 'Home') {
         hears.home();
       } else if (event.key === 'Enter' || event.key === ' ') {
-        this.enter(this.place(view), hears);
+        if (!event.repeat) this.enter(this.place(view), hears);
       } else {
         return;
       }
@@ -49,16 +48,12 @@ export class Keys {
     return inSight ? this.cursor : view.placeAt(view.size[0] / 2, view.size[1] / 2);
   }
 
-  /** Asks what moves at a place, or begins or ends a line there. */
+  /** Asks what moves at a place, or sets an end of a line there. */
   enter(place, hears) {
-    const from = hears.cutting() ? this.from : null;
-    this.from = null;
-    if (!hears.cutting()) hears.clicked(...place);
-    else if (from) hears.line(from, place, true);
-    else {
-      this.from = place;
-      hears.line(place, place, false);
-    }
+    if (!hears.cutting()) return void hears.clicked(...place);
+    this.cursor = place;
+    hears.cursor(place);
+    hears.mark(place);
   }
 
   middle(view) {
@@ -73,6 +68,5 @@ export class Keys {
       Math.min(x1, Math.max(x0, x + dx * cells * unit)), Math.min(y1, Math.max(y0, y + dy * cells * unit)),
     ];
     hears.cursor(this.cursor);
-    if (this.from) hears.line(this.from, this.cursor, false);
   }
 }

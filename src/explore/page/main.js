@@ -134,7 +134,7 @@ function arrive(scene, { window, again, layer }) {
   curves.clear();
   slice.close();
   status.clear('open');
-  state.stale = true;
+  state.stale = state.fresh = true;
   view.extent(scene.x.count, scene.y.count);
   if (window ? !view.set(window) : !same && !again) view.reset();
   at('system-name').textContent = scene.system.name;
@@ -175,8 +175,11 @@ function look() {
   tiles.look(view, state.over ?? [(x0 + x1) / 2, (y0 + y1) / 2]);
   axes.ask(state.scene.scene, view, EM, (sides) => {
     paint.hatch = sides.hatch;
-    if (makeRoom(sides.y)) fit();
-    redraw();
+    // Under a pointer that holds the plane nothing moves by itself.
+    const changes = pointer.down.size === 0 && makeRoom(sides.y, plane.clientWidth, state.fresh);
+    state.fresh = false;
+    if (changes) fit();
+    else redraw();
   });
   redraw();
   summary.count();
@@ -248,6 +251,7 @@ const tools = () => toolbar.show();
 const over = (x, y) => { state.over = x == null ? null : [x, y]; redraw(); };
 
 function home() {
+  state.fresh = true;
   view.reset();
   moved(true);
 }
@@ -275,8 +279,12 @@ function toggleCurves(on) {
 
 const cutting = () => slice.active;
 const line = (from, to, done) => { slice.draw(from, to, done, state.scene.scene); redraw(); };
-new Pointer(plane, view, MARGINS, { moved, over, clicked: click, cutting, line });
-new Keys(plane, view, { moved, home, clicked: click, cutting, line, cursor: (place) => { state.cursor = place; redraw(); } });
+const pointer = new Pointer(plane, view, MARGINS, { moved, over, clicked: click, cutting, line });
+new Keys(plane, view, {
+  moved, home, clicked: click, cutting,
+  cursor: (place) => { state.cursor = place; slice.follow(place); redraw(); },
+  mark: (place) => { slice.mark(place, state.scene.scene); redraw(); },
+});
 addEventListener('keydown', (event) => { if (event.key === 'Escape') slice.close(); });
 
 /** The plot in the room that there is. */

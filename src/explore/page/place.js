@@ -4,23 +4,25 @@ import { shape } from './dom.js';
 
 /** The least room at the left: for short labels and the title. */
 const LEAST = innerWidth < 760 ? 60 : 78;
-/** What a label has beside it there, and by how much the room grows at a time. */
-const BESIDE = 42, GROWS = 14, MOST = 240;
+/** What a label has beside it there, by how much the room grows at a time, and what share of the width it takes at most. */
+const BESIDE = 42, GROWS = 14, MOST = 0.4;
 
 /** The room around the plot, in pixels: for ticks and titles at the left and below. */
 export const MARGINS = { left: LEAST, right: 14, top: 10, bottom: 56 };
+const say = () => document.documentElement.style.setProperty('--left', `${MARGINS.left}px`);
+say();
 
 const pen = document.createElement('canvas').getContext('2d');
 
-/** Makes room at the left for the labels of an axis; whether there was more or less before. */
-export function makeRoom({ labelled }) {
+/** Makes room at the left for the labels of an axis beside a plane of a width; less than before only where it is all `fresh`. */
+export function makeRoom({ labelled }, width, fresh) {
   pen.font = '13px Inter, system-ui, sans-serif';
   const widest = Math.max(0, ...labelled.map(([, label]) => pen.measureText(label).width));
   const more = Math.ceil(Math.max(0, widest + BESIDE - LEAST) / GROWS) * GROWS;
-  const left = Math.min(LEAST + more, Math.max(LEAST, MOST));
+  const left = Math.min(Math.max(LEAST + more, fresh ? 0 : MARGINS.left), Math.max(LEAST, Math.round(MOST * width)));
   const changes = left !== MARGINS.left;
   MARGINS.left = left;
-  document.documentElement.style.setProperty('--left', `${left}px`);
+  say();
   return changes;
 }
 

@@ -6,15 +6,33 @@ const COLUMNS = 500;
 
 export class Slice {
   constructor(svg, root, link, status) {
-    Object.assign(this, { root, link, status, active: false, line: null });
+    Object.assign(this, { root, link, status, active: false, line: null, begun: null });
     this.path = shape('path', { class: 'cut', hidden: true });
     svg.append(this.path);
   }
 
   /** The line while it is drawn, and the diagram once it is. */
   draw(from, to, done, scene) {
+    this.begun = null;
     this.line = [from, to];
     if (done) this.compute(scene);
+  }
+
+  /** One end of the line, then the other: where keys set them. */
+  mark(place, scene) {
+    if (!this.begun) {
+      this.begun = place;
+      this.follow(place);
+    } else if (String(place) !== String(this.begun)) {
+      this.draw(this.begun, place, true, scene);
+    }
+  }
+
+  /** The line from the end that was set to a place; nowhere, no other end will be set. */
+  follow(place) {
+    if (!this.begun) return;
+    this.line = place && [this.begun, place];
+    if (!place) this.begun = null;
   }
 
   place(view, { left, top }) {
@@ -55,7 +73,7 @@ export class Slice {
       this.ask = null;
       this.status.running('slice', null);
     }
-    this.line = null;
+    this.line = this.begun = null;
     this.root.hidden = true;
     this.path.setAttribute('hidden', '');
   }

@@ -27,6 +27,7 @@ export class Toolbar {
         curves.shown, () => toggleCurves(!curves.shown), inactive),
       button('Slice', 'Drag a line, or set its ends by Enter: the bifurcation diagram along it', slice.active, () => {
         slice.active = !slice.active;
+        slice.follow(null);
         plane.classList.toggle('cutting', slice.active);
         this.show();
       }),

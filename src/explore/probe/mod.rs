@@ -25,7 +25,7 @@ const EXPONENTS_OVER: u32 = 2000;
 /// Answers a click on a cell, the quickest part first; figures are so many pixels wide.
 ///
 /// # Errors
-/// [`Ended`], also where there is no such system.
+/// [`Ended`], also where there is no such system, or it begins beyond a stop.
 pub fn probe(scene: &Scene, tiles: &Tiles, cell: Cell, width: u32, task: &Task) -> Result<(), Ended> {
     let [x, y] = scene.values(cell);
     let missing = |what: &str| {

@@ -187,7 +187,7 @@ pub(super) mod tests {
         };
         let count = spec.x.count;
         let trace = |i: u32| {
-            let regime = Regime::ALL[(8 * i / count) as usize];
+            let regime = Regime::ALL[Regime::ALL.len() * i as usize / count as usize];
             let readings = (0..4).map(|k| level + spread * f64::from((i * k) % 7)).collect();
             Trace {
                 verdict: Verdict::of_motion(regime, [1, 2, 2], true),

@@ -15,21 +15,27 @@ pub(in crate::render) fn means(
     bands::sampled(cells, window, size, |band| layer.values(cells, band), mean)
 }
 
-/// Whether most of the cells that a pixel covers have a value of a field.
-pub(in crate::render) fn most(
+/// Which of some values of a field most of the cells that a pixel covers have, if it is one of them.
+pub(in crate::render) fn most<const K: usize>(
     cells: &dyn Cells,
     window: Window,
     field: &'static CellField,
-    value: u32,
+    values: [u32; K],
     size: [usize; 2],
-) -> Result<Vec<bool>, CellsError> {
+) -> Result<Vec<Option<u32>>, CellsError> {
     let read = |band: Window| {
-        let values = cells.read(field, band)?;
-        Ok((0..band.cells()).map(|i| values.whole(i) == value).collect())
+        let there = cells.read(field, band)?;
+        Ok((0..band.cells()).map(|i| there.whole(i)).collect())
     };
     bands::sampled(cells, window, size, read, |block| {
-        let (all, own) = block.fold((0, 0), |(all, own), is| (all + 1, own + u32::from(is)));
-        2 * own > all
+        let (mut all, mut own) = (0, [0; K]);
+        for there in block {
+            all += 1;
+            for (own, value) in own.iter_mut().zip(values) {
+                *own += u32::from(there == value);
+            }
+        }
+        values.into_iter().zip(own).find(|(_, own)| 2 * own > all).map(|(value, _)| value)
     })
 }
 

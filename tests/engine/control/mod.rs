@@ -2,7 +2,7 @@
 
 mod delay;
 mod force;
-pub mod maps;
+pub(crate) mod maps;
 mod ogy;
 mod options;
 mod plants;

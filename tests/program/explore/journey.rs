@@ -249,7 +249,15 @@ async fn own_systems_slices_layers_and_small_screens() {
     browser.run("explorer.slice.close()").await;
     browser.type_on_plane(&Key::Enter.to_string()).await;
     let moved = format!("{}{}{}", Key::Shift, Key::Right.to_string().repeat(25), Key::Null);
+    // An end that is set twice is no line, and Escape forgets it.
+    browser.type_on_plane(&Key::Enter.to_string()).await;
     browser.type_on_plane(&moved).await;
+    assert_eq!(browser.run("return explorer.slice.line !== null").await, json!(true));
+    browser.type_on_plane(&Key::Escape.to_string()).await;
+    browser.type_on_plane(&moved).await;
+    assert_eq!(browser.run("return [explorer.slice.line, explorer.slice.begun]").await, json!([null, null]));
+    browser.type_on_plane(&Key::Enter.to_string()).await;
+    browser.type_on_plane(&moved.replace(&Key::Right.to_string(), &Key::Left.to_string())).await;
     assert_eq!(browser.run("return document.querySelector('#slice').hidden").await, json!(true));
     browser.type_on_plane(&Key::Enter.to_string()).await;
     browser.until("a diagram by keys", "document.querySelector('#slice svg')").await;

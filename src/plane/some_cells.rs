@@ -3,7 +3,11 @@
 use std::ops::Range;
 
 /// Cells of so many of some columns and rows at most, from the first to the last of each; all of a small rectangle. Row by row.
-pub(super) fn spread(columns: Range<u32>, rows: Range<u32>, most: u32) -> impl Iterator<Item = (u32, u32)> {
+pub(super) fn some_cells(
+    columns: Range<u32>,
+    rows: Range<u32>,
+    most: u32,
+) -> impl Iterator<Item = (u32, u32)> {
     along(rows, most).flat_map(move |row| along(columns.clone(), most).map(move |column| (column, row)))
 }
 
@@ -19,7 +23,7 @@ mod tests {
 
     #[test]
     fn a_small_rectangle_is_there_whole_and_of_a_large_one_its_corners() {
-        let of = |columns, rows, most| spread(columns, rows, most).collect::<Vec<_>>();
+        let of = |columns, rows, most| some_cells(columns, rows, most).collect::<Vec<_>>();
         assert_eq!(of(3..5, 7..9, 4), [(3, 7), (4, 7), (3, 8), (4, 8)]);
         let large = of(0..1000, 5..77, 4);
         assert_eq!(large.len(), 16);
