@@ -43,8 +43,8 @@ for field in expected["fields"]:
     assert group[name].shards == (side, side, *field["sizes"]), (name, group[name].shards)
 
 regime = store["regime"]
-assert list(regime.attrs["flag_values"]) == [0, 1, 2, 3, 4, 5, 6, 7, 255]
-assert len(regime.attrs["flag_meanings"].split()) == 9
+assert list(regime.attrs["flag_values"]) == [0, 1, 2, 3, 4, 5, 6, 7, 8, 255]
+assert len(regime.attrs["flag_meanings"].split()) == 10
 assert set(numpy.unique(regime.values)) <= set(range(8))
 
 for axis in ["x", "y"]:
