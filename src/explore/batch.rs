@@ -15,8 +15,9 @@ use super::store::Tiles;
 use super::tile::{Cells, Extents, encoded};
 use crate::analysis::{Extent, Verdict};
 use crate::backend::{self, BackendError, Job, Watch, decide};
+use crate::plane::Reached as _;
 use crate::plane::fields::Layer;
-use crate::plane::{Inadmissible, Reached as _};
+use crate::sweep::{Begun, of_begun};
 
 /// Jobs that a processor's thread takes at a time.
 const FEW: usize = 128;
@@ -76,15 +77,12 @@ impl Watch for Flag<'_> {
 /// # Errors
 /// [`Stopped`], also where the program has a mistake.
 pub fn verdicts(scene: &Scene, cells: &[Cell], watch: &dyn Watch) -> Result<Vec<Option<Verdict>>, Stopped> {
-    let begun: Vec<Option<Result<Job, Inadmissible>>> =
-        cells.par_iter().map(|&cell| scene.job(cell)).collect();
-    let followed: Vec<Job> = begun.iter().flatten().flatten().cloned().collect();
-    let mut decided = caught(|| decided(scene, &followed, watch))?.into_iter();
-    let verdict = |cell: Option<Result<Job, Inadmissible>>| match cell? {
-        Ok(_) => decided.next(),
-        Err(Inadmissible(start)) => Some(Verdict::inadmissible(start)),
-    };
-    Ok(begun.into_iter().map(verdict).collect())
+    let begun: Vec<Option<Begun>> = cells.par_iter().map(|&cell| scene.job(cell)).collect();
+    let there: Vec<bool> = begun.iter().map(Option::is_some).collect();
+    let decided = |jobs: &[Job]| caught(|| decided(scene, jobs, watch));
+    let found = of_begun(begun.into_iter().flatten().collect(), decided, Verdict::inadmissible)?;
+    let mut found = found.into_iter();
+    Ok(there.into_iter().map(|is_there| if is_there { found.next() } else { None }).collect())
 }
 
 /// What a back end computes; a mistake in the program ends no more than this.

@@ -13,9 +13,9 @@ use super::stored::Stored;
 use crate::analysis::Verdict;
 use crate::backend::Job;
 use crate::model::System;
-use crate::plane::{Axis, Inadmissible, Plane};
+use crate::plane::{Axis, Plane};
 use crate::render::Motion;
-use crate::theory::SymmetricStarts;
+use crate::sweep::Begun;
 
 /// A plane that is looked at.
 #[derive(Debug)]
@@ -74,7 +74,7 @@ impl Scene {
     }
 
     /// What is to be followed at a cell, or where it would begin beyond a stop; none where there is no such system.
-    pub fn job(&self, cell: Cell) -> Option<Result<Job, Inadmissible>> {
+    pub fn job(&self, cell: Cell) -> Option<Begun> {
         let [x, y] = self.values(cell);
         self.job_at(x, y)
     }
@@ -88,10 +88,10 @@ impl Scene {
     }
 
     /// What is to be followed at two values of the axes, or where it would begin beyond a stop; none where there is no such system.
-    pub fn job_at(&self, x: f64, y: f64) -> Option<Result<Job, Inadmissible>> {
+    pub fn job_at(&self, x: f64, y: f64) -> Option<Begun> {
         let plane = self.alone(x, y)?;
         let system = System::new(plane.parameters_at(0, 0)).ok()?;
-        let start = plane.start_at(0, 0).begun_by(&system, &mut SymmetricStarts::default());
+        let start = plane.start_at(0, 0).begun(&system);
         Some(start.map(|start| Job { start, system }))
     }
 

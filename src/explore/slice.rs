@@ -8,11 +8,11 @@ use super::limits;
 use super::scene::Scene;
 use super::task::{Ended, Task};
 use crate::analysis::{Probe, Reading, Section};
-use crate::backend::{BackendError, Job, Watch};
+use crate::backend::{BackendError, Watch};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, Sweep};
-use crate::plane::{Axis, Inadmissible, Quantity};
+use crate::plane::{Axis, Quantity};
 use crate::render::slice_figure;
-use crate::sweep::{SweepError, provenance, traces};
+use crate::sweep::{Begun, SweepError, provenance, traces};
 
 /// Forcing periods for which a column is observed.
 const OBSERVE: u32 = 150;
@@ -28,7 +28,7 @@ struct Line {
     axis: Axis,
     /// What the other axis has at both ends.
     other: (Quantity, [f64; 2]),
-    begun: Vec<Result<Job, Inadmissible>>,
+    begun: Vec<Begun>,
 }
 
 impl Line {
@@ -52,7 +52,7 @@ impl Line {
             0 => scene.job_at(axis.value(i), at(1, i)),
             _ => scene.job_at(at(0, i), axis.value(i)),
         };
-        let begun: Option<Vec<Result<Job, Inadmissible>>> = (0..columns).map(job).collect();
+        let begun: Option<Vec<Begun>> = (0..columns).map(job).collect();
         let nowhere = || refused("a part of the line has no such system: keep it off the edge");
         let begun = begun.ok_or_else(nowhere)?;
         if begun.iter().all(Result::is_err) {

@@ -35,13 +35,21 @@ impl Start {
     /// Rest is the origin, moved onto a stop beyond which it would lie. A given state is moved so by what rounding has put it
     /// beyond a stop; one that lies farther beyond is what it is.
     pub fn state(&self, system: &System) -> StateVector {
-        self.begun_by(system, &mut SymmetricStarts::default()).unwrap_or_else(|Inadmissible(state)| state)
+        self.begun(system).unwrap_or_else(|Inadmissible(state)| state)
     }
 
-    /// The same of one system after the other, where nothing stands in the way of the start.
+    /// The same, where nothing stands in the way of the start.
     ///
     /// # Errors
     /// [`Inadmissible`] for a given state that lies beyond a stop of the system.
+    pub fn begun(&self, system: &System) -> Result<StateVector, Inadmissible> {
+        self.begun_by(system, &mut SymmetricStarts::default())
+    }
+
+    /// The same of one system after the other.
+    ///
+    /// # Errors
+    /// As [`Start::begun`].
     pub fn begun_by(
         &self,
         system: &System,

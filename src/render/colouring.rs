@@ -20,7 +20,7 @@ impl Colouring {
     /// to any eye; then it has another one. Once no distinct paint is left, motions share one.
     pub fn of(motions: impl IntoIterator<Item = Motion>) -> Self {
         let unlike = Regime::ALL.into_iter().filter(|regime| !regime.is_periodic());
-        let reserved = unlike.map(|regime| paint_of(Motion { regime, counts: [0; 5], symmetric: false }));
+        let reserved = unlike.map(|regime| paint_of(Motion::without_label(regime)));
         let mut taken: Vec<(Option<Colour>, Seen)> =
             reserved.chain([SHARED]).map(|paint| (paint.hatch, Seen::of(paint.fill))).collect();
         let mut own = HashMap::new();

@@ -50,7 +50,7 @@ fn numbers(times: impl Iterator<Item = u32>, extent: [u32; 2]) -> Numbers {
     };
     let values: Vec<f32> = times.map(number).collect();
     let bar = Bar::of(&values, Spread::Ratios, None, Palette::suiting(Spread::Ratios));
-    let unresolved = paint_of(Motion { regime: Regime::Unresolved, counts: [0; 5], symmetric: false }).fill;
+    let unresolved = paint_of(Motion::without_label(Regime::Unresolved)).fill;
     Numbers {
         extent,
         apart: Vec::new(),

@@ -23,8 +23,13 @@ impl Motion {
                 std::array::from_fn(|i| if i == 0 { n } else { counts.get(i - 1).copied().unwrap_or(0) });
             Motion { regime, counts, symmetric }
         } else {
-            Motion { regime, counts: [0; 1 + MOST], symmetric: false }
+            Motion::without_label(regime)
         }
+    }
+
+    /// What cells have in common of a regime that is not periodic.
+    pub(super) fn without_label(regime: Regime) -> Self {
+        Motion { regime, counts: [0; 1 + MOST], symmetric: false }
     }
 
     /// The name in as few letters as still tell it from others, such as "1-2-2 unsym.".

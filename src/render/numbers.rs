@@ -163,8 +163,7 @@ impl Apart {
     /// Those that would begin beyond a stop.
     pub fn inadmissible(which: Vec<bool>) -> Self {
         let regime = Regime::Inadmissible;
-        let paint = paint_of(Motion { regime, counts: [0; 5], symmetric: false });
-        Apart { which, paint, name: regime.name() }
+        Apart { which, paint: paint_of(Motion::without_label(regime)), name: regime.name() }
     }
 }
 

@@ -10,8 +10,9 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 
 use super::Result;
+use super::begun::Begun;
 use super::map::window_jobs;
-use super::preparing::{Begun, jobs_of};
+use super::preparing::jobs_of;
 use crate::analysis::{Counts, Regime, Schedule, Verdict};
 use crate::backend::{self, Backend, Job, Silent, Watch, decide, long_look};
 use crate::plane::{Multipliers, Plane, RegionMap, Window};

@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::map::of_begun;
+use super::begun::{Begun, of_begun};
 use super::{Result, provenance};
 use crate::analysis::{Regime, Trace, Verdict};
 use crate::backend::{Backend, Cpu, Job, Watch, trace};
 use crate::diagram::{Branch, Diagram, DiagramSpec, Direction, ExponentUnit};
 use crate::model::{StateVector, System};
-use crate::plane::{Inadmissible, Reached as _};
+use crate::plane::Reached as _;
 use crate::theory::{Spectrum, SymmetricStarts, confirmed};
 
 /// Computes a bifurcation diagram.
@@ -61,7 +61,7 @@ fn each(
 /// # Errors
 /// What the back end could not do.
 pub fn traces(
-    begun: Vec<Result<Job, Inadmissible>>,
+    begun: Vec<Begun>,
     spec: &DiagramSpec,
     backend: &dyn Backend,
     watch: &dyn Watch,

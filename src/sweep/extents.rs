@@ -1,7 +1,8 @@
 //! How far the motions of a map go.
 
 use super::Result;
-use super::map::{of_begun, window_jobs};
+use super::begun::of_begun;
+use super::map::window_jobs;
 use crate::analysis::{Extent, Verdict};
 use crate::backend::{self, Backend, Silent, Watch};
 use crate::plane::{Plane, RegionMap, Window};
@@ -42,7 +43,7 @@ pub(super) fn window_extents(
             .collect();
         extents.extend(of_begun(
             begun,
-            |jobs| Ok(backend::extents(backend, jobs, &of_these, &plane.task, &Silent(watch))?),
+            |jobs| backend::extents(backend, jobs, &of_these, &plane.task, &Silent(watch)),
             |_| Extent::NONE,
         )?);
         watch.finished(verdicts.len() as u64);

@@ -8,15 +8,16 @@ use parking_lot::Mutex;
 use rayon::iter::repeat_n;
 use rayon::prelude::*;
 
+use super::begun::{Begun, of_begun};
 use super::order::Order;
 use super::prepared::Prepared;
-use super::preparing::{Begun, jobs_of};
+use super::preparing::jobs_of;
 use super::swept::Swept;
 use super::{Result, SweepError, provenance};
 use crate::analysis::Verdict;
 use crate::backend::{Backend, Job, Watch, decide, in_flight};
 use crate::model::{Flows, StateVector, System, SystemError};
-use crate::plane::{Inadmissible, Plane, Reached, RegionMap, Task, Window};
+use crate::plane::{Plane, Reached, RegionMap, Task, Window};
 
 /// One part in so many of a tile is worth a look: less would leave most of a back end idle.
 pub(super) const WORTH_A_LOOK: u64 = 4;
@@ -126,27 +127,6 @@ pub(super) fn window_jobs(plane: &Plane, windows: &[Window]) -> Result<Vec<Begun
     jobs_of(plane, &places.map(|place| whole.index(place) as u64).collect::<Vec<_>>())
 }
 
-/// Finds something of those of some cells that begin, and puts in the place of each of the others what stands for it.
-pub(super) fn of_begun<R>(
-    begun: Vec<Begun>,
-    found_of: impl FnOnce(&[Job]) -> Result<Vec<R>>,
-    otherwise: impl Fn(StateVector) -> R,
-) -> Result<Vec<R>> {
-    let mut jobs = Vec::with_capacity(begun.len());
-    let starts: Vec<Option<StateVector>> = (begun.into_iter())
-        .map(|cell| match cell {
-            Ok(job) => {
-                jobs.push(job);
-                None
-            }
-            Err(Inadmissible(start)) => Some(start),
-        })
-        .collect();
-    let mut found = found_of(&jobs)?.into_iter();
-    let mut of_job = || found.next().expect("something is found of each job");
-    Ok(starts.into_iter().map(|beyond| beyond.map_or_else(&mut of_job, &otherwise)).collect())
-}
-
 /// Computes some cells of a plane on a back end together, the same as in the whole; of each window row by row.
 ///
 /// # Errors
@@ -164,7 +144,7 @@ pub fn sweep_windows(
     let all = begun.len();
     let decided = |jobs: &[Job]| {
         watch.finished((all - jobs.len()) as u64);
-        Ok(decide(backend, jobs, &plane.task, watch)?)
+        decide(backend, jobs, &plane.task, watch)
     };
     let mut verdicts = of_begun(begun, decided, Verdict::inadmissible)?.into_iter();
     Ok(windows.iter().map(|window| verdicts.by_ref().take(window.cells()).collect()).collect())

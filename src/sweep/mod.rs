@@ -1,5 +1,6 @@
 //! Whole planes and diagrams on one back end.
 
+mod begun;
 mod certify;
 mod diagram;
 mod extents;
@@ -19,6 +20,7 @@ use crate::diagram::DiagramError;
 use crate::model::SystemError;
 use crate::plane::{PlaneError, Provenance};
 
+pub use begun::{Begun, of_begun};
 pub use certify::{Certification, certify, certify_window};
 pub use diagram::{diagram, traces};
 pub use extents::measure_extents;

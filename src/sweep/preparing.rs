@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::Result;
+use super::begun::Begun;
 use super::order::{goes_by_column, has_flows_by_cell};
 use super::swept::{Swept, Without};
 use crate::backend::Job;
@@ -12,9 +13,6 @@ use crate::theory::SymmetricStarts;
 
 /// As many cells as are worth a thread's turn.
 const AT_ONCE: usize = 8;
-
-/// The system of a cell and its start, where that lies between the stops.
-pub(super) type Begun = Result<Job, Inadmissible>;
 
 /// Makes what is asked of one cell after the other.
 pub(super) struct Preparing<'a, T> {
