@@ -59,7 +59,7 @@ impl Regime {
         *Self::VARIANTS.first_chunk().expect("there are as many as are counted");
 
     /// The code written to data files.
-    pub fn code(self) -> u8 {
+    pub const fn code(self) -> u8 {
         self as u8
     }
 

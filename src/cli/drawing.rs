@@ -23,7 +23,8 @@ pub struct DrawingArgs {
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = parse_size, default_value = defaults::PICTURE_SIZE)]
     pub size: Size,
 
-    /// What is drawn of every cell: motion, or a field by its number, such as lyapunov, impacts_per_period, settling
+    /// What is drawn of every cell: motion, or a field by its number, such as lyapunov, impacts_per_period, settling,
+    /// state.x1
     #[arg(long, value_name = "LAYER", default_value = Layer::MOTION)]
     layer: String,
 

@@ -24,7 +24,7 @@ Examples:
   impact-atlas map --x omega=0.2:5:4000 --y delta=0.02:0.8:3000 --data plane.zarr --part 17/64
   impact-atlas map --layer settling --out settling.png
   impact-atlas map --from map.png --set r=0.7 --out softer.png
-  impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --out basins.png
+  impact-atlas map --x x1=-0.1:0.1:400 --y v1=-2:2:400 --set omega=1.65 --layer state.v1 --out basins.png
   impact-atlas map --control delay --x omega=2.6:3:200 --y gain=0:1:150 --out delay.png --times times.png
   impact-atlas map --control pulse --x target_v1=-0.5:-0.1:200 --y target_tau=1:3:150 --set omega=2.83")]
 #[command(mut_arg("assignments", sets_control), mut_arg("max_period", counts_iterates))]

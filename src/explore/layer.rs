@@ -49,13 +49,7 @@ pub fn place(layer: Option<Layer>, family: &Family) -> u32 {
 
 /// The layers of a family by name, as pages list them.
 pub fn layers(family: &Family) -> Value {
-    let listed = listed(family).filter_map(|layer| match layer {
-        Layer::Motion => None,
-        Layer::Number { field, coordinate, .. } => {
-            let of = coordinate.map(|x| format!(" of {}", x.name())).unwrap_or_default();
-            Some(json!({ "name": layer.name(), "title": format!("{}{of}", field.title) }))
-        }
-    });
+    let listed = listed(family).map(|layer| json!({ "name": layer.name(), "title": layer.title() }));
     json!(listed.collect::<Vec<_>>())
 }
 

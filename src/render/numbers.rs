@@ -36,12 +36,11 @@ const NOT_THERE: Paint = Paint::plain(Rgb([0xff; 3]));
 /// # Panics
 /// For the layer of motions.
 pub fn draw_numbers(of: &PlanePicture, overlay: Option<&Overlay>, size: Size) -> Result<Picture, CellsError> {
-    let Layer::Number { field, drawn, coordinate, .. } = of.layer else { panic!("motions have no numbers") };
-    let about = coordinate.map(|x| format!(" {}", x.name())).unwrap_or_default();
+    let Layer::Number { drawn, .. } = of.layer else { panic!("motions have no numbers") };
     let sheet = Sheet {
         frame: frame_of(&of.plane()),
         title: of.title(),
-        bar: of.legend.then(|| format!("{}{about}", field.title)),
+        bar: of.legend.then(|| of.layer.title()),
         config: of.configuration().to_string(),
     };
     sheet.draw(size, overlay, |extent| {

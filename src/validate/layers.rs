@@ -6,7 +6,7 @@ use super::alike::same_label;
 use super::spread::{Share, Spread};
 use crate::analysis::Regime;
 use crate::figure::Spread as Scale;
-use crate::plane::fields::{Cells, Layer};
+use crate::plane::fields::{Cells, Inner, Layer};
 use crate::plane::{RegionMap, Window};
 
 /// How well a layer of a candidate's map agrees with the reference's, in cells whose regime and label agree and that begin.
@@ -22,14 +22,18 @@ pub struct LayerAgreement {
     pub difference: Option<Spread>,
 }
 
-/// Every layer of numbers of two maps of the same plane.
+/// Every layer of numbers of two maps of the same plane but the end states, which are compared apart from these: where a
+/// motion does not end in the same state twice, as in chaos, they say nothing.
 pub(super) fn layers(reference: &RegionMap, candidate: &RegionMap) -> Vec<LayerAgreement> {
     let whole = Window::whole(&reference.plane);
     let values = |layer: &Layer, map: &RegionMap| {
         layer.values(map as &dyn Cells, whole).expect("a map in memory can be read")
     };
     let of = |layer: Layer| {
-        let Layer::Number { drawn, .. } = layer else { return None };
+        let Layer::Number { field, drawn, .. } = layer else { return None };
+        if field.inner == Inner::Components {
+            return None;
+        }
         let relative = drawn.spread == Scale::Ratios;
         let (ours, theirs) = (values(&layer, reference), values(&layer, candidate));
         let mut defined = Share::default();

@@ -5,6 +5,7 @@ use std::fs::{self, File};
 use std::path::Path;
 
 use impact_atlas::analysis::Regime;
+use impact_atlas::plane::fields::Layer;
 use impact_atlas::plane::{RegionMap, Window};
 use impact_atlas::store::read_map;
 use npyz::NpyFile;
@@ -19,6 +20,9 @@ use crate::run::{done, json, refuses, run_in, stderr};
 /// The gap is 0.1: two columns in three lie beyond a stop.
 const PLANE: &str =
     "--backend cpu --x x1=-0.32:0.28:16 --y v1=-1:1:5 --transient 40 --observe 40 --max-period 8";
+
+/// What is asked of cells whose ends are compared.
+const BASIN: &str = "--transient 400 --observe 60 --max-period 8 --data map.npz";
 
 fn map_of(folder: &Path) -> RegionMap {
     read_map(File::open(folder.join("map.npz")).unwrap()).unwrap()
@@ -65,6 +69,39 @@ fn a_basin_shows_what_is_inadmissible() {
         message.contains("lies beyond stop A") && message.contains("choose another by --at"),
         "{message}"
     );
+}
+
+/// A motion and its mirror image have one label: where a cell ends tells them apart.
+#[test]
+fn basins_of_a_motion_and_its_mirror_image_are_told_apart_by_the_end_state() {
+    let folder = tempdir().unwrap();
+    done(
+        folder.path(),
+        &format!("map --backend cpu --set omega=1.65 --x x1=-0.16:0.16:17 --y v1=-1.5:1.5:9 {BASIN}"),
+    );
+    let map = map_of(folder.path());
+    let layer = Layer::named("state.v1", map.plane.parameters.family()).unwrap();
+    let numbers = layer.values(&map, Window::whole(&map.plane)).unwrap();
+    // The paper's 1-2-2 motion is unsymmetric there; its image is half a period later in the forcing, and as far from the middle.
+    let settled = &map.verdicts[map.verdicts.len() / 2];
+    assert_eq!((settled.n, settled.counts.to_vec(), settled.symmetric), (1, vec![2, 2], false));
+    let mut ends: Vec<f32> = Vec::new();
+    for ((place, verdict), number) in Window::whole(&map.plane).places().zip(&map.verdicts).zip(numbers) {
+        if map.plane.x.value(place.0).abs() > 0.1 {
+            assert!(number.is_nan(), "where nothing moved no state is at the end: {number}");
+            continue;
+        }
+        assert_eq!((verdict.n, &verdict.counts), (settled.n, &settled.counts));
+        if ends.iter().all(|end| (end - number).abs() > 1e-4) {
+            ends.push(number);
+        }
+    }
+    assert_eq!(ends.len(), 2, "{ends:?}");
+    let drawn = |layer: &str| {
+        done(folder.path(), &format!("render map.npz --force --layer {layer} --out basins.svg"));
+        fs::read_to_string(folder.path().join("basins.svg")).unwrap()
+    };
+    assert!(drawn("state.v1").contains("state at the end, v1") && drawn("state.v1") != drawn("state.x2"));
 }
 
 #[test]

@@ -2,10 +2,16 @@
 
 use thiserror::Error;
 
-use super::{CELL_FIELDS, CellField, CellResult, Cells, CellsError, Drawn, Extras, Inner};
+use super::{
+    CELL_FIELDS, CellField, CellResult, Cells, CellsError, Drawn, Extras, Inner, NOT_COMPUTED, Values,
+};
+use crate::analysis::Regime;
 use crate::plane::component::Component;
 use crate::plane::window::Window;
 use crate::system::Family;
+
+/// The codes of cells that have no numbers, whatever stands in their fields: nothing moved there.
+const WITHOUT: [u32; 2] = [NOT_COMPUTED as u32, Regime::Inadmissible.code() as u32];
 
 /// What of every cell is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,8 +26,8 @@ pub enum Layer {
         drawn: Drawn,
         /// Which of a cell's values.
         index: usize,
-        /// The coordinate it is about, if there is one for each.
-        coordinate: Option<Component>,
+        /// The component of a state that it is about, if there is one for each, or for each coordinate.
+        component: Option<Component>,
     },
 }
 
@@ -34,12 +40,13 @@ impl Layer {
         let mut layers = vec![Layer::Motion];
         for field in CELL_FIELDS {
             let Some(drawn) = field.drawn else { continue };
-            let of = |index, coordinate| Layer::Number { field, drawn, index, coordinate };
+            let of = |index, component| Layer::Number { field, drawn, index, component };
+            let components =
+                Component::all(family.n()).map(|component| of(component.index(), Some(component)));
             match field.inner {
-                Inner::Coordinates => layers.extend(
-                    Component::all(family.n()).take(family.n()).enumerate().map(|(i, x)| of(i, Some(x))),
-                ),
-                _ => layers.push(of(0, None)),
+                Inner::Components => layers.extend(components),
+                Inner::Coordinates => layers.extend(components.take(family.n())),
+                Inner::One | Inner::Stops | Inner::Multipliers => layers.push(of(0, None)),
             }
         }
         layers
@@ -57,12 +64,24 @@ impl Layer {
         })
     }
 
-    /// The name on the command line and in files: that of the field, with the coordinate where there is one for each.
+    /// The name on the command line and in files: that of the field, with the component where there is one for each.
     pub fn name(&self) -> String {
         match self {
             Layer::Motion => Self::MOTION.to_owned(),
-            Layer::Number { field, coordinate: None, .. } => field.name.to_owned(),
-            Layer::Number { field, coordinate: Some(x), .. } => format!("{}.{}", field.name, x.name()),
+            Layer::Number { field, component: None, .. } => field.name.to_owned(),
+            Layer::Number { field, component: Some(of), .. } => format!("{}.{}", field.name, of.name()),
+        }
+    }
+
+    /// What a colour bar and a list of layers say.
+    pub fn title(&self) -> String {
+        match self {
+            Layer::Motion => Self::MOTION.to_owned(),
+            Layer::Number { field, component: None, .. } => field.title.to_owned(),
+            Layer::Number { field, component: Some(of), .. } => match field.inner {
+                Inner::Components => format!("{}, {}", field.title, of.name()),
+                _ => format!("{} {}", field.title, of.name()),
+            },
         }
     }
 
@@ -79,14 +98,10 @@ impl Layer {
     /// # Panics
     /// For the layer of motions, which has no numbers.
     pub fn numbers<'a>(&self, cells: impl Iterator<Item = CellResult<'a>>, family: &Family) -> Vec<f32> {
-        let Layer::Number { field, drawn, index, .. } = self else { panic!("motions are no numbers") };
-        let inner = field.inner.len(family);
-        let values = field.values(cells, inner);
-        let value = |cell: usize| {
-            let value = values.real(cell * inner + index);
-            if drawn.sentinel == Some(value) { f32::NAN } else { value as f32 }
-        };
-        (0..values.len() / inner).map(value).collect()
+        let Layer::Number { field, .. } = self else { panic!("motions are no numbers") };
+        let cells: Vec<CellResult> = cells.collect();
+        let of = |field: &CellField| field.values(cells.iter().copied(), field.inner.len(family));
+        self.drawn(&of(field), &of(&CELL_FIELDS[0]), family)
     }
 
     /// The values of the cells of a window, row by row: NaN where there is none, infinities as they are.
@@ -97,16 +112,21 @@ impl Layer {
     /// # Panics
     /// For the layer of motions, which has no numbers.
     pub fn values(&self, cells: &dyn Cells, window: Window) -> Result<Vec<f32>, CellsError> {
+        let Layer::Number { field, .. } = self else { panic!("motions are no numbers") };
+        let (values, regimes) = (cells.read(field, window)?, cells.read(&CELL_FIELDS[0], window)?);
+        Ok(self.drawn(&values, &regimes, cells.plane().parameters.family()))
+    }
+
+    /// The numbers that are drawn, of the values of the layer's field and the codes of the regimes.
+    fn drawn(&self, values: &Values, regimes: &Values, family: &Family) -> Vec<f32> {
         let Layer::Number { field, drawn, index, .. } = self else { panic!("motions are no numbers") };
-        let inner = field.inner.len(cells.plane().parameters.family());
-        let values = cells.read(field, window)?;
-        let there = cells.read(&CELL_FIELDS[0], window)?;
+        let inner = field.inner.len(family);
         let value = |cell: usize| {
             let value = values.real(cell * inner + index);
-            let none = drawn.sentinel == Some(value) || there.whole(cell) == u32::from(super::NOT_COMPUTED);
+            let none = drawn.sentinel == Some(value) || WITHOUT.contains(&regimes.whole(cell));
             if none { f32::NAN } else { value as f32 }
         };
-        Ok((0..window.cells()).map(value).collect())
+        (0..regimes.len()).map(value).collect()
     }
 }
 

@@ -103,7 +103,7 @@ pub const CELL_FIELDS: &[CellField] = &[
         (Inner::Components, "1"),
         Source::F64(|cell, i| cell.place[i]),
         "(x1 … xn, v1 … vn) at the end, at forcing phase 0; of masses that drift, in the frame that goes with them; of an inadmissible start that start; NaN only where the regime is failed",
-        None,
+        drawn(Spread::Even, None, "failed"),
     ),
     field(
         "impacts",

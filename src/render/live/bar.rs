@@ -24,7 +24,7 @@ pub struct LivePart {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LiveBar {
     /// What the numbers are.
-    pub title: &'static str,
+    pub title: String,
     /// Its parts, upwards.
     pub parts: Vec<LivePart>,
     /// Colours of equal shares of it, from the lower end on, as style sheets write them.
@@ -42,7 +42,7 @@ pub struct LiveBar {
 /// The bar of a layer's numbers, along `length` pixels in letters of `em` pixels. None for the layer of motions, and where
 /// there is no number.
 pub fn live_bar(layer: &Layer, values: &[f32], length: f64, em: f64) -> Option<LiveBar> {
-    let Layer::Number { field, drawn, .. } = layer else { return None };
+    let Layer::Number { drawn, .. } = layer else { return None };
     let bar = Bar::of(values, drawn.spread, None, Palette::suiting(drawn.spread))?;
     let (low, high) = bar.shares()?;
     let mut ticks: Vec<(f64, String)> = Vec::new();
@@ -67,7 +67,7 @@ pub fn live_bar(layer: &Layer, values: &[f32], length: f64, em: f64) -> Option<L
     });
     let shares = (0..COLOURS).map(|i| low + (f64::from(i) + 0.5) / f64::from(COLOURS) * (high - low));
     Some(LiveBar {
-        title: field.title,
+        title: layer.title(),
         parts: parts.collect(),
         colours: shares.map(|share| css(bar.palette().colour(share))).collect(),
         beyond: [false, true].map(|above| css(Palette::beyond(above))),

@@ -67,6 +67,11 @@ async fn how_far_motions_go_is_measured_when_it_is_looked_at() {
     socket.send(bar.to_string()).await;
     assert!(socket.text("bar").await["content"].is_object());
 
+    // Every component of the end state is a layer.
+    assert!(named("state.x1") && named("state.v2"), "{}", scene["layers"]);
+    let state = numbers(&mut socket, &scene, json!("state.v1"), &first).await;
+    assert_eq!(state[0], of_first_tile(&map, |cell| map.verdicts[cell].state[2] as f32));
+
     // An archive that is taken along with the layer is that of `map`.
     let save = json!({
         "type": "save", "ask": 6, "scene": scene["scene"], "window": window, "format": "npz", "size": [900, 700],
