@@ -59,8 +59,6 @@ fn of_cells(
     let count = u32::try_from(all / ONE_OF).unwrap_or(MOST).min(MOST);
     let cells = spread(columns, rows, count);
     // A device works on many cells at once; a processor on as many as its threads have lanes, of f32 the most.
-    // Towards the end of its cells most lanes wait for the last of them: the more cells, the less that counts, and only the latest
-    // are reckoned with.
     let lanes = Width::widest().lanes::<f32>() * rayon::current_num_threads();
     let first = if backend.name() == "cpu" { lanes } else { AT_ONCE };
     if backend.name() != "cpu" {
@@ -74,11 +72,11 @@ fn of_cells(
     }
     let began = Instant::now();
     let mut measured = 0;
-    let mut estimate = Duration::ZERO;
+    let mut parts: Vec<Part> = Vec::new();
     for some in doubling(&cells, first) {
-        let time_of_all = |time: Duration| time.mul_f64(all as f64 / some.len() as f64);
         let announce = || {
-            let (least, deadline) = (spans::words(time_of_all(DEADLINE)), spans::words(DEADLINE));
+            let least = Part { cells: some.len(), time: DEADLINE }.time_of(all);
+            let (least, deadline) = (spans::words(least), spans::words(DEADLINE));
             let some = some.len();
             note(&format!(
                 "{what} will take about {least} or more ({some} of {all} cells take over {deadline})"
@@ -87,18 +85,47 @@ fn of_cells(
         let began_with_these = Instant::now();
         let Some(_) = before(DEADLINE, announce, |watch| compute(some, watch))? else { return Ok(()) };
         measured += some.len();
-        estimate = time_of_all(began_with_these.elapsed());
+        let part = Part { cells: some.len(), time: began_with_these.elapsed() };
+        parts.push(part);
         // The next part is at least twice as large.
-        let longest = LONGEST.min(estimate / PARTS);
-        if began.elapsed() + 2 * began_with_these.elapsed() > longest {
+        let longest = LONGEST.min(part.time_of(all) / PARTS);
+        if began.elapsed() + 2 * part.time > longest {
             break;
         }
     }
+    let estimate = time_of_all(all, &parts);
     if estimate > WORTH_SAYING {
         let time = spans::words(estimate);
         note(&format!("{what} will take about {time} (measured on {measured} of {all} cells)"));
     }
     Ok(())
+}
+
+/// Cells that were measured at once.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    cells: usize,
+    time: Duration,
+}
+
+impl Part {
+    /// How long so many cells take where each takes as long as one of these.
+    fn time_of(self, cells: u64) -> Duration {
+        self.time.mul_f64(cells as f64 / self.cells as f64)
+    }
+}
+
+/// How long all cells take by parts of them, each larger than the one before. Towards the end of its cells most lanes wait for the
+/// last of them, however many there are: that is left out of what one cell takes, as far as the first part and the last tell it,
+/// but for no more than half of that, since the first may have to wait for more.
+fn time_of_all(all: u64, parts: &[Part]) -> Duration {
+    let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return Duration::ZERO };
+    let most = last.time_of(all);
+    if last.cells <= first.cells {
+        return most;
+    }
+    let further = Part { cells: last.cells - first.cells, time: last.time.saturating_sub(first.time) };
+    further.time_of(all).clamp(most / 2, most)
 }
 
 /// A watch that ends a run once it is late.
@@ -187,6 +214,19 @@ mod tests {
         let failed = before(limit, || announced += 1, |_| Err::<(), _>(CliError::input(std::fmt::Error)));
         assert!(matches!(failed, Err(CliError::Input(_))));
         assert_eq!(announced, 2);
+    }
+
+    #[test]
+    fn what_any_number_of_cells_waits_for_is_not_counted_for_each() {
+        let part = |cells: usize, millis: u64| Part { cells, time: Duration::from_millis(millis) };
+        let seconds = |parts: &[Part]| time_of_all(1_000_000, parts).as_secs_f64();
+        assert_eq!(seconds(&[]), 0.0);
+        assert_eq!(seconds(&[part(1000, 20)]), 20.0, "one part says no more");
+        // 20 ms, and 20 µs for each cell; what lies between does not count.
+        assert_eq!(seconds(&[part(1000, 40), part(2000, 999), part(5000, 120)]), 20.0);
+        assert_eq!(seconds(&[part(1000, 20), part(5000, 100)]), 20.0);
+        assert_eq!(seconds(&[part(1000, 90), part(5000, 100)]), 10.0, "the first waited for more");
+        assert_eq!(seconds(&[part(1000, 10), part(5000, 100)]), 20.0, "the last was held up");
     }
 
     #[test]
