@@ -8,11 +8,6 @@ pub const BATCHES: u32 = 16;
 /// The share of the batches, one in so many, that is left out at the beginning while the tangent vector aligns.
 pub const ALIGNING: u32 = 4;
 
-/// The squares of lengths between which a tangent vector is left to grow or shrink within a batch.
-pub const SHORT_SQUARE: f64 = 1e-12;
-/// See [`SHORT_SQUARE`].
-pub const LONG_SQUARE: f64 = 1e12;
-
 /// Accumulates the logarithmic growth of a tangent vector, batch by batch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponent<T> {
@@ -54,12 +49,21 @@ impl<T: Real> Exponent<T> {
     /// what it had grown by since it was measured last is lost with it.
     #[inline(always)]
     pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>, asked: bool) -> T {
-        let square = tangent.square();
-        let far = !(T::of(SHORT_SQUARE) < square && square < T::of(LONG_SQUARE));
         let ends = self.filled + 1 >= self.batch_periods;
-        let growth = if far || ends || asked { tangent.bring_back(square) } else { T::zero() };
+        let left = tangent.may_be_left() && !ends && !asked;
+        let growth = if left { T::zero() } else { tangent.bring_back(tangent.square()) };
         self.add(growth);
         growth
+    }
+
+    /// For how many periods the tangent vector may be left to grow before a batch ends.
+    pub fn periods_left(&self) -> u32 {
+        self.batch_periods.saturating_sub(self.filled + 1)
+    }
+
+    /// Counts periods in which the tangent vector was left to grow, before the batch ends.
+    pub fn pass(&mut self, periods: u32) {
+        self.filled += periods;
     }
 
     /// Adds the growth of one period (or iterate), ln of a factor.

@@ -25,6 +25,7 @@ mod spread;
 mod stage;
 mod trace;
 mod turn;
+mod unseen;
 mod verdict;
 
 pub use abreast::follow_abreast;
@@ -49,7 +50,7 @@ pub(crate) use turn::reported;
 pub(crate) mod constants {
     pub use super::abreast::{CLEAR_STEPS, HELD_STEPS, ROUNDS, TURNS};
     pub use super::deciding::{CHAOTIC_GROWTH, NEUTRAL_GROWTH, PLAIN_GROWTH, SIGNIFICANCE};
-    pub use super::exponent::{ALIGNING, BATCHES, LONG_SQUARE, SHORT_SQUARE};
+    pub use super::exponent::{ALIGNING, BATCHES};
     pub use super::leap::{LEFT_BY_LEAP, LONGEST_LEAP};
     pub use super::observation::{BRIEF, NEUTRAL_RATE, SETTLED_OBSERVATION, SETTLED_TURNS};
     pub use super::observer::MOST_LEAPS;

@@ -8,19 +8,11 @@ use super::schedule::Schedule;
 use super::spread::Spread;
 use super::stage::Stage;
 use super::turn::Turn;
-use crate::dynamics::constants::MOST_KICKS;
-use crate::dynamics::{Contact, Event, Moves, Stop, Tally, Tangent, Trajectory, Unseen};
-use crate::model::{Flight, Real, State, System};
+use crate::dynamics::{Contact, Event, Moves, Tangent, Trajectory};
+use crate::model::{Flight, Real, State};
 
 /// How often a trajectory may leap, or measure the map of a turn in order to: what that does not lead to is waited for.
 pub const MOST_LEAPS: u32 = 6;
-/// The most strobes that are passed unseen.
-const MOST_UNSEEN: u32 = 1 << 11;
-
-/// Impacts that are counted meanwhile, and in the period after them, fit into the counters of lanes, which may be f32: each is a
-/// kick, and a step has so many at most.
-const _: () =
-    assert!(MOST_UNSEEN * Moves::MANY + System::MOST_STEPS * MOST_KICKS < 1 << f32::MANTISSA_DIGITS);
 
 /// A trajectory and everything that is noted about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -178,75 +170,10 @@ impl<T: Real, const N: usize> Observer<T, N> {
             warily = false;
         }
     }
-
-    /// How often it may pass phase 0 in free flight before it is to see that.
-    pub(super) fn unseen(&self, flight: &Flight<T, N>, schedule: &Schedule) -> Unseen<T, N> {
-        if self.stage != Stage::Transient || self.turn.is_measured() {
-            return Unseen::none();
-        }
-        let most = schedule.transient.saturating_sub(self.periods + 1).min(MOST_UNSEEN);
-        let recurrence = self.recurrence.unseen(flight, self.periods, schedule.max_period);
-        if schedule.fixed_periods {
-            Unseen { strobes: most, nearest: -T::one(), ..recurrence }
-        } else {
-            Unseen { strobes: recurrence.strobes.min(most), ..recurrence }
-        }
-    }
-
-    /// Notes what happened from free flight to free flight: impacts, and strobes that it has not seen.
-    #[inline(always)]
-    pub(super) fn catch_up(&mut self, flight: &Flight<T, N>, schedule: &Schedule, tally: &Tally<T>) {
-        let strobes = tally.strobes.widen() as u32;
-        self.periods += strobes;
-        if !schedule.fixed_periods {
-            self.recurrence.pass(strobes);
-        }
-        self.moves = Moves::counted(tally.moves.widen() as u32);
-        for (normal, impacts) in flight.normals().iter().zip(&tally.impacts) {
-            for (stop, impacts) in normal.stop.into_iter().zip(impacts) {
-                let impacts = impacts.widen() as u32;
-                if impacts > 0 {
-                    self.recurrence.count_finite(Stop(stop), impacts);
-                    self.count_impacts(impacts);
-                }
-            }
-        }
-        self.peak = tally.fastest;
-        self.loss.energy = tally.energy;
-    }
 }
 
 /// What a trajectory carries along: its tangent while it is observed, else nothing.
 #[inline(always)]
 fn carried<T, const N: usize>(tangent: &mut Tangent<T, N>, observed: bool) -> &mut [Tangent<T, N>] {
     if observed { std::slice::from_mut(tangent) } else { &mut [] }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::{Setting, System};
-    use crate::system::Family;
-
-    /// How many strobes an observer need not see at the beginning of a schedule, and after some periods of it.
-    fn unseen(schedule: &Schedule, periods: u32) -> u32 {
-        let flight = Flight::<f64, 2>::new(&System::new(Setting::defaults(Family::paper())).unwrap());
-        let begun = Observer::new(&flight, schedule, State::zero());
-        let recurrence = Recurrence::anchored(State::zero());
-        let observer = Observer { periods, recurrence, ..begun };
-        // A turn that was measured waits for its return.
-        assert_eq!(Observer { turn: Turn::over(1), ..observer }.unseen(&flight, schedule).strobes, 0);
-        observer.unseen(&flight, schedule).strobes
-    }
-
-    #[test]
-    fn the_last_strobe_of_a_transient_is_seen_and_all_of_an_observation() {
-        let fixed = Schedule { transient: 40, observe: 5, max_period: 16, fixed_periods: true };
-        assert_eq!([0, 1, 38, 39, 40].map(|periods| unseen(&fixed, periods)), [39, 38, 1, 0, 0]);
-        assert_eq!(unseen(&Schedule { transient: 0, ..fixed }, 0), 0);
-        assert_eq!(unseen(&Schedule { transient: Schedule::LONGEST, ..fixed }, 0), MOST_UNSEEN);
-        // Where a return would end it: until the anchor moves, after a quarter of its age.
-        let free = Schedule { transient: 200, fixed_periods: false, ..fixed };
-        assert_eq!([0, 10, 100, 190, 199].map(|periods| unseen(&free, periods)), [0, 2, 15, 9, 0]);
-    }
 }

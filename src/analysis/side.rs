@@ -118,7 +118,8 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Side<L, N, Q> {
         }
         let observing = seat.observer.stage == Stage::Observation;
         seat.observer.trajectory.come_to_phase_zero(self.abreast.point(lane));
-        seat.observer.catch_up(&seat.flight, schedule, &self.abreast.take_tally(lane));
+        let tally = self.abreast.take_tally(lane);
+        seat.observer.catch_up(&seat.flight, schedule, &tally, || self.abreast.moments(lane));
         let many = seat.observer.keeps_others_waiting();
         let mut leapt = false;
         // Two calls, each of which is compiled for its own case.
@@ -143,7 +144,8 @@ impl<L: Lanes, const N: usize, Q: Queue<L::Real, N>> Side<L, N, Q> {
     pub fn go_warily(&mut self, lane: usize, schedule: &Schedule, source: &mut Source<'_, L::Real, N, Q>) {
         let Some(seat) = &mut self.seats[lane] else { return };
         seat.observer.trajectory = self.abreast.trajectory(lane, &seat.flight);
-        seat.observer.catch_up(&seat.flight, schedule, &self.abreast.take_tally(lane));
+        let tally = self.abreast.take_tally(lane);
+        seat.observer.catch_up(&seat.flight, schedule, &tally, || self.abreast.moments(lane));
         if seat.observer.stage == Stage::Observation {
             seat.observer.tangent = self.abreast.tangent(lane);
         }

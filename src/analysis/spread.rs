@@ -1,13 +1,7 @@
 //! Whether the motion is stationary: the spread of its strobe points early in the observation against that late in it.
 
+use crate::dynamics::{Moments, Scattering};
 use crate::model::{Real, State};
-
-/// First and second moments of the strobe points, about a reference point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Moments<T, const N: usize> {
-    sum: State<T, N>,
-    square: T,
-}
 
 /// Compares how far the strobe points scatter in the first and the second half of an observation.
 ///
@@ -25,7 +19,7 @@ pub const STATIONARY: f64 = 1.25;
 impl<T: Real, const N: usize> Spread<T, N> {
     /// Begins at a strobe point.
     pub fn about(point: &State<T, N>) -> Self {
-        let none = Moments { sum: State::zero(), square: T::zero() };
+        let none = Moments::none(T::zero());
         Spread { about: *point, early: none, late: none }
     }
 
@@ -33,23 +27,33 @@ impl<T: Real, const N: usize> Spread<T, N> {
     #[inline(always)]
     pub fn at_strobe(&mut self, point: &State<T, N>, late: bool) {
         let away = point.plus(-T::one(), &self.about);
-        let moments = if late { &mut self.late } else { &mut self.early };
-        moments.sum = moments.sum.added(&away);
-        moments.square = moments.square + away.square();
+        self.half(late).add(true, &away);
+    }
+
+    /// What the earlier or the later half scatters by so far.
+    pub fn scattering(&self, late: bool) -> Scattering<T, N> {
+        Scattering { about: self.about, moments: if late { self.late } else { self.early } }
+    }
+
+    /// Goes on from what the earlier or the later half scatters by.
+    pub fn go_on(&mut self, late: bool, moments: Moments<T, N>) {
+        *self.half(late) = moments;
+    }
+
+    #[inline(always)]
+    fn half(&mut self, late: bool) -> &mut Moments<T, N> {
+        if late { &mut self.late } else { &mut self.early }
     }
 
     /// Whether the two halves, of `half` points each, scatter alike.
     pub fn is_stationary(&self, half: u32) -> bool {
         let count = T::of(f64::from(half));
-        let early = self.early.variance(count);
-        let late = self.late.variance(count);
+        let [early, late] = [&self.early, &self.late].map(|moments| variance(moments, count));
         let ratio = T::of(STATIONARY);
         early <= ratio * late && late <= ratio * early
     }
 }
 
-impl<T: Real, const N: usize> Moments<T, N> {
-    fn variance(&self, count: T) -> T {
-        self.square / count - self.sum.map(|value| value / count).square()
-    }
+fn variance<T: Real, const N: usize>(moments: &Moments<T, N>, count: T) -> T {
+    moments.square / count - moments.sum.map(|value| value / count).square()
 }

@@ -2,6 +2,7 @@
 
 use super::along::{Along, Alongs, Met};
 use super::clock::Clock;
+use super::moments::Moments;
 use super::moves::Moves;
 use super::passing::{Passing, Unseen};
 use super::point::Point;
@@ -125,6 +126,11 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
     #[inline(always)]
     pub fn set_unseen(&mut self, lane: usize, unseen: &Unseen<L::Real, N>) {
         self.passing.set_lane(lane, unseen);
+    }
+
+    /// What a lane's states at phase 0 scatter by, those that it passed unseen among them.
+    pub fn moments(&self, lane: usize) -> Moments<L::Real, N> {
+        self.passing.moments(lane)
     }
 
     /// Leaves a lane empty.

@@ -29,6 +29,7 @@ mod hull;
 mod imminent;
 mod leg;
 mod meeting;
+mod moments;
 mod moves;
 mod passing;
 mod placing;
@@ -54,8 +55,9 @@ pub use abreast::Abreast;
 pub use contact::holds;
 pub(crate) use event_code::EventCode;
 pub use given_up::GivenUp;
+pub(crate) use moments::Moments;
 pub(crate) use moves::Moves;
-pub(crate) use passing::Unseen;
+pub(crate) use passing::{Scattering, Unseen};
 pub use point::{Motion, Point};
 pub use recording::{ImpactEvent, Recording, Sample, Stick, record};
 pub use stop::{Contact, End, Stop};
@@ -80,6 +82,7 @@ pub(crate) mod constants {
     pub use super::quintic::{ASIDE, STEPS as NEWTON_STEPS};
     pub use super::series::INVERSE_FACTORIALS;
     pub use super::squeeze::SQUEEZES;
+    pub use super::tangent::{LONG_SQUARE, SHORT_SQUARE};
     pub use super::trajectory::MOST_KICKS;
     pub use crate::model::FAR;
 }

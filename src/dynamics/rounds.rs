@@ -64,7 +64,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             from = Alongs::select(moves, &leg.to, &from);
             let end = clock.exact(&ahead);
             point = Point::select(moves, &end, &point);
-            phases = self.complete(may, moves, &end, &mut clock);
+            phases = self.complete(may, moves, &end, &tangent, &mut clock);
         }
         (self.point, self.tangent.0, self.clock) = (point, tangent, clock);
         (self.steps, self.waits) = (ready, waits);
@@ -134,15 +134,22 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
         (self.offset, self.kicks) = (L::select(moves, zero, offset), L::select(moves, zero, kicks));
         let end = clock.exact(&ahead);
         point = Point::select(moves, &end, &point);
-        let phases = self.complete(waits, moves, &end, &mut clock);
+        let phases = self.complete(waits, moves, &end, &tangent.0, &mut clock);
         (self.point, self.clock) = (point, clock);
         Round { uncertain, phases }
     }
 
-    /// Counts the step of some lanes, of those that may make it, which ends at a point. Those that come to phase 0 or π where they
-    /// are to be seen there.
+    /// Counts the step of some lanes, of those that may make it, which ends at a point with a deviation. Those that come to phase 0
+    /// or π where they are to be seen there.
     #[inline(always)]
-    fn complete(&mut self, may: L::Mask, moves: L::Mask, end: &Point<L, N>, clock: &mut Clock<L>) -> u32 {
+    fn complete(
+        &mut self,
+        may: L::Mask,
+        moves: L::Mask,
+        end: &Point<L, N>,
+        tangent: &State<L, N>,
+        clock: &mut Clock<L>,
+    ) -> u32 {
         let comes_to_zero = clock.comes_to_zero();
         let halts = clock.arrives().and(self.halts);
         clock.count(moves);
@@ -151,7 +158,7 @@ impl<L: Lanes, const N: usize> Abreast<L, N> {
             return 0;
         }
         let (at_zero, halted) = (moves.and(comes_to_zero), moves.and(halts));
-        let unseen = self.passing.pass(at_zero, &end.state, &mut self.tally);
+        let unseen = self.passing.pass(at_zero, &end.state, (tangent, self.carries), &mut self.tally);
         halted.or(at_zero.and(unseen.not())).bits()
     }
 }

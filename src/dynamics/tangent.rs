@@ -9,7 +9,7 @@ use super::held::spared;
 use super::series::{Flown, INVERSE_FACTORIALS, Series};
 use super::stop::Contact;
 use crate::model::vector::{applied, applied_onto, axpy, dot};
-use crate::model::{Flight, Lanes, Real, State};
+use crate::model::{Flight, Lanes, Mask, Real, State};
 
 /// An impact that begins in contact, as a deviation meets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,6 +144,26 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
     }
 }
 
+/// The squares of lengths between which a tangent vector is left to grow or shrink.
+pub const SHORT_SQUARE: f64 = 1e-12;
+/// See [`SHORT_SQUARE`].
+pub const LONG_SQUARE: f64 = 1e12;
+
+impl<L: Lanes, const N: usize> Tangent<L, N> {
+    /// The square of the deviation's Euclidean length.
+    #[inline(always)]
+    pub fn square(&self) -> L {
+        self.0.square()
+    }
+
+    /// Where it is not far from unit length, and may be left to grow or shrink.
+    #[inline(always)]
+    pub fn may_be_left(&self) -> L::Mask {
+        let square = self.square();
+        square.all(SHORT_SQUARE).below(square).and(square.below(square.all(LONG_SQUARE)))
+    }
+}
+
 /// All deviations a time `s` later; see [`Tangent::flown`].
 #[inline(always)]
 pub(super) fn fly_all<T: Real, const N: usize>(
@@ -198,12 +218,6 @@ impl<T: Real, const N: usize> Tangent<T, N> {
     pub fn seed() -> Self {
         let each = T::of(1.0 / (2.0 * N as f64).sqrt());
         Tangent(State { x: [each; N], v: [each; N] })
-    }
-
-    /// The square of the deviation's Euclidean length.
-    #[inline(always)]
-    pub fn square(&self) -> T {
-        self.0.square()
     }
 
     /// Brings the deviation back to unit length, `square` being the square of its length, and says what it had grown by, ln of a

@@ -88,16 +88,6 @@ impl<T: Real, const N: usize> State<T, N> {
         State { x: self.x.map(f), v: self.v.map(f) }
     }
 
-    /// The square of the Euclidean length.
-    #[inline(always)]
-    pub fn square(&self) -> T {
-        let mut squares = T::zero();
-        for i in 0..N {
-            squares = squares + (self.x[i] * self.x[i] + self.v[i] * self.v[i]);
-        }
-        squares
-    }
-
     /// The Euclidean length.
     pub fn length(&self) -> T {
         self.square().sqrt()
@@ -124,6 +114,16 @@ impl<L: Lanes, const N: usize> State<L, N> {
     #[must_use]
     pub fn scaled(&self, a: L) -> Self {
         State { x: scaled(a, &self.x), v: scaled(a, &self.v) }
+    }
+
+    /// The square of the Euclidean length.
+    #[inline(always)]
+    pub fn square(&self) -> L {
+        let mut squares = self.x[0].all(0.0);
+        for i in 0..N {
+            squares = squares + (self.x[i] * self.x[i] + self.v[i] * self.v[i]);
+        }
+        squares
     }
 
     /// The sum of the products of the components.
