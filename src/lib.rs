@@ -85,8 +85,8 @@
 //! nowhere else, and every machine rounds alike; sines, exponentials and logarithms are libm's, not the platform's. The lanes step
 //! together until nine of sixteen of them wait for a contact; contacts are then found, and steps taken, by all of them, impacts are
 //! tallied lane by lane and noted at the next phase 0 that is looked at, and what is rare is left to the single trajectory. Phase
-//! π is passed over except where an odd cycle may show its mirror image, and phase 0 while a transient only waits for its state to
-//! return. What is computed for one lane is computed for all: trajectories that carry a tangent along fly in lanes of their own,
+//! π is passed over except where an odd cycle may show its mirror image, and phase 0 where nothing is to be decided: while a
+//! transient only waits for its state to return, and under observation between measurements of its tangent. What is computed for one lane is computed for all: trajectories that carry a tangent along fly in lanes of their own,
 //! by turns with the others. The GPU's kernel goes in rounds of the same kind, each invocation for itself; what rests on a stop
 //! makes its whole steps together after them.
 //!

@@ -44,7 +44,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
         let recurrence = self.recurrence.unseen_within(flight, RETURNED, schedule.max_period);
         let half = self.observe / 2;
         let end = if self.observed < half { half } else { self.observe };
-        let most = end.saturating_sub(self.observed + 1).min(self.exponent.periods_left());
+        let most = end.saturating_sub(self.observed + 1).min(self.exponent.periods_left()).min(MOST_UNSEEN);
         let scattering = Some(self.spread.scattering(self.observed >= half));
         Unseen { strobes: recurrence.strobes.min(most), scattering, ..recurrence }
     }
@@ -182,6 +182,21 @@ mod tests {
         let schedule = Schedule { transient: 0, observe: 150, max_period: 32, fixed_periods: true };
         let (periods, seen) = observed::<T>(&schedule, |_| 1.4);
         assert!(periods == 150 && (20..50).contains(&seen), "{seen} of {periods}");
+    }
+
+    #[test]
+    fn where_a_mass_has_rested_or_the_state_returns_every_strobe_is_seen() {
+        let flight = Flight::<f64, 2>::new(&System::new(Setting::defaults(Family::paper())).unwrap());
+        let schedule = Schedule { transient: 0, observe: 1 << 20, max_period: 1 << 16, fixed_periods: false };
+        let begun = Observer::new(&flight, &schedule, State::zero());
+        let strobes = |observer: Observer<f64, 2>| observer.unseen(&flight, &schedule).strobes;
+        assert_eq!(strobes(begun), MOST_UNSEEN);
+        assert_eq!(strobes(Observer { stuck: true, ..begun }), 0, "a mass that rests can take the tangent");
+        assert_eq!(strobes(Observer { turn: Turn::over(1), ..begun }), 0);
+        let mut returned = begun;
+        returned.recurrence.n = 2;
+        assert_eq!(strobes(returned), 0);
+        assert_eq!(strobes(Observer { stage: Stage::Observed, ..begun }), 0);
     }
 
     #[test]

@@ -78,9 +78,7 @@ fn of_cells(
             let least = Part { cells: some.len(), time: DEADLINE }.time_of(all);
             let (least, deadline) = (spans::words(least), spans::words(DEADLINE));
             let some = some.len();
-            note(&format!(
-                "{what} will take about {least} or more ({some} of {all} cells take over {deadline})"
-            ));
+            note(&format!("{what} may take {least} or more ({some} of {all} cells take over {deadline})"));
         };
         let began_with_these = Instant::now();
         let Some(_) = before(DEADLINE, announce, |watch| compute(some, watch))? else { return Ok(()) };

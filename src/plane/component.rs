@@ -1,8 +1,8 @@
-//! The components of a start.
+//! The components of a state.
 
 use crate::model::vector::MOST;
 
-/// A component of the start state, at forcing phase 0; non-dimensional.
+/// A component of a state at forcing phase 0, of the start or of the end; non-dimensional.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Component {
     coordinates: usize,

@@ -49,7 +49,7 @@ export class Status {
   /** Something that went wrong, until it is closed or `clear`ed by its name; once, however many questions it is the answer to. */
   notice(text, name = null) {
     if (name) this.clear(name);
-    if ([...this.notices.children].some((shown) => shown.firstChild.textContent === text)) return;
+    for (const shown of [...this.notices.children]) if (shown.firstChild.textContent === text) shown.remove();
     const close = element('button', { type: 'button', text: '×', 'aria-label': 'Close', onclick: () => notice.remove() });
     const notice = element('div', { class: 'notice', 'data-name': name }, element('span', { text }), close);
     this.notices.append(notice);

@@ -10,7 +10,7 @@ use crate::plane::component::Component;
 use crate::plane::window::Window;
 use crate::system::Family;
 
-/// The codes of cells that have no numbers, whatever stands in their fields: nothing moved there.
+/// The codes of cells that have no numbers, whatever stands in their fields: nothing moved there, or has moved yet.
 const WITHOUT: [u32; 2] = [NOT_COMPUTED as u32, Regime::Inadmissible.code() as u32];
 
 /// What of every cell is drawn.
