@@ -193,13 +193,22 @@ impl<T: Real, const N: usize> Recurrence<T, N> {
         // As many k as have since + k < (periods + k) / PATIENCE_SHARE and since + k < max_period.
         let first = self.since + 1;
         let by_age = periods.saturating_sub(PATIENCE_SHARE * first) / (PATIENCE_SHARE - 1);
-        let waits = self.unseen_within(flight, T::RETURNING, max_period);
-        Unseen { strobes: waits.strobes.min(by_age), ..waits }
+        self.unseen_within(flight, T::RETURNING, by_age, max_period)
     }
 
-    /// The same where a return within a tolerance is waited for, for `max_period` from the anchor on, whatever the age.
-    pub fn unseen_within(&self, flight: &Flight<T, N>, tolerance: f64, max_period: u32) -> Unseen<T, N> {
-        let strobes = if self.n == 0 { max_period.saturating_sub(self.since + 1) } else { 0 };
+    /// The same where a return within a tolerance is waited for, for `max_period` from the anchor on: `most` of them.
+    #[inline(always)]
+    pub fn unseen_within(
+        &self,
+        flight: &Flight<T, N>,
+        tolerance: f64,
+        most: u32,
+        max_period: u32,
+    ) -> Unseen<T, N> {
+        let strobes = max_period.saturating_sub(self.since + 1).min(most);
+        if self.n != 0 || strobes == 0 {
+            return Unseen::none();
+        }
         let mut size = flight.unit;
         for i in 0..2 * N {
             size = self.anchor.get(i).abs().max(size);

@@ -41,12 +41,12 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if self.stuck {
             return Unseen::none();
         }
-        let recurrence = self.recurrence.unseen_within(flight, RETURNED, schedule.max_period);
         let half = self.observe / 2;
         let end = if self.observed < half { half } else { self.observe };
         let most = end.saturating_sub(self.observed + 1).min(self.exponent.periods_left()).min(MOST_UNSEEN);
+        let recurrence = self.recurrence.unseen_within(flight, RETURNED, most, schedule.max_period);
         let scattering = Some(self.spread.scattering(self.observed >= half));
-        Unseen { strobes: recurrence.strobes.min(most), scattering, ..recurrence }
+        Unseen { scattering, ..recurrence }
     }
 
     /// Notes what happened from free flight to free flight: impacts, and strobes that it has not seen; under observation `moments`
