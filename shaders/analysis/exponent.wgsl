@@ -19,7 +19,7 @@ fn exponent_over(observe: u32) -> Exponent {
 // from unit length: it is brought back to that then. Otherwise it is left to grow. The growth that was measured, 0 where none was.
 fn exponent_at_strobe(asked: bool) -> f32 {
     let square = state_square(tangent);
-    let far = !((SHORT_SQUARE < square) & (square < LONG_SQUARE));
+    let far = !tangent_may_be_left(square);
     let ends = observer.exponent.filled + 1u >= observer.exponent.batch_periods;
     var growth = 0.0;
     if far | ends | asked {

@@ -75,6 +75,11 @@ fn tangent_struck_ahead(tangent: State, back: State, velocity: f32, kick: f32, p
     return state_plus(state_plus(tangent, factor * speed, wake), factor * there, tangent_rate(wake));
 }
 
+// Whether it is not far from unit length, `square` being the square of its length, and may be left to grow or shrink.
+fn tangent_may_be_left(square: f32) -> bool {
+    return (SHORT_SQUARE < square) & (square < LONG_SQUARE);
+}
+
 // Brings the tangent back to unit length, `square` being the square of its length, and returns what it had grown by, ln of a factor.
 fn tangent_bring_back(square: f32) -> f32 {
     let length = sqrt(square);

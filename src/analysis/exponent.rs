@@ -49,9 +49,10 @@ impl<T: Real> Exponent<T> {
     /// what it had grown by since it was measured last is lost with it.
     #[inline(always)]
     pub fn at_strobe<const N: usize>(&mut self, tangent: &mut Tangent<T, N>, asked: bool) -> T {
+        let square = tangent.square();
+        let far = !Tangent::<T, N>::may_be_left(square);
         let ends = self.filled + 1 >= self.batch_periods;
-        let left = tangent.may_be_left() && !ends && !asked;
-        let growth = if left { T::zero() } else { tangent.bring_back(tangent.square()) };
+        let growth = if far || ends || asked { tangent.bring_back(square) } else { T::zero() };
         self.add(growth);
         growth
     }

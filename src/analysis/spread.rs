@@ -26,8 +26,8 @@ impl<T: Real, const N: usize> Spread<T, N> {
     /// Adds a strobe point to the earlier or the later half.
     #[inline(always)]
     pub fn at_strobe(&mut self, point: &State<T, N>, late: bool) {
-        let away = point.plus(-T::one(), &self.about);
-        self.half(late).add(true, &away);
+        let about = self.about;
+        self.half(late).add(true, point, &about);
     }
 
     /// What the earlier or the later half scatters by so far.

@@ -20,8 +20,9 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// How often it may pass phase 0 in free flight before it is to see that.
     pub(super) fn unseen(&self, flight: &Flight<T, N>, schedule: &Schedule) -> Unseen<T, N> {
         match self.stage {
-            Stage::Observation if !self.turn.is_measured() => self.unseen_while_observed(flight, schedule),
-            Stage::Transient if !self.turn.is_measured() => self.unseen_in_transient(flight, schedule),
+            _ if self.turn.is_measured() => Unseen::none(),
+            Stage::Transient => self.unseen_in_transient(flight, schedule),
+            Stage::Observation => self.unseen_while_observed(flight, schedule),
             _ => Unseen::none(),
         }
     }
@@ -41,12 +42,17 @@ impl<T: Real, const N: usize> Observer<T, N> {
         if self.stuck {
             return Unseen::none();
         }
-        let half = self.observe / 2;
-        let end = if self.observed < half { half } else { self.observe };
+        let late = self.goes_on_late();
+        let end = if late { self.observe } else { self.observe / 2 };
         let most = end.saturating_sub(self.observed + 1).min(self.exponent.periods_left()).min(MOST_UNSEEN);
         let recurrence = self.recurrence.unseen_within(flight, RETURNED, most, schedule.max_period);
-        let scattering = Some(self.spread.scattering(self.observed >= half));
+        let scattering = Some(self.spread.scattering(late));
         Unseen { scattering, ..recurrence }
+    }
+
+    /// Whether the strobes that follow are of the later half of the observation.
+    fn goes_on_late(&self) -> bool {
+        self.observed >= self.observe / 2
     }
 
     /// Notes what happened from free flight to free flight: impacts, and strobes that it has not seen; under observation `moments`
@@ -65,7 +71,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
             if strobes > 0 {
                 self.recurrence.pass(strobes);
                 self.exponent.pass(strobes);
-                self.spread.go_on(self.observed >= self.observe / 2, moments());
+                self.spread.go_on(self.goes_on_late(), moments());
                 self.observed += strobes;
             }
         } else if !schedule.fixed_periods {
@@ -144,9 +150,12 @@ mod tests {
             tangent = grown(&tangent);
             let away =
                 state.plus(-T::one(), &unseen.anchor).values().fold(T::zero(), |far, x| x.abs().max(far));
-            if passed < unseen.strobes && away > unseen.nearest && tangent.may_be_left() {
+            if passed < unseen.strobes
+                && away > unseen.nearest
+                && Tangent::<T, 2>::may_be_left(tangent.square())
+            {
                 passed += 1;
-                moments.add(true, &state.plus(-T::one(), &unseen.scattering.unwrap().about));
+                moments.add(true, &state, &unseen.scattering.unwrap().about);
                 continue;
             }
             let tally =

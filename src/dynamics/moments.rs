@@ -1,4 +1,4 @@
-//! First and second moments of points.
+//! First and second moments of points about one.
 
 use crate::model::{Lanes, State};
 
@@ -17,10 +17,11 @@ impl<L: Lanes, const N: usize> Moments<L, N> {
         Moments { sum: State { x: [zero; N], v: [zero; N] }, square: zero }
     }
 
-    /// Adds a point in some lanes.
+    /// Adds a point in some lanes, with the point of reference.
     #[inline(always)]
-    pub fn add(&mut self, which: L::Mask, away: &State<L, N>) {
-        self.sum = State::select(which, &self.sum.added(away), &self.sum);
+    pub fn add(&mut self, which: L::Mask, point: &State<L, N>, about: &State<L, N>) {
+        let away = point.plus(self.square.all(-1.0), about);
+        self.sum = State::select(which, &self.sum.added(&away), &self.sum);
         self.square = L::select(which, self.square + away.square(), self.square);
     }
 

@@ -98,8 +98,8 @@ impl<L: Lanes, const N: usize> Passing<L, N> {
         let moved = zero.below(tally.moves).and(tally.moves.below(zero.all(f64::from(Moves::MANY))));
         let mut passes = may.and(away).and(moved);
         if passes.and(carried).bits() != 0 {
-            passes = passes.and(carried.not().or(Tangent(*tangent).may_be_left()));
-            self.moments.add(passes.and(carried), &state.plus(zero.all(-1.0), &self.about));
+            passes = passes.and(carried.not().or(Tangent::<L, N>::may_be_left(tangent.square())));
+            self.moments.add(passes.and(carried), state, &self.about);
         }
         let one = zero.all(1.0);
         // Nothing is taken away where nothing passed, as [`Tally`] adds nothing.

@@ -156,10 +156,9 @@ impl<L: Lanes, const N: usize> Tangent<L, N> {
         self.0.square()
     }
 
-    /// Where it is not far from unit length, and may be left to grow or shrink.
+    /// Where it is not far from unit length, `square` being the square of its length, and may be left to grow or shrink.
     #[inline(always)]
-    pub fn may_be_left(&self) -> L::Mask {
-        let square = self.square();
+    pub fn may_be_left(square: L) -> L::Mask {
         square.all(SHORT_SQUARE).below(square).and(square.below(square.all(LONG_SQUARE)))
     }
 }
