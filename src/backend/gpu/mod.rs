@@ -101,24 +101,6 @@ impl Gpu {
             joined_in_flight(batches_at_a_time, tile.len(), self.kernel.batches(kernel, tile)?, &compute)
         })
     }
-
-    /// Refuses what a software adapter may not come to an end with: Mesa 22.3 does not always when it compiles the kernel of
-    /// control in exact arithmetic, or for several contact normals, and its memory grows meanwhile.
-    fn check_control_ends(&self, jobs: &[ControlJob]) -> Result<()> {
-        if !self.is_software() {
-            return Ok(());
-        }
-        let what = match self.arithmetic {
-            Arithmetic::Exact => "in exact arithmetic: use --backend cpu, which gives the same bits",
-            Arithmetic::Native if jobs.iter().any(|job| job.job.system.normals() > 1) => {
-                "for stops in several directions: use --backend cpu"
-            }
-            Arithmetic::Native => return Ok(()),
-        };
-        Err(BackendError::Unsupported(format!(
-            "a software adapter's compiler does not always come to an end with the kernel of control {what}"
-        )))
-    }
 }
 
 impl Backend for Gpu {
@@ -153,7 +135,6 @@ impl Backend for Gpu {
         watch: &dyn Watch,
     ) -> Result<Vec<Outcome>> {
         schedule.check()?;
-        self.check_control_ends(jobs)?;
         jobs.iter()
             .try_for_each(|job| job.controller.check_on_device())
             .map_err(|why| BackendError::Unsupported(why.to_owned()))?;

@@ -67,21 +67,8 @@ pub fn agreement(plane: &Plane<Control>, candidate: &dyn Backend) -> Agreement {
     compare(&map(plane, &Cpu), &map(plane, candidate))
 }
 
-/// A software adapter refuses exact control before its compiler can fail to come to an end, and says what gives the same bits.
-#[test]
-fn exact_control_on_a_software_adapter_is_refused() {
-    let exact = open_exact();
-    let plane = plane(delay(0.5, Sign::Stabilising), "omega=2.8:2.9:2", "gain=0.2:0.4:2");
-    let refused = sweep(&plane, &exact, &Unwatched).map(drop).map_err(|error| error.to_string());
-    if exact.is_software() {
-        assert!(refused.unwrap_err().contains("--backend cpu"));
-    }
-    assert_eq!(map(&plane, &CpuSingle).verdicts.len(), 4);
-}
-
 /// With exact arithmetic an adapter and its twin on the CPU have the same bits, whatever the method.
 #[test]
-#[ignore = "needs a hardware adapter: Mesa 22.3 does not always end compiling this kernel"]
 fn exact_control_has_the_bits_of_the_twin() {
     let exact = open_exact();
     let pulses =

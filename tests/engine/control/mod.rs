@@ -22,7 +22,7 @@ use impact_atlas::model::{Parameters, System};
 
 use crate::common::adapter::open;
 
-/// The device of this suite: the kernel of control takes a software adapter half a minute to compile, for each shape of a system.
+/// The device of this suite: the kernel of control takes a software adapter seconds to compile, for each shape of a system.
 pub fn gpu() -> &'static Gpu {
     static GPU: LazyLock<Gpu> = LazyLock::new(open);
     &GPU

@@ -8,7 +8,7 @@ use parking_lot::Mutex;
 use wgpu::ShaderSource;
 
 use super::device::compiled;
-use crate::backend::gpu::shader::{self, Arithmetic, Residence, Shape, WORKGROUP};
+use crate::backend::gpu::shader::{self, Arithmetic, Residence, Shape, Space, WORKGROUP};
 use crate::backend::{BackendError, Result};
 
 /// A compiled kernel, and the sizes of what decides how many trajectories it has room for.
@@ -23,14 +23,16 @@ pub struct Compiled {
 /// Every kernel that was compiled so far.
 pub struct Library {
     residence: Residence,
+    space: Space,
     arithmetic: Arithmetic,
     compiled: Mutex<HashMap<(shader::Kernel, Shape), Arc<Compiled>>>,
 }
 
 impl Library {
-    /// An empty library of kernels that keep the observer of a trajectory there, where there is room for it, and compute so.
-    pub fn new(residence: Residence, arithmetic: Arithmetic) -> Self {
-        Library { residence, arithmetic, compiled: Mutex::default() }
+    /// An empty library of kernels that keep the observer of a trajectory there, where there is room for it, have their parameters
+    /// there, and compute so.
+    pub fn new(residence: Residence, space: Space, arithmetic: Arithmetic) -> Self {
+        Library { residence, space, arithmetic, compiled: Mutex::default() }
     }
 
     /// The kernel for a shape, compiled if it is needed for the first time.
@@ -39,7 +41,8 @@ impl Library {
         if let Some(compiled) = library.get(&(kernel, shape)) {
             return Ok(compiled.clone());
         }
-        let source = |residence| shader::source(kernel, &shape, residence, self.arithmetic);
+        let source =
+            |residence| self.space.placed(shader::source(kernel, &shape, residence, self.arithmetic));
         let nearest = source(self.residence);
         let [state, flight, observer] = sizes(&nearest, [kernel.state(), "Flight", "Observer"]);
         let room = device.limits().max_compute_workgroup_storage_size;

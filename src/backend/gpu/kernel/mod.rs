@@ -24,7 +24,7 @@ use tokio::sync::Semaphore;
 
 use super::adapters::Found;
 use crate::backend::Result;
-use crate::backend::gpu::shader::{Arithmetic, Residence};
+use crate::backend::gpu::shader::{Arithmetic, Residence, Space};
 use crate::backend::in_flight::IN_FLIGHT;
 use compiled::Library;
 use device::device_error;
@@ -59,8 +59,10 @@ pub struct Kernel {
 impl Kernel {
     /// Opens a device on the adapter.
     pub fn new(found: &Found, arithmetic: Arithmetic) -> Result<Self> {
+        let offered = found.adapter.limits();
         let limits = wgpu::Limits {
-            max_compute_workgroup_storage_size: found.adapter.limits().max_compute_workgroup_storage_size,
+            max_compute_workgroup_storage_size: offered.max_compute_workgroup_storage_size,
+            max_storage_buffers_per_shader_stage: offered.max_storage_buffers_per_shader_stage,
             ..wgpu::Limits::default()
         };
         Kernel::within(limits, found, arithmetic)
@@ -79,7 +81,7 @@ impl Kernel {
             pollster::block_on(found.adapter.request_device(&descriptor)).map_err(device_error)?;
         let software = found.report.is_software();
         let residence = if software { Residence::Private } else { Residence::Workgroup };
-        let library = Library::new(residence, arithmetic);
+        let library = Library::new(residence, Space::of(software, &device.limits()), arithmetic);
         let tiles_at_a_time = if software { IN_FLIGHT } else { ON_HARDWARE };
         let room = Semaphore::new(tiles_at_a_time);
         let (turn, kept, spent) = (Mutex::default(), Kept::default(), Mutex::default());
@@ -97,7 +99,7 @@ impl Kernel {
     /// The same with the shaders of hardware.
     #[cfg(test)]
     pub fn with_shaders_of_hardware(self, arithmetic: Arithmetic) -> Self {
-        Kernel { library: Library::new(Residence::Workgroup, arithmetic), ..self }
+        Kernel { library: Library::new(Residence::Workgroup, Space::Uniform, arithmetic), ..self }
     }
 
     /// How many buffers are kept for tiles to come.

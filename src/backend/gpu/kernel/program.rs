@@ -12,7 +12,7 @@ pub struct Program<'a, D> {
     pub iterations: u32,
     /// Buffers beyond those that every kernel has, in the order of their bindings.
     pub more: &'a [&'a wgpu::Buffer],
-    /// The uniforms of one dispatch: of so many trajectories, so many moves, the first or a later one.
+    /// The parameters of one dispatch: of so many trajectories, so many moves, the first or a later one.
     pub dispatch: &'a dyn Fn(Portion) -> D,
 }
 

@@ -40,7 +40,7 @@ impl Tile {
         let storage = wgpu::BufferUsages::STORAGE;
         let count = count as u64;
         let (reads, writes) = (wgpu::BufferUsages::COPY_SRC, wgpu::BufferUsages::COPY_DST);
-        let dispatch = empty(device, size_of::<D>() as u64, wgpu::BufferUsages::UNIFORM | writes);
+        let dispatch = empty(device, size_of::<D>() as u64, wgpu::BufferUsages::UNIFORM | storage | writes);
         let flights = filled(device, flights)?;
         let kicks = filled(device, kicks)?;
         let cells = filled(device, cells)?;

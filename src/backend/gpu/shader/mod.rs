@@ -7,6 +7,7 @@ mod kernel;
 mod methods;
 mod residence;
 mod sections;
+mod space;
 mod template;
 mod vectors;
 mod workgroup;
@@ -14,6 +15,7 @@ mod workgroup;
 pub use exact::{Arithmetic, exact};
 pub use kernel::Kernel;
 pub use residence::Residence;
+pub use space::Space;
 pub use template::Shape;
 pub use workgroup::WORKGROUP;
 

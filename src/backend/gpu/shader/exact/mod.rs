@@ -24,8 +24,8 @@ use refused::Refused;
 const DIVIDE: &str = "exact_quotient";
 const ROOT: &str = "exact_root";
 
-/// The uniform, and its member of type u32 that is 0 or 1, from which the zero is made.
-const UNIFORM: (&str, &str) = ("dispatch", "begin");
+/// The parameters of a dispatch, and their member of type u32 that is 0 or 1, from which the zero is made.
+const DISPATCH: (&str, &str) = ("dispatch", "begin");
 
 /// Makes the arithmetic of a kernel exact.
 ///
@@ -61,12 +61,12 @@ pub fn exact(source: &str) -> Result<Module, Refused> {
 
 /// Where the zero comes from.
 fn zero(module: &Module) -> Result<(Handle<GlobalVariable>, u32), Refused> {
-    let (name, member) = UNIFORM;
+    let (name, member) = DISPATCH;
     let (handle, variable) = module
         .global_variables
         .iter()
         .find(|(_, variable)| variable.name.as_deref() == Some(name))
-        .ok_or_else(|| format!("the shader has no uniform {name}"))?;
+        .ok_or_else(|| format!("the shader has no variable {name}"))?;
     let TypeInner::Struct { members, .. } = &module.types[variable.ty].inner else {
         return Err(format!("{name} is no struct"));
     };

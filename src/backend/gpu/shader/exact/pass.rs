@@ -62,9 +62,9 @@ impl Pass<'_> {
     /// The zeros, and what evaluates them.
     fn zeros(&self, new: &mut Arena<Expression>) -> (Zeros, Range<Expression>) {
         let mut add = |expression| new.append(expression, Span::default());
-        let uniform = add(Expression::GlobalVariable(self.zero.0));
+        let dispatch = add(Expression::GlobalVariable(self.zero.0));
         let bits = add(Expression::Literal(Literal::U32(31)));
-        let pointer = add(Expression::AccessIndex { base: uniform, index: self.zero.1 });
+        let pointer = add(Expression::AccessIndex { base: dispatch, index: self.zero.1 });
         let member = add(Expression::Load { pointer });
         let zero = add(Expression::Binary { op: BinaryOperator::ShiftRight, left: member, right: bits });
         let sizes = [VectorSize::Bi, VectorSize::Tri, VectorSize::Quad];
