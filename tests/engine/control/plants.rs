@@ -376,10 +376,14 @@ fn on_stops_apart() -> Vec<(&'static str, ControlJob)> {
     ]
 }
 
-/// What a dispatch is asked for is different each time: a compiler that took it for a part of the kernel would begin anew.
+/// What a dispatch is asked for is different each time: a software adapter that took it for a part of the kernel would compile it
+/// anew. Hardware has a uniform for it, and its driver may have the kernel from before, so that the first says nothing.
 #[test]
 fn a_kernel_is_compiled_once_whatever_its_dispatches_are_asked_for() {
     let device = open();
+    if !device.is_software() {
+        return;
+    }
     let (_, ball) = settling().swap_remove(0);
     let taken = |count| {
         let jobs = vec![ball.clone(); count];
